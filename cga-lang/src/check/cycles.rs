@@ -1,0 +1,125 @@
+//! Attributes and constants that need each other, and functions that never end.
+
+use super::{Cx, Tables, Use};
+use crate::ast::{Decl, Expr, ExprKind};
+use crate::code::Code;
+use crate::graph::{components, is_cycle};
+
+/// Finds cycles among attributes, constants and functions, and the order in which values can be computed.
+pub(super) fn find(cx: &mut Cx) {
+    let decls: Vec<&Decl> = cx.globals.values().collect();
+    let (attrs, consts) = (cx.globals.attrs.len(), cx.globals.consts.len());
+    let numbering = Numbering { attrs, consts };
+    let edges: Vec<Vec<usize>> = decls
+        .iter()
+        .map(|decl| {
+            let mut list = Vec::new();
+            if let Some(value) = decl.value() {
+                needs(value, &cx.tables, numbering, &mut list);
+            }
+            list.sort_unstable();
+            list.dedup();
+            list
+        })
+        .collect();
+    let mut ends = vec![false; decls.len()];
+    for component in components(&edges) {
+        settle(&component, &decls, &cx.tables, numbering, &mut ends);
+        let cyclic = is_cycle(&component, &edges);
+        let value = component.iter().copied().find(|&node| node < attrs + consts);
+        if let (true, Some(node)) = (cyclic, value) {
+            let decl = decls[node];
+            let others: Vec<String> =
+                component.iter().filter(|&&other| other != node).map(|&other| format!("`{}`", decls[other].name.text)).collect();
+            let message = if others.is_empty() {
+                format!("`{}` needs its own value", decl.name.text)
+            } else {
+                format!("`{}` needs its own value, by way of {}", decl.name.text, others.join(", "))
+            };
+            cx.diags.report(Code::InitCycle, decl.name.span, message);
+        } else if let (true, Some(&node)) = (cyclic, component.iter().find(|&&node| !ends[node])) {
+            let decl = decls[node];
+            cx.diags
+                .report(Code::EndlessFunction, decl.name.span, format!("`{}` calls itself and never ends", decl.name.text))
+                .help("a recursive function needs a `case` with a branch that does not call it");
+        }
+        for &node in &component {
+            cx.tables.order.push(node);
+            if cyclic && attrs + consts <= node {
+                cx.tables.recursive.insert((node - attrs - consts) as u32);
+            }
+        }
+    }
+}
+
+/// Nodes: attributes, then constants, then functions.
+#[derive(Clone, Copy)]
+struct Numbering {
+    attrs: usize,
+    consts: usize,
+}
+
+impl Numbering {
+    fn node(self, found: Option<Use>) -> Option<usize> {
+        match found? {
+            Use::Attr(index) => Some(index as usize),
+            Use::Const(index) => Some(self.attrs + index as usize),
+            Use::Function(index) => Some(self.attrs + self.consts + index as usize),
+            _ => None,
+        }
+    }
+}
+
+/// Collects what an expression uses.
+fn needs(expr: &Expr, tables: &Tables, numbering: Numbering, list: &mut Vec<usize>) {
+    let mut all = |parts: &mut dyn Iterator<Item = &Expr>| parts.for_each(|part| needs(part, tables, numbering, list));
+    match &expr.kind {
+        ExprKind::Name(name) => list.extend(numbering.node(tables.of(name))),
+        ExprKind::Call(name, args) => {
+            all(&mut args.iter());
+            list.extend(numbering.node(tables.of(name)));
+        }
+        ExprKind::Path(_, args) => all(&mut args.iter()),
+        ExprKind::Unary(_, a) => all(&mut [&**a].into_iter()),
+        ExprKind::Binary(_, _, a, b) => all(&mut [&**a, &**b].into_iter()),
+        ExprKind::Case(arms, otherwise) => {
+            all(&mut arms.iter().flat_map(|(a, b)| [a, b]).chain([&**otherwise]));
+        }
+        ExprKind::Chance(arms, otherwise) => all(&mut arms.iter().map(|(_, b)| b).chain([&**otherwise])),
+        ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Host(_) | ExprKind::Error => {}
+    }
+}
+
+/// Finds out which declarations of a component can end: those of which some path calls only what can end.
+fn settle(component: &[usize], decls: &[&Decl], tables: &Tables, numbering: Numbering, ends: &mut [bool]) {
+    for _ in component {
+        let mut changed = false;
+        for &node in component {
+            if !ends[node] && decls[node].value().is_none_or(|value| can_end(value, tables, numbering, ends)) {
+                ends[node] = true;
+                changed = true;
+            }
+        }
+        if !changed {
+            break;
+        }
+    }
+}
+
+fn can_end(expr: &Expr, tables: &Tables, numbering: Numbering, ends: &[bool]) -> bool {
+    let can = |part: &Expr| can_end(part, tables, numbering, ends);
+    let used = |name| numbering.node(tables.of(name)).is_none_or(|node| ends[node]);
+    match &expr.kind {
+        ExprKind::Name(name) => used(name),
+        ExprKind::Call(name, args) => used(name) && args.iter().all(can),
+        ExprKind::Path(_, args) => args.iter().all(can),
+        ExprKind::Unary(_, a) => can(a),
+        ExprKind::Binary(_, _, a, b) => can(a) && can(b),
+        ExprKind::Case(arms, otherwise) => {
+            arms.first().is_none_or(|(first, _)| can(first))
+                && (can(otherwise) || arms.iter().any(|(_, value)| can(value)))
+        }
+        ExprKind::Chance(arms, otherwise) => can(otherwise) || arms.iter().any(|(_, value)| can(value)),
+        ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Host(_) | ExprKind::Error => true,
+    }
+}

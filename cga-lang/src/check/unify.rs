@@ -1,0 +1,95 @@
+//! Types not known yet, and what becomes of them.
+
+use crate::ir::Type;
+use crate::span::Span;
+
+/// A type that may not be known yet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Var(u32);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum State {
+    /// Nothing is known.
+    Free,
+    /// Known.
+    Is(Type),
+    /// Something wrong was reported: goes with everything.
+    Poison,
+}
+
+#[derive(Clone, Copy)]
+struct Node {
+    parent: u32,
+    state: State,
+    /// What made the type known.
+    why: Option<Span>,
+}
+
+/// Sets of types that must be equal.
+#[derive(Default)]
+pub(super) struct Vars {
+    nodes: Vec<Node>,
+}
+
+impl Vars {
+    pub(super) fn add(&mut self, state: State, why: Option<Span>) -> Var {
+        let parent = self.nodes.len() as u32;
+        self.nodes.push(Node { parent, state, why });
+        Var(parent)
+    }
+
+    fn root(&mut self, var: Var) -> usize {
+        let mut at = var.0 as usize;
+        while self.nodes[at].parent as usize != at {
+            let up = self.nodes[at].parent as usize;
+            self.nodes[at].parent = self.nodes[up].parent;
+            at = up;
+        }
+        at
+    }
+
+    pub(super) fn state(&mut self, var: Var) -> State {
+        let root = self.root(var);
+        self.nodes[root].state
+    }
+
+    pub(super) fn known(&mut self, var: Var) -> Option<Type> {
+        match self.state(var) {
+            State::Is(ty) => Some(ty),
+            _ => None,
+        }
+    }
+
+    pub(super) fn why(&mut self, var: Var) -> Option<Span> {
+        let root = self.root(var);
+        self.nodes[root].why
+    }
+
+    /// Says what a free one is; false when it is something else.
+    pub(super) fn bind(&mut self, var: Var, ty: Type, why: Span) -> bool {
+        let root = self.root(var);
+        let node = &mut self.nodes[root];
+        match node.state {
+            State::Free => {
+                node.state = State::Is(ty);
+                node.why = Some(why);
+                true
+            }
+            State::Is(own) => own == ty,
+            State::Poison => true,
+        }
+    }
+
+    /// Makes two equal; gives both types when they differ, and leaves them alone.
+    pub(super) fn join(&mut self, a: Var, b: Var) -> Result<(), (Type, Type)> {
+        let (a, b) = (self.root(a), self.root(b));
+        match (self.nodes[a].state, self.nodes[b].state) {
+            (State::Is(first), State::Is(second)) if first != second => return Err((first, second)),
+            // What went wrong in one place says nothing about the other.
+            (State::Poison, _) | (_, State::Poison) => {}
+            (State::Free, _) => self.nodes[a].parent = b as u32,
+            _ => self.nodes[b].parent = a as u32,
+        }
+        Ok(())
+    }
+}

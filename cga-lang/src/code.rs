@@ -1,0 +1,85 @@
+//! Every kind of finding: its name, its usual level and what it means.
+
+use crate::diag::Level;
+
+macro_rules! codes {
+    ($($name:ident $text:literal $level:ident $about:literal,)*) => {
+        /// A kind of finding.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Code { $(#[doc = $about] $name,)* }
+
+        impl Code {
+            /// Every code.
+            pub const ALL: &'static [Code] = &[$(Code::$name,)*];
+
+            /// As written in `@Allow(…)` and in the documentation.
+            pub const fn name(self) -> &'static str {
+                match self { $(Code::$name => $text,)* }
+            }
+
+            /// Its level where nothing else is said.
+            pub const fn level(self) -> Level {
+                match self { $(Code::$name => Level::$level,)* }
+            }
+
+            /// What it means, in a line.
+            pub const fn about(self) -> &'static str {
+                match self { $(Code::$name => $about,)* }
+            }
+        }
+    };
+}
+
+codes! {
+    // Reading characters.
+    UnknownCharacter "unknown_character" Error "A character that means nothing in CGA.",
+    UnclosedString "unclosed_string" Error "A string without its closing quote.",
+    UnclosedComment "unclosed_comment" Error "A `/*` without its `*/`.",
+    BadNumber "bad_number" Error "A number that cannot be read.",
+    BadEscape "bad_escape" Warning "A backslash in a string before a character it does not go with.",
+    // Reading tokens.
+    Syntax "syntax" Error "Something else was expected here.",
+    UnclosedBracket "unclosed_bracket" Error "An opening bracket that is never closed.",
+    TooDeep "too_deep" Error "Brackets, branches or operators nested too deeply.",
+    MissingElse "missing_else" Error "A `case` or a percentage block without `else`.",
+    MixedBranches "mixed_branches" Error "Conditions and percentages in one block.",
+    BranchNotFirst "branch_not_first" Error "A `case` or percentage block after other operations.",
+    MissingSize "missing_size" Error "A slot of a split without a size.",
+    MisplacedPrefix "misplaced_prefix" Error "`'` or `~` where no size stands.",
+    StrayQuote "stray_quote" Warning "A `'` behind a size.",
+    Unsupported "unsupported" Error "A part of CGA that is not supported yet.",
+    // Declarations.
+    DuplicateName "duplicate_name" Error "Two declarations of one name.",
+    BadAnnotation "bad_annotation" Error "An annotation with arguments it cannot have.",
+    UnknownAnnotation "unknown_annotation" Warning "An annotation that is not one of CGA's.",
+    UnknownCode "unknown_code" Warning "`@Allow`, `@Warn` or `@Deny` of a finding that does not exist.",
+    NoStartRule "no_start_rule" Warning "No rule without parameters to begin with.",
+    // Names.
+    UndefinedRule "undefined_rule" Warning "A call that matches no rule by name and number of arguments.",
+    UnknownName "unknown_name" Error "A name that is not declared.",
+    UnknownFunction "unknown_function" Error "A function that is not declared.",
+    UnknownAxis "unknown_axis" Error "An axis a split does not have.",
+    UnknownSelector "unknown_selector" Error "A component selector that does not exist.",
+    UnknownWord "unknown_word" Error "A word an operation does not know in that place.",
+    NotSettable "not_settable" Error "`set` on something that cannot be set.",
+    // Arguments and types.
+    ArgumentCount "argument_count" Error "An operation or function with the wrong number of arguments.",
+    TypeMismatch "type_mismatch" Error "A value of the wrong type.",
+    // Values.
+    PercentOver100 "percent_over_100" Error "Percentages that add up to more than 100.",
+    InitCycle "init_cycle" Error "Attributes and constants that need each other.",
+    EndlessFunction "endless_function" Error "A function that calls itself on every path.",
+    AfterNil "after_nil" Warning "Operations after `NIL`, which has removed the shape.",
+}
+
+impl Code {
+    /// The code of that name.
+    pub fn from_name(name: &str) -> Option<Code> {
+        Code::ALL.iter().copied().find(|code| code.name() == name)
+    }
+
+    /// Whether `@Allow`, `@Warn` and `@Deny` may change its level: then the rules have a meaning all the same.
+    pub fn is_lint(self) -> bool {
+        self.level() != Level::Error
+    }
+}

@@ -1,0 +1,128 @@
+//! The whole way from tokens to a grammar, in one call.
+
+use crate::ast::{Decl, Expr, ExprKind, Unary};
+use crate::check::check;
+use crate::code::Code;
+use crate::diag::{Diag, Diags, Level};
+use crate::ir::{Grammar, Type, Value};
+use crate::lex::lex;
+use crate::lower::lower;
+use crate::parse::parse;
+use crate::span::Span;
+use crate::token::Tokens;
+use std::collections::HashSet;
+use std::ops::Range;
+
+/// How strict to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Door {
+    /// Rules among Rust: a call without a rule is an error.
+    Inline,
+    /// CGA text: a call without a rule is a leaf and a warning, as CGA documents.
+    Text,
+}
+
+/// What became of some tokens.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// The grammar; `None` when there was an error.
+    pub grammar: Option<Grammar>,
+    /// Every finding, in source order.
+    pub diags: Vec<Diag>,
+    /// The public names, errors or not.
+    pub names: Skeleton,
+}
+
+/// The public names of a grammar, known even when it has errors.
+#[derive(Clone, Debug, Default)]
+pub struct Skeleton {
+    /// Attributes, in source order, each name once.
+    pub attrs: Vec<SkeletonAttr>,
+}
+
+/// An attribute of a grammar that may have errors.
+#[derive(Clone, Debug)]
+pub struct SkeletonAttr {
+    /// As written.
+    pub name: String,
+    /// Its type, as far as it could be told.
+    pub ty: Option<Type>,
+    /// The default. Without errors the same as in [`ir::Attr`](crate::ir::Attr), else only if it is a literal.
+    pub known: Option<Value>,
+    /// The name in its declaration.
+    pub span: Span,
+}
+
+/// Compiles tokens.
+pub fn compile(tokens: &Tokens, door: Door) -> Compiled {
+    compile_with(tokens, door, &[])
+}
+
+/// Compiles tokens, with levels of findings for the grammar as a whole (`@Allow` and its like before the header).
+pub fn compile_with(tokens: &Tokens, door: Door, levels: &[(Code, Level)]) -> Compiled {
+    let mut diags = Diags::new();
+    let ast = parse(tokens, &mut diags);
+    let outcome = check(&ast, door, levels, &mut diags);
+    let grammar = outcome.checked.map(|checked| lower(&checked, tokens));
+    let names = skeleton(&outcome.attrs, grammar.as_ref());
+    Compiled { grammar, diags: diags.finish(), names }
+}
+
+/// A compiled text.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// The tokens.
+    pub tokens: Tokens,
+    /// Bytes of the text, one range a token: what [`render`](crate::snippet::render) needs.
+    pub ranges: Vec<Range<usize>>,
+    /// What became of it; findings about characters are among the others.
+    pub compiled: Compiled,
+}
+
+/// Compiles CGA text.
+pub fn compile_text(text: &str) -> Source {
+    compile_text_with(text, &[])
+}
+
+/// Compiles CGA text, with levels of findings for the grammar as a whole.
+pub fn compile_text_with(text: &str, levels: &[(Code, Level)]) -> Source {
+    let lexed = lex(text);
+    let mut compiled = compile_with(&lexed.tokens, Door::Text, levels);
+    let mut all = Diags::new();
+    all.append(lexed.diags);
+    all.append(compiled.diags);
+    if all.has_errors() {
+        compiled.grammar = None;
+    }
+    compiled.diags = all.finish();
+    Source { tokens: lexed.tokens, ranges: lexed.ranges, compiled }
+}
+
+fn skeleton(attrs: &[(&Decl, Option<Type>)], grammar: Option<&Grammar>) -> Skeleton {
+    let mut list: Vec<SkeletonAttr> = Vec::new();
+    let mut seen = HashSet::new();
+    for (index, (decl, ty)) in attrs.iter().enumerate() {
+        if !seen.insert(decl.name.text.as_str()) {
+            continue;
+        }
+        let known = match grammar {
+            Some(grammar) => grammar.attrs[index].known.clone(),
+            None => decl.value().and_then(literal),
+        };
+        list.push(SkeletonAttr { name: decl.name.text.clone(), ty: *ty, known, span: decl.name.span });
+    }
+    Skeleton { attrs: list }
+}
+
+fn literal(value: &Expr) -> Option<Value> {
+    match &value.kind {
+        ExprKind::Number(value) => Some(Value::Float(*value)),
+        ExprKind::Bool(value) => Some(Value::Bool(*value)),
+        ExprKind::Text(text) => Some(Value::Text(text.clone())),
+        ExprKind::Unary(Unary::Minus, inner) => match literal(inner)? {
+            Value::Float(value) => Some(Value::Float(-value)),
+            _ => None,
+        },
+        _ => None,
+    }
+}

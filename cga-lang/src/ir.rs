@@ -1,0 +1,455 @@
+//! What a checked grammar means, ready to be written as Rust.
+//!
+//! Every name is an index, every split or comp block is a rule of its own with the parameters it captures, every
+//! expression has a type. Code generation reads this and decides nothing. `ir_print` shows it as text.
+
+use crate::ops::{Builtin, Operation, ShapeAttr};
+use crate::span::Span;
+
+/// Index into [`Grammar::rules`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RuleId(pub u32);
+/// Index into [`Grammar::attrs`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct AttrId(pub u32);
+/// Index into [`Grammar::consts`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ConstId(pub u32);
+/// Index into [`Grammar::functions`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FunctionId(pub u32);
+/// Index into [`Grammar::hosts`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct HostId(pub u32);
+
+/// A grammar that has passed every check.
+#[derive(Clone, Debug, Default)]
+pub struct Grammar {
+    /// Attributes, in source order.
+    pub attrs: Vec<Attr>,
+    /// Constants, in source order.
+    pub consts: Vec<Const>,
+    /// Functions, in source order.
+    pub functions: Vec<Function>,
+    /// Rules in source order, then the blocks that became rules.
+    pub rules: Vec<Rule>,
+    /// The rule a run begins with: the first `@StartRule`, else the first rule without parameters. `None` when that
+    /// one has parameters or there is no rule.
+    pub start: Option<RuleId>,
+    /// Attributes and constants in an order in which each is ready before it is used.
+    pub init: Vec<Global>,
+    /// Rust values used in the rules, one entry a use, in source order.
+    pub hosts: Vec<Host>,
+}
+
+/// One value that is computed once for an initial shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Global {
+    /// An attribute.
+    Attr(AttrId),
+    /// A constant.
+    Const(ConstId),
+}
+
+/// The type of a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Type {
+    /// A 64-bit float; CGA has no integers.
+    Float,
+    /// A truth value.
+    Bool,
+    /// Text.
+    Text,
+}
+
+/// A value known while compiling.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A number.
+    Float(f64),
+    /// A truth value.
+    Bool(bool),
+    /// Text.
+    Text(String),
+}
+
+/// `attr name = expr`.
+#[derive(Clone, Debug)]
+pub struct Attr {
+    /// As written.
+    pub name: String,
+    /// Its type.
+    pub ty: Type,
+    /// The default.
+    pub default: Expr,
+    /// The default, when it is a constant: then the public field holds it. Otherwise the field is an `Option` and
+    /// `None` means "compute the default for each initial shape".
+    pub known: Option<Value>,
+    /// `@Range(min, max)`.
+    pub range: Option<Range>,
+    /// `@Group("A", "B")`, from the outermost to the innermost.
+    pub group: Vec<String>,
+    /// `@Description`, else doc comments, joined by line ends.
+    pub doc: String,
+    /// `@Order(n)`: where user interfaces show it.
+    pub order: Option<f64>,
+    /// `@Hidden`: user interfaces leave it out.
+    pub hidden: bool,
+    /// Whether some rule changes it with `set`: only then do reads look at the shape first.
+    pub is_set: bool,
+    /// The name in its declaration.
+    pub span: Span,
+}
+
+/// `@Range(min=…, max=…, stepsize=…, restricted=…)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Smallest value.
+    pub min: f64,
+    /// Largest value.
+    pub max: f64,
+    /// Step of a slider, 0 when free.
+    pub step: f64,
+    /// Whether values outside are refused.
+    pub restricted: bool,
+}
+
+/// `const name = expr`.
+#[derive(Clone, Debug)]
+pub struct Const {
+    /// As written.
+    pub name: String,
+    /// Its type.
+    pub ty: Type,
+    /// Its value, evaluated once for each initial shape.
+    pub value: Expr,
+    /// The value when it is known while compiling.
+    pub known: Option<Value>,
+    /// The name in its declaration.
+    pub span: Span,
+}
+
+/// `name(params) = expr`, evaluated in the current shape at each use.
+#[derive(Clone, Debug)]
+pub struct Function {
+    /// As written; several may share a name.
+    pub name: String,
+    /// Its parameters.
+    pub params: Vec<Param>,
+    /// The type of the result.
+    pub ty: Type,
+    /// The value.
+    pub body: Expr,
+    /// Whether it can reach itself: then it counts its depth.
+    pub recursive: bool,
+    /// The name in its declaration.
+    pub span: Span,
+}
+
+/// A parameter of a rule or function.
+#[derive(Clone, Debug)]
+pub struct Param {
+    /// As written.
+    pub name: String,
+    /// Inferred type.
+    pub ty: Type,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// `Name(params) --> body`, or a block lowered to a rule.
+#[derive(Clone, Debug)]
+pub struct Rule {
+    /// `Facade`; blocks inside it are `Facade/1`, `Facade/2`, … Several rules may share a name with other parameters.
+    pub name: String,
+    /// The name its implicit leaves carry: `Facade`, for its blocks too.
+    pub label: String,
+    /// Parameters; a block's are the captured ones, in the order of the rule it stands in.
+    pub params: Vec<Param>,
+    /// What it does.
+    pub body: Vec<Step>,
+    /// Whether the shape itself becomes a leaf when the body is through.
+    pub leaf: Childless,
+    /// Whether the host program may start it by name: a written rule without parameters.
+    pub startable: bool,
+    /// The cycle of rules it belongs to, if any: a call from a rule to one of the same cycle may be deferred.
+    pub cycle: Option<u32>,
+    /// Its text, for the doc line in the generated code; empty for blocks.
+    pub source: String,
+    /// The name in its declaration; for a block, its first token.
+    pub span: Span,
+}
+
+/// Whether a rule has made no child by the end of its body. A childless shape is a leaf.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Childless {
+    /// No path makes a child, so the shape is a leaf.
+    Always,
+    /// Every path that gets to the end has made a child.
+    Never,
+    /// It depends on the path taken, or on a split that may not divide: a flag decides.
+    Depends,
+}
+
+/// One step of a rule. Steps act on the current shape, in order.
+#[derive(Clone, Debug)]
+pub enum Step {
+    /// Changes the current shape.
+    Do(&'static Operation, Vec<Arg>, Span),
+    /// `set(name, value)` on a declared attribute.
+    SetAttr(AttrId, Expr, Span),
+    /// `set(name, value)` on an attribute of the shape itself.
+    SetShape(&'static ShapeAttr, Expr, Span),
+    /// A Rust function as operation: `path::to(args)`.
+    Rust(String, Vec<Expr>, Span),
+    /// A successor: hands a copy of the current shape on.
+    Give(Target),
+    /// Divides the current shape along an axis. The shape itself goes on unchanged.
+    Split(Split),
+    /// Divides the current shape into components. The shape itself goes on unchanged.
+    Comp(Comp),
+    /// `[ … ]`: works on a copy.
+    Push(Vec<Step>),
+    /// `case … else`.
+    Case {
+        /// Condition and body, tried in order.
+        arms: Vec<(Expr, Vec<Step>)>,
+        /// The `else` body.
+        otherwise: Vec<Step>,
+    },
+    /// `p% : … else`.
+    Chance {
+        /// Percentage and body. Drawn one after the other with conditional probability.
+        arms: Vec<(f64, Vec<Step>)>,
+        /// The `else` body.
+        otherwise: Vec<Step>,
+    },
+    /// `NIL`: removes the current shape; nothing after it counts. Inside `[ ]` it ends the copy.
+    Nil(Span),
+}
+
+/// What a child shape becomes.
+#[derive(Clone, Debug)]
+pub enum Target {
+    /// Goes on with a rule. The arguments are evaluated on the shape that is handed on for a split or comp part
+    /// (so `split.index` is the part's), and on the current shape for a successor.
+    Rule {
+        /// The rule.
+        rule: RuleId,
+        /// One a parameter.
+        args: Vec<Expr>,
+        /// The use, for go-to-definition.
+        span: Span,
+    },
+    /// Becomes a leaf of that name.
+    Leaf(String, Span),
+    /// Vanishes.
+    Nil,
+}
+
+/// `split(axis, adjust) { … }`.
+#[derive(Clone, Debug)]
+pub struct Split {
+    /// Across which scope axis.
+    pub axis: Axis,
+    /// Whether parts shrink to their geometry.
+    pub adjust: bool,
+    /// One a written slot, evaluated once, in order, on the whole shape.
+    pub sizes: Vec<Size>,
+    /// How slots repeat. Groups without `*` are gone.
+    pub pattern: Vec<Item>,
+    /// One a written slot.
+    pub slots: Vec<Target>,
+    /// The operation's name.
+    pub span: Span,
+}
+
+/// A scope axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The scope's x axis.
+    X,
+    /// The scope's y axis.
+    Y,
+    /// The scope's z axis.
+    Z,
+}
+
+/// The size of a slot.
+#[derive(Clone, Debug)]
+pub struct Size {
+    /// How it is to be read.
+    pub prefix: Prefix,
+    /// The number.
+    pub value: Expr,
+}
+
+/// How a size is to be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Prefix {
+    /// In metres.
+    Absolute,
+    /// `'`: as a share of the scope.
+    Relative,
+    /// `~`: as a weight in what is left.
+    Floating,
+}
+
+/// A node of a split's pattern.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Item {
+    /// Slot by index.
+    Slot(u32),
+    /// `{ … }*`.
+    Repeat(Vec<Item>),
+}
+
+/// `comp(f) { … }`.
+#[derive(Clone, Debug)]
+pub struct Comp {
+    /// Which components.
+    pub kind: CompKind,
+    /// Tried from left to right; what one takes the next can't have.
+    pub arms: Vec<CompArm>,
+    /// The operation's name.
+    pub span: Span,
+}
+
+/// Which components a comp hands out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CompKind {
+    /// `f`.
+    Faces,
+}
+
+/// `selector : target` or `selector = target`.
+#[derive(Clone, Debug)]
+pub struct CompArm {
+    /// Which components it takes.
+    pub selector: Selector,
+    /// `comp.sel`, as written.
+    pub text: String,
+    /// One shape a component, or one for all.
+    pub mode: CompMode,
+    /// What they become.
+    pub target: Target,
+}
+
+/// The operator of a comp arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CompMode {
+    /// `:`.
+    Each,
+    /// `=`.
+    Together,
+}
+
+/// Which components an arm takes.
+#[derive(Clone, Debug)]
+pub enum Selector {
+    /// A word from [`crate::ops::SELECTORS`].
+    Word(&'static str),
+    /// By index, evaluated once on the whole shape.
+    Index(Expr),
+}
+
+/// An argument of an operation.
+#[derive(Clone, Debug)]
+pub enum Arg {
+    /// A plain value.
+    Value(Expr),
+    /// A length that may be relative to the scope.
+    Length(Size),
+    /// A word of the parameter's set of words.
+    Word(&'static str),
+}
+
+/// An expression with its type.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it computes.
+    pub kind: ExprKind,
+    /// The type of its value.
+    pub ty: Type,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The kinds of expressions.
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// A constant.
+    Value(Value),
+    /// A parameter of the rule or function.
+    Param(u32),
+    /// An attribute, as the current shape sees it.
+    Attr(AttrId),
+    /// A constant of the grammar.
+    Const(ConstId),
+    /// `#name` or `#(…)`.
+    Host(HostId),
+    /// A function of the grammar.
+    Call(FunctionId, Vec<Expr>),
+    /// A function of the language.
+    Builtin(&'static Builtin, Vec<Expr>),
+    /// A Rust function: `path::to(args)`.
+    Rust(String, Vec<Expr>),
+    /// An attribute of the current shape: `scope.sx`.
+    Shape(&'static ShapeAttr),
+    /// `-a`.
+    Neg(Box<Expr>),
+    /// `!a`.
+    Not(Box<Expr>),
+    /// Both operands are always evaluated, the left one first.
+    Binary(Binary, Box<Expr>, Box<Expr>),
+    /// A float or bool as text, for `+` beside a string.
+    ToText(Box<Expr>),
+    /// `case … else`.
+    Case(Vec<(Expr, Expr)>, Box<Expr>),
+    /// `p% : … else`.
+    Chance(Vec<(f64, Expr)>, Box<Expr>),
+}
+
+/// Binary operators. Both sides have one type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Binary {
+    /// `+` on floats.
+    Add,
+    /// `-`.
+    Sub,
+    /// `*`.
+    Mul,
+    /// `/`.
+    Div,
+    /// `%`, with the sign of the dividend.
+    Rem,
+    /// `+` on text.
+    Concat,
+    /// `==`.
+    Eq,
+    /// `!=`.
+    Ne,
+    /// `<`.
+    Lt,
+    /// `<=`.
+    Le,
+    /// `>`.
+    Gt,
+    /// `>=`.
+    Ge,
+    /// `&&`; does not short-circuit.
+    And,
+    /// `||`; does not short-circuit.
+    Or,
+}
+
+/// One use of a Rust value.
+#[derive(Clone, Debug)]
+pub struct Host {
+    /// The door's handle: which Rust expression it is.
+    pub handle: u32,
+    /// The type the rules need it to have.
+    pub ty: Type,
+    /// Where it stands.
+    pub span: Span,
+}

@@ -1,0 +1,310 @@
+//! A grammar as text, one line a step: for snapshots and traces.
+
+use crate::ir::{
+    Arg, Axis, Binary, Childless, Comp, CompMode, Expr, ExprKind, Global, Grammar, Item, Param, Prefix, Rule, Selector,
+    Size, Split, Step, Target, Type, Value,
+};
+use crate::token::push_quoted;
+use std::fmt::Write;
+
+/// The text of a grammar.
+pub fn print(grammar: &Grammar) -> String {
+    let mut out = Printer { grammar, params: &[], out: String::new(), depth: 0 };
+    out.grammar();
+    out.out
+}
+
+struct Printer<'g> {
+    grammar: &'g Grammar,
+    params: &'g [Param],
+    out: String,
+    depth: usize,
+}
+
+impl<'g> Printer<'g> {
+    fn line(&mut self, text: &str) {
+        for _ in 0..self.depth {
+            self.out.push_str("    ");
+        }
+        self.out.push_str(text);
+        self.out.push('\n');
+    }
+
+    fn grammar(&mut self) {
+        let grammar = self.grammar;
+        for attr in &grammar.attrs {
+            let mut text = format!("attr {}: {} = {}", attr.name, ty(attr.ty), self.expr(&attr.default));
+            if let Some(range) = attr.range {
+                let _ = write!(text, ", range {} to {}", range.min, range.max);
+                if range.step != 0.0 {
+                    let _ = write!(text, " by {}", range.step);
+                }
+                if !range.restricted {
+                    text.push_str(" unrestricted");
+                }
+            }
+            if !attr.group.is_empty() {
+                let _ = write!(text, ", group {}", attr.group.join("/"));
+            }
+            if let Some(order) = attr.order {
+                let _ = write!(text, ", order {order}");
+            }
+            for (flag, word) in
+                [(attr.hidden, "hidden"), (attr.is_set, "set"), (attr.known.is_none(), "computed")]
+            {
+                if flag {
+                    let _ = write!(text, ", {word}");
+                }
+            }
+            if !attr.doc.is_empty() {
+                let _ = write!(text, ", doc {:?}", attr.doc);
+            }
+            self.line(&text);
+        }
+        for own in &grammar.consts {
+            let text = format!("const {}: {} = {}", own.name, ty(own.ty), self.expr(&own.value));
+            self.line(&text);
+        }
+        for function in &grammar.functions {
+            self.params = &function.params;
+            let recursive = if function.recursive { ", recursive" } else { "" };
+            let head = format!("{}{}: {}", function.name, params(&function.params), ty(function.ty));
+            let text = format!("function {head} = {}{recursive}", self.expr(&function.body));
+            self.line(&text);
+        }
+        if !grammar.init.is_empty() {
+            let name = |global: &Global| match global {
+                Global::Attr(id) => grammar.attrs[id.0 as usize].name.clone(),
+                Global::Const(id) => grammar.consts[id.0 as usize].name.clone(),
+            };
+            let text = format!("init {}", grammar.init.iter().map(name).collect::<Vec<_>>().join(", "));
+            self.line(&text);
+        }
+        for (index, host) in grammar.hosts.iter().enumerate() {
+            let text = format!("host {index}: {} from {}", ty(host.ty), host.handle);
+            self.line(&text);
+        }
+        if let Some(start) = grammar.start {
+            let text = format!("start {}", grammar.rules[start.0 as usize].name);
+            self.line(&text);
+        }
+        for rule in &grammar.rules {
+            self.rule(rule);
+        }
+    }
+
+    fn rule(&mut self, rule: &'g Rule) {
+        self.params = &rule.params;
+        let leaf = match rule.leaf {
+            Childless::Always => ", leaf",
+            Childless::Never => "",
+            Childless::Depends => ", perhaps a leaf",
+        };
+        let cycle = rule.cycle.map(|cycle| format!(", cycle {cycle}")).unwrap_or_default();
+        self.line(&format!("rule {}{}{leaf}{cycle}", rule.name, params(&rule.params)));
+        self.steps(&rule.body);
+    }
+
+    fn steps(&mut self, steps: &'g [Step]) {
+        self.depth += 1;
+        for step in steps {
+            self.step(step);
+        }
+        self.depth -= 1;
+    }
+
+    fn block(&mut self, head: &str, steps: &'g [Step]) {
+        self.line(head);
+        self.steps(steps);
+    }
+
+    fn step(&mut self, step: &'g Step) {
+        match step {
+            Step::Do(row, args, _) => {
+                let args: Vec<String> = args.iter().map(|arg| self.arg(arg)).collect();
+                self.line(&format!("{}({})", row.call, args.join(", ")));
+            }
+            Step::SetAttr(id, value, _) => {
+                let text = format!("set {} = {}", self.grammar.attrs[id.0 as usize].name, self.expr(value));
+                self.line(&text);
+            }
+            Step::SetShape(row, value, _) => {
+                let text = format!("set {} = {}", row.name, self.expr(value));
+                self.line(&text);
+            }
+            Step::Rust(path, args, _) => {
+                let text = format!("rust {path}{}", self.args(args));
+                self.line(&text);
+            }
+            Step::Give(target) => {
+                let text = format!("give {}", self.target(target));
+                self.line(&text);
+            }
+            Step::Split(split) => self.split(split),
+            Step::Comp(comp) => self.comp(comp),
+            Step::Push(steps) => self.block("push", steps),
+            Step::Case { arms, otherwise } => {
+                for (condition, steps) in arms {
+                    let head = format!("case {}", self.expr(condition));
+                    self.block(&head, steps);
+                }
+                self.block("else", otherwise);
+            }
+            Step::Chance { arms, otherwise } => {
+                for (percent, steps) in arms {
+                    self.block(&format!("chance {percent}%"), steps);
+                }
+                self.block("else", otherwise);
+            }
+            Step::Nil(_) => self.line("nil"),
+        }
+    }
+
+    fn split(&mut self, split: &'g Split) {
+        let axis = match split.axis {
+            Axis::X => "x",
+            Axis::Y => "y",
+            Axis::Z => "z",
+        };
+        let adjust = if split.adjust { "" } else { " noAdjust" };
+        self.line(&format!("split {axis}{adjust} {}", pattern(&split.pattern)));
+        self.depth += 1;
+        for (index, (own, target)) in split.sizes.iter().zip(&split.slots).enumerate() {
+            let text = format!("{index}: {} -> {}", self.size(own), self.target(target));
+            self.line(&text);
+        }
+        self.depth -= 1;
+    }
+
+    fn comp(&mut self, comp: &'g Comp) {
+        self.line("comp f");
+        self.depth += 1;
+        for arm in &comp.arms {
+            let selector = match &arm.selector {
+                Selector::Word(word) => (*word).to_owned(),
+                Selector::Index(index) => format!("index {}", self.expr(index)),
+            };
+            let mode = match arm.mode {
+                CompMode::Each => "->",
+                CompMode::Together => "=>",
+            };
+            let text = format!("{selector} {mode} {}", self.target(&arm.target));
+            self.line(&text);
+        }
+        self.depth -= 1;
+    }
+
+    fn target(&self, target: &Target) -> String {
+        match target {
+            Target::Rule { rule, args, .. } if args.is_empty() => self.grammar.rules[rule.0 as usize].name.clone(),
+            Target::Rule { rule, args, .. } => {
+                format!("{}{}", self.grammar.rules[rule.0 as usize].name, self.args(args))
+            }
+            Target::Leaf(name, _) => format!("leaf {name}"),
+            Target::Nil => "nil".into(),
+        }
+    }
+
+    fn arg(&self, arg: &Arg) -> String {
+        match arg {
+            Arg::Value(value) => self.expr(value),
+            Arg::Length(size) => self.size(size),
+            Arg::Word(word) => (*word).to_owned(),
+        }
+    }
+
+    fn size(&self, size: &Size) -> String {
+        let sign = match size.prefix {
+            Prefix::Absolute => "",
+            Prefix::Relative => "'",
+            Prefix::Floating => "~",
+        };
+        format!("{sign}{}", self.expr(&size.value))
+    }
+
+    fn args(&self, args: &[Expr]) -> String {
+        let args: Vec<String> = args.iter().map(|arg| self.expr(arg)).collect();
+        format!("({})", args.join(", "))
+    }
+
+    fn expr(&self, expr: &Expr) -> String {
+        match &expr.kind {
+            ExprKind::Value(Value::Float(value)) => value.to_string(),
+            ExprKind::Value(Value::Bool(value)) => value.to_string(),
+            ExprKind::Value(Value::Text(text)) => {
+                let mut out = String::new();
+                push_quoted(&mut out, text);
+                out
+            }
+            ExprKind::Param(index) => {
+                self.params.get(*index as usize).map_or_else(|| format!("param {index}"), |param| param.name.clone())
+            }
+            ExprKind::Attr(id) => self.grammar.attrs[id.0 as usize].name.clone(),
+            ExprKind::Const(id) => self.grammar.consts[id.0 as usize].name.clone(),
+            ExprKind::Host(id) => format!("#{}", id.0),
+            ExprKind::Call(id, args) => format!("{}{}", self.grammar.functions[id.0 as usize].name, self.args(args)),
+            ExprKind::Builtin(row, args) => format!("{}{}", row.call, self.args(args)),
+            ExprKind::Rust(path, args) => format!("{path}{}", self.args(args)),
+            ExprKind::Shape(row) => row.name.to_owned(),
+            ExprKind::Neg(operand) => format!("-{}", self.expr(operand)),
+            ExprKind::Not(operand) => format!("!{}", self.expr(operand)),
+            ExprKind::Binary(op, a, b) => format!("({} {} {})", self.expr(a), sign(*op), self.expr(b)),
+            ExprKind::ToText(operand) => format!("text({})", self.expr(operand)),
+            ExprKind::Case(arms, otherwise) => {
+                let arms: String =
+                    arms.iter().map(|(test, value)| format!("case {} : {} ", self.expr(test), self.expr(value))).collect();
+                format!("({arms}else : {})", self.expr(otherwise))
+            }
+            ExprKind::Chance(arms, otherwise) => {
+                let arms: String = arms.iter().map(|(percent, value)| format!("{percent}% : {} ", self.expr(value))).collect();
+                format!("({arms}else : {})", self.expr(otherwise))
+            }
+        }
+    }
+}
+
+fn ty(ty: Type) -> &'static str {
+    match ty {
+        Type::Float => "float",
+        Type::Bool => "bool",
+        Type::Text => "string",
+    }
+}
+
+fn params(params: &[Param]) -> String {
+    if params.is_empty() {
+        return String::new();
+    }
+    let list: Vec<String> = params.iter().map(|param| format!("{}: {}", param.name, ty(param.ty))).collect();
+    format!("({})", list.join(", "))
+}
+
+fn pattern(items: &[Item]) -> String {
+    let list: Vec<String> = items
+        .iter()
+        .map(|item| match item {
+            Item::Slot(index) => index.to_string(),
+            Item::Repeat(items) => format!("{}*", pattern(items)),
+        })
+        .collect();
+    format!("{{{}}}", list.join(" "))
+}
+
+fn sign(op: Binary) -> &'static str {
+    match op {
+        Binary::Add => "+",
+        Binary::Sub => "-",
+        Binary::Mul => "*",
+        Binary::Div => "/",
+        Binary::Rem => "%",
+        Binary::Concat => "++",
+        Binary::Eq => "==",
+        Binary::Ne => "!=",
+        Binary::Lt => "<",
+        Binary::Le => "<=",
+        Binary::Gt => ">",
+        Binary::Ge => ">=",
+        Binary::And => "&&",
+        Binary::Or => "||",
+    }
+}

@@ -1,0 +1,285 @@
+//! CGA text to tokens.
+//!
+//! Never fails: what cannot be read is reported and becomes [`Tok::Bad`], and reading goes on.
+
+use crate::code::Code;
+use crate::diag::{Diag, Diags};
+use crate::span::Span;
+use crate::token::{Sym, Tok, Tokens};
+use std::ops::Range;
+
+/// Tokens of a text, and where each stands in it.
+#[derive(Clone, Debug, Default)]
+pub struct Lexed {
+    /// The tokens.
+    pub tokens: Tokens,
+    /// Bytes of the text, one range a token.
+    pub ranges: Vec<Range<usize>>,
+    /// What could not be read.
+    pub diags: Vec<Diag>,
+}
+
+/// Reads CGA text.
+pub fn lex(text: &str) -> Lexed {
+    let mut lexer = Lexer { text, at: 0, tokens: Tokens::new(), ranges: Vec::new(), diags: Diags::new() };
+    lexer.run();
+    Lexed { tokens: lexer.tokens, ranges: lexer.ranges, diags: lexer.diags.finish() }
+}
+
+struct Lexer<'a> {
+    text: &'a str,
+    /// Next byte, always at the border of a character.
+    at: usize,
+    tokens: Tokens,
+    ranges: Vec<Range<usize>>,
+    diags: Diags,
+}
+
+impl<'a> Lexer<'a> {
+    fn run(&mut self) {
+        if self.rest().starts_with('\u{feff}') {
+            self.at += '\u{feff}'.len_utf8();
+        }
+        while let Some(c) = self.peek() {
+            let start = self.at;
+            match c {
+                c if c.is_whitespace() => self.at += c.len_utf8(),
+                '#' => _ = self.line(),
+                '/' if self.rest().starts_with("///") && !self.rest().starts_with("////") => self.doc(start),
+                '/' if self.rest().starts_with("//") => _ = self.line(),
+                '/' if self.rest().starts_with("/*") => self.block_comment(start),
+                '"' => self.string(start),
+                '0'..='9' => self.number(start),
+                '.' if self.starts_fraction() => self.number(start),
+                c if starts_name(c) => self.name(start),
+                ':' if self.rest().starts_with("::") && self.rest()[2..].starts_with(starts_name) => self.name(start),
+                c => self.symbol(start, c),
+            }
+        }
+    }
+
+    fn rest(&self) -> &'a str {
+        &self.text[self.at..]
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    fn skip_while(&mut self, test: impl Fn(char) -> bool) -> &'a str {
+        let rest = self.rest();
+        let end = rest.find(|c| !test(c)).unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+
+    fn line(&mut self) -> &'a str {
+        self.skip_while(|c| c != '\n' && c != '\r')
+    }
+
+    fn push(&mut self, start: usize, token: Tok) -> Span {
+        self.ranges.push(start..self.at);
+        Span::one(self.tokens.push(token))
+    }
+
+    fn bad(&mut self, start: usize, code: Code, message: impl Into<String>) -> &mut Diag {
+        let span = self.push(start, Tok::Bad);
+        self.diags.report(code, span, message)
+    }
+
+    fn doc(&mut self, start: usize) {
+        let line = &self.line()[3..];
+        self.push(start, Tok::Doc(line.strip_prefix(' ').unwrap_or(line).trim_end().to_owned()));
+    }
+
+    fn block_comment(&mut self, start: usize) {
+        match self.rest()[2..].find("*/") {
+            Some(end) => self.at += end + 4,
+            None => {
+                self.line();
+                self.bad(start, Code::UnclosedComment, "this comment is never closed").help("write `*/` at its end");
+                self.at = self.text.len();
+            }
+        }
+    }
+
+    /// A dot begins a number when a digit follows and no name stands right before it (`X.5`).
+    fn starts_fraction(&self) -> bool {
+        let before = self.text[..self.at].chars().next_back();
+        self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) && !before.is_some_and(continues_name)
+    }
+
+    fn number(&mut self, start: usize) {
+        self.skip_while(|c| c.is_ascii_digit());
+        if let Some(after) = self.rest().strip_prefix('.') {
+            // `1.==1` is `1 .== 1`: the dot belongs to the operator.
+            let operator = ["+", "-", "*", "/", "%", "!", "&&", "||", "==", "<", ">"].iter().any(|op| after.starts_with(op));
+            if !operator && !after.starts_with(starts_name) {
+                self.at += 1;
+                self.skip_while(|c| c.is_ascii_digit());
+            }
+        }
+        let exponent = self.rest().strip_prefix(['e', 'E']).map(|after| after.strip_prefix(['+', '-']).unwrap_or(after));
+        if exponent.is_some_and(|after| after.starts_with(|c: char| c.is_ascii_digit())) {
+            self.at += 1;
+            self.skip_while(|c| c == '+' || c == '-');
+            self.skip_while(|c| c.is_ascii_digit());
+        }
+        let digits = &self.text[start..self.at];
+        let tail = self.skip_while(continues_name);
+        if !tail.is_empty() {
+            let number = &self.text[start..self.at];
+            self.bad(start, Code::BadNumber, format!("`{number}` is neither a number nor a name"))
+                .help(format!("write `{digits} {tail}`, or begin the name with a letter"));
+            return;
+        }
+        match digits.parse::<f64>() {
+            Ok(value) if value.is_finite() => _ = self.push(start, Tok::Number(value)),
+            _ => _ = self.bad(start, Code::BadNumber, "this number is too large"),
+        }
+    }
+
+    fn name(&mut self, start: usize) {
+        let mut path = false;
+        loop {
+            self.skip_while(continues_name);
+            match self.rest().strip_prefix("::") {
+                Some(after) if after.starts_with(starts_name) => {
+                    path = true;
+                    self.at += 2;
+                }
+                _ => break,
+            }
+        }
+        let text = self.text[start..self.at].to_owned();
+        self.push(start, if path { Tok::Path(text) } else { Tok::Ident(text) });
+    }
+
+    fn symbol(&mut self, start: usize, c: char) {
+        if c == '^' {
+            self.at += 1;
+            self.push(start, Tok::Sym(Sym::Quote));
+        } else if let Some(&sym) = Sym::ALL.iter().find(|sym| self.rest().starts_with(sym.text())) {
+            self.at += sym.text().len();
+            self.push(start, Tok::Sym(sym));
+        } else {
+            self.unknown(start, c);
+        }
+    }
+
+    fn unknown(&mut self, start: usize, c: char) {
+        self.at += c.len_utf8();
+        self.skip_while(|next| next == c);
+        let shown = if c.is_control() { format!("U+{:04X}", c as u32) } else { format!("{c}") };
+        let help = match c {
+            '‘' | '’' | '‛' | '′' | '`' | '´' => "write the straight quote `'`",
+            '“' | '”' | '„' | '«' | '»' | '″' => "write straight quotes `\"…\"`",
+            '‐' | '‑' | '‒' | '–' | '—' | '−' => "write the plain `-`; a rule begins `Name -->`",
+            '→' | '⟶' | '➔' => "write `-->`",
+            '×' | '·' | '∗' | '⋅' => "write `*`",
+            '÷' => "write `/`",
+            '≤' => "write `<=`",
+            '≥' => "write `>=`",
+            '≠' => "write `!=`",
+            '˜' | '∼' | '～' => "write the plain `~`",
+            '¦' | '∣' | '｜' => "write the plain `|`",
+            '…' => "write out what the dots stand for",
+            '&' => "write `&&`",
+            '\\' => "a backslash has a meaning in strings only",
+            '?' => "write `case condition : a else : b`",
+            _ => "",
+        };
+        let diag = self.bad(start, Code::UnknownCharacter, format!("unknown character `{shown}`"));
+        if !help.is_empty() {
+            diag.help(help);
+        }
+    }
+
+    fn string(&mut self, start: usize) {
+        let Some(end) = closing_quote(&self.rest()[1..]) else {
+            self.line();
+            self.bad(start, Code::UnclosedString, "this string is never closed").help("write `\"` at its end");
+            return;
+        };
+        let inside = &self.rest()[1..1 + end];
+        self.at += end + 2;
+        let (text, wrong) = unescape(inside);
+        let span = self.push(start, Tok::Str(text));
+        if let Some(wrong) = wrong {
+            self.diags
+                .report(Code::BadEscape, span, format!("`{wrong}` means nothing in a string, the backslash stays"))
+                .help("write `\\\\` for a backslash");
+        }
+    }
+}
+
+fn starts_name(c: char) -> bool {
+    c == '_' || is_letter(c)
+}
+
+fn continues_name(c: char) -> bool {
+    c == '_' || c.is_ascii_digit() || is_letter(c)
+}
+
+/// Letters that both CGA and Rust allow in names: Latin, Greek, Cyrillic, kana, Han, Hangul.
+fn is_letter(c: char) -> bool {
+    c.is_ascii_alphabetic()
+        || (matches!(c, '\u{aa}'..='\u{2af}' | '\u{386}'..='\u{52f}' | '\u{3040}'..='\u{30ff}' | '\u{4e00}'..='\u{9fff}' | '\u{ac00}'..='\u{d7a3}')
+            && c.is_alphabetic())
+}
+
+/// Where the quote that ends a string stands. Strings may go over several lines.
+fn closing_quote(text: &str) -> Option<usize> {
+    let mut escaped = false;
+    text.bytes().position(|byte| {
+        let found = byte == b'"' && !escaped;
+        escaped = byte == b'\\' && !escaped;
+        found
+    })
+}
+
+/// Resolves escapes; also returns the first one that means nothing.
+fn unescape(text: &str) -> (String, Option<String>) {
+    let mut out = String::with_capacity(text.len());
+    let mut wrong = None;
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        rest = &rest[c.len_utf8()..];
+        if c != '\\' {
+            if c == '\r' && rest.starts_with('\n') {
+                continue;
+            }
+            out.push(c);
+            continue;
+        }
+        let after = rest.chars().next();
+        rest = &rest[after.map_or(0, char::len_utf8)..];
+        match after {
+            Some('"') => out.push('"'),
+            Some('\\') => out.push('\\'),
+            Some('n') => out.push('\n'),
+            Some('t') => out.push('\t'),
+            Some('r') => out.push('\r'),
+            Some('u') if hex4(rest).is_some() => {
+                let mut unit = hex4(rest).unwrap_or_default();
+                rest = &rest[4..];
+                if let (0xD800..0xDC00, Some(low @ 0xDC00..0xE000)) = (unit, rest.strip_prefix("\\u").and_then(hex4)) {
+                    unit = 0x10000 + ((unit - 0xD800) << 10) + (low - 0xDC00);
+                    rest = &rest[6..];
+                }
+                out.push(char::from_u32(unit).unwrap_or(char::REPLACEMENT_CHARACTER));
+            }
+            other => {
+                out.push('\\');
+                out.extend(other);
+                wrong = wrong.or_else(|| Some(format!("\\{}", other.map(String::from).unwrap_or_default())));
+            }
+        }
+    }
+    (out, wrong)
+}
+
+fn hex4(text: &str) -> Option<u32> {
+    let digits = text.get(..4)?;
+    if digits.bytes().all(|byte| byte.is_ascii_hexdigit()) { u32::from_str_radix(digits, 16).ok() } else { None }
+}

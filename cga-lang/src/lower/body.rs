@@ -1,0 +1,216 @@
+//! Steps of a rule. Blocks of splits and comps that do more than name a successor become rules of their own.
+
+use super::{Lower, walk};
+use crate::ast::{self, OpKind, SplitItem};
+use crate::check::{Use, split_adjust, split_axis};
+use crate::fold::fold;
+use crate::ir::{
+    Arg, AttrId, Axis, Childless, Comp, CompArm, CompKind, CompMode, Expr, ExprKind, Item, Param, Prefix, Rule, RuleId,
+    Selector, Size, Split, Step, Target,
+};
+use crate::ops::ParamKind;
+use crate::span::Span;
+
+impl<'c> Lower<'c> {
+    pub(super) fn steps(&mut self, ops: &'c [ast::Op]) -> Vec<Step> {
+        let mut steps = Vec::with_capacity(ops.len());
+        for op in ops {
+            let step = self.step(op);
+            let through = matches!(step, Some(Step::Nil(_)));
+            steps.extend(step);
+            if through {
+                break;
+            }
+        }
+        steps
+    }
+
+    fn step(&mut self, op: &'c ast::Op) -> Option<Step> {
+        Some(match &op.kind {
+            OpKind::Call(name, args) => return self.call(op.span, name, args),
+            OpKind::Leaf(name) => Step::Give(Target::Leaf(name.text.clone(), name.span)),
+            OpKind::Nil => Step::Nil(op.span),
+            OpKind::Path(name, args) => Step::Rust(name.text.clone(), self.values(args), name.span),
+            OpKind::Push(ops) => Step::Push(self.steps(ops)),
+            OpKind::Split(split) => Step::Split(self.split(split)),
+            OpKind::Comp(comp) => Step::Comp(self.comp(comp)),
+            OpKind::Case(arms, otherwise) => Step::Case {
+                arms: arms.iter().map(|(test, ops)| (self.folded(test), self.steps(ops))).collect(),
+                otherwise: self.steps(otherwise),
+            },
+            OpKind::Chance(arms, otherwise) => Step::Chance {
+                arms: arms.iter().map(|(percent, ops)| (percent.value, self.steps(ops))).collect(),
+                otherwise: self.steps(otherwise),
+            },
+            OpKind::Error => return None,
+        })
+    }
+
+    fn folded(&mut self, expr: &ast::Expr) -> Expr {
+        let mut expr = self.expr(expr);
+        fold(&mut expr, &self.known);
+        expr
+    }
+
+    fn values(&mut self, args: &[ast::Arg]) -> Vec<Expr> {
+        args.iter().map(|arg| self.folded(&arg.value)).collect()
+    }
+
+    fn size(&mut self, arg: &ast::Arg) -> Size {
+        let prefix = match arg.prefix {
+            None => Prefix::Absolute,
+            Some((ast::Prefix::Relative, _)) => Prefix::Relative,
+            Some((ast::Prefix::Floating, _)) => Prefix::Floating,
+        };
+        Size { prefix, value: self.folded(&arg.value) }
+    }
+
+    fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Step> {
+        Some(match self.used(name)? {
+            Use::Operation(row) => {
+                let args = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
+                    ParamKind::Value(_) => Arg::Value(self.folded(&arg.value)),
+                    ParamKind::Length => Arg::Length(self.size(arg)),
+                    ParamKind::Word { words, .. } => Arg::Word(word(arg, words)),
+                });
+                Step::Do(row, args.collect(), span)
+            }
+            Use::SetAttr(index) => {
+                self.out.attrs[index as usize].is_set = true;
+                Step::SetAttr(AttrId(index), self.folded(&args.get(1)?.value), span)
+            }
+            Use::SetShape(row) => Step::SetShape(row, self.folded(&args.get(1)?.value), span),
+            _ => Step::Give(self.successor(name, args)?),
+        })
+    }
+
+    fn successor(&mut self, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Target> {
+        match self.used(name)? {
+            Use::Rule(index) => Some(Target::Rule { rule: RuleId(index), args: self.values(args), span: name.span }),
+            Use::Leaf => Some(Target::Leaf(name.text.clone(), name.span)),
+            _ => None,
+        }
+    }
+
+    fn split(&mut self, split: &'c ast::Split) -> Split {
+        let mut out = Split {
+            axis: split_axis(split).unwrap_or(Axis::X),
+            adjust: split_adjust(split),
+            sizes: Vec::new(),
+            pattern: Vec::new(),
+            slots: Vec::new(),
+            span: split.name.span,
+        };
+        let pattern = self.items(&split.items, &mut out);
+        out.pattern = if split.repeat { vec![Item::Repeat(pattern)] } else { pattern };
+        out
+    }
+
+    fn items(&mut self, items: &'c [SplitItem], out: &mut Split) -> Vec<Item> {
+        let mut pattern = Vec::with_capacity(items.len());
+        for item in items {
+            match item {
+                SplitItem::Slot(size, ops) => {
+                    pattern.push(Item::Slot(out.slots.len() as u32));
+                    let size = self.size(size);
+                    out.sizes.push(size);
+                    let target = self.block(ops, block_span(ops, out.span));
+                    out.slots.push(target);
+                }
+                SplitItem::Group(items, true) => pattern.push(Item::Repeat(self.items(items, out))),
+                SplitItem::Group(items, false) => pattern.append(&mut self.items(items, out)),
+            }
+        }
+        pattern
+    }
+
+    fn comp(&mut self, comp: &'c ast::Comp) -> Comp {
+        let arms = comp.arms.iter().map(|arm| {
+            let word = match &arm.selector.kind {
+                ast::ExprKind::Name(name) => self.used(name),
+                _ => None,
+            };
+            let selector = match word {
+                Some(Use::Selector(word)) => Selector::Word(word),
+                _ => Selector::Index(self.folded(&arm.selector)),
+            };
+            CompArm {
+                selector,
+                text: self.tokens.text(arm.selector.span, super::LONGEST_SOURCE),
+                mode: if arm.together { CompMode::Together } else { CompMode::Each },
+                target: self.block(&arm.ops, block_span(&arm.ops, arm.selector.span)),
+            }
+        });
+        Comp { kind: CompKind::Faces, arms: arms.collect(), span: comp.name.span }
+    }
+
+    /// What a part becomes: a lone successor, leaf or `NIL` is that, anything else a rule of its own.
+    fn block(&mut self, ops: &'c [ast::Op], span: Span) -> Target {
+        if let [op] = ops {
+            match &op.kind {
+                OpKind::Leaf(name) => return Target::Leaf(name.text.clone(), name.span),
+                OpKind::Nil => return Target::Nil,
+                OpKind::Call(name, args) => {
+                    if let Some(target) = self.successor(name, args) {
+                        return target;
+                    }
+                }
+                _ => {}
+            }
+        }
+        let count = self.blocks.entry(self.label).or_default();
+        *count += 1;
+        let name = format!("{}/{count}", self.label);
+        let rule = RuleId(self.out.rules.len() as u32);
+        self.out.rules.push(Rule {
+            name,
+            label: self.label.to_owned(),
+            params: Vec::new(),
+            body: Vec::new(),
+            leaf: Childless::Always,
+            startable: false,
+            cycle: None,
+            source: String::new(),
+            span,
+        });
+        let mut body = self.steps(ops);
+        let captured = capture(&mut body);
+        let own = |&index: &u32| {
+            let name = &self.params[index as usize];
+            Param { name: name.text.clone(), ty: self.ty(name.id()), span: name.span }
+        };
+        let params: Vec<Param> = captured.iter().map(own).collect();
+        let pass = |(index, param): (&u32, &Param)| Expr { kind: ExprKind::Param(*index), ty: param.ty, span };
+        let args = captured.iter().zip(&params).map(pass).collect();
+        self.out.rules[rule.0 as usize].params = params;
+        self.finish(rule.0 as usize, body);
+        Target::Rule { rule, args, span }
+    }
+}
+
+/// Numbers the parameters a body reads anew, without gaps; returns the old numbers in order.
+fn capture(body: &mut [Step]) -> Vec<u32> {
+    let mut captured = Vec::new();
+    walk::exprs(body, &mut |expr| walk::params(expr, &mut |index| captured.push(*index)));
+    captured.sort_unstable();
+    captured.dedup();
+    walk::exprs(body, &mut |expr| {
+        walk::params(expr, &mut |index| {
+            *index = captured.binary_search(index).unwrap_or_default() as u32;
+        });
+    });
+    captured
+}
+
+/// Where a block stands: its first token, else what it belongs to.
+fn block_span(ops: &[ast::Op], owner: Span) -> Span {
+    ops.first().map_or(owner, |op| Span::one(op.span.first))
+}
+
+fn word(arg: &ast::Arg, words: &'static [(&'static str, &'static str)]) -> &'static str {
+    let text = match &arg.value.kind {
+        ast::ExprKind::Name(name) => name.text.as_str(),
+        _ => "",
+    };
+    words.iter().map(|(word, _)| *word).find(|word| *word == text).unwrap_or_default()
+}

@@ -1,0 +1,62 @@
+//! Whether a rule has made a child by the end of its body. A shape without children is a leaf.
+
+use crate::ir::{Childless, Step};
+
+/// Which paths can get to a place: with a child made, without one.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+struct Paths {
+    with: bool,
+    without: bool,
+}
+
+impl Paths {
+    fn or(self, other: Paths) -> Paths {
+        Paths { with: self.with || other.with, without: self.without || other.without }
+    }
+
+    /// Behind something that makes a child for certain.
+    fn child(self) -> Paths {
+        Paths { with: self.with || self.without, without: false }
+    }
+}
+
+pub(super) fn of(body: &[Step]) -> Childless {
+    let mut ended = Paths::default();
+    let paths = walk(body, Paths { with: false, without: true }, &mut ended);
+    match (paths.with, paths.without) {
+        (false, true) => Childless::Always,
+        (_, false) => Childless::Never,
+        (true, true) => Childless::Depends,
+    }
+}
+
+/// `ended` collects the paths on which `NIL` was met.
+fn walk(steps: &[Step], start: Paths, ended: &mut Paths) -> Paths {
+    let mut paths = start;
+    for step in steps {
+        paths = match step {
+            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) => paths,
+            Step::Give(_) | Step::Comp(_) => paths.child(),
+            // It may not divide: the scope can be empty, every slot dropped.
+            Step::Split(_) => paths.or(paths.child()),
+            Step::Push(steps) => {
+                // `NIL` in brackets ends the copy only.
+                let mut inner = Paths::default();
+                walk(steps, paths, &mut inner).or(inner)
+            }
+            Step::Case { arms, otherwise } => {
+                let end = walk(otherwise, paths, ended);
+                arms.iter().fold(end, |all, (_, steps)| all.or(walk(steps, paths, ended)))
+            }
+            Step::Chance { arms, otherwise } => {
+                let end = walk(otherwise, paths, ended);
+                arms.iter().fold(end, |all, (_, steps)| all.or(walk(steps, paths, ended)))
+            }
+            Step::Nil(_) => {
+                *ended = ended.or(paths);
+                return Paths::default();
+            }
+        };
+    }
+    paths
+}

@@ -1,0 +1,100 @@
+//! `case … else` and `30% : … else`, the same for steps of a rule and for values.
+
+use super::{Parsed, Parser, Reported};
+use crate::ast::{Expr, ExprKind, Op, OpKind, Percent};
+use crate::code::Code;
+use crate::token::{Sym, Tok};
+
+/// Arms of either kind; only one of the lists is filled unless the kinds were mixed, which is reported.
+struct Arms<T> {
+    cases: Vec<(Expr, T)>,
+    chances: Vec<(Percent, T)>,
+    otherwise: Option<T>,
+}
+
+impl Parser<'_> {
+    pub(super) fn at_branch(&self) -> bool {
+        self.is_word("case") || self.at_percent()
+    }
+
+    fn at_percent(&self) -> bool {
+        matches!(self.peek(), Some(Tok::Number(_))) && self.nth_is(1, Sym::Percent) && self.nth_is(2, Sym::Colon)
+    }
+
+    /// A branch block of steps; `in_arm` as for [`Parser::ops`].
+    pub(super) fn branch_ops(&mut self, in_arm: bool) -> Parsed<Op> {
+        let start = self.at;
+        let arms = self.arms(|parser| parser.ops(true), |parser| parser.ops(in_arm))?;
+        let otherwise = arms.otherwise.unwrap_or_default();
+        let kind = if arms.cases.is_empty() {
+            OpKind::Chance(arms.chances, otherwise)
+        } else {
+            OpKind::Case(arms.cases, otherwise)
+        };
+        Ok(Op { kind, span: self.span_from(start) })
+    }
+
+    /// A branch block of values.
+    pub(super) fn branch_value(&mut self) -> Parsed<Expr> {
+        let start = self.at;
+        let arms = self.arms(Self::value, Self::value)?;
+        let span = self.span_from(start);
+        let otherwise = Box::new(arms.otherwise.unwrap_or(Expr { kind: ExprKind::Error, span }));
+        let kind = if arms.cases.is_empty() {
+            ExprKind::Chance(arms.chances, otherwise)
+        } else {
+            ExprKind::Case(arms.cases, otherwise)
+        };
+        Ok(Expr { kind, span })
+    }
+
+    fn arms<T>(
+        &mut self,
+        mut arm: impl FnMut(&mut Self) -> Parsed<T>,
+        otherwise: impl FnOnce(&mut Self) -> Parsed<T>,
+    ) -> Parsed<Arms<T>> {
+        let start = self.at;
+        let first_is_case = self.is_word("case");
+        let mut arms = Arms { cases: Vec::new(), chances: Vec::new(), otherwise: None };
+        let mut mixed = false;
+        while self.at_branch() && self.tick() {
+            if self.is_word("case") != first_is_case && !mixed {
+                mixed = true;
+                let span = self.span();
+                self.diags
+                    .report(Code::MixedBranches, span, "conditions and percentages in one block")
+                    .help("put one of them inside the other: `case a : 30% : X else : Y else : Z`");
+            }
+            if self.is_word("case") {
+                self.bump();
+                let condition = self.expr()?;
+                self.expect(Sym::Colon)?;
+                let body = self.nested(&mut arm)?;
+                arms.cases.push((condition, body));
+            } else if let Some(&Tok::Number(value)) = self.peek() {
+                let percent = Percent { value, span: self.span() };
+                self.at += 3;
+                let body = self.nested(&mut arm)?;
+                arms.chances.push((percent, body));
+            }
+        }
+        if self.is_word("else") {
+            self.bump();
+            self.expect(Sym::Colon)?;
+            arms.otherwise = Some(self.nested(otherwise)?);
+            return Ok(arms);
+        }
+        if !matches!(self.peek(), None | Some(Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket | Sym::RParen | Sym::Comma)))
+            && !self.at_border()
+        {
+            return self.fail("`else`");
+        }
+        let (last, message) =
+            if first_is_case { (start, "this `case` has no `else`") } else { (start + 1, "these percentages have no `else`") };
+        let span = self.span_at(start).to(self.span_at(last));
+        self.diags
+            .report(Code::MissingElse, span, message)
+            .help("end it with `else : …`; `else : NIL` makes nothing");
+        if mixed { Err(Reported) } else { Ok(arms) }
+    }
+}

@@ -1,0 +1,176 @@
+//! Steps of a rule: operations, successors, leaves, brackets.
+
+use super::{Parsed, Parser, Reported};
+use crate::ast::{Arg, Expr, ExprKind, Name, Op, OpKind};
+use crate::code::Code;
+use crate::token::{Sym, Tok};
+use crate::words;
+
+impl Parser<'_> {
+    /// Steps up to something that is none. A branch block may stand only at the beginning; `in_arm` says that the
+    /// steps are themselves an arm, so that a further `case` belongs to the block outside.
+    pub(super) fn ops(&mut self, in_arm: bool) -> Parsed<Vec<Op>> {
+        let mut ops = Vec::new();
+        while !self.at_border() && self.tick() {
+            if self.at_branch() {
+                if !ops.is_empty() {
+                    if in_arm {
+                        break;
+                    }
+                    let span = self.span();
+                    self.diags
+                        .report(Code::BranchNotFirst, span, "a branch block must come first in a rule's body")
+                        .help("put it in brackets: `[ case … else : … ]`");
+                }
+                let branch = self.nested(|parser| parser.branch_ops(in_arm))?;
+                ops.push(branch);
+                if in_arm {
+                    break;
+                }
+                continue;
+            }
+            match self.peek() {
+                Some(Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket)) => break,
+                Some(token) if token.ident() == Some("else") => break,
+                _ => ops.push(self.op()?),
+            }
+        }
+        Ok(ops)
+    }
+
+    fn op(&mut self) -> Parsed<Op> {
+        let start = self.at;
+        let kind = match self.peek() {
+            Some(Tok::Ident(_)) => self.named()?,
+            Some(Tok::Path(_)) => self.rust()?,
+            Some(Tok::Sym(Sym::LBracket)) => self.brackets()?,
+            Some(Tok::Number(_)) if self.nth_is(1, Sym::Percent) => {
+                self.at += 2;
+                return self.fail("`:`");
+            }
+            Some(Tok::Host(_)) => {
+                self.expected("an operation or a rule").help("a Rust value can stand in an expression only");
+                return Err(Reported);
+            }
+            _ => return self.fail("an operation or a rule"),
+        };
+        Ok(Op { kind, span: self.span_from(start) })
+    }
+
+    fn named(&mut self) -> Parsed<OpKind> {
+        let Some(name) = self.take_name() else { return self.fail("a name") };
+        match name.text.as_str() {
+            "NIL" => return Ok(OpKind::Nil),
+            "split" => return self.split(name),
+            "comp" => return self.comp(name),
+            "else" | "case" => {
+                self.at -= 1;
+                return self.fail("an operation or a rule");
+            }
+            _ => {}
+        }
+        if words::is_later_operation(&name.text) && !self.layout.rules.contains(&name.text) && !self.is(Sym::Dot) {
+            return self.later_operation(name);
+        }
+        if self.is(Sym::LParen) {
+            let args = self.args()?;
+            if self.is(Sym::Dot) {
+                let span = self.span();
+                self.diags
+                    .report(Code::Syntax, span, "a leaf has no arguments")
+                    .help(format!("write `{}.`, or leave out the dot", name.text));
+                self.bump();
+                return Ok(OpKind::Error);
+            }
+            if self.is(Sym::LBrace) {
+                let (span, text) = (self.span(), &name.text);
+                let message = format!("`{text}` has no block");
+                self.diags.report(Code::Syntax, span, message).help("only `split` and `comp` divide a shape");
+                self.skip_block()?;
+                return Ok(OpKind::Error);
+            }
+            return Ok(OpKind::Call(name, args));
+        }
+        if self.eat(Sym::Dot) {
+            return Ok(OpKind::Leaf(name));
+        }
+        Ok(OpKind::Call(name, Vec::new()))
+    }
+
+    /// An operation of the full language: reported once, whatever its arguments look like.
+    fn later_operation(&mut self, name: Name) -> Parsed<OpKind> {
+        self.unsupported(name.span, &format!("operation `{}` is", name.text));
+        if self.is(Sym::LParen) {
+            self.at = self.closing()? + 1;
+        }
+        if self.is(Sym::LBrace) {
+            self.skip_block()?;
+        }
+        Ok(OpKind::Error)
+    }
+
+    fn skip_block(&mut self) -> Parsed<()> {
+        self.at = self.closing()? + 1;
+        self.eat(Sym::Star);
+        Ok(())
+    }
+
+    fn rust(&mut self) -> Parsed<OpKind> {
+        let Some(path) = self.take_name() else { return self.fail("a path") };
+        if !self.is(Sym::LParen) {
+            self.expected("`(`").help(format!("a Rust function is called as `{}()`", path.text));
+            return Err(Reported);
+        }
+        Ok(OpKind::Path(path, self.args()?))
+    }
+
+    fn brackets(&mut self) -> Parsed<OpKind> {
+        let close = self.closing()?;
+        self.bump();
+        let ops = self.nested(|parser| parser.ops(false)).unwrap_or_else(|Reported| {
+            let span = self.span();
+            self.at = close;
+            vec![Op { kind: OpKind::Error, span }]
+        });
+        if self.at != close {
+            self.expected("`]`");
+            self.at = close;
+        }
+        self.bump();
+        Ok(OpKind::Push(ops))
+    }
+
+    /// `( … )`. When an argument cannot be read it is an error value, so that nothing more is said about the call.
+    pub(super) fn args(&mut self) -> Parsed<Vec<Arg>> {
+        let close = self.closing()?;
+        self.bump();
+        let mut args = Vec::new();
+        while self.at < close && self.tick() {
+            let start = self.at;
+            let result = self.arg().and_then(|arg| {
+                let more = self.at < close;
+                if more && !self.is(Sym::Comma) {
+                    return self.fail("`,` or `)`");
+                }
+                if more && self.at + 1 == close {
+                    self.bump();
+                    return self.fail("an argument");
+                }
+                Ok(arg)
+            });
+            match result {
+                Ok(arg) => args.push(arg),
+                Err(Reported) => {
+                    let span = self.span_from(start);
+                    args.push(Arg { prefix: None, value: Expr { kind: ExprKind::Error, span }, span });
+                    break;
+                }
+            }
+            if self.at < close {
+                self.bump();
+            }
+        }
+        self.at = close + 1;
+        Ok(args)
+    }
+}

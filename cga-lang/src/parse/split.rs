@@ -1,0 +1,71 @@
+//! `split(axis) { size : operations | … }*`.
+
+use super::{Parsed, Parser, Reported};
+use crate::ast::{Name, OpKind, Split, SplitItem};
+use crate::code::Code;
+use crate::token::{Sym, Tok};
+
+impl Parser<'_> {
+    /// Behind the word `split`.
+    pub(super) fn split(&mut self, name: Name) -> Parsed<OpKind> {
+        if !self.is(Sym::LParen) {
+            self.expected("`(`").help("write `split(x) { … }`");
+            return Err(Reported);
+        }
+        let args = self.args()?;
+        if !self.is(Sym::LBrace) {
+            self.expected("`{`").help("write `split(x) { size : operations | … }`");
+            return Err(Reported);
+        }
+        let (items, repeat) = self.items()?;
+        Ok(OpKind::Split(Split { name, args, items, repeat }))
+    }
+
+    fn items(&mut self) -> Parsed<(Vec<SplitItem>, bool)> {
+        let items = self.between_bars(Self::item)?;
+        Ok((items, self.eat(Sym::Star)))
+    }
+
+    fn item(&mut self) -> Parsed<SplitItem> {
+        if self.is(Sym::LBrace) {
+            let (items, repeat) = self.items()?;
+            return Ok(SplitItem::Group(items, repeat));
+        }
+        if matches!(self.peek(), Some(Tok::Ident(_) | Tok::Path(_) | Tok::Sym(Sym::LBracket))) && !self.has_colon() {
+            return self.missing_size();
+        }
+        let size = self.arg()?;
+        if !self.eat(Sym::Colon) {
+            return self.fail("`:` after the size");
+        }
+        let ops = self.ops(false)?;
+        Ok(SplitItem::Slot(size, ops))
+    }
+
+    /// Whether a `:` follows before the slot ends.
+    fn has_colon(&self) -> bool {
+        let mut at = self.at;
+        while let Some(&index) = self.view.get(at) {
+            match &self.tokens[index as usize] {
+                Tok::Sym(Sym::Colon) => return true,
+                Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket | Sym::RParen) => return false,
+                Tok::Sym(Sym::LBrace | Sym::LBracket | Sym::LParen) => match self.layout.close(at) {
+                    Some(close) => at = close,
+                    None => return true,
+                },
+                _ => {}
+            }
+            at += 1;
+        }
+        true
+    }
+
+    fn missing_size<T>(&mut self) -> Parsed<T> {
+        let span = self.span();
+        let text = self.peek().and_then(Tok::ident).unwrap_or("…");
+        self.diags
+            .report(Code::MissingSize, span, "this slot has no size")
+            .help(format!("write `~1 : {text}` to share what is left, or a size in metres before the `:`"));
+        Err(Reported)
+    }
+}

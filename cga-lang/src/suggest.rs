@@ -1,0 +1,57 @@
+//! Did-you-mean over a closed set of names.
+
+/// The name nearest to `word`, if one is near enough to have been meant. The first of equally near ones.
+pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word: Vec<char> = word.chars().flat_map(char::to_lowercase).take(LONGEST).collect();
+    let limit = (word.len() / 3).max(1);
+    let mut best: Option<(usize, &str)> = None;
+    for name in names {
+        let other: Vec<char> = name.chars().flat_map(char::to_lowercase).take(LONGEST).collect();
+        if limit < word.len().abs_diff(other.len()) {
+            continue;
+        }
+        let far = distance(&word, &other);
+        // One letter for another is no likeness at all.
+        if far <= limit && far < word.len().max(other.len()) && best.is_none_or(|(least, _)| far < least) {
+            best = Some((far, name));
+        }
+    }
+    best.map(|(_, name)| name)
+}
+
+const LONGEST: usize = 64;
+
+/// Edits between two words; a swap of neighbours counts as one.
+fn distance(a: &[char], b: &[char]) -> usize {
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            rows[i][j] = if i == 0 || j == 0 {
+                i + j
+            } else {
+                let change = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+                let mut least = change.min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+                if 1 < i && 1 < j && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                    least = least.min(rows[i - 2][j - 2] + 1);
+                }
+                least
+            };
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn finds_slips_of_the_pen() {
+        let names = ["extrude", "texture", "split", "s", "t"];
+        assert_eq!(nearest("extrud", names), Some("extrude"));
+        assert_eq!(nearest("Extrude", names), Some("extrude"));
+        assert_eq!(nearest("spilt", names), Some("split"));
+        assert_eq!(nearest("window", names), None);
+        assert_eq!(nearest("r", names), None);
+    }
+}

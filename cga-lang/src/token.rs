@@ -1,0 +1,213 @@
+//! Tokens, the form in which both doors hand over rules.
+//!
+//! Nothing here depends on whether white space stood between two tokens, because a macro cannot always know. Dotted
+//! names (`scope.sx`) and leaves (`Wall.`) are told apart by the parser: by where they stand.
+
+use crate::span::Span;
+
+/// One token.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Tok {
+    /// A name or keyword, without dots.
+    Ident(String),
+    /// A number; the sign is a token of its own.
+    Number(f64),
+    /// A string, without its quotes and with its escapes resolved.
+    Str(String),
+    /// `#name` or `#(…)`: a Rust value, by the door's handle. Only the token door makes it.
+    Host(u32),
+    /// A Rust path with at least one `::`, like `crate::noise`.
+    Path(String),
+    /// A doc comment (`/// …`), without the slashes. Counts only before a declaration.
+    Doc(String),
+    /// Punctuation.
+    Sym(Sym),
+    /// Something the door could not read and has reported. The parser passes over it.
+    Bad,
+}
+
+macro_rules! symbols {
+    ($($name:ident $text:literal $about:literal,)*) => {
+        /// Punctuation.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Sym { $(#[doc = $about] $name,)* }
+
+        impl Sym {
+            /// Every symbol; those with more characters come first.
+            pub const ALL: &'static [Sym] = &[$(Sym::$name,)*];
+
+            /// As written in CGA text.
+            pub const fn text(self) -> &'static str {
+                match self { $(Sym::$name => $text,)* }
+            }
+        }
+    };
+}
+
+symbols! {
+    Arrow "-->" "`-->`: begins the body of a rule.",
+    EqEq "==" "`==`",
+    NotEq "!=" "`!=`",
+    LessEq "<=" "`<=`",
+    GreaterEq ">=" "`>=`",
+    AndAnd "&&" "`&&`",
+    OrOr "||" "`||`",
+    LParen "(" "`(`",
+    RParen ")" "`)`",
+    LBracket "[" "`[`",
+    RBracket "]" "`]`",
+    LBrace "{" "`{`",
+    RBrace "}" "`}`",
+    Comma "," "`,`",
+    Colon ":" "`:`",
+    Semi ";" "`;`: between the rows of an array.",
+    Bar "|" "`|`: between slots.",
+    Dot "." "`.`: in a dotted name, or after a leaf.",
+    Plus "+" "`+`",
+    Minus "-" "`-`",
+    Star "*" "`*`: times, or repeat.",
+    Slash "/" "`/`",
+    Percent "%" "`%`: remainder, or percentage.",
+    Bang "!" "`!`",
+    Less "<" "`<`",
+    Greater ">" "`>`",
+    Assign "=" "`=`",
+    Tilde "~" "`~`: floating size.",
+    Quote "'" "`'` or `^`: relative size.",
+    At "@" "`@`: begins an annotation.",
+}
+
+impl Tok {
+    /// Whether it is that symbol.
+    pub fn is(&self, sym: Sym) -> bool {
+        matches!(self, Tok::Sym(own) if *own == sym)
+    }
+
+    /// The text of a name.
+    pub fn ident(&self) -> Option<&str> {
+        match self {
+            Tok::Ident(name) => Some(name),
+            _ => None,
+        }
+    }
+
+    /// How a message speaks of it: `` `}` ``, a string.
+    pub(crate) fn describe(&self) -> String {
+        match self {
+            Tok::Ident(name) => format!("`{name}`"),
+            Tok::Number(value) => format!("`{value}`"),
+            Tok::Str(_) => "a string".into(),
+            Tok::Host(_) => "a Rust value".into(),
+            Tok::Path(path) => format!("`{path}`"),
+            Tok::Doc(_) => "a doc comment".into(),
+            Tok::Sym(sym) => format!("`{}`", sym.text()),
+            Tok::Bad => "something unreadable".into(),
+        }
+    }
+
+    fn push_text(&self, out: &mut String) {
+        match self {
+            Tok::Ident(text) | Tok::Path(text) => out.push_str(text),
+            Tok::Number(value) => out.push_str(&value.to_string()),
+            Tok::Str(text) => push_quoted(out, text),
+            Tok::Host(_) => out.push_str("#…"),
+            Tok::Sym(sym) => out.push_str(sym.text()),
+            Tok::Doc(_) | Tok::Bad => {}
+        }
+    }
+}
+
+/// Appends a string as CGA text would write it.
+pub(crate) fn push_quoted(out: &mut String, text: &str) {
+    out.push('"');
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            c if (c as u32) < 0x20 => out.push_str(&format!("\\u{:04X}", c as u32)),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+}
+
+/// A grammar as tokens.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tokens {
+    list: Vec<Tok>,
+}
+
+impl Tokens {
+    /// No tokens.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Appends a token and returns its index.
+    pub fn push(&mut self, token: Tok) -> u32 {
+        self.list.push(token);
+        (self.list.len() - 1) as u32
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// The tokens, in order.
+    pub fn as_slice(&self) -> &[Tok] {
+        &self.list
+    }
+
+    /// The tokens of a span as one line of CGA text, cut short after `limit` bytes.
+    pub fn text(&self, span: Span, limit: usize) -> String {
+        let mut out = String::new();
+        let mut before: Option<&Tok> = None;
+        let from = (span.first as usize).min(self.list.len());
+        let to = (span.last as usize + 1).clamp(from, self.list.len());
+        for token in &self.list[from..to] {
+            if matches!(token, Tok::Doc(_) | Tok::Bad) {
+                continue;
+            }
+            if before.is_some_and(|before| spaced(before, token)) {
+                out.push(' ');
+            }
+            if limit < out.len() {
+                out.push('…');
+                break;
+            }
+            token.push_text(&mut out);
+            before = Some(token);
+        }
+        out
+    }
+}
+
+impl FromIterator<Tok> for Tokens {
+    fn from_iter<I: IntoIterator<Item = Tok>>(iter: I) -> Self {
+        Tokens { list: iter.into_iter().collect() }
+    }
+}
+
+/// Whether a space looks right between two tokens.
+fn spaced(left: &Tok, right: &Tok) -> bool {
+    use Sym::{At, Bang, Comma, Dot, LBrace, LParen, Quote, RParen, Star, Tilde};
+    let (l, r) = (|sym| left.is(sym), |sym| right.is(sym));
+    if l(LParen) || l(Tilde) || l(Quote) || l(Bang) || l(At) || r(RParen) || r(Comma) {
+        return false;
+    }
+    if r(LParen) {
+        return !matches!(left, Tok::Ident(_) | Tok::Path(_));
+    }
+    if l(Dot) {
+        return !right.ident().is_some_and(|name| name.starts_with(char::is_lowercase));
+    }
+    !(r(Dot) || (left.is(Sym::RBrace) && r(Star)) || (l(LBrace) && r(Sym::RBrace)))
+}

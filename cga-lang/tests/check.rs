@@ -1,0 +1,58 @@
+//! `tests/data/check`: what is found, and where.
+
+mod common;
+
+use cga_lang::code::Code;
+use cga_lang::diag::Diags;
+use std::collections::HashSet;
+use std::fs;
+
+#[test]
+fn findings_stand_under_the_guilty_tokens() {
+    common::walk("check", |text| {
+        let (compiled, lexed) = common::compiled(text);
+        (compiled.diags, lexed, None)
+    });
+}
+
+#[test]
+fn every_code_has_a_fixture() {
+    let mut seen = HashSet::new();
+    for folder in ["lex", "parse", "check", "lower"] {
+        for path in common::fixtures(folder) {
+            let text = common::strip(&fs::read_to_string(path).expect("readable fixture"));
+            seen.extend(common::compiled(&text).0.diags.iter().map(|diag| diag.code));
+        }
+    }
+    let missing: Vec<&str> = Code::ALL.iter().filter(|code| !seen.contains(code)).map(|code| code.name()).collect();
+    assert_eq!(missing, [] as [&str; 0]);
+}
+
+#[test]
+fn code_names_are_unique_and_found_again() {
+    for &code in Code::ALL {
+        assert_eq!(Code::from_name(code.name()), Some(code));
+    }
+}
+
+#[test]
+fn messages_follow_the_house_style() {
+    for folder in ["lex", "parse", "check", "lower"] {
+        for path in common::fixtures(folder) {
+            let text = common::strip(&fs::read_to_string(path).expect("readable fixture"));
+            for diag in common::compiled(&text).0.diags {
+                let lines = diag.notes.iter().map(|note| &note.text).chain(&diag.help).chain([&diag.message]);
+                for line in lines {
+                    assert!(!line.ends_with('.') && !line.is_empty(), "{line}");
+                    assert!(!line.starts_with(char::is_uppercase), "{line}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+#[should_panic(expected = "findings were dropped unread")]
+fn findings_cannot_be_dropped_unread() {
+    drop(Diags::new());
+}

@@ -1,0 +1,264 @@
+//! Expressions. What needs the current shape gets it mutably, because random draws use up its numbers; arguments are
+//! evaluated first and one by one, so that the borrows never overlap.
+
+use cga_lang::ir::{Binary, Expr, ExprKind, Type, Value};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{quote, quote_spanned};
+
+use super::items::host_conversion;
+use super::{Cx, local};
+
+/// Where an expression is evaluated: how it gets at the run and at the current shape.
+pub(super) struct Place {
+    pub(super) env: TokenStream,
+    pub(super) shape: TokenStream,
+    pub(super) shape_mut: TokenStream,
+}
+
+impl Place {
+    /// In a rule, on the current shape.
+    pub(super) fn rule() -> Self {
+        let place = Span::mixed_site();
+        Place {
+            env: quote_spanned!(place=> &mut cx.env),
+            shape: quote_spanned!(place=> &shape),
+            shape_mut: quote_spanned!(place=> &mut shape),
+        }
+    }
+
+    /// In a rule, on a part of a split or comp.
+    pub(super) fn part() -> Self {
+        let place = Span::mixed_site();
+        Place {
+            env: quote_spanned!(place=> &mut cx.env),
+            shape: quote_spanned!(place=> &part),
+            shape_mut: quote_spanned!(place=> &mut part),
+        }
+    }
+
+    /// In a function, an attribute or a constant.
+    pub(super) fn function() -> Self {
+        let place = Span::mixed_site();
+        Place {
+            env: quote_spanned!(place=> &mut *env),
+            shape: quote_spanned!(place=> &*shape),
+            shape_mut: quote_spanned!(place=> &mut *shape),
+        }
+    }
+}
+
+/// A constant.
+pub(super) fn value(value: &Value) -> TokenStream {
+    let place = Span::mixed_site();
+    match value {
+        Value::Float(number) if number.is_nan() => quote_spanned!(place=> ::core::primitive::f64::NAN),
+        Value::Float(number) if number.is_infinite() && *number < 0.0 => {
+            quote_spanned!(place=> ::core::primitive::f64::NEG_INFINITY)
+        }
+        Value::Float(number) if number.is_infinite() => quote_spanned!(place=> ::core::primitive::f64::INFINITY),
+        Value::Float(number) => {
+            let digits = Literal::f64_suffixed(number.abs());
+            if number.is_sign_negative() { quote_spanned!(place=> (-#digits)) } else { quote!(#digits) }
+        }
+        Value::Bool(truth) => quote_spanned!(place=> #truth),
+        Value::Text(text) => quote_spanned!(place=> cga_rt::Text::Static(#text)),
+    }
+}
+
+impl Cx<'_> {
+    pub(super) fn expr(&self, expr: &Expr, at: &Place) -> TokenStream {
+        let place = Span::mixed_site();
+        match &expr.kind {
+            ExprKind::Value(known) => value(known),
+            ExprKind::Param(number) => {
+                let name = local("p", *number as usize);
+                cloned(expr.ty, quote_spanned!(place=> #name))
+            }
+            ExprKind::Attr(id) => {
+                let (attr, name) = (&self.grammar.attrs[id.0 as usize], local("attr_", id.0 as usize));
+                if !attr.is_set {
+                    return cloned(attr.ty, quote_spanned!(place=> g.#name));
+                }
+                let (shape, number) = (&at.shape, Literal::u32_suffixed(id.0));
+                match attr.ty {
+                    Type::Float => quote_spanned!(place=> cga_rt::get::float_attribute(#shape, #number, g.#name)),
+                    Type::Bool => quote_spanned!(place=> cga_rt::get::bool_attribute(#shape, #number, g.#name)),
+                    Type::Text => quote_spanned!(place=> cga_rt::get::text_attribute(#shape, #number, &g.#name)),
+                }
+            }
+            ExprKind::Const(id) => {
+                let constant = &self.grammar.consts[id.0 as usize];
+                match &constant.known {
+                    Some(known) => value(known),
+                    None => {
+                        let name = local("const_", id.0 as usize);
+                        cloned(constant.ty, quote_spanned!(place=> g.#name))
+                    }
+                }
+            }
+            ExprKind::Host(id) if self.captured => {
+                let name = local("captured_", id.0 as usize);
+                cloned(expr.ty, quote_spanned!(place=> g.#name))
+            }
+            ExprKind::Host(id) => {
+                let host = &self.grammar.hosts[id.0 as usize];
+                let (code, convert) = (&self.source.hosts()[host.handle as usize].expr, host_conversion(host.ty));
+                // The expression's own span, so that a wrong type is reported there.
+                let code = spanned_reference(code, self.source.token(host.span.first));
+                quote_spanned!(place=> cga_rt::host::#convert(#code))
+            }
+            ExprKind::Call(id, args) => {
+                let name = Ident::new(self.names.function(*id), self.source.token(expr.span.first));
+                let (env, shape) = (&at.env, &at.shape_mut);
+                self.with_args(args, at, |args| quote_spanned!(place=> CgaRules::#name(g, #env, #shape, #(#args),*)))
+            }
+            ExprKind::Builtin(function, args) => {
+                let name = Ident::new(function.call, place);
+                let shape = function.uses_shape.then(|| {
+                    let shape = &at.shape_mut;
+                    quote_spanned!(place=> #shape,)
+                });
+                self.with_args(args, at, |args| quote_spanned!(place=> cga_rt::func::#name(#shape #(#args),*)))
+            }
+            ExprKind::Rust(path, args) => {
+                let path = self.source.path(expr.span.first, path);
+                let convert = host_conversion(expr.ty);
+                self.with_rust_args(args, at, |args| quote_spanned!(place=> cga_rt::host::#convert(&#path(#(#args),*))))
+            }
+            ExprKind::Shape(attr) => {
+                let (get, shape) = (Ident::new(attr.get, place), &at.shape);
+                quote_spanned!(place=> cga_rt::get::#get(#shape))
+            }
+            ExprKind::Neg(inner) => {
+                let inner = self.expr(inner, at);
+                quote_spanned!(place=> (-(#inner)))
+            }
+            ExprKind::Not(inner) => {
+                let inner = self.expr(inner, at);
+                quote_spanned!(place=> (!(#inner)))
+            }
+            ExprKind::Binary(operator, left, right) => {
+                let (left, right) = (self.expr(left, at), self.expr(right, at));
+                binary(*operator, &left, &right)
+            }
+            ExprKind::ToText(inner) => {
+                let convert = match inner.ty {
+                    Type::Float => quote_spanned!(place=> float_to_text),
+                    Type::Bool => quote_spanned!(place=> bool_to_text),
+                    Type::Text => quote_spanned!(place=> text_to_text),
+                };
+                let inner = self.expr(inner, at);
+                quote_spanned!(place=> cga_rt::func::#convert(#inner))
+            }
+            ExprKind::Case(arms, otherwise) => {
+                let conditions = arms.iter().map(|(condition, _)| self.expr(condition, at));
+                let values = arms.iter().map(|(_, value)| self.expr(value, at));
+                let otherwise = self.expr(otherwise, at);
+                quote_spanned!(place=> (#(if #conditions { #values } else)* { #otherwise }))
+            }
+            ExprKind::Chance(arms, otherwise) => {
+                let draws = draws(arms.iter().map(|(percent, _)| *percent), at);
+                let values = arms.iter().map(|(_, value)| self.expr(value, at));
+                let otherwise = self.expr(otherwise, at);
+                quote_spanned!(place=> (#(if #draws { #values } else)* { #otherwise }))
+            }
+        }
+    }
+
+    /// Arguments first, one by one, then the call.
+    pub(super) fn with_args(
+        &self,
+        args: &[Expr],
+        at: &Place,
+        call: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> TokenStream {
+        let place = Span::mixed_site();
+        let values: Vec<TokenStream> = args.iter().map(|arg| self.expr(arg, at)).collect();
+        if args.iter().all(is_plain) {
+            return call(&values);
+        }
+        let names: Vec<TokenStream> = (0..args.len()).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
+        let call = call(&names);
+        quote_spanned!(place=> { #(let #names = #values;)* #call })
+    }
+
+    /// The same for a function of the user: text arrives as `&str`.
+    pub(super) fn with_rust_args(
+        &self,
+        args: &[Expr],
+        at: &Place,
+        call: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> TokenStream {
+        let place = Span::mixed_site();
+        let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
+        let values = args.iter().map(|arg| self.expr(arg, at));
+        let passed: Vec<TokenStream> = names
+            .iter()
+            .zip(args)
+            .map(|(name, arg)| match arg.ty {
+                Type::Text => quote_spanned!(place=> cga_rt::host::as_str(&#name)),
+                _ => quote!(#name),
+            })
+            .collect();
+        let call = call(&passed);
+        quote_spanned!(place=> { #(let #names = #values;)* #call })
+    }
+}
+
+/// The conditions of a stochastic block.
+pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Place) -> Vec<TokenStream> {
+    let place = Span::mixed_site();
+    let shape = &at.shape_mut;
+    let mut before = 0.0;
+    percents
+        .map(|percent| {
+            let (share, sum) = (value(&Value::Float(percent)), value(&Value::Float(before)));
+            before += percent;
+            quote_spanned!(place=> cga_rt::branch(#shape, #share, #sum))
+        })
+        .collect()
+}
+
+/// Whether an argument needs neither the shape nor the run.
+fn is_plain(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Value(_) | ExprKind::Param(_) | ExprKind::Const(_) => true,
+        ExprKind::Neg(inner) | ExprKind::Not(inner) => is_plain(inner),
+        ExprKind::Binary(_, left, right) => is_plain(left) && is_plain(right),
+        _ => false,
+    }
+}
+
+/// Numbers and truth values are copied, text is shared.
+fn cloned(ty: Type, place: TokenStream) -> TokenStream {
+    match ty {
+        Type::Text => quote_spanned!(Span::mixed_site()=> ::core::clone::Clone::clone(&#place)),
+        _ => place,
+    }
+}
+
+/// `&expr` with the span of the expression.
+fn spanned_reference(code: &TokenStream, span: Span) -> TokenStream {
+    quote_spanned!(span=> &#code)
+}
+
+fn binary(operator: Binary, left: &TokenStream, right: &TokenStream) -> TokenStream {
+    let place = Span::mixed_site();
+    match operator {
+        Binary::Add => quote_spanned!(place=> (#left + #right)),
+        Binary::Sub => quote_spanned!(place=> (#left - #right)),
+        Binary::Mul => quote_spanned!(place=> (#left * #right)),
+        Binary::Div => quote_spanned!(place=> (#left / #right)),
+        Binary::Rem => quote_spanned!(place=> (#left % #right)),
+        Binary::Concat => quote_spanned!(place=> cga_rt::func::concat(#left, #right)),
+        Binary::Eq => quote_spanned!(place=> (#left == #right)),
+        Binary::Ne => quote_spanned!(place=> (#left != #right)),
+        Binary::Lt => quote_spanned!(place=> (#left < #right)),
+        Binary::Le => quote_spanned!(place=> (#left <= #right)),
+        Binary::Gt => quote_spanned!(place=> (#left > #right)),
+        Binary::Ge => quote_spanned!(place=> (#left >= #right)),
+        // Both sides are always evaluated.
+        Binary::And => quote_spanned!(place=> (#left & #right)),
+        Binary::Or => quote_spanned!(place=> (#left | #right)),
+    }
+}

@@ -1,0 +1,282 @@
+//! One function a rule, one function a function.
+
+use cga_lang::ir::{Arg, Childless, Function, Prefix, Rule, RuleId, Step, Target, Type};
+use cga_lang::ops::{Operation, ParamKind};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use syn::Lifetime;
+use quote::{quote, quote_spanned};
+
+use super::expr::{Place, draws};
+use super::{Cx, inner_type, local};
+
+pub(super) fn rules(cx: &Cx<'_>) -> TokenStream {
+    (0..cx.grammar.rules.len() as u32).map(|number| cx.rule_function(RuleId(number))).collect()
+}
+
+pub(super) fn functions(cx: &Cx<'_>) -> TokenStream {
+    let numbers = 0..cx.grammar.functions.len() as u32;
+    numbers.map(|number| cx.function(cga_lang::ir::FunctionId(number))).collect()
+}
+
+/// What the steps of a rule need to know of where they stand.
+#[derive(Clone, Copy)]
+struct Body<'a> {
+    rule: &'a Rule,
+    /// How deep in `[ ]`.
+    depth: usize,
+}
+
+impl Cx<'_> {
+    fn rule_function(&self, id: RuleId) -> TokenStream {
+        let place = Span::mixed_site();
+        let rule = &self.grammar.rules[id.0 as usize];
+        let name = self.rule(id, self.source.token(rule.span.first));
+        let number = Literal::u32_suffixed(id.0);
+        let params = rule.params.iter().enumerate().map(|(at, param)| (local("p", at), inner_type(param.ty)));
+        let (names, types): (Vec<_>, Vec<_>) = params.unzip();
+        let doc = (!rule.source.is_empty()).then(|| {
+            let source = &rule.source;
+            quote_spanned!(place=> #[doc = #source])
+        });
+        let steps = self.steps(&rule.body, Body { rule, depth: 0 });
+        let base = base(&rule.body);
+        let flag = (rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> let mut childless = true;));
+        let label = &rule.label;
+        let leaf = match rule.leaf {
+            Childless::Always => quote_spanned!(place=> cx.leaf(&shape, #label)?;),
+            Childless::Depends => quote_spanned!(place=> if childless { cx.leaf(&shape, #label)?; }),
+            Childless::Never => TokenStream::new(),
+        };
+        quote_spanned! { place=>
+            #doc
+            fn #name<Sink: cga_rt::Sink + ?::core::marker::Sized>(
+                g: &CgaValues,
+                cx: &mut cga_rt::Cx<'_, Sink, CgaCall>,
+                mut shape: cga_rt::ShapeRef<'_>,
+                #(#names: #types,)*
+            ) -> cga_rt::Flow {
+                cx.enter(#number)?;
+                #base
+                #flag
+                #steps
+                #leaf
+                cx.leave()
+            }
+        }
+    }
+
+    fn function(&self, id: cga_lang::ir::FunctionId) -> TokenStream {
+        let place = Span::mixed_site();
+        let function: &Function = &self.grammar.functions[id.0 as usize];
+        let name = Ident::new(self.names.function(id), self.source.token(function.span.first));
+        let params = function.params.iter().enumerate().map(|(at, param)| (local("p", at), inner_type(param.ty)));
+        let (names, types): (Vec<_>, Vec<_>) = params.unzip();
+        let ty = inner_type(function.ty);
+        let body = self.expr(&function.body, &Place::function());
+        let body = if function.recursive {
+            quote_spanned! { place=>
+                if !env.call() {
+                    env.called();
+                    return ::core::default::Default::default();
+                }
+                let value = #body;
+                env.called();
+                value
+            }
+        } else {
+            body
+        };
+        quote_spanned! { place=>
+            fn #name(g: &CgaValues, env: &mut cga_rt::Env, shape: &mut cga_rt::ShapeRef<'_>, #(#names: #types,)*) -> #ty {
+                #body
+            }
+        }
+    }
+
+    fn steps(&self, steps: &[Step], body: Body<'_>) -> TokenStream {
+        steps.iter().map(|step| self.step(step, body)).collect()
+    }
+
+    fn step(&self, step: &Step, body: Body<'_>) -> TokenStream {
+        let place = Span::mixed_site();
+        let at = Place::rule();
+        let made = (body.rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> childless = false;));
+        match step {
+            Step::Do(operation, args, _) => self.operation(operation, args),
+            Step::SetAttr(id, expr, _) => {
+                let number = Literal::u32_suffixed(id.0);
+                let kind = match expr.ty {
+                    Type::Float => quote_spanned!(place=> Float),
+                    Type::Bool => quote_spanned!(place=> Bool),
+                    Type::Text => quote_spanned!(place=> Text),
+                };
+                let value = self.expr(expr, &at);
+                quote_spanned!(place=> {
+                    let a0 = #value;
+                    cga_rt::set::attribute(&mut shape, #number, cga_rt::Value::#kind(a0));
+                })
+            }
+            Step::SetShape(attr, expr, _) => {
+                let Some(set) = attr.set else { return TokenStream::new() };
+                let (set, value) = (Ident::new(set, place), self.expr(expr, &at));
+                quote_spanned!(place=> {
+                    let a0 = #value;
+                    cga_rt::set::#set(&mut cx.env, &mut shape, a0);
+                })
+            }
+            Step::Rust(path, args, span) => {
+                let path = self.source.path(span.first, path);
+                let call = self.with_rust_args(args, &at, |args| {
+                    quote_spanned!(place=> cga_rt::host::operate(&mut cx.env, &mut shape, |shape| #path(shape, #(#args),*)))
+                });
+                quote_spanned!(place=> #call;)
+            }
+            Step::Give(target) => {
+                let code = match target {
+                    Target::Leaf(name, _) => quote_spanned!(place=> cx.symbol(&shape, #name)?;),
+                    Target::Nil => TokenStream::new(),
+                    Target::Rule { rule, args, span } => {
+                        let call = self.call(body.rule, *rule, args.len(), self.source.token(span.first));
+                        let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
+                        let values = args.iter().map(|arg| self.expr(arg, &at));
+                        quote_spanned!(place=> {
+                            #(let #names = #values;)*
+                            let part = cga_rt::successor(&mut shape);
+                            #call?;
+                        })
+                    }
+                };
+                quote_spanned!(place=> #code #made)
+            }
+            Step::Split(split) => {
+                let code = self.split(split, body.rule);
+                let divided = (body.rule.leaf == Childless::Depends)
+                    .then(|| quote_spanned!(place=> childless &= !parts.divided();));
+                quote_spanned!(place=> { #code #divided })
+            }
+            Step::Comp(comp) => {
+                let code = self.comp(comp, body.rule);
+                quote_spanned!(place=> { #code } #made)
+            }
+            Step::Push(steps) => {
+                let inner = Body { depth: body.depth + 1, ..body };
+                let label = label(inner.depth);
+                let (base, steps) = (base(steps), self.steps(steps, inner));
+                quote_spanned!(place=> #label: {
+                    let mut shape = cga_rt::push(&mut shape);
+                    #base
+                    #steps
+                })
+            }
+            Step::Case { arms, otherwise } => {
+                let conditions = arms.iter().map(|(condition, _)| self.expr(condition, &at));
+                let bodies = arms.iter().map(|(_, steps)| self.steps(steps, body));
+                let otherwise = self.steps(otherwise, body);
+                quote_spanned!(place=> #(if #conditions { #bodies } else)* { #otherwise })
+            }
+            Step::Chance { arms, otherwise } => {
+                let draws = draws(arms.iter().map(|(percent, _)| *percent), &at);
+                let bodies = arms.iter().map(|(_, steps)| self.steps(steps, body));
+                let otherwise = self.steps(otherwise, body);
+                quote_spanned!(place=> #(if #draws { #bodies } else)* { #otherwise })
+            }
+            Step::Nil(_) if body.depth == 0 => quote_spanned!(place=> return cx.leave();),
+            Step::Nil(_) => {
+                let label = label(body.depth);
+                quote_spanned!(place=> break #label;)
+            }
+        }
+    }
+
+    fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
+        let place = Span::mixed_site();
+        let at = Place::rule();
+        let name = Ident::new(operation.call, place);
+        let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
+        let values = args.iter().zip(operation.params).map(|(arg, param)| match (arg, &param.kind) {
+            (Arg::Value(expr), ParamKind::Length) => {
+                let value = self.expr(expr, &at);
+                quote_spanned!(place=> cga_rt::Length::Absolute(#value))
+            }
+            (Arg::Value(expr), _) => self.expr(expr, &at),
+            (Arg::Length(size), _) => {
+                let value = self.expr(&size.value, &at);
+                match size.prefix {
+                    Prefix::Relative => quote_spanned!(place=> cga_rt::Length::Relative(#value)),
+                    Prefix::Absolute | Prefix::Floating => quote_spanned!(place=> cga_rt::Length::Absolute(#value)),
+                }
+            }
+            (Arg::Word(word), ParamKind::Word { rust, words }) => {
+                let variant = words.iter().find(|(written, _)| written == word).map_or("", |(_, variant)| variant);
+                let (rust, variant) = (Ident::new(rust, place), Ident::new(variant, place));
+                quote_spanned!(place=> cga_rt::op::#rust::#variant)
+            }
+            (Arg::Word(_), _) => TokenStream::new(),
+        });
+        let base = operation.uses_base.then(|| quote_spanned!(place=> &base,));
+        quote_spanned!(place=> {
+            #(let #names = #values;)*
+            cga_rt::op::#name(&mut cx.env, &mut shape, #base #(#names),*);
+        })
+    }
+
+    /// Calls a rule on `part`, with arguments in `a0`, `a1`, …; of type `Flow`. Inside a cycle the call may wait.
+    pub(super) fn call(&self, from: &Rule, rule: RuleId, args: usize, span: Span) -> TokenStream {
+        let place = Span::mixed_site();
+        let to = &self.grammar.rules[rule.0 as usize];
+        let name = self.rule(rule, span);
+        let args: Vec<TokenStream> = (0..args).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
+        let direct = quote_spanned!(place=> CgaRules::#name(g, cx, part, #(#args),*));
+        if to.cycle.is_none() || from.cycle != to.cycle {
+            return direct;
+        }
+        let variant = local("Rule", rule.0 as usize);
+        quote_spanned! { place=>
+            if cx.descend() {
+                let flow = #direct;
+                cx.ascend();
+                flow
+            } else {
+                cx.defer(&part, CgaCall::#variant(#(#args),*))
+            }
+        }
+    }
+
+    /// What a part of a split or comp becomes; of type `Flow`.
+    pub(super) fn part(&self, target: &Target, from: &Rule) -> TokenStream {
+        let place = Span::mixed_site();
+        match target {
+            Target::Nil => quote_spanned!(place=> cga_rt::Flow::Continue(())),
+            Target::Leaf(name, _) => quote_spanned!(place=> cx.symbol(&part, #name)),
+            Target::Rule { rule, args, span } => {
+                let call = self.call(from, *rule, args.len(), self.source.token(span.first));
+                let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
+                let values = args.iter().map(|arg| self.expr(arg, &Place::part()));
+                quote_spanned!(place=> {
+                    let mut part = part;
+                    #(let #names = #values;)*
+                    #call
+                })
+            }
+        }
+    }
+}
+
+/// The label of a `[ ]`.
+fn label(depth: usize) -> Lifetime {
+    Lifetime::new(&format!("'push{depth}"), Span::mixed_site())
+}
+
+/// Remembers the scope for operations that look at where they began.
+fn base(steps: &[Step]) -> TokenStream {
+    fn looks(steps: &[Step]) -> bool {
+        steps.iter().any(|step| match step {
+            Step::Do(operation, ..) => operation.uses_base,
+            Step::Case { arms, otherwise } => arms.iter().any(|(_, steps)| looks(steps)) || looks(otherwise),
+            Step::Chance { arms, otherwise } => arms.iter().any(|(_, steps)| looks(steps)) || looks(otherwise),
+            // A bracket remembers its own.
+            _ => false,
+        })
+    }
+    if looks(steps) { quote_spanned!(Span::mixed_site()=> let base = *shape.scope();) } else { TokenStream::new() }
+}

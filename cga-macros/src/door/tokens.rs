@@ -1,0 +1,246 @@
+//! Inline rules: Rust's tokens become ours.
+
+use cga_lang::code::Code;
+use cga_lang::diag::{Diag, Diags};
+use cga_lang::span::Span as TokenSpan;
+use cga_lang::token::{Sym, Tok, Tokens};
+use proc_macro2::{Delimiter, Group, Literal, Spacing, Span, TokenStream, TokenTree};
+
+use super::{Host, Place, Source};
+
+pub(super) fn read(stream: TokenStream) -> Source {
+    let mut reader = Reader::default();
+    reader.stream(stream);
+    let findings: Vec<Diag> = reader.diags.finish();
+    let place = Place::Inline { spans: reader.spans, paths: reader.paths };
+    Source { tokens: reader.tokens, findings, hosts: reader.hosts, place }
+}
+
+#[derive(Default)]
+struct Reader {
+    tokens: Tokens,
+    spans: Vec<Span>,
+    paths: Vec<(u32, TokenStream)>,
+    hosts: Vec<Host>,
+    diags: Diags,
+}
+
+impl Reader {
+    fn push(&mut self, token: Tok, span: Span) -> TokenSpan {
+        self.spans.push(span);
+        TokenSpan::one(self.tokens.push(token))
+    }
+
+    /// Something that cannot be read; the parser passes over it.
+    fn bad(&mut self, span: Span, message: String, help: &str) {
+        let at = self.push(Tok::Bad, span);
+        self.diags.report(Code::UnknownCharacter, at, message).help(help);
+    }
+
+    fn stream(&mut self, stream: TokenStream) {
+        let list: Vec<TokenTree> = stream.into_iter().collect();
+        let mut at = 0;
+        while at < list.len() {
+            at += self.token(&list[at..]);
+        }
+    }
+
+    /// Reads what `list` begins with; gives the number of Rust tokens it took.
+    fn token(&mut self, list: &[TokenTree]) -> usize {
+        match &list[0] {
+            TokenTree::Group(group) => {
+                self.group(group);
+                1
+            }
+            TokenTree::Ident(_) => self.name(list),
+            TokenTree::Literal(literal) => {
+                self.literal(literal);
+                1
+            }
+            TokenTree::Punct(sign) => match sign.as_char() {
+                '#' => self.host(list),
+                '\'' | '^' => self.relative(list),
+                ':' if path_joint(list, 0) && matches!(list.get(2), Some(TokenTree::Ident(_))) => self.name(list),
+                _ => self.symbol(list),
+            },
+        }
+    }
+
+    fn group(&mut self, group: &Group) {
+        let (open, close) = match group.delimiter() {
+            Delimiter::Parenthesis => (Sym::LParen, Sym::RParen),
+            Delimiter::Brace => (Sym::LBrace, Sym::RBrace),
+            Delimiter::Bracket => (Sym::LBracket, Sym::RBracket),
+            // What another macro put in.
+            Delimiter::None => return self.stream(group.stream()),
+        };
+        self.push(Tok::Sym(open), group.span_open());
+        self.stream(group.stream());
+        self.push(Tok::Sym(close), group.span_close());
+    }
+
+    /// A name, or a Rust path of several.
+    fn name(&mut self, list: &[TokenTree]) -> usize {
+        let mut end = 0;
+        let mut text = String::new();
+        if path_joint(list, 0) {
+            text.push_str("::");
+            end = 2;
+        }
+        loop {
+            let Some(TokenTree::Ident(name)) = list.get(end) else { break };
+            text.push_str(&name.to_string());
+            end += 1;
+            if !path_joint(list, end) || !matches!(list.get(end + 2), Some(TokenTree::Ident(_))) {
+                break;
+            }
+            text.push_str("::");
+            end += 2;
+        }
+        if end == 1 {
+            let plain = text.strip_prefix("r#").map(str::to_owned).unwrap_or(text);
+            self.push(Tok::Ident(plain), list[0].span());
+        } else {
+            let last = list[end - 1].span();
+            let at = self.push(Tok::Path(text), last);
+            self.paths.push((at.first, list[..end].iter().cloned().collect()));
+        }
+        end
+    }
+
+    fn literal(&mut self, literal: &Literal) {
+        let span = literal.span();
+        let written = literal.to_string();
+        if written.starts_with(|c: char| c.is_ascii_digit() || c == '-') {
+            let digits = written.replace('_', "");
+            let (sign, digits) = digits.strip_prefix('-').map_or((false, digits.as_str()), |digits| (true, digits));
+            match digits.parse::<f64>() {
+                Ok(value) if value.is_finite() => {
+                    if sign {
+                        self.push(Tok::Sym(Sym::Minus), span);
+                    }
+                    self.push(Tok::Number(value), span);
+                }
+                _ => self.bad(span, format!("`{written}` is no number in CGA"), "write it in digits, like `12` or `0.5`"),
+            }
+        } else if let Some(text) = super::literal::value(literal) {
+            self.push(Tok::Str(text), span);
+        } else if written.starts_with('\'') {
+            let help = "inline, write a relative size as `^0.5` and text as \"…\"";
+            self.bad(span, format!("Rust reads {written} as a character"), help);
+        } else {
+            self.bad(span, format!("`{written}` has no meaning in CGA"), "text is written \"…\"");
+        }
+    }
+
+    /// `#name`, `#(…)`, and `#[doc = "…"]`, which is how a doc comment arrives.
+    fn host(&mut self, list: &[TokenTree]) -> usize {
+        let span = list[0].span();
+        let expr: TokenStream = match list.get(1) {
+            Some(TokenTree::Ident(name)) => TokenTree::from(name.clone()).into(),
+            Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
+                TokenTree::from(group.clone()).into()
+            }
+            Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Bracket => {
+                if let Some(text) = doc(group) {
+                    self.push(Tok::Doc(text), span);
+                } else {
+                    self.bad(span, "attributes have no meaning inside rules".into(), "CGA's own annotations begin with `@`");
+                }
+                return 2;
+            }
+            _ => {
+                let help = "a Rust value is `#name` or `#(expression)`; inline comments begin with `//`";
+                self.bad(span, "`#` stands alone".into(), help);
+                return 1;
+            }
+        };
+        let handle = self.hosts.len() as u32;
+        let place = list[1].span();
+        self.hosts.push(Host { expr });
+        self.push(Tok::Host(handle), place);
+        2
+    }
+
+    /// `^`, or `'` where Rust lets it through.
+    fn relative(&mut self, list: &[TokenTree]) -> usize {
+        let span = list[0].span();
+        match list.get(1) {
+            // `'0.5` comes as a lifetime named `0`, and rustc adds an error of its own.
+            Some(TokenTree::Ident(name)) if name.to_string().starts_with(|c: char| c.is_ascii_digit()) => {
+                let written: String = number_after(&list[1..]);
+                let taken = 1 + written.matches('.').count() * 2 + 1;
+                let help = format!("inline, write `^{written}`; a string or a `.cga` file takes `'{written}`");
+                self.bad(span, format!("Rust cannot read the relative size `'{written}`"), &help);
+                if let Ok(value) = written.parse() {
+                    // Not another finding for the size that is missing.
+                    self.push(Tok::Number(value), list[1].span());
+                }
+                taken.min(list.len())
+            }
+            _ => {
+                self.push(Tok::Sym(Sym::Quote), span);
+                1
+            }
+        }
+    }
+
+    fn symbol(&mut self, list: &[TokenTree]) -> usize {
+        // The signs that stand together without a space.
+        let mut run = String::new();
+        for token in list {
+            let TokenTree::Punct(sign) = token else { break };
+            run.push(sign.as_char());
+            if sign.spacing() == Spacing::Alone {
+                break;
+            }
+        }
+        let span = list[0].span();
+        // The longest first; see `Sym::ALL`.
+        match Sym::ALL.iter().find(|sym| run.starts_with(sym.text())) {
+            Some(sym) => {
+                let taken = sym.text().chars().count();
+                // The last sign, so that an underline from the first to the last token covers them all.
+                self.push(Tok::Sym(*sym), if taken == 1 { span } else { list[taken - 1].span() });
+                taken
+            }
+            None => {
+                let sign = run.chars().next().unwrap_or_default();
+                self.bad(span, format!("`{sign}` has no meaning in CGA"), "take it away");
+                1
+            }
+        }
+    }
+}
+
+/// Whether two colons that belong together stand there.
+fn path_joint(list: &[TokenTree], at: usize) -> bool {
+    let colon = |at: usize| match list.get(at) {
+        Some(TokenTree::Punct(sign)) if sign.as_char() == ':' => Some(sign.spacing()),
+        _ => None,
+    };
+    colon(at) == Some(Spacing::Joint) && colon(at + 1).is_some()
+}
+
+/// The text of `doc = "…"`.
+fn doc(group: &Group) -> Option<String> {
+    let list: Vec<TokenTree> = group.stream().into_iter().collect();
+    match list.as_slice() {
+        [TokenTree::Ident(name), TokenTree::Punct(_), TokenTree::Literal(text)] if *name == "doc" => {
+            super::literal::value(text).map(|text| text.trim().to_owned())
+        }
+        _ => None,
+    }
+}
+
+/// The digits after a quote: `0`, or `0`, `.`, `5`.
+fn number_after(list: &[TokenTree]) -> String {
+    let mut text = list[0].to_string();
+    if let (Some(TokenTree::Punct(dot)), Some(TokenTree::Literal(rest))) = (list.get(1), list.get(2)) {
+        if dot.as_char() == '.' {
+            text.push('.');
+            text.push_str(&rest.to_string());
+        }
+    }
+    text
+}

@@ -1,0 +1,76 @@
+//! Findings → compiler errors and warnings.
+
+use cga_lang::diag::{Diag, Level};
+use cga_lang::snippet::place;
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use quote::quote_spanned;
+
+use crate::door::Source;
+
+/// Findings as tokens.
+pub(crate) struct Findings {
+    pub(crate) tokens: TokenStream,
+    pub(crate) has_errors: bool,
+}
+
+/// Turns findings into tokens, in the order of the source.
+pub(crate) fn findings(list: &[Diag], source: &Source) -> Findings {
+    let mut list: Vec<&Diag> = list.iter().collect();
+    list.sort_by_key(|diag| diag.span);
+    let has_errors = list.iter().any(|diag| diag.level == Level::Error);
+    let tokens = list.into_iter().map(|diag| finding(diag, source)).collect();
+    Findings { tokens, has_errors }
+}
+
+fn finding(diag: &Diag, source: &Source) -> TokenStream {
+    let (first, last) = source.span(diag.span);
+    let message = message(diag, source);
+    match diag.level {
+        Level::Allow => TokenStream::new(),
+        Level::Error => error(first, last, &message),
+        Level::Warning => warning(first, diag.code.name(), &message),
+    }
+}
+
+/// The lines of a finding; behind a text door with the text it speaks of.
+fn message(diag: &Diag, source: &Source) -> String {
+    if let Some(text) = source.text() {
+        return format!("{}\n{}", diag.message, place(&text.written, &text.ranges, &text.name, diag));
+    }
+    let mut message = diag.message.clone();
+    for note in &diag.notes {
+        message.push_str(&format!("\nnote: {}", note.text));
+        if let Some(line) = note.related.and_then(|place| source.line(place.first)) {
+            message.push_str(&format!(" (line {line})"));
+        }
+    }
+    for help in &diag.help {
+        message.push_str(&format!("\nhelp: {help}"));
+    }
+    message
+}
+
+/// A compiler error underlined from one place to another: rustc takes the span of the first and the last token.
+pub(crate) fn error(first: Span, last: Span, message: &str) -> TokenStream {
+    let path = quote_spanned!(first=> ::core::compile_error);
+    let mut text = Literal::string(message);
+    text.set_span(last);
+    let mut group = Group::new(Delimiter::Brace, TokenTree::Literal(text).into());
+    group.set_span(last);
+    let mut bang = Punct::new('!', Spacing::Alone);
+    bang.set_span(first);
+    path.into_iter().chain([TokenTree::Punct(bang), TokenTree::Group(group)]).collect()
+}
+
+/// A compiler warning: stable Rust has none for macros, but using something deprecated makes one, with our text.
+fn warning(place: Span, code: &str, message: &str) -> TokenStream {
+    let name = Ident::new(code, place);
+    quote_spanned! { place=>
+        const _: () = {
+            #[deprecated(note = #message)]
+            #[allow(non_upper_case_globals)]
+            const #name: () = ();
+            #name
+        };
+    }
+}

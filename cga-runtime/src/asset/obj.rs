@@ -1,0 +1,324 @@
+//! Wavefront OBJ files into meshes.
+//!
+//! Faces stay polygons; groups (`g`, and `o` where no `g` follows) and materials (`usemtl`) become tags; positions that
+//! are equal to the bit become one point. Texture coordinates and normals are kept when every face has them (*insert
+//! operation*: a mesh with inconsistent ones drops them all). Lines, points, smoothing groups and curves are left out.
+//!
+//! Statements are read here and not by `tobj`, which keeps positions as f32 (its `use_f64` would change its types for
+//! every other crate in the build), starts a new mesh at each group, and can't tell lines from triangles. It does read the
+//! material libraries.
+
+use std::collections::HashMap;
+use std::fmt;
+
+use glam::{DVec2, DVec3};
+
+use crate::material::{Color, Material};
+use crate::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
+use crate::text::Text;
+
+/// A mesh and what had to be left out of it.
+#[derive(Clone, Debug)]
+pub struct ObjFile {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// One sentence for each thing that was not as it should be.
+    pub warnings: Vec<String>,
+}
+
+/// Why a file can't be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ObjError {
+    /// A statement that makes no sense.
+    Line {
+        /// Its line, from 1.
+        line: usize,
+        /// What is wrong with it.
+        what: &'static str,
+    },
+    /// The faces do not make a mesh.
+    Mesh(MeshError),
+}
+
+impl fmt::Display for ObjError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ObjError::Line { line, what } => write!(f, "line {line}: {what}"),
+            ObjError::Mesh(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for ObjError {}
+
+/// Reads a file. `material_file` gives the bytes of a material library by its name, or nothing when there is none.
+///
+/// # Errors
+/// When a number can't be read or is not finite, or a face uses a vertex that does not exist; the line is named.
+pub fn read_obj(
+    bytes: &[u8],
+    material_file: &mut dyn FnMut(&str) -> Option<Vec<u8>>,
+) -> Result<ObjFile, ObjError> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let text = String::from_utf8_lossy(bytes);
+    let mut reader = Reader::new(material_file);
+    let mut joined = String::new();
+    let mut joined_from = 0;
+    for (number, line) in text.lines().enumerate() {
+        let line = line.trim_end();
+        if joined.is_empty() {
+            joined_from = number + 1;
+        }
+        if let Some(start) = line.strip_suffix('\\') {
+            joined.push_str(start);
+            joined.push(' ');
+        } else if joined.is_empty() {
+            reader.statement(line, number + 1)?;
+        } else {
+            joined.push_str(line);
+            let whole = std::mem::take(&mut joined);
+            reader.statement(&whole, joined_from)?;
+        }
+    }
+    reader.statement(&joined, joined_from)?;
+    reader.finish()
+}
+
+/// A corner of a face: indices into the three lists, from 0.
+#[derive(Clone, Copy)]
+struct Corner {
+    point: u32,
+    uv: Option<u32>,
+    normal: Option<u32>,
+}
+
+struct Reader<'a> {
+    material_file: &'a mut dyn FnMut(&str) -> Option<Vec<u8>>,
+    builder: MeshBuilder,
+    point_count: usize,
+    uvs: Vec<DVec2>,
+    normals: Vec<DVec3>,
+    tag: FaceTag,
+    groups: Names,
+    materials: Names,
+    looks: HashMap<String, Material>,
+    libraries: Vec<String>,
+    corners: Vec<Corner>,
+    with_uvs: usize,
+    with_normals: usize,
+    faces: usize,
+    warnings: Vec<String>,
+}
+
+/// Names in the order of their first use.
+#[derive(Default)]
+struct Names {
+    list: Vec<String>,
+    index: HashMap<String, u32>,
+}
+
+impl Names {
+    fn number(&mut self, name: &str) -> u32 {
+        if let Some(&number) = self.index.get(name) {
+            return number;
+        }
+        let number = self.list.len() as u32;
+        self.list.push(name.to_owned());
+        self.index.insert(name.to_owned(), number);
+        number
+    }
+}
+
+impl<'a> Reader<'a> {
+    fn new(material_file: &'a mut dyn FnMut(&str) -> Option<Vec<u8>>) -> Self {
+        Reader {
+            material_file,
+            builder: MeshBuilder::new(),
+            point_count: 0,
+            uvs: Vec::new(),
+            normals: Vec::new(),
+            tag: FaceTag::PLAIN,
+            groups: Names::default(),
+            materials: Names::default(),
+            looks: HashMap::new(),
+            libraries: Vec::new(),
+            corners: Vec::new(),
+            with_uvs: 0,
+            with_normals: 0,
+            faces: 0,
+            warnings: Vec::new(),
+        }
+    }
+
+    fn statement(&mut self, line: &str, number: usize) -> Result<(), ObjError> {
+        let line = line.trim_start();
+        let (keyword, rest) = line.split_once(|c: char| c.is_ascii_whitespace()).unwrap_or((line, ""));
+        let rest = rest.trim();
+        match keyword {
+            "v" => {
+                let [x, y, z] = numbers::<3>(rest, 3, number)?;
+                self.builder.point([x, y, z]);
+                self.point_count += 1;
+            }
+            "vt" => {
+                let [u, v] = numbers::<2>(rest, 1, number)?;
+                self.uvs.push(DVec2::new(u, v));
+            }
+            "vn" => self.normals.push(DVec3::from(numbers::<3>(rest, 3, number)?)),
+            "f" => self.face(rest, number)?,
+            "g" | "o" => {
+                self.tag.group = if rest.is_empty() { FaceTag::NONE } else { self.groups.number(rest) };
+            }
+            "usemtl" => {
+                self.tag.material = if rest.is_empty() { FaceTag::NONE } else { self.materials.number(rest) };
+            }
+            "mtllib" => self.library(rest),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn face(&mut self, rest: &str, line: usize) -> Result<(), ObjError> {
+        self.corners.clear();
+        for token in rest.split_ascii_whitespace().take_while(|token| !token.starts_with('#')) {
+            let mut parts = token.split('/');
+            let point = index(parts.next(), self.point_count, line, "a face uses a vertex that does not exist")?
+                .ok_or(ObjError::Line { line, what: "a corner of a face has no vertex" })?;
+            let uv = index(parts.next(), self.uvs.len(), line, "a face uses a texture vertex that does not exist")?;
+            let normal = index(parts.next(), self.normals.len(), line, "a face uses a normal that does not exist")?;
+            self.corners.push(Corner { point, uv, normal });
+        }
+        if self.corners.len() < 3 {
+            self.warnings.push(format!("line {line}: a face with fewer than three corners was left out"));
+            return Ok(());
+        }
+        let outline: Vec<u32> = self.corners.iter().map(|c| c.point).collect();
+        self.builder.face(&outline, &[], self.tag);
+        self.faces += 1;
+        if let Some(uvs) = self.corners.iter().map(|c| c.uv.map(|i| self.uvs[i as usize])).collect::<Option<Vec<_>>>() {
+            self.builder.uvs(&uvs);
+            self.with_uvs += 1;
+        }
+        let normals = self.corners.iter().map(|c| c.normal.map(|i| self.normals[i as usize]));
+        if let Some(normals) = normals.collect::<Option<Vec<_>>>() {
+            self.builder.normals(&normals);
+            self.with_normals += 1;
+        }
+        Ok(())
+    }
+
+    fn library(&mut self, rest: &str) {
+        // One name with spaces in it, or several names: whichever exists.
+        let whole = (self.material_file)(rest);
+        let files: Vec<(&str, Option<Vec<u8>>)> = if whole.is_some() || !rest.contains(' ') {
+            vec![(rest, whole)]
+        } else {
+            rest.split_ascii_whitespace().map(|name| (name, (self.material_file)(name))).collect()
+        };
+        for (name, bytes) in files {
+            if self.libraries.iter().any(|seen| seen == name) {
+                continue;
+            }
+            self.libraries.push(name.to_owned());
+            let Some(bytes) = bytes else {
+                self.warnings.push(format!("the material library `{name}` was not found"));
+                continue;
+            };
+            match tobj::load_mtl_buf(&mut String::from_utf8_lossy(&bytes).as_bytes()) {
+                Ok((materials, _)) => {
+                    for material in materials {
+                        let look = look(&material);
+                        self.looks.entry(material.name).or_insert(look);
+                    }
+                }
+                Err(error) => self.warnings.push(format!("the material library `{name}` can't be read: {error}")),
+            }
+        }
+    }
+
+    fn finish(mut self) -> Result<ObjFile, ObjError> {
+        for (what, with) in [("texture coordinates", self.with_uvs), ("normals", self.with_normals)] {
+            if with != 0 && with != self.faces {
+                self.warnings.push(format!("only {with} of {} faces have {what}: all were dropped", self.faces));
+            }
+        }
+        let mut materials = Vec::new();
+        for name in &self.materials.list {
+            let mut material = self.looks.get(name).cloned().unwrap_or_else(|| {
+                if !self.libraries.is_empty() {
+                    self.warnings.push(format!("the material `{name}` is in no library"));
+                }
+                Material::UNSET
+            });
+            material.name = Some(Text::from(name.as_str()));
+            materials.push(material);
+        }
+        self.builder.groups(self.groups.list).materials(materials);
+        let mesh = self.builder.build().map_err(ObjError::Mesh)?;
+        let lost = self.faces - mesh.face_count();
+        if lost != 0 {
+            self.warnings.push(format!("{lost} faces without three different corners were left out"));
+        }
+        Ok(ObjFile { mesh, warnings: self.warnings })
+    }
+}
+
+/// Reads up to `N` numbers, `least` of which must be there.
+fn numbers<const N: usize>(rest: &str, least: usize, line: usize) -> Result<[f64; N], ObjError> {
+    let mut values = [0.0f64; N];
+    let mut tokens = rest.split_ascii_whitespace();
+    for (i, value) in values.iter_mut().enumerate() {
+        let Some(token) = tokens.next().filter(|token| !token.starts_with('#')) else {
+            if i < least {
+                return Err(ObjError::Line { line, what: "too few numbers" });
+            }
+            break;
+        };
+        *value = token.parse().map_err(|_| ObjError::Line { line, what: "this is not a number" })?;
+        if !value.is_finite() {
+            return Err(ObjError::Line { line, what: "a number is not finite" });
+        }
+    }
+    Ok(values)
+}
+
+/// An index from 1, or from the end when negative.
+fn index(token: Option<&str>, count: usize, line: usize, what: &'static str) -> Result<Option<u32>, ObjError> {
+    let Some(token) = token.filter(|token| !token.is_empty()) else {
+        return Ok(None);
+    };
+    let value: i64 = token.parse().map_err(|_| ObjError::Line { line, what: "this is not an index" })?;
+    let index = if value > 0 { value - 1 } else { value.saturating_add(count as i64) };
+    if value == 0 || index < 0 || index >= count as i64 {
+        return Err(ObjError::Line { line, what });
+    }
+    Ok(Some(index as u32))
+}
+
+fn look(material: &tobj::Material) -> Material {
+    let extra = |key: &str| material.unknown_param.get(key).and_then(|text| text.trim().parse().ok());
+    let unit = |value: f64| value.is_finite().then(|| value.clamp(0.0, 1.0));
+    Material {
+        name: None,
+        color: material.diffuse.map(|c| Color::new(exact(c[0]), exact(c[1]), exact(c[2]))),
+        opacity: material.dissolve.map(exact).or_else(|| extra("Tr").map(|tr: f64| 1.0 - tr)).and_then(unit),
+        // Options stand before the name.
+        texture: material
+            .diffuse_texture
+            .as_deref()
+            .filter(|name| !name.is_empty())
+            .map(|name| Text::from(if name.starts_with('-') { name.rsplit(' ').next().unwrap_or(name) } else { name })),
+        metallic: extra("Pm").and_then(unit),
+        roughness: extra("Pr").and_then(unit),
+    }
+}
+
+/// The number as it was written: its shortest decimal form, read again with all digits.
+fn exact(value: impl fmt::Display) -> f64 {
+    value.to_string().parse().unwrap_or(f64::NAN)
+}
+
+#[cfg(test)]
+#[path = "obj_tests.rs"]
+mod tests;

@@ -1,0 +1,100 @@
+//! Each test is one trap of the format.
+
+use super::*;
+
+fn read(text: &str) -> Result<ObjFile, ObjError> {
+    read_obj(text.as_bytes(), &mut |name| {
+        (name == "a.mtl").then(|| b"newmtl brick\nKd 0.8 0.2 0.1\nd 0.5\nmap_Kd brick.png\nPr 0.7\n".to_vec())
+    })
+}
+
+const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+#[test]
+fn marks_continuations_and_line_ends_are_understood() {
+    let file = read("\u{feff}v 0 0 0\r\nv 1 0 0\r\nv 1 1 \\\r\n 0\r\n\tv 0 1 0 # corner\r\nf 1 2 \\\n3 4\n").unwrap();
+    assert_eq!(file.mesh.face(0).outer(), [0, 1, 2, 3]);
+    assert!(file.warnings.is_empty());
+}
+
+#[test]
+fn lines_and_points_are_left_out_and_polygons_stay() {
+    let file = read(&format!("{SQUARE}l 1 2 3\np 1\nf -4 -3 -2 -1\n")).unwrap();
+    assert_eq!(file.mesh.face_count(), 1);
+    assert_eq!(file.mesh.face(0).outer().len(), 4);
+}
+
+#[test]
+fn groups_and_materials_are_tags_of_one_mesh() {
+    let text = format!(
+        "mtllib a.mtl\nmtllib a.mtl\nmtllib b.mtl\n{SQUARE}v 0 0 0\nv 0 0 1\ng wall\nusemtl brick\nf 1 2 3 4\n\
+         g roof\nusemtl tile\nf 5 6 2\ng wall\nf 5 4 6\n"
+    );
+    let file = read(&text).unwrap();
+    let mesh = &file.mesh;
+    assert_eq!(mesh.points().len(), 5, "equal positions are one point");
+    assert_eq!(mesh.groups(), ["wall", "roof"]);
+    assert_eq!(mesh.faces().map(|f| f.tag().group).collect::<Vec<_>>(), [0, 1, 0]);
+    assert_eq!(mesh.faces().map(|f| f.tag().material).collect::<Vec<_>>(), [0, 1, 1]);
+    let brick = &mesh.materials()[0];
+    assert_eq!(brick.color, Some(Color { r: 0.8, g: 0.2, b: 0.1 }));
+    assert_eq!((brick.opacity, brick.roughness), (Some(0.5), Some(0.7)));
+    assert_eq!(brick.texture.as_deref(), Some("brick.png"));
+    assert_eq!(mesh.materials()[1].name.as_deref(), Some("tile"));
+    assert_eq!(file.warnings.len(), 2, "{:?}", file.warnings);
+}
+
+#[test]
+fn bad_numbers_and_indices_name_their_line() {
+    let line = |text: &str| match read(text).unwrap_err() {
+        ObjError::Line { line, .. } => line,
+        other => panic!("{other}"),
+    };
+    assert_eq!(line("v 0 0 nan\n"), 1);
+    assert_eq!(line("v 0 0 0\nv inf 0 0\n"), 2);
+    assert_eq!(line("v 1 2\n"), 1);
+    assert_eq!(line("v 1 \\\n2 \\\n3\nv 1 2\n"), 4);
+    for face in ["f 1 2 9", "f 1 2 0", "f 1 2 -5", "f 1/1 2/1 3/1", "f 1 2 x", "f 1//-1 2 3", "f /1 2 3"] {
+        assert_eq!(line(&format!("{SQUARE}{face}\n")), 5, "{face}");
+    }
+    assert_eq!(line(&format!("{SQUARE}f 1 2 -9223372036854775808\n")), 5);
+}
+
+#[test]
+fn texture_coordinates_survive_only_when_consistent() {
+    let uvs = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+    let file = read(&format!("{SQUARE}{uvs}f 1/1 2/2 3/3 4/4\n")).unwrap();
+    assert_eq!(file.mesh.uvs()[2], DVec2::ONE);
+    let file = read(&format!("{SQUARE}{uvs}f 1/1 2/2 3/3\nf 1 3 4\n")).unwrap();
+    assert!(file.mesh.uvs().is_empty());
+    assert_eq!(file.warnings.len(), 1);
+}
+
+#[test]
+fn no_bytes_make_it_panic() {
+    let seed = format!(
+        "mtllib a.mtl\n{SQUARE}vt 0 0\nvt 1 1\nvn 0 0 1\ng a\nusemtl brick\nf 1/1/1 2/2/1 3/1/1 4/2/1\nf -1 -2 \\\n-3\nl 1 2\n"
+    );
+    let mut state = 1u64;
+    let mut random = move |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % below
+    };
+    for _ in 0..5000 {
+        let mut bytes = seed.clone().into_bytes();
+        for _ in 0..1 + random(6) {
+            let at = random(bytes.len());
+            match random(3) {
+                0 => bytes[at] = b"0123456789-/.e\\\n #vfnt\xff"[random(23)],
+                1 => drop(bytes.remove(at)),
+                _ => bytes.insert(at, random(256) as u8),
+            }
+        }
+        let given = bytes.clone();
+        if let Ok(file) = read_obj(&bytes, &mut |_| Some(given.clone())) {
+            assert!(!file.mesh.check().iter().any(|flaw| {
+                !matches!(flaw, crate::mesh::Flaw::NotPlanar { .. } | crate::mesh::Flaw::Hole { .. })
+            }));
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! Faces taken out of a mesh.
+
+use crate::mesh::Mesh;
+use crate::scope::Frame;
+
+/// A mesh of just these faces, in their order, in the coordinates of a frame. Points are shared as before, those no
+/// longer used are dropped; tags, texture coordinates and normals are kept. Faces that do not exist are left out.
+pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
+    let into = to.axes.transpose();
+    let mut part =
+        Mesh { groups: mesh.groups.clone(), materials: mesh.materials.clone(), ..Mesh::default() };
+    let mut new: Vec<u32> = Vec::new();
+    // A table of all points is only worth it when many are used.
+    let few = faces.len() <= 4;
+    if !few {
+        new.resize(mesh.points.len(), u32::MAX);
+    }
+    let mut seen: Vec<u32> = Vec::new();
+    for &index in faces {
+        if index as usize >= mesh.face_count() {
+            continue;
+        }
+        let face = mesh.face(index as usize);
+        for ring in face.loop_ranges() {
+            for corner in ring {
+                let point = mesh.corners[corner];
+                let known = if few {
+                    seen.iter().position(|&p| p == point).map(|i| i as u32)
+                } else {
+                    Some(new[point as usize]).filter(|&p| p != u32::MAX)
+                };
+                part.corners.push(known.unwrap_or_else(|| {
+                    let number = part.points.len() as u32;
+                    part.points.push(into * (mesh.points[point as usize] - to.origin));
+                    if few {
+                        seen.push(point);
+                    } else {
+                        new[point as usize] = number;
+                    }
+                    number
+                }));
+                if let Some(&uv) = mesh.uvs.get(corner) {
+                    part.uvs.push(uv);
+                }
+                if let Some(&normal) = mesh.normals.get(corner) {
+                    part.normals.push(into * normal);
+                }
+            }
+            part.loop_ends.push(part.corners.len() as u32);
+        }
+        part.face_ends.push(part.loop_ends.len() as u32);
+        part.tags.push(face.tag());
+    }
+    part
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::comp::frame::face_frame;
+    use crate::mesh::primitive::{cube, cylinder};
+
+    #[test]
+    fn one_face_in_its_own_frame_lies_flat() {
+        let mesh = cube();
+        for face in 0..6 {
+            let frame = face_frame(&mesh, face as usize).unwrap().frame;
+            let part = extract(&mesh, &[face], &frame);
+            assert_eq!(part.points().len(), 4);
+            assert!(part.points().iter().all(|p| p.z == 0.0));
+            assert!(part.check().is_empty());
+        }
+    }
+
+    #[test]
+    fn all_faces_stay_closed() {
+        let mesh = cylinder(12);
+        let all: Vec<u32> = (0..mesh.face_count() as u32).collect();
+        let part = extract(&mesh, &all, &Frame::WORLD);
+        assert_eq!(part.points().len(), mesh.points().len());
+        assert!(part.is_closed());
+    }
+}

@@ -1,0 +1,94 @@
+//! The coordinate system of a face (*comp*, coordinate systems of the children): origin at the first vertex of the first
+//! edge, x along that edge, z along the face normal, y completes.
+
+use glam::{DMat3, DVec2, DVec3};
+
+use crate::mesh::{FaceRef, Mesh};
+use crate::scope::Frame;
+use crate::tol::ANGLE_EPSILON;
+
+/// A face's own coordinate system and its box in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FaceFrame {
+    /// Origin at the start of the first edge that has a length, x along it, z outwards.
+    pub frame: Frame,
+    /// Smallest coordinates of the face in the frame.
+    pub low: DVec2,
+    /// Largest coordinates.
+    pub high: DVec2,
+    /// Whether the face is exactly its box: four corners from (0, 0) on, right angles, no holes.
+    pub rectangle: bool,
+}
+
+/// The frame of a face; nothing for a face without area.
+pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
+    let face = mesh.face(face);
+    let z = face.normal();
+    let outer = face.outer();
+    let at = |i: usize| mesh.points()[outer[i % outer.len()] as usize];
+    if z == DVec3::ZERO {
+        return None;
+    }
+    let (first, along) = (0..outer.len()).map(|i| (i, at(i + 1) - at(i))).find(|(_, edge)| *edge != DVec3::ZERO)?;
+    // The edge lies in the face but for rounding: take that out, so that the axes are orthonormal.
+    let x = crate::mesh::unit(crate::mesh::unit(along) - z * crate::mesh::unit(along).dot(z));
+    if x == DVec3::ZERO {
+        return None;
+    }
+    let y = z.cross(x);
+    let frame = Frame { origin: at(first), axes: DMat3::from_cols(x, y, z) };
+    let (mut low, mut high) = (DVec2::ZERO, DVec2::ZERO);
+    for &c in outer {
+        let p = frame.to_local(mesh.points()[c as usize]).truncate();
+        (low, high) = (low.min(p), high.max(p));
+    }
+    let size = high - low;
+    let rectangle = first == 0 && is_rectangle(&face, &frame, size);
+    if rectangle {
+        // What is left below zero is rounding.
+        low = DVec2::ZERO;
+        high = size;
+    }
+    Some(FaceFrame { frame, low, high, rectangle })
+}
+
+fn is_rectangle(face: &FaceRef<'_>, frame: &Frame, size: DVec2) -> bool {
+    let range = face.corner_range();
+    if range.len() != 4 {
+        return false;
+    }
+    let near = ANGLE_EPSILON * size.max_element();
+    let expected = [DVec2::ZERO, DVec2::new(size.x, 0.0), size, DVec2::new(0.0, size.y)];
+    range.zip(expected).all(|(corner, expected)| {
+        let p = frame.to_local(face.position(corner));
+        (p.truncate() - expected).abs().max_element() <= near && p.z.abs() <= near
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::primitive::cube;
+
+    #[test]
+    fn a_wall_has_x_along_its_first_edge_and_z_outwards() {
+        let mesh = cube();
+        for face in 0..6 {
+            let found = face_frame(&mesh, face).unwrap();
+            assert!(found.rectangle);
+            assert_eq!((found.low, found.high), (DVec2::ZERO, DVec2::ONE));
+            assert_eq!(found.frame.axes.z_axis, mesh.face(face).normal());
+            assert_eq!(found.frame.origin, mesh.points()[mesh.face(face).outer()[0] as usize]);
+        }
+        assert_eq!(face_frame(&mesh, 1).unwrap().frame.axes.y_axis, DVec3::Y);
+    }
+
+    #[test]
+    fn a_face_may_reach_below_its_origin() {
+        let points = [(1.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+        let found = face_frame(&Mesh::from_polygon(&points, &[]).unwrap(), 0).unwrap();
+        assert!(!found.rectangle);
+        assert_eq!(found.low, DVec2::new(-1.0, 0.0));
+        assert_eq!(found.high, DVec2::new(1.0, 2.0));
+    }
+}

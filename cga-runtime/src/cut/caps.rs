@@ -1,0 +1,94 @@
+//! Caps: what closes the slabs in the cut planes.
+//!
+//! The sections of both sides of a plane are the same loops the other way round, so they are found once. Below a plane the
+//! cap looks up, above it looks down. A cap's texture coordinates are metres in its plane, upright where it stands.
+
+use glam::{DVec2, DVec3};
+
+use super::contour::Contour;
+use super::nest::Nest;
+use super::{OpenChain, State};
+use crate::mesh::{FaceTag, Mesh};
+
+/// Buffers.
+#[derive(Default)]
+pub(super) struct Caps {
+    edges: Vec<[u32; 2]>,
+    contour: Contour,
+    nest: Nest,
+}
+
+impl Caps {
+    /// Adds the caps of every plane to the slabs on both sides of it.
+    pub(super) fn close(&mut self, state: &mut State, mesh: &Mesh, open: &mut Vec<OpenChain>) {
+        let planes = state.offsets.len();
+        state.rim.sort(planes);
+        self.contour.reset(state.places.len());
+        let (u, v) = ((state.axis + 1) % 3, (state.axis + 2) % 3);
+        for plane in 0..planes {
+            state.rim.missing(plane, &mut self.edges);
+            if self.edges.is_empty() {
+                continue;
+            }
+            let crossings = &state.crossings;
+            let flat = |point: u32| {
+                let p = crossings.position(mesh, point);
+                DVec2::new(p[u], p[v])
+            };
+            self.contour.follow(&self.edges, flat, |chain| {
+                let points = chain.into_iter().map(|point| crossings.position(mesh, point)).collect();
+                open.push(OpenChain { plane, points });
+            });
+            if self.contour.ends.is_empty() {
+                continue;
+            }
+            self.nest.sort(&self.contour);
+            self.add(state, mesh, plane as u32, plane as u32);
+            self.add(state, mesh, plane as u32, plane as u32 + 1);
+        }
+    }
+
+    /// Adds the caps of a plane to one of its slabs.
+    fn add(&self, state: &mut State, mesh: &Mesh, plane: u32, slab: u32) {
+        let axis = state.axis;
+        let up = slab == plane;
+        let State { parts, places, crossings, .. } = state;
+        let part = &mut parts[slab as usize];
+        let mut normal = DVec3::ZERO;
+        normal[axis] = if up { 1.0 } else { -1.0 };
+        let mut group = 0;
+        for &end in &self.nest.ends {
+            for range in &self.nest.order[group..end] {
+                let ring = &self.contour.corners[range.clone()];
+                for i in 0..ring.len() {
+                    // Turned over with the first edge first: 1 0 n-1 … 2.
+                    let corner = ring[if up { i } else { (ring.len() + 1 - i) % ring.len() }];
+                    let point = self.contour.points[corner as usize];
+                    let number = part.number(places, mesh, crossings, point, slab);
+                    part.mesh.corners.push(number);
+                    if !mesh.uvs.is_empty() {
+                        part.mesh.uvs.push(texture(axis, up, crossings.position(mesh, point)));
+                    }
+                    if !mesh.normals.is_empty() {
+                        part.mesh.normals.push(normal);
+                    }
+                }
+                part.end_loop();
+            }
+            group = end;
+            part.end_face(FaceTag::CAP);
+        }
+    }
+}
+
+/// Metres in the plane of a cap, not mirrored when seen from outside.
+fn texture(axis: usize, up: bool, p: DVec3) -> DVec2 {
+    match (axis, up) {
+        (0, true) => DVec2::new(-p.z, p.y),
+        (0, false) => DVec2::new(p.z, p.y),
+        (1, true) => DVec2::new(p.x, -p.z),
+        (1, false) => DVec2::new(p.x, p.z),
+        (_, true) => DVec2::new(p.x, p.y),
+        (_, false) => DVec2::new(-p.x, p.y),
+    }
+}

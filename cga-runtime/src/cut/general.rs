@@ -1,0 +1,288 @@
+//! Faces of any shape: concave ones, and those with holes.
+//!
+//! Every loop is taken apart where it meets a plane. Its fragments, each in one slab, are joined again along the planes:
+//! the ends on a plane are sorted along the line in which the face meets it, and neighbours are paired, as the inside
+//! begins and ends there. Corners of the face that lie on that line between the two are taken along, so that both sides of
+//! the plane and the neighbours of the face have the same edges. Whatever rounding does to the order, each fragment is
+//! followed by exactly one other, so the pieces close.
+
+use std::ops::Range;
+
+use glam::DVec3;
+
+use super::State;
+use super::part::Node;
+use super::pieces::Rings;
+use super::rim::Side;
+use crate::mesh::{FaceRef, Mesh, unit};
+use crate::triangulate::Projection;
+
+/// A run of nodes within one slab, from plane to plane.
+#[derive(Clone, Copy)]
+struct Fragment {
+    slab: u32,
+    start: usize,
+    /// The last node, which counts.
+    end: usize,
+    /// The fragment that follows, and the nodes on the way to it.
+    next: usize,
+    way: (usize, usize),
+}
+
+/// An end of a fragment on a plane.
+#[derive(Clone, Copy)]
+struct End {
+    along: f64,
+    /// Whether the inside of the face begins here, in the direction of the line.
+    opens: bool,
+    fragment: usize,
+}
+
+/// Buffers.
+#[derive(Default)]
+pub(super) struct General {
+    nodes: Vec<Node>,
+    fragments: Vec<Fragment>,
+    /// Loops that meet no plane, with their slab.
+    untouched: Vec<(u32, Range<usize>)>,
+    /// Corners of the face on planes: plane, place along the line, node.
+    on: Vec<(u32, f64, usize)>,
+    /// Edges of the face along planes, and edges made along them: plane, nodes, and by how much they count.
+    along: Vec<(u32, [usize; 2], i32)>,
+    has_flat: bool,
+    ends: Vec<End>,
+    open: Vec<End>,
+    early: Vec<End>,
+    ways: Vec<usize>,
+    rings: Rings,
+}
+
+/// The line in which a face meets the planes.
+#[derive(Clone, Copy)]
+struct Line {
+    axis: usize,
+    sign: f64,
+}
+
+impl Line {
+    /// Along `axis × normal`, measured by the coordinate that changes most.
+    fn of(face: &FaceRef<'_>, axis: usize) -> Self {
+        let normal = unit(face.area_vector());
+        let mut cut = DVec3::ZERO;
+        cut[axis] = 1.0;
+        let along = cut.cross(normal);
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        let axis = if along[u].abs() >= along[v].abs() { u } else { v };
+        Line { axis, sign: if along[axis] < 0.0 { -1.0 } else { 1.0 } }
+    }
+}
+
+impl General {
+    pub(super) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize) {
+        let view = mesh.face(face);
+        let line = Line::of(&view, state.axis);
+        self.take_apart(state, mesh, &view, line);
+        self.fragments.sort_by_key(|fragment| fragment.slab);
+        self.rings.start(Projection::along(view.area_vector()), mesh.tags[face]);
+        let mut from = 0;
+        let low = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).min().unwrap_or(0);
+        let high = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).max().unwrap_or(0);
+        for slab in low..=high {
+            let end = from + self.fragments[from..].iter().take_while(|f| f.slab == slab).count();
+            let group = from..end;
+            from = end;
+            if slab > 0 {
+                self.join(state, mesh, line, group.clone(), slab - 1, Side::Above);
+            }
+            self.join(state, mesh, line, group.clone(), slab, Side::Below);
+            self.trace(group);
+            for (at, range) in &self.untouched {
+                if *at == slab {
+                    self.rings.nodes.extend_from_slice(&self.nodes[range.clone()]);
+                    self.rings.end_ring();
+                }
+            }
+            self.rings.emit(state, mesh, slab);
+        }
+        if self.has_flat {
+            self.close_flat(state, mesh);
+        }
+    }
+
+    /// Loops into fragments.
+    fn take_apart(&mut self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>, line: Line) {
+        self.nodes.clear();
+        self.fragments.clear();
+        self.untouched.clear();
+        self.on.clear();
+        self.along.clear();
+        self.ways.clear();
+        self.has_flat = false;
+        for ring in face.loop_ranges() {
+            let start = self.nodes.len();
+            for corner in ring.clone() {
+                let point = mesh.corners[corner];
+                let class = state.places[point as usize].class;
+                self.nodes.push(Node { point, class, from: corner as u32, to: corner as u32 });
+                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
+                state.crossings(mesh, corner, next, &mut self.nodes);
+            }
+            let Some(first) = self.nodes[start..].iter().position(|node| node.class & 1 == 1) else {
+                self.untouched.push((self.nodes[start].class / 2, start..self.nodes.len()));
+                continue;
+            };
+            self.nodes[start..].rotate_left(first);
+            self.nodes.push(self.nodes[start]);
+            let mut last = start;
+            for here in start + 1..self.nodes.len() {
+                let [a, b] = [last, here].map(|i| self.nodes[i]);
+                if b.class & 1 == 0 {
+                    continue;
+                }
+                if here == last + 1 && a.class == b.class {
+                    self.along.push((b.class / 2, [last, here], 1));
+                    self.has_flat = true;
+                } else {
+                    let inside = if here == last + 1 { a.class.max(b.class) } else { self.nodes[last + 1].class };
+                    let slab = inside / 2;
+                    self.fragments.push(Fragment { slab, start: last, end: here, next: usize::MAX, way: (0, 0) });
+                }
+                if b.from == b.to {
+                    self.on.push((b.class / 2, place(state, mesh, line, b), here));
+                }
+                last = here;
+            }
+        }
+        self.on.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    }
+
+    /// Pairs the ends that fragments of one slab have on one of its planes.
+    fn join(&mut self, state: &mut State, mesh: &Mesh, line: Line, group: Range<usize>, plane: u32, side: Side) {
+        self.ends.clear();
+        let class = 2 * plane + 1;
+        for fragment in group {
+            let Fragment { start, end, .. } = self.fragments[fragment];
+            for (node, starts) in [(end, false), (start, true)] {
+                let node = self.nodes[node];
+                if node.class == class {
+                    // Seen with the normal towards us and the line to the right: below the plane a loop comes up at the
+                    // right end of the inside, above it comes down at the left end.
+                    let opens = starts == (side == Side::Below);
+                    self.ends.push(End { along: place(state, mesh, line, node), opens, fragment });
+                }
+            }
+        }
+        self.ends.sort_by(|a, b| a.along.total_cmp(&b.along));
+        let ends = std::mem::take(&mut self.ends);
+        for tied in ends.chunk_by(|a, b| a.along == b.along) {
+            // Among ends at one place: what is open closes first, then new insides begin, then those close.
+            let closers = || tied.iter().filter(|end| !end.opens);
+            let first = self.open.len();
+            closers().take(first).for_each(|end| self.close(state, *end, plane, side));
+            for end in tied.iter().filter(|end| end.opens) {
+                match self.early.pop() {
+                    Some(early) => self.link(state, *end, early, plane, side),
+                    None => self.open.push(*end),
+                }
+            }
+            closers().skip(first).for_each(|end| self.close(state, *end, plane, side));
+        }
+        self.ends = ends;
+        self.open.clear();
+        self.early.clear();
+    }
+
+    /// Pairs an end with the inside that began last.
+    fn close(&mut self, state: &mut State, end: End, plane: u32, side: Side) {
+        match self.open.pop() {
+            Some(open) => self.link(state, open, end, plane, side),
+            None => self.early.push(end),
+        }
+    }
+
+    /// Makes one fragment follow another along a plane.
+    fn link(&mut self, state: &mut State, open: End, close: End, plane: u32, side: Side) {
+        let (from, to) = if side == Side::Below { (close, open) } else { (open, close) };
+        let [a, b] = [self.fragments[from.fragment].end, self.fragments[to.fragment].start];
+        let low = from.along.min(to.along);
+        let high = from.along.max(to.along);
+        let start = self.on.partition_point(|o| (o.0, o.1) <= (plane, low));
+        let end = self.on.partition_point(|o| (o.0, o.1) < (plane, high));
+        let way = self.ways.len();
+        if start < end {
+            self.ways.extend(self.on[start..end].iter().map(|o| o.2));
+            if to.along < from.along {
+                self.ways[way..].reverse();
+            }
+        }
+        self.fragments[from.fragment].next = to.fragment;
+        self.fragments[from.fragment].way = (way, self.ways.len());
+        let mut last = a;
+        for here in self.ways[way..].iter().copied().chain([b]) {
+            let [p, q] = [last, here].map(|node| self.nodes[node].point);
+            if p != q {
+                state.rim.edge(plane, p, q, side);
+                if self.has_flat {
+                    self.along.push((plane, [last, here], -1));
+                }
+            }
+            last = here;
+        }
+    }
+
+    /// Follows the fragments of a slab into rings.
+    fn trace(&mut self, group: Range<usize>) {
+        for first in group {
+            let mut at = first;
+            // A fragment that was followed already leads nowhere.
+            while self.fragments[at].next != usize::MAX {
+                let fragment = self.fragments[at];
+                self.fragments[at].next = usize::MAX;
+                let run = fragment.start..fragment.end + 1;
+                run.chain(self.ways[fragment.way.0..fragment.way.1].iter().copied())
+                    .for_each(|node| self.rings.nodes.push(self.nodes[node]));
+                at = fragment.next;
+            }
+            self.rings.end_ring();
+        }
+    }
+
+    /// Edges of the face along a plane that no piece has got: they can only run back and forth there. They become faces
+    /// without area, so that no neighbour lacks its partner.
+    fn close_flat(&mut self, state: &mut State, mesh: &Mesh) {
+        let nodes = &self.nodes;
+        let key = |edge: &(u32, [usize; 2], i32)| {
+            let [a, b] = edge.1.map(|node| nodes[node].point);
+            (edge.0, a.min(b), a.max(b))
+        };
+        self.along.sort_by_key(key);
+        let mut left: Vec<(u32, [usize; 2])> = Vec::new();
+        for same in self.along.chunk_by(|a, b| key(a) == key(b)) {
+            let (plane, [a, b], _) = same[0];
+            let forward = |ends: [usize; 2]| nodes[ends[0]].point == nodes[a].point;
+            let net: i32 = same.iter().map(|&(_, ends, by)| if forward(ends) { by } else { -by }).sum();
+            let edge = if net > 0 { [a, b] } else { [b, a] };
+            (0..net.abs()).for_each(|_| left.push((plane, edge)));
+        }
+        while let Some((plane, [start, mut end])) = left.pop() {
+            self.rings.nodes.push(self.nodes[start]);
+            while self.nodes[end].point != self.nodes[start].point {
+                let next = left.iter().position(|(p, e)| *p == plane && self.nodes[e[0]].point == self.nodes[end].point);
+                let Some(next) = next else { break };
+                self.rings.nodes.push(self.nodes[end]);
+                end = left.swap_remove(next).1[1];
+            }
+            let ring = &self.rings.nodes;
+            for i in 0..ring.len() {
+                state.rim.edge(plane, ring[i].point, ring[(i + 1) % ring.len()].point, Side::Below);
+            }
+            self.rings.end_ring();
+            self.rings.emit(state, mesh, plane);
+        }
+    }
+}
+
+/// Where a node is along the line.
+fn place(state: &State, mesh: &Mesh, line: Line, node: Node) -> f64 {
+    line.sign * state.crossings.position(mesh, node.point)[line.axis] + 0.0
+}

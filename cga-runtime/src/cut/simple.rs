@@ -1,0 +1,178 @@
+//! Faces that go up once and down once: triangles, convex faces, and most others.
+//!
+//! Such a loop meets each plane at one point of its way up and one of its way down, so each slab gets one piece, and no
+//! geometry has to be asked. A way that runs along a plane in between is left to [`super::general`].
+
+use std::ops::Range;
+
+use super::State;
+use super::part::Node;
+use super::rim::Side;
+use crate::mesh::Mesh;
+
+/// Buffers.
+#[derive(Default)]
+pub(super) struct Simple {
+    /// The way up, with everything at the lowest and the highest level.
+    up: Vec<Node>,
+    /// The way down, from the top.
+    down: Vec<Node>,
+}
+
+impl Simple {
+    /// Cuts a face of one loop into its slabs; `false`, with nothing done, when it is not of this kind. `low` and `high`
+    /// are its lowest and highest class.
+    pub(super) fn clip(
+        &mut self,
+        state: &mut State,
+        mesh: &Mesh,
+        face: usize,
+        corners: Range<usize>,
+        low: u32,
+        high: u32,
+    ) -> bool {
+        if !self.walk(state, mesh, corners, low, high) {
+            return false;
+        }
+        let tag = mesh.tags[face];
+        let (mut up, mut down) = (0, self.down.len());
+        let State { parts, places, crossings, rim, .. } = state;
+        for slab in low.div_ceil(2)..=high / 2 {
+            let ceiling = 2 * slab + 1;
+            let up_start = up;
+            while up < self.up.len() && self.up[up].class <= ceiling {
+                up += 1;
+            }
+            let mut down_start = down;
+            while down_start > 0 && self.down[down_start - 1].class <= ceiling {
+                down_start -= 1;
+            }
+            let ahead = &self.up[up_start..up];
+            let mut back = &self.down[down_start..down];
+            down = down_start;
+            let cut = up < self.up.len();
+            if cut {
+                // Both ways have a node on the upper plane, which the next slab starts with.
+                let (left, right) = (self.up[up - 1], self.down[down_start]);
+                up -= 1;
+                down += 1;
+                if left.point == right.point {
+                    back = &back[1..];
+                } else {
+                    rim.cut(slab, left.point, right.point);
+                }
+            }
+            // A loop that meets itself on a plane: no corner twice in a row.
+            if back.last().is_some_and(|last| last.point == ahead[0].point) {
+                back = &back[..back.len() - 1];
+            }
+            if ahead.len() + back.len() < 3 {
+                continue;
+            }
+            let part = &mut parts[slab as usize];
+            for &node in ahead.iter().chain(back) {
+                part.corner(places, mesh, crossings, node, slab);
+            }
+            part.end_loop();
+            part.end_face(tag);
+        }
+        // Edges along the lowest and the highest plane; the way up has them.
+        for (level, side) in [(low, Side::Above), (high, Side::Below)] {
+            if level & 1 == 1 {
+                for pair in self.up.windows(2).filter(|pair| pair[0].class == level && pair[1].class == level) {
+                    rim.edge(level / 2, pair[0].point, pair[1].point, side);
+                }
+            }
+        }
+        true
+    }
+
+    /// Fills both ways; `false` when the loop is not of this kind.
+    fn walk(&mut self, state: &mut State, mesh: &Mesh, corners: Range<usize>, low: u32, high: u32) -> bool {
+        self.up.clear();
+        self.down.clear();
+        let class = |state: &State, corner: usize| state.places[mesh.corners[corner] as usize].class;
+        let after = |corner: usize| if corner + 1 == corners.end { corners.start } else { corner + 1 };
+        let node = |corner: usize, class: u32| {
+            Node { point: mesh.corners[corner], class, from: corner as u32, to: corner as u32 }
+        };
+        let mut before = class(state, corners.end - 1);
+        let Some(start) = corners.clone().find(|&corner| {
+            let here = class(state, corner);
+            let starts = here == low && before != low;
+            before = here;
+            starts
+        }) else {
+            return false;
+        };
+        // First the shape of the way, by classes alone: crossings are made only for good.
+        if corners.len() > 3 && !is_simple(corners.clone().map(|corner| class(state, corner)), low, high) {
+            return false;
+        }
+        let (mut here, mut level) = (start, low);
+        loop {
+            self.up.push(node(here, level));
+            let next = after(here);
+            let next_level = class(state, next);
+            if level == high && next_level != high {
+                break;
+            }
+            state.crossings(mesh, here, next, &mut self.up);
+            (here, level) = (next, next_level);
+        }
+        loop {
+            let next = after(here);
+            state.crossings(mesh, here, next, &mut self.down);
+            if next == start {
+                return true;
+            }
+            self.down.push(node(next, class(state, next)));
+            here = next;
+        }
+    }
+}
+
+/// Whether a cycle of classes rises once and falls once, without running along a plane in between.
+fn is_simple(classes: impl ExactSizeIterator<Item = u32> + Clone, low: u32, high: u32) -> bool {
+    let count = classes.len();
+    let mut turns = 0;
+    let mut rising = None;
+    let mut last = None;
+    for class in classes.clone().chain(classes).take(2 * count) {
+        if let Some(last) = last {
+            if class == last {
+                if class & 1 == 1 && class != low && class != high {
+                    return false;
+                }
+            } else {
+                let now = class > last;
+                if rising.is_some_and(|rising| rising != now) {
+                    turns += 1;
+                }
+                rising = Some(now);
+            }
+        }
+        last = Some(class);
+    }
+    // Twice round: four turns, or three when the start lies between.
+    turns <= 4
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_simple;
+
+    #[test]
+    fn one_rise_and_one_fall_are_simple() {
+        let simple = |classes: &[u32]| {
+            is_simple(classes.iter().copied(), *classes.iter().min().unwrap(), *classes.iter().max().unwrap())
+        };
+        assert!(simple(&[0, 2, 4]));
+        assert!(simple(&[4, 0, 2]));
+        assert!(simple(&[1, 1, 3, 5, 5, 3]));
+        assert!(simple(&[0, 0, 2, 2, 4, 2]));
+        assert!(!simple(&[0, 2, 0, 2]));
+        assert!(!simple(&[0, 3, 3, 4, 2]));
+        assert!(!simple(&[0, 4, 1, 4]));
+    }
+}

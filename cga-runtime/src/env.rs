@@ -1,0 +1,182 @@
+//! What a run keeps besides its sink: limits, faults, the trail of rules, assets.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use crate::fault::{Error, Fault, FaultKind};
+use crate::mesh::Mesh;
+use crate::settings::Settings;
+use crate::sink::Flow;
+
+/// Faults that are kept; later ones are only counted, so that memory stays bounded.
+const FAULTS_KEPT: usize = 1000;
+
+/// Nested calls of functions that can reach themselves (*CGA changelog 2014.1*: function call depth).
+const CALL_DEPTH: u32 = 1024;
+
+/// A share of the initial shape's largest extent below which a shape is not split any further.
+const TOO_SMALL: f64 = 1e-6;
+
+/// The run's state that does not depend on the sink.
+#[derive(Debug)]
+pub struct Env {
+    pub(crate) settings: Settings,
+    /// Extents below this are not split any further, so that recursive splits end (*Subdivision split*: "the recursion
+    /// stops when the geometry gets too small"). Relative to the initial shape.
+    pub(crate) too_small: f64,
+    names: &'static [&'static str],
+    /// Rules entered and not yet left since the work list was last asked.
+    trail: Vec<u32>,
+    /// Rules that led to the work item under way.
+    before: Option<Rc<Trail>>,
+    pub(crate) shapes: u64,
+    pub(crate) leaves: u64,
+    vertices: u64,
+    calls: u32,
+    faults: Vec<Fault>,
+    faults_left_out: u64,
+    pub(crate) error: Option<Error>,
+    cylinders: BTreeMap<u32, Arc<Mesh>>,
+}
+
+/// Rules that led to a deferred call, shared by all calls deferred under them.
+#[derive(Debug)]
+pub(crate) struct Trail {
+    before: Option<Rc<Trail>>,
+    rules: Box<[u32]>,
+}
+
+impl Env {
+    pub(crate) fn new(settings: &Settings, names: &'static [&'static str], extent: f64) -> Self {
+        Env {
+            settings: settings.clone(),
+            too_small: extent * TOO_SMALL,
+            names,
+            trail: Vec::new(),
+            before: None,
+            shapes: 0,
+            leaves: 0,
+            vertices: 0,
+            calls: 0,
+            faults: Vec::new(),
+            faults_left_out: 0,
+            error: None,
+            cylinders: BTreeMap::new(),
+        }
+    }
+
+    /// Counts shapes before they are made.
+    #[inline]
+    pub(crate) fn count_shapes(&mut self, count: u64) -> Flow {
+        self.shapes = self.shapes.saturating_add(count);
+        if self.settings.limits.shapes < self.shapes {
+            return self.limit("shapes", self.settings.limits.shapes);
+        }
+        Flow::Continue(())
+    }
+
+    /// Counts the vertices of a mesh that an operation made.
+    pub(crate) fn count_vertices(&mut self, mesh: &Mesh) -> Flow {
+        self.vertices = self.vertices.saturating_add(mesh.points().len() as u64);
+        if self.settings.limits.vertices < self.vertices {
+            return self.limit("vertices", self.settings.limits.vertices);
+        }
+        Flow::Continue(())
+    }
+
+    /// Ends the run.
+    #[cold]
+    pub(crate) fn limit<T>(&mut self, what: &'static str, limit: u64) -> ControlFlow<(), T> {
+        let trail = self.trail();
+        self.error.get_or_insert(Error::Limit { what, limit, trail });
+        // Whoever counts next stops too: operations and functions cannot break off by themselves.
+        self.shapes = u64::MAX;
+        ControlFlow::Break(())
+    }
+
+    #[inline]
+    pub(crate) fn enter(&mut self, rule: u32) {
+        self.trail.push(rule);
+    }
+
+    #[inline]
+    pub(crate) fn leave(&mut self) {
+        self.trail.pop();
+    }
+
+    /// Enters a function that can reach itself; says whether it may go on.
+    pub fn call(&mut self) -> bool {
+        self.calls += 1;
+        if CALL_DEPTH < self.calls {
+            let _: Flow = self.limit("nested function calls", u64::from(CALL_DEPTH));
+        }
+        self.error.is_none()
+    }
+
+    /// Leaves a function that can reach itself.
+    pub fn called(&mut self) {
+        self.calls -= 1;
+    }
+
+    /// The trail so far, to be shared by deferred calls.
+    pub(crate) fn keep_trail(&self) -> Rc<Trail> {
+        Rc::new(Trail { before: self.before.clone(), rules: self.trail.as_slice().into() })
+    }
+
+    /// Goes back to where a deferred call was made.
+    pub(crate) fn resume_trail(&mut self, trail: Rc<Trail>) {
+        self.before = Some(trail);
+        self.trail.clear();
+    }
+
+    /// The rules that led here, from the start rule down.
+    fn trail(&self) -> Vec<&'static str> {
+        let mut parts = vec![self.trail.as_slice()];
+        let mut before = self.before.as_deref();
+        while let Some(trail) = before {
+            parts.push(&trail.rules);
+            before = trail.before.as_deref();
+        }
+        let rules = parts.into_iter().rev().flatten();
+        rules.map(|&rule| self.names.get(rule as usize).copied().unwrap_or("?")).collect()
+    }
+
+    /// Notes a fault with the trail that led to it.
+    #[cold]
+    pub fn fault(&mut self, kind: FaultKind, message: impl Into<String>) {
+        if self.faults.len() < FAULTS_KEPT {
+            let trail = self.trail();
+            self.faults.push(Fault { kind, message: message.into(), trail });
+        } else {
+            self.faults_left_out += 1;
+        }
+    }
+
+    /// Notes a fault that an operation written in Rust returned.
+    #[cold]
+    pub(crate) fn host_fault(&mut self, fault: Fault) {
+        self.fault(fault.kind, fault.message);
+    }
+
+    /// A number that can be used: what is not finite counts as 0, with a fault (*CGA changelog 2013.1*: the default
+    /// policy for such arguments).
+    #[inline]
+    pub(crate) fn finite(&mut self, value: f64, what: &str) -> f64 {
+        if value.is_finite() {
+            return value;
+        }
+        self.fault(FaultKind::Value, format!("{what} is {value}; 0 is used instead"));
+        0.0
+    }
+
+    /// A unit cylinder, made once a run for each number of sides.
+    pub(crate) fn cylinder(&mut self, sides: u32) -> Arc<Mesh> {
+        self.cylinders.entry(sides).or_insert_with(|| Arc::new(crate::mesh::primitive::cylinder(sides as usize))).clone()
+    }
+
+    pub(crate) fn take_faults(&mut self) -> (Vec<Fault>, u64) {
+        (std::mem::take(&mut self.faults), self.faults_left_out)
+    }
+}

@@ -1,0 +1,109 @@
+//! What can go wrong in a run: faults, which a model carries, and errors, which end a run.
+
+use std::fmt;
+
+/// The kinds of faults.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FaultKind {
+    /// A number, colour or other value that cannot be used; what was done instead is in the message.
+    Value,
+    /// An asset that is missing or cannot be read.
+    Asset,
+    /// Geometry that an operation cannot handle as asked, such as a cut through a mesh that is not closed.
+    Geometry,
+    /// Reported by an operation written in Rust.
+    Host,
+}
+
+/// Something that went wrong with one shape. The run goes on; the model lists its faults.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// What kind.
+    pub kind: FaultKind,
+    /// What happened and what was done instead.
+    pub message: String,
+    /// The rules that led there, from the start rule down.
+    pub trail: Vec<&'static str>,
+}
+
+impl Fault {
+    /// A fault for an operation written in Rust to return.
+    pub fn new(message: impl Into<String>) -> Self {
+        Fault { kind: FaultKind::Host, message: message.into(), trail: Vec::new() }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)?;
+        write_trail(f, &self.trail)
+    }
+}
+
+impl std::error::Error for Fault {}
+
+/// Why a run ended without a model.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A limit of the [`Limits`](crate::settings::Limits) was reached.
+    Limit {
+        /// Which: "shapes", "depth" or "vertices".
+        what: &'static str,
+        /// The limit.
+        limit: u64,
+        /// The rules that led there, from the start rule down.
+        trail: Vec<&'static str>,
+    },
+    /// An attribute's value is refused.
+    Attribute {
+        /// Its name.
+        name: &'static str,
+        /// Why.
+        message: String,
+    },
+    /// There is no rule of that name that a run can start with.
+    StartRule {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: &'static [&'static str],
+    },
+    /// The initial shape cannot be used.
+    Shape(String),
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Limit { what, limit, trail } => {
+                write!(f, "more {what} than the limit of {limit} allows")?;
+                write_trail(f, trail)
+            }
+            Error::Attribute { name, message } => write!(f, "attribute `{name}`: {message}"),
+            Error::StartRule { name, known } => {
+                write!(f, "no rule `{name}` to start with; there is {}", known.join(", "))
+            }
+            Error::Shape(message) => f.write_str(message),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// Long trails are recursion: the beginning and the end say it.
+fn write_trail(f: &mut fmt::Formatter<'_>, trail: &[&'static str]) -> fmt::Result {
+    const ENDS: usize = 6;
+    if trail.is_empty() {
+        return Ok(());
+    }
+    f.write_str(" (in ")?;
+    if trail.len() <= 2 * ENDS {
+        f.write_str(&trail.join(" > "))?;
+    } else {
+        let (head, tail) = (&trail[..ENDS], &trail[trail.len() - ENDS..]);
+        write!(f, "{} > … {} more … > {}", head.join(" > "), trail.len() - 2 * ENDS, tail.join(" > "))?;
+    }
+    f.write_str(")")
+}

@@ -1,0 +1,113 @@
+//! Rust in rules: values (`#name`) and operations (`path::call(…)`).
+
+use crate::env::Env;
+use crate::fault::Fault;
+use crate::shape::{Shape, ShapeRef};
+use crate::text::Text;
+
+/// A Rust value that a rule can use as a number.
+#[diagnostic::on_unimplemented(message = "`{Self}` is no number that a rule can use", label = "the rule needs a number here")]
+pub trait ToFloat {
+    /// As a 64-bit float.
+    fn to_float(&self) -> f64;
+}
+
+macro_rules! floats {
+    ($($ty:ty)*) => {$(
+        impl ToFloat for $ty {
+            fn to_float(&self) -> f64 {
+                *self as f64
+            }
+        }
+    )*};
+}
+
+floats! { f64 f32 i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
+
+impl<T: ToFloat + ?Sized> ToFloat for &T {
+    fn to_float(&self) -> f64 {
+        (**self).to_float()
+    }
+}
+
+/// A Rust value that a rule can use as a truth value.
+#[diagnostic::on_unimplemented(message = "`{Self}` is no `bool`", label = "the rule needs a `bool` here")]
+pub trait ToBool {
+    /// As a bool.
+    fn to_bool(&self) -> bool;
+}
+
+impl ToBool for bool {
+    fn to_bool(&self) -> bool {
+        *self
+    }
+}
+
+impl<T: ToBool + ?Sized> ToBool for &T {
+    fn to_bool(&self) -> bool {
+        (**self).to_bool()
+    }
+}
+
+/// A Rust value that a rule can use as text.
+#[diagnostic::on_unimplemented(message = "`{Self}` is no text that a rule can use", label = "the rule needs text here")]
+pub trait ToText {
+    /// As text.
+    fn to_text(&self) -> Text;
+}
+
+impl ToText for str {
+    fn to_text(&self) -> Text {
+        Text::from(self)
+    }
+}
+
+impl ToText for String {
+    fn to_text(&self) -> Text {
+        Text::from(self.as_str())
+    }
+}
+
+impl ToText for Text {
+    fn to_text(&self) -> Text {
+        self.clone()
+    }
+}
+
+impl<T: ToText + ?Sized> ToText for &T {
+    fn to_text(&self) -> Text {
+        (**self).to_text()
+    }
+}
+
+/// What an operation written in Rust may return.
+pub trait Outcome {
+    /// As a result.
+    fn outcome(self) -> Result<(), Fault>;
+}
+
+impl Outcome for () {
+    fn outcome(self) -> Result<(), Fault> {
+        Ok(())
+    }
+}
+
+impl Outcome for Result<(), Fault> {
+    fn outcome(self) -> Result<(), Fault> {
+        self
+    }
+}
+
+/// Runs an operation written in Rust on the current shape. After a fault the shape is what the operation left.
+pub fn operate<R: Outcome>(env: &mut Env, shape: &mut ShapeRef<'_>, operation: impl FnOnce(&mut Shape) -> R) {
+    let mut own = shape.detach();
+    if let Err(fault) = operation(&mut own).outcome() {
+        env.host_fault(fault);
+    }
+    *shape = own;
+}
+
+/// Text for an argument of a Rust function.
+pub fn as_str(text: &Text) -> &str {
+    text.as_str()
+}

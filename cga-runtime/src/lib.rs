@@ -1,0 +1,34 @@
+//! The runtime of `cga`: scopes, meshes, the split solver, cutting and capping, components, derivation and sinks.
+//!
+//! Conventions: right-handed, y up, metres and degrees; f64 inside, f32 in output buffers. Faces are planar polygons
+//! with holes, counter-clockwise seen from outside. Most users want the facade crate `cga`.
+#![forbid(unsafe_code)]
+
+pub mod asset;
+pub mod comp;
+pub mod cut;
+pub mod derive;
+pub mod env;
+mod exact;
+pub mod fault;
+pub mod func;
+pub mod get;
+pub mod grammar;
+pub mod host;
+pub mod material;
+pub mod mesh;
+pub mod model;
+pub mod op;
+mod place;
+pub mod rt;
+pub mod scope;
+mod seed;
+pub mod set;
+pub mod settings;
+pub mod shape;
+pub mod sink;
+pub mod split;
+mod state;
+pub mod text;
+pub mod tol;
+pub mod triangulate;

@@ -1,0 +1,101 @@
+//! One face of a mesh, read-only.
+
+use std::ops::Range;
+
+use glam::DVec3;
+
+use super::{FaceTag, Mesh};
+
+/// A planar polygon with holes: a view into its mesh.
+#[derive(Clone, Copy, Debug)]
+pub struct FaceRef<'a> {
+    pub(super) mesh: &'a Mesh,
+    pub(super) index: usize,
+}
+
+impl<'a> FaceRef<'a> {
+    /// Its number in the mesh.
+    pub fn index(&self) -> usize {
+        self.index
+    }
+
+    /// The outline, counter-clockwise seen from outside, as indices into the points.
+    pub fn outer(&self) -> &'a [u32] {
+        &self.mesh.corners[self.mesh.loop_range(self.mesh.face_loops(self.index).start)]
+    }
+
+    /// The holes, clockwise.
+    pub fn holes(&self) -> impl ExactSizeIterator<Item = &'a [u32]> + Clone {
+        let loops = self.mesh.face_loops(self.index);
+        let mesh = self.mesh;
+        (loops.start + 1..loops.end).map(move |l| &mesh.corners[mesh.loop_range(l)])
+    }
+
+    /// The outline, then the holes.
+    pub fn loops(&self) -> impl ExactSizeIterator<Item = &'a [u32]> + Clone {
+        let mesh = self.mesh;
+        mesh.face_loops(self.index).map(move |l| &mesh.corners[mesh.loop_range(l)])
+    }
+
+    /// The outline, then the holes, each as a range of [`Mesh::corners`], [`Mesh::uvs`] and [`Mesh::normals`].
+    pub fn loop_ranges(&self) -> impl ExactSizeIterator<Item = Range<usize>> + Clone + use<'a> {
+        let mesh = self.mesh;
+        mesh.face_loops(self.index).map(move |l| mesh.loop_range(l))
+    }
+
+    /// All its corners, as a range of [`Mesh::corners`], [`Mesh::uvs`] and [`Mesh::normals`].
+    pub fn corner_range(&self) -> Range<usize> {
+        let loops = self.mesh.face_loops(self.index);
+        self.mesh.loop_range(loops.start).start..self.mesh.loop_range(loops.end - 1).end
+    }
+
+    /// How many corners it has, those of holes included.
+    pub fn corner_count(&self) -> usize {
+        self.corner_range().len()
+    }
+
+    /// Group, material, and whether a cut made it.
+    pub fn tag(&self) -> FaceTag {
+        self.mesh.tags[self.index]
+    }
+
+    /// The position of a corner of the mesh.
+    pub(crate) fn position(&self, corner: usize) -> DVec3 {
+        self.mesh.points[self.mesh.corners[corner] as usize]
+    }
+
+    /// Twice the area, along the normal (Newell's sum, about the first corner so that distance costs no digits).
+    pub(crate) fn area_vector(&self) -> DVec3 {
+        let from = self.position(self.corner_range().start);
+        let mut sum = DVec3::ZERO;
+        for ring in self.loops() {
+            let mut last = self.mesh.points[ring[ring.len() - 1] as usize] - from;
+            for &c in ring {
+                let here = self.mesh.points[c as usize] - from;
+                sum += last.cross(here);
+                last = here;
+            }
+        }
+        sum
+    }
+
+    /// The unit normal, zero for a face without area.
+    pub fn normal(&self) -> DVec3 {
+        unit(self.area_vector())
+    }
+
+    /// The area, holes taken off.
+    pub fn area(&self) -> f64 {
+        0.5 * self.area_vector().length()
+    }
+}
+
+/// A vector made one long, or zero; safe for very small and very large ones.
+pub(crate) fn unit(v: DVec3) -> DVec3 {
+    let scale = v.abs().max_element();
+    if 0.0 < scale && scale < f64::INFINITY {
+        (v / scale).normalize()
+    } else {
+        DVec3::ZERO
+    }
+}

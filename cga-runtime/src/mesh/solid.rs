@@ -1,0 +1,48 @@
+//! Rectangles and boxes as meshes.
+
+use super::{Derived, FaceTag, Mesh};
+use crate::sink::{Cuboid, Quad};
+
+/// Points of a box are numbered x + 2y + 4z; faces as [`Cuboid::faces`] has them, corners as [`Quad::corners`].
+const CUBOID_CORNERS: [u32; 24] = [
+    4, 5, 7, 6, // front
+    5, 1, 3, 7, // right
+    1, 0, 2, 3, // back
+    0, 4, 6, 2, // left
+    6, 7, 3, 2, // top
+    0, 1, 5, 4, // bottom
+];
+
+impl Mesh {
+    /// A rectangle as a mesh of one face.
+    pub fn from_quad(quad: &Quad) -> Mesh {
+        let derived = Derived::default();
+        let _ = derived.closed.set(false);
+        Mesh {
+            points: quad.corners().to_vec(),
+            corners: vec![0, 1, 2, 3],
+            loop_ends: vec![4],
+            face_ends: vec![1],
+            tags: vec![FaceTag::PLAIN],
+            derived,
+            ..Mesh::default()
+        }
+    }
+
+    /// A box as a closed mesh of eight points and six faces.
+    pub fn from_cuboid(cuboid: &Cuboid) -> Mesh {
+        let [x, y, z] = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
+        let pick = |i: u32, bit: u32| f64::from(i >> bit & 1);
+        let derived = Derived::default();
+        let _ = derived.closed.set(true);
+        Mesh {
+            points: (0..8).map(|i| cuboid.origin + x * pick(i, 0) + y * pick(i, 1) + z * pick(i, 2)).collect(),
+            corners: CUBOID_CORNERS.to_vec(),
+            loop_ends: (1..=6).map(|i| 4 * i).collect(),
+            face_ends: (1..=6).collect(),
+            tags: vec![FaceTag::PLAIN; 6],
+            derived,
+            ..Mesh::default()
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! Operations that change the current shape, as the language's table names them.
+//!
+//! Every function takes the run's [`Env`] first and the shape second; numbers that are not finite count as 0 and leave a
+//! fault.
+
+mod extrude;
+mod insert;
+mod material;
+mod primitive;
+mod transform;
+
+pub use extrude::{ExtrudeAlong, extrude, extrude_along};
+pub use insert::insert;
+pub use material::{color_hex, color_rgb, color_rgba, texture};
+pub use primitive::{cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, quad, quad_sized};
+pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
+pub(crate) use transform::{angles, sin_cos, turn};
+
+use crate::env::Env;
+
+/// A length in metres, or relative to the scope.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Length {
+    /// In metres.
+    Absolute(f64),
+    /// A share of the scope's size on the axis it is for.
+    Relative(f64),
+}
+
+impl Length {
+    /// In metres, given the scope's size.
+    #[inline]
+    pub(crate) fn of(self, size: f64, env: &mut Env, what: &str) -> f64 {
+        match self {
+            Length::Absolute(metres) => env.finite(metres, what),
+            Length::Relative(share) => env.finite(share, what) * size,
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! Everything generated code may touch, and nothing else. Not part of the public promise: versions are pinned to each
+//! other.
+
+pub use std::ops::ControlFlow;
+
+pub use crate::comp::select::Select;
+pub use crate::comp::{Arm, Mode, faces};
+pub use crate::derive::{Cx, Report, run};
+pub use crate::env::Env;
+pub use crate::fault::{Error, Fault};
+pub use crate::grammar::{Attribute, Default, Grammar, Range, Rules, generate};
+pub use crate::model::Model;
+pub use crate::op::Length;
+pub use crate::scope::Axis;
+pub use crate::scope::Scope;
+pub use crate::settings::Settings;
+pub use crate::shape::{Shape, ShapeRef};
+pub use crate::sink::{Flow, Sink};
+pub use crate::split::divide::{Adjust, divide};
+pub use crate::split::{Item, Size};
+pub use crate::state::Value;
+pub use crate::text::Text;
+pub use crate::{func, get, host, op, set};
+
+use crate::seed::Tag;
+
+/// A copy of the current shape for a successor.
+#[inline]
+pub fn successor<'s>(shape: &'s mut ShapeRef<'_>) -> ShapeRef<'s> {
+    shape.child(Tag::Successor)
+}
+
+/// A copy of the current shape for `[ … ]`.
+#[inline]
+pub fn push<'s>(shape: &'s mut ShapeRef<'_>) -> ShapeRef<'s> {
+    shape.child(Tag::Push)
+}
+
+/// The initial shape with the random stream of one attribute or constant (*CGA changelog 2018.0*: each has its own).
+pub fn global(shape: &Shape, number: u32) -> Shape {
+    let mut own = shape.clone();
+    own.seed = shape.seed.child(Tag::Global, number);
+    own
+}
+
+/// One branch of a stochastic rule: a draw with the probability that is left (`30% : … 5% : …` draws 0.30, then
+/// 0.05 / 0.70; see the digest's fact 95).
+#[inline]
+pub fn branch(shape: &mut ShapeRef<'_>, percent: f64, before: f64) -> bool {
+    func::chance(shape, percent / (100.0 - before))
+}

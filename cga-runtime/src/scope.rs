@@ -1,0 +1,86 @@
+//! Frames and scopes: an origin, three axes and, for a scope, a size. No mesh here.
+//!
+//! Right-handed, y up. All lengths in metres, all coordinates in the world. A scope spans
+//! `origin + x·axes.x + y·axes.y + z·axes.z` with `0 ≤ x ≤ size.x` and so on; a negative size mirrors.
+
+use glam::{DAffine3, DMat3, DVec3};
+
+/// One of the three axes of a scope.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// Along the width.
+    X,
+    /// Up.
+    Y,
+    /// To the front.
+    Z,
+}
+
+impl Axis {
+    /// 0, 1 or 2.
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// A right-handed coordinate system in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// Where it starts.
+    pub origin: DVec3,
+    /// Its orthonormal axes, as columns.
+    pub axes: DMat3,
+}
+
+impl Frame {
+    /// The world itself.
+    pub const WORLD: Frame = Frame { origin: DVec3::ZERO, axes: DMat3::IDENTITY };
+
+    /// From local coordinates to the world.
+    pub fn to_world(&self, local: DVec3) -> DVec3 {
+        self.origin + self.axes * local
+    }
+
+    /// From the world to local coordinates.
+    pub fn to_local(&self, world: DVec3) -> DVec3 {
+        self.axes.transpose() * (world - self.origin)
+    }
+}
+
+/// An oriented box: where a shape is and how large.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scope {
+    /// The corner at (0, 0, 0), in the world.
+    pub origin: DVec3,
+    /// Orthonormal axes, as columns.
+    pub axes: DMat3,
+    /// Extent along each axis; a negative one mirrors.
+    pub size: DVec3,
+}
+
+impl Scope {
+    /// A scope at the origin of the world with the world's axes.
+    pub const fn new(size: DVec3) -> Self {
+        Scope { origin: DVec3::ZERO, axes: DMat3::IDENTITY, size }
+    }
+
+    /// Its frame, without the size.
+    pub fn frame(&self) -> Frame {
+        Frame { origin: self.origin, axes: self.axes }
+    }
+
+    /// The centre, in the world.
+    pub fn centre(&self) -> DVec3 {
+        self.origin + self.axes * (self.size * 0.5)
+    }
+
+    /// The extent along an axis.
+    pub fn extent(&self, axis: Axis) -> f64 {
+        self.size[axis.index()]
+    }
+
+    /// The map from scope coordinates (metres from the origin corner, along the axes) to the world.
+    pub fn placement(&self) -> DAffine3 {
+        DAffine3 { matrix3: self.axes, translation: self.origin }
+    }
+}

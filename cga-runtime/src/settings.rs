@@ -1,0 +1,33 @@
+//! What a caller decides about a run: limits and where assets come from.
+
+use std::sync::Arc;
+
+use crate::asset::Assets;
+
+/// Bounds on what one run may make. Reaching one ends the run with [`Error::Limit`](crate::fault::Error::Limit).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Shapes derived, leaves included.
+    pub shapes: u64,
+    /// Nesting of rules that can reach themselves.
+    pub depth: u32,
+    /// Vertices in the meshes that operations make (boxes and rectangles count when they become meshes).
+    pub vertices: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits { shapes: 10_000_000, depth: 1024, vertices: 100_000_000 }
+    }
+}
+
+/// How to run a grammar.
+#[derive(Clone, Debug, Default)]
+pub struct Settings {
+    /// The rule to start with; `None` for the grammar's own start rule.
+    pub start: Option<String>,
+    /// Bounds on the run.
+    pub limits: Limits,
+    /// What `i(…)` may insert.
+    pub assets: Arc<Assets>,
+}

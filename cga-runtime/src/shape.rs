@@ -1,0 +1,302 @@
+//! The current shape: scope, pivot, geometry and what it inherits.
+//!
+//! A shape is a value. Its geometry fills its scope: rectangles and boxes are nothing but the scope, and a mesh is shared
+//! and stretched lazily, so handing a copy to a rule costs a few machine words.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::comp::frame;
+use crate::fault::Error;
+use crate::material::{Color, Material};
+use crate::mesh::Mesh;
+use crate::scope::{Axis, Frame, Scope};
+use crate::seed::{Seed, Tag};
+use crate::state::StateRef;
+
+/// A shape that owns all it has: what a run starts with and what operations written in Rust get.
+pub type Shape = ShapeRef<'static>;
+
+/// A shape while rules run: it may borrow from the shape it came from. See [`Shape`].
+#[derive(Clone, Debug)]
+pub struct ShapeRef<'a> {
+    pub(crate) scope: Scope,
+    pub(crate) pivot: Frame,
+    pub(crate) geometry: Geometry,
+    pub(crate) seed: Seed,
+    pub(crate) split: Counter,
+    pub(crate) comp: Counter,
+    /// `comp.sel`.
+    pub(crate) selector: &'static str,
+    pub(crate) state: StateRef<'a>,
+}
+
+/// `split.index` and `split.total`, or those of comp.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Counter {
+    pub(crate) index: i32,
+    pub(crate) total: u32,
+}
+
+impl Counter {
+    /// *split attribute*, *comp attribute*: before the first operation the index is -1 and the total 0.
+    pub(crate) const NONE: Counter = Counter { index: -1, total: 0 };
+
+    pub(crate) fn new(index: usize, total: usize) -> Self {
+        let cap = |n: usize| n.min(i32::MAX as usize);
+        Counter { index: cap(index) as i32, total: cap(total) as u32 }
+    }
+}
+
+/// What fills a scope.
+#[derive(Clone, Debug)]
+pub(crate) enum Geometry {
+    /// Nothing: points, empty slots.
+    Empty,
+    /// A rectangle in the scope's low plane across an axis, looking along that axis.
+    Rect(Axis),
+    /// The scope itself, closed.
+    Box,
+    /// Any mesh.
+    Mesh(Arc<Placed>),
+}
+
+/// A mesh and the box in its own coordinates that the scope stretches it from.
+#[derive(Clone, Debug)]
+pub(crate) struct Placed {
+    pub(crate) mesh: Arc<Mesh>,
+    pub(crate) low: DVec3,
+    pub(crate) size: DVec3,
+    /// An inserted asset that nothing has changed since.
+    pub(crate) whole: bool,
+}
+
+impl Placed {
+    /// A mesh whose coordinates are scope coordinates, with the box of its points.
+    pub(crate) fn fitted(mesh: Mesh) -> Self {
+        let bounds = mesh.bounds();
+        let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
+        Placed { low, size: bounds.size(), mesh: Arc::new(mesh), whole: false }
+    }
+
+    /// Factor from mesh to scope lengths, for each axis.
+    pub(crate) fn stretch(&self, size: DVec3) -> DVec3 {
+        let factor = |have: f64, want: f64| if have == want || have == 0.0 { 1.0 } else { want / have };
+        DVec3::new(factor(self.size.x, size.x), factor(self.size.y, size.y), factor(self.size.z, size.z))
+    }
+
+    /// From mesh coordinates to scope coordinates.
+    pub(crate) fn to_scope(&self, size: DVec3) -> DAffine3 {
+        let stretch = self.stretch(size);
+        DAffine3 { matrix3: DMat3::from_diagonal(stretch), translation: -self.low * stretch }
+    }
+}
+
+impl Shape {
+    /// A lot: a rectangle on the ground, `width` along x and `depth` along z, its corner at the origin, facing up.
+    pub fn rectangle(width: f64, depth: f64) -> Self {
+        let scope = Scope::new(DVec3::new(width, 0.0, depth));
+        // *comp operation*, coordinate systems: the first edge is the front, and the pivot its first vertex.
+        let pivot = Frame { origin: DVec3::new(0.0, 0.0, depth), axes: DMat3::IDENTITY };
+        Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y)) }
+    }
+
+    /// A box of that size, its corner at the origin.
+    pub fn cuboid(width: f64, height: f64, depth: f64) -> Self {
+        Shape::with(Scope::new(DVec3::new(width, height, depth)), Geometry::Box)
+    }
+
+    /// A footprint on the ground: corners as (x, z) in metres, the first edge being the front, with holes. Outlines may
+    /// be given either way round; it faces up.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when it is no polygon: too few corners, no area, numbers that are not finite.
+    pub fn footprint(outline: &[[f64; 2]], holes: &[Vec<[f64; 2]>]) -> Result<Self, Error> {
+        let on_ground = |ring: &[[f64; 2]]| ring.iter().map(|p| DVec3::new(p[0], 0.0, p[1])).collect::<Vec<_>>();
+        let mut outer = on_ground(outline);
+        // Seen from above, x to the right and z towards the viewer: counter-clockwise is negative in x-z terms.
+        let twice_area: f64 = (0..outline.len())
+            .map(|i| (outline[i], outline[(i + 1) % outline.len()]))
+            .map(|(a, b)| a[0] * b[1] - b[0] * a[1])
+            .sum();
+        if 0.0 < twice_area {
+            // Turn it over but keep the first edge in front.
+            outer.reverse();
+            let turn = 2.min(outer.len());
+            outer.rotate_right(turn);
+        }
+        let holes: Vec<Vec<DVec3>> = holes.iter().map(|hole| on_ground(hole)).collect();
+        let mesh = Mesh::from_polygon(&outer, &holes).map_err(|error| Error::Shape(error.to_string()))?;
+        Ok(Shape::aligned_lot(&mesh))
+    }
+
+    /// A lot with its scope's x axis along the first edge: object coordinates start at that edge (*CGA essentials*).
+    fn aligned_lot(mesh: &Mesh) -> Self {
+        let flat = Shape::mesh(mesh.clone());
+        let Some(found) = frame::face_frame(mesh, 0) else { return flat };
+        let first = found.frame.origin;
+        let axes = DMat3::from_cols(found.frame.axes.x_axis, DVec3::Y, found.frame.axes.x_axis.cross(DVec3::Y));
+        let pivot = Frame { origin: first, axes };
+        let size = found.high - found.low;
+        if found.rectangle {
+            let scope = Scope { origin: first - axes.z_axis * size.y, axes, size: DVec3::new(size.x, 0.0, size.y) };
+            return Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y)) };
+        }
+        let local = mesh.map(&DAffine3 { matrix3: axes.transpose(), translation: -(axes.transpose() * first) });
+        let placed = Placed::fitted(local);
+        let scope = Scope { origin: pivot.to_world(placed.low), axes, size: placed.size };
+        Shape { pivot, ..Shape::with(scope, Geometry::Mesh(Arc::new(placed))) }
+    }
+
+    /// Any mesh, in world coordinates; its scope is the bounding box.
+    pub fn mesh(mesh: Mesh) -> Self {
+        let placed = Placed::fitted(mesh);
+        let scope = Scope { origin: placed.low, axes: DMat3::IDENTITY, size: placed.size };
+        Shape::with(scope, Geometry::Mesh(Arc::new(placed)))
+    }
+
+    fn with(scope: Scope, geometry: Geometry) -> Self {
+        Shape {
+            scope,
+            pivot: scope.frame(),
+            geometry,
+            seed: Seed::new(0),
+            split: Counter::NONE,
+            comp: Counter::NONE,
+            selector: "",
+            state: StateRef::Unset,
+        }
+    }
+
+    /// The same shape elsewhere: moved by an offset in metres, in the world.
+    pub fn at(mut self, offset: impl Into<[f64; 3]>) -> Self {
+        let offset = DVec3::from_array(offset.into());
+        self.scope.origin += offset;
+        self.pivot.origin += offset;
+        self
+    }
+
+    /// The same shape with another seed: every random choice of a run follows from it.
+    pub fn seed(mut self, seed: u64) -> Self {
+        self.seed = Seed::new(seed);
+        self
+    }
+
+    /// Whether a run can start with it.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let scope = &self.scope;
+        if scope.origin.is_finite() && scope.size.is_finite() && scope.axes.is_finite() {
+            Ok(())
+        } else {
+            Err(Error::Shape("a size or position of the initial shape is not a finite number".into()))
+        }
+    }
+}
+
+impl<'a> ShapeRef<'a> {
+    /// Where the shape is and how large, in the world.
+    pub fn scope(&self) -> &Scope {
+        &self.scope
+    }
+
+    /// Moves, turns or resizes the scope; the geometry goes with it.
+    pub fn set_scope(&mut self, scope: Scope) {
+        self.resize(scope.size);
+        self.scope = scope;
+    }
+
+    /// The pivot, in the world.
+    pub fn pivot(&self) -> &Frame {
+        &self.pivot
+    }
+
+    /// The seed that random choices of this shape follow from.
+    pub fn seed_value(&self) -> u64 {
+        self.seed.value()
+    }
+
+    /// The material, as far as rules have set it.
+    pub fn material(&self) -> &Material {
+        self.state.material()
+    }
+
+    /// Changes the material of this shape and of what is derived from it.
+    pub fn change_material(&mut self, change: impl FnOnce(&mut Material)) {
+        change(Arc::make_mut(&mut self.state.change().material));
+    }
+
+    /// Sets the diffuse colour.
+    pub fn set_color(&mut self, color: Color) {
+        self.change_material(|material| material.color = Some(color));
+    }
+
+    /// The geometry as a mesh in scope coordinates: metres from the scope's origin corner, along its axes.
+    pub fn to_mesh(&self) -> Arc<Mesh> {
+        match &self.geometry {
+            Geometry::Empty => Arc::default(),
+            Geometry::Rect(axis) => {
+                let local = Scope::new(self.scope.size);
+                Arc::new(Mesh::from_quad(&crate::place::rect(&local, *axis)))
+            }
+            Geometry::Box => Arc::new(Mesh::from_cuboid(&crate::place::cuboid(&Scope::new(self.scope.size)))),
+            Geometry::Mesh(placed) => {
+                let place = placed.to_scope(self.scope.size);
+                if place == DAffine3::IDENTITY { placed.mesh.clone() } else { Arc::new(placed.mesh.map(&place)) }
+            }
+        }
+    }
+
+    /// Replaces the geometry: a mesh in scope coordinates. The scope becomes its bounding box.
+    pub fn set_mesh(&mut self, mesh: Mesh) {
+        let placed = Placed::fitted(mesh);
+        self.scope.origin += self.scope.axes * placed.low;
+        self.scope.size = placed.size;
+        self.geometry = Geometry::Mesh(Arc::new(placed));
+    }
+
+    /// Sets the size. A size of zero flattens the geometry for good.
+    pub(crate) fn resize(&mut self, size: DVec3) {
+        if let Geometry::Mesh(placed) = &self.geometry {
+            let flat = |axis: usize| size[axis] == 0.0 && placed.size[axis] != 0.0;
+            if flat(0) || flat(1) || flat(2) {
+                let keep = DVec3::select(size.cmpeq(DVec3::ZERO), DVec3::ZERO, DVec3::ONE);
+                let move_low = DAffine3 { matrix3: DMat3::from_diagonal(keep), translation: -placed.low * keep };
+                let mesh = Arc::new(placed.mesh.map(&move_low));
+                let flattened = Placed { mesh, low: DVec3::ZERO, size: placed.size * keep, whole: false };
+                self.geometry = Geometry::Mesh(Arc::new(flattened));
+            }
+        }
+        self.scope.size = size;
+    }
+
+    /// A copy for a successor or block, with a seed of its own.
+    #[inline]
+    pub(crate) fn child(&mut self, tag: Tag) -> ShapeRef<'_> {
+        let ordinal = self.seed.reserve(1);
+        ShapeRef {
+            scope: self.scope,
+            pivot: self.pivot,
+            geometry: self.geometry.clone(),
+            seed: self.seed.child(tag, ordinal),
+            split: self.split,
+            comp: self.comp,
+            selector: self.selector,
+            state: self.state.lend(),
+        }
+    }
+
+    /// The same shape, borrowing nothing.
+    pub(crate) fn detach(&self) -> Shape {
+        Shape {
+            scope: self.scope,
+            pivot: self.pivot,
+            geometry: self.geometry.clone(),
+            seed: self.seed,
+            split: self.split,
+            comp: self.comp,
+            selector: self.selector,
+            state: self.state.keep(),
+        }
+    }
+}

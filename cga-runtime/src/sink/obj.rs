@@ -1,0 +1,261 @@
+//! OBJ and MTL text.
+//!
+//! Polygons stay polygons; faces with holes, which the format does not know, become triangles. Every run of leaves with
+//! one rule and one material starts a `g` and a `usemtl`. Coordinates are in the world, with as many digits as it takes
+//! to read the same values back. Colours are written as they are set, in sRGB.
+
+use std::collections::HashSet;
+use std::fmt::Write as _;
+use std::io::{self, BufWriter, Write};
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+
+use super::error::WriteError;
+use super::flatten::{Flattener, normal_map, unit};
+use super::number::Short;
+use super::table::Table;
+use super::{Cuboid, Flow, Leaf, Quad, Sink};
+use crate::material::Material;
+use crate::mesh::Mesh;
+use crate::model::Model;
+
+/// Writes leaves as they come, in constant memory; materials are kept for the end.
+#[derive(Debug)]
+pub struct Obj<W: Write> {
+    out: W,
+    text: String,
+    table: Table,
+    names: Names,
+    /// Rule and material of what was written last.
+    run: Option<(u32, u32)>,
+    points: u64,
+    uvs: u64,
+    normals: u64,
+    failed: Option<io::Error>,
+    flattener: Flattener,
+}
+
+impl<W: Write> Obj<W> {
+    /// Starts a file whose materials will be found in `library`, a file name.
+    pub fn new(mut out: W, library: &str) -> Self {
+        // Smoothing off: without normals of their own faces are flat.
+        let failed = write!(out, "mtllib {library}\ns off\n").err();
+        Obj {
+            out,
+            text: String::new(),
+            table: Table::new(),
+            names: Names::default(),
+            run: None,
+            points: 0,
+            uvs: 0,
+            normals: 0,
+            failed,
+            flattener: Flattener::default(),
+        }
+    }
+
+    /// Ends the file and gives the text of the material library.
+    ///
+    /// # Errors
+    /// What `out` said, if anything, at any time.
+    pub fn finish(mut self) -> Result<String, WriteError> {
+        if let Some(error) = self.failed.take() {
+            return Err(error.into());
+        }
+        self.out.flush()?;
+        let mut library = String::new();
+        for (material, name) in self.table.materials().iter().zip(&self.names.list) {
+            // Some materials only served to make others.
+            if let Some(name) = name {
+                write_material(&mut library, name, material);
+            }
+        }
+        Ok(library)
+    }
+
+    /// Starts a group unless the last one goes on.
+    fn run(&mut self, rule: u32, material: u32) {
+        if self.run == Some((rule, material)) {
+            return;
+        }
+        self.run = Some((rule, material));
+        let group = self.table.rules()[rule as usize];
+        let name = self.names.of(material, &self.table.materials()[material as usize]);
+        let _ = write!(self.text, "g {group}\nusemtl {name}\n");
+    }
+
+    fn point(&mut self, p: DVec3) {
+        let _ = writeln!(self.text, "v {} {} {}", Short(p.x), Short(p.y), Short(p.z));
+        self.points += 1;
+    }
+
+    fn polygon(&mut self, corners: impl IntoIterator<Item = u64>) {
+        self.text.push('f');
+        for corner in corners {
+            let _ = write!(self.text, " {corner}");
+        }
+        self.text.push('\n');
+    }
+
+    /// Hands over what a leaf has come to.
+    fn flush(&mut self) -> Flow {
+        if self.failed.is_none() {
+            self.failed = self.out.write_all(self.text.as_bytes()).err();
+        }
+        self.text.clear();
+        if self.failed.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+impl<W: Write> Sink for Obj<W> {
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        let (rule, material) = (self.table.rule(leaf.rule), self.table.material(leaf.material));
+        self.run(rule, material);
+        let start = self.points;
+        quad.corners().into_iter().for_each(|corner| self.point(corner));
+        self.polygon([1, 2, 3, 4].map(|i| start + i));
+        self.flush()
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        let (rule, material) = (self.table.rule(leaf.rule), self.table.material(leaf.material));
+        self.run(rule, material);
+        let start = self.points;
+        let [front, _, back, ..] = cuboid.faces();
+        front.corners().into_iter().chain(back.corners()).for_each(|corner| self.point(corner));
+        // Seen from the front: 1 2 3 4 counter-clockwise from below left, 5 6 7 8 behind 2 1 4 3.
+        for face in [[1, 2, 3, 4], [2, 5, 8, 3], [5, 6, 7, 8], [6, 1, 4, 7], [4, 3, 8, 7], [6, 5, 2, 1]] {
+            self.polygon(face.map(|i| start + i));
+        }
+        self.flush()
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        let (rule, material) = (self.table.rule(leaf.rule), self.table.material(leaf.material));
+        let turn = normal_map(&placement.matrix3);
+        let (points, uvs, normals) = (self.points + 1, self.uvs + 1, self.normals + 1);
+        mesh.points.iter().for_each(|&point| self.point(placement.transform_point3(point)));
+        for uv in &mesh.uvs {
+            let _ = writeln!(self.text, "vt {} {}", Short(uv.x), Short(uv.y));
+        }
+        for &normal in &mesh.normals {
+            let n = unit(turn * normal);
+            let _ = writeln!(self.text, "vn {} {} {}", Short(n.x), Short(n.y), Short(n.z));
+        }
+        self.uvs += mesh.uvs.len() as u64;
+        self.normals += mesh.normals.len() as u64;
+        let corner = |text: &mut String, corner: usize| {
+            let point = points + u64::from(mesh.corners[corner]);
+            let _ = match (mesh.uvs.is_empty(), mesh.normals.is_empty()) {
+                (true, true) => write!(text, " {point}"),
+                (false, true) => write!(text, " {point}/{}", uvs + corner as u64),
+                (true, false) => write!(text, " {point}//{}", normals + corner as u64),
+                (false, false) => write!(text, " {point}/{}/{}", uvs + corner as u64, normals + corner as u64),
+            };
+        };
+        let mut flattener = std::mem::take(&mut self.flattener);
+        flattener.faces(mesh, placement, |face| {
+            let shown = self.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            self.run(rule, shown);
+            if mesh.face(face.index).holes().len() == 0 {
+                self.text.push('f');
+                face.corners.clone().for_each(|c| corner(&mut self.text, c));
+                self.text.push('\n');
+                return true;
+            }
+            for triangle in face.triangles {
+                self.text.push('f');
+                triangle.iter().for_each(|&i| corner(&mut self.text, face.corners.start + i as usize));
+                self.text.push('\n');
+            }
+            true
+        });
+        self.flattener = flattener;
+        self.flush()
+    }
+}
+
+/// Names of materials: what the format can carry, each once.
+#[derive(Debug, Default)]
+struct Names {
+    list: Vec<Option<String>>,
+    taken: HashSet<String>,
+}
+
+impl Names {
+    fn of(&mut self, id: u32, material: &Material) -> &str {
+        let id = id as usize;
+        if self.list.len() <= id {
+            self.list.resize(id + 1, None);
+        }
+        let taken = &mut self.taken;
+        self.list[id].get_or_insert_with(|| {
+            let plain = plain_name(material);
+            let name = match taken.contains(&plain) {
+                // The number makes it unique unless somebody chose that name himself.
+                true => (id..).map(|n| format!("{plain}_{n}")).find(|name| !taken.contains(name)).unwrap_or_default(),
+                false => plain,
+            };
+            taken.insert(name.clone());
+            name
+        })
+    }
+}
+
+/// The material's own name without spaces and signs, or one after its colour.
+fn plain_name(material: &Material) -> String {
+    let allowed = |c: char| if c.is_alphanumeric() || "_.-".contains(c) { c } else { '_' };
+    let name: String = material.name.as_ref().map_or("", |name| name.as_str()).chars().map(allowed).collect();
+    if !name.is_empty() {
+        return name;
+    }
+    let color = material.color();
+    let byte = |channel: f64| libm::round(channel * 255.0) as u8;
+    format!("color_{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b))
+}
+
+fn write_material(text: &mut String, name: &str, material: &Material) {
+    let color = material.color();
+    let _ = write!(text, "newmtl {name}\nKd {} {} {}\n", Short(color.r), Short(color.g), Short(color.b));
+    let mut number = |key: &str, value: Option<f64>| {
+        if let Some(value) = value {
+            let _ = writeln!(text, "{key} {}", Short(value));
+        }
+    };
+    number("d", material.opacity);
+    number("Pm", material.metallic);
+    number("Pr", material.roughness);
+    if let Some(path) = material.texture.as_ref().filter(|path| !path.is_empty()) {
+        let _ = writeln!(text, "map_Kd {path}");
+    }
+    text.push_str("illum 1\n\n");
+}
+
+impl Model {
+    /// The model as OBJ text that refers to `library`, and the text of that library.
+    pub fn to_obj(&self, library: &str) -> (String, String) {
+        let mut bytes = Vec::new();
+        let mut obj = Obj::new(&mut bytes, library);
+        let _ = self.replay(&mut obj);
+        // Writing into memory does not fail, and what was written is text.
+        let materials = obj.finish().unwrap_or_default();
+        (String::from_utf8(bytes).unwrap_or_default(), materials)
+    }
+
+    /// Writes an OBJ file and beside it, with the ending `.mtl`, its materials.
+    ///
+    /// # Errors
+    /// What the file system says.
+    pub fn write_obj(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
+        let path = path.as_ref();
+        let library = path.with_extension("mtl");
+        let name = library.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let mut obj = Obj::new(BufWriter::new(std::fs::File::create(path)?), &name);
+        let _ = self.replay(&mut obj);
+        std::fs::write(&library, obj.finish()?)?;
+        Ok(())
+    }
+}

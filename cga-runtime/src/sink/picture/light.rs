@@ -1,0 +1,270 @@
+//! Sunlight and skylight: how much of each reaches what is seen.
+//!
+//! The sky is a few dozen distant lamps and the sun a handful close together, each with a map of what it sees. A sample
+//! asks only some of them, its neighbours the others, and every other sample, as on a chessboard, none; averaging over
+//! a block of 4×4 samples on one surface then gives the whole answer without noise.
+
+use glam::DVec3;
+
+use super::camera::{View, direction};
+use super::raster;
+use super::scene::Scene;
+use super::visible::{GROUND, Layer, SKY};
+
+/// Samples along a side of a block, and those in it that ask; as many suns.
+const BLOCK: usize = 4;
+const CLASSES: usize = BLOCK * BLOCK / 2;
+/// Lamps in the sky asked by each sample.
+const LAMPS: usize = 7;
+/// Texels along a side of the map of a sun, of a lamp in the sky.
+const SUN_MAP: usize = 1024;
+const SKY_MAP: usize = 448;
+/// Half the apparent size of the sun, in degrees: a little larger than life, which softens far shadows.
+const SUN_RADIUS: f64 = 0.7;
+/// How far a point is moved off its surface before it is looked up, in texels.
+const BIAS: f32 = 1.2;
+/// Degrees between lamps that follow each other: the golden angle never comes round to an earlier place.
+const GOLDEN: f64 = 137.507_764_050_037_85;
+
+/// What reaches each sample, 0 to 1.
+#[derive(Debug)]
+pub(super) struct Light {
+    pub(super) sun: Vec<f32>,
+    pub(super) sky: Vec<f32>,
+}
+
+type V = [f32; 3];
+
+#[inline]
+fn dot(a: V, b: V) -> f32 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn short(v: DVec3) -> V {
+    v.to_array().map(|c| c as f32)
+}
+
+/// A lamp far away and what it sees of the scene.
+struct Lamp {
+    to: V,
+    /// From the scene to texels: a row each for x and y, and what is added.
+    x: (V, f32),
+    y: (V, f32),
+    /// Metres a texel.
+    texel: f32,
+    size: usize,
+    near: Vec<f32>,
+}
+
+impl Lamp {
+    /// `half` is half the size of the scene, a box about the origin; `shift` moves the map's grid by a part of a texel.
+    fn new(casters: &[[V; 3]], half: DVec3, to: DVec3, size: usize, shift: [f64; 2], mut near: Vec<f32>) -> Lamp {
+        let right = to.cross(if to.y.abs() < 0.99 { DVec3::Y } else { DVec3::X }).normalize();
+        let up = right.cross(to);
+        let reach = |axis: DVec3| axis.abs().dot(half).max(1e-6);
+        let scale = |axis: DVec3| 0.5 * (size - 4) as f64 / reach(axis);
+        let row = |axis: DVec3, shift: f64| {
+            (short(axis * scale(axis)), (0.5 * size as f64 - 0.5 + shift) as f32)
+        };
+        let texel = (1.0 / scale(right)).max(1.0 / scale(up)) as f32;
+        near.clear();
+        near.resize(size * size, f32::NEG_INFINITY);
+        let (x, y, to) = (row(right, shift[0]), row(up, shift[1]), short(to));
+        for triangle in casters {
+            let corners = triangle.map(|p| [dot(p, x.0) + x.1, dot(p, y.0) + y.1, dot(p, to)]);
+            raster::raise(corners, size, &mut near);
+        }
+        Lamp { to, x, y, texel, size, near }
+    }
+
+    /// Whether light comes through at a place of the map.
+    #[inline]
+    fn open(&self, x: f32, y: f32, near: f32) -> f32 {
+        let size = self.size as f32;
+        // Light from beyond the map has met nothing.
+        let inside = 0.0 <= x && 0.0 <= y && x < size && y < size;
+        if inside && near < self.near[y as usize * self.size + x as usize] { 0.0 } else { 1.0 }
+    }
+
+    /// Whether light reaches a point.
+    #[inline]
+    fn hard(&self, point: V, normal: V) -> f32 {
+        let p = [0, 1, 2].map(|i| point[i] + normal[i] * BIAS * self.texel);
+        self.open(dot(p, self.x.0) + self.x.1, dot(p, self.y.0) + self.y.1, dot(p, self.to) + 0.5 * self.texel)
+    }
+
+    /// The share of light that reaches a point: of the four texels around it, weighted.
+    #[inline]
+    fn soft(&self, point: V, normal: V) -> f32 {
+        let p = [0, 1, 2].map(|i| point[i] + normal[i] * BIAS * self.texel);
+        let near = dot(p, self.to) + 0.5 * self.texel;
+        let (x, y) = (dot(p, self.x.0) + self.x.1 - 0.5, dot(p, self.y.0) + self.y.1 - 0.5);
+        let (fx, fy) = (x - x as i32 as f32, y - y as i32 as f32);
+        let row = |y: f32| self.open(x, y, near) * (1.0 - fx) + self.open(x + 1.0, y, near) * fx;
+        row(y) * (1.0 - fy) + row(y + 1.0) * fy
+    }
+}
+
+/// The lamps of the sky, spread evenly over it.
+fn sky_lamp(index: usize) -> DVec3 {
+    let y = (index as f64 + 0.5) / (LAMPS * CLASSES) as f64;
+    let around = direction(index as f64 * GOLDEN, 0.0) * (1.0 - y * y).sqrt();
+    DVec3::new(around.x, y, around.z)
+}
+
+/// One of the lamps of the sun, spread evenly over its disc.
+fn sun_lamp(index: usize, sun: DVec3) -> DVec3 {
+    let across = sun.cross(if sun.y.abs() < 0.99 { DVec3::Y } else { DVec3::X }).normalize();
+    let radius = SUN_RADIUS.to_radians() * ((index as f64 + 0.5) / CLASSES as f64).sqrt();
+    let around = direction(index as f64 * GOLDEN, 0.0) * radius;
+    (sun + across * around.x + sun.cross(across) * around.z).normalize()
+}
+
+/// Relative brightness of the sky: more above than at the horizon.
+fn sky_weight(up: f32) -> f32 {
+    0.5 + 0.5 * up
+}
+
+/// What is lit is what `layer` shows; `half` is half the size of the scene.
+pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun: DVec3) -> Light {
+    let count = layer.seen.len();
+    let mut raw = vec![Raw::default(); count];
+    // Thin glass casts no shadow worth drawing.
+    let casts = |paint: u32| 0.6 <= scene.paints[paint as usize].opacity;
+    let casters: Vec<[V; 3]> =
+        scene.triangles.iter().filter(|t| casts(t.paint)).map(|t| t.corners().map(short)).collect();
+    let mut spare = vec![Vec::new(); LAMPS + 1];
+    let mut tm=std::time::Duration::ZERO;let mut ts=tm;//PROF
+    for class in 0..CLASSES {
+        let t0=std::time::Instant::now();//PROF
+        // The grid of each map lies elsewhere, so that their steps do not add up.
+        let (column, row) = (class % 2 * 2 + class / 2 % 2, class / 2);
+        let shift = [column as f64, row as f64].map(|s| s / BLOCK as f64);
+        let mut lamp = |to: DVec3, size: usize| {
+            Lamp::new(&casters, half, to, size, shift, spare.pop().unwrap_or_default())
+        };
+        let sky: Vec<Lamp> = (0..LAMPS).map(|i| lamp(sky_lamp(i * CLASSES + class), SKY_MAP)).collect();
+        let bright = lamp(sun_lamp(class, sun), SUN_MAP);
+        tm+=t0.elapsed();let t0=std::time::Instant::now();//PROF
+        for y in (row..layer.height).step_by(BLOCK) {
+            for x in (column..layer.width).step_by(BLOCK) {
+                let sample = y * layer.width + x;
+                let Some((point, normal)) = surface(scene, layer, view, sample) else { continue };
+                let lit = 0.0 < normal.dot(sun);
+                let (point, normal) = (short(point), short(normal));
+                let sun = if lit { bright.soft(point, normal) } else { 1.0 };
+                let (mut given, mut possible) = (0.0, 0.0);
+                for lamp in &sky {
+                    let share = dot(normal, lamp.to) * sky_weight(lamp.to[1]);
+                    if 0.0 < share {
+                        possible += share;
+                        given += share * lamp.hard(point, normal);
+                    }
+                }
+                let byte = |share: f32| (share * 255.0 + 0.5) as u8;
+                let part = 1.0 / LAMPS as f32;
+                raw[sample] = Raw { sun: byte(sun), given: byte(given * part), possible: byte(possible * part) };
+            }
+        }
+        ts+=t0.elapsed();//PROF
+        // The sun's map is the largest: it goes to the sun again.
+        spare.push(bright.near);
+        spare.splice(0..0, sky.into_iter().map(|lamp| lamp.near));
+        spare.rotate_left(1);
+    }
+    eprintln!("maps {tm:?} lookups {ts:?}");//PROF
+    average(scene, layer, &raw)
+}
+
+/// What one sample was told: small, since all of them are visited many times. The sky's light is a part of what could
+/// come from its lamps.
+#[derive(Clone, Copy, Default)]
+struct Raw {
+    sun: u8,
+    given: u8,
+    possible: u8,
+}
+
+#[derive(Default)]
+struct Sum {
+    count: u32,
+    sun: u32,
+    given: u32,
+    possible: u32,
+}
+
+impl Sum {
+    #[inline]
+    fn add(&mut self, told: Raw) {
+        self.count += 1;
+        self.sun += u32::from(told.sun);
+        self.given += u32::from(told.given);
+        self.possible += u32::from(told.possible);
+    }
+}
+
+/// The point seen in a sample and the normal there, turned to the viewer.
+#[inline]
+pub(super) fn surface(scene: &Scene, layer: &Layer, view: &View, sample: usize) -> Option<(DVec3, DVec3)> {
+    let seen = layer.seen[sample];
+    if seen == SKY {
+        return None;
+    }
+    let (x, y) = ((sample % layer.width) as f64 + 0.5, (sample / layer.width) as f64 + 0.5);
+    let point = view.unproject(x, y, f64::from(layer.near[sample]));
+    if seen == GROUND {
+        return Some((point, DVec3::Y));
+    }
+    let normal = scene.normal_at(&scene.triangles[seen as usize], point);
+    Some((point, if view.faces(point, normal) { normal } else { -normal }))
+}
+
+/// Gathers the answers of a block of samples wherever they belong to one surface.
+fn average(scene: &Scene, layer: &Layer, raw: &[Raw]) -> Light {
+    let (width, height) = (layer.width, layer.height);
+    let planes = layer.planes(scene);
+    let count = layer.seen.len();
+    let mut light = Light { sun: vec![1.0; count], sky: vec![1.0; count] };
+    if width < BLOCK || height < BLOCK {
+        return light;
+    }
+    for y in 0..height {
+        let top = y.saturating_sub(BLOCK / 2).min(height - BLOCK);
+        for x in 0..width {
+            let sample = y * width + x;
+            if layer.seen[sample] == SKY {
+                continue;
+            }
+            let left = x.saturating_sub(BLOCK / 2).min(width - BLOCK);
+            let plane = planes[sample];
+            let mut sum = Sum::default();
+            for row in top..top + BLOCK {
+                for near in (row * width + left + (row + left) % 2..).step_by(2).take(BLOCK / 2) {
+                    if planes[near] == plane || alike(scene, layer, sample, near) {
+                        sum.add(raw[near]);
+                    }
+                }
+            }
+            if sum.count == 0 {
+                // A surface so thin that none of its samples asked.
+                for row in top..top + BLOCK {
+                    (row * width + left + (row + left) % 2..).step_by(2).take(BLOCK / 2).for_each(|near| sum.add(raw[near]));
+                }
+            }
+            light.sun[sample] = sum.sun as f32 / (255 * sum.count) as f32;
+            light.sky[sample] = if sum.possible == 0 { 1.0 } else { sum.given as f32 / sum.possible as f32 };
+        }
+    }
+    light
+}
+
+/// Whether two samples that are not in one plane still belong to one smooth surface.
+#[inline]
+fn alike(scene: &Scene, layer: &Layer, a: usize, b: usize) -> bool {
+    if !scene.round {
+        return false;
+    }
+    let [Some(ta), Some(tb)] = [a, b].map(|i| scene.triangles.get(layer.seen[i] as usize)) else { return false };
+    let (qa, qb) = (layer.near[a], layer.near[b]);
+    0.95 < ta.normal().dot(tb.normal()) && (qa - qb).abs() < 0.003 * qa.abs()
+}

@@ -1,0 +1,70 @@
+//! Thin dark lines along silhouettes and creases.
+//!
+//! Nearness is linear in the picture over a plane: where its second difference is not zero there is a crease or a
+//! step. Normals tell the strength of creases.
+
+use glam::DVec3;
+
+use super::scene::Scene;
+use super::visible::{GROUND, Layer, SKY};
+
+/// For each sample how much of a line there is, 0 to 1.
+pub(super) fn lines(scene: &Scene, layer: &Layer, leaves: bool) -> Vec<f32> {
+    let (width, height) = (layer.width, layer.height);
+    let mut dark = vec![0.0f32; width * height];
+    let planes = layer.planes(scene);
+    for y in 0..height {
+        for x in 0..width {
+            let a = y * width + x;
+            for (b, before, after) in [(a + 1, x.checked_sub(1).map(|_| a - 1), a + 2), (a + width, a.checked_sub(width), a + 2 * width)] {
+                let across = b == a + 1;
+                if (across && width <= x + 1) || (!across && height <= y + 1) || layer.seen[a] == layer.seen[b] {
+                    continue;
+                }
+                let strength = match planes[a] == planes[b] {
+                    true if leaves && leaf(scene, layer.seen[a]) != leaf(scene, layer.seen[b]) => 0.5,
+                    true => continue,
+                    false => {
+                        let after = if across { (x + 2 < width).then_some(after) } else { (y + 2 < height).then_some(after) };
+                        strength(scene, layer, a, b, before, after)
+                    }
+                };
+                // The line lies on the nearer side, where the edge is.
+                let near = if layer.near[a] < layer.near[b] { b } else { a };
+                let far = if near == a { b } else { a };
+                dark[near] = dark[near].max(strength);
+                dark[far] = dark[far].max(0.5 * strength);
+            }
+        }
+    }
+    dark
+}
+
+fn leaf(scene: &Scene, seen: u32) -> Option<u32> {
+    scene.triangles.get(seen as usize).map(|triangle| triangle.leaf)
+}
+
+fn normal(scene: &Scene, seen: u32) -> Option<DVec3> {
+    match seen {
+        SKY => None,
+        GROUND => Some(DVec3::Y),
+        seen => Some(scene.triangles[seen as usize].normal()),
+    }
+}
+
+fn strength(scene: &Scene, layer: &Layer, a: usize, b: usize, before: Option<usize>, after: Option<usize>) -> f32 {
+    let (Some(na), Some(nb)) = (normal(scene, layer.seen[a]), normal(scene, layer.seen[b])) else { return 1.0 };
+    // A step: the surface on either side, carried on, does not meet the other.
+    let (qa, qb) = (layer.near[a], layer.near[b]);
+    let gap = |from: usize, side: Option<usize>, other: f32| match side {
+        Some(side) if layer.seen[side] == layer.seen[from] => {
+            (2.0 * layer.near[from] - layer.near[side] - other).abs()
+        }
+        _ => (layer.near[from] - other).abs(),
+    };
+    let step = gap(a, before, qb).min(gap(b, after, qa)) / qa.abs().max(qb.abs()).max(1e-12);
+    let step = (step * 800.0 - 0.4).clamp(0.0, 1.0);
+    // A crease: surfaces that meet at an angle. Facets of something round do not count.
+    let crease = ((0.94 - na.dot(nb).abs()) * 4.0).clamp(0.0, 1.0) as f32;
+    step.max(0.75 * crease)
+}

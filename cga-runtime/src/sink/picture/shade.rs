@@ -1,0 +1,154 @@
+//! Light and surface to colour.
+
+use glam::DVec3;
+
+use super::camera::View;
+use super::light::{Light, surface};
+use super::scene::{Paint, Scene};
+use super::visible::{GROUND, Layer, SKY};
+use super::Style;
+
+/// Linear red, green, blue.
+pub(super) type Rgb = [f32; 3];
+
+/// Everything that colours depend on.
+pub(super) struct Shader<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) view: &'a View,
+    pub(super) style: &'a Style,
+    /// To the sun.
+    pub(super) sun: DVec3,
+    /// Radius of the model, seen from above.
+    pub(super) radius: f64,
+    pub(super) ground: f64,
+}
+
+pub(super) fn mix(a: Rgb, b: Rgb, share: f32) -> Rgb {
+    [0, 1, 2].map(|i| a[i] + (b[i] - a[i]) * share)
+}
+
+fn times(a: Rgb, b: Rgb) -> Rgb {
+    [0, 1, 2].map(|i| a[i] * b[i])
+}
+
+fn plus(a: Rgb, b: Rgb, share: f32) -> Rgb {
+    [0, 1, 2].map(|i| a[i] + b[i] * share)
+}
+
+fn smooth(low: f64, high: f64, value: f64) -> f32 {
+    let t = ((value - low) / (high - low)).clamp(0.0, 1.0);
+    (t * t * (3.0 - 2.0 * t)) as f32
+}
+
+impl Shader<'_> {
+    /// The backdrop at a height in the picture, 0 at the top and 1 at the bottom.
+    pub(super) fn backdrop(&self, down: f64) -> Rgb {
+        mix(self.style.backdrop[0], self.style.backdrop[1], smooth(0.0, 0.85, down))
+    }
+
+    /// The colour of a sample of the opaque layer.
+    pub(super) fn opaque(&self, layer: &Layer, light: &Light, sample: usize) -> Rgb {
+        let down = (sample / layer.width) as f64 / layer.height as f64;
+        let backdrop = self.backdrop(down);
+        let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return backdrop };
+        match layer.seen[sample] {
+            SKY => backdrop,
+            GROUND => self.ground(backdrop, point, light.sun[sample], light.sky[sample]),
+            seen => {
+                let paint = &self.scene.paints[self.scene.triangles[seen as usize].paint as usize];
+                self.lit(paint, point, normal, light.sun[sample], light.sky[sample])
+            }
+        }
+    }
+
+    /// The colour of a sample of the transparent layer over what is behind it.
+    pub(super) fn clear(&self, layer: &Layer, light: &Light, sample: usize, behind: Rgb) -> Rgb {
+        let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return behind };
+        let Some(triangle) = self.scene.triangles.get(layer.seen[sample] as usize) else { return behind };
+        let paint = &self.scene.paints[triangle.paint as usize];
+        // Shadows on glass are those on what is behind it: near enough, and hardly seen.
+        let lit = self.lit(paint, point, normal, light.sun[sample], light.sky[sample]);
+        let glossy = Paint { gloss: paint.gloss.max(0.9), ..*paint };
+        let (mirror, share) = self.reflection(&glossy, point, normal);
+        mix(mix(behind, lit, paint.opacity), mirror, share * (1.0 - paint.opacity))
+    }
+
+    /// The ground is the backdrop itself, darker where less light falls: it has no edge and no horizon.
+    fn ground(&self, backdrop: Rgb, point: DVec3, sun: f32, sky: f32) -> Rgb {
+        let style = self.style;
+        let slope = self.sun.y as f32;
+        let full = [0, 1, 2].map(|i| style.sun[i] * slope + style.sky[i]);
+        let here = [0, 1, 2].map(|i| style.sun[i] * slope * sun + style.sky[i] * (0.1 + 0.9 * sky));
+        let shade = [0, 1, 2].map(|i| here[i] / full[i]);
+        let flat = DVec3::new(point.x, 0.0, point.z).length();
+        let far = smooth(2.5 * self.radius, 9.0 * self.radius, flat);
+        let ground = times(mix(style.ground, backdrop, 0.25 + 0.75 * far), [1.0; 3]);
+        times(ground, mix(shade, [1.0; 3], far))
+    }
+
+    fn lit(&self, paint: &Paint, point: DVec3, normal: DVec3, sun: f32, sky: f32) -> Rgb {
+        let style = self.style;
+        let sun_share = normal.dot(self.sun).max(0.0) as f32 * sun;
+        let up = (0.5 + 0.5 * normal.y) as f32;
+        // The lower half of the surroundings is ground, lit by the sun; close to it there is more of it.
+        let height = (point.y - self.ground).max(0.0) / self.radius.max(1e-9);
+        let bounce = (1.0 - up) * (1.0 - 0.35 * smooth(0.0, 2.0, height));
+        let open = 0.06 + 0.94 * sky;
+        let mut arriving = [0.0; 3];
+        for (i, arriving) in arriving.iter_mut().enumerate() {
+            // White surroundings brighten each other's shade: more so the brighter the surface.
+            let brighter = open + (1.0 - open) * 0.35 * paint.color[i] * open;
+            *arriving = style.sun[i] * sun_share + style.sky[i] * up * brighter + style.bounce[i] * bounce * brighter;
+        }
+        let diffuse = times(paint.color, arriving).map(|c| c * style.albedo * (1.0 - paint.metallic));
+        let (mirror, share) = self.reflection(paint, point, normal);
+        if share == 0.0 {
+            return diffuse;
+        }
+        let tint = mix([1.0; 3], paint.color, paint.metallic);
+        plus(diffuse, times(mirror, tint), share * (0.35 + 0.65 * sky))
+    }
+
+    /// What a surface mirrors and how much of it.
+    fn reflection(&self, paint: &Paint, point: DVec3, normal: DVec3) -> (Rgb, f32) {
+        if paint.gloss == 0.0 && paint.metallic == 0.0 {
+            return ([0.0; 3], 0.0);
+        }
+        let look = (point - self.view.eye).normalize();
+        let facing = (-look.dot(normal)).clamp(0.0, 1.0) as f32;
+        let base = 0.04 + 0.86 * paint.metallic;
+        let grazing = (1.0 - facing) * (1.0 - facing);
+        let fresnel = base + (1.0 - base) * grazing * grazing * (1.0 - facing);
+        let out = look - normal * (2.0 * look.dot(normal));
+        let style = self.style;
+        let mirror = match out.y {
+            y if 0.0 <= y => mix(style.backdrop[1], style.backdrop[0], smooth(0.0, 0.6, y)),
+            y => mix(style.backdrop[1], style.ground, smooth(0.0, 0.15, -y) * 0.7),
+        };
+        (mirror, fresnel * paint.gloss.max(0.3 * paint.metallic))
+    }
+}
+
+/// Linear light to an sRGB byte, with a shoulder so that bright surfaces keep their colour.
+pub(super) fn display(color: Rgb) -> [f32; 3] {
+    color.map(|c| {
+        let knee = 0.8;
+        if c <= knee { c } else { knee + (1.0 - knee) * (1.0 - libm::expf((knee - c) / (1.0 - knee))) }
+    })
+}
+
+/// Linear channels to sRGB bytes, by table.
+pub(super) struct Gamma(Vec<u8>);
+
+impl Gamma {
+    const STEPS: usize = 1 << 14;
+
+    pub(super) fn new() -> Self {
+        let srgb = |c: f32| if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * libm::powf(c, 1.0 / 2.4) - 0.055 };
+        Gamma((0..=Self::STEPS).map(|i| (srgb(i as f32 / Self::STEPS as f32) * 255.0 + 0.5) as u8).collect())
+    }
+
+    pub(super) fn byte(&self, linear: f32) -> u8 {
+        self.0[(linear.clamp(0.0, 1.0) * Self::STEPS as f32 + 0.5) as usize]
+    }
+}

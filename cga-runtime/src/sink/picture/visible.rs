@@ -1,0 +1,114 @@
+//! What is seen in each sample of a picture.
+
+use glam::DVec3;
+
+use super::camera::View;
+use super::raster;
+use super::scene::Scene;
+
+/// Nothing but background.
+pub(super) const SKY: u32 = u32::MAX;
+/// The ground plane.
+pub(super) const GROUND: u32 = u32::MAX - 1;
+
+/// One layer of samples, row by row from the upper left.
+#[derive(Debug)]
+pub(super) struct Layer {
+    pub(super) width: usize,
+    pub(super) height: usize,
+    /// Larger is nearer; see [`View::project`].
+    pub(super) near: Vec<f32>,
+    /// Triangles, or [`SKY`] or [`GROUND`].
+    pub(super) seen: Vec<u32>,
+}
+
+impl Layer {
+    fn new(width: usize, height: usize) -> Self {
+        let count = width * height;
+        Layer { width, height, near: vec![f32::NEG_INFINITY; count], seen: vec![SKY; count] }
+    }
+
+    /// The plane of each sample: samples with the same one lie in one plane.
+    pub(super) fn planes(&self, scene: &Scene) -> Vec<u32> {
+        self.seen.iter().map(|&seen| scene.triangles.get(seen as usize).map_or(seen, |t| t.plane)).collect()
+    }
+}
+
+/// The opaque triangles, and if there are any the nearest transparent ones in front of them.
+pub(super) fn layers(scene: &Scene, view: &View, width: usize, height: usize) -> (Layer, Option<Layer>) {
+    let mut opaque = Layer::new(width, height);
+    draw(scene, view, &mut opaque, |opacity| opacity == 1.0);
+    if scene.paints.iter().all(|paint| paint.opacity == 1.0) {
+        return (opaque, None);
+    }
+    let mut clear = Layer::new(width, height);
+    draw(scene, view, &mut clear, |opacity| 0.0 < opacity && opacity < 1.0);
+    for (near, (seen, behind)) in clear.near.iter().zip(clear.seen.iter_mut().zip(&opaque.near)) {
+        if near <= behind {
+            *seen = SKY;
+        }
+    }
+    (opaque, Some(clear))
+}
+
+fn draw(scene: &Scene, view: &View, layer: &mut Layer, wanted: impl Fn(f32) -> bool) {
+    let (width, height) = (layer.width, layer.height);
+    let limit = view.near(DVec3::ZERO);
+    for (id, triangle) in scene.triangles.iter().enumerate() {
+        if !wanted(scene.paints[triangle.paint as usize].opacity) {
+            continue;
+        }
+        let corners = triangle.corners();
+        // Of two faces back to back the one that looks this way is seen.
+        let away = 0.0 < (corners[0] - view.eye).dot(triangle.normal());
+        let mut put = |corners: [DVec3; 3]| {
+            raster::triangle(corners.map(|p| view.project(p)), width, height, |at, near| {
+                let near = if away { near - near.abs() * 1e-6 } else { near } as f32;
+                if layer.near[at] < near {
+                    layer.near[at] = near;
+                    layer.seen[at] = id as u32;
+                }
+            });
+        };
+        if corners.iter().all(|&p| limit < view.depth(p)) {
+            put(corners);
+        } else {
+            clipped(corners, |p| view.depth(p) - limit, put);
+        }
+    }
+}
+
+/// The part of a triangle where `inside` is positive, as triangles.
+fn clipped(corners: [DVec3; 3], inside: impl Fn(DVec3) -> f64, mut put: impl FnMut([DVec3; 3])) {
+    let mut kept = Vec::with_capacity(4);
+    for i in 0..3 {
+        let (a, b) = (corners[i], corners[(i + 1) % 3]);
+        let (da, db) = (inside(a), inside(b));
+        if 0.0 < da {
+            kept.push(a);
+        }
+        if (0.0 < da) != (0.0 < db) {
+            // A little inside, so that what divides by the distance stays finite.
+            kept.push(a.lerp(b, da / (da - db)));
+        }
+    }
+    for i in 1..kept.len().saturating_sub(1) {
+        put([kept[0], kept[i], kept[i + 1]]);
+    }
+}
+
+/// Adds a horizontal ground wherever nothing else is seen. Nothing, when the camera is not above it.
+pub(super) fn ground(layer: &mut Layer, view: &View, height: f64) {
+    for sample in 0..layer.seen.len() {
+        if layer.seen[sample] != SKY {
+            continue;
+        }
+        let (x, y) = ((sample % layer.width) as f64 + 0.5, (sample / layer.width) as f64 + 0.5);
+        let (start, along) = view.ray(x, y);
+        if along.y < -1e-9 && height < start.y {
+            let point = start + along * ((height - start.y) / along.y);
+            layer.seen[sample] = GROUND;
+            layer.near[sample] = view.project(point)[2] as f32;
+        }
+    }
+}

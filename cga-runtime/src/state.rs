@@ -1,0 +1,96 @@
+//! What a shape inherits besides its geometry: material and attributes changed with `set`.
+
+use std::sync::{Arc, LazyLock};
+
+use crate::material::Material;
+use crate::text::Text;
+
+/// The value of an attribute.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A number.
+    Float(f64),
+    /// A truth value.
+    Bool(bool),
+    /// Text.
+    Text(Text),
+}
+
+/// Rarely changed and often inherited, therefore shared.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct State {
+    pub(crate) material: Arc<Material>,
+    /// Attributes by number, those that `set` changed.
+    pub(crate) attributes: Vec<(u32, Value)>,
+}
+
+impl Default for State {
+    fn default() -> Self {
+        State { material: UNSET.clone(), attributes: Vec::new() }
+    }
+}
+
+static UNSET: LazyLock<Arc<Material>> = LazyLock::new(|| Arc::new(Material::UNSET));
+
+/// A share in a state: a child borrows its parent's for as long as the parent's rule runs.
+#[derive(Clone, Debug, Default)]
+pub(crate) enum StateRef<'a> {
+    /// Nothing was ever set.
+    #[default]
+    Unset,
+    Borrowed(&'a Arc<State>),
+    Owned(Arc<State>),
+}
+
+impl StateRef<'_> {
+    #[inline]
+    pub(crate) fn get(&self) -> Option<&State> {
+        match self {
+            StateRef::Unset => None,
+            StateRef::Borrowed(state) => Some(state),
+            StateRef::Owned(state) => Some(state),
+        }
+    }
+
+    /// A share for a child.
+    #[inline]
+    pub(crate) fn lend(&self) -> StateRef<'_> {
+        match self {
+            StateRef::Unset => StateRef::Unset,
+            StateRef::Borrowed(state) => StateRef::Borrowed(state),
+            StateRef::Owned(state) => StateRef::Borrowed(state),
+        }
+    }
+
+    /// A share that outlives the parent.
+    pub(crate) fn keep(&self) -> StateRef<'static> {
+        match self {
+            StateRef::Unset => StateRef::Unset,
+            StateRef::Borrowed(state) => StateRef::Owned(Arc::clone(state)),
+            StateRef::Owned(state) => StateRef::Owned(state.clone()),
+        }
+    }
+
+    /// The state to change it, for this shape and its descendants alone.
+    pub(crate) fn change(&mut self) -> &mut State {
+        let owned = match std::mem::take(self) {
+            StateRef::Unset => Arc::default(),
+            StateRef::Borrowed(state) => Arc::clone(state),
+            StateRef::Owned(state) => state,
+        };
+        *self = StateRef::Owned(owned);
+        match self {
+            StateRef::Owned(state) => Arc::make_mut(state),
+            _ => unreachable!("it was just made owned"),
+        }
+    }
+
+    /// The material, for a sink.
+    #[inline]
+    pub(crate) fn material(&self) -> &Arc<Material> {
+        match self.get() {
+            Some(state) => &state.material,
+            None => &UNSET,
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! Every tolerance of the geometry, with what it is relative to.
+//!
+//! *Epsilon* is rounding: relative to the extent of what is looked at. Which side of a plane a point is on, which
+//! points are the same and which loops close is never decided by one of these: that is exact.
+
+/// How far a corner may lie from the plane of its face, relative to the extent of the mesh.
+pub(crate) const PLANAR_EPSILON: f64 = 1e-9;
+
+/// How far from 1 the cosine between parallel unit vectors may be, and from 0 that between perpendicular ones.
+pub(crate) const ANGLE_EPSILON: f64 = 1e-12;
+
+/// How far the area of a triangulation may be from that of its polygon, relative to the absolute area.
+pub(crate) const AREA_EPSILON: f64 = 1e-9;
+
+/// Unit normals of coplanar faces may differ by this much.
+pub(crate) const COPLANAR_EPSILON: f64 = 1e-9;

@@ -1,0 +1,176 @@
+//! Real building outlines → a district: `district.glb` and `district.png`.
+//!
+//! `cargo run --release --example district -- outlines.geojson` reads GeoJSON polygons in longitude and latitude; without
+//! a path a small sample of made-up outlines is used.
+
+use std::error::Error;
+use std::io::{IsTerminal, Write};
+use std::time::Instant;
+
+use cga::{Model, Settings, Shape, Sink, cga};
+use serde_json::Value;
+
+cga! {
+    /// A town house on any footprint. Storeys and colours are drawn once a building, from its seed.
+    pub grammar House;
+
+    /// Number of storeys above the ground floor.
+    @Range(min = 0, max = 30)
+    attr storeys = rint(rand(2, 5))
+    attr wall = 22% : "#e6d3b1" 20% : "#d8c3a5" 16% : "#c9d1c8" 14% : "#d9b8a0" 12% : "#cfc6bd" else : "#eadfca"
+    attr roof = 60% : "#9a5a44" 25% : "#7c4a3c" else : "#5d5f63"
+    /// Whether the ground floor has shops.
+    attr shops = p(0.4)
+
+    const ground = 3.9
+    const storey = 3.2
+    height = ground + storeys * storey + 1
+    light = 15% : "#f0d48c" else : "#5b7583"
+
+    @StartRule
+    Lot    --> color(wall) extrude(height) split(y) { ~1 : Body | 0.45 : Cornice | 0.12 : Roof }
+    Body   --> comp(f) { side : Facade }
+    Cornice --> color("#efe9dc") Cornice.
+    Roof   --> color(roof) Roof.
+
+    Facade --> case scope.sx < 2.6 : Wall.
+               else : split(y) { ground : Ground | { ~storey : Floor }* }
+    Ground --> case shops && scope.sx > 5 : split(x) { 0.5 : Wall. | { ~3.4 : Shop | 0.4 : Wall. }* }
+               else : split(x) { ~0.4 : Wall. | { ~2.8 : Bay(1.1, 2.0) }* | ~0.4 : Wall. }
+    Shop   --> split(y) { 3 : [ t(0, 0, -0.2) color("#39464d") Glass. ] NIL | ~1 : color("#6b4a3a") Sign. }
+    Floor  --> split(x) { ~0.4 : Wall. | { ~2.8 : Bay(0.85, 1.75) }* | ~0.4 : Wall. }
+    Bay(sill, h) --> split(x) { ~1 : Wall. | 1.15 : Column(sill, h) | ~1 : Wall. }
+    Column(sill, h) --> split(y) { sill : Wall. | h : Window | ~1 : Wall. }
+    Window --> [ t(0, 0, -0.12) color(light) Glass. ]
+               color("#f4f1ea") split(x) { 0.09 : Frame | ~1 : Middle | 0.09 : Frame }
+    Middle --> split(y) { 0.09 : Frame | ~1 : NIL | 0.09 : Frame }
+    Frame  --> t(0, 0, -0.12) extrude(0.15) Frame.
+}
+
+/// An outline with its holes, in metres: x to the east, z to the south.
+struct Footprint {
+    label: String,
+    outer: Vec<[f64; 2]>,
+    holes: Vec<Vec<[f64; 2]>>,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let text = match std::env::args_os().nth(1) {
+        Some(path) => std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?,
+        None => SAMPLE.to_owned(),
+    };
+    let (footprints, mut skipped) = read(&text)?;
+
+    let begin = Instant::now();
+    let mut district = Model::new();
+    let (mut built, mut shapes) = (0usize, 0);
+    for (number, footprint) in footprints.iter().enumerate() {
+        progress(number, footprints.len());
+        let house = House::default();
+        let result = Shape::footprint(&footprint.outer, &footprint.holes)
+            .and_then(|lot| house.generate_with(&lot.seed(number as u64), &Settings::default()));
+        match result {
+            Ok(model) => {
+                built += 1;
+                shapes += model.report().shapes;
+                skipped.extend(model.faults().iter().map(|fault| format!("{}: {fault}", footprint.label)));
+                let _ = model.replay(&mut district as &mut dyn Sink);
+            }
+            Err(error) => skipped.push(format!("{}: skipped: {error}", footprint.label)),
+        }
+    }
+    progress(footprints.len(), footprints.len());
+    let took = begin.elapsed();
+
+    for line in &skipped {
+        eprintln!("{line}");
+    }
+    district.write_glb("district.glb")?;
+    district.write_png("district.png")?;
+    println!("{built} buildings, {} reports, {shapes} shapes", skipped.len());
+    println!("{} triangles in {:.2} s", district.triangle_count(), took.as_secs_f64());
+    println!("wrote district.glb and district.png");
+    Ok(())
+}
+
+fn progress(done: usize, all: usize) {
+    let mut out = std::io::stderr();
+    if out.is_terminal() {
+        let filled = 40 * done / all.max(1);
+        let end = if done == all { "\n" } else { "" };
+        let _ = write!(out, "\r[{:<40}] {done}/{all}{end}", "#".repeat(filled));
+        let _ = out.flush();
+    }
+}
+
+/// The polygons of a GeoJSON file in metres about their middle, and a line for each feature that has none.
+fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn Error>> {
+    let file: Value = serde_json::from_str(text)?;
+    let features = file["features"].as_array().ok_or("no `features`: is it a GeoJSON feature collection?")?;
+    let (mut footprints, mut problems) = (Vec::new(), Vec::new());
+    for (number, feature) in features.iter().enumerate() {
+        let label = format!("feature {number}");
+        let geometry = &feature["geometry"];
+        let polygons: Vec<&Value> = match geometry["type"].as_str() {
+            Some("Polygon") => vec![&geometry["coordinates"]],
+            Some("MultiPolygon") => geometry["coordinates"].as_array().into_iter().flatten().collect(),
+            other => {
+                problems.push(format!("{label}: skipped: {} is no polygon", other.unwrap_or("nothing")));
+                continue;
+            }
+        };
+        for polygon in polygons {
+            let rings: Option<Vec<Vec<[f64; 2]>>> = polygon.as_array().and_then(|rings| rings.iter().map(ring).collect());
+            match rings.map(|mut rings| (!rings.is_empty()).then(|| (rings.remove(0), rings))) {
+                Some(Some((outer, holes))) => footprints.push(Footprint { label: label.clone(), outer, holes }),
+                _ => problems.push(format!("{label}: skipped: its coordinates cannot be read")),
+            }
+        }
+    }
+    project(&mut footprints);
+    Ok((footprints, problems))
+}
+
+/// A ring without the last point, which repeats the first.
+fn ring(ring: &Value) -> Option<Vec<[f64; 2]>> {
+    let point = |point: &Value| Some([point.get(0)?.as_f64()?, point.get(1)?.as_f64()?]);
+    let mut points: Vec<[f64; 2]> = ring.as_array()?.iter().map(point).collect::<Option<_>>()?;
+    if 1 < points.len() && points.first() == points.last() {
+        points.pop();
+    }
+    Some(points)
+}
+
+/// Longitude and latitude → metres east and south of the middle: for a district the earth is flat.
+fn project(footprints: &mut [Footprint]) {
+    const METRES_A_DEGREE: f64 = 111_319.490_8;
+    let all = || footprints.iter().flat_map(|footprint| &footprint.outer);
+    let (low, high) = all().fold(([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]), |(low, high), p| {
+        ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
+    });
+    let middle = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
+    let shrink = libm::cos(middle[1].to_radians());
+    for footprint in footprints {
+        for point in footprint.outer.iter_mut().chain(footprint.holes.iter_mut().flatten()) {
+            *point = [(point[0] - middle[0]) * shrink * METRES_A_DEGREE, (middle[1] - point[1]) * METRES_A_DEGREE];
+        }
+    }
+}
+
+/// Four made-up buildings, one with a courtyard, and two features that cannot be built.
+const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.0000, 50.0000], [10.0006, 50.0000], [10.0006, 50.0004], [10.0000, 50.0004], [10.0000, 50.0000]],
+        [[10.0002, 50.00013], [10.0002, 50.00027], [10.0004, 50.00027], [10.0004, 50.00013], [10.0002, 50.00013]] ] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.0008, 50.0000], [10.0012, 50.0000], [10.0012, 50.0001], [10.0009, 50.0001], [10.0009, 50.0003],
+         [10.0008, 50.0003], [10.0008, 50.0000]] ] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.0010, 50.00016], [10.0013, 50.00012], [10.00135, 50.0003], [10.00115, 50.00035], [10.0010, 50.0003],
+         [10.0010, 50.00016]] ] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.0000, 50.00052], [10.0013, 50.00052], [10.0013, 50.00062], [10.0000, 50.00062], [10.0000, 50.00052]] ] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Point", "coordinates": [10.0, 50.0] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.0, 50.0], [10.001, 50.0], [10.0, 50.0]] ] } }
+] }"#;

@@ -1,0 +1,39 @@
+#![doc = include_str!("../README.md")]
+#![forbid(unsafe_code)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
+pub use cga_macros::cga;
+pub use cga_runtime::asset::Assets;
+pub use cga_runtime::derive::Report;
+pub use cga_runtime::fault::{Error, Fault, FaultKind};
+pub use cga_runtime::grammar::{Attribute, Default as AttributeDefault, Grammar, Range};
+pub use cga_runtime::material::{Color, Material};
+pub use cga_runtime::mesh::{Mesh, MeshBuilder, MeshError};
+pub use cga_runtime::model::Model;
+pub use cga_runtime::scope::{Axis, Frame, Scope};
+pub use cga_runtime::settings::{Limits, Settings};
+pub use cga_runtime::shape::Shape;
+pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+pub use cga_runtime::text::Text;
+
+/// Meshes: building, measuring, reading.
+pub mod mesh {
+    pub use cga_runtime::mesh::{Bounds, FaceTag, Mesh, MeshBuilder, MeshError};
+}
+
+/// Where leaves go: the trait and the sinks that come with the crate.
+pub mod sink {
+    pub use cga_runtime::sink::*;
+}
+
+/// The split solver on its own: sizes and an extent → pieces.
+pub mod split {
+    pub use cga_runtime::split::solve::{Solution, solve};
+    pub use cga_runtime::split::{Item, Piece, Prefix, Size};
+}
+
+/// What generated code uses. No promise is made about it.
+#[doc(hidden)]
+pub mod __rt {
+    pub use cga_runtime::rt::*;
+}
