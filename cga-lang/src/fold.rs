@@ -152,6 +152,8 @@ fn builtin(name: &str, args: &[Value]) -> Option<Value> {
         ("ceil", [Value::Float(a)]) => finite(a.ceil()),
         ("abs", [Value::Float(a)]) => finite(a.abs()),
         ("sqrt", [Value::Float(a)]) => finite(a.sqrt()),
+        ("float", [Value::Bool(a)]) => Some(Value::Float(f64::from(u8::from(*a)))),
+        ("bool", [Value::Float(a)]) => Some(Value::Bool(*a != 0.0)),
         // Which zero wins is left to the runtime.
         ("min", [Value::Float(a), Value::Float(b)]) if a != b => finite(a.min(*b)),
         ("max", [Value::Float(a), Value::Float(b)]) if a != b => finite(a.max(*b)),

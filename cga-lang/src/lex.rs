@@ -167,29 +167,32 @@ impl<'a> Lexer<'a> {
         }
     }
 
+    /// A character that means nothing. Where it is clear what was meant that is taken, so that it is reported only once.
     fn unknown(&mut self, start: usize, c: char) {
-        self.at += c.len_utf8();
-        self.skip_while(|next| next == c);
-        let shown = if c.is_control() { format!("U+{:04X}", c as u32) } else { format!("{c}") };
-        let help = match c {
-            '‘' | '’' | '‛' | '′' | '`' | '´' => "write the straight quote `'`",
-            '“' | '”' | '„' | '«' | '»' | '″' => "write straight quotes `\"…\"`",
-            '‐' | '‑' | '‒' | '–' | '—' | '−' => "write the plain `-`; a rule begins `Name -->`",
-            '→' | '⟶' | '➔' => "write `-->`",
-            '×' | '·' | '∗' | '⋅' => "write `*`",
-            '÷' => "write `/`",
-            '≤' => "write `<=`",
-            '≥' => "write `>=`",
-            '≠' => "write `!=`",
-            '˜' | '∼' | '～' => "write the plain `~`",
-            '¦' | '∣' | '｜' => "write the plain `|`",
-            '…' => "write out what the dots stand for",
-            '&' => "write `&&`",
-            '\\' => "a backslash has a meaning in strings only",
-            '?' => "write `case condition : a else : b`",
-            _ => "",
+        let (mut help, mut meant) = match lookalike(c) {
+            Some((sym, text)) => (format!("write {text}"), sym.map(Tok::Sym)),
+            None => (String::new(), None),
         };
-        let diag = self.bad(start, Code::UnknownCharacter, format!("unknown character `{shown}`"));
+        self.at += c.len_utf8();
+        if meant == Some(Tok::Sym(Sym::Minus)) {
+            self.skip_while(|next| next == c || next == '-');
+            if self.rest().starts_with('>') {
+                self.at += 1;
+                meant = Some(Tok::Sym(Sym::Arrow));
+                help = "write `-->`".into();
+            }
+        } else if let Some(end) = self.rest().find(['”', '“', '"', '\n']).filter(|_| matches!(c, '“' | '”' | '„'))
+            && !self.rest()[end..].starts_with('\n')
+        {
+            meant = Some(Tok::Str(self.rest()[..end].to_owned()));
+            self.at += end;
+            self.at += self.peek().map_or(0, char::len_utf8);
+        } else if meant.is_none() {
+            self.skip_while(|next| next == c);
+        }
+        let shown = if c.is_control() { format!("U+{:04X}", c as u32) } else { format!("{c}") };
+        let span = self.push(start, meant.unwrap_or(Tok::Bad));
+        let diag = self.diags.report(Code::UnknownCharacter, span, format!("unknown character `{shown}`"));
         if !help.is_empty() {
             diag.help(help);
         }
@@ -211,6 +214,28 @@ impl<'a> Lexer<'a> {
                 .help("write `\\\\` for a backslash");
         }
     }
+}
+
+/// What a character that means nothing was meant for, if that is known, and how to write it.
+fn lookalike(c: char) -> Option<(Option<Sym>, &'static str)> {
+    Some(match c {
+        '‘' | '’' | '‛' | '′' | '`' | '´' => (Some(Sym::Quote), "the straight quote `'`"),
+        '“' | '”' | '„' | '«' | '»' | '″' => (None, "straight quotes `\"…\"`"),
+        '‐' | '‑' | '‒' | '–' | '—' | '−' => (Some(Sym::Minus), "the plain `-`"),
+        '→' | '⟶' | '➔' => (Some(Sym::Arrow), "`-->`"),
+        '×' | '·' | '∗' | '⋅' => (Some(Sym::Star), "`*`"),
+        '÷' => (Some(Sym::Slash), "`/`"),
+        '≤' => (Some(Sym::LessEq), "`<=`"),
+        '≥' => (Some(Sym::GreaterEq), "`>=`"),
+        '≠' => (Some(Sym::NotEq), "`!=`"),
+        '˜' | '∼' | '～' => (Some(Sym::Tilde), "the plain `~`"),
+        '¦' | '∣' | '｜' => (Some(Sym::Bar), "the plain `|`"),
+        '&' => (Some(Sym::AndAnd), "`&&`"),
+        '…' => (None, "out what the dots stand for"),
+        '?' => (None, "`case condition : a else : b`"),
+        '\\' => (None, "`\\\\` inside a string; it means nothing outside"),
+        _ => return None,
+    })
 }
 
 fn starts_name(c: char) -> bool {

@@ -1,19 +1,21 @@
 //! Did-you-mean over a closed set of names.
 
-/// The name nearest to `word`, if one is near enough to have been meant. The first of equally near ones.
+/// The name nearest to `word`, if one is near enough to have been meant.
 pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word: Vec<char> = word.chars().flat_map(char::to_lowercase).take(LONGEST).collect();
     let limit = (word.len() / 3).max(1);
-    let mut best: Option<(usize, &str)> = None;
+    // Of equally near ones the one that is as long.
+    let mut best: Option<((usize, usize), &str)> = None;
     for name in names {
         let other: Vec<char> = name.chars().flat_map(char::to_lowercase).take(LONGEST).collect();
         if limit < word.len().abs_diff(other.len()) {
             continue;
         }
         let far = distance(&word, &other);
+        let rank = (far, word.len().abs_diff(other.len()));
         // One letter for another is no likeness at all.
-        if far <= limit && far < word.len().max(other.len()) && best.is_none_or(|(least, _)| far < least) {
-            best = Some((far, name));
+        if far <= limit && far < word.len().max(other.len()) && best.is_none_or(|(least, _)| rank < least) {
+            best = Some((rank, name));
         }
     }
     best.map(|(_, name)| name)

@@ -35,6 +35,17 @@ fn word(arg: &Arg) -> Option<&str> {
     }
 }
 
+/// Whether a selector is a condition by its form.
+pub(super) fn is_condition(selector: &Expr) -> bool {
+    use Binary::{And, Eq, Ge, Gt, Le, Lt, Ne, Or};
+    matches!(
+        selector.kind,
+        ExprKind::Unary(Unary::Not, _)
+            | ExprKind::Bool(_)
+            | ExprKind::Binary(And | Or | Eq | Ne | Lt | Le | Gt | Ge, ..)
+    )
+}
+
 fn has_error(args: &[Arg]) -> bool {
     args.iter().any(|arg| matches!(arg.value.kind, ExprKind::Error))
 }
@@ -319,26 +330,11 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     fn selector(&mut self, selector: &'a Expr) {
-        let name = match &selector.kind {
-            ExprKind::Name(name) => name,
-            ExprKind::Unary(Unary::Not, _)
-            | ExprKind::Bool(_)
-            | ExprKind::Binary(
-                Binary::And
-                | Binary::Or
-                | Binary::Eq
-                | Binary::Ne
-                | Binary::Lt
-                | Binary::Le
-                | Binary::Gt
-                | Binary::Ge,
-                ..,
-            ) => {
-                self.cx.diags.report(Code::Unsupported, selector.span, "conditions as selectors are not supported yet");
-                return;
-            }
-            _ => return self.expr(selector),
-        };
+        if is_condition(selector) {
+            self.cx.diags.report(Code::Unsupported, selector.span, "conditions as selectors are not supported yet");
+            return;
+        }
+        let ExprKind::Name(name) = &selector.kind else { return self.expr(selector) };
         let text = name.text.as_str();
         if let Some(&word) = SELECTORS.iter().find(|&&word| word == text) {
             self.note(name, Use::Selector(word));

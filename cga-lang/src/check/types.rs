@@ -125,7 +125,7 @@ impl<'a> Infer<'_, 'a, '_> {
             format!("{who} needs a {}, got a {}", word(ty), word(got)),
         );
         if let Some(why) = why {
-            diag.related(format!("it is a {} because of its use", word(got)), why);
+            diag.related(format!("found to be a {}", word(got)), why);
         }
         match (ty, got) {
             (Type::Text, _) => _ = diag.help("write `str(…)`"),
@@ -314,7 +314,7 @@ impl<'a> Infer<'_, 'a, '_> {
             ExprKind::Name(name) => self.cx.tables.of(name),
             _ => None,
         };
-        if !matches!(found, Some(Use::Selector(_))) {
+        if !matches!(found, Some(Use::Selector(_))) && !super::shapes::is_condition(selector) {
             self.need(selector, Type::Float, "a selector that is no word");
         }
     }
@@ -371,7 +371,7 @@ impl<'a> Infer<'_, 'a, '_> {
             let why = self.vars.why(param);
             let diag = self.cx.diags.report(Code::TypeMismatch, span, message);
             if let Some(why) = why.filter(|why| *why != span) {
-                diag.related(format!("it is a {} because of its use", word(needs)), why);
+                diag.related(format!("found to be a {}", word(needs)), why);
             }
         }
         self.propagate();

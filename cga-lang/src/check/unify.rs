@@ -87,8 +87,8 @@ impl Vars {
             (State::Is(first), State::Is(second)) if first != second => return Err((first, second)),
             // What went wrong in one place says nothing about the other.
             (State::Poison, _) | (_, State::Poison) => {}
-            (State::Free, _) => self.nodes[a].parent = b as u32,
-            _ => self.nodes[b].parent = a as u32,
+            (State::Is(_), State::Free) => self.nodes[b].parent = a as u32,
+            _ => self.nodes[a].parent = b as u32,
         }
         Ok(())
     }

@@ -30,7 +30,7 @@ impl Parser<'_> {
 
     fn leftover(&mut self) {
         let (span, found) = (self.span(), self.peek().map_or("nothing".into(), Tok::describe));
-        let diag = match self.peek() {
+        match self.peek() {
             Some(token) if token.ident() == Some("else") => {
                 self.diags.report(Code::Syntax, span, "`else` without a `case` or percentage before it")
             }
@@ -39,9 +39,6 @@ impl Parser<'_> {
             }
             _ => self.diags.report(Code::Syntax, span, format!("unexpected {found}")),
         };
-        if found == "`;`" {
-            diag.help("leave it out: a rule runs to the next declaration");
-        }
     }
 
     /// Skips to the next declaration. Names that seem to be declared on the way are remembered as lost.

@@ -37,8 +37,13 @@ impl Layout {
         let mut layout =
             Layout { close: vec![NONE; view.len()], starts: vec![false; view.len()], rules: HashSet::new() };
         let mut open: Vec<usize> = Vec::new();
+        let mut quiet = 0;
         for position in 0..view.len() {
             let Some(token) = at(position) else { break };
+            if position < quiet {
+                continue;
+            }
+            quiet = import_end(&at, position);
             let head = head(&at, position);
             if head == Some(Head::Rule) || keyword(&at, position) {
                 open.clear();
@@ -96,6 +101,28 @@ fn keyword<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> bool 
     }
 }
 
+/// Where an import's own declarations end, so that they do not count as the grammar's.
+fn import_end<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> usize {
+    let is = |position: usize, sym: Sym| at(position).is_some_and(|token| token.is(sym));
+    if at(position).and_then(Tok::ident) != Some("import") || !is(position + 2, Sym::Colon) || !is(position + 4, Sym::LParen) {
+        return 0;
+    }
+    after_brackets(at, position + 4).unwrap_or(0)
+}
+
+/// The position behind the parentheses that begin at `position`, unless they are long or never closed.
+fn after_brackets<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> Option<usize> {
+    let mut depth = 0;
+    for next in position..position + LONGEST_HEAD {
+        let token = at(next)?;
+        depth += i32::from(token.is(Sym::LParen)) - i32::from(token.is(Sym::RParen));
+        if depth == 0 {
+            return Some(next + 1);
+        }
+    }
+    None
+}
+
 /// How a declaration of the name at `position` goes on, if there is one.
 pub(super) fn head<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> Option<Head> {
     at(position)?.ident()?;
@@ -115,14 +142,21 @@ pub(super) fn head<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) 
         }
         next += 1;
     }
+    if at(next).and_then(Tok::ident) == Some("with") && is(next + 1, Sym::LParen) {
+        next = after_brackets(at, next + 1)?;
+    }
     if is(next, Sym::Arrow) {
         return Some(Head::Rule);
     }
     if !names {
         return None;
     }
-    let slips: [&[Sym]; 3] =
-        [&[Sym::Minus, Sym::Greater], &[Sym::Minus, Sym::Minus, Sym::Greater], &[Sym::Assign, Sym::Greater]];
+    let slips: [&[Sym]; 4] = [
+        &[Sym::Minus, Sym::Greater],
+        &[Sym::Minus, Sym::Minus, Sym::Greater],
+        &[Sym::Assign, Sym::Greater],
+        &[Sym::EqEq, Sym::Greater],
+    ];
     for slip in slips {
         if slip.iter().enumerate().all(|(ahead, &sym)| is(next + ahead, sym)) {
             return Some(Head::Slip(slip.len()));

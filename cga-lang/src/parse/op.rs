@@ -30,7 +30,14 @@ impl Parser<'_> {
                 continue;
             }
             match self.peek() {
-                Some(Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket)) => break,
+                Some(Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket | Sym::RParen)) => break,
+                Some(Tok::Sym(Sym::Semi)) => {
+                    let span = self.span();
+                    self.diags
+                        .report(Code::Syntax, span, "nothing ends an operation")
+                        .help("leave out the `;`: a rule runs to the next declaration");
+                    self.bump();
+                }
                 Some(token) if token.ident() == Some("else") => break,
                 _ => ops.push(self.op()?),
             }

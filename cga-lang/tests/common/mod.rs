@@ -19,7 +19,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Every fixture of a folder, in order.
-pub fn fixtures(folder: &str) -> Vec<PathBuf> {
+pub(crate) fn fixtures(folder: &str) -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(folder);
     let mut list: Vec<PathBuf> = fs::read_dir(&root)
         .unwrap_or_else(|error| panic!("{}: {error}", root.display()))
@@ -33,7 +33,7 @@ pub fn fixtures(folder: &str) -> Vec<PathBuf> {
 
 /// Compares what a test made of a folder's fixtures; `make` gives the fixture with its findings and, if wanted, what
 /// stands beside it.
-pub fn walk(folder: &str, make: impl Fn(&str) -> (Vec<Diag>, Lexed, Option<String>)) {
+pub(crate) fn walk(folder: &str, make: impl Fn(&str) -> (Vec<Diag>, Lexed, Option<String>)) {
     let bless = std::env::var_os("CGA_BLESS").is_some();
     let mut wrong = String::new();
     for path in fixtures(folder) {
@@ -66,7 +66,7 @@ fn compare(path: &Path, stored: &str, actual: &str, bless: bool, wrong: &mut Str
 }
 
 /// A fixture without its expectations.
-pub fn strip(text: &str) -> String {
+pub(crate) fn strip(text: &str) -> String {
     let is_expectation = |line: &str| {
         line.strip_prefix("//").is_some_and(|rest| {
             let rest = rest.trim_start_matches([' ', '\t', '0', '1']);
@@ -77,12 +77,12 @@ pub fn strip(text: &str) -> String {
 }
 
 /// The strictness a fixture asks for.
-pub fn door(text: &str) -> Door {
+pub(crate) fn door(text: &str) -> Door {
     if text.starts_with("// inline") { Door::Inline } else { Door::Text }
 }
 
 /// Compiles a fixture as its door would.
-pub fn compiled(text: &str) -> (Compiled, Lexed) {
+pub(crate) fn compiled(text: &str) -> (Compiled, Lexed) {
     let lexed = lex(text);
     let mut compiled = compile(&lexed.tokens, door(text));
     compiled.diags.extend(lexed.diags.iter().cloned());

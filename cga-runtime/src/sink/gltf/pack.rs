@@ -59,6 +59,8 @@ pub(super) fn pack(glb: &Glb, shared: &[Shared]) -> Result<Vec<u8>, WriteError> 
     glb.looks.write(&mut json);
     let _ = write!(json, "\"accessors\":[{}],", binary.accessors.join(","));
     let _ = write!(json, "\"bufferViews\":[{}],", binary.views.join(","));
+    // The chunk is padded, and readers complain when the buffer is not as long as the chunk.
+    binary.bytes.resize(binary.bytes.len().next_multiple_of(8), 0);
     let _ = write!(json, "\"buffers\":[{{\"byteLength\":{}}}]}}", binary.bytes.len());
     container(&json, &binary.bytes)
 }
@@ -202,8 +204,7 @@ fn extremes(positions: &[[f32; 3]]) -> Result<String, WriteError> {
 /// Header and chunks. The description is padded so that the binary part starts on an 8-byte boundary of the file.
 fn container(json: &str, binary: &[u8]) -> Result<Vec<u8>, WriteError> {
     let json_length = (json.len() + 4).next_multiple_of(8) - 4;
-    let binary_length = binary.len().next_multiple_of(8);
-    let binary_chunk = if binary.is_empty() { 0 } else { 8 + binary_length };
+    let binary_chunk = if binary.is_empty() { 0 } else { 8 + binary.len() };
     let total = 20 + json_length + binary_chunk;
     let Ok(total) = u32::try_from(total) else {
         return Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) });
@@ -217,10 +218,9 @@ fn container(json: &str, binary: &[u8]) -> Result<Vec<u8>, WriteError> {
     file.extend_from_slice(json.as_bytes());
     file.resize(20 + json_length, b' ');
     if !binary.is_empty() {
-        file.extend_from_slice(&(binary_length as u32).to_le_bytes());
+        file.extend_from_slice(&(binary.len() as u32).to_le_bytes());
         file.extend_from_slice(b"BIN\0");
         file.extend_from_slice(binary);
-        file.resize(total as usize, 0);
     }
     Ok(file)
 }

@@ -1,0 +1,72 @@
+//! Workload B: the Menger sponge, rules that call themselves.
+//!
+//! `cargo bench --bench sponge`
+
+mod common;
+
+use cga::{Settings, Shape, cga};
+use common::{Expected, Fold, Raw, best, buffers, report};
+
+cga! {
+    /// A cube with holes, n times over.
+    grammar Sponge;
+
+    attr n = 3
+    Lot  --> S(n)
+    S(n) --> case n == 0 : Cube. else : split(y) { ~1 : F(n) | ~1 : H(n) | ~1 : F(n) }
+    F(n) --> split(x) { ~1 : Q(n) | ~1 : O(n) | ~1 : Q(n) }
+    H(n) --> split(x) { ~1 : O(n) | ~1 : NIL | ~1 : O(n) }
+    Q(n) --> split(z) { ~1 : S(n - 1) | ~1 : S(n - 1) | ~1 : S(n - 1) }
+    O(n) --> split(z) { ~1 : S(n - 1) | ~1 : NIL | ~1 : S(n - 1) }
+}
+
+fn by_hand(n: u32, o: [f64; 3], size: f64, out: &mut Raw) {
+    if n == 0 {
+        out.cuboid(o, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [size; 3]);
+        return;
+    }
+    let third = size / 3.0;
+    for y in 0..3 {
+        for x in 0..3 {
+            for z in 0..3 {
+                if [x, y, z].iter().filter(|&&at| at == 1).count() < 2 {
+                    let at = |from: f64, step: usize| from + step as f64 * third;
+                    by_hand(n - 1, [at(o[0], x), at(o[1], y), at(o[2], z)], third, out);
+                }
+            }
+        }
+    }
+}
+
+fn main() {
+    for n in 1..=4u32 {
+        let boxes = 20usize.pow(n);
+        let checksum = (20.0f64 / 27.0).powi(n as i32);
+        let expected = Expected { triangles: 12 * boxes, vertices: 24 * boxes, checksum };
+        let lot = Shape::cuboid(1.0, 1.0, 1.0);
+        let (grammar, settings) = (Sponge { n: f64::from(n) }, Settings::default());
+
+        let (mut raw, mut out, mut folded) = (Raw::default(), buffers(&expected), Fold::default());
+        let times = best(
+            [
+                &mut || {
+                    raw.clear();
+                    by_hand(n, [0.0; 3], 1.0, &mut raw);
+                },
+                &mut || {
+                    out.clear();
+                    grammar.generate_into(&lot, &settings, &mut out).expect("no limit is reached");
+                },
+                &mut || {
+                    folded = Fold::default();
+                    grammar.generate_into(&lot, &settings, &mut folded).expect("no limit is reached");
+                },
+            ],
+            1.0,
+        );
+        expected.check("by hand", &raw.vertices, &raw.indices);
+        expected.check("grammar", out.vertices(), out.indices());
+        assert_eq!(folded.leaves as usize, boxes);
+        report(&format!("sponge({n})"), boxes, times);
+    }
+}

@@ -1,0 +1,207 @@
+//! Whatever comes in: no panic, always an end, and every finding stands on a token that exists.
+
+mod common;
+
+use cga_lang::compile::{Door, compile, compile_text};
+use cga_lang::ir_print::print;
+use cga_lang::lex::lex;
+use cga_lang::snippet::render;
+use cga_lang::token::{Sym, Tok, Tokens};
+use std::fs;
+
+/// splitmix64: the same numbers on every machine.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, bound: usize) -> usize {
+        (self.next() % bound.max(1) as u64) as usize
+    }
+
+    fn pick<'t, T>(&mut self, list: &'t [T]) -> &'t T {
+        &list[self.below(list.len())]
+    }
+}
+
+const NAMES: &[&str] = &[
+    "A", "B", "Lot", "a", "b", "x", "y", "h", "attr", "const", "case", "else", "NIL", "split", "comp", "set", "f", "side",
+    "top", "all", "scope", "sx", "index", "rand", "extrude", "color", "s", "t", "true", "false", "version", "import",
+    "style", "start", "with", "front", "min", "str", "float", "report", "Range", "StartRule", "material", "geometry",
+];
+
+fn token(random: &mut Random) -> Tok {
+    match random.below(12) {
+        0..5 => Tok::Ident((*random.pick(NAMES)).into()),
+        5 => Tok::Number(random.below(120) as f64 / 2.0),
+        6 if random.below(3) == 0 => Tok::Str("x".into()),
+        7 if random.below(3) == 0 => Tok::Host(random.below(9) as u32),
+        8 if random.below(3) == 0 => Tok::Path("crate::f".into()),
+        9 if random.below(5) == 0 => Tok::Doc("words".into()),
+        10 if random.below(9) == 0 => Tok::Bad,
+        _ => Tok::Sym(*random.pick(Sym::ALL)),
+    }
+}
+
+fn try_tokens(tokens: &Tokens) {
+    for door in [Door::Inline, Door::Text] {
+        let compiled = compile(tokens, door);
+        for diag in &compiled.diags {
+            let places = diag.notes.iter().filter_map(|note| note.related).chain([diag.span]);
+            for place in places {
+                assert!(place.first <= place.last && (place.last as usize) < tokens.len().max(1), "{diag:?}");
+            }
+        }
+        if let Some(grammar) = &compiled.grammar {
+            assert!(!print(grammar).is_empty() || grammar.rules.is_empty());
+        }
+    }
+}
+
+fn try_text(text: &str) {
+    let source = compile_text(text);
+    for diag in &source.compiled.diags {
+        assert!(!render(text, &source.ranges, "a.cga", diag).is_empty());
+    }
+    try_tokens(&source.tokens);
+}
+
+fn corpus() -> Vec<String> {
+    let folders = ["lex", "parse", "check", "lower"];
+    let paths = folders.into_iter().flat_map(common::fixtures);
+    paths.map(|path| common::strip(&fs::read_to_string(path).expect("readable fixture"))).collect()
+}
+
+#[test]
+fn random_tokens_never_panic() {
+    let mut random = Random(1);
+    for _ in 0..3000 {
+        let length = random.below(60);
+        try_tokens(&(0..length).map(|_| token(&mut random)).collect());
+    }
+}
+
+#[test]
+fn random_bytes_never_panic() {
+    let mut random = Random(2);
+    let pieces = ["\"", "\\", "\\u", "/*", "*/", "#", "\r\n", "\t", "é", "—", "“", "0x", "1.", ".", "'", "-->", "\0", "😀"];
+    for _ in 0..3000 {
+        let mut text = String::new();
+        for _ in 0..random.below(40) {
+            match random.below(3) {
+                0 => text.push_str(pieces[random.below(pieces.len())]),
+                1 => text.push(char::from(random.below(128) as u8)),
+                _ => text.push_str(NAMES[random.below(NAMES.len())]),
+            }
+        }
+        try_text(&text);
+    }
+}
+
+#[test]
+fn mutated_fixtures_never_panic() {
+    let mut random = Random(3);
+    for text in corpus() {
+        let tokens = lex(&text).tokens;
+        if tokens.is_empty() {
+            continue;
+        }
+        for _ in 0..40 {
+            let mut list = tokens.as_slice().to_vec();
+            for _ in 0..=random.below(3) {
+                let at = random.below(list.len());
+                match random.below(4) {
+                    0 if 1 < list.len() => _ = list.remove(at),
+                    1 => list.insert(at, token(&mut random)),
+                    2 => list[at] = token(&mut random),
+                    _ => {
+                        let other = random.below(list.len());
+                        list.swap(at, other);
+                    }
+                }
+            }
+            try_tokens(&list.into_iter().collect());
+        }
+    }
+}
+
+#[test]
+fn every_beginning_of_a_fixture_never_panics() {
+    for text in corpus() {
+        let tokens = lex(&text).tokens;
+        let step = 1 + tokens.len() / 100;
+        for length in (0..tokens.len()).step_by(step) {
+            try_tokens(&tokens.as_slice()[..length].iter().cloned().collect());
+        }
+    }
+}
+
+#[test]
+fn deep_nesting_is_an_error_and_no_overflow() {
+    let count = 20_000;
+    for (open, close) in [
+        ("(", ")"),
+        ("[ ", " ]"),
+        ("split(x) { 1 : ", " }"),
+        ("split(x) { { ", " } }"),
+        ("comp(f) { all : ", " }"),
+        ("case a : ", " else : X"),
+        ("50% : ", " else : X"),
+        ("- ", ""),
+        ("! ", ""),
+        ("min(1, ", ")"),
+        ("1 + (", ")"),
+        ("1 * 1 + ", ""),
+        ("\"a\" + ", ""),
+        ("(case a : 1 else : ", ")"),
+        ("{", "}"),
+        ("@", ""),
+        ("@Range(", ")"),
+        ("A(", ""),
+        ("a b(c) = ", ""),
+    ] {
+        for (head, inside) in [("A --> ", "X"), ("a = ", "1"), ("A --> s(", "1")] {
+            try_text(&format!("{head}{}{inside}{}\nB --> X.", open.repeat(count), close.repeat(count)));
+        }
+    }
+}
+
+#[test]
+fn nesting_below_the_limit_compiles() {
+    let text = |open: &str, inside: &str, close: &str| format!("{}{inside}{}", open.repeat(150), close.repeat(150));
+    for body in [
+        format!("extrude({})", text("(1 + ", "1", ")")),
+        text("[ ", "X.", " ]"),
+        text("split(x) { 1 : ", "X.", " }"),
+        text("comp(f) { all : ", "X.", " }"),
+        text("case scope.sx > 1 : ", "X.", " else : Y."),
+    ] {
+        let source = compile_text(&format!("A --> {body}"));
+        assert_eq!(source.compiled.diags, []);
+        assert!(!print(&source.compiled.grammar.expect("no findings")).is_empty());
+    }
+}
+
+#[test]
+fn long_grammars_take_time_in_proportion() {
+    let one = "attr aN = bN + 1\nconst bN = cN * 2\ncN = case true : 1 else : 2\nRN(i) --> case i > aN : split(x) { { ~bN : \
+               color(\"#fff\") RN(i - 1) | 1 : X. }* } else : comp(f) { side : [ t(0, '1, 0) Y. ] SN | top : NIL }\n\
+               SN --> s('1, cN, 0) [ X. ]\n";
+    let text: String = (0..2000).map(|number| one.replace('N', &number.to_string())).collect();
+    let source = compile_text(&text);
+    assert_eq!(source.compiled.diags, []);
+    assert_eq!(source.compiled.grammar.expect("no findings").attrs.len(), 2000);
+    // The same in the order that is worst for whoever resolves names or types from the front.
+    let chain: String = (0..3000).map(|number| format!("f{number}(x) = f{}(x) + x\n", number + 1)).collect();
+    let source = compile_text(&format!("{chain}f3000(x) = x"));
+    assert_eq!(source.compiled.diags, []);
+    // Text that doubles from line to line must not be folded for ever.
+    let double: String = (0..200).map(|number| format!("const t{} = t{number} + t{number}\n", number + 1)).collect();
+    assert_eq!(compile_text(&format!("const t0 = \"ab\"\n{double}")).compiled.diags, []);
+}

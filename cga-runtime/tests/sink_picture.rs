@@ -1,0 +1,179 @@
+//! Pictures: the same on every machine, and showing what they should.
+
+mod sink_support;
+
+use std::sync::Arc;
+
+use cga_runtime::model::Model;
+use cga_runtime::sink::picture::{Camera, Image, Lines, Picture};
+use cga_runtime::sink::svg::Svg;
+use glam::{DAffine3, DVec3, dvec3};
+use sink_support::{Fill, color, hash, mixed, plate, tower, upright};
+
+fn red_box() -> Model {
+    let mut fill = Fill(Model::new());
+    fill.cuboid("Box", &color(0.9, 0.1, 0.1), upright(DVec3::ZERO, dvec3(1.0, 2.0, 1.0)));
+    fill.0
+}
+
+fn is_red(pixel: [u8; 4]) -> bool {
+    2 * u32::from(pixel[1]) < u32::from(pixel[0]) && 2 * u32::from(pixel[2]) < u32::from(pixel[0])
+}
+
+/// Share of the pixels that are red, and the columns they span.
+fn red(image: &Image) -> (f64, usize, usize) {
+    let columns: Vec<usize> = (0..image.width * image.height)
+        .filter(|at| is_red(image.pixel(at % image.width, at / image.width).expect("inside")))
+        .map(|at| at % image.width)
+        .collect();
+    let ends = (columns.iter().min().copied().unwrap_or(0), columns.iter().max().copied().unwrap_or(0));
+    (columns.len() as f64 / (image.width * image.height) as f64, ends.0, ends.1)
+}
+
+#[test]
+fn the_same_model_gives_the_same_pixels() {
+    let picture = Picture::new(160, 120);
+    let image = picture.render(&mixed());
+    assert_eq!((image.width, image.height, image.rgba.len()), (160, 120, 4 * 160 * 120));
+    assert_eq!(image, picture.render(&mixed()));
+    assert_eq!(hash(&image.rgba), 0);
+}
+
+#[test]
+fn everything_is_in_the_picture() {
+    for (azimuth, elevation) in [(0.0, 0.0), (30.0, 20.0), (120.0, -40.0), (210.0, 90.0)] {
+        for model in [red_box(), tower(2)] {
+            let camera = Camera::auto(model.bounds()).looking_from(azimuth, elevation);
+            for camera in [camera, camera.orthographic(), camera.field_of_view(70.0)] {
+                let mut picture = Picture::new(64, 48).camera(camera);
+                picture.ground = false;
+                picture.lines = Lines::None;
+                let with = picture.render(&model);
+                let without = picture.render(&Model::new());
+                let border = (0..64).flat_map(|x| [(x, 0), (x, 47)]).chain((0..48).flat_map(|y| [(0, y), (63, y)]));
+                for (x, y) in border {
+                    assert_eq!(with.pixel(x, y), without.pixel(x, y), "{azimuth} {elevation} {x} {y}");
+                }
+                assert_ne!(with, without);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_box_seen_from_the_front_is_a_rectangle_in_the_middle() {
+    let model = red_box();
+    let camera = Camera { margin: 0.0, ..Camera::auto(model.bounds()).looking_from(0.0, 0.0).orthographic() };
+    let mut picture = Picture::new(200, 100).camera(camera);
+    picture.ground = false;
+    let (share, left, right) = red(&picture.render(&model));
+    assert_eq!((left, right), (75, 124));
+    assert!((share - 0.25).abs() < 0.02, "{share}");
+}
+
+#[test]
+fn the_ground_is_darker_where_the_sun_does_not_reach() {
+    let image = Picture::new(160, 120).render(&red_box());
+    let bright = |x: usize, y: usize| image.pixel(x, y).map_or(0, |p| p.iter().map(|&c| u32::from(c)).sum::<u32>());
+    // The sun stands to the left: right of the foot of the box there is shadow.
+    assert!(bright(112, 86) + 60 < bright(20, 86), "{} {}", bright(112, 86), bright(20, 86));
+}
+
+#[test]
+fn holes_can_be_seen_through() {
+    let mut fill = Fill(Model::new());
+    fill.mesh("Plate", &color(0.9, 0.1, 0.1), &plate(), DAffine3::IDENTITY);
+    let camera = Camera { margin: 0.0, ..Camera::auto(fill.0.bounds()).looking_from(0.0, 0.0).orthographic() };
+    let mut picture = Picture::new(80, 60).camera(camera);
+    picture.ground = false;
+    let image = picture.render(&fill.0);
+    assert!(!is_red(image.pixel(40, 30).expect("inside")) && is_red(image.pixel(8, 30).expect("inside")));
+}
+
+#[test]
+fn glass_lets_what_is_behind_it_through() {
+    let mut fill = Fill(Model::new());
+    fill.cuboid("Box", &color(0.9, 0.1, 0.1), upright(DVec3::ZERO, DVec3::ONE));
+    let clear = cga_runtime::material::Material { opacity: Some(0.2), ..(*color(0.2, 0.5, 0.9)).clone() };
+    fill.quad("Glass", &Arc::new(clear), sink_support::front(dvec3(-1.0, -1.0, 2.0), 3.0, 3.0));
+    let camera = Camera::auto(fill.0.bounds()).looking_from(0.0, 0.0);
+    let image = Picture::new(80, 60).camera(camera).render(&fill.0);
+    let [r, _, b, _] = image.pixel(40, 30).expect("inside");
+    let [r2, _, b2, _] = image.pixel(24, 30).expect("inside");
+    assert!(b < r && r2 < b2, "{r} {b} {r2} {b2}");
+}
+
+#[test]
+fn odd_models_and_sizes_do_no_harm() {
+    let mut fill = Fill(Model::new());
+    fill.quad("A", &color(1.0, 0.0, 0.0), sink_support::front(dvec3(f64::NAN, 0.0, 0.0), 1.0, 1.0));
+    fill.quad("B", &color(1.0, 0.0, 0.0), sink_support::front(dvec3(1e300, 0.0, 0.0), 1.0, 1.0));
+    fill.quad("C", &color(1.0, 0.0, 0.0), sink_support::front(DVec3::ZERO, 0.0, 0.0));
+    let mut point = Fill(Model::new());
+    point.quad("C", &color(1.0, 0.0, 0.0), sink_support::front(DVec3::ONE, 0.0, 0.0));
+    for model in [fill.0, point.0, Model::new()] {
+        for (width, height) in [(0, 0), (1, 1), (3, 2), (40, 30)] {
+            let image = Picture::new(width, height).render(&model);
+            assert_eq!(image.rgba.len(), 4 * width * height);
+            assert!(model.to_svg(width, height).ends_with("</svg>\n"));
+        }
+    }
+    // A camera inside a box.
+    let model = red_box();
+    let camera = Camera::auto(cga_runtime::mesh::Bounds { low: DVec3::splat(0.4), high: DVec3::splat(0.5) });
+    Picture::new(40, 30).camera(camera).render(&model);
+}
+
+#[test]
+fn images_can_be_put_together_and_labelled() {
+    let white = [255; 4];
+    let mut sheet = Image::filled(40, 20, white);
+    sheet.blit(&Image::filled(10, 10, [9, 8, 7, 255]), -5, 15);
+    assert_eq!((sheet.pixel(4, 15), sheet.pixel(5, 15), sheet.pixel(4, 14)), (Some([9, 8, 7, 255]), Some(white), Some(white)));
+    assert_eq!((sheet.pixel(40, 0), sheet.pixel(0, 20)), (None, None));
+    sheet.rectangle(0, 0, 1, 1, [0, 0, 0, 0]);
+    assert_eq!(sheet.pixel(0, 0), Some(white));
+    sheet.text(10, 2, 1, "I\n.", [0, 0, 0, 255]);
+    let ink: Vec<(usize, usize)> =
+        (0..800).map(|at| (at % 40, at / 40)).filter(|&(x, y)| sheet.pixel(x, y) == Some([0, 0, 0, 255])).collect();
+    // Both ends of the letter, its stem, and the dot on the next line.
+    assert_eq!(ink.len(), 3 + 5 + 3 + 4);
+    assert_eq!((ink[0], ink[ink.len() - 1]), ((11, 2), (12, 19)));
+    assert_eq!(Image::text_size(2, "ab\nc"), (22, 40));
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn png_files_hold_the_pixels() {
+    let image = Picture::new(20, 10).render(&red_box());
+    let bytes = image.to_png().expect("a file");
+    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+    let info = reader.next_frame(&mut pixels).expect("a picture");
+    assert_eq!((info.width, info.height), (20, 10));
+    assert_eq!(pixels, image.rgba);
+}
+
+#[test]
+fn svg_paints_what_is_nearer_later() {
+    let mut fill = Fill(Model::new());
+    let far = upright(dvec3(0.0, 0.0, -9.0), dvec3(9.0, 9.0, 0.1));
+    // The near one first, and with its middle behind the middle of the far one's nearest face.
+    fill.cuboid("Near", &color(0.0, 0.0, 1.0), upright(dvec3(0.0, 0.0, -8.9), dvec3(0.5, 0.5, 0.1)));
+    fill.cuboid("Far", &color(1.0, 0.0, 0.0), far);
+    let svg = fill.0.to_svg(400, 300);
+    let paths: Vec<&str> = svg.lines().filter(|line| line.starts_with("<path")).collect();
+    let blue = |line: &&str| line.contains("fill=\"#0000");
+    let first = paths.iter().position(blue);
+    // The large face behind it is first of all; its sides, which nothing overlaps, may come whenever they like.
+    assert!(Some(0) < first, "{svg}");
+    assert_eq!(paths.len(), 6);
+}
+
+#[test]
+fn svg_is_short_and_stays_the_same() {
+    let svg = Svg::new(300, 200).render(&mixed());
+    assert_eq!(svg, Svg::new(300, 200).render(&mixed()));
+    assert!(svg.contains('Z') && svg.contains("fill-rule=\"evenodd\""));
+    assert_eq!((svg.len(), hash(svg.as_bytes())), (0, 0));
+}
