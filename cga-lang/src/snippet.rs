@@ -11,6 +11,7 @@
 
 use crate::diag::{Diag, Level};
 use crate::span::Span;
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// A finding as text, without a line end behind. `ranges` are the tokens' places in `text`, in bytes.
@@ -27,12 +28,14 @@ pub fn place(text: &str, ranges: &[Range<usize>], file: &str, diag: &Diag) -> St
     let bytes = bytes(text, ranges, diag.span);
     let at = position(text, bytes.start);
     let line = line_at(text, bytes.start);
-    let shown = &text[line.clone()];
     let margin = " ".repeat(at.line.to_string().len());
-    let (before, marked) = split_line(text, &line, &bytes);
+    let (before, marked, after) = split_line(text, &line, &bytes);
+    let before = clip_front(before);
+    let marked = clip_back(marked);
+    let after = clip_back(after);
     let carets = "^".repeat(marked.chars().count().max(1));
     let mut out = format!("{margin}--> {file}:{}:{}\n{margin} |\n", at.line, at.column);
-    out.push_str(&format!("{} | {}\n{margin} | {}{carets}", at.line, shown, blank(before)));
+    out.push_str(&format!("{} | {before}{marked}{after}\n{margin} | {}{carets}", at.line, blank(&before)));
     for note in &diag.notes {
         out.push_str(&format!("\n{margin} = note: {}", note.text));
         if let Some(related) = note.related {
@@ -86,11 +89,29 @@ fn line_at(text: &str, byte: usize) -> Range<usize> {
     start..end
 }
 
-/// What stands on the line before the bytes, and what of them stands on the line.
-fn split_line<'t>(text: &'t str, line: &Range<usize>, bytes: &Range<usize>) -> (&'t str, &'t str) {
+/// What stands on the line before the bytes, what of them stands on the line, and what behind.
+fn split_line<'t>(text: &'t str, line: &Range<usize>, bytes: &Range<usize>) -> (&'t str, &'t str, &'t str) {
     let start = bytes.start.clamp(line.start, line.end);
     let end = bytes.end.clamp(start, line.end);
-    (&text[line.start..start], text[start..end].trim_end())
+    let end = start + text[start..end].trim_end().len();
+    (&text[line.start..start], &text[start..end], text[end..line.end].trim_end())
+}
+
+/// Longest piece of a line shown before, under and behind the carets, in characters.
+const LONGEST: usize = 120;
+
+fn clip_front(text: &str) -> Cow<'_, str> {
+    match text.char_indices().rev().nth(LONGEST) {
+        Some((at, _)) => Cow::Owned(format!("…{}", &text[at..])),
+        None => Cow::Borrowed(text),
+    }
+}
+
+fn clip_back(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(LONGEST) {
+        Some((at, _)) => Cow::Owned(format!("{}…", &text[..at])),
+        None => Cow::Borrowed(text),
+    }
 }
 
 /// White space as wide as some text: tabs stay tabs, because nobody knows how wide they are shown.

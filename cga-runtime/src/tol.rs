@@ -9,8 +9,6 @@ pub(crate) const PLANAR_EPSILON: f64 = 1e-9;
 /// How far from 1 the cosine between parallel unit vectors may be, and from 0 that between perpendicular ones.
 pub(crate) const ANGLE_EPSILON: f64 = 1e-12;
 
-/// How far the area of a triangulation may be from that of its polygon, relative to the absolute area.
-pub(crate) const AREA_EPSILON: f64 = 1e-9;
 
 /// Unit normals of coplanar faces may differ by this much.
 pub(crate) const COPLANAR_EPSILON: f64 = 1e-9;

@@ -253,7 +253,6 @@ impl Cx<'_> {
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.expr(arg, &Place::part()));
                 quote_spanned!(place=> {
-                    let mut part = part;
                     #(let #names = #values;)*
                     #call
                 })

@@ -36,7 +36,7 @@ impl Cx<'_> {
             const PATTERN: &[cga_rt::Item] = &[#(#pattern),*];
             let mut sizes: [cga_rt::Size; #count] = [#(#sizes),*];
             let parts = cga_rt::divide(&mut cx.env, &mut shape, cga_rt::Axis::#axis, cga_rt::Adjust::#adjust, PATTERN, &mut sizes)?;
-            parts.each(|slot, part| match slot {
+            parts.each(|slot, mut part| match slot {
                 #(#arms)*
                 _ => cga_rt::Flow::Continue(()),
             })?;

@@ -4,20 +4,29 @@
 //! [`nearer`] (which of two repetition counts is better), [`Groups::deal`] (how parallel and nested groups share
 //! repetitions) and [`SLIVER`] (how short a cut remainder may be).
 
+use std::ops::ControlFlow;
+
 use super::{Item, Piece, Prefix, Size};
 
 /// Groups that need no allocation.
-const INLINE: usize = 8;
+const INLINE: usize = 4;
 
 /// A remainder shorter than this share of the extent is rounding, not a piece.
 const SLIVER: f64 = 1e-12;
 
-/// How often each group of a pattern repeats, and the final length of each slot.
+/// The final length of each slot, and how often each group of the pattern repeats.
 #[derive(Clone, Debug)]
 pub struct Solution<'a> {
     pattern: &'a [Item],
     lengths: &'a [Size],
     extent: f64,
+    /// `None` for a pattern without groups.
+    repeats: Option<Repeats>,
+}
+
+/// What repeat groups add to a solution.
+#[derive(Clone, Debug, Default)]
+struct Repeats {
     counts: Counts,
     /// Without floats: the top-level group whose last repetition is cut, and the room that group has.
     cut: Option<(usize, f64)>,
@@ -28,28 +37,44 @@ pub struct Solution<'a> {
 ///
 /// *split operation*, *Subdivision split*: absolute and relative sizes are taken as they are, floating ones share what
 /// is left; repetitions are chosen for the least stretch; what does not fit is cut or not made.
+#[inline]
 pub fn solve<'a>(pattern: &'a [Item], sizes: &'a mut [Size], extent: f64) -> Solution<'a> {
+    let mut sum = Sum::default();
     for size in sizes.iter_mut() {
         if size.prefix == Prefix::Relative {
             *size = Size::absolute(size.value * extent);
         }
         size.value = usable(size.value);
+        match size.prefix {
+            Prefix::Floating => sum.floating += size.value,
+            Prefix::Absolute | Prefix::Relative => sum.absolute += size.value,
+        }
     }
-    let floats = sizes.iter().any(|size| size.prefix == Prefix::Floating && 0.0 < size.value);
-    let groups = Groups::new(pattern, sizes);
-    let (counts, cut) = match (groups.is_empty(), floats) {
-        (true, _) => (Counts::default(), None),
-        (false, true) => (groups.least_stretch(extent), None),
-        (false, false) => groups.fill(extent),
-    };
-    if floats {
-        let total = groups.total(&counts);
-        let stretch = total.stretch(extent).max(0.0);
+    // An item that is no slot is a group.
+    let repeats = if pattern.len() == sizes.len() { None } else { Some(repeat(pattern, sizes, extent, &mut sum)) };
+    if 0.0 < sum.floating {
+        let stretch = sum.stretch(extent).max(0.0);
         for size in sizes.iter_mut().filter(|size| size.prefix == Prefix::Floating) {
             size.value *= stretch;
         }
     }
-    Solution { pattern, lengths: sizes, extent, counts, cut }
+    Solution { pattern, lengths: sizes, extent, repeats }
+}
+
+/// Chooses counts for the groups; `sum` becomes the sum with the groups expanded.
+fn repeat(pattern: &[Item], sizes: &[Size], extent: f64, sum: &mut Sum) -> Repeats {
+    let groups = Groups::new(pattern, sizes);
+    if groups.is_empty() {
+        return Repeats::default();
+    }
+    if 0.0 < sum.floating {
+        let counts = groups.least_stretch(extent);
+        *sum = groups.total(&counts);
+        Repeats { counts, cut: None }
+    } else {
+        let (counts, cut) = groups.fill(extent);
+        Repeats { counts, cut }
+    }
 }
 
 /// Sizes that make a piece: positive and finite. Everything else makes none (*Subdivision split*: negative and zero sizes).
@@ -66,45 +91,46 @@ fn nearer(a: f64, b: f64) -> bool {
 impl Solution<'_> {
     /// How often the group repeats, counting groups in the order in which they open.
     pub fn count(&self, group: usize) -> u64 {
-        self.counts.get(group)
+        self.repeats.as_ref().map_or(0, |repeats| repeats.counts.get(group))
     }
 
     /// An upper bound of the number of pieces, in constant time a written slot.
+    #[inline]
     pub fn at_most(&self) -> u64 {
-        fn walk(pattern: &[Item], counts: &Counts, group: &mut usize) -> u64 {
-            let mut sum = 0u64;
-            let mut at = 0;
-            while at < pattern.len() {
-                match pattern[at] {
-                    Item::Slot => sum = sum.saturating_add(1),
-                    Item::Repeat(len) => {
-                        let count = counts.get(*group);
-                        *group += 1;
-                        let inner = walk(&pattern[at + 1..at + 1 + len as usize], counts, group);
-                        sum = sum.saturating_add(inner.saturating_mul(count));
-                        at += len as usize;
-                    }
-                }
-                at += 1;
-            }
-            sum
+        match &self.repeats {
+            None => self.lengths.len() as u64,
+            Some(repeats) => at_most(self.pattern, &repeats.counts, &mut 0),
         }
-        walk(self.pattern, &self.counts, &mut 0)
     }
 
     /// Calls `visit` for every piece, from the low end to the high end, until it says stop.
-    pub fn each<B>(&self, mut visit: impl FnMut(Piece) -> std::ops::ControlFlow<B>) -> std::ops::ControlFlow<B> {
-        let mut walk = Walk { solution: self, visit: &mut visit, slot: 0, group: 0 };
-        walk.items(self.pattern, 0.0, self.extent, true)?;
-        std::ops::ControlFlow::Continue(())
+    #[inline]
+    pub fn each<B>(&self, mut visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
+        match &self.repeats {
+            None => {
+                let mut from = 0.0;
+                for (slot, size) in self.lengths.iter().enumerate() {
+                    if let Some(piece) = piece(slot, size.value, from, self.extent, self.extent * SLIVER) {
+                        from = piece.end;
+                        visit(piece)?;
+                    }
+                }
+            }
+            Some(repeats) => {
+                let mut walk = Walk { solution: self, repeats, visit: &mut visit, slot: 0, group: 0 };
+                walk.items(self.pattern, 0.0, self.extent, true)?;
+            }
+        }
+        ControlFlow::Continue(())
     }
 
     /// The number of pieces.
+    #[inline]
     pub fn total(&self) -> u64 {
         let mut total = 0;
         let _ = self.each(|_| {
             total += 1;
-            std::ops::ControlFlow::<()>::Continue(())
+            ControlFlow::<()>::Continue(())
         });
         total
     }
@@ -114,13 +140,13 @@ impl Solution<'_> {
         let mut list = Vec::new();
         let _ = self.each(|piece| {
             list.push(piece);
-            std::ops::ControlFlow::<()>::Continue(())
+            ControlFlow::<()>::Continue(())
         });
         list
     }
 
     /// Lengths of consecutive items, groups expanded.
-    fn length(&self, items: &[Item], mut slot: usize, mut group: usize) -> f64 {
+    fn length(&self, repeats: &Repeats, items: &[Item], mut slot: usize, mut group: usize) -> f64 {
         let mut sum = 0.0;
         let mut at = 0;
         while at < items.len() {
@@ -132,7 +158,7 @@ impl Solution<'_> {
                 }
                 Item::Repeat(len) => {
                     let inner = &items[at + 1..at + 1 + len as usize];
-                    sum += self.counts.get(group) as f64 * self.length(inner, slot, group + 1);
+                    sum += repeats.counts.get(group) as f64 * self.length(repeats, inner, slot, group + 1);
                     slot += slots_in(inner);
                     group += 1 + groups_in(inner);
                     at += 1 + inner.len();
@@ -143,9 +169,42 @@ impl Solution<'_> {
     }
 }
 
-/// Walks a pattern and hands out pieces.
+/// The piece that a slot of that length gets at `from`, if it gets one: what would cross `limit` is cut there.
+#[inline]
+fn piece(slot: usize, length: f64, from: f64, limit: f64, sliver: f64) -> Option<Piece> {
+    if length <= 0.0 || limit - from <= sliver {
+        return None;
+    }
+    let to = from + length;
+    // The last bits of a sum are noise: what ends there ends at the border.
+    let end = if limit - sliver <= to { limit } else { to };
+    let length = if to <= limit + sliver { length } else { limit - from };
+    Some(Piece { slot: slot as u32, start: from, end, length })
+}
+
+fn at_most(pattern: &[Item], counts: &Counts, group: &mut usize) -> u64 {
+    let mut sum = 0u64;
+    let mut at = 0;
+    while at < pattern.len() {
+        match pattern[at] {
+            Item::Slot => sum = sum.saturating_add(1),
+            Item::Repeat(len) => {
+                let count = counts.get(*group);
+                *group += 1;
+                let inner = at_most(&pattern[at + 1..at + 1 + len as usize], counts, group);
+                sum = sum.saturating_add(inner.saturating_mul(count));
+                at += len as usize;
+            }
+        }
+        at += 1;
+    }
+    sum
+}
+
+/// Walks a pattern with groups and hands out pieces.
 struct Walk<'s, 'a, F> {
     solution: &'s Solution<'a>,
+    repeats: &'s Repeats,
     visit: &'s mut F,
     slot: usize,
     group: usize,
@@ -153,9 +212,9 @@ struct Walk<'s, 'a, F> {
 
 impl<F> Walk<'_, '_, F> {
     /// Lays out items from `start`, nothing beyond `limit`; gives the end.
-    fn items<B>(&mut self, items: &[Item], start: f64, limit: f64, top: bool) -> std::ops::ControlFlow<B, f64>
+    fn items<B>(&mut self, items: &[Item], start: f64, limit: f64, top: bool) -> ControlFlow<B, f64>
     where
-        F: FnMut(Piece) -> std::ops::ControlFlow<B>,
+        F: FnMut(Piece) -> ControlFlow<B>,
     {
         let sliver = self.solution.extent * SLIVER;
         let mut from = start;
@@ -163,18 +222,12 @@ impl<F> Walk<'_, '_, F> {
         while at < items.len() {
             match items[at] {
                 Item::Slot => {
-                    let length = self.solution.lengths[self.slot].value;
-                    let slot = self.slot as u32;
+                    let (slot, length) = (self.slot, self.solution.lengths[self.slot].value);
                     self.slot += 1;
                     at += 1;
-                    if 0.0 < length && sliver < limit - from {
-                        let to = from + length;
-                        // The last bits of a sum are noise: what ends there ends at the border.
-                        let whole = to <= limit + sliver;
-                        let end = if limit - sliver <= to { limit } else { to };
-                        let length = if whole { length } else { limit - from };
-                        (self.visit)(Piece { slot, start: from, end, length })?;
-                        from = end;
+                    if let Some(piece) = piece(slot, length, from, limit, sliver) {
+                        from = piece.end;
+                        (self.visit)(piece)?;
                     }
                 }
                 Item::Repeat(len) => {
@@ -184,20 +237,21 @@ impl<F> Walk<'_, '_, F> {
                 }
             }
         }
-        std::ops::ControlFlow::Continue(from)
+        ControlFlow::Continue(from)
     }
 
-    fn group<B>(&mut self, inner: &[Item], start: f64, limit: f64, top: bool) -> std::ops::ControlFlow<B, f64>
+    fn group<B>(&mut self, inner: &[Item], start: f64, limit: f64, top: bool) -> ControlFlow<B, f64>
     where
-        F: FnMut(Piece) -> std::ops::ControlFlow<B>,
+        F: FnMut(Piece) -> ControlFlow<B>,
     {
         let (slot, group) = (self.slot, self.group);
-        let count = self.solution.counts.get(group);
-        let length = self.solution.length(inner, slot, group + 1);
-        let limit = match self.solution.cut {
+        let count = self.repeats.counts.get(group);
+        let length = self.solution.length(self.repeats, inner, slot, group + 1);
+        let limit = match self.repeats.cut {
             Some((cut, room)) if top && cut == group => limit.min(start + room),
             _ => limit,
         };
+        let sliver = self.solution.extent * SLIVER;
         let mut end = start;
         for turn in 0..count {
             if limit <= end {
@@ -206,12 +260,12 @@ impl<F> Walk<'_, '_, F> {
             // The border of a repetition is measured from the group's start, so that a million of them don't drift, and
             // the last piece snaps to it, so that the next one starts on the same bits.
             let border = start + (turn + 1) as f64 * length;
-            let border = if limit - self.solution.extent * SLIVER <= border { limit } else { border };
+            let border = if limit - sliver <= border { limit } else { border };
             (self.slot, self.group) = (slot, group + 1);
             end = self.items(inner, end, border, false)?;
         }
         (self.slot, self.group) = (slot + slots_in(inner), group + 1 + groups_in(inner));
-        std::ops::ControlFlow::Continue(end)
+        ControlFlow::Continue(end)
     }
 }
 
@@ -341,18 +395,27 @@ impl Groups {
         sum
     }
 
-    /// The largest number of turns for which `fits` holds, given that it holds for `least` and stops holding once.
-    fn last(&self, least: u64, fits: impl Fn(Sum) -> bool) -> u64 {
-        let holds = |turns: u64| fits(self.total(&self.deal(turns)));
-        let mut good = least;
-        let mut step = 1u64;
-        while good.checked_add(step).is_some_and(|next| next < MOST && holds(next)) {
+    /// The largest number of turns whose nominal sizes fit into `extent`, but at least `least`. The sum grows with the
+    /// turns, nearly evenly where no group is nested, so the search starts where that would put it.
+    fn last(&self, least: u64, extent: f64) -> u64 {
+        let fits = |turns: u64| self.total(&self.deal(turns)).nominal() <= extent;
+        let round = self.total(&self.deal(self.live.len() as u64)).nominal() - self.outside.nominal();
+        let guess = (extent - self.outside.nominal()) / round * self.live.len() as f64;
+        let mut good = if guess.is_finite() { (guess as u64).clamp(least, MOST - 1) } else { least };
+        // Down to one that fits, in growing steps, then up again.
+        let mut step = 1;
+        while least < good && !fits(good) {
+            good = good.saturating_sub(step).max(least);
+            step *= 2;
+        }
+        let mut step = 1;
+        while good + step < MOST && fits(good + step) {
             good += step;
             step *= 2;
         }
         while 1 < step {
             step /= 2;
-            if good + step < MOST && holds(good + step) {
+            if good + step < MOST && fits(good + step) {
                 good += step;
             }
         }
@@ -363,7 +426,7 @@ impl Groups {
     /// last one with a stretch of 1 or more and the one after it can win.
     fn least_stretch(&self, extent: f64) -> Counts {
         let least = if 0.0 < self.outside.floating { 0 } else { self.live.len() as u64 };
-        let low = self.last(least, |sum| sum.nominal() <= extent);
+        let low = self.last(least, extent);
         let stretch = |turns| self.total(&self.deal(turns)).stretch(extent);
         let high = low + 1;
         let fits = self.total(&self.deal(high)).absolute <= extent;
@@ -378,7 +441,7 @@ impl Groups {
             return (Counts::zero(self.list.len()), None);
         }
         let used = |turns: u64| self.total(&self.deal(turns)).absolute - self.outside.absolute;
-        let full = self.last(0, |sum| sum.absolute - self.outside.absolute <= room + sliver);
+        let full = self.last(0, extent + sliver);
         if room - used(full) <= sliver {
             return (self.deal(full), None);
         }

@@ -4,19 +4,17 @@
 //! their rim: each edge of each loop belongs to exactly one triangle, collinear corners included, so a closed mesh gives
 //! closed triangles. Of `n` corners and `h` holes there are `n + 2h − 2`, unless loops touch.
 //!
-//! Convex polygons are fans. The rest goes through ear cutting, whose answer is checked by count and by area, then
-//! through a constrained Delaunay triangulation, and when the loops cross each other, through a plain ear cutter that
-//! keeps the rim whatever the geometry. Nothing here panics; the same input gives the same triangles.
+//! Convex polygons are fans, the rest is swept ([`sweep`]). Where loops cross, no triangulation is right: what comes out
+//! still has every edge of the loops once, and the signed area. Nothing here panics; the same input gives the same
+//! triangles.
 
 mod convex;
-mod delaunay;
-mod ears;
+mod sweep;
 
-use earcut::Earcut;
 use glam::{DVec2, DVec3};
 
 use crate::mesh::Mesh;
-use crate::tol::AREA_EPSILON;
+use sweep::Sweep;
 
 /// Which two coordinates to keep to lay a face flat, so that counter-clockwise stays so. Dropping a coordinate moves
 /// nothing, so points that are exactly on a line stay on it.
@@ -52,11 +50,7 @@ impl Projection {
 pub struct Triangulator {
     flat: Vec<DVec2>,
     ends: Vec<u32>,
-    found: Vec<[u32; 3]>,
-    local: Vec<[f64; 2]>,
-    indices: Vec<u32>,
-    holes: Vec<u32>,
-    earcut: Option<Earcut<f64>>,
+    sweep: Sweep,
 }
 
 impl std::fmt::Debug for Triangulator {
@@ -94,88 +88,20 @@ impl Triangulator {
     }
 
     /// Appends the triangles of a polygon as indices of its points: loop after loop, the outline counter-clockwise, holes
-    /// clockwise; `loop_ends` says where each loop ends.
+    /// clockwise; `loop_ends` says where each loop ends. Nothing comes out when a coordinate is not finite.
     pub fn polygon(&mut self, points: &[DVec2], loop_ends: &[u32], out: &mut Vec<[u32; 3]>) {
         let count = points.len();
-        if loop_ends.last().copied() != Some(count as u32) || count < 3 {
+        let rises = loop_ends.windows(2).all(|w| w[0] <= w[1]);
+        if !rises || loop_ends.last().copied() != Some(count as u32) || count < 3 {
+            return;
+        }
+        if !points.iter().all(|p| p.is_finite()) {
             return;
         }
         if loop_ends.len() == 1 && convex::fan(points, out) {
             return;
         }
-        let area = Measure::of(points, loop_ends);
-        let mut found = std::mem::take(&mut self.found);
-        found.clear();
-        self.cut_ears(points, loop_ends, &mut found);
-        let complete = found.len() == count + 2 * loop_ends.len() - 4 && area.agrees(points, &found);
-        if !complete {
-            found.clear();
-            delaunay::triangulate(points, loop_ends, &mut found);
-            if found.is_empty() || !area.agrees(points, &found) {
-                found.clear();
-                ears::triangulate(points, loop_ends, &mut found);
-            }
-        }
-        out.extend_from_slice(&found);
-        self.found = found;
-    }
-
-    fn cut_ears(&mut self, points: &[DVec2], loop_ends: &[u32], found: &mut Vec<[u32; 3]>) {
-        // Local coordinates: ear cutting rounds, and far from the origin it would round more.
-        self.local.clear();
-        self.local.extend(points.iter().map(|p| (p - points[0]).to_array()));
-        self.holes.clear();
-        self.holes.extend_from_slice(&loop_ends[..loop_ends.len() - 1]);
-        if !self.local.iter().flatten().all(|c| c.is_finite()) {
-            return;
-        }
-        let earcut = self.earcut.get_or_insert_with(Earcut::new);
-        earcut.earcut(self.local.iter().copied(), &self.holes, &mut self.indices);
-        let local = &self.local;
-        found.extend(self.indices.chunks_exact(3).map(|t| {
-            // The ear cutter's triangles run one way whatever that of the outline: turn them to run ours.
-            let [a, b, c] = [t[0], t[1], t[2]].map(|i| DVec2::from(local[i as usize]));
-            let turn = (b - a).perp_dot(c - a);
-            if turn < 0.0 { [t[0], t[2], t[1]] } else { [t[0], t[1], t[2]] }
-        }));
-    }
-}
-
-/// The signed area of a polygon, and the scale to compare it at.
-struct Measure {
-    signed: f64,
-    scale: f64,
-}
-
-impl Measure {
-    fn of(points: &[DVec2], loop_ends: &[u32]) -> Self {
-        let from = points[0];
-        let (mut signed, mut scale, mut start) = (0.0, 0.0, 0);
-        for &end in loop_ends {
-            let ring = &points[start..end as usize];
-            start = end as usize;
-            let Some(&last) = ring.last() else { continue };
-            let mut a = last - from;
-            let mut area = 0.0;
-            for &p in ring {
-                let b = p - from;
-                area += a.perp_dot(b);
-                a = b;
-            }
-            signed += area;
-            scale += area.abs();
-        }
-        Measure { signed, scale }
-    }
-
-    /// Whether triangles cover this area, none of them turned over.
-    fn agrees(&self, points: &[DVec2], triangles: &[[u32; 3]]) -> bool {
-        let mut sum = 0.0;
-        for t in triangles {
-            let [a, b, c] = t.map(|i| points[i as usize]);
-            sum += (b - a).perp_dot(c - a).abs();
-        }
-        (sum - self.signed).abs() <= AREA_EPSILON * self.scale
+        self.sweep.triangulate(points, loop_ends, out);
     }
 }
 

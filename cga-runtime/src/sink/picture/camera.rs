@@ -59,7 +59,7 @@ pub enum Projection {
 impl Camera {
     /// A three-quarter view from the front right and above that shows all of `bounds`.
     pub fn auto(bounds: Bounds) -> Self {
-        Camera { azimuth: 32.0, elevation: 20.0, projection: Projection::Perspective(28.0), bounds, margin: 0.06 }
+        Camera { azimuth: 34.0, elevation: 17.0, projection: Projection::Perspective(28.0), bounds, margin: 0.06 }
     }
 
     /// The same camera from another direction, in degrees; see the fields.

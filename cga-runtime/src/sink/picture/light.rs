@@ -1,8 +1,8 @@
 //! Sunlight and skylight: how much of each reaches what is seen.
 //!
-//! The sky is a few dozen distant lamps and the sun a handful close together, each with a map of what it sees. A sample
-//! asks only some of them, its neighbours the others, and every other sample, as on a chessboard, none; averaging over
-//! a block of 4×4 samples on one surface then gives the whole answer without noise.
+//! The sun and a few dozen lamps that make up the sky each have a map of what they see. Every other sample, as on a
+//! chessboard, asks the sun and some of the lamps, its neighbours the other lamps; averaging over a block of 4×4 samples
+//! on one surface then gives the whole answer without noise.
 
 use glam::DVec3;
 
@@ -11,16 +11,12 @@ use super::raster;
 use super::scene::Scene;
 use super::visible::{GROUND, Layer, SKY};
 
-/// Samples along a side of a block, and those in it that ask; as many suns.
+/// Samples along a side of a block, and those in it that ask.
 const BLOCK: usize = 4;
 const CLASSES: usize = BLOCK * BLOCK / 2;
-/// Lamps in the sky asked by each sample.
-const LAMPS: usize = 7;
-/// Texels along a side of the map of a sun, of a lamp in the sky.
-const SUN_MAP: usize = 1024;
+/// Texels along a side of the map of the sun, of a lamp in the sky.
+const SUN_MAP: usize = 2048;
 const SKY_MAP: usize = 448;
-/// Half the apparent size of the sun, in degrees: a little larger than life, which softens far shadows.
-const SUN_RADIUS: f64 = 0.7;
 /// How far a point is moved off its surface before it is looked up, in texels.
 const BIAS: f32 = 1.2;
 /// Degrees between lamps that follow each other: the golden angle never comes round to an earlier place.
@@ -93,31 +89,34 @@ impl Lamp {
         self.open(dot(p, self.x.0) + self.x.1, dot(p, self.y.0) + self.y.1, dot(p, self.to) + 0.5 * self.texel)
     }
 
-    /// The share of light that reaches a point: of the four texels around it, weighted.
+    /// The share of light that reaches a point: of the nine texels around it, weighted.
     #[inline]
     fn soft(&self, point: V, normal: V) -> f32 {
         let p = [0, 1, 2].map(|i| point[i] + normal[i] * BIAS * self.texel);
         let near = dot(p, self.to) + 0.5 * self.texel;
-        let (x, y) = (dot(p, self.x.0) + self.x.1 - 0.5, dot(p, self.y.0) + self.y.1 - 0.5);
+        let (x, y) = (dot(p, self.x.0) + self.x.1, dot(p, self.y.0) + self.y.1);
         let (fx, fy) = (x - x as i32 as f32, y - y as i32 as f32);
-        let row = |y: f32| self.open(x, y, near) * (1.0 - fx) + self.open(x + 1.0, y, near) * fx;
-        row(y) * (1.0 - fy) + row(y + 1.0) * fy
+        let row = |y: f32| {
+            self.open(x - 1.0, y, near) * (1.0 - fx) + self.open(x, y, near) + self.open(x + 1.0, y, near) * fx
+        };
+        0.25 * (row(y - 1.0) * (1.0 - fy) + row(y) + row(y + 1.0) * fy)
+    }
+}
+
+/// Lamps in the sky asked by each sample: fewer for large models, whose detail is finer than what they would add.
+fn lamps(casters: usize) -> usize {
+    match casters {
+        0..80_000 => 7,
+        80_000..400_000 => 4,
+        _ => 2,
     }
 }
 
 /// The lamps of the sky, spread evenly over it.
-fn sky_lamp(index: usize) -> DVec3 {
-    let y = (index as f64 + 0.5) / (LAMPS * CLASSES) as f64;
+fn sky_lamp(index: usize, count: usize) -> DVec3 {
+    let y = (index as f64 + 0.5) / count as f64;
     let around = direction(index as f64 * GOLDEN, 0.0) * (1.0 - y * y).sqrt();
     DVec3::new(around.x, y, around.z)
-}
-
-/// One of the lamps of the sun, spread evenly over its disc.
-fn sun_lamp(index: usize, sun: DVec3) -> DVec3 {
-    let across = sun.cross(if sun.y.abs() < 0.99 { DVec3::Y } else { DVec3::X }).normalize();
-    let radius = SUN_RADIUS.to_radians() * ((index as f64 + 0.5) / CLASSES as f64).sqrt();
-    let around = direction(index as f64 * GOLDEN, 0.0) * radius;
-    (sun + across * around.x + sun.cross(across) * around.z).normalize()
 }
 
 /// Relative brightness of the sky: more above than at the horizon.
@@ -127,24 +126,26 @@ fn sky_weight(up: f32) -> f32 {
 
 /// What is lit is what `layer` shows; `half` is half the size of the scene.
 pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun: DVec3) -> Light {
-    let count = layer.seen.len();
-    let mut raw = vec![Raw::default(); count];
+    let mut raw = vec![Raw::default(); layer.seen.len()];
     // Thin glass casts no shadow worth drawing.
     let casts = |paint: u32| 0.6 <= scene.paints[paint as usize].opacity;
     let casters: Vec<[V; 3]> =
         scene.triangles.iter().filter(|t| casts(t.paint)).map(|t| t.corners().map(short)).collect();
-    let mut spare = vec![Vec::new(); LAMPS + 1];
+    let count = lamps(casters.len());
+    let bright = Lamp::new(&casters, half, sun, SUN_MAP, [0.0; 2], Vec::new());
+    let mut spare = Vec::new();
     let mut tm=std::time::Duration::ZERO;let mut ts=tm;//PROF
     for class in 0..CLASSES {
         let t0=std::time::Instant::now();//PROF
         // The grid of each map lies elsewhere, so that their steps do not add up.
         let (column, row) = (class % 2 * 2 + class / 2 % 2, class / 2);
         let shift = [column as f64, row as f64].map(|s| s / BLOCK as f64);
-        let mut lamp = |to: DVec3, size: usize| {
-            Lamp::new(&casters, half, to, size, shift, spare.pop().unwrap_or_default())
-        };
-        let sky: Vec<Lamp> = (0..LAMPS).map(|i| lamp(sky_lamp(i * CLASSES + class), SKY_MAP)).collect();
-        let bright = lamp(sun_lamp(class, sun), SUN_MAP);
+        let sky: Vec<Lamp> = (0..count)
+            .map(|i| {
+                let to = sky_lamp(i * CLASSES + class, count * CLASSES);
+                Lamp::new(&casters, half, to, SKY_MAP, shift, spare.pop().unwrap_or_default())
+            })
+            .collect();
         tm+=t0.elapsed();let t0=std::time::Instant::now();//PROF
         for y in (row..layer.height).step_by(BLOCK) {
             for x in (column..layer.width).step_by(BLOCK) {
@@ -162,18 +163,18 @@ pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun:
                     }
                 }
                 let byte = |share: f32| (share * 255.0 + 0.5) as u8;
-                let part = 1.0 / LAMPS as f32;
+                let part = 1.0 / count as f32;
                 raw[sample] = Raw { sun: byte(sun), given: byte(given * part), possible: byte(possible * part) };
             }
         }
         ts+=t0.elapsed();//PROF
-        // The sun's map is the largest: it goes to the sun again.
-        spare.push(bright.near);
-        spare.splice(0..0, sky.into_iter().map(|lamp| lamp.near));
-        spare.rotate_left(1);
+        spare.extend(sky.into_iter().map(|lamp| lamp.near));
     }
     eprintln!("maps {tm:?} lookups {ts:?}");//PROF
-    average(scene, layer, &raw)
+    let planes = layer.planes(scene);
+    let mut light = average(scene, layer, &planes, &raw);
+    smooth(layer, &planes, &mut light.sky);
+    light
 }
 
 /// What one sample was told: small, since all of them are visited many times. The sky's light is a part of what could
@@ -220,9 +221,8 @@ pub(super) fn surface(scene: &Scene, layer: &Layer, view: &View, sample: usize) 
 }
 
 /// Gathers the answers of a block of samples wherever they belong to one surface.
-fn average(scene: &Scene, layer: &Layer, raw: &[Raw]) -> Light {
+fn average(scene: &Scene, layer: &Layer, planes: &[u32], raw: &[Raw]) -> Light {
     let (width, height) = (layer.width, layer.height);
-    let planes = layer.planes(scene);
     let count = layer.seen.len();
     let mut light = Light { sun: vec![1.0; count], sky: vec![1.0; count] };
     if width < BLOCK || height < BLOCK {
@@ -256,6 +256,52 @@ fn average(scene: &Scene, layer: &Layer, raw: &[Raw]) -> Light {
         }
     }
     light
+}
+
+/// Evens out the sky's light within each plane, along rows and then columns: the edges of the faint shadows that single
+/// lamps cast go away.
+fn smooth(layer: &Layer, planes: &[u32], sky: &mut [f32]) {
+    let (width, height) = (layer.width, layer.height);
+    let radius = height / 120;
+    let mut sums = Vec::new();
+    for y in 0..height {
+        smooth_line(planes, sky, y * width, 1, width, radius, &mut sums);
+    }
+    for x in 0..width {
+        smooth_line(planes, sky, x, width, height, radius, &mut sums);
+    }
+}
+
+/// One row or column: where it starts, how far it is from sample to sample, and how many there are.
+fn smooth_line(
+    planes: &[u32],
+    sky: &mut [f32],
+    start: usize,
+    step: usize,
+    count: usize,
+    radius: usize,
+    sums: &mut Vec<f32>,
+) {
+    let mut first = 0;
+    while first < count {
+        let plane = planes[start + first * step];
+        let same = |i: &usize| planes[start + i * step] == plane;
+        let end = (first + 1..count).find(|i| !same(i)).unwrap_or(count);
+        if 2 < end - first {
+            sums.clear();
+            sums.push(0.0);
+            let mut sum = 0.0;
+            for i in first..end {
+                sum += sky[start + i * step];
+                sums.push(sum);
+            }
+            for i in 0..end - first {
+                let (low, high) = (i.saturating_sub(radius), (i + radius + 1).min(end - first));
+                sky[start + (first + i) * step] = (sums[high] - sums[low]) / (high - low) as f32;
+            }
+        }
+        first = end;
+    }
 }
 
 /// Whether two samples that are not in one plane still belong to one smooth surface.

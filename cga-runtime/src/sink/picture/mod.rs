@@ -101,9 +101,9 @@ pub struct Style {
 impl Default for Style {
     fn default() -> Self {
         Style {
-            sun: [1.18, 1.05, 0.86],
-            sky: [0.42, 0.49, 0.60],
-            bounce: [0.36, 0.33, 0.29],
+            sun: [1.12, 0.99, 0.80],
+            sky: [0.47, 0.55, 0.68],
+            bounce: [0.42, 0.38, 0.33],
             backdrop: [[0.36, 0.54, 0.76], [0.84, 0.89, 0.93]],
             ground: [0.78, 0.76, 0.72],
             line: [0.02, 0.025, 0.035],

@@ -40,6 +40,11 @@ fn smooth(low: f64, high: f64, value: f64) -> f32 {
     (t * t * (3.0 - 2.0 * t)) as f32
 }
 
+/// Corners a little darker than they are: it makes small things stand out.
+fn deepened(sky: f32) -> f32 {
+    0.05 + 0.95 * sky * (0.55 + 0.45 * sky)
+}
+
 impl Shader<'_> {
     /// The backdrop at a height in the picture, 0 at the top and 1 at the bottom.
     pub(super) fn backdrop(&self, down: f64) -> Rgb {
@@ -78,7 +83,7 @@ impl Shader<'_> {
         let style = self.style;
         let slope = self.sun.y as f32;
         let full = [0, 1, 2].map(|i| style.sun[i] * slope + style.sky[i]);
-        let here = [0, 1, 2].map(|i| style.sun[i] * slope * sun + style.sky[i] * (0.1 + 0.9 * sky));
+        let here = [0, 1, 2].map(|i| style.sun[i] * slope * sun + style.sky[i] * deepened(sky));
         let shade = [0, 1, 2].map(|i| here[i] / full[i]);
         let flat = DVec3::new(point.x, 0.0, point.z).length();
         let far = smooth(2.5 * self.radius, 9.0 * self.radius, flat);
@@ -93,7 +98,7 @@ impl Shader<'_> {
         // The lower half of the surroundings is ground, lit by the sun; close to it there is more of it.
         let height = (point.y - self.ground).max(0.0) / self.radius.max(1e-9);
         let bounce = (1.0 - up) * (1.0 - 0.35 * smooth(0.0, 2.0, height));
-        let open = 0.06 + 0.94 * sky;
+        let open = deepened(sky);
         let mut arriving = [0.0; 3];
         for (i, arriving) in arriving.iter_mut().enumerate() {
             // White surroundings brighten each other's shade: more so the brighter the surface.
