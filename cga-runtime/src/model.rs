@@ -137,9 +137,7 @@ impl<'a> LeafView<'a> {
         match self.geometry() {
             Geometry::Quad(_) => 0.0,
             Geometry::Cuboid(cuboid) => cuboid_volume(&cuboid),
-            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => {
-                mesh_volume(mesh, placement)
-            }
+            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => mesh_volume(mesh, placement),
         }
     }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use cga_runtime::material::Material;
 use cga_runtime::model::Model;
 use glam::{DAffine3, DVec3, dvec3};
-use sink_support::{Fill, color, front, hash, mixed, plate, textured, upright};
+use sink_support::{Fill, color, front, hash, mixed, plate, steady, textured, upright};
 
 /// Points, and faces as indices of points.
 fn read(text: &str) -> (Vec<DVec3>, Vec<Vec<usize>>) {
@@ -21,7 +21,8 @@ fn read(text: &str) -> (Vec<DVec3>, Vec<Vec<usize>>) {
                 points.push(dvec3(p[0], p[1], p[2]));
             }
             Some("f") => {
-                let index = |word: &str| word.split('/').next().and_then(|i| i.parse::<usize>().ok()).expect("an index");
+                let index =
+                    |word: &str| word.split('/').next().and_then(|i| i.parse::<usize>().ok()).expect("an index");
                 faces.push(words.map(|word| index(word) - 1).collect());
             }
             _ => {}
@@ -108,7 +109,8 @@ fn texture_coordinates_and_normals_are_written() {
 
 #[test]
 fn the_same_model_gives_the_same_text() {
-    let (text, library) = mixed().to_obj("mixed.mtl");
-    assert_eq!((text.len(), library.len()), (4302, 238), "{library}");
-    assert_eq!(hash(text.as_bytes()), 0);
+    assert_eq!(mixed().to_obj("mixed.mtl"), mixed().to_obj("mixed.mtl"));
+    let (text, library) = steady().to_obj("steady.mtl");
+    assert_eq!((text.len(), hash(text.as_bytes())), (19793, 0x6599_dd82_7510_1942));
+    assert_eq!((library.len(), hash(library.as_bytes())), (287, 0x69ca_0fc9_9576_4415));
 }

@@ -257,9 +257,8 @@ impl Sink for Buffers {
             ]
             .as_flattened(),
         );
-        self.indices.extend_from_slice(
-            [0, 4, 8, 12, 16, 20].map(|f| [0, 1, 2, 0, 2, 3].map(|i| start + f + i)).as_flattened(),
-        );
+        self.indices
+            .extend_from_slice([0, 4, 8, 12, 16, 20].map(|f| [0, 1, 2, 0, 2, 3].map(|i| start + f + i)).as_flattened());
         self.pad_uvs();
         ControlFlow::Continue(())
     }

@@ -135,20 +135,14 @@ impl Sink for Stats {
         self.flattener.faces(mesh, placement, |face| {
             triangles += face.triangles.len() as u64;
             for triangle in face.triangles {
-                let [a, b, c] = triangle
-                    .map(|i| placement.transform_point3(corner_point(mesh, face.corners.start + i as usize)));
+                let [a, b, c] =
+                    triangle.map(|i| placement.transform_point3(corner_point(mesh, face.corners.start + i as usize)));
                 sum += tetrahedron(a, b, c);
             }
             true
         });
         self.checksum += sum / 6.0;
-        self.add(
-            leaf,
-            triangles,
-            mesh.corners.len() as u64,
-            mesh_area(mesh, placement),
-            mesh_volume(mesh, placement),
-        );
+        self.add(leaf, triangles, mesh.corners.len() as u64, mesh_area(mesh, placement), mesh_volume(mesh, placement));
         mesh.points.iter().for_each(|&point| self.reach(placement.transform_point3(point)));
         ControlFlow::Continue(())
     }

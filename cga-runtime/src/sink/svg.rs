@@ -14,8 +14,8 @@ use super::error::WriteError;
 use super::flatten::{corner_point, normal_map, unit};
 use super::number::Short;
 use super::order;
-use super::picture::camera::{View, direction};
 use super::picture::Viewpoint;
+use super::picture::camera::{View, direction};
 use super::table::Table;
 use super::{Cuboid, Flow, Leaf, Quad, Sink};
 use crate::material::Material;
@@ -157,7 +157,7 @@ impl Faces {
             return;
         }
         let normal = if front { normal } else { -normal };
-        let light = 0.56 + 0.12 * normal.y + 0.40 * normal.dot(self.light).max(0.0);
+        let light = 0.64 + 0.08 * normal.y + 0.34 * normal.dot(self.light).max(0.0);
         let outline: Vec<[f64; 3]> = rings[0].iter().map(|&p| self.view.project(p)).collect();
         let flat = |ring: &Vec<DVec3>| ring.iter().map(|&p| self.view.project(p)).map(|[x, y, _]| [x, y]).collect();
         let rings = rings.iter().map(flat).collect();

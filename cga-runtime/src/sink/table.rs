@@ -294,7 +294,10 @@ mod tests {
         let own: Arc<[Material]> = Arc::new([Material { roughness: Some(0.1), ..Material::UNSET }]);
         let id = table.face_material(shape, &own, 0);
         assert_eq!(id, table.face_material(shape, &own, 0));
-        assert_eq!((table.materials()[id as usize].opacity, table.materials()[id as usize].roughness), (Some(0.5), Some(0.1)));
+        assert_eq!(
+            (table.materials()[id as usize].opacity, table.materials()[id as usize].roughness),
+            (Some(0.5), Some(0.1))
+        );
         assert_eq!(table.face_material(shape, &own, u32::MAX), shape);
     }
 }

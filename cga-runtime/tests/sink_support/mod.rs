@@ -115,7 +115,11 @@ pub fn tower(floors: usize) -> Model {
 pub fn mixed() -> Model {
     let mut fill = Fill(Model::new());
     let plain = Arc::new(Material::UNSET);
-    fill.quad("Lot", &color(0.4, 0.6, 0.3), Quad { origin: dvec3(0.0, 0.0, 10.0), u: DVec3::X * 10.0, v: DVec3::Z * -10.0 });
+    fill.quad(
+        "Lot",
+        &color(0.4, 0.6, 0.3),
+        Quad { origin: dvec3(0.0, 0.0, 10.0), u: DVec3::X * 10.0, v: DVec3::Z * -10.0 },
+    );
     fill.cuboid("Box", &color(0.9, 0.2, 0.1), upright(dvec3(1.0, 0.0, 1.0), dvec3(2.0, 3.0, 2.0)));
     fill.mesh("Plate", &plain, &plate(), DAffine3::from_translation(dvec3(5.0, 0.0, 5.0)));
     fill.mesh("Sign", &plain, &textured(), DAffine3::from_translation(dvec3(1.0, 3.0, 8.0)));
@@ -127,6 +131,18 @@ pub fn mixed() -> Model {
             dvec3(2.0 + 2.0 * f64::from(i), 0.0, 9.0),
         );
         fill.instance("Bench", &color(0.5, 0.35, 0.2), &asset, place);
+    }
+    fill.0
+}
+
+/// Something of everything but faces with holes, whose triangles may be chosen otherwise one day.
+pub fn steady() -> Model {
+    let mut fill = Fill(tower(2));
+    let sign = textured();
+    fill.mesh("Sign", &Arc::default(), &sign, DAffine3::from_translation(dvec3(1.0, 3.0, 2.0)));
+    for i in 0..3 {
+        let place = DAffine3::from_rotation_y(f64::from(i)) * DAffine3::from_scale(DVec3::splat(2.0));
+        fill.instance("Flag", &color(0.7, 0.2, 0.2), &sign, place);
     }
     fill.0
 }

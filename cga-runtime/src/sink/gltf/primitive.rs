@@ -2,9 +2,9 @@
 
 use glam::{DAffine3, DVec2, DVec3};
 
+use crate::mesh::Mesh;
 use crate::sink::flatten::{FlatFace, corner_point, normal_map, unit};
 use crate::sink::{Cuboid, Quad};
-use crate::mesh::Mesh;
 
 /// Streams of one glTF primitive. Texture coordinates are there for all vertices or for none.
 #[derive(Debug, Default)]

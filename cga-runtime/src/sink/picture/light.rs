@@ -16,7 +16,7 @@ const BLOCK: usize = 4;
 const CLASSES: usize = BLOCK * BLOCK / 2;
 /// Texels along a side of the map of the sun, of a lamp in the sky.
 const SUN_MAP: usize = 2048;
-const SKY_MAP: usize = 448;
+const SKY_MAP: usize = 384;
 /// How far a point is moved off its surface before it is looked up, in texels.
 const BIAS: f32 = 1.2;
 /// Degrees between lamps that follow each other: the golden angle never comes round to an earlier place.
@@ -59,9 +59,7 @@ impl Lamp {
         let up = right.cross(to);
         let reach = |axis: DVec3| axis.abs().dot(half).max(1e-6);
         let scale = |axis: DVec3| 0.5 * (size - 4) as f64 / reach(axis);
-        let row = |axis: DVec3, shift: f64| {
-            (short(axis * scale(axis)), (0.5 * size as f64 - 0.5 + shift) as f32)
-        };
+        let row = |axis: DVec3, shift: f64| (short(axis * scale(axis)), (0.5 * size as f64 - 0.5 + shift) as f32);
         let texel = (1.0 / scale(right)).max(1.0 / scale(up)) as f32;
         near.clear();
         near.resize(size * size, f32::NEG_INFINITY);
@@ -106,7 +104,7 @@ impl Lamp {
 /// Lamps in the sky asked by each sample: fewer for large models, whose detail is finer than what they would add.
 fn lamps(casters: usize) -> usize {
     match casters {
-        0..80_000 => 7,
+        0..80_000 => 6,
         80_000..400_000 => 4,
         _ => 2,
     }
@@ -134,9 +132,7 @@ pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun:
     let count = lamps(casters.len());
     let bright = Lamp::new(&casters, half, sun, SUN_MAP, [0.0; 2], Vec::new());
     let mut spare = Vec::new();
-    let mut tm=std::time::Duration::ZERO;let mut ts=tm;//PROF
     for class in 0..CLASSES {
-        let t0=std::time::Instant::now();//PROF
         // The grid of each map lies elsewhere, so that their steps do not add up.
         let (column, row) = (class % 2 * 2 + class / 2 % 2, class / 2);
         let shift = [column as f64, row as f64].map(|s| s / BLOCK as f64);
@@ -146,7 +142,6 @@ pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun:
                 Lamp::new(&casters, half, to, SKY_MAP, shift, spare.pop().unwrap_or_default())
             })
             .collect();
-        tm+=t0.elapsed();let t0=std::time::Instant::now();//PROF
         for y in (row..layer.height).step_by(BLOCK) {
             for x in (column..layer.width).step_by(BLOCK) {
                 let sample = y * layer.width + x;
@@ -167,10 +162,8 @@ pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun:
                 raw[sample] = Raw { sun: byte(sun), given: byte(given * part), possible: byte(possible * part) };
             }
         }
-        ts+=t0.elapsed();//PROF
         spare.extend(sky.into_iter().map(|lamp| lamp.near));
     }
-    eprintln!("maps {tm:?} lookups {ts:?}");//PROF
     let planes = layer.planes(scene);
     let mut light = average(scene, layer, &planes, &raw);
     smooth(layer, &planes, &mut light.sky);
@@ -248,7 +241,10 @@ fn average(scene: &Scene, layer: &Layer, planes: &[u32], raw: &[Raw]) -> Light {
             if sum.count == 0 {
                 // A surface so thin that none of its samples asked.
                 for row in top..top + BLOCK {
-                    (row * width + left + (row + left) % 2..).step_by(2).take(BLOCK / 2).for_each(|near| sum.add(raw[near]));
+                    (row * width + left + (row + left) % 2..)
+                        .step_by(2)
+                        .take(BLOCK / 2)
+                        .for_each(|near| sum.add(raw[near]));
                 }
             }
             light.sun[sample] = sum.sun as f32 / (255 * sum.count) as f32;

@@ -16,7 +16,9 @@ pub(super) fn lines(scene: &Scene, layer: &Layer, leaves: bool) -> Vec<f32> {
     for y in 0..height {
         for x in 0..width {
             let a = y * width + x;
-            for (b, before, after) in [(a + 1, x.checked_sub(1).map(|_| a - 1), a + 2), (a + width, a.checked_sub(width), a + 2 * width)] {
+            for (b, before, after) in
+                [(a + 1, x.checked_sub(1).map(|_| a - 1), a + 2), (a + width, a.checked_sub(width), a + 2 * width)]
+            {
                 let across = b == a + 1;
                 if (across && width <= x + 1) || (!across && height <= y + 1) || layer.seen[a] == layer.seen[b] {
                     continue;
@@ -25,7 +27,8 @@ pub(super) fn lines(scene: &Scene, layer: &Layer, leaves: bool) -> Vec<f32> {
                     true if leaves && leaf(scene, layer.seen[a]) != leaf(scene, layer.seen[b]) => 0.5,
                     true => continue,
                     false => {
-                        let after = if across { (x + 2 < width).then_some(after) } else { (y + 2 < height).then_some(after) };
+                        let after =
+                            if across { (x + 2 < width).then_some(after) } else { (y + 2 < height).then_some(after) };
                         strength(scene, layer, a, b, before, after)
                     }
                 };
@@ -57,9 +60,7 @@ fn strength(scene: &Scene, layer: &Layer, a: usize, b: usize, before: Option<usi
     // A step: the surface on either side, carried on, does not meet the other.
     let (qa, qb) = (layer.near[a], layer.near[b]);
     let gap = |from: usize, side: Option<usize>, other: f32| match side {
-        Some(side) if layer.seen[side] == layer.seen[from] => {
-            (2.0 * layer.near[from] - layer.near[side] - other).abs()
-        }
+        Some(side) if layer.seen[side] == layer.seen[from] => (2.0 * layer.near[from] - layer.near[side] - other).abs(),
         _ => (layer.near[from] - other).abs(),
     };
     let step = gap(a, before, qb).min(gap(b, after, qa)) / qa.abs().max(qb.abs()).max(1e-12);

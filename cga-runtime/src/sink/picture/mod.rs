@@ -153,23 +153,18 @@ impl Picture {
         let view = View::new(&Camera { bounds: local, ..camera }, width, height);
         let sun = direction(camera.azimuth + self.sun_azimuth, self.sun_elevation);
 
-        let t=std::time::Instant::now();//PROF
         let (mut layer, clear) = visible::layers(&scene, &view, width, height);
         let half = bounds.size() * 0.5;
         if self.ground {
             visible::ground(&mut layer, &view, -half.y);
         }
-        eprintln!("layers {:?}",t.elapsed());//PROF
         let light = light::light(&scene, &layer, &view, half, sun);
-        eprintln!("light {:?}",t.elapsed());//PROF
         let radius = DVec3::new(half.x, 0.0, half.z).length().max(0.3 * half.y);
-        let shader =
-            Shader { scene: &scene, view: &view, style: &self.style, sun, radius, ground: -half.y };
+        let shader = Shader { scene: &scene, view: &view, style: &self.style, sun, radius, ground: -half.y };
         let dark = match self.lines {
             Lines::None => Vec::new(),
             lines => lines::lines(&scene, &layer, lines == Lines::Leaves),
         };
-        eprintln!("lines {:?}",t.elapsed());//PROF
         let color = |sample: usize| {
             let mut color = shader.opaque(&layer, &light, sample);
             if let Some(&dark) = dark.get(sample) {

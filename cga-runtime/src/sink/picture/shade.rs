@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
+use super::Style;
 use super::camera::View;
 use super::light::{Light, surface};
 use super::scene::{Paint, Scene};
 use super::visible::{GROUND, Layer, SKY};
-use super::Style;
 
 /// Linear red, green, blue.
 pub(super) type Rgb = [f32; 3];

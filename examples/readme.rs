@@ -1,0 +1,30 @@
+//! The picture of the README: `docs/readme.png`.
+//!
+//! `cargo run --release --example readme`
+
+use cga::sink::picture::Picture;
+use cga::{Shape, cga};
+
+cga! {
+    grammar House;
+    attr height = 17
+    Lot    --> extrude(height) split(y) { ~1 : comp(f) { side : Facade } | 0.6 : Cornice }
+    Cornice --> s(^1.05, ^1, ^1.07) center(xz) color("#8c4a3a") Cornice.
+    Facade --> split(y) { 4 : Floor(2.4, "#31424c") | 0.35 : Ledge | { ~3.2 : Floor(2.4, "#56788c") }* }
+    Ledge  --> color("#8c4a3a") extrude(0.4) Ledge.
+    Floor(w, tint) --> split(x) { 0.7 : Pier | { ~w : Bay(tint) | 0.7 : Pier }* }
+    Pier   --> color("#e3d5bb") extrude(0.22) Pier.
+    Bay(tint) --> color("#cdb892") split(y) { 0.8 : Wall. | ~1 : Window(tint) | 0.35 : Wall. }
+    Window(tint) --> [ t(0, 0, -0.2) color(tint) Glass. ] color("#f5f1e6") split(x) { 0.1 : Frame | ~1 : Bars | 0.1 : Frame }
+    Bars   --> split(y) { 0.1 : Frame | ~2 : NIL | 0.08 : Frame | ~1 : NIL | 0.1 : Frame }
+    Frame  --> t(0, 0, -0.2) extrude(0.26) Frame.
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let house = House { height: 20.0, ..House::default() };
+    let model = house.generate(&Shape::rectangle(16.0, 11.0))?;
+    std::fs::create_dir_all("docs")?;
+    Picture::new(1000, 700).looking_from(28.0, 14.0).render(&model).write_png("docs/readme.png")?;
+    println!("wrote docs/readme.png");
+    Ok(())
+}
