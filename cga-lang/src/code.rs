@@ -56,6 +56,7 @@ codes! {
     NoStartRule "no_start_rule" Warning "No rule without parameters to begin with.",
     // Names.
     UndefinedRule "undefined_rule" Warning "A call that matches no rule by name and number of arguments.",
+    NotAnOperation "not_an_operation" Error "A function where an operation or a rule must stand.",
     UnknownName "unknown_name" Error "A name that is not declared.",
     UnknownFunction "unknown_function" Error "A function that is not declared.",
     UnknownAxis "unknown_axis" Error "An axis a split does not have.",

@@ -60,7 +60,13 @@ pub fn compile(tokens: &Tokens, door: Door) -> Compiled {
 
 /// Compiles tokens, with levels of findings for the grammar as a whole (`@Allow` and its like before the header).
 pub fn compile_with(tokens: &Tokens, door: Door, levels: &[(Code, Level)]) -> Compiled {
+    compile_after(tokens, door, levels, Vec::new())
+}
+
+/// Compiles tokens; `found` are the findings of whoever made them. An error among these leaves no grammar.
+pub fn compile_after(tokens: &Tokens, door: Door, levels: &[(Code, Level)], found: Vec<Diag>) -> Compiled {
     let mut diags = Diags::new();
+    diags.append(found);
     let ast = parse(tokens, &mut diags);
     let outcome = check(&ast, door, levels, &mut diags);
     let grammar = outcome.checked.map(|checked| lower(&checked, tokens));
@@ -87,14 +93,7 @@ pub fn compile_text(text: &str) -> Source {
 /// Compiles CGA text, with levels of findings for the grammar as a whole.
 pub fn compile_text_with(text: &str, levels: &[(Code, Level)]) -> Source {
     let lexed = lex(text);
-    let mut compiled = compile_with(&lexed.tokens, Door::Text, levels);
-    let mut all = Diags::new();
-    all.append(lexed.diags);
-    all.append(compiled.diags);
-    if all.has_errors() {
-        compiled.grammar = None;
-    }
-    compiled.diags = all.finish();
+    let compiled = compile_after(&lexed.tokens, Door::Text, levels, lexed.diags);
     Source { tokens: lexed.tokens, ranges: lexed.ranges, compiled }
 }
 

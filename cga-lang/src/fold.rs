@@ -141,7 +141,9 @@ fn to_text(value: Value) -> Option<Value> {
         Value::Text(text) => Some(Value::Text(text)),
         Value::Bool(value) => Some(Value::Text(value.to_string())),
         // How fractions look is the runtime's business; whole numbers can look only one way.
-        Value::Float(value) if value.fract() == 0.0 && value.abs() < 1e9 => Some(Value::Text(format!("{}", value as i64))),
+        Value::Float(value) if value.fract() == 0.0 && value.abs() < 1e9 => {
+            Some(Value::Text(format!("{}", value as i64)))
+        }
         Value::Float(_) => None,
     }
 }
@@ -154,6 +156,7 @@ fn builtin(name: &str, args: &[Value]) -> Option<Value> {
         ("sqrt", [Value::Float(a)]) => finite(a.sqrt()),
         ("float", [Value::Bool(a)]) => Some(Value::Float(f64::from(u8::from(*a)))),
         ("bool", [Value::Float(a)]) => Some(Value::Bool(*a != 0.0)),
+        ("rint", [Value::Float(a)]) => finite(a.round_ties_even()),
         // Which zero wins is left to the runtime.
         ("min", [Value::Float(a), Value::Float(b)]) if a != b => finite(a.min(*b)),
         ("max", [Value::Float(a), Value::Float(b)]) if a != b => finite(a.max(*b)),

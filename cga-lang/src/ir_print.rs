@@ -49,9 +49,7 @@ impl<'g> Printer<'g> {
             if let Some(order) = attr.order {
                 let _ = write!(text, ", order {order}");
             }
-            for (flag, word) in
-                [(attr.hidden, "hidden"), (attr.is_set, "set"), (attr.known.is_none(), "computed")]
-            {
+            for (flag, word) in [(attr.hidden, "hidden"), (attr.is_set, "set"), (attr.known.is_none(), "computed")] {
                 if flag {
                     let _ = write!(text, ", {word}");
                 }
@@ -251,12 +249,15 @@ impl<'g> Printer<'g> {
             ExprKind::Binary(op, a, b) => format!("({} {} {})", self.expr(a), sign(*op), self.expr(b)),
             ExprKind::ToText(operand) => format!("text({})", self.expr(operand)),
             ExprKind::Case(arms, otherwise) => {
-                let arms: String =
-                    arms.iter().map(|(test, value)| format!("case {} : {} ", self.expr(test), self.expr(value))).collect();
+                let arms: String = arms
+                    .iter()
+                    .map(|(test, value)| format!("case {} : {} ", self.expr(test), self.expr(value)))
+                    .collect();
                 format!("({arms}else : {})", self.expr(otherwise))
             }
             ExprKind::Chance(arms, otherwise) => {
-                let arms: String = arms.iter().map(|(percent, value)| format!("{percent}% : {} ", self.expr(value))).collect();
+                let arms: String =
+                    arms.iter().map(|(percent, value)| format!("{percent}% : {} ", self.expr(value))).collect();
                 format!("({arms}else : {})", self.expr(otherwise))
             }
         }

@@ -113,13 +113,15 @@ impl<'a> Lexer<'a> {
         self.skip_while(|c| c.is_ascii_digit());
         if let Some(after) = self.rest().strip_prefix('.') {
             // `1.==1` is `1 .== 1`: the dot belongs to the operator.
-            let operator = ["+", "-", "*", "/", "%", "!", "&&", "||", "==", "<", ">"].iter().any(|op| after.starts_with(op));
+            let operator =
+                ["+", "-", "*", "/", "%", "!", "&&", "||", "==", "<", ">"].iter().any(|op| after.starts_with(op));
             if !operator && !after.starts_with(starts_name) {
                 self.at += 1;
                 self.skip_while(|c| c.is_ascii_digit());
             }
         }
-        let exponent = self.rest().strip_prefix(['e', 'E']).map(|after| after.strip_prefix(['+', '-']).unwrap_or(after));
+        let exponent =
+            self.rest().strip_prefix(['e', 'E']).map(|after| after.strip_prefix(['+', '-']).unwrap_or(after));
         if exponent.is_some_and(|after| after.starts_with(|c: char| c.is_ascii_digit())) {
             self.at += 1;
             self.skip_while(|c| c == '+' || c == '-');

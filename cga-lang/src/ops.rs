@@ -87,12 +87,7 @@ const fn length(name: &'static str) -> Param {
     Param { name, kind: ParamKind::Length }
 }
 
-const fn op(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    about: &'static str,
-) -> Operation {
+const fn op(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Operation {
     Operation { name, call, params, uses_base: false, about }
 }
 
@@ -101,10 +96,8 @@ const CENTER_AXES: ParamKind = ParamKind::Word {
     words: &[("x", "X"), ("y", "Y"), ("z", "Z"), ("xy", "Xy"), ("xz", "Xz"), ("yz", "Yz"), ("xyz", "Xyz")],
 };
 
-const ROTATE_ABOUT: ParamKind = ParamKind::Word {
-    rust: "RotateAbout",
-    words: &[("scopeOrigin", "ScopeOrigin"), ("scopeCenter", "ScopeCenter")],
-};
+const ROTATE_ABOUT: ParamKind =
+    ParamKind::Word { rust: "RotateAbout", words: &[("scopeOrigin", "ScopeOrigin"), ("scopeCenter", "ScopeCenter")] };
 
 const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
     rust: "ExtrudeAlong",
@@ -213,10 +206,10 @@ pub static BUILTINS: &[Builtin] = &[
     func("clamp", "clamp", &[F, F, F], F),
     func("isnan", "isnan", &[F], B),
     func("isinf", "isinf", &[F], B),
-    func("float", "float_of_bool", &[B], F),
-    func("float", "float_of_text", &[T], F),
-    func("bool", "bool_of_float", &[F], B),
-    func("bool", "bool_of_text", &[T], B),
+    func("float", "bool_to_float", &[B], F),
+    func("float", "text_to_float", &[T], F),
+    func("bool", "float_to_bool", &[F], B),
+    func("bool", "text_to_bool", &[T], B),
 ];
 
 /// The rows of a function's name.
@@ -265,6 +258,5 @@ pub fn shape_attr(name: &str) -> Option<&'static ShapeAttr> {
 }
 
 /// The words that select components.
-pub const SELECTORS: &[&str] = &[
-    "front", "back", "left", "right", "top", "bottom", "side", "vertical", "horizontal", "aslant", "nutant", "all",
-];
+pub const SELECTORS: &[&str] =
+    &["front", "back", "left", "right", "top", "bottom", "side", "vertical", "horizontal", "aslant", "nutant", "all"];

@@ -2,8 +2,11 @@
 
 mod common;
 
-use cga_lang::ir::{Item, RuleId, Step, Target};
+use cga_lang::compile::{Door, compile};
+use cga_lang::ir::{Item, RuleId, Step, Target, Type};
 use cga_lang::ir_print::print;
+use cga_lang::lex::lex;
+use cga_lang::token::{Tok, Tokens};
 
 #[test]
 fn trees_become_these_grammars() {
@@ -62,4 +65,40 @@ fn slots(pattern: &[Item]) -> Vec<u32> {
         Item::Repeat(items) => slots(items),
     };
     pattern.iter().flat_map(one).collect()
+}
+
+/// Tokens of a text in which names that begin with `HOST` stand for Rust values.
+fn with_hosts(text: &str) -> Tokens {
+    let host = |name: &str| name.strip_prefix("HOST").and_then(|handle| handle.parse().ok()).map(Tok::Host);
+    lex(text).tokens.as_slice().iter().map(|tok| tok.ident().and_then(host).unwrap_or_else(|| tok.clone())).collect()
+}
+
+#[test]
+fn rust_values_get_their_types_from_their_uses() {
+    let text = "B(name) --> color(name)\n attr a = HOST7 + 1\n Lot --> case HOST3 : B(HOST4) else : extrude(HOST9 * a)\n\
+                c = HOST1 == \"x\"";
+    let compiled = compile(&with_hosts(text), Door::Inline);
+    assert_eq!(compiled.diags, []);
+    let grammar = compiled.grammar.expect("no findings");
+    let hosts: Vec<(u32, Type)> = grammar.hosts.iter().map(|host| (host.handle, host.ty)).collect();
+    let wanted = [(7, Type::Float), (3, Type::Bool), (4, Type::Text), (9, Type::Float), (1, Type::Text)];
+    assert_eq!(hosts, wanted);
+    assert_eq!(grammar.attrs[0].known, None);
+}
+
+#[test]
+fn a_rust_value_cannot_be_an_operation() {
+    let compiled = compile(&with_hosts("Lot --> HOST1"), Door::Inline);
+    assert_eq!(compiled.diags[0].message, "expected an operation or a rule, found a Rust value");
+}
+
+#[test]
+fn public_names_are_known_despite_errors() {
+    let text = "attr a = 3 attr b = nothing attr c = \"x\" attr d = a > 2 attr a = 4 attr e = 1 + Lot --> Nothing(";
+    let compiled = compile(&lex(text).tokens, Door::Inline);
+    assert!(compiled.grammar.is_none());
+    let names: Vec<(&str, Option<Type>)> =
+        compiled.names.attrs.iter().map(|attr| (attr.name.as_str(), attr.ty)).collect();
+    let wanted = [("a", Some(Type::Float)), ("b", None), ("c", Some(Type::Text)), ("d", Some(Type::Bool)), ("e", None)];
+    assert_eq!(names, wanted);
 }

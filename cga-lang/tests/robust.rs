@@ -31,9 +31,50 @@ impl Random {
 }
 
 const NAMES: &[&str] = &[
-    "A", "B", "Lot", "a", "b", "x", "y", "h", "attr", "const", "case", "else", "NIL", "split", "comp", "set", "f", "side",
-    "top", "all", "scope", "sx", "index", "rand", "extrude", "color", "s", "t", "true", "false", "version", "import",
-    "style", "start", "with", "front", "min", "str", "float", "report", "Range", "StartRule", "material", "geometry",
+    "A",
+    "B",
+    "Lot",
+    "a",
+    "b",
+    "x",
+    "y",
+    "h",
+    "attr",
+    "const",
+    "case",
+    "else",
+    "NIL",
+    "split",
+    "comp",
+    "set",
+    "f",
+    "side",
+    "top",
+    "all",
+    "scope",
+    "sx",
+    "index",
+    "rand",
+    "extrude",
+    "color",
+    "s",
+    "t",
+    "true",
+    "false",
+    "version",
+    "import",
+    "style",
+    "start",
+    "with",
+    "front",
+    "min",
+    "str",
+    "float",
+    "report",
+    "Range",
+    "StartRule",
+    "material",
+    "geometry",
 ];
 
 fn token(random: &mut Random) -> Tok {
@@ -66,7 +107,7 @@ fn try_tokens(tokens: &Tokens) {
 
 fn try_text(text: &str) {
     let source = compile_text(text);
-    for diag in &source.compiled.diags {
+    for diag in source.compiled.diags.iter().take(20) {
         assert!(!render(text, &source.ranges, "a.cga", diag).is_empty());
     }
     try_tokens(&source.tokens);
@@ -90,7 +131,8 @@ fn random_tokens_never_panic() {
 #[test]
 fn random_bytes_never_panic() {
     let mut random = Random(2);
-    let pieces = ["\"", "\\", "\\u", "/*", "*/", "#", "\r\n", "\t", "é", "—", "“", "0x", "1.", ".", "'", "-->", "\0", "😀"];
+    let pieces =
+        ["\"", "\\", "\\u", "/*", "*/", "#", "\r\n", "\t", "é", "—", "“", "0x", "1.", ".", "'", "-->", "\0", "😀"];
     for _ in 0..3000 {
         let mut text = String::new();
         for _ in 0..random.below(40) {
@@ -144,7 +186,7 @@ fn every_beginning_of_a_fixture_never_panics() {
 
 #[test]
 fn deep_nesting_is_an_error_and_no_overflow() {
-    let count = 20_000;
+    let count = 3_000;
     for (open, close) in [
         ("(", ")"),
         ("[ ", " ]"),
@@ -190,10 +232,10 @@ fn nesting_below_the_limit_compiles() {
 
 #[test]
 fn long_grammars_take_time_in_proportion() {
-    let one = "attr aN = bN + 1\nconst bN = cN * 2\ncN = case true : 1 else : 2\nRN(i) --> case i > aN : split(x) { { ~bN : \
-               color(\"#fff\") RN(i - 1) | 1 : X. }* } else : comp(f) { side : [ t(0, '1, 0) Y. ] SN | top : NIL }\n\
-               SN --> s('1, cN, 0) [ X. ]\n";
-    let text: String = (0..2000).map(|number| one.replace('N', &number.to_string())).collect();
+    let one = "attr a_ = b_ + 1\nconst b_ = c_ * 2\nc_ = case true : 1 else : 2\nR_(i) --> case i > a_ : split(x) { { ~b_ : \
+               color(\"#fff\") R_(i - 1) | 1 : X. }* } else : comp(f) { side : [ t(0, '1, 0) Y. ] S_ | top : NIL }\n\
+               S_ --> s('1, c_, 0) [ X. ]\n";
+    let text: String = (0..2000).map(|number| one.replace('_', &number.to_string())).collect();
     let source = compile_text(&text);
     assert_eq!(source.compiled.diags, []);
     assert_eq!(source.compiled.grammar.expect("no findings").attrs.len(), 2000);

@@ -49,15 +49,16 @@ fn main() -> Result<(), Failure> {
     let (mut wall, mut cpu, mut last) = (Vec::new(), Vec::new(), None);
     for _ in 0..options.repeat.max(1) {
         drop(last.take());
-        let (start, busy) = (Instant::now(), processor_time());
+        let busy = processor_time();
+        let start = Instant::now();
         let slabs = cut::slabs(&mesh, options.axis, &options.offsets);
         let triangles: Vec<Vec<[u32; 3]>> = if options.triangles {
             slabs.parts.iter().flatten().map(|part| triangles(&mut triangulator, part)).collect()
         } else {
             Vec::new()
         };
-        cpu.push((processor_time() - busy) * 1e3);
         wall.push(start.elapsed().as_secs_f64() * 1e3);
+        cpu.push((processor_time() - busy) * 1e3);
         last = Some((slabs, triangles));
     }
     if let Some((slabs, _)) = last {

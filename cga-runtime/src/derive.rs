@@ -1,8 +1,8 @@
 //! A run: rules call each other directly, leaves go to the sink as they appear.
 //!
-//! Order of leaves: depth first, in writing order. Calls inside a cycle of rules are direct down to [`DIRECT`] levels;
-//! deeper ones wait on a list and run, first in first out, when the direct ones are through. Both follow from the rules
-//! alone, so the order is the same in every run.
+//! Order of leaves: depth first, in writing order. Only where rules go so deep that [`STACK`] is used up, calls wait on
+//! a list and run, first in first out, when the direct ones are through. What a call takes of the stack is an estimate
+//! of the code generator that follows from the rules alone, so the order is the same in every run and every build.
 
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -15,8 +15,9 @@ use crate::settings::Settings;
 use crate::shape::{Geometry, Shape, ShapeRef};
 use crate::sink::{Flow, Leaf, Sink};
 
-/// Levels of recursion that use the stack.
-const DIRECT: u32 = 48;
+/// How much of the stack direct calls may use, in the units of generated code: about a kilobyte each in a build without
+/// optimisation, much less with it. Threads have two megabytes, of which sinks and Rust operations need their share.
+pub const STACK: u32 = 640;
 
 /// What a run says besides what it gave the sink.
 #[derive(Clone, Debug, Default)]
@@ -40,8 +41,9 @@ pub struct Cx<'r, S: ?Sized, C> {
     pub env: Env,
     sink: &'r mut S,
     waiting: VecDeque<Waiting<C>>,
-    /// Recursion levels on the stack, and before the work item under way.
-    direct: u32,
+    /// What direct calls take of [`STACK`] at the moment.
+    stack: u32,
+    /// Nesting of rules that can reach themselves.
     depth: u32,
 }
 
@@ -68,23 +70,29 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
         Flow::Continue(())
     }
 
-    /// Whether a call inside a cycle of rules may use the stack. If so, [`Cx::ascend`] follows the call.
+    /// Whether a call may use the stack: one that goes down `levels` of recursion, 0 or 1, and takes so much of [`STACK`].
+    /// If so, [`Cx::ascend`] follows the call, else [`Cx::defer`].
     #[inline]
-    pub fn descend(&mut self) -> bool {
-        let may = self.direct < DIRECT && self.depth + self.direct < self.env.settings.limits.depth;
-        self.direct += u32::from(may);
+    pub fn descend(&mut self, levels: u32, stack: u32) -> bool {
+        let may = self.stack + stack <= STACK && self.depth + levels <= self.env.settings.limits.depth;
+        if may {
+            self.stack += stack;
+            self.depth += levels;
+        }
         may
     }
 
-    /// Comes back from a direct call inside a cycle.
+    /// Comes back from a direct call.
     #[inline]
-    pub fn ascend(&mut self) {
-        self.direct -= 1;
+    pub fn ascend(&mut self, levels: u32, stack: u32) {
+        self.stack -= stack;
+        self.depth -= levels;
     }
 
-    /// Puts a call inside a cycle on the list.
-    pub fn defer(&mut self, shape: &ShapeRef<'_>, call: C) -> Flow {
-        let depth = self.depth + self.direct + 1;
+    /// Puts a call on the list.
+    #[cold]
+    pub fn defer(&mut self, shape: &ShapeRef<'_>, levels: u32, call: C) -> Flow {
+        let depth = self.depth + levels;
         if self.env.settings.limits.depth < depth {
             return self.env.limit("depth", u64::from(self.env.settings.limits.depth));
         }
@@ -139,7 +147,7 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
     rules.check()?;
     let start = start_rule::<R>(settings.start.as_deref())?;
     let env = Env::new(settings, R::NAMES, shape.scope.size.abs().max_element());
-    let mut cx = Cx { env, sink, waiting: VecDeque::new(), direct: 0, depth: 0 };
+    let mut cx = Cx { env, sink, waiting: VecDeque::new(), stack: 0, depth: 0 };
     let values = rules.values(&mut cx.env, shape);
     // A break with no error is the sink's.
     let mut flow = if cx.env.error.is_some() { Flow::Break(()) } else { Flow::Continue(()) };
@@ -148,7 +156,7 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
     }
     while flow.is_continue() {
         let Some(next) = cx.waiting.pop_front() else { break };
-        (cx.depth, cx.direct) = (next.depth, 0);
+        (cx.depth, cx.stack) = (next.depth, 0);
         cx.env.resume_trail(next.trail);
         flow = R::resume(&values, &mut cx, next.shape, next.call);
     }

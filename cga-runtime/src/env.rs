@@ -48,6 +48,16 @@ pub(crate) struct Trail {
     rules: Box<[u32]>,
 }
 
+impl Drop for Trail {
+    /// One after the other: a deep recursion makes a long list, and dropping it level by level would need as much stack.
+    fn drop(&mut self) {
+        let mut next = self.before.take();
+        while let Some(mut trail) = next.and_then(Rc::into_inner) {
+            next = trail.before.take();
+        }
+    }
+}
+
 impl Env {
     pub(crate) fn new(settings: &Settings, names: &'static [&'static str], extent: f64) -> Self {
         Env {

@@ -2,6 +2,7 @@
 //! other.
 
 pub use std::ops::ControlFlow;
+pub use std::string::String;
 
 pub use crate::comp::select::Select;
 pub use crate::comp::{Arm, Mode, faces};
@@ -22,7 +23,12 @@ pub use crate::state::Value;
 pub use crate::text::Text;
 pub use crate::{func, get, host, op, set};
 
-use crate::seed::Tag;
+use crate::seed::{Seed, Tag};
+
+/// The text of an attribute.
+pub fn text(value: &str) -> Text {
+    Text::from(value)
+}
 
 /// A copy of the current shape for a successor.
 #[inline]
@@ -39,7 +45,7 @@ pub fn push<'s>(shape: &'s mut ShapeRef<'_>) -> ShapeRef<'s> {
 /// The initial shape with the random stream of one attribute or constant (*CGA changelog 2018.0*: each has its own).
 pub fn global(shape: &Shape, number: u32) -> Shape {
     let mut own = shape.clone();
-    own.seed = shape.seed.child(Tag::Global, number);
+    own.seed = Seed::child(shape.seed.value(), Tag::Global, number);
     own
 }
 

@@ -278,7 +278,7 @@ impl<'a> ShapeRef<'a> {
             scope: self.scope,
             pivot: self.pivot,
             geometry: self.geometry.clone(),
-            seed: self.seed.child(tag, ordinal),
+            seed: Seed::child(self.seed.value(), tag, ordinal),
             split: self.split,
             comp: self.comp,
             selector: self.selector,

@@ -150,12 +150,12 @@ const _: () = {
             1 => rt::Flow::Continue(()),
             _ => {
                 let a0 = p0 - 1.0;
-                if cx.descend() {
+                if cx.descend(1, 8) {
                     S(g, cx, part, a0)?;
-                    cx.ascend();
+                    cx.ascend(1, 8);
                     rt::Flow::Continue(())
                 } else {
-                    cx.defer(&part, Call::S(a0))
+                    cx.defer(&part, 1, Call::S(a0))
                 }
             }
         })?;

@@ -29,8 +29,11 @@ pub(super) fn find(cx: &mut Cx) {
         let value = component.iter().copied().find(|&node| node < attrs + consts);
         if let (true, Some(node)) = (cyclic, value) {
             let decl = decls[node];
-            let others: Vec<String> =
-                component.iter().filter(|&&other| other != node).map(|&other| format!("`{}`", decls[other].name.text)).collect();
+            let others: Vec<String> = component
+                .iter()
+                .filter(|&&other| other != node)
+                .map(|&other| format!("`{}`", decls[other].name.text))
+                .collect();
             let message = if others.is_empty() {
                 format!("`{}` needs its own value", decl.name.text)
             } else {
@@ -40,7 +43,11 @@ pub(super) fn find(cx: &mut Cx) {
         } else if let (true, Some(&node)) = (cyclic, component.iter().find(|&&node| !ends[node])) {
             let decl = decls[node];
             cx.diags
-                .report(Code::EndlessFunction, decl.name.span, format!("`{}` calls itself and never ends", decl.name.text))
+                .report(
+                    Code::EndlessFunction,
+                    decl.name.span,
+                    format!("`{}` calls itself and never ends", decl.name.text),
+                )
                 .help("a recursive function needs a `case` with a branch that does not call it");
         }
         for &node in &component {

@@ -183,7 +183,10 @@ impl<'a> Scope<'_, 'a, '_> {
         diag.suggest(near);
         if inline && !dotted && !suggested {
             diag.help(format!("write `#{text}` for a Rust value"));
-        } else if text.split_once('.').is_some_and(|(first, _)| !SHAPE_ATTRS.iter().any(|row| row.name.starts_with(first))) {
+        } else if text
+            .split_once('.')
+            .is_some_and(|(first, _)| !SHAPE_ATTRS.iter().any(|row| row.name.starts_with(first)))
+        {
             diag.note("names with a dot belong to imports, which are not supported yet");
         }
     }

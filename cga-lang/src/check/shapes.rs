@@ -140,15 +140,12 @@ impl<'a> Scope<'_, 'a, '_> {
         if !takes.is_empty() {
             let rows: Vec<String> = ops::operations(text).map(|row| format!("`{}`", usage(row))).collect();
             let message = format!("operation `{text}` takes {}, got {count}", counts(takes));
-            self.cx
-                .diags
-                .report(Code::ArgumentCount, name.span, message)
-                .help(format!("write {}", rows.join(" or ")));
+            self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write {}", rows.join(" or ")));
             return;
         }
         if ops::builtins(text).next().is_some() || words::is_later_function(text) {
             let message = format!("`{text}` is a function: it has a value, it does nothing to the shape");
-            self.cx.diags.report(Code::UndefinedRule, name.span, message).level = Level::Error;
+            self.cx.diags.report(Code::NotAnOperation, name.span, message);
             return;
         }
         let inline = self.cx.door == Door::Inline;
@@ -323,8 +320,12 @@ impl<'a> Scope<'_, 'a, '_> {
             let text = word(second).unwrap_or("a second argument");
             self.cx.diags.report(Code::Unsupported, second.span, format!("`comp` with `{text}` is not supported yet"));
         }
+        let faces = comp.args.first().and_then(word) == Some("f");
         for arm in &comp.arms {
-            self.selector(&arm.selector);
+            // Other components have other selectors.
+            if faces {
+                self.selector(&arm.selector);
+            }
             self.ops(&arm.ops);
         }
     }
@@ -347,7 +348,10 @@ impl<'a> Scope<'_, 'a, '_> {
                 .diags
                 .report(Code::UnknownSelector, name.span, format!("unknown selector `{text}`"))
                 .suggest(nearest(text, SELECTORS.iter().copied()))
-                .note(format!("there are {}", SELECTORS.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")));
+                .note(format!(
+                    "there are {}",
+                    SELECTORS.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
+                ));
         }
     }
 }

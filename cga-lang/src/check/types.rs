@@ -119,11 +119,8 @@ impl<'a> Infer<'_, 'a, '_> {
         }
         let Some(got) = self.vars.known(var) else { return };
         let why = self.vars.why(var).filter(|why| *why != span);
-        let diag = self.cx.diags.report(
-            Code::TypeMismatch,
-            span,
-            format!("{who} needs a {}, got a {}", word(ty), word(got)),
-        );
+        let diag =
+            self.cx.diags.report(Code::TypeMismatch, span, format!("{who} needs a {}, got a {}", word(ty), word(got)));
         if let Some(why) = why {
             diag.related(format!("found to be a {}", word(got)), why);
         }
@@ -176,7 +173,8 @@ impl<'a> Infer<'_, 'a, '_> {
             let ty = self.expr(value);
             if let Err((first, second)) = self.vars.join(result, ty) {
                 let why = self.vars.why(result);
-                let diag = self.mismatch(value.span, &format!("the branches before are a {}, this is", word(first)), second);
+                let diag =
+                    self.mismatch(value.span, &format!("the branches before are a {}, this is", word(first)), second);
                 if let Some(why) = why {
                     diag.related(format!("a {}", word(first)), why);
                 }

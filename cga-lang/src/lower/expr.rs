@@ -32,7 +32,8 @@ impl Lower<'_> {
                 binary(*op, left, right)
             }
             ast::ExprKind::Case(arms, otherwise) => {
-                let arms: Vec<(Expr, Expr)> = arms.iter().map(|(test, value)| (self.expr(test), self.expr(value))).collect();
+                let arms: Vec<(Expr, Expr)> =
+                    arms.iter().map(|(test, value)| (self.expr(test), self.expr(value))).collect();
                 let otherwise = self.expr(otherwise);
                 let ty = otherwise.ty;
                 (ExprKind::Case(arms, Box::new(otherwise)), ty)
@@ -56,9 +57,7 @@ impl Lower<'_> {
         let globals = &self.checked.globals;
         match found {
             Some(Use::Param(index)) => (ExprKind::Param(index), self.ty(self.params[index as usize].id())),
-            Some(Use::Attr(index)) => {
-                (ExprKind::Attr(AttrId(index)), self.ty(globals.attrs[index as usize].name.id()))
-            }
+            Some(Use::Attr(index)) => (ExprKind::Attr(AttrId(index)), self.ty(globals.attrs[index as usize].name.id())),
             Some(Use::Const(index)) => {
                 (ExprKind::Const(ConstId(index)), self.ty(globals.consts[index as usize].name.id()))
             }

@@ -22,8 +22,16 @@ const LONGEST_SOURCE: usize = 400;
 
 /// Lowers a checked tree. `tokens` are those it was parsed from.
 pub fn lower(checked: &Checked, tokens: &Tokens) -> Grammar {
-    let mut lower =
-        Lower { checked, tokens, params: &[], label: "", blocks: HashMap::new(), hosts: HashMap::new(), known: Known::default(), out: Grammar::default() };
+    let mut lower = Lower {
+        checked,
+        tokens,
+        params: &[],
+        label: "",
+        blocks: HashMap::new(),
+        hosts: HashMap::new(),
+        known: Known::default(),
+        out: Grammar::default(),
+    };
     lower.hosts();
     lower.globals();
     lower.rules();
@@ -115,7 +123,11 @@ impl<'c> Lower<'c> {
         self.params = &decl.params;
         match decl.value() {
             Some(value) => self.expr(value),
-            None => crate::ir::Expr { kind: crate::ir::ExprKind::Value(Value::Float(0.0)), ty: Type::Float, span: decl.span },
+            None => crate::ir::Expr {
+                kind: crate::ir::ExprKind::Value(Value::Float(0.0)),
+                ty: Type::Float,
+                span: decl.span,
+            },
         }
     }
 

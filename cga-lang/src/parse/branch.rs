@@ -84,17 +84,20 @@ impl Parser<'_> {
             arms.otherwise = Some(self.nested(otherwise)?);
             return Ok(arms);
         }
-        if !matches!(self.peek(), None | Some(Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket | Sym::RParen | Sym::Comma)))
-            && !self.at_border()
+        if !matches!(
+            self.peek(),
+            None | Some(Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket | Sym::RParen | Sym::Comma))
+        ) && !self.at_border()
         {
             return self.fail("`else`");
         }
-        let (last, message) =
-            if first_is_case { (start, "this `case` has no `else`") } else { (start + 1, "these percentages have no `else`") };
+        let (last, message) = if first_is_case {
+            (start, "this `case` has no `else`")
+        } else {
+            (start + 1, "these percentages have no `else`")
+        };
         let span = self.span_at(start).to(self.span_at(last));
-        self.diags
-            .report(Code::MissingElse, span, message)
-            .help("end it with `else : …`; `else : NIL` makes nothing");
+        self.diags.report(Code::MissingElse, span, message).help("end it with `else : …`; `else : NIL` makes nothing");
         if mixed { Err(Reported) } else { Ok(arms) }
     }
 }

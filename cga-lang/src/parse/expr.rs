@@ -38,7 +38,7 @@ fn operator(token: &Tok) -> Option<(Binary, u8)> {
 impl Parser<'_> {
     /// A value; `case` and percentages included.
     pub(super) fn value(&mut self) -> Parsed<Expr> {
-        if self.at_branch() { self.nested(Self::branch_value) } else { self.expr() }
+        if self.at_branch() { self.branch_value() } else { self.expr() }
     }
 
     /// A value that is no branch block, unless in parentheses.
@@ -79,7 +79,7 @@ impl Parser<'_> {
             }
             let at = self.span();
             self.bump();
-            let (right, right_depth) = self.nested(|parser| parser.binary(level + 1))?;
+            let (right, right_depth) = self.binary(level + 1)?;
             depth = self.deepen(depth.max(right_depth))?;
             let kind = ExprKind::Binary(op, at, Box::new(left), Box::new(right));
             left = Expr { kind, span: self.span_from(start) };
@@ -222,7 +222,9 @@ impl Parser<'_> {
             if self.at < close && !self.eat(Sym::Comma) {
                 return self.fail("`,` or `)`");
             }
-            if self.at == close && self.span_at(self.at - 1) != self.span_at(close) && self.view_is(self.at - 1, Sym::Comma)
+            if self.at == close
+                && self.span_at(self.at - 1) != self.span_at(close)
+                && self.view_is(self.at - 1, Sym::Comma)
             {
                 self.expected(&format!("another argument of `{}`", name.text));
                 return Err(Reported);

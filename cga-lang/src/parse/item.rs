@@ -91,10 +91,7 @@ impl Parser<'_> {
             return self.no_declaration();
         }
         let Some(name) = self.take_name() else { return self.fail("a name") };
-        if KEYWORDS.contains(&name.text.as_str()) {
-            let message = format!("`{}` is a word of the language, it cannot be declared", name.text);
-            self.diags.report(Code::Syntax, name.span, message);
-        }
+        self.not_a_keyword(&name);
         let params = self.params().inspect_err(|_| self.lost.push(name.text.clone()))?;
         if self.is_word("with") && self.nth_is(1, Sym::LParen) {
             self.lost.push(name.text);
@@ -122,6 +119,13 @@ impl Parser<'_> {
         let span = self.span_from(start);
         ast.decls.push(Decl { annotations, docs, name, params, body, span });
         Ok(())
+    }
+
+    fn not_a_keyword(&mut self, name: &Name) {
+        if KEYWORDS.contains(&name.text.as_str()) {
+            let message = format!("`{}` is a word of the language, it cannot be declared", name.text);
+            self.diags.report(Code::Syntax, name.span, message);
+        }
     }
 
     fn docs_between(&self, from: usize, to: usize) -> Vec<String> {
@@ -165,7 +169,10 @@ impl Parser<'_> {
         self.bump();
         while self.at < close && self.tick() {
             match self.take_name() {
-                Some(name) => params.push(name),
+                Some(name) => {
+                    self.not_a_keyword(&name);
+                    params.push(name);
+                }
                 None => return self.fail("the name of a parameter"),
             }
             if self.at < close && !self.eat(Sym::Comma) {

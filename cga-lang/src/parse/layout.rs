@@ -104,7 +104,10 @@ fn keyword<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> bool 
 /// Where an import's own declarations end, so that they do not count as the grammar's.
 fn import_end<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> usize {
     let is = |position: usize, sym: Sym| at(position).is_some_and(|token| token.is(sym));
-    if at(position).and_then(Tok::ident) != Some("import") || !is(position + 2, Sym::Colon) || !is(position + 4, Sym::LParen) {
+    if at(position).and_then(Tok::ident) != Some("import")
+        || !is(position + 2, Sym::Colon)
+        || !is(position + 4, Sym::LParen)
+    {
         return 0;
     }
     after_brackets(at, position + 4).unwrap_or(0)
@@ -125,7 +128,9 @@ fn after_brackets<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -
 
 /// How a declaration of the name at `position` goes on, if there is one.
 pub(super) fn head<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> Option<Head> {
-    at(position)?.ident()?;
+    if at(position)?.ident()? == "with" {
+        return None;
+    }
     let is = |position: usize, sym: Sym| at(position).is_some_and(|token| token.is(sym));
     let mut next = position + 1;
     let mut names = true;

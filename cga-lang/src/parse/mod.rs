@@ -66,18 +66,7 @@ impl<'a> Parser<'a> {
         }
         let layout = Layout::new(tokens, &view);
         let fuel = tokens.len() * 16 + 1000;
-        Parser {
-            tokens,
-            view,
-            docs,
-            layout,
-            at: 0,
-            depth: 0,
-            deep: false,
-            fuel,
-            lost: Vec::new(),
-            diags: Diags::new(),
-        }
+        Parser { tokens, view, docs, layout, at: 0, depth: 0, deep: false, fuel, lost: Vec::new(), diags: Diags::new() }
     }
 
     /// The token `ahead` of the next one.
@@ -220,14 +209,11 @@ impl<'a> Parser<'a> {
         self.bump();
         let mut items = Vec::new();
         while self.tick() {
-            match self.nested(&mut item) {
-                Ok(one) => {
-                    items.push(one);
-                    if self.at < close && !self.is(Sym::Bar) {
-                        self.expected("`|` or `}`");
-                    }
+            if let Ok(one) = self.nested(&mut item) {
+                items.push(one);
+                if self.at < close && !self.is(Sym::Bar) {
+                    self.expected("`|` or `}`");
                 }
-                Err(Reported) => {}
             }
             while self.at < close && !self.is(Sym::Bar) {
                 self.at = self.layout.close(self.at).unwrap_or(self.at) + 1;

@@ -22,7 +22,7 @@ impl Parser<'_> {
                         .report(Code::BranchNotFirst, span, "a branch block must come first in a rule's body")
                         .help("put it in brackets: `[ case … else : … ]`");
                 }
-                let branch = self.nested(|parser| parser.branch_ops(in_arm))?;
+                let branch = self.branch_ops(in_arm)?;
                 ops.push(branch);
                 if in_arm {
                     break;

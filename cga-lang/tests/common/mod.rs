@@ -10,7 +10,7 @@
 //! A first line `// inline` asks for the strictness of rules among Rust. `CGA_BLESS=1` rewrites what is expected.
 #![allow(dead_code, reason = "each test file uses a part")]
 
-use cga_lang::compile::{Compiled, Door, compile};
+use cga_lang::compile::{Compiled, Door, compile_after};
 use cga_lang::diag::{Diag, Level};
 use cga_lang::lex::{Lexed, lex};
 use cga_lang::snippet::{bytes, position};
@@ -84,11 +84,7 @@ pub(crate) fn door(text: &str) -> Door {
 /// Compiles a fixture as its door would.
 pub(crate) fn compiled(text: &str) -> (Compiled, Lexed) {
     let lexed = lex(text);
-    let mut compiled = compile(&lexed.tokens, door(text));
-    compiled.diags.extend(lexed.diags.iter().cloned());
-    if compiled.diags.iter().any(|diag| diag.level == Level::Error) {
-        compiled.grammar = None;
-    }
+    let compiled = compile_after(&lexed.tokens, door(text), &[], lexed.diags.clone());
     (compiled, lexed)
 }
 
@@ -103,9 +99,8 @@ fn annotate(text: &str, lexed: &Lexed, diags: &[Diag]) -> String {
     list.sort_by_key(|(line, start, _)| (*line, *start));
     let mut out = String::new();
     let mut list = list.into_iter().peekable();
-    let mut number = 0;
-    for line in text.split_inclusive('\n') {
-        number += 1;
+    for (index, line) in text.split_inclusive('\n').enumerate() {
+        let number = index + 1;
         out.push_str(line);
         while let Some((_, start, diag)) = list.next_if(|(at, ..)| *at <= number) {
             if !out.ends_with('\n') {

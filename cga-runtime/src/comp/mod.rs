@@ -13,7 +13,7 @@ use crate::env::Env;
 use crate::mesh::Mesh;
 use crate::place;
 use crate::scope::{Axis, Frame, Scope};
-use crate::seed::Tag;
+use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, Geometry, Placed, ShapeRef};
 use crate::sink::{Flow, Quad};
 use frame::FaceFrame;
@@ -46,6 +46,7 @@ pub struct Parts<'s> {
     arms: &'s [Arm],
     owners: Owners,
     source: Source,
+    seed: u64,
     ordinal: u32,
 }
 
@@ -114,7 +115,7 @@ pub fn faces<'s>(
         }
     };
     let ordinal = shape.seed.reserve(owners.list().len().min(u32::MAX as usize) as u32);
-    ControlFlow::Continue(Parts { parent: shape, arms, owners, source, ordinal })
+    ControlFlow::Continue(Parts { seed: shape.seed.value(), parent: shape, arms, owners, source, ordinal })
 }
 
 /// The faces of a shape that needs no mesh: a box or rectangle that is neither flat nor inside out, handed out one by one.
@@ -187,7 +188,7 @@ impl<'s> Parts<'s> {
             scope,
             pivot,
             geometry,
-            seed: parent.seed.child(Tag::Comp, self.ordinal.wrapping_add(face as u32)),
+            seed: Seed::child(self.seed, Tag::Comp, self.ordinal.wrapping_add(face as u32)),
             split: parent.split,
             comp,
             selector: arm.text,

@@ -49,7 +49,6 @@ pub(super) struct General {
     on: Vec<(u32, f64, usize)>,
     /// Edges of the face along planes, and edges made along them: plane, nodes, and by how much they count.
     along: Vec<(u32, [usize; 2], i32)>,
-    has_flat: bool,
     ends: Vec<End>,
     open: Vec<End>,
     early: Vec<End>,
@@ -104,9 +103,7 @@ impl General {
             }
             self.rings.emit(state, mesh, slab);
         }
-        if self.has_flat {
-            self.close_flat(state, mesh);
-        }
+        self.close_flat(state, mesh);
     }
 
     /// Loops into fragments.
@@ -117,7 +114,6 @@ impl General {
         self.on.clear();
         self.along.clear();
         self.ways.clear();
-        self.has_flat = false;
         for ring in face.loop_ranges() {
             let start = self.nodes.len();
             for corner in ring.clone() {
@@ -141,7 +137,6 @@ impl General {
                 }
                 if here == last + 1 && a.class == b.class {
                     self.along.push((b.class / 2, [last, here], 1));
-                    self.has_flat = true;
                 } else {
                     let inside = if here == last + 1 { a.class.max(b.class) } else { self.nodes[last + 1].class };
                     let slab = inside / 2;
@@ -222,9 +217,7 @@ impl General {
             let [p, q] = [last, here].map(|node| self.nodes[node].point);
             if p != q {
                 state.rim.edge(plane, p, q, side);
-                if self.has_flat {
-                    self.along.push((plane, [last, here], -1));
-                }
+                self.along.push((plane, [last, here], -1));
             }
             last = here;
         }
@@ -247,8 +240,9 @@ impl General {
         }
     }
 
-    /// Edges of the face along a plane that no piece has got: they can only run back and forth there. They become faces
-    /// without area, so that no neighbour lacks its partner.
+    /// Along a plane, the pieces below and above and the face itself use each edge as often one way as the other. Where a
+    /// face is broken (not planar, or crossing itself) they may not: what is missing becomes faces in the plane, so that no
+    /// neighbour lacks its partner.
     fn close_flat(&mut self, state: &mut State, mesh: &Mesh) {
         let nodes = &self.nodes;
         let key = |edge: &(u32, [usize; 2], i32)| {

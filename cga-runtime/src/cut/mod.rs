@@ -5,7 +5,8 @@
 //! the cut coordinate set to the offset itself; every face and both sides use that point. From there on everything is
 //! decided by index: which pieces meet, which edges a side lacks a partner for, which loops those make.
 //!
-//! A face in a plane goes to the side its normal points away from, which it closes. Caps are what is still missing then:
+//! A face in a plane goes to the side its normal points away from, which it closes (of a mesh that is inside out, to the
+//! other). Caps are what is still missing then:
 //! polygons with holes whose rim is made of the edges left without a partner in the plane, the same points on both
 //! sides. Where the mesh was open before, it stays open.
 
@@ -99,6 +100,8 @@ struct State {
     crossings: Crossings,
     parts: Vec<Part>,
     rim: Rim,
+    /// Whether the mesh encloses its volume inside out, once it matters.
+    inverted: Option<bool>,
 }
 
 impl Cutter {
@@ -209,6 +212,7 @@ impl State {
                 points.push(p);
             }
         }
+        self.inverted = None;
         self.crossings.reset(mesh.points.len());
         self.rim.reset();
     }
@@ -254,9 +258,12 @@ impl State {
         }
     }
 
-    /// A face in a plane goes to the side that its normal points away from.
+    /// A face in a plane goes to the side that its normal points away from, which it closes; of a mesh that is inside out
+    /// to the other.
     fn keep_flat(&mut self, mesh: &Mesh, face: usize, plane: u32) {
+        let inverted = *self.inverted.get_or_insert_with(|| mesh.is_closed() && mesh.volume() < 0.0);
         let up = unit(mesh.face(face).area_vector())[self.axis];
-        self.keep(mesh, face, if up < 0.0 { plane + 1 } else { plane }, 1);
+        let above = if inverted { up > 0.0 } else { up < 0.0 };
+        self.keep(mesh, face, plane + u32::from(above), 1);
     }
 }

@@ -1,6 +1,6 @@
 //! Which loops of a section are outlines, and which are holes of which.
 //!
-//! Outlines run counter-clockwise, holes clockwise. A hole belongs to the smallest outline that winds around it. Each hole
+//! Outlines run counter-clockwise, holes clockwise (of a section that is inside out as a whole, the other way). A hole belongs to the smallest outline that winds around it. Each hole
 //! is asked for at one point, and only the edges in the same strip of the plane are looked at.
 
 use std::ops::Range;
@@ -13,7 +13,7 @@ use crate::exact::orient;
 /// A loop, and for a hole its outline.
 struct Loop {
     range: Range<usize>,
-    /// Twice the signed area.
+    /// Twice the area, negative for a hole.
     area: f64,
     low: DVec2,
     high: DVec2,
@@ -49,6 +49,10 @@ impl Nest {
         for &end in &contour.ends {
             self.loops.push(measure(contour, start..end));
             start = end;
+        }
+        // A section that is inside out has its outlines clockwise.
+        if self.loops.iter().map(|l| l.area).sum::<f64>() < 0.0 {
+            self.loops.iter_mut().for_each(|l| l.area = -l.area);
         }
         let outlines = self.loops.iter().filter(|l| 0.0 <= l.area).count();
         if outlines < self.loops.len() && outlines != 0 {

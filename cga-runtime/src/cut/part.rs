@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::crossing::Crossings;
-use crate::mesh::{FaceTag, Mesh};
+use crate::mesh::{FaceTag, Mesh, keep_used};
 
 /// Not numbered yet.
 pub(super) const NONE: u32 = u32::MAX;
@@ -41,6 +41,8 @@ pub(super) struct Node {
 pub(super) struct Part {
     pub(super) mesh: Mesh,
     pub(super) whole: usize,
+    /// Whether a piece was left out because it has no extent: points of it may not be used.
+    pub(super) dropped: bool,
 }
 
 impl Part {
@@ -66,7 +68,7 @@ impl Part {
         if !source.normals.is_empty() {
             mesh.normals.reserve(share(source.normals.len()));
         }
-        Part { mesh, whole: 0 }
+        Part { mesh, whole: 0, dropped: false }
     }
 
     /// The number of a point in this slab, given when first asked for.
@@ -125,13 +127,16 @@ impl Part {
     }
 
     /// The finished mesh; the source itself when all of it is here, nothing when nothing is.
-    pub(super) fn finish(self, source: &Arc<Mesh>, closed: bool) -> Option<Arc<Mesh>> {
+    pub(super) fn finish(mut self, source: &Arc<Mesh>, closed: bool) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_ends.len();
         if faces == 0 {
             return None;
         }
         if self.whole == source.face_ends.len() && faces == self.whole {
             return Some(source.clone());
+        }
+        if self.dropped {
+            self.mesh.points = keep_used(&self.mesh.points, &mut self.mesh.corners);
         }
         if closed {
             let _ = self.mesh.derived.closed.set(true);

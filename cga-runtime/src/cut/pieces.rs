@@ -18,6 +18,8 @@ pub(super) struct Rings {
     rings: Vec<Ring>,
     flat: Vec<DVec2>,
     view: Option<(Projection, FaceTag)>,
+    /// Whether a ring was too short since the last faces were added.
+    dropped: bool,
 }
 
 struct Ring {
@@ -49,6 +51,7 @@ impl Rings {
             kept -= 1;
         }
         if kept < start + 3 {
+            self.dropped = true;
             kept = start;
         } else {
             self.rings.push(Ring { nodes: start..kept, area: 0.0, outline: None });
@@ -64,6 +67,7 @@ impl Rings {
         }
         let State { parts, places, crossings, .. } = state;
         let part = &mut parts[slab as usize];
+        part.dropped |= std::mem::take(&mut self.dropped);
         for (index, ring) in self.rings.iter().enumerate() {
             if ring.outline.is_some() {
                 continue;

@@ -66,10 +66,11 @@ impl Simple {
             if back.last().is_some_and(|last| last.point == ahead[0].point) {
                 back = &back[..back.len() - 1];
             }
+            let part = &mut parts[slab as usize];
             if ahead.len() + back.len() < 3 {
+                part.dropped = true;
                 continue;
             }
-            let part = &mut parts[slab as usize];
             for &node in ahead.iter().chain(back) {
                 part.corner(places, mesh, crossings, node, slab);
             }

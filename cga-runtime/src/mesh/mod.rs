@@ -30,6 +30,7 @@ use glam::{DVec2, DVec3};
 use crate::material::Material;
 
 pub use build::MeshBuilder;
+pub(crate) use build::keep_used;
 pub use check::Flaw;
 pub use error::MeshError;
 pub use extrude::{Extrude, extrude};

@@ -12,7 +12,7 @@ use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::mesh::Mesh;
 use crate::scope::{Axis, Scope};
-use crate::seed::Tag;
+use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, Geometry, Placed, ShapeRef};
 use crate::sink::Flow;
 
@@ -33,6 +33,7 @@ pub struct Parts<'s> {
     adjust: Adjust,
     solution: Solution<'s>,
     total: usize,
+    seed: u64,
     ordinal: u32,
     /// One a piece, when the geometry is a mesh.
     slabs: Vec<Option<Arc<Mesh>>>,
@@ -65,6 +66,7 @@ pub fn divide<'s>(
     }
     let total = solution.total() as usize;
     let ordinal = shape.seed.reserve(total.min(u32::MAX as usize) as u32);
+    let seed = shape.seed.value();
     let slabs = match &shape.geometry {
         Geometry::Mesh(placed) if 0 < total => slabs(env, placed, shape.scope.size, axis, &solution),
         _ => Vec::new(),
@@ -72,7 +74,7 @@ pub fn divide<'s>(
     for mesh in slabs.iter().flatten() {
         env.count_vertices(mesh)?;
     }
-    ControlFlow::Continue(Parts { parent: shape, axis, adjust, solution, total, ordinal, slabs })
+    ControlFlow::Continue(Parts { parent: shape, axis, adjust, solution, total, seed, ordinal, slabs })
 }
 
 impl<'s> Parts<'s> {
@@ -100,7 +102,7 @@ impl<'s> Parts<'s> {
                 scope,
                 pivot: parent.pivot,
                 geometry,
-                seed: parent.seed.child(Tag::Split, self.ordinal.wrapping_add(index as u32)),
+                seed: Seed::child(self.seed, Tag::Split, self.ordinal.wrapping_add(index as u32)),
                 split: Counter::new(index, self.total),
                 comp: parent.comp,
                 selector: parent.selector,

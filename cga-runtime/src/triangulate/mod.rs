@@ -84,6 +84,19 @@ impl Triangulator {
         let from = out.len();
         self.polygon(&flat, &ends, out);
         out[from..].iter_mut().flatten().for_each(|c| *c += start);
+        if range.len() > 4 {
+            // Where loops touch, triangles without area join corners that are the same point.
+            let point = |c: u32| mesh.corners[c as usize];
+            let mut kept = from;
+            for i in from..out.len() {
+                let [a, b, c] = out[i].map(point);
+                if a != b && b != c && c != a {
+                    out[kept] = out[i];
+                    kept += 1;
+                }
+            }
+            out.truncate(kept);
+        }
         (self.flat, self.ends) = (flat, ends);
     }
 

@@ -14,9 +14,6 @@ use super::visible::{GROUND, Layer, SKY};
 /// Samples along a side of a block, and those in it that ask.
 const BLOCK: usize = 4;
 const CLASSES: usize = BLOCK * BLOCK / 2;
-/// Texels along a side of the map of the sun, of a lamp in the sky.
-const SUN_MAP: usize = 2048;
-const SKY_MAP: usize = 384;
 /// How far a point is moved off its surface before it is looked up, in texels.
 const BIAS: f32 = 1.2;
 /// Degrees between lamps that follow each other: the golden angle never comes round to an earlier place.
@@ -101,6 +98,12 @@ impl Lamp {
     }
 }
 
+/// Texels along a side of the map of the sun and of a lamp in the sky: about as fine as the picture.
+fn map_sizes(layer: &Layer) -> (usize, usize) {
+    let side = layer.width.max(layer.height);
+    (side.clamp(256, 2048), (side / 5).clamp(96, 384))
+}
+
 /// Lamps in the sky asked by each sample: fewer for large models, whose detail is finer than what they would add.
 fn lamps(casters: usize) -> usize {
     match casters {
@@ -130,7 +133,8 @@ pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun:
     let casters: Vec<[V; 3]> =
         scene.triangles.iter().filter(|t| casts(t.paint)).map(|t| t.corners().map(short)).collect();
     let count = lamps(casters.len());
-    let bright = Lamp::new(&casters, half, sun, SUN_MAP, [0.0; 2], Vec::new());
+    let (sun_map, sky_map) = map_sizes(layer);
+    let bright = Lamp::new(&casters, half, sun, sun_map, [0.0; 2], Vec::new());
     let mut spare = Vec::new();
     for class in 0..CLASSES {
         // The grid of each map lies elsewhere, so that their steps do not add up.
@@ -139,7 +143,7 @@ pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun:
         let sky: Vec<Lamp> = (0..count)
             .map(|i| {
                 let to = sky_lamp(i * CLASSES + class, count * CLASSES);
-                Lamp::new(&casters, half, to, SKY_MAP, shift, spare.pop().unwrap_or_default())
+                Lamp::new(&casters, half, to, sky_map, shift, spare.pop().unwrap_or_default())
             })
             .collect();
         for y in (row..layer.height).step_by(BLOCK) {
