@@ -2,7 +2,9 @@
 //!
 //! [`solve`] is pure arithmetic over sizes and an extent; [`divide`] applies a solution to a shape.
 
+mod counts;
 pub mod divide;
+mod groups;
 pub mod solve;
 
 /// How a size is to be read (*split operation*).

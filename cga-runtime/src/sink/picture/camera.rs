@@ -58,8 +58,13 @@ pub enum Projection {
 
 impl Camera {
     /// A three-quarter view from the front right and above that shows all of `bounds`.
+    ///
+    /// What is flat and wide, a district, is seen from higher up than a tower.
     pub fn auto(bounds: Bounds) -> Self {
-        Camera { azimuth: 34.0, elevation: 17.0, projection: Projection::Perspective(28.0), bounds, margin: 0.06 }
+        let size = bounds.size();
+        let flat = size.y < 0.25 * size.x.min(size.z);
+        let elevation = if flat { 34.0 } else { 17.0 };
+        Camera { azimuth: 34.0, elevation, projection: Projection::Perspective(28.0), bounds, margin: 0.06 }
     }
 
     /// The same camera from another direction, in degrees; see the fields.
@@ -102,7 +107,23 @@ pub(crate) struct View {
 const NEAR: f64 = 1e-3;
 
 impl View {
+    /// A view that shows all of the camera's bounds.
     pub(crate) fn new(camera: &Camera, width: usize, height: usize) -> View {
+        let Bounds { low, high } = camera.bounds;
+        let corner = |i: usize| {
+            let pick = |bit: usize, low: f64, high: f64| if i >> bit & 1 == 0 { low } else { high };
+            DVec3::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z))
+        };
+        View::around(camera, (0..8).map(corner), width, height)
+    }
+
+    /// A view that shows all of some points within the camera's bounds: closer than the bounds where they leave room.
+    pub(crate) fn around(
+        camera: &Camera,
+        points: impl Iterator<Item = DVec3>,
+        width: usize,
+        height: usize,
+    ) -> View {
         let bounds = match camera.bounds.low.cmple(camera.bounds.high).all() && camera.bounds.size().is_finite() {
             true => camera.bounds,
             false => Bounds { low: DVec3::splat(-1.0), high: DVec3::ONE },
@@ -111,12 +132,11 @@ impl View {
         let forward = -direction(camera.azimuth, elevation);
         let right = direction(camera.azimuth + 90.0, 0.0);
         let up = right.cross(forward);
-        let corners = (0..8).map(|i| {
-            let pick = |bit: usize, low: f64, high: f64| if i >> bit & 1 == 0 { low } else { high };
-            let (l, h) = (bounds.low, bounds.high);
-            DVec3::new(pick(0, l.x, h.x), pick(1, l.y, h.y), pick(2, l.z, h.z))
-        });
-        let local: Vec<DVec3> = corners.map(|p| DVec3::new(p.dot(right), p.dot(up), p.dot(forward))).collect();
+        let local = |p: DVec3| DVec3::new(p.dot(right), p.dot(up), p.dot(forward));
+        let mut local: Vec<DVec3> = points.filter(|p| p.is_finite()).map(local).collect();
+        if local.is_empty() {
+            local = vec![DVec3::splat(-1.0), DVec3::ONE];
+        }
         let (w, h) = (width as f64, height as f64);
         let room = 1.0 - 2.0 * camera.margin.clamp(0.0, 0.4);
         // Half the free extent in pixels, the margin being the same on all sides.

@@ -150,7 +150,11 @@ impl Picture {
         // The scene is drawn about its centre; the camera goes along.
         let moved = |point: DVec3| point - scene.centre;
         let local = Bounds { low: moved(camera.bounds.low), high: moved(camera.bounds.high) };
-        let view = View::new(&Camera { bounds: local, ..camera }, width, height);
+        let camera = Camera { bounds: local, ..camera };
+        let view = match self.view {
+            Viewpoint::Camera(_) => View::new(&camera, width, height),
+            _ => View::around(&camera, scene.triangles.iter().flat_map(|t| t.corners()), width, height),
+        };
         let sun = direction(camera.azimuth + self.sun_azimuth, self.sun_elevation);
 
         let (mut layer, clear) = visible::layers(&scene, &view, width, height);
