@@ -6,10 +6,12 @@ pub use cga_macros::cga;
 pub use cga_runtime::asset::Assets;
 pub use cga_runtime::derive::Report;
 pub use cga_runtime::fault::{Error, Fault, FaultKind};
+/// The vector types in meshes and sinks.
+pub use cga_runtime::glam;
 pub use cga_runtime::grammar::{Attribute, Default as AttributeDefault, Grammar, Range};
 pub use cga_runtime::material::{Color, Material};
 pub use cga_runtime::mesh::{Mesh, MeshBuilder, MeshError};
-pub use cga_runtime::model::Model;
+pub use cga_runtime::model::{Geometry, LeafView, Model};
 pub use cga_runtime::scope::{Axis, Frame, Scope};
 pub use cga_runtime::settings::{Limits, Settings};
 pub use cga_runtime::shape::Shape;

@@ -1,12 +1,37 @@
 //! The worked examples of the documents that this project started from, word for word, to the documented numbers.
 //!
 //! The pages: *split operation*, *Subdivision split*, *comp operation*, and those of the operations they use. What a page
-//! shows only in a picture is taken from the picture.
+//! shows only in a picture is taken from the picture. The program `examples/documented.rs` draws the same examples.
 
-#[path = "documented/example.rs"]
-mod example;
+#[path = "documented/attributes.rs"]
+mod attributes;
+#[path = "documented/cutting.rs"]
+mod cutting;
+#[path = "documented/faces.rs"]
+mod faces;
+#[path = "documented/pages/mod.rs"]
+mod pages;
 #[path = "documented/pieces.rs"]
 mod pieces;
+#[path = "documented/scopes.rs"]
+mod scopes;
+#[path = "documented/selectors.rs"]
+mod selectors;
+#[path = "documented/thirty.rs"]
+mod thirty;
 
-#[path = "documented/split_operation.rs"]
-mod split_operation;
+/// Every example runs, leaves something and has nothing to complain about, and they can be told apart.
+#[test]
+fn all_examples_run() {
+    use pages::{comp, cutting, split_operation, subdivision_once, subdivision_repeat};
+    let pages = [split_operation::ALL, subdivision_once::ALL, subdivision_repeat::ALL, cutting::ALL, comp::ALL];
+    let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
+    for example in pages.concat() {
+        let model = example.model(&cutting::settings());
+        assert!(!model.is_empty() && model.faults().is_empty(), "{}: {:?}", example.title, model.faults());
+        assert!(example.rules.contains("-->"));
+    }
+    titles.sort_unstable();
+    titles.dedup();
+    assert_eq!(titles.len(), 9 + 12 + 11 + 2 + 4);
+}

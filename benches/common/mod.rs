@@ -9,9 +9,9 @@ use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Sink};
 
 /// Vertices and indices as a hand-written loop fills them.
 #[derive(Default)]
-pub struct Raw {
-    pub vertices: Vec<Vertex>,
-    pub indices: Vec<u32>,
+pub(crate) struct Raw {
+    pub(crate) vertices: Vec<Vertex>,
+    pub(crate) indices: Vec<u32>,
 }
 
 type V = [f64; 3];
@@ -21,14 +21,14 @@ fn add(a: V, b: V) -> V {
 }
 
 impl Raw {
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.vertices.clear();
         self.indices.clear();
     }
 
     /// A rectangle with a known normal.
     #[inline]
-    pub fn quad(&mut self, o: V, u: V, v: V, n: V) {
+    pub(crate) fn quad(&mut self, o: V, u: V, v: V, n: V) {
         let start = self.vertices.len() as u32;
         let vertex = |p: V| [p[0] as f32, p[1] as f32, p[2] as f32, n[0] as f32, n[1] as f32, n[2] as f32];
         let b = add(o, u);
@@ -38,7 +38,7 @@ impl Raw {
 
     /// A box with known unit axes.
     #[inline]
-    pub fn cuboid(&mut self, o: V, axes: [V; 3], size: V) {
+    pub(crate) fn cuboid(&mut self, o: V, axes: [V; 3], size: V) {
         let scaled = |axis: V, by: f64| [axis[0] * by, axis[1] * by, axis[2] * by];
         let minus = |a: V| [-a[0], -a[1], -a[2]];
         let (x, y, z) = (scaled(axes[0], size[0]), scaled(axes[1], size[1]), scaled(axes[2], size[2]));
@@ -52,7 +52,7 @@ impl Raw {
 }
 
 /// Sum of the signed tetrahedra between the origin and all triangles, from `f32` coordinates in `f64`.
-pub fn checksum(vertices: &[Vertex], indices: &[u32]) -> f64 {
+pub(crate) fn checksum(vertices: &[Vertex], indices: &[u32]) -> f64 {
     let point = |i: u32| vertices[i as usize][..3].iter().map(|&c| f64::from(c)).collect::<Vec<_>>();
     let det = |a: &[f64], b: &[f64], c: &[f64]| {
         a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
@@ -61,15 +61,15 @@ pub fn checksum(vertices: &[Vertex], indices: &[u32]) -> f64 {
 }
 
 /// What an output must be.
-pub struct Expected {
-    pub triangles: usize,
-    pub vertices: usize,
-    pub checksum: f64,
+pub(crate) struct Expected {
+    pub(crate) triangles: usize,
+    pub(crate) vertices: usize,
+    pub(crate) checksum: f64,
 }
 
 impl Expected {
     #[track_caller]
-    pub fn check(&self, what: &str, vertices: &[Vertex], indices: &[u32]) {
+    pub(crate) fn check(&self, what: &str, vertices: &[Vertex], indices: &[u32]) {
         assert_eq!(indices.len() / 3, self.triangles, "{what}: triangles");
         assert_eq!(vertices.len(), self.vertices, "{what}: vertices");
         let sum = checksum(vertices, indices);
@@ -80,9 +80,9 @@ impl Expected {
 
 /// Folds every leaf into a number and keeps nothing.
 #[derive(Default)]
-pub struct Fold {
-    pub leaves: u64,
-    pub sum: f64,
+pub(crate) struct Fold {
+    pub(crate) leaves: u64,
+    pub(crate) sum: f64,
 }
 
 impl Sink for Fold {
@@ -100,7 +100,7 @@ impl Sink for Fold {
         Flow::Continue(())
     }
 
-    fn mesh(&mut self, _: &Leaf<'_>, mesh: &std::sync::Arc<Mesh>, _: &glam::DAffine3) -> Flow {
+    fn mesh(&mut self, _: &Leaf<'_>, mesh: &std::sync::Arc<Mesh>, _: &cga::glam::DAffine3) -> Flow {
         self.leaves += 1;
         self.sum += black_box(mesh.points().len() as f64);
         Flow::Continue(())
@@ -108,7 +108,7 @@ impl Sink for Fold {
 }
 
 /// Best times of three ways, run in turn so that the machine's moods meet all alike.
-pub fn best(mut ways: [&mut dyn FnMut(); 3], seconds: f64) -> [Duration; 3] {
+pub(crate) fn best(mut ways: [&mut dyn FnMut(); 3], seconds: f64) -> [Duration; 3] {
     let mut best = [Duration::MAX; 3];
     let begin = Instant::now();
     let mut rounds = 0;
@@ -124,7 +124,7 @@ pub fn best(mut ways: [&mut dyn FnMut(); 3], seconds: f64) -> [Duration; 3] {
 }
 
 /// Prints a line of results.
-pub fn report(name: &str, terminals: usize, [hand, ours, fold]: [Duration; 3]) {
+pub(crate) fn report(name: &str, terminals: usize, [hand, ours, fold]: [Duration; 3]) {
     let nanoseconds = |time: Duration| time.as_secs_f64() * 1e9 / terminals as f64;
     println!(
         "{name:<16} {terminals:>8} terminals  by hand {:>6.1} ns  grammar {:>6.1} ns  ratio {:>5.2}   terminals only {:>6.1} ns  ratio {:>5.2}",
@@ -137,6 +137,6 @@ pub fn report(name: &str, terminals: usize, [hand, ours, fold]: [Duration; 3]) {
 }
 
 /// Buffers large enough that no run has to grow them.
-pub fn buffers(expected: &Expected) -> Buffers {
+pub(crate) fn buffers(expected: &Expected) -> Buffers {
     Buffers::with_capacity(expected.vertices, expected.triangles * 3)
 }

@@ -4,6 +4,8 @@
 //! with holes, counter-clockwise seen from outside. Most users want the facade crate `cga`.
 #![forbid(unsafe_code)]
 
+pub use glam;
+
 pub mod asset;
 pub mod comp;
 pub mod cut;

@@ -2,7 +2,7 @@
 
 use cga::{Model, Settings};
 
-use crate::example::Example;
+use crate::pages::example::Example;
 
 /// Rule, length along x, height. `NIL` is a gap.
 pub(crate) type Piece = (&'static str, f64, f64);

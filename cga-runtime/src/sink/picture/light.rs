@@ -213,8 +213,12 @@ pub(super) fn surface(scene: &Scene, layer: &Layer, view: &View, sample: usize) 
     if seen == GROUND {
         return Some((point, DVec3::Y));
     }
-    let normal = scene.normal_at(&scene.triangles[seen as usize], point);
-    Some((point, if view.faces(point, normal) { normal } else { -normal }))
+    let triangle = &scene.triangles[seen as usize];
+    let flat = triangle.normal();
+    // The side that is seen; near a silhouette a smooth normal may look away all the same, and the flat one stands in.
+    let side = if view.faces(point, flat) { 1.0 } else { -1.0 };
+    let smooth = scene.normal_at(triangle, point) * side;
+    Some((point, if view.faces(point, smooth) { smooth } else { flat * side }))
 }
 
 /// Gathers the answers of a block of samples wherever they belong to one surface.

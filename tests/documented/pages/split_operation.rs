@@ -4,7 +4,7 @@
 
 use cga::Shape;
 
-use crate::example::{Example, example};
+use super::example::{Example, example};
 #[cfg(test)]
 use crate::pieces::{joined, times};
 

@@ -4,7 +4,7 @@
 
 use cga::Shape;
 
-use crate::example::{Example, example};
+use super::example::{Example, example};
 #[cfg(test)]
 use crate::pieces::{joined, times};
 
@@ -132,7 +132,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 }
 
 example! {
-    /// "A pattern is created and repeated." How often is between four and five to the bit; the larger count is taken.
+    /// "A pattern is created and repeated." Four and five repetitions stretch it equally; the larger count is taken.
     pattern, "Subdivision split, Patterns", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()

@@ -1,0 +1,61 @@
+//! Pictures in rows, each with its caption below.
+
+use cga::Model;
+use cga::sink::picture::{Camera, Image, Lines, Picture};
+
+/// A picture and what is written under it.
+pub(crate) struct Cell {
+    pub(crate) model: Model,
+    pub(crate) camera: Camera,
+    /// The borders between pieces that lie in one plane are drawn as well, and all lines strongly.
+    pub(crate) borders: bool,
+    /// Lines; what is too long is broken at ` | ` or a space.
+    pub(crate) caption: String,
+}
+
+const WIDTH: usize = 620;
+const HEIGHT: usize = 330;
+const SPACE: usize = 16;
+/// Pixels a dot of a character.
+const SCALE: usize = 2;
+const INK: [u8; 4] = [0x22, 0x22, 0x22, 0xff];
+
+/// Draws cells in rows of that many.
+pub(crate) fn draw(cells: &[Cell], columns: usize) -> Image {
+    let captions: Vec<String> = cells.iter().map(|cell| broken(&cell.caption)).collect();
+    let rows: Vec<usize> = captions
+        .chunks(columns)
+        .map(|row| row.iter().map(|text| Image::text_size(SCALE, text).1).max().unwrap_or(0) + HEIGHT + 4 * SPACE)
+        .collect();
+    let width = columns.min(cells.len()) * (WIDTH + SPACE) + SPACE;
+    let mut sheet = Image::filled(width, rows.iter().sum::<usize>() + SPACE, [0xff; 4]);
+    for (number, (cell, caption)) in cells.iter().zip(&captions).enumerate() {
+        let x = SPACE + number % columns * (WIDTH + SPACE);
+        let y = SPACE + rows[..number / columns].iter().sum::<usize>();
+        let mut picture = Picture::new(WIDTH, HEIGHT);
+        if cell.borders {
+            picture.lines = Lines::Leaves;
+            picture.style.line_opacity = 0.9;
+        }
+        sheet.blit(&picture.camera(cell.camera).render(&cell.model), x as i64, y as i64);
+        sheet.text(x as i64, (y + HEIGHT + SPACE) as i64, SCALE, caption, INK);
+    }
+    sheet
+}
+
+/// Breaks lines that are wider than a picture.
+fn broken(text: &str) -> String {
+    let most = WIDTH / Image::text_size(SCALE, "mm").0.saturating_sub(Image::text_size(SCALE, "m").0).max(1);
+    let mut out = Vec::new();
+    for line in text.lines() {
+        let mut rest = line;
+        while most < rest.chars().count() {
+            let fits = rest.char_indices().nth(most).map_or(rest.len(), |(at, _)| at);
+            let at = rest[..fits].rfind(" | ").or(rest[..fits].rfind(' ')).filter(|at| 0 < *at).unwrap_or(fits);
+            out.push(rest[..at].to_owned());
+            rest = rest[at..].trim_start();
+        }
+        out.push(rest.to_owned());
+    }
+    out.join("\n")
+}

@@ -1,0 +1,134 @@
+//! *split operation*, Cutting Geometry, and what the page says of hollow meshes and of scopes.
+
+use cga::{Model, Shape};
+
+use crate::pages::cutting::{SIDES, cylinder, cylinder_cut, settings, settings_with};
+use crate::pages::meshes;
+
+/// Area of the regular polygon with that many corners.
+fn section(sides: u32, radius: f64) -> f64 {
+    0.5 * f64::from(sides) * radius * radius * libm::sin(std::f64::consts::TAU / f64::from(sides))
+}
+
+#[track_caller]
+fn near(found: f64, expected: f64) {
+    assert!((found - expected).abs() < 1e-9, "{found}, not {expected}");
+}
+
+#[test]
+fn an_inserted_cylinder_fills_its_scope_and_moves_with_it() {
+    let model = cylinder::EXAMPLE.model(&settings());
+    assert!(model.faults().is_empty(), "{:?}", model.faults());
+    let leaf = model.leaves().next().unwrap();
+    assert_eq!((model.len(), leaf.rule()), (1, "A"));
+    assert_eq!((leaf.bounds().low.to_array(), leaf.bounds().high.to_array()), ([0.0, 1.0, 0.0], [10.0, 3.0, 2.0]));
+    near(leaf.volume(), 10.0 * section(SIDES, 1.0));
+}
+
+#[test]
+fn a_cut_cylinder_is_six_closed_pieces_with_gaps() {
+    let model = cylinder_cut::EXAMPLE.model(&settings());
+    assert!(model.faults().is_empty(), "{:?}", model.faults());
+    assert_eq!(model.counts(), [("XX", 6)]);
+    // Five times 0.75 and 1, then 0.5, stretched by 10 / 9.25.
+    let stretch = 10.0 / 9.25;
+    for (at, leaf) in model.leaves().enumerate() {
+        let length = stretch * if at < 5 { 0.75 } else { 0.5 };
+        near(leaf.scope().origin.x, stretch * 1.75 * at as f64);
+        near(leaf.scope().origin.y, 1.0);
+        assert!((leaf.size() - leaf.bounds().size()).abs().max_element() < 1e-9);
+        near(leaf.size().x, length);
+        near(leaf.size().y, 2.0);
+        near(leaf.volume(), length * section(SIDES, 1.0));
+        let (mesh, _) = leaf.mesh();
+        assert!(mesh.is_closed() && mesh.check().is_empty());
+        assert_eq!(mesh.face_count() as u32, SIDES + 2);
+        let caps = mesh.faces().filter(|face| face.tag().cap).count();
+        assert_eq!(caps, if at == 0 || at == 5 { 1 } else { 2 }, "the ends of the cylinder are no caps");
+    }
+}
+
+/// Runs `XX` slices over a mesh that stands for the initial shape.
+fn sliced(mesh: cga::Mesh) -> Model {
+    cga::cga! { @Allow(undefined_rule) grammar Slices = r#"A--> split(x) { ~1 : XX }*"#; }
+    Slices::default().generate(&Shape::mesh(mesh)).unwrap()
+}
+
+#[test]
+fn hollow_meshes_are_closed_with_rings() {
+    let model = sliced(meshes::lying_tube(SIDES, [0.5, 1.0], 8.0));
+    assert_eq!(model.counts(), [("XX", 8)]);
+    let ring = section(SIDES, 1.0) - section(SIDES, 0.5);
+    let side = 2.0 * f64::from(SIDES) * libm::sin(std::f64::consts::PI / f64::from(SIDES));
+    for leaf in model.leaves() {
+        let (mesh, _) = leaf.mesh();
+        assert!(mesh.is_closed() && mesh.check().is_empty());
+        assert_eq!(mesh.face_count() as u32, 2 * SIDES + 2);
+        assert_eq!(mesh.faces().map(|face| face.holes().count()).sum::<usize>(), 2, "both ends are rings");
+        near(leaf.volume(), ring);
+        near(leaf.area(), 2.0 * ring + 1.5 * side);
+    }
+}
+
+/// A gutter: the lower half of a cylinder's wall. No section of it is closed.
+#[test]
+fn open_surfaces_get_no_caps() {
+    let whole = meshes::lying_cylinder(SIDES, 1.0, 4.0);
+    let mut gutter = cga::MeshBuilder::new();
+    for point in whole.points() {
+        gutter.point(*point);
+    }
+    for face in whole.faces().filter(|face| face.normal().y < 0.0) {
+        gutter.face(face.outer(), &[], face.tag());
+    }
+    let model = sliced(gutter.build().unwrap());
+    assert_eq!(model.counts(), [("XX", 4)]);
+    for leaf in model.leaves() {
+        let (mesh, _) = leaf.mesh();
+        assert!(!mesh.is_closed());
+        assert_eq!(mesh.face_count() as u32, SIDES / 2);
+        near(leaf.area(), f64::from(SIDES) * libm::sin(std::f64::consts::PI / f64::from(SIDES)));
+    }
+}
+
+/// The rules of the page on a hollow cylinder, which `i` stretches to 10 × 2 × 2.
+#[test]
+fn a_hollow_cylinder_is_cut_like_a_full_one() {
+    let model = cylinder_cut::EXAMPLE.model(&settings_with(meshes::lying_tube(SIDES, [0.25, 0.5], 4.0)));
+    assert_eq!(model.counts(), [("XX", 6)]);
+    for leaf in model.leaves() {
+        assert!(leaf.mesh().0.is_closed());
+        near(leaf.volume(), leaf.size().x * (section(SIDES, 1.0) - section(SIDES, 0.5)));
+    }
+}
+
+cga::cga! {
+    @Allow(undefined_rule)
+    grammar Scopes = r#"
+    # split operation, adjustSelector
+    @StartRule
+    Adjusted --> split(x) { ~1 : P }*
+    @StartRule
+    Adjust --> split(x, adjust) { ~1 : P }*
+    @StartRule
+    Unadjusted --> split(x, noAdjust) { ~1 : P }*
+    "#;
+}
+
+/// A U of 6 × 4 with walls of 1 that opens to the front: its middle is lower than its arms.
+#[test]
+fn scopes_shrink_to_the_geometry_or_fill_the_parent() {
+    let u = [[0.0, 4.0], [1.0, 4.0], [1.0, 1.0], [5.0, 1.0], [5.0, 4.0], [6.0, 4.0], [6.0, 0.0], [0.0, 0.0]];
+    let lot = Shape::footprint(&u, &[]).unwrap();
+    for (rule, depth) in [("Adjusted", 1.0), ("Adjust", 1.0), ("Unadjusted", 4.0)] {
+        let model = Scopes::default().generate_from(rule, &lot).unwrap();
+        assert_eq!(model.counts(), [("P", 6)], "{rule}");
+        for (at, leaf) in model.leaves().enumerate() {
+            near(leaf.scope().origin.x, at as f64);
+            near(leaf.scope().origin.z, 0.0);
+            near(leaf.size().x, 1.0);
+            near(leaf.size().z, if at == 0 || at == 5 { 4.0 } else { depth });
+            near(leaf.area(), if at == 0 || at == 5 { 4.0 } else { 1.0 });
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! *split operation*, Cutting Geometry: a cylinder model is inserted and cut.
+
+use std::sync::Arc;
+
+use cga::{Assets, Mesh, Settings, Shape};
+
+use super::example::{Example, example};
+use super::meshes;
+
+/// Both pictures of the page.
+pub(crate) const ALL: &[Example] = &[cylinder::EXAMPLE, cylinder_cut::EXAMPLE];
+
+/// Sides of the cylinder of the page's pictures.
+pub(crate) const SIDES: u32 = 16;
+
+/// Settings with the mesh that the page inserts.
+pub(crate) fn settings() -> Settings {
+    settings_with(meshes::lying_cylinder(SIDES, 0.5, 4.0))
+}
+
+/// The same with another mesh under that name.
+pub(crate) fn settings_with(mesh: Mesh) -> Settings {
+    Settings { assets: Arc::new(Assets::new().with("cylinder.hor.obj", mesh)), ..Settings::default() }
+}
+
+fn initial() -> Shape {
+    Shape::cuboid(10.0, 2.0, 2.0)
+}
+
+example! {
+    /// "A cylinder model is inserted into the current shape."
+    cylinder, "split operation, Cutting Geometry, before", initial(),
+    r#"A-->
+i("cylinder.hor.obj")
+t(0,'0.5,0)
+"#
+}
+
+example! {
+    /// "Splitting the shape and using NIL in the split rule results in holes. Note how the cut surfaces are closed."
+    cylinder_cut, "split operation, Cutting Geometry", initial(),
+    r#"A-->
+i("cylinder.hor.obj")
+t(0,'0.5,0)
+split(x) { { ~0.75 : XX | ~1 : NIL } * | ~0.5 : XX }
+"#
+}

@@ -1,0 +1,9 @@
+//! The pages' examples: what the tests check and `examples/documented.rs` draws.
+
+pub(crate) mod comp;
+pub(crate) mod cutting;
+pub(crate) mod example;
+pub(crate) mod meshes;
+pub(crate) mod split_operation;
+pub(crate) mod subdivision_once;
+pub(crate) mod subdivision_repeat;
