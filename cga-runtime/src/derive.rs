@@ -179,8 +179,7 @@ fn start_rule<R: Rules>(name: Option<&str>) -> Result<u32, Error> {
         None => Some(0),
         Some(name) => R::STARTS.iter().position(|start| *start == name),
     };
-    at.and_then(|at| R::START_RULES.get(at)).copied().ok_or_else(|| Error::StartRule {
-        name: name.unwrap_or_default().to_owned(),
-        known: R::STARTS,
-    })
+    at.and_then(|at| R::START_RULES.get(at))
+        .copied()
+        .ok_or_else(|| Error::StartRule { name: name.unwrap_or_default().to_owned(), known: R::STARTS })
 }

@@ -13,8 +13,8 @@ use crate::sink::Flow;
 /// Faults that are kept; later ones are only counted, so that memory stays bounded.
 const FAULTS_KEPT: usize = 1000;
 
-/// Nested calls of functions that can reach themselves (*CGA changelog 2014.1*: function call depth).
-const CALL_DEPTH: u32 = 1024;
+/// Rules that a trail names; of longer ones the middle is left out, so that memory stays bounded.
+const LONGEST_TRAIL: usize = 2048;
 
 /// A share of the initial shape's largest extent below which a shape is not split any further.
 const TOO_SMALL: f64 = 1e-6;
@@ -116,13 +116,16 @@ impl Env {
         self.trail.pop();
     }
 
-    /// Enters a function that can reach itself; says whether it may go on.
-    pub fn call(&mut self) -> bool {
-        self.calls += 1;
-        if CALL_DEPTH < self.calls {
-            let _: Flow = self.limit("nested function calls", u64::from(CALL_DEPTH));
+    /// Enters a function that can reach itself, unless so many are under way already (*CGA changelog 2014.1*: function
+    /// call depth). If it says yes, [`Env::called`] follows.
+    #[inline]
+    pub fn call(&mut self, depth: u32) -> bool {
+        if depth <= self.calls {
+            let _: Flow = self.limit("nested function calls", u64::from(depth));
         }
-        self.error.is_none()
+        let may = self.error.is_none();
+        self.calls += u32::from(may);
+        may
     }
 
     /// Leaves a function that can reach itself.
@@ -149,8 +152,15 @@ impl Env {
             parts.push(&trail.rules);
             before = trail.before.as_deref();
         }
+        let name = |&rule: &u32| self.names.get(rule as usize).copied().unwrap_or("?");
+        let count: usize = parts.iter().map(|part| part.len()).sum();
         let rules = parts.into_iter().rev().flatten();
-        rules.map(|&rule| self.names.get(rule as usize).copied().unwrap_or("?")).collect()
+        if count <= LONGEST_TRAIL {
+            return rules.map(name).collect();
+        }
+        let half = LONGEST_TRAIL / 2;
+        let (head, tail) = (rules.clone().take(half), rules.skip(count - half));
+        head.map(name).chain(["…"]).chain(tail.map(name)).collect()
     }
 
     /// Notes a fault with the trail that led to it.
@@ -183,7 +193,10 @@ impl Env {
 
     /// A unit cylinder, made once a run for each number of sides.
     pub(crate) fn cylinder(&mut self, sides: u32) -> Arc<Mesh> {
-        self.cylinders.entry(sides).or_insert_with(|| Arc::new(crate::mesh::primitive::cylinder(sides as usize))).clone()
+        self.cylinders
+            .entry(sides)
+            .or_insert_with(|| Arc::new(crate::mesh::primitive::cylinder(sides as usize)))
+            .clone()
     }
 
     pub(crate) fn take_faults(&mut self) -> (Vec<Fault>, u64) {

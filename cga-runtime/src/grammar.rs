@@ -24,22 +24,20 @@ pub trait Grammar {
     /// # Errors
     /// See [`Error`].
     fn derive(&self, shape: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error>;
-}
 
-impl dyn Grammar + '_ {
     /// Runs the default start rule with default settings.
     ///
     /// # Errors
     /// See [`Error`].
-    pub fn generate(&self, shape: &Shape) -> Result<Model, Error> {
+    fn generate(&self, shape: &Shape) -> Result<Model, Error> {
         self.generate_with(shape, &Settings::default())
     }
 
-    /// Runs the grammar with settings.
+    /// Runs the grammar with settings: start rule, limits, assets.
     ///
     /// # Errors
     /// See [`Error`].
-    pub fn generate_with(&self, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
+    fn generate_with(&self, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
         let mut model = Model::new();
         let report = self.derive(shape, settings, &mut model)?;
         Ok(model.with_report(report))
@@ -59,6 +57,10 @@ pub struct Attribute {
     pub group: &'static [&'static str],
     /// `@Description` or doc comment.
     pub about: &'static str,
+    /// `@Order`: user interfaces show attributes with smaller numbers first, and those without one last.
+    pub order: Option<f64>,
+    /// `@Hidden`: user interfaces leave it out.
+    pub hidden: bool,
 }
 
 /// The type of an attribute, and its default when that is a constant.

@@ -1,12 +1,16 @@
 //! Rust in rules: values (`#name`) and operations (`path::call(…)`).
 
 use crate::env::Env;
-use crate::fault::Fault;
+use crate::fault::{Fault, FaultKind};
+use crate::func;
 use crate::shape::{Shape, ShapeRef};
 use crate::text::Text;
 
 /// A Rust value that a rule can use as a number.
-#[diagnostic::on_unimplemented(message = "`{Self}` is no number that a rule can use", label = "the rule needs a number here")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no number that a rule can use",
+    label = "the rule needs a number here"
+)]
 pub trait ToFloat {
     /// As a 64-bit float.
     fn to_float(&self) -> f64;
@@ -19,11 +23,18 @@ macro_rules! floats {
                 *self as f64
             }
         }
+
+        impl Show for $ty {
+            fn show(&self) -> Text {
+                func::float_to_text(*self as f64)
+            }
+        }
     )*};
 }
 
 floats! { f64 f32 i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
 
+#[diagnostic::do_not_recommend]
 impl<T: ToFloat + ?Sized> ToFloat for &T {
     fn to_float(&self) -> f64 {
         (**self).to_float()
@@ -43,6 +54,7 @@ impl ToBool for bool {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<T: ToBool + ?Sized> ToBool for &T {
     fn to_bool(&self) -> bool {
         (**self).to_bool()
@@ -74,13 +86,53 @@ impl ToText for Text {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<T: ToText + ?Sized> ToText for &T {
     fn to_text(&self) -> Text {
         (**self).to_text()
     }
 }
 
+/// A Rust value beside text in a rule: text, or a number or truth value that becomes text.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot become text in a rule",
+    label = "the rule needs text, a number or a `bool` here"
+)]
+pub trait Show {
+    /// As text.
+    fn show(&self) -> Text;
+}
+
+impl Show for bool {
+    fn show(&self) -> Text {
+        func::bool_to_text(*self)
+    }
+}
+
+macro_rules! texts {
+    ($($ty:ty)*) => {$(
+        impl Show for $ty {
+            fn show(&self) -> Text {
+                self.to_text()
+            }
+        }
+    )*};
+}
+
+texts! { str String Text }
+
+#[diagnostic::do_not_recommend]
+impl<T: Show + ?Sized> Show for &T {
+    fn show(&self) -> Text {
+        (**self).show()
+    }
+}
+
 /// What an operation written in Rust may return.
+#[diagnostic::on_unimplemented(
+    message = "an operation cannot return `{Self}`",
+    label = "this operation must return `()` or `Result<(), cga::Fault>`"
+)]
 pub trait Outcome {
     /// As a result.
     fn outcome(self) -> Result<(), Fault>;
@@ -98,13 +150,18 @@ impl Outcome for Result<(), Fault> {
     }
 }
 
-/// Runs an operation written in Rust on the current shape. After a fault the shape is what the operation left.
+/// Runs an operation written in Rust on the current shape. After a fault the shape is what the operation left, unless
+/// that is no shape.
 pub fn operate<R: Outcome>(env: &mut Env, shape: &mut ShapeRef<'_>, operation: impl FnOnce(&mut Shape) -> R) {
     let mut own = shape.detach();
     if let Err(fault) = operation(&mut own).outcome() {
         env.host_fault(fault);
     }
-    *shape = own;
+    match own.check() {
+        Ok(()) => *shape = own,
+        Err(_) => env
+            .fault(FaultKind::Value, "the operation made a size or position that is no finite number; it is left out"),
+    }
 }
 
 /// Text for an argument of a Rust function.

@@ -25,6 +25,11 @@ pub use crate::{func, get, host, op, set};
 
 use crate::seed::{Seed, Tag};
 
+/// The default of a text attribute.
+pub fn string(text: &str) -> String {
+    text.to_owned()
+}
+
 /// The text of an attribute.
 pub fn text(value: &str) -> Text {
     Text::from(value)

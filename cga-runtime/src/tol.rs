@@ -9,6 +9,8 @@ pub(crate) const PLANAR_EPSILON: f64 = 1e-9;
 /// How far from 1 the cosine between parallel unit vectors may be, and from 0 that between perpendicular ones.
 pub(crate) const ANGLE_EPSILON: f64 = 1e-12;
 
-
 /// Unit normals of coplanar faces may differ by this much.
 pub(crate) const COPLANAR_EPSILON: f64 = 1e-9;
+
+/// Loops of a polygon that cross by less than this, relative to its extent, were meant to touch.
+pub(crate) const TOUCH_EPSILON: f64 = 1e-7;

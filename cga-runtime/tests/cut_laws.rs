@@ -23,7 +23,10 @@ fn zoo() -> Vec<(&'static str, Mesh)> {
     let windows: Vec<Vec<(f64, f64)>> =
         (0..16).map(|i| square(0.5 + 2.0 * f64::from(i % 4), 0.5 + 2.0 * f64::from(i / 4), 1.0)).collect();
     let cube = |size: f64| {
-        primitive::cube().map(&DAffine3 { matrix3: DMat3::from_diagonal(DVec3::splat(size)), translation: DVec3::splat(-size / 2.0) })
+        primitive::cube().map(&DAffine3 {
+            matrix3: DMat3::from_diagonal(DVec3::splat(size)),
+            translation: DVec3::splat(-size / 2.0),
+        })
     };
     let l = [(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (2.0, 2.0), (2.0, 5.0), (0.0, 5.0)];
     vec![
@@ -184,12 +187,14 @@ fn turning_and_mirroring_the_input_turns_and_mirrors_the_parts() {
 
 #[test]
 fn texture_coordinates_and_normals_are_interpolated_and_tags_kept() {
-    let base = prism(&[(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (2.0, 2.0), (2.0, 5.0), (0.0, 5.0)], &[square(0.5, 0.5, 1.0)], 3.0);
+    let base =
+        prism(&[(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (2.0, 2.0), (2.0, 5.0), (0.0, 5.0)], &[square(0.5, 0.5, 1.0)], 3.0);
     let uv = |p: DVec3| DVec2::new(p.x + 2.0 * p.y, p.z - p.y);
     let mut b = MeshBuilder::new();
     let points: Vec<u32> = base.points().iter().map(|&p| b.point(p)).collect();
     for face in base.faces() {
-        let loops: Vec<Vec<u32>> = face.loops().map(|ring| ring.iter().map(|&c| points[c as usize]).collect()).collect();
+        let loops: Vec<Vec<u32>> =
+            face.loops().map(|ring| ring.iter().map(|&c| points[c as usize]).collect()).collect();
         let holes: Vec<&[u32]> = loops[1..].iter().map(Vec::as_slice).collect();
         let at: Vec<DVec3> = loops.iter().flatten().map(|&c| base.points()[c as usize]).collect();
         let tag = FaceTag { group: face.index() as u32 % 3, ..FaceTag::PLAIN };
@@ -225,7 +230,17 @@ fn cutting_is_deterministic() {
     for (_, mesh) in zoo() {
         let mesh = Arc::new(turned(&mesh));
         let offsets = even(&mesh, Axis::Y, 9);
-        let dump = || format!("{:?}", slabs(&mesh, Axis::Y, &offsets).parts.iter().flatten().map(|p| (p.points(), p.corners())).collect::<Vec<_>>());
+        let dump = || {
+            format!(
+                "{:?}",
+                slabs(&mesh, Axis::Y, &offsets)
+                    .parts
+                    .iter()
+                    .flatten()
+                    .map(|p| (p.points(), p.corners()))
+                    .collect::<Vec<_>>()
+            )
+        };
         let first = dump();
         slabs(&Arc::new(primitive::cylinder(99)), Axis::X, &[0.1, 0.2]);
         assert_eq!(first, dump());

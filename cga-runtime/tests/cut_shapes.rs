@@ -84,7 +84,9 @@ fn a_face_in_the_plane_closes_the_part_below_it() {
 fn a_cut_that_misses_gives_the_same_mesh() {
     let mesh = Arc::new(primitive::cylinder(16));
     let same = |part: &Option<Arc<Mesh>>| part.as_ref().is_some_and(|part| Arc::ptr_eq(part, &mesh));
-    for (offsets, slab) in [(vec![], 0), (vec![-1.0], 1), (vec![0.0], 1), (vec![1.0], 0), (vec![-2.0, 0.0, 1.0, 5.0], 2)] {
+    for (offsets, slab) in
+        [(vec![], 0), (vec![-1.0], 1), (vec![0.0], 1), (vec![1.0], 0), (vec![-2.0, 0.0, 1.0, 5.0], 2)]
+    {
         let parts = slabs(&mesh, Axis::Y, &offsets).parts;
         assert_eq!(parts.len(), offsets.len() + 1);
         assert!(same(&parts[slab]), "{offsets:?}");
@@ -122,7 +124,7 @@ fn a_section_that_touches_itself_becomes_simple_loops() {
     assert_eq!(caps.len(), 2);
     assert!(caps.iter().all(|cap| cap.outer().len() == 8 || cap.outer().len() == 4));
     // A ring of cells whose hole touches the outside at an edge.
-    let mesh = Arc::new(cells(3, |x, _, z| !(x == 1 && z == 1) && !(x == 0 && z == 0)));
+    let mesh = Arc::new(cells(3, |x, _, z| x != z || x == 2));
     let parts = check_closed_cut("touching hole", &mesh, Axis::Y, &[0.5]).parts;
     let caps: Vec<_> = parts[0].as_ref().unwrap().faces().filter(|f| f.tag().cap).collect();
     assert_eq!((caps.len(), caps[0].holes().len(), caps[0].area()), (1, 1, 7.0));
@@ -209,7 +211,7 @@ fn extents_of_all_sizes() {
 #[test]
 fn random_soups_are_cut_without_harm() {
     let mut rng = Rng(3);
-    for round in 0..2000 {
+    for round in 0..400 {
         let mut b = MeshBuilder::new();
         let points = 4 + rng.below(12);
         for _ in 0..points {

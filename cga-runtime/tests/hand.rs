@@ -228,8 +228,18 @@ const _: () = {
                     range: Some(rt::Range { min: 3.0, max: 60.0, step: 0.0, restricted: true }),
                     group: &[],
                     about: "",
+                    order: None,
+                    hidden: false,
                 },
-                rt::Attribute { name: "bays", default: rt::Default::Float(None), range: None, group: &[], about: "" },
+                rt::Attribute {
+                    name: "bays",
+                    default: rt::Default::Float(None),
+                    range: None,
+                    group: &[],
+                    about: "",
+                    order: None,
+                    hidden: false,
+                },
             ]
         }
         fn start_rules(&self) -> &'static [&'static str] {

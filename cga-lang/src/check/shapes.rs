@@ -123,10 +123,21 @@ impl<'a> Scope<'_, 'a, '_> {
             self.operation(row, args);
             return self.note(name, Use::Operation(row));
         }
-        self.values(args);
         match self.cx.globals.rule(&name.text, args.len()) {
-            Some(index) => self.note(name, Use::Rule(index)),
-            None => self.undefined(name, args.len()),
+            Some(index) => {
+                self.values(args);
+                self.note(name, Use::Rule(index));
+            }
+            None => {
+                // What an operation with another number of arguments makes of these nobody can tell: its words would
+                // look like unknown names and its relative lengths misplaced.
+                if ops::operations(&name.text).next().is_none() {
+                    for arg in args {
+                        self.expr(&arg.value);
+                    }
+                }
+                self.undefined(name, args.len());
+            }
         }
     }
 

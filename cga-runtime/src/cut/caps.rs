@@ -21,22 +21,23 @@ pub(super) struct Caps {
 impl Caps {
     /// Adds the caps of every plane to the slabs on both sides of it.
     pub(super) fn close(&mut self, state: &mut State, mesh: &Mesh, open: &mut Vec<OpenChain>) {
-        let planes = state.offsets.len();
+        let planes = state.points.planes.len();
         state.rim.sort(planes);
-        self.contour.reset(state.places.len());
-        let (u, v) = ((state.axis + 1) % 3, (state.axis + 2) % 3);
+        self.contour.reset(state.points.len());
+        let axis = state.points.axis;
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         for plane in 0..planes {
             state.rim.missing(plane, &mut self.edges);
             if self.edges.is_empty() {
                 continue;
             }
-            let crossings = &state.crossings;
+            let points = &state.points;
             let flat = |point: u32| {
-                let p = crossings.position(mesh, point);
+                let p = points.position(mesh, point);
                 DVec2::new(p[u], p[v])
             };
             self.contour.follow(&self.edges, flat, |chain| {
-                let points = chain.into_iter().map(|point| crossings.position(mesh, point)).collect();
+                let points = chain.into_iter().map(|point| points.position(mesh, point)).collect();
                 open.push(OpenChain { plane, points });
             });
             if self.contour.ends.is_empty() {
@@ -50,9 +51,9 @@ impl Caps {
 
     /// Adds the caps of a plane to one of its slabs.
     fn add(&self, state: &mut State, mesh: &Mesh, plane: u32, slab: u32) {
-        let axis = state.axis;
+        let State { parts, points, .. } = state;
+        let axis = points.axis;
         let up = slab == plane;
-        let State { parts, places, crossings, .. } = state;
         let part = &mut parts[slab as usize];
         let mut normal = DVec3::ZERO;
         normal[axis] = if up { 1.0 } else { -1.0 };
@@ -64,10 +65,11 @@ impl Caps {
                     // Turned over with the first edge first: 1 0 n-1 … 2.
                     let corner = ring[if up { i } else { (ring.len() + 1 - i) % ring.len() }];
                     let point = self.contour.points[corner as usize];
-                    let number = part.number(places, mesh, crossings, point, slab);
+                    let place = points.place_on(point, plane);
+                    let number = part.number(points, mesh, point, place, slab);
                     part.mesh.corners.push(number);
                     if !mesh.uvs.is_empty() {
-                        part.mesh.uvs.push(texture(axis, up, crossings.position(mesh, point)));
+                        part.mesh.uvs.push(texture(axis, up, points.position(mesh, point)));
                     }
                     if !mesh.normals.is_empty() {
                         part.mesh.normals.push(normal);

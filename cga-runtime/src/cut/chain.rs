@@ -102,11 +102,11 @@ impl Chains {
                     if turn == 0 {
                         self.brackets.push(edge);
                     }
-                } else if self.next[edge as usize] == NONE {
-                    if let Some(leaving) = self.brackets.pop() {
-                        self.next[edge as usize] = leaving;
-                        self.arrived[leaving as usize] = true;
-                    }
+                } else if self.next[edge as usize] == NONE
+                    && let Some(leaving) = self.brackets.pop()
+                {
+                    self.next[edge as usize] = leaving;
+                    self.arrived[leaving as usize] = true;
                 }
             }
         }

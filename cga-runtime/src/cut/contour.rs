@@ -37,12 +37,7 @@ impl Contour {
 
     /// Finds the loops of some edges between points of the cut. `flat` gives the place of a point in the plane. Chains
     /// that do not close are handed to `open`, as points of the cut.
-    pub(super) fn follow(
-        &mut self,
-        edges: &[[u32; 2]],
-        flat: impl Fn(u32) -> DVec2,
-        open: impl FnMut(Vec<u32>),
-    ) {
+    pub(super) fn follow(&mut self, edges: &[[u32; 2]], flat: impl Fn(u32) -> DVec2, open: impl FnMut(Vec<u32>)) {
         self.points.clear();
         self.flat.clear();
         self.edges.clear();
@@ -52,16 +47,7 @@ impl Contour {
         // A number for each point; where the edge from each leads, as long as there is only one.
         let mut single = true;
         for &[a, b] in edges {
-            let [a, b] = [a, b].map(|point| {
-                let number = &mut self.numbers[point as usize];
-                if *number == NONE {
-                    *number = self.points.len() as u32;
-                    self.points.push(point);
-                    self.flat.push(flat(point));
-                    self.next.push(NONE);
-                }
-                *number
-            });
+            let (a, b) = (self.number(a, &flat), self.number(b, &flat));
             self.edges.push([a, b]);
             single &= self.next[a as usize] == NONE;
             self.next[a as usize] = b;
@@ -73,6 +59,19 @@ impl Contour {
         } else {
             self.follow_paired(open);
         }
+    }
+
+    /// The number of a point within the plane.
+    #[inline]
+    fn number(&mut self, point: u32, flat: &impl Fn(u32) -> DVec2) -> u32 {
+        let number = &mut self.numbers[point as usize];
+        if *number == NONE {
+            *number = self.points.len() as u32;
+            self.points.push(point);
+            self.flat.push(flat(point));
+            self.next.push(NONE);
+        }
+        *number
     }
 
     fn each_reached_once(&mut self) -> bool {

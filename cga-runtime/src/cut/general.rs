@@ -10,11 +10,11 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::State;
-use super::part::Node;
 use super::pieces::Rings;
+use super::points::Node;
 use super::rim::Side;
-use crate::mesh::{FaceRef, Mesh, unit};
+use super::state::State;
+use crate::mesh::{FaceRef, FaceTag, Mesh, unit};
 use crate::triangulate::Projection;
 
 /// A run of nodes within one slab, from plane to plane.
@@ -77,12 +77,12 @@ impl Line {
 }
 
 impl General {
-    pub(super) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize) {
+    pub(super) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) {
         let view = mesh.face(face);
-        let line = Line::of(&view, state.axis);
+        let line = Line::of(&view, state.points.axis);
         self.take_apart(state, mesh, &view, line);
         self.fragments.sort_by_key(|fragment| fragment.slab);
-        self.rings.start(Projection::along(view.area_vector()), mesh.tags[face]);
+        self.rings.start(Projection::along(view.area_vector()), tag);
         let mut from = 0;
         let low = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).min().unwrap_or(0);
         let high = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).max().unwrap_or(0);
@@ -117,14 +117,13 @@ impl General {
         for ring in face.loop_ranges() {
             let start = self.nodes.len();
             for corner in ring.clone() {
-                let point = mesh.corners[corner];
-                let class = state.places[point as usize].class;
-                self.nodes.push(Node { point, class, from: corner as u32, to: corner as u32 });
                 let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-                state.crossings(mesh, corner, next, &mut self.nodes);
+                let [here, there] = [corner, next].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
+                self.nodes.push(Node::corner(corner, mesh.corners[corner], here.1));
+                state.points.cross(mesh, here, there, &mut self.nodes);
             }
-            let Some(first) = self.nodes[start..].iter().position(|node| node.class & 1 == 1) else {
-                self.untouched.push((self.nodes[start].class / 2, start..self.nodes.len()));
+            let Some(first) = self.nodes[start..].iter().position(|node| node.class() & 1 == 1) else {
+                self.untouched.push((self.nodes[start].class() / 2, start..self.nodes.len()));
                 continue;
             };
             self.nodes[start..].rotate_left(first);
@@ -132,18 +131,18 @@ impl General {
             let mut last = start;
             for here in start + 1..self.nodes.len() {
                 let [a, b] = [last, here].map(|i| self.nodes[i]);
-                if b.class & 1 == 0 {
+                if b.class() & 1 == 0 {
                     continue;
                 }
-                if here == last + 1 && a.class == b.class {
-                    self.along.push((b.class / 2, [last, here], 1));
+                if here == last + 1 && a.class() == b.class() {
+                    self.along.push((b.class() / 2, [last, here], 1));
                 } else {
-                    let inside = if here == last + 1 { a.class.max(b.class) } else { self.nodes[last + 1].class };
+                    let inside = if here == last + 1 { a.class().max(b.class()) } else { self.nodes[last + 1].class() };
                     let slab = inside / 2;
                     self.fragments.push(Fragment { slab, start: last, end: here, next: usize::MAX, way: (0, 0) });
                 }
-                if b.from == b.to {
-                    self.on.push((b.class / 2, place(state, mesh, line, b), here));
+                if b.is_corner() {
+                    self.on.push((b.class() / 2, place(state, mesh, line, b), here));
                 }
                 last = here;
             }
@@ -159,7 +158,7 @@ impl General {
             let Fragment { start, end, .. } = self.fragments[fragment];
             for (node, starts) in [(end, false), (start, true)] {
                 let node = self.nodes[node];
-                if node.class == class {
+                if node.class() == class {
                     // Seen with the normal towards us and the line to the right: below the plane a loop comes up at the
                     // right end of the inside, above it comes down at the left end.
                     let opens = starts == (side == Side::Below);
@@ -261,7 +260,8 @@ impl General {
         while let Some((plane, [start, mut end])) = left.pop() {
             self.rings.nodes.push(self.nodes[start]);
             while self.nodes[end].point != self.nodes[start].point {
-                let next = left.iter().position(|(p, e)| *p == plane && self.nodes[e[0]].point == self.nodes[end].point);
+                let next =
+                    left.iter().position(|(p, e)| *p == plane && self.nodes[e[0]].point == self.nodes[end].point);
                 let Some(next) = next else { break };
                 self.rings.nodes.push(self.nodes[end]);
                 end = left.swap_remove(next).1[1];
@@ -278,5 +278,5 @@ impl General {
 
 /// Where a node is along the line.
 fn place(state: &State, mesh: &Mesh, line: Line, node: Node) -> f64 {
-    line.sign * state.crossings.position(mesh, node.point)[line.axis] + 0.0
+    line.sign * state.points.position(mesh, node.point)[line.axis] + 0.0
 }

@@ -13,28 +13,28 @@
 mod caps;
 mod chain;
 mod contour;
-mod crossing;
 mod general;
 mod nest;
 mod part;
 mod pieces;
+mod points;
 mod rim;
 mod simple;
+mod state;
 
 use std::cell::RefCell;
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::mesh::{Mesh, unit};
+use crate::mesh::Mesh;
 use crate::scope::Axis;
 
 use caps::Caps;
-use crossing::Crossings;
 use general::General;
-use part::{Part, Place};
-use rim::{Rim, Side};
+use points::Place;
 use simple::Simple;
+use state::State;
 
 /// What a cut makes of a mesh.
 #[derive(Clone, Debug, Default)]
@@ -87,22 +87,12 @@ pub(crate) struct Cutter {
     simple: Simple,
     general: General,
     caps: Caps,
+    /// Places of a block of corners.
+    block: Vec<Place>,
 }
 
-/// What all steps of a cut share.
-#[derive(Default)]
-struct State {
-    axis: usize,
-    /// The planes that reach the mesh.
-    offsets: Vec<f64>,
-    /// Where each point is: those of the mesh, then crossings.
-    places: Vec<Place>,
-    crossings: Crossings,
-    parts: Vec<Part>,
-    rim: Rim,
-    /// Whether the mesh encloses its volume inside out, once it matters.
-    inverted: Option<bool>,
-}
+/// How many corners are looked up at a time. The look-ups of a block do not wait for each other.
+const BLOCK: usize = 512;
 
 impl Cutter {
     pub(crate) fn slabs(&mut self, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
@@ -141,9 +131,9 @@ impl Cutter {
             slabs.parts[number(first)] = Some(mesh.clone());
             return slabs;
         }
-        self.state.axis = axis.index();
-        self.state.offsets.clear();
-        self.state.offsets.extend_from_slice(&planes[first..end]);
+        self.state.points.axis = axis.index();
+        self.state.points.planes.clear();
+        self.state.points.planes.extend_from_slice(&planes[first..end]);
         self.cut(mesh, &mut slabs.open);
         for chain in &mut slabs.open {
             chain.plane = number(chain.plane + first);
@@ -157,113 +147,43 @@ impl Cutter {
 
     fn cut(&mut self, mesh: &Mesh, open: &mut Vec<OpenChain>) {
         self.state.start(mesh);
-        let (mut first_loop, mut start) = (0, 0);
-        for (face, &end_loop) in mesh.face_ends.iter().enumerate() {
-            let loops = first_loop..end_loop as usize;
-            first_loop = loops.end;
+        let (mut start, mut block_start, mut block_end) = (0, 0, 0);
+        let runs = mesh.tags.runs().iter().scan(0, |from, &(end, tag)| Some((std::mem::replace(from, end)..end, tag)));
+        for (face, tag) in runs.flat_map(|(faces, tag)| faces.map(move |face| (face as usize, tag))) {
+            let loops = mesh.face_loops(face);
             let corners = start..mesh.loop_ends[loops.end - 1] as usize;
             start = corners.end;
+            if block_end < corners.end {
+                (block_start, block_end) =
+                    (corners.start, corners.end.max(corners.start + BLOCK).min(mesh.corners.len()));
+                let places = &self.state.points.places;
+                self.block.clear();
+                self.block.extend(mesh.corners[block_start..block_end].iter().map(|&point| places[point as usize]));
+            }
+            let places = &self.block[corners.start - block_start..corners.end - block_start];
+            if let [p, q, r] = *places {
+                // By far the most faces of large meshes are triangles inside one slab.
+                if p.class == q.class && q.class == r.class && p.class & 1 == 0 {
+                    let part = &mut self.state.parts[p.class as usize / 2];
+                    part.keep_triangle(mesh, tag, corners, [p.number, q.number, r.number]);
+                    continue;
+                }
+            }
             let (mut low, mut high) = (u32::MAX, 0);
-            for &point in &mesh.corners[corners.clone()] {
-                let class = self.state.places[point as usize].class;
-                low = low.min(class);
-                high = high.max(class);
+            for place in places {
+                low = low.min(place.class);
+                high = high.max(place.class);
             }
             // The lowest and highest slab it has a part in; the other way round when it lies in a plane.
             let (bottom, top) = (low.div_ceil(2), high / 2);
             if bottom == top {
-                self.state.keep(mesh, face, top, low | high);
+                self.state.keep(mesh, face, tag, top, low | high);
             } else if top < bottom {
-                self.state.keep_flat(mesh, face, top);
-            } else if loops.len() > 1 || !self.simple.clip(&mut self.state, mesh, face, corners, low, high) {
-                self.general.clip(&mut self.state, mesh, face);
+                self.state.keep_flat(mesh, face, tag, top);
+            } else if loops.len() > 1 || !self.simple.clip(&mut self.state, mesh, tag, corners, places, low, high) {
+                self.general.clip(&mut self.state, mesh, face, tag);
             }
         }
         self.caps.close(&mut self.state, mesh, open);
-    }
-}
-
-impl State {
-    /// Classifies every point: 2s strictly inside slab s, 2j + 1 on plane j. Points inside a slab get their number there.
-    fn start(&mut self, mesh: &Mesh) {
-        let planes = &self.offsets;
-        let axis = self.axis;
-        self.places.clear();
-        self.places.reserve(mesh.points.len());
-        let classify = |x: f64| -> u32 {
-            let below = planes.partition_point(|&o| o < x) as u32;
-            2 * below + u32::from(planes.get(below as usize) == Some(&x))
-        };
-        if let [plane] = planes[..] {
-            let class = |x: f64| 2 * u32::from(plane < x) + u32::from(plane == x);
-            self.places.extend(mesh.points.iter().map(|p| Place::new(class(p[axis]))));
-        } else {
-            self.places.extend(mesh.points.iter().map(|p| Place::new(classify(p[axis]))));
-        }
-        let slabs = planes.len() + 1;
-        let mut counts = vec![0usize; slabs];
-        self.places.iter().for_each(|place| counts[place.class as usize / 2] += 1);
-        self.parts.clear();
-        self.parts.extend(counts.into_iter().map(|count| Part::new(mesh, count)));
-        for (place, &p) in self.places.iter_mut().zip(&mesh.points) {
-            if place.class & 1 == 0 {
-                let points = &mut self.parts[place.class as usize / 2].mesh.points;
-                place.low = points.len() as u32;
-                points.push(p);
-            }
-        }
-        self.inverted = None;
-        self.crossings.reset(mesh.points.len());
-        self.rim.reset();
-    }
-
-    /// A face that is all in one slab. `classes` is odd when it touches a plane.
-    fn keep(&mut self, mesh: &Mesh, face: usize, slab: u32, classes: u32) {
-        let State { parts, places, crossings, .. } = self;
-        let part = &mut parts[slab as usize];
-        part.whole += 1;
-        let loops = mesh.face_loops(face);
-        let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
-        let shift = part.mesh.corners.len() as u32;
-        let base = corners.start as u32;
-        let points = &mesh.corners[corners.clone()];
-        if classes & 1 == 0 {
-            part.mesh.corners.extend(points.iter().map(|&point| places[point as usize].low));
-        } else {
-            for &point in points {
-                let number = part.number(places, mesh, crossings, point, slab);
-                part.mesh.corners.push(number);
-            }
-        }
-        part.mesh.loop_ends.extend(mesh.loop_ends[loops].iter().map(|end| end - base + shift));
-        part.mesh.face_ends.push(part.mesh.loop_ends.len() as u32);
-        part.mesh.tags.push(mesh.tags[face]);
-        if !mesh.uvs.is_empty() {
-            part.mesh.uvs.extend_from_slice(&mesh.uvs[corners.clone()]);
-        }
-        if !mesh.normals.is_empty() {
-            part.mesh.normals.extend_from_slice(&mesh.normals[corners]);
-        }
-        if classes & 1 != 0 {
-            for ring in mesh.face(face).loops() {
-                let mut last = ring[ring.len() - 1];
-                for &here in ring {
-                    let class = self.places[here as usize].class;
-                    if class & 1 == 1 && class == self.places[last as usize].class {
-                        self.rim.edge(class / 2, last, here, Side::of(slab, class / 2));
-                    }
-                    last = here;
-                }
-            }
-        }
-    }
-
-    /// A face in a plane goes to the side that its normal points away from, which it closes; of a mesh that is inside out
-    /// to the other.
-    fn keep_flat(&mut self, mesh: &Mesh, face: usize, plane: u32) {
-        let inverted = *self.inverted.get_or_insert_with(|| mesh.is_closed() && mesh.volume() < 0.0);
-        let up = unit(mesh.face(face).area_vector())[self.axis];
-        let above = if inverted { up > 0.0 } else { up < 0.0 };
-        self.keep(mesh, face, plane + u32::from(above), 1);
     }
 }

@@ -91,15 +91,14 @@ impl Nest {
     }
 
     fn assign(&mut self, contour: &Contour, outlines: usize) {
-        if outlines == 1 {
-            if let Some(only) = self.loops.iter().position(|l| 0.0 <= l.area) {
-                let (low, high) = (self.loops[only].low, self.loops[only].high);
-                if self.loops.iter().all(|l| low.cmple(l.low).all() && l.high.cmple(high).all()) {
-                    for (index, l) in self.loops.iter_mut().enumerate() {
-                        l.outline = (index != only).then_some(only);
-                    }
-                    return;
+        let only = self.loops.iter().position(|l| 0.0 <= l.area).filter(|_| outlines == 1);
+        if let Some(only) = only {
+            let (low, high) = (self.loops[only].low, self.loops[only].high);
+            if self.loops.iter().all(|l| low.cmple(l.low).all() && l.high.cmple(high).all()) {
+                for (index, l) in self.loops.iter_mut().enumerate() {
+                    l.outline = (index != only).then_some(only);
                 }
+                return;
             }
         }
         self.strips.fill(contour, &self.loops);
@@ -117,9 +116,8 @@ impl Nest {
     fn around(&mut self, contour: &Contour, hole: usize) -> Option<usize> {
         let ring = &contour.corners[self.loops[hole].range.clone()];
         let at = |i: usize| contour.flat[ring[i % ring.len()] as usize];
-        let longest = (0..ring.len()).max_by(|&i, &j| {
-            at(i).distance_squared(at(i + 1)).total_cmp(&at(j).distance_squared(at(j + 1)))
-        })?;
+        let longest = (0..ring.len())
+            .max_by(|&i, &j| at(i).distance_squared(at(i + 1)).total_cmp(&at(j).distance_squared(at(j + 1))))?;
         let p = at(longest) * 0.5 + at(longest + 1) * 0.5;
         self.touched.clear();
         for &(a, b, outline) in self.strips.around(p.y) {

@@ -1,41 +1,10 @@
 //! One slab's mesh while it is made.
 
+use std::ops::Range;
 use std::sync::Arc;
 
-use super::crossing::Crossings;
+use super::points::{NONE, Node, Place, Points};
 use crate::mesh::{FaceTag, Mesh, keep_used};
-
-/// Not numbered yet.
-pub(super) const NONE: u32 = u32::MAX;
-
-/// Where a point is among the planes, and its number in the slab or slabs it belongs to.
-#[derive(Clone, Copy)]
-pub(super) struct Place {
-    /// 2s strictly inside slab s, 2j + 1 on plane j.
-    pub(super) class: u32,
-    /// Number in slab `class / 2`.
-    pub(super) low: u32,
-    /// Number in the slab above, for a point on a plane.
-    pub(super) high: u32,
-}
-
-impl Place {
-    pub(super) fn new(class: u32) -> Self {
-        Place { class, low: NONE, high: NONE }
-    }
-}
-
-/// A corner of a piece: a point of the mesh at one of its corners, or a crossing between two.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Node {
-    /// Point of the mesh, or number of points + crossing.
-    pub(super) point: u32,
-    pub(super) class: u32,
-    /// The corner, or that at the lexicographically first end of the edge.
-    pub(super) from: u32,
-    /// The same corner, or that at the other end.
-    pub(super) to: u32,
-}
 
 /// The mesh of a slab, and how many faces it has from the source as they were.
 pub(super) struct Part {
@@ -46,83 +15,91 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// With room for the share of the faces that its share of the points suggests.
-    pub(super) fn new(source: &Mesh, points: usize) -> Self {
-        let mut mesh = Mesh {
-            groups: source.groups.clone(),
-            materials: source.materials.clone(),
-            ..Mesh::default()
-        };
-        let share = |all: usize| {
-            let part = all as f64 * points as f64 / source.points.len() as f64;
-            (part * 1.02) as usize + 16
-        };
-        mesh.points.reserve(points + points / 32 + 8);
-        mesh.corners.reserve(share(source.corners.len()));
-        mesh.loop_ends.reserve(share(source.loop_ends.len()));
-        mesh.face_ends.reserve(share(source.face_ends.len()));
-        mesh.tags.reserve(share(source.tags.len()));
+    /// With room for some points, corners and loops.
+    pub(super) fn new(source: &Mesh, points: usize, corners: usize, loops: usize) -> Self {
+        let mut mesh = Mesh { groups: source.groups.clone(), materials: source.materials.clone(), ..Mesh::default() };
+        mesh.points.reserve(points);
+        mesh.corners.reserve(corners);
+        mesh.loop_ends.reserve(loops);
         if !source.uvs.is_empty() {
-            mesh.uvs.reserve(share(source.uvs.len()));
+            mesh.uvs.reserve(corners);
         }
         if !source.normals.is_empty() {
-            mesh.normals.reserve(share(source.normals.len()));
+            mesh.normals.reserve(corners);
         }
         Part { mesh, whole: 0, dropped: false }
     }
 
-    /// The number of a point in this slab, given when first asked for.
+    /// Adds a triangle of the source whose corners have these numbers here.
     #[inline]
-    pub(super) fn number(
-        &mut self,
-        places: &mut [Place],
-        source: &Mesh,
-        crossings: &Crossings,
-        point: u32,
-        slab: u32,
-    ) -> u32 {
-        let place = &mut places[point as usize];
-        let number = if slab == place.class / 2 { &mut place.low } else { &mut place.high };
-        if *number == NONE {
-            *number = self.mesh.points.len() as u32;
-            self.mesh.points.push(crossings.position(source, point));
-        }
-        *number
+    pub(super) fn keep_triangle(&mut self, source: &Mesh, tag: FaceTag, corners: Range<usize>, numbers: [u32; 3]) {
+        self.whole += 1;
+        self.mesh.corners.extend_from_slice(&numbers);
+        self.end_loop();
+        self.end_face(tag);
+        self.copy_carried(source, corners);
     }
 
-    /// Adds a corner of a piece with what it carries.
+    /// What corners of the source carry besides their points.
     #[inline]
-    pub(super) fn corner(
-        &mut self,
-        places: &mut [Place],
-        source: &Mesh,
-        crossings: &Crossings,
-        node: Node,
-        slab: u32,
-    ) {
-        let number = self.number(places, source, crossings, node.point, slab);
-        self.mesh.corners.push(number);
-        let [a, b] = [node.from as usize, node.to as usize];
+    pub(super) fn copy_carried(&mut self, source: &Mesh, corners: Range<usize>) {
         if !source.uvs.is_empty() {
-            let uv = source.uvs[a];
-            self.mesh.uvs.push(if a == b { uv } else { uv.lerp(source.uvs[b], crossings.share(node.point)) });
+            self.mesh.uvs.extend_from_slice(&source.uvs[corners.clone()]);
         }
         if !source.normals.is_empty() {
-            let normal = source.normals[a];
-            self.mesh.normals.push(if a == b {
-                normal
-            } else {
-                normal.lerp(source.normals[b], crossings.share(node.point)).normalize_or(normal)
-            });
+            self.mesh.normals.extend_from_slice(&source.normals[corners]);
         }
     }
 
+    /// The number of a point in this slab; on a plane it is given when first asked for.
+    #[inline]
+    pub(super) fn number(&mut self, points: &mut Points, source: &Mesh, point: u32, place: Place, slab: u32) -> u32 {
+        if place.class & 1 == 0 {
+            return place.number;
+        }
+        let side = usize::from(slab != place.class / 2);
+        let number = &mut points.numbers[place.number as usize][side];
+        if *number != NONE {
+            return *number;
+        }
+        let new = self.mesh.points.len() as u32;
+        *number = new;
+        self.mesh.points.push(points.position(source, point));
+        new
+    }
+
+    /// Adds corners of a piece with what they carry.
+    #[inline]
+    pub(super) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[Node], slab: u32) {
+        for node in nodes {
+            let number = self.number(points, source, node.point, node.place, slab);
+            self.mesh.corners.push(number);
+        }
+        if !source.uvs.is_empty() {
+            self.mesh.uvs.extend(nodes.iter().map(|node| {
+                let uv = source.uvs[node.from as usize];
+                if node.is_corner() { uv } else { uv.lerp(source.uvs[node.to as usize], points.share(node.point)) }
+            }));
+        }
+        if !source.normals.is_empty() {
+            self.mesh.normals.extend(nodes.iter().map(|node| {
+                let normal = source.normals[node.from as usize];
+                if node.is_corner() {
+                    return normal;
+                }
+                normal.lerp(source.normals[node.to as usize], points.share(node.point)).normalize_or(normal)
+            }));
+        }
+    }
+
+    #[inline]
     pub(super) fn end_loop(&mut self) {
         self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
     }
 
+    #[inline]
     pub(super) fn end_face(&mut self, tag: FaceTag) {
-        self.mesh.face_ends.push(self.mesh.loop_ends.len() as u32);
+        self.mesh.face_ends.push(self.mesh.loop_ends.len());
         self.mesh.tags.push(tag);
     }
 

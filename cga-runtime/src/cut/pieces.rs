@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::State;
-use super::part::Node;
+use super::points::Node;
+use super::state::State;
 use crate::mesh::check::winding;
 use crate::mesh::{FaceTag, Mesh};
 use crate::triangulate::Projection;
@@ -16,6 +16,7 @@ pub(super) struct Rings {
     /// Of all rings; those after the last end belong to the ring being made.
     pub(super) nodes: Vec<Node>,
     rings: Vec<Ring>,
+    order: Vec<usize>,
     flat: Vec<DVec2>,
     view: Option<(Projection, FaceTag)>,
     /// Whether a ring was too short since the last faces were added.
@@ -25,6 +26,8 @@ pub(super) struct Rings {
 struct Ring {
     nodes: Range<usize>,
     area: f64,
+    low: DVec2,
+    high: DVec2,
     /// Of a hole, the outline it belongs to.
     outline: Option<usize>,
 }
@@ -54,7 +57,8 @@ impl Rings {
             self.dropped = true;
             kept = start;
         } else {
-            self.rings.push(Ring { nodes: start..kept, area: 0.0, outline: None });
+            let (low, high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+            self.rings.push(Ring { nodes: start..kept, area: 0.0, low, high, outline: None });
         }
         self.nodes.truncate(kept);
     }
@@ -65,21 +69,20 @@ impl Rings {
         if self.rings.len() > 1 {
             self.nest(state, mesh, projection);
         }
-        let State { parts, places, crossings, .. } = state;
+        let State { parts, points, .. } = state;
         let part = &mut parts[slab as usize];
         part.dropped |= std::mem::take(&mut self.dropped);
-        for (index, ring) in self.rings.iter().enumerate() {
-            if ring.outline.is_some() {
-                continue;
+        // Each outline, and its holes behind it.
+        self.order.clear();
+        self.order.extend(0..self.rings.len());
+        let owner = |index: usize| self.rings[index].outline;
+        self.order.sort_by_key(|&index| (owner(index).unwrap_or(index), owner(index).is_some()));
+        for (place, &index) in self.order.iter().enumerate() {
+            part.corners(points, mesh, &self.nodes[self.rings[index].nodes.clone()], slab);
+            part.end_loop();
+            if self.order.get(place + 1).is_none_or(|&next| self.rings[next].outline.is_none()) {
+                part.end_face(tag);
             }
-            let holes = self.rings.iter().filter(|hole| hole.outline == Some(index));
-            for ring in std::iter::once(ring).chain(holes) {
-                for &node in &self.nodes[ring.nodes.clone()] {
-                    part.corner(places, mesh, crossings, node, slab);
-                }
-                part.end_loop();
-            }
-            part.end_face(tag);
         }
         self.nodes.clear();
         self.rings.clear();
@@ -88,10 +91,11 @@ impl Rings {
     /// Finds the outline of each hole. A hole outside of all outlines, which only a broken face has, stays on its own.
     fn nest(&mut self, state: &State, mesh: &Mesh, projection: Projection) {
         self.flat.clear();
-        self.flat.extend(self.nodes.iter().map(|node| projection.apply(state.crossings.position(mesh, node.point))));
+        self.flat.extend(self.nodes.iter().map(|node| projection.apply(state.points.position(mesh, node.point))));
         for ring in &mut self.rings {
             let flat = &self.flat[ring.nodes.clone()];
             ring.area = flat.windows(2).map(|w| (w[0] - flat[0]).perp_dot(w[1] - flat[0])).sum();
+            (ring.low, ring.high) = flat.iter().fold((ring.low, ring.high), |(l, h), &p| (l.min(p), h.max(p)));
         }
         let outlines = self.rings.iter().filter(|ring| 0.0 <= ring.area).count();
         let only = self.rings.iter().position(|ring| 0.0 <= ring.area);
@@ -105,7 +109,11 @@ impl Rings {
     /// The smallest outline around a hole.
     fn around(&self, hole: usize) -> Option<usize> {
         let points = &self.flat[self.rings[hole].nodes.clone()];
+        let Ring { low, high, .. } = self.rings[hole];
         let holds = |outline: &Ring| {
+            if !(outline.low.cmple(low).all() && high.cmple(outline.high).all()) {
+                return false;
+            }
             let outline = &self.flat[outline.nodes.clone()];
             // Loops may touch at corners: any corner that is off the outline decides.
             points.iter().find_map(|&p| winding(outline, p)).is_some_and(|turns| turns != 0)

@@ -5,10 +5,10 @@
 
 use std::ops::Range;
 
-use super::State;
-use super::part::Node;
+use super::points::{Node, Place};
 use super::rim::Side;
-use crate::mesh::Mesh;
+use super::state::State;
+use crate::mesh::{FaceTag, Mesh};
 
 /// Buffers.
 #[derive(Default)]
@@ -20,31 +20,32 @@ pub(super) struct Simple {
 }
 
 impl Simple {
-    /// Cuts a face of one loop into its slabs; `false`, with nothing done, when it is not of this kind. `low` and `high`
-    /// are its lowest and highest class.
+    /// Cuts a face of one loop into its slabs; `false`, with nothing done, when it is not of this kind. `places` are those of
+    /// its corners, `low` and `high` its lowest and highest class.
+    #[allow(clippy::too_many_arguments)]
     pub(super) fn clip(
         &mut self,
         state: &mut State,
         mesh: &Mesh,
-        face: usize,
+        tag: FaceTag,
         corners: Range<usize>,
+        places: &[Place],
         low: u32,
         high: u32,
     ) -> bool {
-        if !self.walk(state, mesh, corners, low, high) {
+        if !self.walk(state, mesh, corners, places, low, high) {
             return false;
         }
-        let tag = mesh.tags[face];
         let (mut up, mut down) = (0, self.down.len());
-        let State { parts, places, crossings, rim, .. } = state;
+        let State { parts, points, rim, .. } = state;
         for slab in low.div_ceil(2)..=high / 2 {
             let ceiling = 2 * slab + 1;
             let up_start = up;
-            while up < self.up.len() && self.up[up].class <= ceiling {
+            while up < self.up.len() && self.up[up].class() <= ceiling {
                 up += 1;
             }
             let mut down_start = down;
-            while down_start > 0 && self.down[down_start - 1].class <= ceiling {
+            while down_start > 0 && self.down[down_start - 1].class() <= ceiling {
                 down_start -= 1;
             }
             let ahead = &self.up[up_start..up];
@@ -71,16 +72,15 @@ impl Simple {
                 part.dropped = true;
                 continue;
             }
-            for &node in ahead.iter().chain(back) {
-                part.corner(places, mesh, crossings, node, slab);
-            }
+            part.corners(points, mesh, ahead, slab);
+            part.corners(points, mesh, back, slab);
             part.end_loop();
             part.end_face(tag);
         }
         // Edges along the lowest and the highest plane; the way up has them.
         for (level, side) in [(low, Side::Above), (high, Side::Below)] {
             if level & 1 == 1 {
-                for pair in self.up.windows(2).filter(|pair| pair[0].class == level && pair[1].class == level) {
+                for pair in self.up.windows(2).filter(|pair| pair[0].class() == level && pair[1].class() == level) {
                     rim.edge(level / 2, pair[0].point, pair[1].point, side);
                 }
             }
@@ -89,45 +89,49 @@ impl Simple {
     }
 
     /// Fills both ways; `false` when the loop is not of this kind.
-    fn walk(&mut self, state: &mut State, mesh: &Mesh, corners: Range<usize>, low: u32, high: u32) -> bool {
+    fn walk(
+        &mut self,
+        state: &mut State,
+        mesh: &Mesh,
+        corners: Range<usize>,
+        places: &[Place],
+        low: u32,
+        high: u32,
+    ) -> bool {
+        // First the shape of the way, by classes alone: crossings are made only for good.
+        if places.len() > 3 && !is_simple(places.iter().map(|place| place.class), low, high) {
+            return false;
+        }
         self.up.clear();
         self.down.clear();
-        let class = |state: &State, corner: usize| state.places[mesh.corners[corner] as usize].class;
-        let after = |corner: usize| if corner + 1 == corners.end { corners.start } else { corner + 1 };
-        let node = |corner: usize, class: u32| {
-            Node { point: mesh.corners[corner], class, from: corner as u32, to: corner as u32 }
-        };
-        let mut before = class(state, corners.end - 1);
-        let Some(start) = corners.clone().find(|&corner| {
-            let here = class(state, corner);
-            let starts = here == low && before != low;
-            before = here;
-            starts
-        }) else {
+        let count = places.len();
+        let after = |i: usize| if i + 1 == count { 0 } else { i + 1 };
+        let node = |i: usize| Node::corner(corners.start + i, mesh.corners[corners.start + i], places[i]);
+        let mut before = places[count - 1].class;
+        let Some(start) =
+            places.iter().position(|place| std::mem::replace(&mut before, place.class) != low && place.class == low)
+        else {
             return false;
         };
-        // First the shape of the way, by classes alone: crossings are made only for good.
-        if corners.len() > 3 && !is_simple(corners.clone().map(|corner| class(state, corner)), low, high) {
-            return false;
-        }
-        let (mut here, mut level) = (start, low);
+        let mut here = start;
         loop {
-            self.up.push(node(here, level));
+            self.up.push(node(here));
             let next = after(here);
-            let next_level = class(state, next);
-            if level == high && next_level != high {
+            if places[here].class == high && places[next].class != high {
                 break;
             }
-            state.crossings(mesh, here, next, &mut self.up);
-            (here, level) = (next, next_level);
+            let [a, b] = [here, next].map(|i| (corners.start + i, places[i]));
+            state.points.cross(mesh, a, b, &mut self.up);
+            here = next;
         }
         loop {
             let next = after(here);
-            state.crossings(mesh, here, next, &mut self.down);
+            let [a, b] = [here, next].map(|i| (corners.start + i, places[i]));
+            state.points.cross(mesh, a, b, &mut self.down);
             if next == start {
                 return true;
             }
-            self.down.push(node(next, class(state, next)));
+            self.down.push(node(next));
             here = next;
         }
     }

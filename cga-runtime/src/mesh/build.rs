@@ -1,8 +1,8 @@
 //! The door for meshes: nothing gets in that is not finite, in range and long enough.
 //!
 //! Points at the same place (to the bit, -0 counting as 0) become one; corners that then repeat the one before them go,
-//! and so do loops left with fewer than three corners. Points that no face uses are dropped. The order of points, faces
-//! and corners is kept otherwise.
+//! and so do loops left with fewer than three corners (a hole whose outline went stays: a closed mesh has to stay closed).
+//! Points that no face uses are dropped. The order of points, faces and corners is kept otherwise.
 
 use std::sync::Arc;
 
@@ -124,9 +124,6 @@ impl MeshBuilder {
             for ring in first_loop..end_loop {
                 let range = start..self.loop_ends[ring];
                 start = range.end;
-                if ring > first_loop && mesh.loop_ends.len() == face_start {
-                    continue; // The outline collapsed: its holes go with it.
-                }
                 let kept_from = mesh.corners.len();
                 for corner in range.clone() {
                     let before = if corner == range.start { range.end - 1 } else { corner - 1 };
@@ -152,7 +149,7 @@ impl MeshBuilder {
             }
             first_loop = end_loop;
             if mesh.loop_ends.len() > face_start {
-                mesh.face_ends.push(mesh.loop_ends.len() as u32);
+                mesh.face_ends.push(mesh.loop_ends.len());
                 mesh.tags.push(self.tags[face]);
             }
         }

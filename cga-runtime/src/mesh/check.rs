@@ -81,8 +81,10 @@ impl Mesh {
             return vec![Flaw::Layout];
         }
         let points = self.points.len();
-        let mut flaws: Vec<Flaw> =
-            (0..self.corners.len()).filter(|&c| self.corners[c] as usize >= points).map(|corner| Flaw::OutOfRange { corner }).collect();
+        let mut flaws: Vec<Flaw> = (0..self.corners.len())
+            .filter(|&c| self.corners[c] as usize >= points)
+            .map(|corner| Flaw::OutOfRange { corner })
+            .collect();
         if !flaws.is_empty() {
             return flaws;
         }
@@ -103,7 +105,7 @@ impl Mesh {
         };
         let corners = self.corners.len();
         rises(&self.loop_ends, corners)
-            && rises(&self.face_ends, self.loop_ends.len())
+            && self.face_ends.cover(self.loop_ends.len())
             && self.tags.len() == self.face_ends.len()
             && [0, corners].contains(&self.uvs.len())
             && [0, corners].contains(&self.normals.len())

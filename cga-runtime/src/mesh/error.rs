@@ -62,14 +62,9 @@ impl fmt::Display for MeshError {
             }
             MeshError::Tag { face } => write!(f, "face {face} names a group or material that does not exist"),
             MeshError::ZeroArea => write!(f, "the polygon has no area"),
-            MeshError::SelfCrossing { first, second } => write!(
-                f,
-                "edge {} of {} meets edge {} of {}",
-                first.1,
-                name(first.0),
-                second.1,
-                name(second.0)
-            ),
+            MeshError::SelfCrossing { first, second } => {
+                write!(f, "edge {} of {} meets edge {} of {}", first.1, name(first.0), second.1, name(second.0))
+            }
             MeshError::TooLarge => write!(f, "more points or corners than 32-bit indices can count"),
         }
     }

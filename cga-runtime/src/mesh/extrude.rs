@@ -178,7 +178,7 @@ impl Grown<'_> {
     }
 
     fn end_face(&mut self, tag: FaceTag) {
-        self.mesh.face_ends.push(self.mesh.loop_ends.len() as u32);
+        self.mesh.face_ends.push(self.mesh.loop_ends.len());
         self.mesh.tags.push(tag);
     }
 }

@@ -93,9 +93,5 @@ impl<'a> FaceRef<'a> {
 /// A vector made one long, or zero; safe for very small and very large ones.
 pub(crate) fn unit(v: DVec3) -> DVec3 {
     let scale = v.abs().max_element();
-    if 0.0 < scale && scale < f64::INFINITY {
-        (v / scale).normalize()
-    } else {
-        DVec3::ZERO
-    }
+    if 0.0 < scale && scale < f64::INFINITY { (v / scale).normalize() } else { DVec3::ZERO }
 }

@@ -11,8 +11,7 @@ impl Mesh {
     pub fn map(&self, map: &DAffine3) -> Mesh {
         let m = map.matrix3;
         // What cross products of edges go through; unlike the inverse it exists for flat maps too.
-        let cofactor =
-            DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
+        let cofactor = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
         let derived = Derived::default();
         if let Some(closed) = self.derived.closed.get() {
             let _ = derived.closed.set(*closed);

@@ -15,6 +15,7 @@ pub mod check;
 mod error;
 pub mod extrude;
 mod face;
+mod layout;
 mod map;
 mod measure;
 mod polygon;
@@ -36,6 +37,7 @@ pub use error::MeshError;
 pub use extrude::{Extrude, extrude};
 pub use face::FaceRef;
 pub(crate) use face::unit;
+pub(crate) use layout::{FaceEnds, Tags};
 
 /// Faces with holes over shared points. Made by [`MeshBuilder`], never changed afterwards.
 #[derive(Clone, Debug, Default)]
@@ -46,9 +48,9 @@ pub struct Mesh {
     /// For each loop, where it ends in `corners`.
     pub(crate) loop_ends: Vec<u32>,
     /// For each face, where it ends in `loop_ends`.
-    pub(crate) face_ends: Vec<u32>,
+    pub(crate) face_ends: FaceEnds,
     /// One a face.
-    pub(crate) tags: Vec<FaceTag>,
+    pub(crate) tags: Tags,
     /// Texture coordinates of set 0, one a corner, or empty.
     pub(crate) uvs: Vec<DVec2>,
     /// Normals, one a corner, or empty.
@@ -107,9 +109,7 @@ impl Bounds {
 
     /// The box of some points.
     pub fn of(points: impl IntoIterator<Item = DVec3>) -> Bounds {
-        points
-            .into_iter()
-            .fold(Bounds::EMPTY, |b, p| Bounds { low: b.low.min(p), high: b.high.max(p) })
+        points.into_iter().fold(Bounds::EMPTY, |b, p| Bounds { low: b.low.min(p), high: b.high.max(p) })
     }
 }
 
@@ -176,7 +176,6 @@ impl Mesh {
 
     /// Which loops a face has.
     pub(crate) fn face_loops(&self, index: usize) -> Range<usize> {
-        let start = if index == 0 { 0 } else { self.face_ends[index - 1] };
-        start as usize..self.face_ends[index] as usize
+        self.face_ends.loops(index)
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::{Derived, FaceTag, Mesh};
+use super::{Derived, FaceEnds, FaceTag, Mesh, Tags};
 use crate::sink::{Cuboid, Quad};
 
 /// A box: six faces in the order of [`Cuboid::faces`], closed.
@@ -45,9 +45,9 @@ pub fn cylinder(sides: usize) -> Mesh {
     Mesh {
         points,
         corners,
-        face_ends: (1..=count + 2).collect(),
         loop_ends,
-        tags: vec![FaceTag::PLAIN; sides + 2],
+        face_ends: FaceEnds::single(sides + 2),
+        tags: Tags::uniform(sides + 2, FaceTag::PLAIN),
         derived,
         ..Mesh::default()
     }

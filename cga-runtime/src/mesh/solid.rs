@@ -1,6 +1,6 @@
 //! Rectangles and boxes as meshes.
 
-use super::{Derived, FaceTag, Mesh};
+use super::{Derived, FaceEnds, FaceTag, Mesh, Tags};
 use crate::sink::{Cuboid, Quad};
 
 /// Points of a box are numbered x + 2y + 4z; faces as [`Cuboid::faces`] has them, corners as [`Quad::corners`].
@@ -22,8 +22,8 @@ impl Mesh {
             points: quad.corners().to_vec(),
             corners: vec![0, 1, 2, 3],
             loop_ends: vec![4],
-            face_ends: vec![1],
-            tags: vec![FaceTag::PLAIN],
+            face_ends: FaceEnds::single(1),
+            tags: Tags::uniform(1, FaceTag::PLAIN),
             derived,
             ..Mesh::default()
         }
@@ -39,8 +39,8 @@ impl Mesh {
             points: (0..8).map(|i| cuboid.origin + x * pick(i, 0) + y * pick(i, 1) + z * pick(i, 2)).collect(),
             corners: CUBOID_CORNERS.to_vec(),
             loop_ends: (1..=6).map(|i| 4 * i).collect(),
-            face_ends: (1..=6).collect(),
-            tags: vec![FaceTag::PLAIN; 6],
+            face_ends: FaceEnds::single(6),
+            tags: Tags::uniform(6, FaceTag::PLAIN),
             derived,
             ..Mesh::default()
         }

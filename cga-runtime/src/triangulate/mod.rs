@@ -14,6 +14,7 @@ mod sweep;
 use glam::{DVec2, DVec3};
 
 use crate::mesh::Mesh;
+use crate::tol::TOUCH_EPSILON;
 use sweep::Sweep;
 
 /// Which two coordinates to keep to lay a face flat, so that counter-clockwise stays so. Dropping a coordinate moves
@@ -114,8 +115,53 @@ impl Triangulator {
         if loop_ends.len() == 1 && convex::fan(points, out) {
             return;
         }
-        self.sweep.triangulate(points, loop_ends, out);
+        let from = out.len();
+        self.sweep.triangulate(points, loop_ends, 0.0, out);
+        let high = points.iter().fold(points[0], |m, &p| m.max(p));
+        let low = points.iter().fold(points[0], |m, &p| m.min(p));
+        let extent = (high - low).max_element();
+        let folded = turned_over(points, &out[from..]);
+        if TOUCH_EPSILON * extent * extent < folded {
+            self.once_more(points, loop_ends, TOUCH_EPSILON * extent, folded, from, out);
+        }
     }
+
+    /// Loops that cross by rounding were meant to touch: some slack, or another direction, may make less of it.
+    #[cold]
+    fn once_more(
+        &mut self,
+        points: &[DVec2],
+        loop_ends: &[u32],
+        slack: f64,
+        mut folded: f64,
+        from: usize,
+        out: &mut Vec<[u32; 3]>,
+    ) {
+        let turned: Vec<DVec2> = points.iter().map(|p| p.perp()).collect();
+        let mut found = Vec::new();
+        for (points, slack) in [(points, slack), (&turned, slack), (&turned, 0.0)] {
+            found.clear();
+            self.sweep.triangulate(points, loop_ends, slack, &mut found);
+            let now = turned_over(points, &found);
+            if now < folded {
+                folded = now;
+                out.truncate(from);
+                out.extend_from_slice(&found);
+            }
+            if folded <= slack * slack {
+                return;
+            }
+        }
+    }
+}
+
+/// Twice the area of the triangles that run the wrong way.
+fn turned_over(points: &[DVec2], triangles: &[[u32; 3]]) -> f64 {
+    let area = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|i| points[i as usize]);
+        (b - a).perp_dot(c - a)
+    };
+    triangles.iter().map(area).filter(|area| *area < 0.0).sum::<f64>().abs()
 }
 
 #[cfg(test)]

@@ -10,6 +10,8 @@
 //! (less those that run back and forth): geometry only chooses among the ways to do so. Comparisons are exact. Without
 //! crossings no triangle is turned over; collinear corners are kept and make no triangle without area, unless all is flat.
 
+mod row;
+
 use std::cmp::Ordering;
 
 use glam::DVec2;
@@ -38,27 +40,39 @@ struct Link {
     next: u32,
 }
 
+/// A corner in the order of the sweep.
+#[derive(Clone, Copy)]
+struct Event {
+    y: f64,
+    x: f64,
+    corner: u32,
+}
+
 /// Buffers, kept from one polygon to the next.
 #[derive(Default)]
 pub(super) struct Sweep {
     next: Vec<u32>,
     prev: Vec<u32>,
-    order: Vec<u32>,
+    order: Vec<Event>,
     /// For each corner the region its edge bounds.
     region: Vec<u32>,
     regions: Vec<Region>,
     /// Regions from left to right.
     status: Vec<u32>,
     links: Vec<Link>,
+    /// By how much a triangle may be turned over, and a hole begin outside.
+    slack: f64,
 }
 
 impl Sweep {
-    /// Appends the triangles of a polygon.
-    pub(super) fn triangulate(&mut self, points: &[DVec2], loop_ends: &[u32], out: &mut Vec<[u32; 3]>) {
+    /// Appends the triangles of a polygon. Where its loops cross by rounding, one that is turned over by less than `slack`
+    /// may have to be cut off before it spoils a large one.
+    pub(super) fn triangulate(&mut self, points: &[DVec2], loop_ends: &[u32], slack: f64, out: &mut Vec<[u32; 3]>) {
+        self.slack = slack;
         self.start(points, loop_ends, out);
         let order = std::mem::take(&mut self.order);
-        for &corner in &order {
-            self.meet(points, corner, out);
+        for event in &order {
+            self.meet(points, event.corner, out);
         }
         self.order = order;
     }
@@ -90,12 +104,14 @@ impl Sweep {
             let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
             below(points, corner, a) && below(points, corner, b)
         };
-        self.order.sort_unstable_by(|&a, &b| {
-            let (p, q) = (points[a as usize], points[b as usize]);
-            let order = p.y.partial_cmp(&q.y).and_then(|y| Some(y.then(p.x.partial_cmp(&q.x)?)));
-            match order.unwrap_or(Ordering::Equal) {
-                Ordering::Equal => (late(a), a).cmp(&(late(b), b)),
-                other => other,
+        self.order.sort_unstable_by(|a, b| {
+            let order = if a.y != b.y { a.y < b.y } else { a.x < b.x };
+            if a.y == b.y && a.x == b.x {
+                (late(a.corner), a.corner).cmp(&(late(b.corner), b.corner))
+            } else if order {
+                Ordering::Less
+            } else {
+                Ordering::Greater
             }
         });
     }
@@ -115,7 +131,11 @@ impl Sweep {
             }
         }
         if left > 2 {
-            self.order.extend((first..end).filter(|&corner| self.next[corner as usize] != NONE));
+            let kept = (first..end).filter(|&corner| self.next[corner as usize] != NONE);
+            self.order.extend(kept.map(|corner| {
+                let DVec2 { x, y } = points[corner as usize];
+                Event { y, x, corner }
+            }));
         }
     }
 
@@ -179,7 +199,7 @@ impl Sweep {
                 break;
             }
             let then = self.links[next as usize].corner;
-            if !sees(points, here, then, corner, [here, then]) {
+            if !self.sees(points, [here, then], corner, then) {
                 break;
             }
             out.push([here, then, corner]);
@@ -200,7 +220,7 @@ impl Sweep {
                 break;
             }
             let then = self.links[prev as usize].corner;
-            if !sees(points, then, here, corner, [here, then]) {
+            if !self.sees(points, [then, here], corner, then) {
                 break;
             }
             out.push([then, here, corner]);
@@ -212,46 +232,16 @@ impl Sweep {
         region.latest = link;
     }
 
-    /// A corner with both edges above it: the start of a region, or of a hole in one.
-    fn begin(&mut self, points: &[DVec2], corner: u32, out: &mut Vec<[u32; 3]>) {
-        let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
-        let turn = orient(points[a as usize], points[corner as usize], points[b as usize]);
-        let right_of = |from: u32, to: u32| -> i32 {
-            // On the line it is the corner's own edges that tell.
-            let [from, to] = [from, to].map(|c| points[c as usize]);
-            let sides = [corner, a, b].map(|c| orient(from, to, points[c as usize]));
-            -sides.into_iter().find(|&side| side != 0).unwrap_or(0)
-        };
-        let at = self.status.partition_point(|&region| {
-            let left = self.regions[region as usize].left;
-            right_of(self.next[left as usize], left) > 0
-        });
-        let around = at.checked_sub(1).map(|at| self.status[at]).filter(|&region| {
-            let right = self.regions[region as usize].right;
-            turn <= 0 && right_of(right, self.next[right as usize]) < 0
-        });
-        let new = self.regions.len() as u32;
-        self.status.insert(at, new);
-        if let Some(region) = around {
-            // The chain parts at the point that came last; the corner sees it, and goes on from it both ways.
-            let old = self.regions[region as usize];
-            let Link { corner: last, next, .. } = self.links[old.latest as usize];
-            self.links[old.latest as usize].next = NONE;
-            let twin = self.link(last, NONE, next);
-            let right_end = if old.right_end == old.latest { twin } else { old.right_end };
-            self.regions.push(Region { left: a, right: old.right, left_end: twin, right_end, latest: twin });
-            self.region[old.right as usize] = new;
-            self.region[a as usize] = new;
-            self.regions[region as usize].right_end = old.latest;
-            self.set_right(region, corner);
-            self.attach_right(points, region, corner, out);
-            self.attach_left(points, new, corner, out);
-        } else {
-            let link = self.link(corner, NONE, NONE);
-            self.regions.push(Region { left: a, right: corner, left_end: link, right_end: link, latest: link });
-            self.region[a as usize] = new;
-            self.region[corner as usize] = new;
+    /// Whether a corner above sees an edge of a chain, whose end `far` is not at the corner's side. An edge without length
+    /// hides nothing, nor does one that ends where the corner is.
+    #[inline]
+    fn sees(&self, points: &[DVec2], edge: [u32; 2], corner: u32, far: u32) -> bool {
+        let [l, r, p] = [edge[0], edge[1], corner].map(|c| points[c as usize]);
+        if orient(l, r, p) > 0 || l == r || points[far as usize] == p {
+            return true;
         }
+        let longest = (r - l).length().max((p - l).length()).max((p - r).length());
+        0.0 < self.slack && -(r - l).perp_dot(p - l) <= self.slack * longest
     }
 
     /// Both edges of a region end: all that is left of its chain is a fan.
@@ -287,23 +277,6 @@ impl Sweep {
         self.set_right(left, r.right);
         self.remove(points, right, corner);
     }
-
-    /// Takes a region whose left edge has come to its end out of the row.
-    fn remove(&mut self, points: &[DVec2], region: u32, corner: u32) {
-        let guess = self.status.partition_point(|&other| {
-            let left = self.regions[other as usize].left;
-            let [from, to, p] = [self.next[left as usize], left, corner].map(|c| points[c as usize]);
-            orient(from, to, p) < 0
-        });
-        let at = if self.status.get(guess) == Some(&region) {
-            Some(guess)
-        } else {
-            self.status.iter().position(|&other| other == region)
-        };
-        if let Some(at) = at {
-            self.status.remove(at);
-        }
-    }
 }
 
 /// The order of the sweep: up, and to the right where that is equal.
@@ -311,12 +284,4 @@ impl Sweep {
 fn below(points: &[DVec2], a: u32, b: u32) -> bool {
     let (p, q) = (points[a as usize], points[b as usize]);
     p.y < q.y || (p.y == q.y && p.x < q.x)
-}
-
-/// Whether a corner above sees the edge of a chain from `left` to `right`, `near` being its end at the corner's side. An
-/// edge without length hides nothing, nor does one that ends where the corner is.
-#[inline]
-fn sees(points: &[DVec2], left: u32, right: u32, corner: u32, [near, far]: [u32; 2]) -> bool {
-    let [l, r, p] = [left, right, corner].map(|c| points[c as usize]);
-    orient(l, r, p) > 0 || points[near as usize] == points[far as usize] || points[far as usize] == p
 }

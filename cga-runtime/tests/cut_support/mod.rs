@@ -140,9 +140,10 @@ pub fn turned(mesh: &Mesh) -> Mesh {
     mesh.map(&DAffine3::from_mat3(DMat3::from_cols(x, y, x.cross(y))))
 }
 
-/// Closed once positions are compared bit by bit, whatever the indices are.
+/// Closed once positions are compared bit by bit, whatever the indices are; also when nothing is left then.
 pub fn closed_by_position(mesh: &Mesh) -> bool {
-    together(std::slice::from_ref(mesh)).is_closed()
+    let welded = together(std::slice::from_ref(mesh));
+    welded.is_empty() || welded.is_closed()
 }
 
 /// Even cuts inside of a mesh, not at its own coordinates.

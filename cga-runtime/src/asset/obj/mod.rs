@@ -8,12 +8,14 @@
 //! every other crate in the build), starts a new mesh at each group, and can't tell lines from triangles. It does read the
 //! material libraries.
 
+mod mtl;
+
 use std::collections::HashMap;
 use std::fmt;
 
 use glam::{DVec2, DVec3};
 
-use crate::material::{Color, Material};
+use crate::material::Material;
 use crate::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
 use crate::text::Text;
 
@@ -56,10 +58,7 @@ impl std::error::Error for ObjError {}
 ///
 /// # Errors
 /// When a number can't be read or is not finite, or a face uses a vertex that does not exist; the line is named.
-pub fn read_obj(
-    bytes: &[u8],
-    material_file: &mut dyn FnMut(&str) -> Option<Vec<u8>>,
-) -> Result<ObjFile, ObjError> {
+pub fn read_obj(bytes: &[u8], material_file: &mut dyn FnMut(&str) -> Option<Vec<u8>>) -> Result<ObjFile, ObjError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = String::from_utf8_lossy(bytes);
     let mut reader = Reader::new(material_file);
@@ -225,11 +224,10 @@ impl<'a> Reader<'a> {
                 self.warnings.push(format!("the material library `{name}` was not found"));
                 continue;
             };
-            match tobj::load_mtl_buf(&mut String::from_utf8_lossy(&bytes).as_bytes()) {
-                Ok((materials, _)) => {
-                    for material in materials {
-                        let look = look(&material);
-                        self.looks.entry(material.name).or_insert(look);
+            match mtl::read_mtl(&bytes) {
+                Ok(materials) => {
+                    for (name, look) in materials {
+                        self.looks.entry(name).or_insert(look);
                     }
                 }
                 Err(error) => self.warnings.push(format!("the material library `{name}` can't be read: {error}")),
@@ -296,29 +294,5 @@ fn index(token: Option<&str>, count: usize, line: usize, what: &'static str) -> 
     Ok(Some(index as u32))
 }
 
-fn look(material: &tobj::Material) -> Material {
-    let extra = |key: &str| material.unknown_param.get(key).and_then(|text| text.trim().parse().ok());
-    let unit = |value: f64| value.is_finite().then(|| value.clamp(0.0, 1.0));
-    Material {
-        name: None,
-        color: material.diffuse.map(|c| Color::new(exact(c[0]), exact(c[1]), exact(c[2]))),
-        opacity: material.dissolve.map(exact).or_else(|| extra("Tr").map(|tr: f64| 1.0 - tr)).and_then(unit),
-        // Options stand before the name.
-        texture: material
-            .diffuse_texture
-            .as_deref()
-            .filter(|name| !name.is_empty())
-            .map(|name| Text::from(if name.starts_with('-') { name.rsplit(' ').next().unwrap_or(name) } else { name })),
-        metallic: extra("Pm").and_then(unit),
-        roughness: extra("Pr").and_then(unit),
-    }
-}
-
-/// The number as it was written: its shortest decimal form, read again with all digits.
-fn exact(value: impl fmt::Display) -> f64 {
-    value.to_string().parse().unwrap_or(f64::NAN)
-}
-
 #[cfg(test)]
-#[path = "obj_tests.rs"]
 mod tests;

@@ -1,6 +1,7 @@
 //! Each test is one trap of the format.
 
 use super::*;
+use crate::material::Color;
 
 fn read(text: &str) -> Result<ObjFile, ObjError> {
     read_obj(text.as_bytes(), &mut |name| {
@@ -92,9 +93,11 @@ fn no_bytes_make_it_panic() {
         }
         let given = bytes.clone();
         if let Ok(file) = read_obj(&bytes, &mut |_| Some(given.clone())) {
-            assert!(!file.mesh.check().iter().any(|flaw| {
-                !matches!(flaw, crate::mesh::Flaw::NotPlanar { .. } | crate::mesh::Flaw::Hole { .. })
-            }));
+            assert!(
+                !file.mesh.check().iter().any(|flaw| {
+                    !matches!(flaw, crate::mesh::Flaw::NotPlanar { .. } | crate::mesh::Flaw::Hole { .. })
+                })
+            );
         }
     }
 }

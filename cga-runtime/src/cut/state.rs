@@ -1,0 +1,142 @@
+//! What all steps of a cut share, and the faces that stay whole.
+
+use super::part::Part;
+use super::points::{NONE, Points};
+use super::rim::{Rim, Side};
+use crate::mesh::{FaceTag, Mesh, unit};
+
+/// A cut in progress.
+#[derive(Default)]
+pub(super) struct State {
+    pub(super) points: Points,
+    pub(super) parts: Vec<Part>,
+    pub(super) rim: Rim,
+    room: Vec<Room>,
+    /// Whether the mesh encloses its volume inside out, once it matters.
+    inverted: Option<bool>,
+}
+
+/// From this many slabs on, faces are counted before they are cut.
+const MANY_SLABS: usize = 8;
+
+/// What a slab will hold.
+#[derive(Clone, Copy, Default)]
+struct Room {
+    points: usize,
+    /// Of faces that stay whole.
+    corners: usize,
+    loops: usize,
+    /// How many faces to cut have their lowest part here, and how many had their highest below.
+    begin: usize,
+    end: usize,
+}
+
+impl State {
+    /// Classifies the points and numbers those inside slabs.
+    pub(super) fn start(&mut self, mesh: &Mesh) {
+        self.points.start(mesh);
+        self.make_room(mesh);
+        let State { points, parts, .. } = self;
+        for (place, &p) in points.places.iter_mut().zip(&mesh.points) {
+            let number = if place.class & 1 == 0 {
+                let list = &mut parts[place.class as usize / 2].mesh.points;
+                list.push(p);
+                list.len() - 1
+            } else {
+                points.numbers.push([NONE; 2]);
+                points.numbers.len() - 1
+            };
+            place.number = number as u32;
+        }
+        points.numbered();
+        self.rim.reset();
+        self.inverted = None;
+    }
+
+    /// Makes the slabs, with about the room they will need: growing is much of the work when there are many.
+    fn make_room(&mut self, mesh: &Mesh) {
+        let State { points, parts, room, .. } = self;
+        let slabs = points.planes.len() + 1;
+        room.clear();
+        room.resize(slabs + 1, Room::default());
+        points.places.iter().for_each(|place| room[place.class as usize / 2].points += 1);
+        parts.clear();
+        if slabs < MANY_SLABS {
+            // Few: a share of the faces as their share of the points suggests.
+            parts.extend(room[..slabs].iter().map(|room| {
+                let share =
+                    |all: usize| (all as f64 * room.points as f64 / mesh.points.len() as f64 * 1.02) as usize + 16;
+                let points = room.points + room.points / 32 + 8;
+                Part::new(mesh, points, share(mesh.corners.len()), share(mesh.loop_ends.len()))
+            }));
+            return;
+        }
+        for face in 0..mesh.face_count() {
+            let loops = mesh.face_loops(face);
+            let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
+            let count = corners.len();
+            let (low, high) = mesh.corners[corners].iter().fold((u32::MAX, 0), |(low, high), &point| {
+                let class = points.places[point as usize].class;
+                (low.min(class), high.max(class))
+            });
+            let (bottom, top) = (low.div_ceil(2) as usize, high as usize / 2);
+            if bottom < top {
+                room[bottom].begin += 1;
+                room[top + 1].end += 1;
+            } else {
+                room[top].corners += count;
+                room[top].loops += loops.len();
+            }
+        }
+        let mut pieces = 0;
+        parts.extend(room[..slabs].iter().map(|room| {
+            // A piece has four corners on average, and with a corner of each of two caps; it shares two of its points.
+            pieces = pieces + room.begin - room.end;
+            let (corners, loops) = (room.corners + 6 * pieces, room.loops + pieces + 2);
+            Part::new(mesh, room.points + 2 * pieces, corners, loops)
+        }));
+    }
+
+    /// A face that is all in one slab. `classes` is odd when it touches a plane.
+    pub(super) fn keep(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, slab: u32, classes: u32) {
+        let State { parts, points, .. } = self;
+        let part = &mut parts[slab as usize];
+        part.whole += 1;
+        let loops = mesh.face_loops(face);
+        let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
+        let shift = part.mesh.corners.len() as u32;
+        let base = corners.start as u32;
+        for &point in &mesh.corners[corners.clone()] {
+            let number = part.number(points, mesh, point, points.places[point as usize], slab);
+            part.mesh.corners.push(number);
+        }
+        part.mesh.loop_ends.extend(mesh.loop_ends[loops].iter().map(|end| end - base + shift));
+        part.end_face(tag);
+        part.copy_carried(mesh, corners);
+        if classes & 1 != 0 {
+            self.edges_on_planes(mesh, face, slab);
+        }
+    }
+
+    fn edges_on_planes(&mut self, mesh: &Mesh, face: usize, slab: u32) {
+        for ring in mesh.face(face).loops() {
+            let mut last = ring[ring.len() - 1];
+            for &here in ring {
+                let [a, b] = [last, here].map(|point| self.points.places[point as usize].class);
+                if b & 1 == 1 && a == b {
+                    self.rim.edge(b / 2, last, here, Side::of(slab, b / 2));
+                }
+                last = here;
+            }
+        }
+    }
+
+    /// A face in a plane goes to the side that its normal points away from, which it closes; of a mesh that is inside out
+    /// to the other.
+    pub(super) fn keep_flat(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, plane: u32) {
+        let inverted = *self.inverted.get_or_insert_with(|| mesh.is_closed() && mesh.volume() < 0.0);
+        let up = unit(mesh.face(face).area_vector())[self.points.axis];
+        let above = if inverted { up > 0.0 } else { up < 0.0 };
+        self.keep(mesh, face, tag, plane + u32::from(above), 1);
+    }
+}

@@ -1,0 +1,152 @@
+//! Triangles of polygons with holes: rectilinear footprints, straight, turned, far away, pinched and jittered.
+
+mod cut_support;
+
+use std::sync::Arc;
+
+use cga_runtime::cut::slabs;
+use cga_runtime::mesh::Mesh;
+use cga_runtime::scope::Axis;
+use cga_runtime::triangulate::Triangulator;
+use cut_support::*;
+use glam::{DVec2, DVec3};
+
+/// The polygons that a random pattern of cells has for its section, with holes, pinched wherever cells meet at a corner.
+/// Every other one keeps the corners between cells.
+fn footprints(rng: &mut Rng, count: usize) -> Vec<Vec<Vec<DVec2>>> {
+    let mut all = Vec::new();
+    while all.len() < count {
+        let bits = rng.next() | if rng.below(2) == 0 { rng.next() } else { 0 };
+        let mesh = Arc::new(cells(6, |x, y, z| y == 0 && (bits >> (x + 6 * z)) & 1 == 1));
+        if mesh.is_empty() {
+            continue;
+        }
+        let parts = slabs(&mesh, Axis::Y, &[0.5]).parts;
+        let part = parts[0].as_ref().unwrap();
+        for face in part.faces().filter(|face| face.tag().cap) {
+            let flat = |&c: &u32| DVec2::new(part.points()[c as usize].z, part.points()[c as usize].x);
+            let loops = face.loops().map(|ring| ring.iter().map(flat).collect::<Vec<_>>());
+            all.push(if rng.below(2) == 0 { loops.collect() } else { loops.map(|ring| corners_only(&ring)).collect() });
+        }
+    }
+    all
+}
+
+fn corners_only(ring: &[DVec2]) -> Vec<DVec2> {
+    let count = ring.len();
+    let straight =
+        |i: usize| (ring[i] - ring[(i + count - 1) % count]).perp_dot(ring[(i + 1) % count] - ring[i]) == 0.0;
+    (0..count).filter(|&i| !straight(i)).map(|i| ring[i]).collect()
+}
+
+fn area(ring: &[DVec2]) -> f64 {
+    0.5 * ring.windows(2).map(|w| (w[0] - ring[0]).perp_dot(w[1] - ring[0])).sum::<f64>()
+}
+
+/// Triangulates as a polygon, and as a face of a mesh too; `slack` is what crossing by rounding may cost.
+fn check(what: &str, polygon: &[Vec<DVec2>], slack: f64) {
+    let points: Vec<DVec2> = polygon.iter().flatten().copied().collect();
+    let ends: Vec<u32> = polygon
+        .iter()
+        .scan(0, |end, ring| {
+            *end += ring.len() as u32;
+            Some(*end)
+        })
+        .collect();
+    let mut found = Vec::new();
+    Triangulator::new().polygon(&points, &ends, &mut found);
+    // Loops that cross need not hang together.
+    assert!(what == "jittered" || found.len() == points.len() + 2 * ends.len() - 4, "{what}: {polygon:?}");
+    let mut edges = std::collections::HashMap::new();
+    let mut count = |a: u32, b: u32, by: i32| {
+        *edges.entry((a.min(b), a.max(b))).or_insert(0) += if a < b { by } else { -by };
+    };
+    let mut start = 0;
+    for &end in &ends {
+        (start..end).for_each(|i| count(i, if i + 1 == end { start } else { i + 1 }, 1));
+        start = end;
+    }
+    let mut sum = 0.0;
+    for t in &found {
+        (0..3).for_each(|k| count(t[k], t[(k + 1) % 3], -1));
+        sum += area(&t.map(|i| points[i as usize])).abs();
+    }
+    assert!(edges.values().all(|&net| net == 0), "{what}: the rim is lost of {polygon:?}");
+    let expected: f64 = polygon.iter().map(|ring| area(ring)).sum();
+    assert!((sum - expected).abs() <= slack, "{what}: {sum} of {expected}: {polygon:?}");
+}
+
+fn mapped(polygon: &[Vec<DVec2>], mut by: impl FnMut(DVec2) -> DVec2) -> Vec<Vec<DVec2>> {
+    polygon.iter().map(|ring| ring.iter().map(|&p| by(p)).collect()).collect()
+}
+
+#[test]
+fn rectilinear_footprints_of_every_kind() {
+    let mut rng = Rng(11);
+    let (sin, cos) = (libm::sin(0.3), libm::cos(0.3));
+    let turn = |p: DVec2| DVec2::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos);
+    for polygon in footprints(&mut rng, 1500) {
+        check("straight", &polygon, 0.0);
+        check("sheared", &mapped(&polygon, |p| DVec2::new(p.x + 3.0 * p.y, p.y)), 0.0);
+        check("turned a quarter", &mapped(&polygon, |p| DVec2::new(-p.y, p.x)), 0.0);
+        check("far", &mapped(&polygon, |p| p + DVec2::splat(500_000.0)), 0.0);
+        check("turned", &mapped(&polygon, turn), 1e-12);
+        check("turned and far", &mapped(&polygon, |p| turn(p) + DVec2::splat(500_000.0)), 1e-7);
+        check("jittered", &mapped(&polygon, |p| p + DVec2::new(rng.unit(), rng.unit()) * 1e-9), 1e-7);
+    }
+}
+
+#[test]
+fn random_stars_and_combs() {
+    let mut rng = Rng(12);
+    for round in 0..500 {
+        let count = 5 + rng.below(60);
+        let radii: Vec<f64> = (0..count).map(|_| 0.05 + rng.unit()).collect();
+        let star: Vec<DVec2> = ring(count, |i| radii[i]).into_iter().map(|(x, y)| DVec2::new(x, y)).collect();
+        check("star", std::slice::from_ref(&star), 1e-13);
+        let small: Vec<DVec2> = ring(3 + round % 9, |_| 0.02).into_iter().map(|(x, y)| DVec2::new(x, -y)).collect();
+        check("star with a hole", &[star, small], 1e-13);
+        let mut comb = vec![DVec2::ZERO, DVec2::new(count as f64, 0.0)];
+        for i in (0..count).rev() {
+            comb.push(DVec2::new(i as f64 + 0.5, 1.0 + rng.below(5) as f64));
+            comb.push(DVec2::new(i as f64, 0.5 + 0.25 * rng.below(2) as f64));
+        }
+        check("comb", &[comb], 1e-11);
+    }
+}
+
+#[test]
+fn any_points_at_all_keep_their_rim() {
+    let mut rng = Rng(13);
+    for _ in 0..5000 {
+        let rings = 1 + rng.below(3);
+        let polygon: Vec<Vec<DVec2>> = (0..rings)
+            .map(|_| (0..3 + rng.below(9)).map(|_| DVec2::new(rng.below(4) as f64, rng.below(4) as f64)).collect())
+            .collect();
+        let points: Vec<DVec2> = polygon.iter().flatten().copied().collect();
+        let mut end = 0;
+        let ends: Vec<u32> = polygon
+            .iter()
+            .map(|ring| {
+                end += ring.len() as u32;
+                end
+            })
+            .collect();
+        let mut found = Vec::new();
+        Triangulator::new().polygon(&points, &ends, &mut found);
+        let signed: f64 = found.iter().map(|t| area(&t.map(|i| points[i as usize]))).sum();
+        let expected: f64 = polygon.iter().map(|ring| area(ring)).sum();
+        assert!((signed - expected).abs() < 1e-12, "{polygon:?}");
+    }
+}
+
+#[test]
+fn faces_far_away_in_any_direction() {
+    let outline = polygon(&[(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (2.0, 2.0), (2.0, 5.0), (0.0, 5.0)]);
+    let hole = polygon(&square(0.5, 0.5, 1.0));
+    let base = Mesh::from_polygon(&outline, &[hole]).unwrap();
+    for far in [0.0, 1e3, 1e6] {
+        let mesh = turned(&moved(&base, DVec3::splat(far)));
+        check_triangles("far face", &mesh, 10.0 + far * 1e-2);
+    }
+}
