@@ -82,7 +82,8 @@ impl General {
         let line = Line::of(&view, state.points.axis);
         self.take_apart(state, mesh, &view, line);
         self.fragments.sort_by_key(|fragment| fragment.slab);
-        self.rings.start(Projection::along(view.area_vector()), tag);
+        let outline = view.loop_ranges().next().unwrap_or(0..0);
+        self.rings.start(Projection::along(view.area_vector()), tag, outline);
         let mut from = 0;
         let low = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).min().unwrap_or(0);
         let high = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).max().unwrap_or(0);

@@ -13,6 +13,7 @@
 mod caps;
 mod chain;
 mod contour;
+mod first;
 mod general;
 mod nest;
 mod part;

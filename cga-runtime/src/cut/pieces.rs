@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use super::first::first_node;
 use super::points::Node;
 use super::state::State;
 use crate::mesh::check::winding;
@@ -19,6 +20,8 @@ pub(super) struct Rings {
     order: Vec<usize>,
     flat: Vec<DVec2>,
     view: Option<(Projection, FaceTag)>,
+    /// Corners of the face's outline.
+    outline: Range<usize>,
     /// Whether a ring was too short since the last faces were added.
     dropped: bool,
 }
@@ -34,8 +37,9 @@ struct Ring {
 
 impl Rings {
     /// Begins a face.
-    pub(super) fn start(&mut self, projection: Projection, tag: FaceTag) {
+    pub(super) fn start(&mut self, projection: Projection, tag: FaceTag, outline: Range<usize>) {
         self.view = Some((projection, tag));
+        self.outline = outline;
         self.nodes.clear();
         self.rings.clear();
     }
@@ -78,6 +82,9 @@ impl Rings {
         let owner = |index: usize| self.rings[index].outline;
         self.order.sort_by_key(|&index| (owner(index).unwrap_or(index), owner(index).is_some()));
         for (place, &index) in self.order.iter().enumerate() {
+            let nodes = &mut self.nodes[self.rings[index].nodes.clone()];
+            let first = first_node(nodes.iter(), &self.outline);
+            nodes.rotate_left(first);
             part.corners(points, mesh, &self.nodes[self.rings[index].nodes.clone()], slab);
             part.end_loop();
             if self.order.get(place + 1).is_none_or(|&next| self.rings[next].outline.is_none()) {

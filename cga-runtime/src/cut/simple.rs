@@ -5,6 +5,7 @@
 
 use std::ops::Range;
 
+use super::first::first_node;
 use super::points::{Node, Place};
 use super::rim::Side;
 use super::state::State;
@@ -33,7 +34,7 @@ impl Simple {
         low: u32,
         high: u32,
     ) -> bool {
-        if !self.walk(state, mesh, corners, places, low, high) {
+        if !self.walk(state, mesh, corners.clone(), places, low, high) {
             return false;
         }
         let (mut up, mut down) = (0, self.down.len());
@@ -72,8 +73,14 @@ impl Simple {
                 part.dropped = true;
                 continue;
             }
-            part.corners(points, mesh, ahead, slab);
-            part.corners(points, mesh, back, slab);
+            let first = first_node(ahead.iter().chain(back), &corners);
+            let runs = match first.checked_sub(ahead.len()) {
+                None => [&ahead[first..], back, &ahead[..first]],
+                Some(first) => [&back[first..], ahead, &back[..first]],
+            };
+            for run in runs {
+                part.corners(points, mesh, run, slab);
+            }
             part.end_loop();
             part.end_face(tag);
         }
