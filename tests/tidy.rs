@@ -1,0 +1,69 @@
+//! What the tree promises about itself.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// All Rust files of the workspace.
+fn sources() -> Vec<PathBuf> {
+    fn walk(folder: &Path, list: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).expect("a folder of the workspace") {
+            let path = entry.expect("an entry").path();
+            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+            if path.is_dir() && !name.starts_with('.') && !matches!(name, "target" | "out") {
+                walk(&path, list);
+            } else if name.ends_with(".rs") {
+                list.push(path);
+            }
+        }
+    }
+    let mut list = Vec::new();
+    walk(root(), &mut list);
+    assert!(100 < list.len(), "the walk found the workspace");
+    list
+}
+
+#[test]
+fn a_file_is_taken_in_at_one_sitting() {
+    let long: Vec<String> = sources()
+        .iter()
+        .map(|path| (path, fs::read_to_string(path).expect("text").lines().count()))
+        .filter(|(_, lines)| 500 < *lines)
+        .map(|(path, lines)| format!("{}: {lines} lines", path.display()))
+        .collect();
+    assert!(long.is_empty(), "is it one concept? {long:#?}");
+}
+
+#[test]
+fn the_language_knows_nothing_of_macros_and_does_no_io() {
+    for path in sources().iter().filter(|path| path.starts_with(root().join("cga-lang/src"))) {
+        let text = fs::read_to_string(path).expect("text");
+        for word in ["proc_macro", "std::fs", "std::net", "std::env", "std::process"] {
+            let used = text.lines().any(|line| line.contains(word) && !line.trim_start().starts_with("//"));
+            assert!(!used, "{} uses {word}", path.display());
+        }
+    }
+}
+
+#[test]
+fn the_picture_of_the_readme_is_made_by_the_rules_beside_it() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("the README");
+    let example = fs::read_to_string(root().join("examples/readme.rs")).expect("the example");
+    let rules = |text: &str| {
+        let start = text.find("    grammar House;").expect("the grammar");
+        let end = start + text[start..].find("\n}\n").expect("its end");
+        text[start..end].to_owned()
+    };
+    assert_eq!(rules(&readme), rules(&example));
+}
+
+#[test]
+fn the_readme_has_the_two_commands() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("the README");
+    for command in ["cargo run --release --example tower", "cargo test --workspace"] {
+        assert!(readme.contains(command), "{command}");
+    }
+}
