@@ -1,12 +1,13 @@
 //! The whole way from tokens to a grammar, in one call.
 
-use crate::ast::{Decl, Expr, ExprKind, Unary};
+use crate::ast::{Ast, Body, Decl, Expr, ExprKind, Unary};
 use crate::check::check;
 use crate::code::Code;
 use crate::diag::{Diag, Diags, Level};
 use crate::ir::{Grammar, Type, Value};
 use crate::lex::lex;
 use crate::lower::lower;
+use crate::ops::{builtins, shape_attr};
 use crate::parse::parse;
 use crate::span::Span;
 use crate::token::Tokens;
@@ -49,6 +50,8 @@ pub struct SkeletonAttr {
     pub ty: Option<Type>,
     /// The default. Without errors the same as in [`ir::Attr`](crate::ir::Attr), else only if it is a literal.
     pub known: Option<Value>,
+    /// Whether the default is computed for each initial shape. With errors a good guess.
+    pub computed: bool,
     /// The name in its declaration.
     pub span: Span,
 }
@@ -70,7 +73,7 @@ pub fn compile_after(tokens: &Tokens, door: Door, levels: &[(Code, Level)], foun
     let ast = parse(tokens, &mut diags);
     let outcome = check(&ast, door, levels, &mut diags);
     let grammar = outcome.checked.map(|checked| lower(&checked, tokens));
-    let names = skeleton(&outcome.attrs, grammar.as_ref());
+    let names = skeleton(&ast, &outcome.attrs, grammar.as_ref());
     Compiled { grammar, diags: diags.finish(), names }
 }
 
@@ -97,7 +100,7 @@ pub fn compile_text_with(text: &str, levels: &[(Code, Level)]) -> Source {
     Source { tokens: lexed.tokens, ranges: lexed.ranges, compiled }
 }
 
-fn skeleton(attrs: &[(&Decl, Option<Type>)], grammar: Option<&Grammar>) -> Skeleton {
+fn skeleton(ast: &Ast, attrs: &[(&Decl, Option<Type>)], grammar: Option<&Grammar>) -> Skeleton {
     let mut list: Vec<SkeletonAttr> = Vec::new();
     let mut seen = HashSet::new();
     for (index, (decl, ty)) in attrs.iter().enumerate() {
@@ -108,10 +111,39 @@ fn skeleton(attrs: &[(&Decl, Option<Type>)], grammar: Option<&Grammar>) -> Skele
             Some(grammar) => grammar.attrs[index].known.clone(),
             None => decl.value().and_then(literal),
         };
-        list.push(SkeletonAttr { name: decl.name.text.clone(), ty: *ty, known, span: decl.name.span });
+        let computed = match grammar {
+            Some(_) => known.is_none(),
+            None => decl.value().is_some_and(|value| computed(value, ast, 0)),
+        };
+        list.push(SkeletonAttr { name: decl.name.text.clone(), ty: *ty, known, computed, span: decl.name.span });
     }
     Skeleton { attrs: list }
 }
+
+/// Whether a value depends on more than constants, as far as can be told without checks.
+fn computed(value: &Expr, ast: &Ast, depth: u32) -> bool {
+    let part = |value: &Expr| computed(value, ast, depth);
+    match &value.kind {
+        ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Error => false,
+        ExprKind::Name(name) => {
+            let decl = ast.decls.iter().find(|decl| decl.name.text == name.text && decl.value().is_some());
+            match decl {
+                Some(decl) if matches!(decl.body, Body::Attr(_)) || DEEPEST < depth => true,
+                Some(decl) => decl.value().is_some_and(|value| computed(value, ast, depth + 1)),
+                // One that is not declared is another finding; the rest are attributes of the shape and draws.
+                None => shape_attr(&name.text).is_some() || builtins(&name.text).any(|row| !row.pure),
+            }
+        }
+        ExprKind::Call(name, args) => !builtins(&name.text).any(|row| row.pure) || args.iter().any(part),
+        ExprKind::Host(_) | ExprKind::Path(..) | ExprKind::Chance(..) => true,
+        ExprKind::Unary(_, a) => part(a),
+        ExprKind::Binary(_, _, a, b) => part(a) || part(b),
+        ExprKind::Case(arms, otherwise) => arms.iter().any(|(a, b)| part(a) || part(b)) || part(otherwise),
+    }
+}
+
+/// How far constants are followed.
+const DEEPEST: u32 = 32;
 
 fn literal(value: &Expr) -> Option<Value> {
     match &value.kind {

@@ -16,13 +16,36 @@ use proc_macro2::TokenStream;
 
 /// Checks CGA rules and turns them into Rust.
 ///
-/// Three ways to give the rules:
+/// # Three ways to give the rules
 ///
 /// - inline: `cga! { pub grammar Tower; Lot --> extrude(24) … }`;
-/// - as text: `cga! { pub grammar Tower = r#"Lot --> s('1, 24, '1) …"#; }`;
-/// - in a file below the package: `cga! { pub grammar Tower in "rules/tower.cga"; }`.
+/// - as text: `cga! { pub grammar Tower = r#"Lot --> s('1, 24, '1) …"#; }`, or several literals in `concat!(…)`;
+/// - in a file: `cga! { pub grammar Tower in "rules/tower.cga"; }`. The path counts from the folder of the package's
+///   `Cargo.toml`, and the build follows changes of the file.
 ///
-/// Without the `grammar` header the macro is an expression: a value that has captured its `#` values.
+/// Without the `grammar` header the macro is an expression: `let rules = cga! { Lot --> extrude(#height) … };`. Its `#`
+/// values are evaluated once, from left to right, and kept, as a closure would. Its attributes are fields:
+/// `rules.height = 40.0`.
+///
+/// # What differs from a rule file inline
+///
+/// - Relative sizes are written `^0.5` and `^(a + b)`. Rust reads `'0.5` as a broken lifetime and stops with an error of
+///   its own beside ours; `'(a + b)` it reads as a character without its end, before the macro is asked. `'name` works.
+/// - Comments begin with `//`.
+/// - A call that matches no rule is an error, not a leaf: write `Name.` for a leaf.
+/// - `#name` and `#(expression)` put a Rust value into a rule: a number, a `bool` or text.
+///
+/// # What works everywhere
+///
+/// - `path::to::function(a, b)` calls a Rust function. It gets `f64`, `bool` and `&str`, and gives a number, a `bool` or
+///   text. In the place of an operation it gets `&mut Shape` before its arguments, and gives `()` or
+///   `Result<(), Fault>`. Paths count from where the macro is called; there is at least one `::` in them.
+/// - `@Allow(code)`, `@Warn(code)` and `@Deny(code)` before a rule or the header set the level of findings. Warnings
+///   are shown by way of rustc's lint `deprecated`.
+/// - `#[cga(crate = path)]` before the header says where the crate `cga` is when it has another name. Other attributes
+///   go to the struct, `#[cfg(…)]` to all that is made.
+/// - Attributes become fields of the same name, raw where Rust keeps the word for itself (`r#type`); `self`, `Self`,
+///   `super` and `crate` get a line at the end (`self_`).
 #[proc_macro]
 pub fn cga(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expand(input.into()).into()
@@ -30,9 +53,9 @@ pub fn cga(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
 
 fn expand(input: TokenStream) -> TokenStream {
     let (header, body) = header::read(input);
-    let source = match door::open(&header, body) {
+    let source = match body.and_then(|body| door::open(&header, body)) {
         Ok(source) => source,
-        Err(problem) => return problem.to_tokens(&header),
+        Err(problem) => return skeleton::behind(&problem, &header),
     };
     let compiled = compile_with(source.tokens(), source.strictness(), &header.levels);
     let findings: Vec<_> = source.findings().iter().chain(&compiled.diags).cloned().collect();
@@ -41,5 +64,8 @@ fn expand(input: TokenStream) -> TokenStream {
         Some(grammar) if !findings.has_errors => codegen::grammar(grammar, &header, &source),
         _ => skeleton::grammar(&compiled, &header, &source),
     };
-    header.wrap(&source, &findings.tokens, output)
+    header.wrap(&source, &findings.tokens, &output)
 }
+
+#[cfg(test)]
+mod tests;

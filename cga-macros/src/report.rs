@@ -62,10 +62,11 @@ pub(crate) fn error(first: Span, last: Span, message: &str) -> TokenStream {
     path.into_iter().chain([TokenTree::Punct(bang), TokenTree::Group(group)]).collect()
 }
 
-/// A compiler warning: stable Rust has none for macros, but using something deprecated makes one, with our text.
+/// A compiler warning: stable Rust has none for macros, but using something deprecated makes one, with our text. Rustc
+/// underlines one token.
 fn warning(place: Span, code: &str, message: &str) -> TokenStream {
     let name = Ident::new(code, place);
-    quote_spanned! { place=>
+    quote_spanned! { Span::mixed_site()=>
         const _: () = {
             #[deprecated(note = #message)]
             #[allow(non_upper_case_globals)]

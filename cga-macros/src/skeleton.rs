@@ -2,18 +2,25 @@
 
 use cga_lang::compile::Compiled;
 use proc_macro2::TokenStream;
+use quote::quote;
 
 use crate::codegen::{Public, PublicAttr, public};
-use crate::door::Source;
-use crate::header::Header;
+use crate::door::{Problem, Source};
+use crate::header::{Header, Output};
 
-/// The struct with its fields and methods; nothing in it runs.
-pub(crate) fn grammar(compiled: &Compiled, header: &Header, source: &Source) -> TokenStream {
+/// The struct with its fields and methods; nothing in it runs. The `#` values count as used.
+pub(crate) fn grammar(compiled: &Compiled, header: &Header, source: &Source) -> Output {
     let attrs = compiled.names.attrs.iter().map(|attr| PublicAttr::known_so_far(attr, source)).collect();
-    public(&Public { attrs, captures: Vec::new(), hidden: None }, header)
+    let captures = (0..source.hosts().len() as u32).map(|handle| (handle, None)).collect();
+    Output { code: public(&Public { attrs, captures: Vec::new(), hidden: None }, header), captures }
 }
 
 /// The struct alone: not even its attributes are known.
-pub(crate) fn empty(header: &Header) -> TokenStream {
-    public(&Public { attrs: Vec::new(), captures: Vec::new(), hidden: None }, header)
+pub(crate) fn behind(problem: &Problem, header: &Header) -> TokenStream {
+    let error = problem.error();
+    if header.name.is_none() {
+        return error;
+    }
+    let names = public(&Public { attrs: Vec::new(), captures: Vec::new(), hidden: None }, header);
+    quote!(#error #names)
 }

@@ -373,12 +373,13 @@ impl<'a> Infer<'_, 'a, '_> {
             }
         }
         self.propagate();
-        // What is still open is a sum of floats.
+        // What is still open is a sum of floats, unless text is needed.
         for index in 0..self.pluses.len() {
             if !self.plus(index) {
                 let Plus { left, right, result, at, .. } = self.pluses[index];
+                let ty = self.vars.known(result).unwrap_or(Type::Float);
                 for var in [left, right, result] {
-                    self.vars.bind(var, Type::Float, at);
+                    self.vars.bind(var, ty, at);
                 }
                 self.pluses[index].done = true;
             }

@@ -1,6 +1,6 @@
 //! A comp: its arms as a table, and a `match` over them.
 
-use cga_lang::ir::{Comp, CompMode, Rule, Selector};
+use cga_lang::ir::{Comp, CompMode, RuleId, Selector};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -8,7 +8,7 @@ use super::Cx;
 use super::expr::Place;
 
 impl Cx<'_> {
-    pub(super) fn comp(&self, comp: &Comp, rule: &Rule) -> TokenStream {
+    pub(super) fn comp(&self, comp: &Comp, rule: RuleId) -> TokenStream {
         let place = Span::mixed_site();
         let table = comp.arms.iter().map(|arm| {
             let select = match &arm.selector {

@@ -5,8 +5,9 @@ use cga_lang::ir::{Binary, Expr, ExprKind, Type, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
-use super::items::host_conversion;
+use super::public::captured;
 use super::{Cx, local};
+use crate::header::{HostType, conversion, convert};
 
 /// Where an expression is evaluated: how it gets at the run and at the current shape.
 pub(super) struct Place {
@@ -97,18 +98,16 @@ impl Cx<'_> {
                 }
             }
             ExprKind::Host(id) if self.captured => {
-                let name = local("captured_", id.0 as usize);
-                cloned(expr.ty, quote_spanned!(place=> g.#name))
+                let name = captured(id.0 as usize);
+                cloned(self.hosts[id.0 as usize].inside(), quote_spanned!(place=> g.#name))
             }
             ExprKind::Host(id) => {
                 let host = &self.grammar.hosts[id.0 as usize];
-                let (code, convert) = (&self.source.hosts()[host.handle as usize].expr, host_conversion(host.ty));
-                // The expression's own span, so that a wrong type is reported there.
-                let code = spanned_reference(code, self.source.token(host.span.first));
-                quote_spanned!(place=> cga_rt::host::#convert(#code))
+                let ty = self.hosts[id.0 as usize];
+                convert(&quote_spanned!(place=> cga_rt), ty, &self.source.hosts()[host.handle as usize])
             }
             ExprKind::Call(id, args) => {
-                let name = Ident::new(self.names.function(*id), self.source.token(expr.span.first));
+                let name = self.names.function(*id, self.source.token(expr.span.first));
                 let (env, shape) = (&at.env, &at.shape_mut);
                 self.with_args(args, at, |args| quote_spanned!(place=> CgaRules::#name(g, #env, #shape, #(#args),*)))
             }
@@ -122,8 +121,9 @@ impl Cx<'_> {
             }
             ExprKind::Rust(path, args) => {
                 let path = self.source.path(expr.span.first, path);
-                let convert = host_conversion(expr.ty);
-                self.with_rust_args(args, at, |args| quote_spanned!(place=> cga_rt::host::#convert(&#path(#(#args),*))))
+                let here = self.at_path(expr.span);
+                let convert = conversion(HostType::Is(expr.ty), here);
+                self.with_rust_args(args, at, |args| quote_spanned!(here=> cga_rt::host::#convert(&#path(#(#args),*))))
             }
             ExprKind::Shape(attr) => {
                 let (get, shape) = (Ident::new(attr.get, place), &at.shape);
@@ -141,6 +141,8 @@ impl Cx<'_> {
                 let (left, right) = (self.expr(left, at), self.expr(right, at));
                 binary(*operator, &left, &right)
             }
+            // It came in as text.
+            ExprKind::ToText(inner) if matches!(inner.kind, ExprKind::Host(_)) => self.expr(inner, at),
             ExprKind::ToText(inner) => {
                 let convert = match inner.ty {
                     Type::Float => quote_spanned!(place=> float_to_text),
@@ -177,12 +179,19 @@ impl Cx<'_> {
         if args.iter().all(is_plain) {
             return call(&values);
         }
-        let names: Vec<TokenStream> = (0..args.len()).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
+        let names: Vec<TokenStream> =
+            (0..args.len()).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
         let call = call(&names);
         quote_spanned!(place=> { #(let #names = #values;)* #call })
     }
 
-    /// The same for a function of the user: text arrives as `&str`.
+    /// Where all of a call of Rust stands, so that a wrong signature is shown there: the last name of the path.
+    pub(super) fn at_path(&self, span: cga_lang::span::Span) -> Span {
+        let path = cga_lang::span::Span::one(span.first);
+        Span::mixed_site().located_at(self.source.span(path).1)
+    }
+
+    /// The same for a function of the user: text arrives as `&str`, and each argument stands where it was written.
     pub(super) fn with_rust_args(
         &self,
         args: &[Expr],
@@ -190,14 +199,18 @@ impl Cx<'_> {
         call: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
         let place = Span::mixed_site();
-        let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
         let values = args.iter().map(|arg| self.expr(arg, at));
+        let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
         let passed: Vec<TokenStream> = names
             .iter()
             .zip(args)
-            .map(|(name, arg)| match arg.ty {
-                Type::Text => quote_spanned!(place=> cga_rt::host::as_str(&#name)),
-                _ => quote!(#name),
+            .map(|(name, arg)| {
+                let here = place.located_at(self.source.token(arg.span.first));
+                let name = Ident::new(&name.to_string(), here);
+                match arg.ty {
+                    Type::Text => quote_spanned!(here=> cga_rt::host::as_str(&#name)),
+                    _ => quote!(#name),
+                }
             })
             .collect();
         let call = call(&passed);
@@ -235,11 +248,6 @@ fn cloned(ty: Type, place: TokenStream) -> TokenStream {
         Type::Text => quote_spanned!(Span::mixed_site()=> ::core::clone::Clone::clone(&#place)),
         _ => place,
     }
-}
-
-/// `&expr` with the span of the expression.
-fn spanned_reference(code: &TokenStream, span: Span) -> TokenStream {
-    quote_spanned!(span=> &#code)
 }
 
 fn binary(operator: Binary, left: &TokenStream, right: &TokenStream) -> TokenStream {

@@ -8,30 +8,38 @@ mod comp;
 mod expr;
 mod items;
 mod names;
+mod public;
 mod rule;
 mod split;
+mod stack;
+mod table;
+mod walk;
 
-use cga_lang::ir::{Grammar, RuleId, Type};
+use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
 use crate::door::Source;
-use crate::header::Header;
+use crate::header::{Header, HostType, Output};
 
-pub(crate) use items::{Public, PublicAttr, public};
+pub(crate) use public::{Public, PublicAttr, public};
 
 /// What every part of the generator looks things up in.
 struct Cx<'a> {
     grammar: &'a Grammar,
     source: &'a Source,
     names: names::Names,
+    plan: stack::Plan,
     /// Whether `#` values were captured, as in the expression form.
     captured: bool,
+    /// What each `#` value must be.
+    hosts: Vec<HostType>,
 }
 
 /// Writes a grammar.
-pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> TokenStream {
-    let cx = Cx { grammar, source, names: names::Names::new(grammar), captured: header.name.is_none() };
+pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Output {
+    let (names, plan) = (names::Names::new(grammar), stack::Plan::new(grammar));
+    let cx = Cx { grammar, source, names, plan, captured: header.name.is_none(), hosts: host_types(grammar) };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
     let implementation = items::rules_impl(&cx, header);
@@ -41,10 +49,8 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> To
         #call
         /// The rules and functions, one function each.
         struct CgaRules;
-        #[allow(
-            non_snake_case, dead_code, unused_variables, unused_mut, unused_assignments, unused_parens, unused_braces,
-            unused_labels, unreachable_code, unreachable_pub, clippy::all, clippy::pedantic
-        )]
+        // Named and used by the rules, at the user's own tokens; and `NIL` may stand before the end.
+        #[allow(non_snake_case, dead_code, unreachable_code)]
         impl CgaRules {
             #rules
             #functions
@@ -53,10 +59,25 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> To
     };
     let public = Public {
         attrs: grammar.attrs.iter().map(|attr| PublicAttr::of(attr, source)).collect(),
-        captures: grammar.hosts.iter().map(|host| (host.handle, host.ty)).collect(),
+        captures: cx.hosts.clone(),
         hidden: Some(hidden),
     };
-    items::public(&public, header)
+    let public = if cx.captured { public } else { Public { captures: Vec::new(), ..public } };
+    let captures = grammar.hosts.iter().zip(&cx.hosts).map(|(host, ty)| (host.handle, Some(*ty))).collect();
+    Output { code: public::public(&public, header), captures }
+}
+
+/// What a `#` value must be: the type that the rules give it, or anything where it is only made into text.
+fn host_types(grammar: &Grammar) -> Vec<HostType> {
+    let mut types: Vec<HostType> = grammar.hosts.iter().map(|host| HostType::Is(host.ty)).collect();
+    walk::exprs(grammar, &mut |expr| {
+        if let ExprKind::ToText(inner) = &expr.kind
+            && let ExprKind::Host(HostId(id)) = inner.kind
+        {
+            types[id as usize] = HostType::Shown;
+        }
+    });
+    types
 }
 
 /// The Rust type of a value inside the rules.
@@ -72,7 +93,7 @@ fn inner_type(ty: Type) -> TokenStream {
 impl Cx<'_> {
     /// A function of the hidden impl, with the span of a use.
     fn rule(&self, rule: RuleId, place: Span) -> Ident {
-        Ident::new(self.names.rule(rule), place)
+        self.names.rule(rule, place)
     }
 }
 

@@ -1,8 +1,9 @@
-//! Names of the generated functions: as in the rules where that is possible, unique in any case.
+//! Names of the generated functions and fields: as in the rules where that is possible, unique in any case.
 
 use std::collections::HashSet;
 
 use cga_lang::ir::{FunctionId, Grammar, RuleId};
+use proc_macro2::{Ident, Span};
 
 /// One name for each rule and function.
 pub(super) struct Names {
@@ -19,17 +20,20 @@ impl Names {
         Names { rules, functions }
     }
 
-    pub(super) fn rule(&self, rule: RuleId) -> &str {
-        &self.rules[rule.0 as usize]
+    /// The function of a rule, with the span of a use.
+    pub(super) fn rule(&self, rule: RuleId, place: Span) -> Ident {
+        ident(&self.rules[rule.0 as usize], place)
     }
 
-    pub(super) fn function(&self, function: FunctionId) -> &str {
-        &self.functions[function.0 as usize]
+    /// The function of a function, with the span of a use.
+    pub(super) fn function(&self, function: FunctionId, place: Span) -> Ident {
+        ident(&self.functions[function.0 as usize], place)
     }
 }
 
 fn unique(name: &str, taken: &mut HashSet<String>) -> String {
-    let plain = identifier(name);
+    // `Facade/2` is `Facade_2`.
+    let plain: String = name.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '_' }).collect();
     let mut candidate = plain.clone();
     let mut number = 1;
     while !taken.insert(candidate.clone()) {
@@ -39,22 +43,45 @@ fn unique(name: &str, taken: &mut HashSet<String>) -> String {
     candidate
 }
 
-/// `Facade/2` as `Facade_2`; words that Rust keeps for itself get a line at the end.
-fn identifier(name: &str) -> String {
-    let plain: String = name.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '_' }).collect();
-    if plain == "_" || syn::parse_str::<syn::Ident>(&plain).is_err() { format!("{plain}_") } else { plain }
+/// A name as Rust takes it, as little changed as possible: `r#type`, and `self_` for the words that cannot be raw.
+pub(super) fn ident(name: &str, place: Span) -> Ident {
+    if NEVER.contains(&name) {
+        Ident::new(&format!("{name}_"), place)
+    } else if RESERVED.contains(&name) {
+        Ident::new_raw(name, place)
+    } else {
+        Ident::new(name, place)
+    }
 }
 
-/// A field of the public struct: raw where Rust keeps the word for itself.
-pub(crate) fn field(name: &str, place: proc_macro2::Span) -> proc_macro2::Ident {
-    if syn::parse_str::<syn::Ident>(name).is_ok() {
-        return proc_macro2::Ident::new(name, place);
+/// Words that cannot be names even with `r#`.
+const NEVER: &[&str] = &["_", "self", "Self", "super", "crate"];
+
+/// Words that Rust keeps for itself, in any edition.
+const RESERVED: &[&str] = &[
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn", "else", "enum",
+    "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod", "move",
+    "mut", "override", "priv", "pub", "ref", "return", "static", "struct", "trait", "true", "try", "type", "typeof",
+    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_kept_where_rust_allows_it() {
+        let shown = |name| ident(name, Span::call_site()).to_string();
+        assert_eq!(
+            ["Lot", "type", "gen", "self", "union", "Vec"].map(shown),
+            ["Lot", "r#type", "r#gen", "self_", "union", "Vec"]
+        );
     }
-    let plain = identifier(name);
-    // Four words cannot even be raw.
-    if matches!(name, "self" | "Self" | "super" | "crate" | "_") || plain != format!("{name}_") {
-        proc_macro2::Ident::new(&plain, place)
-    } else {
-        proc_macro2::Ident::new_raw(name, place)
+
+    #[test]
+    fn overloads_and_blocks_get_names_of_their_own() {
+        let mut taken = HashSet::new();
+        let names = ["A", "A", "A_2", "A/1", "A_1"].map(|name| unique(name, &mut taken));
+        assert_eq!(names, ["A", "A_2", "A_2_2", "A_1", "A_1_2"]);
     }
 }

@@ -3,10 +3,11 @@
 use cga_lang::ir::{Arg, Childless, Function, Prefix, Rule, RuleId, Step, Target, Type};
 use cga_lang::ops::{Operation, ParamKind};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use syn::Lifetime;
 use quote::{quote, quote_spanned};
+use syn::Lifetime;
 
 use super::expr::{Place, draws};
+use super::stack::call_depth;
 use super::{Cx, inner_type, local};
 
 pub(super) fn rules(cx: &Cx<'_>) -> TokenStream {
@@ -21,6 +22,7 @@ pub(super) fn functions(cx: &Cx<'_>) -> TokenStream {
 /// What the steps of a rule need to know of where they stand.
 #[derive(Clone, Copy)]
 struct Body<'a> {
+    id: RuleId,
     rule: &'a Rule,
     /// How deep in `[ ]`.
     depth: usize,
@@ -38,7 +40,7 @@ impl Cx<'_> {
             let source = &rule.source;
             quote_spanned!(place=> #[doc = #source])
         });
-        let steps = self.steps(&rule.body, Body { rule, depth: 0 });
+        let steps = self.steps(&rule.body, Body { id, rule, depth: 0 });
         let base = base(&rule.body);
         let flag = (rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> let mut childless = true;));
         let label = &rule.label;
@@ -49,9 +51,9 @@ impl Cx<'_> {
         };
         quote_spanned! { place=>
             #doc
-            fn #name<Sink: cga_rt::Sink + ?::core::marker::Sized>(
+            fn #name<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
                 g: &CgaValues,
-                cx: &mut cga_rt::Cx<'_, Sink, CgaCall>,
+                cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
                 mut shape: cga_rt::ShapeRef<'_>,
                 #(#names: #types,)*
             ) -> cga_rt::Flow {
@@ -68,15 +70,15 @@ impl Cx<'_> {
     fn function(&self, id: cga_lang::ir::FunctionId) -> TokenStream {
         let place = Span::mixed_site();
         let function: &Function = &self.grammar.functions[id.0 as usize];
-        let name = Ident::new(self.names.function(id), self.source.token(function.span.first));
+        let name = self.names.function(id, self.source.token(function.span.first));
         let params = function.params.iter().enumerate().map(|(at, param)| (local("p", at), inner_type(param.ty)));
         let (names, types): (Vec<_>, Vec<_>) = params.unzip();
         let ty = inner_type(function.ty);
         let body = self.expr(&function.body, &Place::function());
         let body = if function.recursive {
+            let depth = Literal::u32_unsuffixed(call_depth(function));
             quote_spanned! { place=>
-                if !env.call() {
-                    env.called();
+                if !env.call(#depth) {
                     return ::core::default::Default::default();
                 }
                 let value = #body;
@@ -126,8 +128,9 @@ impl Cx<'_> {
             }
             Step::Rust(path, args, span) => {
                 let path = self.source.path(span.first, path);
+                let here = self.at_path(*span);
                 let call = self.with_rust_args(args, &at, |args| {
-                    quote_spanned!(place=> cga_rt::host::operate(&mut cx.env, &mut shape, |shape| #path(shape, #(#args),*)))
+                    quote_spanned!(here=> cga_rt::host::operate(&mut cx.env, &mut shape, |shape| #path(shape, #(#args),*)))
                 });
                 quote_spanned!(place=> #call;)
             }
@@ -136,7 +139,7 @@ impl Cx<'_> {
                     Target::Leaf(name, _) => quote_spanned!(place=> cx.symbol(&shape, #name)?;),
                     Target::Nil => TokenStream::new(),
                     Target::Rule { rule, args, span } => {
-                        let call = self.call(body.rule, *rule, args.len(), self.source.token(span.first));
+                        let call = self.call(body.id, *rule, args.len(), self.source.token(span.first));
                         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                         let values = args.iter().map(|arg| self.expr(arg, &at));
                         quote_spanned!(place=> {
@@ -149,13 +152,13 @@ impl Cx<'_> {
                 quote_spanned!(place=> #code #made)
             }
             Step::Split(split) => {
-                let code = self.split(split, body.rule);
+                let code = self.split(split, body.id);
                 let divided = (body.rule.leaf == Childless::Depends)
                     .then(|| quote_spanned!(place=> childless &= !parts.divided();));
                 quote_spanned!(place=> { #code #divided })
             }
             Step::Comp(comp) => {
-                let code = self.comp(comp, body.rule);
+                let code = self.comp(comp, body.id);
                 quote_spanned!(place=> { #code } #made)
             }
             Step::Push(steps) => {
@@ -220,30 +223,28 @@ impl Cx<'_> {
         })
     }
 
-    /// Calls a rule on `part`, with arguments in `a0`, `a1`, …; of type `Flow`. Inside a cycle the call may wait.
-    pub(super) fn call(&self, from: &Rule, rule: RuleId, args: usize, span: Span) -> TokenStream {
+    /// Calls a rule on `part`, with arguments in `a0`, `a1`, …; of type `Flow`. Where the stack may grow long the call may wait.
+    pub(super) fn call(&self, from: RuleId, rule: RuleId, args: usize, span: Span) -> TokenStream {
         let place = Span::mixed_site();
-        let to = &self.grammar.rules[rule.0 as usize];
         let name = self.rule(rule, span);
         let args: Vec<TokenStream> = (0..args).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
         let direct = quote_spanned!(place=> CgaRules::#name(g, cx, part, #(#args),*));
-        if to.cycle.is_none() || from.cycle != to.cycle {
-            return direct;
-        }
+        let Some(step) = self.plan.step(from, rule) else { return direct };
+        let (levels, stack) = (Literal::u32_unsuffixed(step.levels), Literal::u32_unsuffixed(step.stack));
         let variant = local("Rule", rule.0 as usize);
         quote_spanned! { place=>
-            if cx.descend() {
+            if cx.descend(#levels, #stack) {
                 let flow = #direct;
-                cx.ascend();
+                cx.ascend(#levels, #stack);
                 flow
             } else {
-                cx.defer(&part, CgaCall::#variant(#(#args),*))
+                cx.defer(&part, #levels, CgaCall::#variant(#(#args),*))
             }
         }
     }
 
     /// What a part of a split or comp becomes; of type `Flow`.
-    pub(super) fn part(&self, target: &Target, from: &Rule) -> TokenStream {
+    pub(super) fn part(&self, target: &Target, from: RuleId) -> TokenStream {
         let place = Span::mixed_site();
         match target {
             Target::Nil => quote_spanned!(place=> cga_rt::Flow::Continue(())),

@@ -1,6 +1,6 @@
 //! A split: its pattern as a constant, its sizes, and a `match` over its slots.
 
-use cga_lang::ir::{Axis, Item, Prefix, Rule, Split};
+use cga_lang::ir::{Axis, Item, Prefix, RuleId, Split};
 use proc_macro2::{Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -9,7 +9,7 @@ use super::expr::Place;
 
 impl Cx<'_> {
     /// Leaves the solved split in `parts`.
-    pub(super) fn split(&self, split: &Split, rule: &Rule) -> TokenStream {
+    pub(super) fn split(&self, split: &Split, rule: RuleId) -> TokenStream {
         let place = Span::mixed_site();
         let axis = match split.axis {
             Axis::X => quote_spanned!(place=> X),

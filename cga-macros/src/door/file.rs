@@ -1,28 +1,63 @@
 //! `in "rules/tower.cga"`: rules in a file below the package.
 
-use cga_lang::lex::lex;
+use std::io::ErrorKind;
+use std::path::Path;
+
+use cga_lang::code::Code;
+use cga_lang::diag::Diags;
+use cga_lang::lex::{Lexed, lex};
+use cga_lang::span::Span as TokenSpan;
+use cga_lang::token::Tok;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::literal::{source, value};
+use super::content::value;
+use super::literal::source;
 use super::{Problem, Source, TextPlace};
 
 pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
     let span = literal.span();
-    let path = value(literal).ok_or_else(|| Problem::new(span, "the path of a rule file is a plain string"))?;
+    let problem = |message: String| Problem::new(span, span, message);
+    let path = value(literal).ok_or_else(|| problem("the path of a rule file is a plain string".into()))?;
+    if Path::new(&path).has_root() {
+        // A machine's own paths have no place in a package.
+        return Err(problem(format!("`{path}` is no path inside the package\nhelp: {FROM_PACKAGE}")));
+    }
     // By the package and not by the calling file: editors' macro servers don't know that one.
     let folder = std::env::var("CARGO_MANIFEST_DIR").unwrap_or_default();
-    let tracking = tracking(literal);
-    let bytes = std::fs::read(std::path::Path::new(&folder).join(&path)).map_err(|error| Problem {
-        span,
-        message: format!("`{path}` cannot be read: {error}\nhelp: paths count from the folder of the package"),
-        tracking: tracking.clone(),
+    let file = Path::new(&folder).join(&path);
+    let bytes = std::fs::read(&file).map_err(|error| {
+        // A build that has failed is done again anyway, so nothing has to be tracked here.
+        problem(match error.kind() {
+            _ if file.is_dir() => format!("`{path}` is a folder\nhelp: name the rule file in it"),
+            ErrorKind::NotFound => format!("there is no file `{path}`\nhelp: {FROM_PACKAGE}"),
+            _ => format!("`{path}` cannot be read: {error}"),
+        })
     })?;
-    // Survives any bytes: what is no UTF-8 becomes a character that the lexer names.
     let text = String::from_utf8_lossy(&bytes).into_owned();
-    let lexed = lex(&text);
+    let mut lexed = lex(&text);
+    if std::str::from_utf8(&bytes).is_err() {
+        name_broken_text(&text, &mut lexed);
+    }
     let place = TextPlace { name: path, written: text, ranges: lexed.ranges };
-    Ok(source(lexed.tokens, lexed.diags, span, place, tracking))
+    Ok(source(lexed.tokens, lexed.diags, span, place, tracking(literal)))
+}
+
+const FROM_PACKAGE: &str = "paths count from the folder that has the package's Cargo.toml";
+
+/// Reports text that is no UTF-8. In comments it may be: many rule files come from older days.
+fn name_broken_text(text: &str, lexed: &mut Lexed) {
+    let mut diags = Diags::new();
+    for (at, (token, range)) in lexed.tokens.as_slice().iter().zip(&lexed.ranges).enumerate() {
+        if matches!(token, Tok::Str(_) | Tok::Bad) && text[range.clone()].contains(char::REPLACEMENT_CHARACTER) {
+            let span = TokenSpan::one(at as u32);
+            lexed.diags.retain(|diag| diag.span != span);
+            diags
+                .report(Code::UnknownCharacter, span, "this is not UTF-8 text")
+                .help("save the file with the encoding UTF-8");
+        }
+    }
+    lexed.diags.append(&mut diags.finish());
 }
 
 /// Makes the build follow the file, in the error case as well; the user's own literal keeps machine paths out.

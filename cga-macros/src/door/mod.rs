@@ -1,15 +1,15 @@
 //! The three doors through which rules come in. A door knows where token n is; nothing else does.
 
+mod content;
 mod file;
 mod literal;
-mod tokens;
+pub(crate) mod tokens;
 
 use cga_lang::compile::Door;
 use cga_lang::diag::Diag;
 use cga_lang::span;
 use cga_lang::token::Tokens;
-use proc_macro2::{Span, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Span, TokenStream};
 
 use crate::header::{Body, Header};
 
@@ -25,13 +25,15 @@ pub(crate) struct Source {
 pub(crate) struct Host {
     /// The expression.
     pub(crate) expr: TokenStream,
+    /// Where it stands, without the `#`.
+    pub(crate) span: Span,
 }
 
 /// Where tokens are.
 enum Place {
-    /// Inline: each token has its own span, and a path its own tokens.
-    Inline { spans: Vec<Span>, paths: Vec<(u32, TokenStream)> },
-    /// In a string or a file: one span for all, and the text to quote from.
+    /// Inline: each token begins and ends somewhere, and a path has its own tokens.
+    Inline { spans: Vec<(Span, Span)>, paths: Vec<(u32, TokenStream)>, end: Span },
+    /// In a string or a file: the literal stands for all that is in it, and there is a text to quote from.
     Text { span: Span, text: TextPlace, tracking: TokenStream },
 }
 
@@ -47,35 +49,31 @@ pub(crate) struct TextPlace {
 
 /// A door that could not be opened.
 pub(crate) struct Problem {
-    span: Span,
+    first: Span,
+    last: Span,
     message: String,
-    tracking: TokenStream,
 }
 
 impl Problem {
-    fn new(span: Span, message: impl Into<String>) -> Self {
-        Problem { span, message: message.into(), tracking: TokenStream::new() }
+    pub(crate) fn new(first: Span, last: Span, message: impl Into<String>) -> Self {
+        Problem { first, last, message: message.into() }
     }
 
-    /// The error, with the public names around it.
-    pub(crate) fn to_tokens(&self, header: &Header) -> TokenStream {
-        let error = crate::report::error(self.span, self.span, &self.message);
-        let tracking = &self.tracking;
-        let names = crate::skeleton::empty(header);
-        quote!(#error #tracking #names)
+    /// The error alone.
+    pub(crate) fn error(&self) -> TokenStream {
+        crate::report::error(self.first, self.last, &self.message)
     }
 }
 
 /// Opens the door that the header names.
 pub(crate) fn open(header: &Header, body: Body) -> Result<Source, Problem> {
     match body {
-        Body::Inline(stream) => Ok(tokens::read(stream)),
-        Body::Text(literal) => literal::read(&literal),
-        Body::File(literal) => file::read(&literal),
-        Body::Broken(span, message) => {
-            let name = header.label();
-            Err(Problem::new(span, format!("the rules of `{name}` are missing\nhelp: {message}")))
+        Body::Inline(stream) => {
+            let end = header.name.as_ref().map_or_else(Span::call_site, Ident::span);
+            Ok(tokens::read(stream, end))
         }
+        Body::Text(literals) => literal::read(&literals),
+        Body::File(literal) => file::read(&literal),
     }
 }
 
@@ -112,16 +110,20 @@ impl Source {
 
     /// Where a run of tokens begins and ends.
     pub(crate) fn span(&self, span: span::Span) -> (Span, Span) {
-        (self.token(span.first), self.token(span.last))
+        (self.ends(span.first).0, self.ends(span.last).1)
     }
 
-    /// Where a token is. Past the end: the end.
+    /// Where a token begins. Past the end: the end.
     pub(crate) fn token(&self, index: u32) -> Span {
+        self.ends(index).0
+    }
+
+    fn ends(&self, index: u32) -> (Span, Span) {
         match &self.place {
-            Place::Inline { spans, .. } => {
-                spans.get(index as usize).or(spans.last()).copied().unwrap_or_else(Span::call_site)
+            Place::Inline { spans, end, .. } => {
+                spans.get(index as usize).or(spans.last()).copied().unwrap_or((*end, *end))
             }
-            Place::Text { span, .. } => *span,
+            Place::Text { span, .. } => (*span, *span),
         }
     }
 
@@ -130,7 +132,7 @@ impl Source {
         match &self.place {
             // Editors' macro servers know no lines and say 1 or 0.
             Place::Inline { spans, .. } => {
-                spans.get(index as usize).map(|span| span.start().line).filter(|line| 1 < *line)
+                spans.get(index as usize).map(|(span, _)| span.start().line).filter(|line| 1 < *line)
             }
             Place::Text { text, .. } => {
                 let range = text.ranges.get(index as usize)?;
@@ -141,10 +143,10 @@ impl Source {
 
     /// A Rust path as the user wrote it.
     pub(crate) fn path(&self, token: u32, text: &str) -> TokenStream {
-        if let Place::Inline { paths, .. } = &self.place {
-            if let Ok(at) = paths.binary_search_by_key(&token, |(index, _)| *index) {
-                return paths[at].1.clone();
-            }
+        if let Place::Inline { paths, .. } = &self.place
+            && let Ok(at) = paths.binary_search_by_key(&token, |(index, _)| *index)
+        {
+            return paths[at].1.clone();
         }
         // Resolved where the macro is called.
         text.parse().unwrap_or_default()

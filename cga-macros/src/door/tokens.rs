@@ -8,32 +8,38 @@ use proc_macro2::{Delimiter, Group, Literal, Spacing, Span, TokenStream, TokenTr
 
 use super::{Host, Place, Source};
 
-pub(super) fn read(stream: TokenStream) -> Source {
+/// Reads inline rules. `end` is where an underline goes when there are no tokens.
+pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
     let mut reader = Reader::default();
     reader.stream(stream);
     let findings: Vec<Diag> = reader.diags.finish();
-    let place = Place::Inline { spans: reader.spans, paths: reader.paths };
+    let place = Place::Inline { spans: reader.spans, paths: reader.paths, end };
     Source { tokens: reader.tokens, findings, hosts: reader.hosts, place }
 }
 
 #[derive(Default)]
 struct Reader {
     tokens: Tokens,
-    spans: Vec<Span>,
+    /// Where each token begins and ends: a symbol or path of ours can be several tokens of Rust.
+    spans: Vec<(Span, Span)>,
     paths: Vec<(u32, TokenStream)>,
     hosts: Vec<Host>,
     diags: Diags,
 }
 
 impl Reader {
-    fn push(&mut self, token: Tok, span: Span) -> TokenSpan {
-        self.spans.push(span);
+    fn push(&mut self, token: Tok, first: Span, last: Span) -> TokenSpan {
+        self.spans.push((first, last));
         TokenSpan::one(self.tokens.push(token))
     }
 
+    fn push_one(&mut self, token: Tok, span: Span) {
+        self.push(token, span, span);
+    }
+
     /// Something that cannot be read; the parser passes over it.
-    fn bad(&mut self, span: Span, message: String, help: &str) {
-        let at = self.push(Tok::Bad, span);
+    fn bad(&mut self, first: Span, last: Span, message: String, help: &str) {
+        let at = self.push(Tok::Bad, first, last);
         self.diags.report(Code::UnknownCharacter, at, message).help(help);
     }
 
@@ -71,12 +77,13 @@ impl Reader {
             Delimiter::Parenthesis => (Sym::LParen, Sym::RParen),
             Delimiter::Brace => (Sym::LBrace, Sym::RBrace),
             Delimiter::Bracket => (Sym::LBracket, Sym::RBracket),
-            // What another macro put in.
-            Delimiter::None => return self.stream(group.stream()),
+            // What another macro put in: its expressions stay together.
+            Delimiter::None if is_simple(group) => return self.stream(group.stream()),
+            Delimiter::None => (Sym::LParen, Sym::RParen),
         };
-        self.push(Tok::Sym(open), group.span_open());
+        self.push_one(Tok::Sym(open), group.span_open());
         self.stream(group.stream());
-        self.push(Tok::Sym(close), group.span_close());
+        self.push_one(Tok::Sym(close), group.span_close());
     }
 
     /// A name, or a Rust path of several.
@@ -87,8 +94,7 @@ impl Reader {
             text.push_str("::");
             end = 2;
         }
-        loop {
-            let Some(TokenTree::Ident(name)) = list.get(end) else { break };
+        while let Some(TokenTree::Ident(name)) = list.get(end) {
             text.push_str(&name.to_string());
             end += 1;
             if !path_joint(list, end) || !matches!(list.get(end + 2), Some(TokenTree::Ident(_))) {
@@ -99,10 +105,9 @@ impl Reader {
         }
         if end == 1 {
             let plain = text.strip_prefix("r#").map(str::to_owned).unwrap_or(text);
-            self.push(Tok::Ident(plain), list[0].span());
+            self.push_one(Tok::Ident(plain), list[0].span());
         } else {
-            let last = list[end - 1].span();
-            let at = self.push(Tok::Path(text), last);
+            let at = self.push(Tok::Path(text), list[0].span(), list[end - 1].span());
             self.paths.push((at.first, list[..end].iter().cloned().collect()));
         }
         end
@@ -117,49 +122,70 @@ impl Reader {
             match digits.parse::<f64>() {
                 Ok(value) if value.is_finite() => {
                     if sign {
-                        self.push(Tok::Sym(Sym::Minus), span);
+                        self.push_one(Tok::Sym(Sym::Minus), span);
                     }
-                    self.push(Tok::Number(value), span);
+                    self.push_one(Tok::Number(value), span);
                 }
-                _ => self.bad(span, format!("`{written}` is no number in CGA"), "write it in digits, like `12` or `0.5`"),
+                _ => {
+                    let help = "write it in digits, like `12` or `0.5`";
+                    self.bad(span, span, format!("`{written}` is no number in CGA"), help);
+                }
             }
-        } else if let Some(text) = super::literal::value(literal) {
-            self.push(Tok::Str(text), span);
+        } else if let Some(text) = super::content::value(literal) {
+            self.push_one(Tok::Str(text), span);
         } else if written.starts_with('\'') {
             let help = "inline, write a relative size as `^0.5` and text as \"…\"";
-            self.bad(span, format!("Rust reads {written} as a character"), help);
+            self.bad(span, span, format!("Rust reads {written} as a character"), help);
         } else {
-            self.bad(span, format!("`{written}` has no meaning in CGA"), "text is written \"…\"");
+            self.bad(span, span, format!("`{written}` has no meaning in CGA"), "text is written \"…\"");
         }
     }
 
     /// `#name`, `#(…)`, and `#[doc = "…"]`, which is how a doc comment arrives.
     fn host(&mut self, list: &[TokenTree]) -> usize {
         let span = list[0].span();
+        if list.get(1).is_some_and(|next| is_apart(span, next.span())) {
+            return self.comment(list);
+        }
         let expr: TokenStream = match list.get(1) {
             Some(TokenTree::Ident(name)) => TokenTree::from(name.clone()).into(),
             Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {
                 TokenTree::from(group.clone()).into()
             }
+            // An expression that another macro put in. Invisible brackets would get lost.
+            Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::None => {
+                let mut visible = Group::new(Delimiter::Parenthesis, group.stream());
+                visible.set_span(group.span());
+                TokenTree::from(visible).into()
+            }
             Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Bracket => {
                 if let Some(text) = doc(group) {
-                    self.push(Tok::Doc(text), span);
+                    self.push_one(Tok::Doc(text), span);
                 } else {
-                    self.bad(span, "attributes have no meaning inside rules".into(), "CGA's own annotations begin with `@`");
+                    let help = "CGA's own annotations begin with `@`";
+                    self.bad(span, group.span(), "attributes have no meaning inside rules".into(), help);
                 }
                 return 2;
             }
             _ => {
                 let help = "a Rust value is `#name` or `#(expression)`; inline comments begin with `//`";
-                self.bad(span, "`#` stands alone".into(), help);
+                self.bad(span, span, "`#` stands alone".into(), help);
                 return 1;
             }
         };
         let handle = self.hosts.len() as u32;
         let place = list[1].span();
-        self.hosts.push(Host { expr });
-        self.push(Tok::Host(handle), place);
+        self.hosts.push(Host { expr, span: place });
+        self.push(Tok::Host(handle), span, place);
         2
+    }
+
+    /// `# …`, a comment of CGA: passes over the rest of its line.
+    fn comment(&mut self, list: &[TokenTree]) -> usize {
+        let span = list[0].span();
+        self.bad(span, span, "`#` begins no comment here".into(), "comments among Rust begin with `//`");
+        let line = span.start().line;
+        1 + list[1..].iter().take_while(|token| token.span().start().line == line).count()
     }
 
     /// `^`, or `'` where Rust lets it through.
@@ -169,17 +195,18 @@ impl Reader {
             // `'0.5` comes as a lifetime named `0`, and rustc adds an error of its own.
             Some(TokenTree::Ident(name)) if name.to_string().starts_with(|c: char| c.is_ascii_digit()) => {
                 let written: String = number_after(&list[1..]);
-                let taken = 1 + written.matches('.').count() * 2 + 1;
+                let taken = (1 + written.matches('.').count() * 2 + 1).min(list.len());
                 let help = format!("inline, write `^{written}`; a string or a `.cga` file takes `'{written}`");
-                self.bad(span, format!("Rust cannot read the relative size `'{written}`"), &help);
+                let last = list[taken - 1].span();
+                self.bad(span, last, format!("Rust cannot read the relative size `'{written}`"), &help);
                 if let Ok(value) = written.parse() {
                     // Not another finding for the size that is missing.
-                    self.push(Tok::Number(value), list[1].span());
+                    self.push(Tok::Number(value), list[1].span(), last);
                 }
-                taken.min(list.len())
+                taken
             }
             _ => {
-                self.push(Tok::Sym(Sym::Quote), span);
+                self.push_one(Tok::Sym(Sym::Quote), span);
                 1
             }
         }
@@ -191,7 +218,8 @@ impl Reader {
         for token in list {
             let TokenTree::Punct(sign) = token else { break };
             run.push(sign.as_char());
-            if sign.spacing() == Spacing::Alone {
+            // The body of a `macro_rules!` does not say that the first dash of `-->` belongs to what follows.
+            if sign.spacing() == Spacing::Alone && !(run == "-" && begins_arrow(&list[1..])) {
                 break;
             }
         }
@@ -200,17 +228,29 @@ impl Reader {
         match Sym::ALL.iter().find(|sym| run.starts_with(sym.text())) {
             Some(sym) => {
                 let taken = sym.text().chars().count();
-                // The last sign, so that an underline from the first to the last token covers them all.
-                self.push(Tok::Sym(*sym), if taken == 1 { span } else { list[taken - 1].span() });
+                self.push(Tok::Sym(*sym), span, list[taken - 1].span());
                 taken
             }
             None => {
                 let sign = run.chars().next().unwrap_or_default();
-                self.bad(span, format!("`{sign}` has no meaning in CGA"), "take it away");
+                self.bad(span, span, format!("`{sign}` has no meaning in CGA"), "take it away");
                 1
             }
         }
     }
+}
+
+/// Whether there is white space between two tokens. Editors' macro servers know no places; then there is none.
+fn is_apart(left: Span, right: Span) -> bool {
+    let (end, start) = (left.end(), right.start());
+    end.line < start.line || (end.line == start.line && end.column < start.column)
+}
+
+/// Whether `->` stands there.
+fn begins_arrow(list: &[TokenTree]) -> bool {
+    let sign = |at: usize| if let Some(TokenTree::Punct(sign)) = list.get(at) { Some(sign) } else { None };
+    sign(0).is_some_and(|dash| dash.as_char() == '-' && dash.spacing() == Spacing::Joint)
+        && sign(1).is_some_and(|tip| tip.as_char() == '>')
 }
 
 /// Whether two colons that belong together stand there.
@@ -222,12 +262,23 @@ fn path_joint(list: &[TokenTree], at: usize) -> bool {
     colon(at) == Some(Spacing::Joint) && colon(at + 1).is_some()
 }
 
+/// Whether a group that another macro put in means the same without its invisible brackets: one token, or a path.
+fn is_simple(group: &Group) -> bool {
+    let list: Vec<TokenTree> = group.stream().into_iter().collect();
+    let in_path = |token: &TokenTree| match token {
+        TokenTree::Ident(_) => true,
+        TokenTree::Punct(sign) => sign.as_char() == ':',
+        _ => false,
+    };
+    list.len() <= 1 || list.iter().all(in_path)
+}
+
 /// The text of `doc = "…"`.
 fn doc(group: &Group) -> Option<String> {
     let list: Vec<TokenTree> = group.stream().into_iter().collect();
     match list.as_slice() {
         [TokenTree::Ident(name), TokenTree::Punct(_), TokenTree::Literal(text)] if *name == "doc" => {
-            super::literal::value(text).map(|text| text.trim().to_owned())
+            super::content::value(text).map(|text| text.trim().to_owned())
         }
         _ => None,
     }
@@ -236,11 +287,11 @@ fn doc(group: &Group) -> Option<String> {
 /// The digits after a quote: `0`, or `0`, `.`, `5`.
 fn number_after(list: &[TokenTree]) -> String {
     let mut text = list[0].to_string();
-    if let (Some(TokenTree::Punct(dot)), Some(TokenTree::Literal(rest))) = (list.get(1), list.get(2)) {
-        if dot.as_char() == '.' {
-            text.push('.');
-            text.push_str(&rest.to_string());
-        }
+    if let (Some(TokenTree::Punct(dot)), Some(TokenTree::Literal(rest))) = (list.get(1), list.get(2))
+        && dot.as_char() == '.'
+    {
+        text.push('.');
+        text.push_str(&rest.to_string());
     }
     text
 }

@@ -1,0 +1,228 @@
+//! The public struct: its fields, defaults and methods.
+
+use cga_lang::compile::SkeletonAttr;
+use cga_lang::ir::{Attr, Type, Value};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote_spanned;
+
+use super::expr::value;
+use super::names::ident;
+use super::{inner_type, local};
+use crate::door::Source;
+use crate::header::{Header, HostType, capture};
+
+/// What the user's code sees of a grammar. Without `hidden` it is a skeleton that cannot run: there are errors.
+pub(crate) struct Public {
+    pub(crate) attrs: Vec<PublicAttr>,
+    /// Types of captured `#` values, in the order of the rules.
+    pub(crate) captures: Vec<HostType>,
+    pub(crate) hidden: Option<TokenStream>,
+}
+
+/// A public field.
+pub(crate) struct PublicAttr {
+    pub(crate) name: Ident,
+    pub(crate) ty: Type,
+    /// The default; `None` when it is computed for each initial shape.
+    pub(crate) known: Option<Value>,
+    pub(crate) doc: String,
+}
+
+impl PublicAttr {
+    pub(super) fn of(attr: &Attr, source: &Source) -> Self {
+        let about = if attr.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.doc) };
+        let default = match &attr.known {
+            Some(known) => format!("default {}", show(known)),
+            None => "`None` computes the default for each initial shape".into(),
+        };
+        PublicAttr {
+            name: ident(&attr.name, source.token(attr.span.first)),
+            ty: attr.ty,
+            known: attr.known.clone(),
+            doc: format!("The attribute `{}`, {default}.{about}", attr.name),
+        }
+    }
+}
+
+impl PublicAttr {
+    /// Of a grammar with errors: a number, where nothing better is known.
+    pub(crate) fn known_so_far(attr: &SkeletonAttr, source: &Source) -> Self {
+        let known = attr.known.clone().unwrap_or(match attr.ty {
+            Some(Type::Bool) => Value::Bool(false),
+            Some(Type::Text) => Value::Text(String::new()),
+            Some(Type::Float) | None => Value::Float(0.0),
+        });
+        PublicAttr {
+            name: ident(&attr.name, source.token(attr.span.first)),
+            ty: attr.ty.unwrap_or(Type::Float),
+            known: (!attr.computed).then_some(known),
+            doc: format!("The attribute `{}`.", attr.name),
+        }
+    }
+}
+
+fn show(value: &Value) -> String {
+    match value {
+        Value::Float(number) => format!("`{number}`"),
+        Value::Bool(truth) => format!("`{truth}`"),
+        Value::Text(text) => format!("`{text:?}`"),
+    }
+}
+
+/// The public struct and all that belongs to it.
+pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
+    let (name, visibility, attributes) = (header.ident(), &header.visibility, &header.attributes);
+    let (runtime, conditions) = (&header.runtime, &header.conditions);
+    let place = Span::mixed_site();
+    // A grammar that cannot run reads no fields.
+    let unread = public.hidden.is_none().then(|| quote_spanned!(place=> #[allow(dead_code)]));
+    // Attributes are named by the rules, not by Rust's taste.
+    let other_taste = public.attrs.iter().any(|attr| !is_snake_case(&attr.name.to_string()));
+    let other_taste = other_taste.then(|| quote_spanned!(place=> #[allow(non_snake_case)]));
+    let fields = public.attrs.iter().map(|attr| {
+        let (name, doc, ty) = (&attr.name, &attr.doc, outer_type(attr.ty, runtime));
+        let ty = match attr.known {
+            Some(_) => ty,
+            None => quote_spanned!(place=> ::core::option::Option<#ty>),
+        };
+        quote_spanned!(place=> #[doc = #doc] #unread pub #name: #ty)
+    });
+    let defaults: Vec<TokenStream> = public.attrs.iter().map(|attr| default_field(attr, runtime)).collect();
+    let captured: Vec<Ident> = (0..public.captures.len()).map(captured).collect();
+    let captured_types = public.captures.iter().map(|ty| match ty.inside() {
+        Type::Text => quote_spanned!(place=> #runtime::Text),
+        ty => inner_type(ty),
+    });
+    let about = format!("The grammar `{}`.", header.label());
+    let doc = (!header.has_doc).then(|| quote_spanned!(place=> #[doc = #about]));
+    let methods = methods(public.hidden.is_some());
+    let expression = header.name.is_none();
+    let default_impl = (!expression).then(|| {
+        quote_spanned! { place=>
+            #[automatically_derived]
+            impl ::core::default::Default for #name {
+                fn default() -> Self {
+                    #name { #(#defaults,)* }
+                }
+            }
+        }
+    });
+    let value = expression.then(|| {
+        let taken = (0..public.captures.len()).map(capture);
+        quote_spanned!(place=> #name { #(#defaults,)* #(#captured: #taken,)* })
+    });
+    let hidden = &public.hidden;
+    quote_spanned! { place=>
+        #attributes
+        #doc
+        #other_taste
+        #[derive(::core::clone::Clone, ::core::fmt::Debug)]
+        #visibility struct #name {
+            #(#fields,)*
+            #(#captured: #captured_types,)*
+        }
+        #conditions
+        const _: () = {
+            use #runtime as cga_rt;
+            #default_impl
+            impl #name {
+                #methods
+            }
+            #hidden
+        };
+        #value
+    }
+}
+
+/// The field of a captured value.
+pub(super) fn captured(number: usize) -> Ident {
+    local("captured_", number)
+}
+
+/// What rustc's lint accepts.
+fn is_snake_case(name: &str) -> bool {
+    !name.trim_matches('_').contains("__") && !name.contains(char::is_uppercase)
+}
+
+/// `name: default`.
+fn default_field(attr: &PublicAttr, runtime: &TokenStream) -> TokenStream {
+    let place = Span::mixed_site();
+    let name = &attr.name;
+    match &attr.known {
+        None => quote_spanned!(place=> #name: ::core::option::Option::None),
+        Some(Value::Text(text)) => quote_spanned!(place=> #name: #runtime::string(#text)),
+        Some(known) => {
+            let known = value(known);
+            quote_spanned!(place=> #name: #known)
+        }
+    }
+}
+
+/// The methods of the struct. Where there are errors they have the same signatures and no bodies to speak of.
+fn methods(runs: bool) -> TokenStream {
+    let place = Span::mixed_site();
+    let body = |body: TokenStream| {
+        if runs { body } else { quote_spanned!(place=> ::core::unreachable!("the rules have errors")) }
+    };
+    let generate = body(quote_spanned!(place=> cga_rt::generate(self, shape, &::core::default::Default::default())));
+    let generate_from = body(quote_spanned! { place=>
+        let settings = cga_rt::Settings {
+            start: ::core::option::Option::Some(cga_rt::string(rule)),
+            ..::core::default::Default::default()
+        };
+        cga_rt::generate(self, shape, &settings)
+    });
+    let generate_with = body(quote_spanned!(place=> cga_rt::generate(self, shape, settings)));
+    let generate_into = body(quote_spanned!(place=> cga_rt::run(self, shape, settings, sink)));
+    let errors = quote_spanned! { place=>
+        ///
+        /// # Errors
+        /// A limit that was reached, an attribute out of its range, no such start rule, a shape that is no shape.
+    };
+    quote_spanned! { place=>
+        /// Runs the start rule on a shape, with default settings.
+        #errors
+        pub fn generate(&self, shape: &cga_rt::Shape) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
+            #generate
+        }
+
+        /// Runs the rule of that name on a shape, with default settings.
+        #errors
+        pub fn generate_from(
+            &self,
+            rule: &::core::primitive::str,
+            shape: &cga_rt::Shape,
+        ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
+            #generate_from
+        }
+
+        /// Runs on a shape with settings: start rule, limits, assets.
+        #errors
+        pub fn generate_with(
+            &self,
+            shape: &cga_rt::Shape,
+            settings: &cga_rt::Settings,
+        ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
+            #generate_with
+        }
+
+        /// Runs on a shape and hands the leaves to a sink. This is the fast path: no model in between.
+        #errors
+        pub fn generate_into<Sink: cga_rt::Sink + ?::core::marker::Sized>(
+            &self,
+            shape: &cga_rt::Shape,
+            settings: &cga_rt::Settings,
+            sink: &mut Sink,
+        ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
+            #generate_into
+        }
+    }
+}
+
+/// The Rust type of a public field.
+fn outer_type(ty: Type, runtime: &TokenStream) -> TokenStream {
+    match ty {
+        Type::Text => quote_spanned!(Span::mixed_site()=> #runtime::String),
+        ty => inner_type(ty),
+    }
+}

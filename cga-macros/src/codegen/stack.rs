@@ -1,0 +1,211 @@
+//! How much of the stack rules need, and which calls therefore have to ask.
+//!
+//! Rules call each other directly. Where that could go on and on, calls ask the runtime whether the stack suffices, and
+//! wait on its list if not:
+//!
+//! - a call inside a cycle of rules always asks, for the callee's own share;
+//! - a chain of rules without a cycle asks as soon as it may have grown by [`UNASKED`] since the last question.
+//!
+//! Short chains, and so nearly all rules, are direct calls and nothing else. Invariant: when a rule runs, the stack in
+//! use is at most what was asked for plus the rule's *reach*, the longest way to it from the last question.
+
+use std::collections::HashMap;
+
+use cga_lang::ir::{Function, Grammar, Rule, RuleId, Step, Target, Type};
+
+use super::walk;
+
+/// Kilobytes, in a build without optimisation, that a chain of calls may take without asking.
+const UNASKED: u32 = 256;
+
+/// A question before a call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Ask {
+    /// 1 for a call inside a cycle: it counts for the limit of depth.
+    pub(super) levels: u32,
+    /// What it takes of the runtime's `STACK`.
+    pub(super) stack: u32,
+}
+
+/// The calls that ask.
+pub(super) struct Plan {
+    asks: HashMap<(RuleId, RuleId), Ask>,
+    may_wait: Vec<bool>,
+}
+
+impl Plan {
+    pub(super) fn new(grammar: &Grammar) -> Self {
+        let rules = &grammar.rules;
+        let calls: Vec<Vec<RuleId>> = rules.iter().map(called).collect();
+        let own: Vec<u32> = rules.iter().map(share).collect();
+        let mut plan = Plan { asks: HashMap::new(), may_wait: vec![false; rules.len()] };
+        // The rules of a cycle have one reach.
+        let mut reach: Vec<u32> = own.clone();
+        for group in callers_first(rules, &calls) {
+            let most = group.iter().map(|rule| reach[rule.0 as usize]).max().unwrap_or(0);
+            group.iter().for_each(|rule| reach[rule.0 as usize] = most);
+            for from in group {
+                for &to in &calls[from.0 as usize] {
+                    let share = own[to.0 as usize];
+                    let cycle = rules[from.0 as usize].cycle;
+                    if cycle.is_some() && cycle == rules[to.0 as usize].cycle {
+                        plan.ask(from, to, Ask { levels: 1, stack: share });
+                    } else if UNASKED < most + share {
+                        plan.ask(from, to, Ask { levels: 0, stack: most });
+                    } else {
+                        let other = &mut reach[to.0 as usize];
+                        *other = (*other).max(most + share);
+                    }
+                }
+            }
+        }
+        plan
+    }
+
+    fn ask(&mut self, from: RuleId, to: RuleId, ask: Ask) {
+        self.asks.insert((from, to), ask);
+        self.may_wait[to.0 as usize] = true;
+    }
+
+    /// The question before a call; `None` for a direct one.
+    pub(super) fn step(&self, from: RuleId, to: RuleId) -> Option<Ask> {
+        self.asks.get(&(from, to)).copied()
+    }
+
+    /// Whether some call of the rule may have to wait.
+    pub(super) fn may_wait(&self, rule: RuleId) -> bool {
+        self.may_wait[rule.0 as usize]
+    }
+}
+
+/// Cycles as one group each and other rules alone, every group after all that call it.
+fn callers_first(rules: &[Rule], calls: &[Vec<RuleId>]) -> Vec<Vec<RuleId>> {
+    let mut groups: Vec<Vec<RuleId>> = Vec::new();
+    let mut of_cycle: HashMap<u32, usize> = HashMap::new();
+    let mut group_of = Vec::with_capacity(rules.len());
+    for (at, rule) in rules.iter().enumerate() {
+        let known = rule.cycle.and_then(|cycle| of_cycle.get(&cycle).copied());
+        let group = known.unwrap_or(groups.len());
+        if group == groups.len() {
+            groups.push(Vec::new());
+            of_cycle.extend(rule.cycle.map(|cycle| (cycle, group)));
+        }
+        groups[group].push(RuleId(at as u32));
+        group_of.push(group);
+    }
+    let mut callers = vec![0; groups.len()];
+    let edges = |group: &Vec<RuleId>| -> Vec<usize> {
+        let own = group_of[group[0].0 as usize];
+        let calls = group.iter().flat_map(|rule| &calls[rule.0 as usize]);
+        calls.map(|to| group_of[to.0 as usize]).filter(|to| *to != own).collect()
+    };
+    groups.iter().flat_map(edges).for_each(|to| callers[to] += 1);
+    let mut ready: Vec<usize> = (0..groups.len()).filter(|group| callers[*group] == 0).collect();
+    let mut sorted = Vec::with_capacity(groups.len());
+    while let Some(group) = ready.pop() {
+        for to in edges(&groups[group]) {
+            callers[to] -= 1;
+            if callers[to] == 0 {
+                ready.push(to);
+            }
+        }
+        sorted.push(std::mem::take(&mut groups[group]));
+    }
+    sorted
+}
+
+/// The rules a rule calls.
+fn called(rule: &Rule) -> Vec<RuleId> {
+    let mut list = Vec::new();
+    walk::steps(&rule.body, &mut |step| {
+        list.extend(walk::targets(step).into_iter().filter_map(|target| match target {
+            Target::Rule { rule, .. } => Some(*rule),
+            _ => None,
+        }));
+    });
+    list
+}
+
+/// About how many kilobytes of stack a rule takes in a build without optimisation, where every value has a place of its
+/// own. Measured with 1.95; `tests/deep.rs` of the facade holds it.
+fn share(rule: &Rule) -> u32 {
+    let mut bytes = 1000;
+    walk::steps(&rule.body, &mut |step| {
+        bytes += match step {
+            Step::Give(_) => 700,
+            Step::Split(split) => 3000 + 500 * split.slots.len(),
+            Step::Comp(comp) => 4000 + 500 * comp.arms.len(),
+            Step::Push(_) => 400,
+            _ => 100,
+        }
+    });
+    bytes.div_ceil(1024) as u32
+}
+
+/// How deeply a function that can reach itself may nest: 1024 calls as CGA documents, fewer where they would take more
+/// than half a megabyte.
+pub(super) fn call_depth(function: &Function) -> u32 {
+    const DOCUMENTED: usize = 1024;
+    let mut frame = 100;
+    walk::parts(&function.body, &mut |expr| frame += if expr.ty == Type::Text { 64 } else { 8 });
+    DOCUMENTED.min(512 * 1024 / frame).max(1) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cga_lang::compile::compile_text;
+
+    /// The calls that ask, as `caller → callee: levels, stack`.
+    fn asks(rules: &str) -> Vec<String> {
+        let grammar = compile_text(rules).compiled.grammar.expect("good rules");
+        let plan = Plan::new(&grammar);
+        let name = |rule: &RuleId| grammar.rules[rule.0 as usize].name.clone();
+        let line = |((from, to), ask): (&(RuleId, RuleId), &Ask)| {
+            format!("{} → {}: {}, {}", name(from), name(to), ask.levels, ask.stack)
+        };
+        let mut list: Vec<String> = plan.asks.iter().map(line).collect();
+        list.sort();
+        list
+    }
+
+    #[test]
+    fn short_chains_are_direct() {
+        assert!(asks("A --> split(x) { 1 : B } B --> C C --> s(1, 1, 1)").is_empty());
+    }
+
+    #[test]
+    fn calls_inside_a_cycle_ask() {
+        assert_eq!(
+            asks("A --> case scope.sx > 1 : B else : D B --> s('0.5, '1, '1) A D --> X"),
+            ["A → B: 1, 2", "B → A: 1, 3"]
+        );
+    }
+
+    #[test]
+    fn a_long_chain_asks_now_and_then() {
+        let chain: String = (0..2000).map(|at| format!("A{at} --> A{}\n", at + 1)).collect();
+        let list = asks(&(chain + "A2000 --> s(1, 1, 1)"));
+        let expected = 2000 * 2 / UNASKED as usize;
+        assert!((expected - 1..=expected + 1).contains(&list.len()), "{}", list.len());
+    }
+
+    #[test]
+    fn a_chain_of_cycles_asks_outside_of_cycles_too() {
+        let rule = |at: usize| format!("A{at} --> case scope.sx > {at} : A{at} else : A{}\n", at + 1);
+        let chain: String = (0..1000).map(rule).collect();
+        let list = asks(&(chain + "A1000 --> s(1, 1, 1)"));
+        assert!(1000 + 3 * 1000 / UNASKED as usize <= list.len() + 1, "{}", list.len());
+    }
+
+    #[test]
+    fn big_functions_nest_less() {
+        let depth = |text: &str| {
+            let grammar = compile_text(text).compiled.grammar.expect("good rules");
+            call_depth(&grammar.functions[0])
+        };
+        assert_eq!(depth("f(n) = case n > 0 : f(n - 1) else : 0  A --> t(f(1), 0, 0)"), 1024);
+        let sum = "+ f(n - 1)".repeat(100);
+        assert!(depth(&format!("f(n) = case n > 0 : 1 {sum} else : 0  A --> t(f(1), 0, 0)")) < 200);
+    }
+}

@@ -1,0 +1,103 @@
+//! Over the steps and expressions of a grammar.
+
+use cga_lang::ir::{Arg, Expr, ExprKind, Grammar, Selector, Step, Target};
+
+/// Every step of a body, those in brackets and branches included.
+pub(super) fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
+    for step in list {
+        visit(step);
+        match step {
+            Step::Push(inner) => steps(inner, visit),
+            Step::Case { arms, otherwise } => {
+                arms.iter().for_each(|(_, inner)| steps(inner, visit));
+                steps(otherwise, visit);
+            }
+            Step::Chance { arms, otherwise } => {
+                arms.iter().for_each(|(_, inner)| steps(inner, visit));
+                steps(otherwise, visit);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// What a step hands shapes to.
+pub(super) fn targets(step: &Step) -> Vec<&Target> {
+    match step {
+        Step::Give(target) => vec![target],
+        Step::Split(split) => split.slots.iter().collect(),
+        Step::Comp(comp) => comp.arms.iter().map(|arm| &arm.target).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Every expression of a grammar, with its parts.
+pub(super) fn exprs<'g>(grammar: &'g Grammar, visit: &mut dyn FnMut(&'g Expr)) {
+    grammar.attrs.iter().for_each(|attr| parts(&attr.default, visit));
+    grammar.consts.iter().for_each(|it| parts(&it.value, visit));
+    grammar.functions.iter().for_each(|function| parts(&function.body, visit));
+    for rule in &grammar.rules {
+        steps(&rule.body, &mut |step| {
+            in_step(step).into_iter().for_each(|expr| parts(expr, visit));
+            for target in targets(step) {
+                if let Target::Rule { args, .. } = target {
+                    args.iter().for_each(|arg| parts(arg, visit));
+                }
+            }
+        });
+    }
+}
+
+/// The expressions of a step itself.
+fn in_step(step: &Step) -> Vec<&Expr> {
+    match step {
+        Step::Do(_, args, _) => args
+            .iter()
+            .filter_map(|arg| match arg {
+                Arg::Value(value) => Some(value),
+                Arg::Length(size) => Some(&size.value),
+                Arg::Word(_) => None,
+            })
+            .collect(),
+        Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
+        Step::Rust(_, args, _) => args.iter().collect(),
+        Step::Split(split) => split.sizes.iter().map(|size| &size.value).collect(),
+        Step::Comp(comp) => comp
+            .arms
+            .iter()
+            .filter_map(|arm| match &arm.selector {
+                Selector::Index(index) => Some(index),
+                Selector::Word(_) => None,
+            })
+            .collect(),
+        Step::Case { arms, .. } => arms.iter().map(|(condition, _)| condition).collect(),
+        Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Nil(_) => Vec::new(),
+    }
+}
+
+/// An expression and its parts.
+pub(super) fn parts<'g>(expr: &'g Expr, visit: &mut dyn FnMut(&'g Expr)) {
+    visit(expr);
+    match &expr.kind {
+        ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => {
+            args.iter().for_each(|arg| parts(arg, visit));
+        }
+        ExprKind::Neg(a) | ExprKind::Not(a) | ExprKind::ToText(a) => parts(a, visit),
+        ExprKind::Binary(_, a, b) => {
+            parts(a, visit);
+            parts(b, visit);
+        }
+        ExprKind::Case(arms, otherwise) => {
+            arms.iter().for_each(|(condition, value)| {
+                parts(condition, visit);
+                parts(value, visit);
+            });
+            parts(otherwise, visit);
+        }
+        ExprKind::Chance(arms, otherwise) => {
+            arms.iter().for_each(|(_, value)| parts(value, visit));
+            parts(otherwise, visit);
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,84 @@
+//! Equal rules are equal, whichever door they come through.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use cga_lang::compile::{Door, compile};
+use cga_lang::diag::Diags;
+use cga_lang::ir_print;
+use cga_lang::lex::lex;
+use cga_lang::parse::parse;
+use cga_lang::print::{Spelling, print};
+use cga_lang::token::Tokens;
+use proc_macro2::{Span, TokenStream};
+
+use crate::door::tokens::read;
+
+/// Every rule file of the language's tests and of the facade's.
+fn corpus() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut folders = vec![root.join("tests/rules"), root.join("cga-lang/tests/data")];
+    let mut files = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("readable folder") {
+            let path = entry.expect("readable folder").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "cga") {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    files
+}
+
+/// Both doors' idea of some tokens: the grammar, or else the findings.
+fn meaning(tokens: &Tokens) -> String {
+    let compiled = compile(tokens, Door::Text);
+    match &compiled.grammar {
+        Some(grammar) => ir_print::print(grammar),
+        None => compiled.diags.iter().map(|diag| format!("{}: {}\n", diag.code.name(), diag.message)).collect(),
+    }
+}
+
+#[test]
+fn both_doors_mean_the_same_over_a_corpus() {
+    let mut compared = 0;
+    for path in corpus() {
+        let text = fs::read_to_string(&path).expect("readable rules");
+        let mut diags = Diags::new();
+        let ast = parse(&lex(&text).tokens, &mut diags);
+        if diags.finish().iter().any(|diag| diag.code.level() == cga_lang::diag::Level::Error) {
+            // What could not be parsed is not printed as it was written.
+            continue;
+        }
+        let (verbatim, inline) = (print(&ast, Spelling::Text), print(&ast, Spelling::Inline));
+        let stream: TokenStream =
+            inline.parse().unwrap_or_else(|error| panic!("{}: {error}\n{inline}", path.display()));
+        let source = read(stream, Span::call_site());
+        assert_eq!(source.findings(), [], "{}", path.display());
+        let (text, tokens) = (meaning(&lex(&verbatim).tokens), meaning(source.tokens()));
+        assert!(text == tokens, "{}\n{inline}\n--- text\n{text}\n--- tokens\n{tokens}", path.display());
+        compared += 1;
+    }
+    assert!(30 < compared, "{compared}");
+}
+
+#[test]
+fn both_doors_read_the_same_tokens() {
+    let text = "@Range(min = 1) attr a = -1.5e3 - 2 f(x) = x == 1 && !(x != 2) || x <= 3 && x >= 4 % 5
+        A(a) --> case a>1:[s('1,~2,\"\\\"\")]X. else:split(x){'a:A(1)|{~1:NIL}*|2:crate::b::c(3)X.} 30% : A else : B
+        Lot --> [ t(0,-1,0) ] comp(f){side:A=B|top=C.}";
+    let inline = text.replace("'1", "^1");
+    let source = read(inline.parse().expect("Rust tokens"), Span::call_site());
+    assert_eq!(source.tokens(), &lex(text).tokens);
+}
+
+#[test]
+fn symbols_stay_whole_in_tokens_that_a_macro_took_apart() {
+    // `macro_rules!` hands `-->` on as `-` and `->`.
+    let stream: TokenStream = "A - -> B. C --> D.".parse().expect("Rust tokens");
+    let source = read(stream, Span::call_site());
+    assert_eq!(source.tokens(), &lex("A --> B. C --> D.").tokens);
+}

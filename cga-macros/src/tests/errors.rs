@@ -1,0 +1,96 @@
+//! Findings as tokens: what rustc will be given.
+
+use proc_macro2::TokenStream;
+
+use crate::expand;
+
+fn expanded(input: &str) -> String {
+    expand(input.parse::<TokenStream>().expect("Rust tokens")).to_string()
+}
+
+/// The texts of the `compile_error!`s.
+fn errors(input: &str) -> Vec<String> {
+    let file = syn::parse_str::<syn::File>(&expanded(input)).expect("items");
+    let text = |item: &syn::Item| match item {
+        syn::Item::Macro(item) => item.mac.parse_body::<syn::LitStr>().ok().map(|text| text.value()),
+        _ => None,
+    };
+    file.items.iter().filter_map(text).collect()
+}
+
+#[test]
+fn several_mistakes_give_several_errors() {
+    let list =
+        errors("pub grammar A; attr x = 1 y Lot --> extrud(3) splt(x) { ~1 : X. } Part --> comp(q) { top : X. }");
+    assert!(3 <= list.len(), "{list:#?}");
+}
+
+#[test]
+fn a_broken_header_says_how_it_is_written() {
+    for (input, start) in [
+        ("pub grammar A", "the rules of `A` are missing\nhelp: after the grammar's name comes `;` and the rules"),
+        ("grammar A = 3;", "the rules are no plain string literal"),
+        ("grammar A = rules;", "the rules of `A` are missing\nhelp: write the rules as one string literal"),
+        ("grammar A = include_str!(\"x\");", "the rules of `A` are missing\nhelp: write the rules as one string"),
+        ("grammar A in rules;", "the rules of `A` are missing\nhelp: write the path"),
+        ("grammar A in \"rules\" Lot --> X.", "nothing but `;` may follow here"),
+        ("pub struct A;", "the header is broken\nhelp: it is written `pub grammar Name`"),
+        ("pub(crate) A; Lot --> X.", "the header is broken"),
+        ("grammar;", "the header is broken"),
+        ("@Range(1) grammar A = \"Lot --> X.\";", "`@Range` is no level of a finding\nhelp: before a grammar in text"),
+        ("@Allow(no_such) grammar A = \"Lot --> X.\";", "`@Allow` is no level of a finding"),
+        ("grammar A in \"/etc/rules.cga\";", "`/etc/rules.cga` is no path inside the package"),
+        ("grammar A in \"src\";", "`src` is a folder"),
+        ("grammar A in \"no/such.cga\";", "there is no file `no/such.cga`\nhelp: paths count from the folder"),
+    ] {
+        let list = errors(input);
+        assert!(list.len() == 1 && list[0].starts_with(start), "{input}: {list:?}");
+    }
+}
+
+#[test]
+fn names_are_emitted_whatever_is_wrong() {
+    for input in [
+        "pub grammar A",
+        "pub grammar A in \"no/such.cga\";",
+        "grammar A = 3;",
+        "grammar A; attr x = 3 oops",
+        "grammar A; }",
+    ] {
+        let Ok(stream) = input.parse::<TokenStream>() else { continue };
+        let file: syn::File = syn::parse2(expand(stream)).expect("items");
+        let names = file.items.iter().filter(|item| matches!(item, syn::Item::Struct(item) if item.ident == "A"));
+        assert_eq!(names.count(), 1, "{input}");
+    }
+}
+
+#[test]
+fn text_is_quoted_with_its_line() {
+    let list = errors("grammar A = \"Lot --> X.\nX --> splat(x) { ~1 : X. }\n\";");
+    assert_eq!(list.len(), 1, "{list:?}");
+    assert!(list[0].contains(":2:16\n"), "{}", list[0]);
+    assert!(list[0].contains("2 | X --> splat(x)"), "{}", list[0]);
+}
+
+#[test]
+fn bytes_that_are_no_utf_8_are_named_where_they_matter() {
+    let list = errors("grammar A in \"src/tests/latin1.cga\";");
+    assert_eq!(list.len(), 1, "{list:?}");
+    assert!(list[0].starts_with("this is not UTF-8 text\n") && list[0].contains("latin1.cga:2:15"), "{}", list[0]);
+}
+
+#[test]
+fn no_path_of_this_machine_gets_into_the_output() {
+    let output = expanded("grammar A in \"src/tests/latin1.cga\";") + &expanded("grammar A in \"no/such.cga\";");
+    assert!(!output.contains(env!("CARGO_MANIFEST_DIR")), "{output}");
+}
+
+#[test]
+fn another_path_to_the_runtime_replaces_the_usual_one() {
+    for door in
+        ["grammar A; attr t = \"x\" Lot --> split(x) { ~1 : X. }", "Lot --> extrude(#height) X.", "grammar A; oops"]
+    {
+        let output = expanded(&format!("#[cga(crate = my::shapes)] {door}"));
+        assert!(output.contains("my :: shapes :: __rt") && !output.contains(":: cga ::"), "{output}");
+    }
+}

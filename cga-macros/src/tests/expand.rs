@@ -1,0 +1,134 @@
+//! Snapshots of generated code, in `expand/`: `NAME.cga` is what stands in the macro, `NAME.rs` what becomes of it.
+//!
+//! The first line of the input says which part is shown. `CGA_BLESS=1` rewrites what is expected.
+
+use std::fs;
+use std::path::Path;
+
+use proc_macro2::TokenStream;
+use syn::{File, Item};
+
+/// The part of an expansion that a test shows.
+fn part(show: &str, file: File) -> Vec<Item> {
+    let mut items = Vec::new();
+    for item in file.items {
+        match item {
+            Item::Const(hidden) if show != "findings" => {
+                if let syn::Expr::Block(block) = *hidden.expr {
+                    items.extend(block.block.stmts.into_iter().filter_map(|statement| match statement {
+                        syn::Stmt::Item(item) => Some(item),
+                        _ => None,
+                    }));
+                }
+            }
+            other => items.push(other),
+        }
+    }
+    items.retain(|item| wanted(show, item));
+    items
+}
+
+fn wanted(show: &str, item: &Item) -> bool {
+    let (is_trait, owner) = match item {
+        Item::Impl(item) => {
+            let owner = if let syn::Type::Path(path) = &*item.self_ty { path.path.get_ident() } else { None };
+            let name = item.trait_.as_ref().and_then(|(path, _)| path.segments.last());
+            (name.map(|name| name.ident.to_string()), owner.map(ToString::to_string).unwrap_or_default())
+        }
+        _ => (None, String::new()),
+    };
+    match show {
+        "struct" => {
+            matches!(item, Item::Struct(it) if it.ident != "CgaValues" && it.ident != "CgaRules")
+                || is_trait.as_deref() == Some("Default")
+        }
+        "methods" => is_trait.is_none() && !owner.is_empty() && owner != "CgaRules",
+        "values" => matches!(item, Item::Struct(it) if it.ident == "CgaValues") || matches!(item, Item::Enum(_)),
+        "rules" => owner == "CgaRules",
+        "run" => is_trait.as_deref() == Some("Rules"),
+        "table" => is_trait.as_deref() == Some("Grammar"),
+        "findings" => matches!(item, Item::Macro(_) | Item::Const(_)),
+        other => panic!("no part `{other}`"),
+    }
+}
+
+/// The items that an expansion consists of, with an expression's taken out of its block.
+fn items(output: TokenStream) -> File {
+    if let Ok(file) = syn::parse2::<File>(output.clone()) {
+        return file;
+    }
+    let Ok(syn::Expr::Match(mut whole)) = syn::parse2(output) else { panic!("neither items nor an expression") };
+    let syn::Expr::Block(body) = *whole.arms.remove(0).body else { panic!("no block") };
+    let items = body.block.stmts.into_iter().filter_map(|statement| match statement {
+        syn::Stmt::Item(item) => Some(item),
+        _ => None,
+    });
+    File { shebang: None, frontmatter: None, attrs: Vec::new(), items: items.collect() }
+}
+
+#[test]
+fn generated_code_is_as_reviewed() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/tests/expand");
+    let bless = std::env::var_os("CGA_BLESS").is_some();
+    let mut inputs: Vec<_> =
+        fs::read_dir(&folder).expect("readable folder").map(|entry| entry.unwrap().path()).collect();
+    inputs.retain(|path| path.extension().is_some_and(|extension| extension == "cga"));
+    inputs.sort();
+    assert!(5 < inputs.len());
+    let mut wrong = String::new();
+    for path in inputs {
+        let input = fs::read_to_string(&path).expect("readable input");
+        let show =
+            input.lines().next().and_then(|line| line.strip_prefix("// show ")).expect("a first line that says what");
+        let stream: TokenStream = input.parse().unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let whole = items(crate::expand(stream));
+        let shown = File { shebang: None, frontmatter: None, attrs: Vec::new(), items: part(show, whole) };
+        let actual = prettyplease::unparse(&shown);
+        assert!(actual.lines().count() <= 100, "{} is longer than anybody reads", path.display());
+        let expected = path.with_extension("rs");
+        if fs::read_to_string(&expected).unwrap_or_default() == actual {
+            continue;
+        }
+        if bless {
+            fs::write(&expected, actual).expect("writable snapshot");
+        } else {
+            wrong.push_str(&format!("{}:\n{actual}\n", expected.display()));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}CGA_BLESS=1 accepts this");
+}
+
+#[test]
+fn equal_input_gives_equal_output() {
+    let expand = || {
+        let input = "grammar A; attr x = rand f(n) = case n > 0 : f(n - 1) else : 0
+            Lot --> split(x) { ~1 : B | 2 : Lot } B --> C C --> comp(f) { all : B } D(a, b) --> X.";
+        crate::expand(input.parse().expect("Rust tokens")).to_string()
+    };
+    assert_eq!(expand(), expand());
+}
+
+#[test]
+fn expansions_stay_small() {
+    // Emitted tokens for each token of the rules, over all snapshots. It may fall, not rise.
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/tests/expand");
+    let (mut read, mut written) = (0, 0);
+    for entry in fs::read_dir(folder).expect("readable folder") {
+        let path = entry.expect("readable folder").path();
+        if path.extension().is_some_and(|extension| extension == "cga") {
+            let stream: TokenStream = fs::read_to_string(&path).expect("readable").parse().expect("Rust tokens");
+            read += count(stream.clone());
+            written += count(crate::expand(stream));
+        }
+    }
+    let ratio = written as f64 / read as f64;
+    assert!(ratio < 60.0, "{ratio}");
+}
+
+fn count(stream: TokenStream) -> usize {
+    let tokens = stream.into_iter().map(|token| match token {
+        proc_macro2::TokenTree::Group(group) => 2 + count(group.stream()),
+        _ => 1,
+    });
+    tokens.sum()
+}

@@ -1,0 +1,53 @@
+#[allow(non_snake_case, dead_code, unreachable_code)]
+impl CgaRules {
+    ///Lot --> comp(f) { side : Wall. | 4 = Roof(comp.index) | all : NIL }
+    fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        mut shape: cga_rt::ShapeRef<'_>,
+    ) -> cga_rt::Flow {
+        cx.enter(0u32)?;
+        {
+            let arms = [
+                cga_rt::Arm {
+                    select: cga_rt::Select::Side,
+                    mode: cga_rt::Mode::Each,
+                    text: "side",
+                },
+                cga_rt::Arm {
+                    select: cga_rt::Select::Index(4f64),
+                    mode: cga_rt::Mode::Together,
+                    text: "4",
+                },
+                cga_rt::Arm {
+                    select: cga_rt::Select::All,
+                    mode: cga_rt::Mode::Each,
+                    text: "all",
+                },
+            ];
+            let parts = cga_rt::faces(&mut cx.env, &mut shape, &arms)?;
+            parts
+                .each(|arm, mut part| match arm {
+                    0 => cx.symbol(&part, "Wall"),
+                    1 => {
+                        let a0 = cga_rt::get::comp_index(&part);
+                        CgaRules::Roof(g, cx, part, a0)
+                    }
+                    2 => cga_rt::Flow::Continue(()),
+                    _ => cga_rt::Flow::Continue(()),
+                })?;
+        }
+        cx.leave()
+    }
+    ///Roof(n) --> X.
+    fn Roof<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        mut shape: cga_rt::ShapeRef<'_>,
+        p0: ::core::primitive::f64,
+    ) -> cga_rt::Flow {
+        cx.enter(1u32)?;
+        cx.symbol(&shape, "X")?;
+        cx.leave()
+    }
+}

@@ -1,0 +1,73 @@
+const _: () = {
+    #[deprecated(note = "unknown annotation `@Foo`")]
+    #[allow(non_upper_case_globals)]
+    const unknown_annotation: () = ();
+    unknown_annotation
+};
+::core::compile_error! {
+    "there is no rule `extrud`\nhelp: did you mean `extrude`?\nhelp: write `extrud.` for a leaf"
+}
+::core::compile_error! {
+    "there is no rule `splot`\nhelp: did you mean `split`?\nhelp: write `splot.` for a leaf"
+}
+const _: () = {
+    #[deprecated(note = "`NIL` has removed the shape, nothing happens here")]
+    #[allow(non_upper_case_globals)]
+    const after_nil: () = ();
+    after_nil
+};
+const _: () = {
+    use ::cga::__rt as cga_rt;
+    #[automatically_derived]
+    impl ::core::default::Default for Tower {
+        fn default() -> Self {
+            Tower {}
+        }
+    }
+    impl Tower {
+        /// Runs the start rule on a shape, with default settings.
+        ///
+        /// # Errors
+        /// A limit that was reached, an attribute out of its range, no such start rule, a shape that is no shape.
+        pub fn generate(
+            &self,
+            shape: &cga_rt::Shape,
+        ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
+            ::core::unreachable!("the rules have errors")
+        }
+        /// Runs the rule of that name on a shape, with default settings.
+        ///
+        /// # Errors
+        /// A limit that was reached, an attribute out of its range, no such start rule, a shape that is no shape.
+        pub fn generate_from(
+            &self,
+            rule: &::core::primitive::str,
+            shape: &cga_rt::Shape,
+        ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
+            ::core::unreachable!("the rules have errors")
+        }
+        /// Runs on a shape with settings: start rule, limits, assets.
+        ///
+        /// # Errors
+        /// A limit that was reached, an attribute out of its range, no such start rule, a shape that is no shape.
+        pub fn generate_with(
+            &self,
+            shape: &cga_rt::Shape,
+            settings: &cga_rt::Settings,
+        ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
+            ::core::unreachable!("the rules have errors")
+        }
+        /// Runs on a shape and hands the leaves to a sink. This is the fast path: no model in between.
+        ///
+        /// # Errors
+        /// A limit that was reached, an attribute out of its range, no such start rule, a shape that is no shape.
+        pub fn generate_into<Sink: cga_rt::Sink + ?::core::marker::Sized>(
+            &self,
+            shape: &cga_rt::Shape,
+            settings: &cga_rt::Settings,
+            sink: &mut Sink,
+        ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
+            ::core::unreachable!("the rules have errors")
+        }
+    }
+};

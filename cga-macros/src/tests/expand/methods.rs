@@ -1,0 +1,50 @@
+impl Tower {
+    /// Runs the start rule on a shape, with default settings.
+    ///
+    /// # Errors
+    /// A limit that was reached, an attribute out of its range, no such start rule, a shape that is no shape.
+    pub fn generate(
+        &self,
+        shape: &cga_rt::Shape,
+    ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
+        cga_rt::generate(self, shape, &::core::default::Default::default())
+    }
+    /// Runs the rule of that name on a shape, with default settings.
+    ///
+    /// # Errors
+    /// A limit that was reached, an attribute out of its range, no such start rule, a shape that is no shape.
+    pub fn generate_from(
+        &self,
+        rule: &::core::primitive::str,
+        shape: &cga_rt::Shape,
+    ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
+        let settings = cga_rt::Settings {
+            start: ::core::option::Option::Some(cga_rt::string(rule)),
+            ..::core::default::Default::default()
+        };
+        cga_rt::generate(self, shape, &settings)
+    }
+    /// Runs on a shape with settings: start rule, limits, assets.
+    ///
+    /// # Errors
+    /// A limit that was reached, an attribute out of its range, no such start rule, a shape that is no shape.
+    pub fn generate_with(
+        &self,
+        shape: &cga_rt::Shape,
+        settings: &cga_rt::Settings,
+    ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
+        cga_rt::generate(self, shape, settings)
+    }
+    /// Runs on a shape and hands the leaves to a sink. This is the fast path: no model in between.
+    ///
+    /// # Errors
+    /// A limit that was reached, an attribute out of its range, no such start rule, a shape that is no shape.
+    pub fn generate_into<Sink: cga_rt::Sink + ?::core::marker::Sized>(
+        &self,
+        shape: &cga_rt::Shape,
+        settings: &cga_rt::Settings,
+        sink: &mut Sink,
+    ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
+        cga_rt::run(self, shape, settings, sink)
+    }
+}

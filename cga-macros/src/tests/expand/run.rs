@@ -1,0 +1,58 @@
+#[automatically_derived]
+impl cga_rt::Rules for Tower {
+    type Values = CgaValues;
+    type Call = CgaCall;
+    const NAMES: &'static [&'static ::core::primitive::str] = &["Lot", "Again"];
+    const STARTS: &'static [&'static ::core::primitive::str] = &["Lot"];
+    const START_RULES: &'static [::core::primitive::u32] = &[0u32];
+    fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
+        cga_rt::Range {
+            min: 0f64,
+            max: 1f64,
+            step: 0f64,
+            restricted: true,
+        }
+            .check("share", self.share)?;
+        ::core::result::Result::Ok(())
+    }
+    fn values(&self, env: &mut cga_rt::Env, initial: &cga_rt::Shape) -> CgaValues {
+        let mut g = <CgaValues as ::core::default::Default>::default();
+        g.attr_0 = self.share;
+        g.attr_1 = cga_rt::text(&self.name);
+        g.attr_2 = match self.drawn {
+            ::core::option::Option::Some(value) => value,
+            ::core::option::Option::None => {
+                let shape = &mut cga_rt::global(initial, 2u32);
+                let g = &g;
+                cga_rt::func::rand(&mut *shape)
+            }
+        };
+        g.const_0 = {
+            let shape = &mut cga_rt::global(initial, 3u32);
+            let g = &g;
+            (g.attr_0 + g.attr_2)
+        };
+        g
+    }
+    fn start<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        rule: ::core::primitive::u32,
+        shape: cga_rt::ShapeRef<'_>,
+    ) -> cga_rt::Flow {
+        match rule {
+            0u32 => CgaRules::Lot(g, cx, shape),
+            _ => cga_rt::Flow::Continue(()),
+        }
+    }
+    fn resume<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        shape: cga_rt::ShapeRef<'_>,
+        call: CgaCall,
+    ) -> cga_rt::Flow {
+        match call {
+            CgaCall::Rule1(a0) => CgaRules::Again(g, cx, shape, a0),
+        }
+    }
+}

@@ -1,0 +1,12 @@
+#[derive(::core::default::Default)]
+pub struct CgaValues {
+    attr_0: ::core::primitive::f64,
+    attr_1: cga_rt::Text,
+    const_0: ::core::primitive::f64,
+    const_1: ::core::primitive::f64,
+    captured_0: ::core::primitive::f64,
+    captured_1: cga_rt::Text,
+}
+pub enum CgaCall {
+    Rule1(::core::primitive::f64, cga_rt::Text),
+}

@@ -1,0 +1,5 @@
+//! What the macro makes of its input, without a compiler around it.
+
+mod doors;
+mod errors;
+mod expand;

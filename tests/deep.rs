@@ -1,0 +1,141 @@
+//! However deep the rules go, the stack suffices: also without optimisation, on a thread with two megabytes.
+
+use cga::{Error, Limits, Model, Settings, Shape, cga};
+
+/// Runs on a thread with the stack that threads usually have. Overflowing it would end the whole process.
+fn on_a_small_stack<T: Send + 'static>(run: impl FnOnce() -> T + Send + 'static) -> T {
+    let thread = std::thread::Builder::new().stack_size(2 * 1024 * 1024).spawn(run).expect("a thread");
+    thread.join().expect("no panic")
+}
+
+fn lot() -> Shape {
+    Shape::cuboid(8.0, 8.0, 8.0)
+}
+
+/// Allows a million levels.
+fn deep() -> Settings {
+    Settings { limits: Limits { depth: 1_000_000, ..Limits::default() }, ..Settings::default() }
+}
+
+fn names(model: &Model) -> Vec<&str> {
+    model.leaves().map(|leaf| leaf.rule()).collect()
+}
+
+cga! {
+    grammar Down;
+    attr levels = 100000
+    Lot --> Level(0)
+    Level(n) --> case n < levels : Level(n + 1) else : End.
+}
+
+#[test]
+fn endless_recursion_is_an_error() {
+    let error = on_a_small_stack(|| Down::default().generate(&lot())).expect_err("too deep");
+    let Error::Limit { what, limit, trail } = &error else { panic!("{error}") };
+    assert_eq!((*what, *limit, trail.len(), trail[0], trail[1]), ("depth", 1024, 1026, "Lot", "Level"));
+    assert_eq!(
+        error.to_string(),
+        "more depth than the limit of 1024 allows (in Lot > Level > Level > Level > Level > Level > … 1014 more … > \
+         Level > Level > Level > Level > Level > Level)"
+    );
+}
+
+#[test]
+fn a_recursion_of_100000_levels_ends_where_the_limit_allows_it() {
+    let model = on_a_small_stack(|| Down::default().generate_with(&lot(), &deep())).expect("no limit");
+    assert_eq!(names(&model), ["End"]);
+}
+
+cga! {
+    /// What takes most of the stack: splits, comps and brackets side by side, in rules that call each other.
+    grammar Heavy;
+    attr levels = 1000
+    Lot --> A(0)
+    A(n) --> case n > levels : End. else : Many(n)
+    Many(n) -->
+        [ comp(f) { front : X. | back : X. | left : X. } ] [ comp(f) { front : X. | back = X. } ]
+        [ comp(f) { front : X. | 1 : X. } ] [ split(x) { 1 : X. | ~1 : [ X. ] X. | { ~1 : X. }* } ]
+        [ split(y) { 1 : X. | ~1 : X. } ] [ split(z) { 1 : X. | ~1 : NIL } ] [ [ [ color("#ffffff") X. ] ] ]
+        set(material.name, "name " + n + " of " + levels) split(x) { ~1 : B(n, "a" + n, n > 3) | ^0 : A(n) }
+    B(n, text, small) --> comp(f) { front = primitiveCube() s(8, 8, 8) A(n + 1) }
+}
+
+#[test]
+fn heavy_rules_are_counted_as_what_they_are() {
+    let model = on_a_small_stack(|| Heavy::default().generate_with(&lot(), &deep())).expect("no limit");
+    assert_eq!(model.count("End"), 1);
+}
+
+cga! { grammar Chain in "tests/rules/chain.cga"; }
+
+#[test]
+fn a_chain_of_2000_rules_without_a_cycle_fits() {
+    let model = on_a_small_stack(|| Chain::default().generate(&lot())).expect("no limit");
+    assert_eq!(model.counts(), [("X", 2000), ("End", 1)]);
+}
+
+#[test]
+fn a_recursion_that_fits_is_done_in_writing_order() {
+    let rules = cga! {
+        Lot --> Tree(0)
+        Tree(n) --> case n < 3 : split(x) { ~1 : Tree(n + 1) | ~1 : Leaf(n) | ~1 : Tree(n + 1) } else : End.
+        Leaf(n) --> case n == 0 : Zero. case n == 1 : One. else : Two.
+    };
+    let model = rules.generate(&lot()).expect("no limit");
+    let names = names(&model).join(" ");
+    assert_eq!(names, "End Two End One End Two End Zero End Two End One End Two End");
+}
+
+#[test]
+fn what_waits_comes_later_but_in_the_same_order_every_time() {
+    let rules = cga! {
+        Lot --> Down(400)
+        Down(n) --> case n > 0 : [ split(x) { ~1 : [ Down(n - 1) ] Level(n) } ] else : Bottom.
+        Level(n) --> set(material.name, "" + n) Level.
+    };
+    let run = || {
+        let model = rules.generate(&lot()).expect("no limit");
+        model.leaves().map(|leaf| leaf.material().name.as_deref().unwrap_or_default().to_owned()).collect::<Vec<_>>()
+    };
+    let order = run();
+    assert_eq!(order.len(), 401);
+    let bottom = order.iter().position(String::is_empty).expect("the bottom");
+    // The levels that fit come back up before those that waited go down.
+    assert!(
+        0 < bottom && order[..bottom].contains(&"400".into()) && order[bottom..].contains(&"1".into()),
+        "{order:?}"
+    );
+    assert_eq!(order, run());
+}
+
+cga! {
+    grammar Functions;
+    attr depth = 1000
+    total(n, so_far) = case n < 1 : so_far else : total(n - 1, so_far + 1)
+    even(n) = case n < 1 : true else : odd(n - 1)
+    odd(n) = case n < 1 : false else : even(n - 1)
+    text(n) = case n < 1 : "" else : text(n - 1) + "a" + n + "b" + (n + 1) + "c" + (n + 2) + "d" + (n + 3)
+    Sum --> s(total(depth, 0), 1, 1) X.
+    Even --> case even(depth) : Even. else : Odd.
+    Text --> set(material.name, text(depth)) X.
+}
+
+#[test]
+fn functions_nest_as_deep_as_documented() {
+    let run =
+        |start: &'static str, depth: f64| on_a_small_stack(move || Functions { depth }.generate_from(start, &lot()));
+    assert_eq!(run("Sum", 1000.0).expect("no limit").leaves().next().expect("a leaf").size().x, 1000.0);
+    assert_eq!(names(&run("Even", 1001.0).expect("no limit")), ["Odd"]);
+    for (start, trail) in [("Sum", "Sum"), ("Even", "Even")] {
+        let error = run(start, 1e9).expect_err("too deep");
+        assert_eq!(error, Error::Limit { what: "nested function calls", limit: 1024, trail: vec![trail] });
+    }
+}
+
+#[test]
+fn functions_with_much_on_the_stack_nest_less_deep() {
+    let run = |depth: f64| on_a_small_stack(move || Functions { depth }.generate_from("Text", &lot()));
+    assert!(run(100.0).is_ok());
+    let error = run(1e9).expect_err("too deep");
+    assert!(matches!(error, Error::Limit { what: "nested function calls", limit: 100..1024, .. }), "{error}");
+}

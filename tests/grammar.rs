@@ -1,0 +1,250 @@
+//! Grammars as values: attributes, start rules, limits, random choices.
+
+use cga::{Attribute, AttributeDefault, Error, Grammar, Limits, Model, Range, Settings, Shape, Sink, cga};
+
+fn lot() -> Shape {
+    Shape::rectangle(10.0, 10.0)
+}
+
+fn names(model: &Model) -> Vec<&str> {
+    model.leaves().map(|leaf| leaf.rule()).collect()
+}
+
+fn only(what: Limits) -> Settings {
+    Settings { limits: what, ..Settings::default() }
+}
+
+cga! {
+    /// A house.
+    pub grammar House;
+
+    @Group("Size", "Main")
+    @Range(min = 3, max = 60, stepsize = 0.5)
+    @Order(2)
+    /// Height in metres.
+    attr height = 2 * 6
+    @Description("How deep the windows lie.")
+    @Range(min = 0, max = 1, restricted = false)
+    attr depth = 0.2
+    @Group("Look")
+    attr colour = "#ff0000"
+    @Hidden
+    attr lit = false
+    attr storeys = rint(rand(2, 5))
+    attr label = "house " + storeys
+
+    @StartRule
+    Lot --> extrude(height) set(material.name, label) split(y) { { ~height / storeys : Storey }* }
+    Storey --> color(colour) Wall.
+    Other --> Storey Storey
+    Named(n) --> Wall.
+}
+
+#[test]
+fn attributes_are_fields_and_a_table() {
+    let house = House::default();
+    assert_eq!((house.height, house.depth, house.lit, house.storeys), (12.0, 0.2, false, None));
+    assert_eq!((house.colour.as_str(), &house.label), ("#ff0000", &None));
+    let table = house.attributes();
+    let range = |min, max, step, restricted| Some(Range { min, max, step, restricted });
+    assert_eq!(
+        table[..2],
+        [
+            Attribute {
+                name: "height",
+                default: AttributeDefault::Float(Some(12.0)),
+                range: range(3.0, 60.0, 0.5, true),
+                group: &["Size", "Main"],
+                about: "Height in metres.",
+                order: Some(2.0),
+                hidden: false,
+            },
+            Attribute {
+                name: "depth",
+                default: AttributeDefault::Float(Some(0.2)),
+                range: range(0.0, 1.0, 0.0, false),
+                // A group goes on until the next one.
+                group: &["Size", "Main"],
+                about: "How deep the windows lie.",
+                order: None,
+                hidden: false,
+            },
+        ]
+    );
+    let rest = table[2..].iter().map(|row| (row.name, row.default, row.hidden));
+    assert_eq!(
+        rest.collect::<Vec<_>>(),
+        [
+            ("colour", AttributeDefault::Text(Some("#ff0000")), false),
+            ("lit", AttributeDefault::Bool(Some(false)), true),
+            ("storeys", AttributeDefault::Float(None), false),
+            ("label", AttributeDefault::Text(None), false),
+        ]
+    );
+}
+
+#[test]
+fn a_computed_attribute_is_drawn_from_the_seed_unless_it_is_given() {
+    let storeys = |seed| House::default().generate(&lot().seed(seed)).expect("no limit").len();
+    let drawn: Vec<usize> = (0..50).map(storeys).collect();
+    assert!((2..=5).all(|count| drawn.contains(&count)) && drawn.iter().all(|count| (2..=5).contains(count)));
+    let house = House { storeys: Some(7.0), ..House::default() };
+    let model = house.generate(&lot()).expect("no limit");
+    // What is computed from a given value follows it.
+    assert_eq!(model.leaves().next().expect("a leaf").material().name.as_deref(), Some("house 7"));
+    assert_eq!(model.len(), 7);
+}
+
+#[test]
+fn a_restricted_range_is_checked_when_a_run_begins() {
+    let run = |height, depth| House { height, depth, ..House::default() }.generate(&lot());
+    assert!(run(60.0, 5.0).is_ok());
+    for wrong in [2.0, 61.0, f64::NAN, f64::INFINITY] {
+        let error = run(wrong, 0.2).expect_err("out of range");
+        assert_eq!(error, Error::Attribute { name: "height", message: format!("{wrong} is outside of 3 to 60") });
+    }
+}
+
+#[test]
+fn a_program_can_choose_among_grammars() {
+    cga! { grammar Flat; Lot --> Flat. }
+    let rules = cga! { Lot --> Value. };
+    let list: [Box<dyn Grammar>; 3] = [Box::new(House::default()), Box::new(Flat::default()), Box::new(rules)];
+    let models = list.iter().map(|grammar| grammar.generate(&lot()).expect("no limit").rules().join(" "));
+    assert_eq!(models.collect::<Vec<_>>(), ["Wall", "Flat", "Value"]);
+    assert_eq!(list.iter().map(|grammar| grammar.name()).collect::<Vec<_>>(), ["House", "Flat", ""]);
+    let mut model = Model::new();
+    let report = list[0].derive(&lot(), &Settings::default(), &mut model as &mut dyn Sink).expect("no limit");
+    assert_eq!(report.leaves as usize, model.len());
+}
+
+#[test]
+fn runs_start_where_they_are_told_to() {
+    let house = House::default();
+    assert_eq!(house.start_rules(), ["Lot", "Storey", "Other"]);
+    assert_eq!(house.generate_from("Other", &lot()).expect("no limit").len(), 2);
+    let error = house.generate_from("Named", &lot()).expect_err("it has a parameter");
+    assert_eq!(error.to_string(), "no rule `Named` to start with; there is Lot, Storey, Other");
+    cga! { grammar First; Helper(n) --> X. First --> Helper(1) Second --> Y. }
+    assert_eq!(names(&First::default().generate(&lot()).expect("no limit")), ["X"]);
+}
+
+#[test]
+fn a_limit_ends_a_run_with_the_trail() {
+    let rules = cga! { Lot --> extrude(10) split(y) { { 0.1 : Slab }* } Slab --> split(x) { { 0.1 : Tile. }* } };
+    let limits = Limits { shapes: 500, ..Limits::default() };
+    let error = rules.generate_with(&lot(), &only(limits)).expect_err("too many");
+    assert_eq!(error, Error::Limit { what: "shapes", limit: 500, trail: vec!["Lot", "Slab"] });
+    assert_eq!(rules.generate(&lot()).expect("10000 tiles").len(), 10_000);
+}
+
+#[test]
+fn the_limit_of_depth_counts_rules_that_reach_themselves() {
+    let rules = cga! {
+        attr deep = 1
+        Lot --> A(0)
+        A(n) --> case n < deep : B(n + 1) else : End.
+        B(n) --> A(n)
+    };
+    let run = |deep: f64, depth| {
+        let mut rules = rules.clone();
+        rules.deep = deep;
+        rules.generate_with(&lot(), &only(Limits { depth, ..Limits::default() })).map(|model| model.len())
+    };
+    assert_eq!(run(5.0, 10), Ok(1));
+    let error = run(6.0, 10).expect_err("12 levels");
+    assert!(matches!(error, Error::Limit { what: "depth", limit: 10, .. }), "{error}");
+    assert_eq!(
+        run(100.0, 0).map_err(|error| error.to_string()),
+        Err("more depth than the limit of 0 allows (in Lot > A)".into())
+    );
+}
+
+#[test]
+fn equal_seeds_give_equal_models() {
+    let rules = cga! {
+        Lot --> extrude(rand(5, 10)) comp(f) { side : Front | top : Roof. }
+        Front --> split(x) { { ~rand(1, 3) : Bay }* }
+        Bay --> 50% : Window(rand) 25% : NIL else : Wall.
+        Window(n) --> s(^1, ^n, ^1) Window.
+    };
+    let print = |seed| {
+        let model = rules.generate(&lot().seed(seed)).expect("no limit");
+        model.leaves().map(|leaf| format!("{} {:?}\n", leaf.rule(), leaf.scope())).collect::<String>()
+    };
+    assert_eq!(print(1), print(1));
+    assert_ne!(print(1), print(2));
+}
+
+#[test]
+fn shares_of_a_stochastic_rule_hold_over_many_seeds() {
+    let rules = cga! {
+        Lot --> 30% : A. 20% : B else : split(x) { ~1 : Value(40% : 1 else : 2) }
+        B --> 50% : B1. else : B2.
+        Value(n) --> case n == 1 : One. else : Two.
+    };
+    let mut model = Model::new();
+    for seed in 0..10_000 {
+        rules.generate_into(&lot().seed(seed), &Settings::default(), &mut model).expect("no limit");
+    }
+    // Three standard deviations are below 150.
+    for (name, expected) in [("A", 3000), ("B1", 1000), ("B2", 1000), ("One", 2000), ("Two", 3000)] {
+        let count = model.count(name);
+        assert!(count.abs_diff(expected) < 150, "{name}: {count} instead of about {expected}");
+    }
+}
+
+#[test]
+fn set_changes_an_attribute_for_a_shape_and_its_descendants() {
+    let rules = cga! {
+        attr height = 1
+        attr name = "a"
+        attr wide = true
+        width = case wide : 2 else : 1
+        Lot --> [ set(height, height + 1) set(name, name + "b") set(wide, !wide) Part ] Part
+        Part --> s(width, height, 1) set(material.name, name) Part.
+    };
+    let model = rules.generate(&lot()).expect("no limit");
+    let leaves =
+        model.leaves().map(|leaf| (leaf.size().x, leaf.size().y, leaf.material().name.clone().unwrap_or_default()));
+    assert_eq!(leaves.collect::<Vec<_>>(), [(1.0, 2.0, "ab".into()), (2.0, 1.0, "a".into())]);
+}
+
+#[test]
+fn brackets_work_on_a_copy() {
+    let rules = cga! {
+        Lot --> s(2, 4, 6) [ s(1, 1, 1) center(xyz) t(1, 0, 0) [ s(3, 3, 3) center(x) In. ] ] [ NIL ] [ [ NIL ] A. ] center(x) Out.
+    };
+    let model = rules.generate(&lot()).expect("no limit");
+    let leaves = model.leaves().map(|leaf| (leaf.rule(), leaf.size().x, leaf.scope().origin.x));
+    // In: at 0.5 after centring the box of 1 in the one of 2, 1.5 after the move, and 0.5 with its middle kept.
+    assert_eq!(leaves.collect::<Vec<_>>(), [("In", 3.0, 0.5), ("A", 2.0, 0.0), ("Out", 2.0, 4.0)]);
+}
+
+#[test]
+fn a_branch_may_stand_in_brackets() {
+    let rules = cga! {
+        @Allow(after_nil)
+        Lot --> [ case scope.sx > 5 : Wide. NIL Never. else : Narrow. ] [ 100% : Sure. else : Never. ] End.
+        Small --> s(1, 1, 1) Lot
+    };
+    assert_eq!(names(&rules.generate(&lot()).expect("no limit")), ["Wide", "Sure", "End"]);
+    assert_eq!(names(&rules.generate_from("Small", &lot()).expect("no limit")), ["Narrow", "Sure", "End"]);
+}
+
+#[test]
+fn overloads_differ_in_their_number_of_parameters() {
+    let rules = cga! {
+        Lot --> Part Part(1) Part(1, 2)
+        Part --> f(0, 0, 0)
+        Part(a) --> Pair(a)
+        Part(a, b) --> s(f(a), f(a, b), 1) Two.
+        f(x, y, z) --> Zero.
+        Pair(x) --> s(f(x), 1, 1) One.
+        f(x) = x + 1
+        f(x, y) = f(x) + f(y)
+    };
+    let model = rules.generate(&lot()).expect("no limit");
+    let leaves = model.leaves().map(|leaf| (leaf.rule(), leaf.size().x, leaf.size().y));
+    assert_eq!(leaves.collect::<Vec<_>>(), [("Zero", 10.0, 0.0), ("One", 2.0, 1.0), ("Two", 2.0, 5.0)]);
+}

@@ -1,0 +1,8 @@
+use cga::cga;
+
+cga! {
+    pub grammar Tower;
+    Lot --> extrud(3) Wall.
+}
+
+fn main() {}
