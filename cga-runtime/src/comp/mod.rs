@@ -92,7 +92,6 @@ impl Owners {
 }
 
 /// Gives every face of `shape` to the first arm that selects it. `Break` when a limit was reached.
-#[inline]
 pub fn faces<'s>(
     env: &mut Env,
     shape: &'s mut ShapeRef<'_>,

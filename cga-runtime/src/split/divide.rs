@@ -43,7 +43,6 @@ pub struct Parts<'s> {
 ///
 /// *split operation*. A shape too small to be split, or flat along the axis, stays as it is: it has no parts and
 /// [`Parts::divided`] says so, which makes it a leaf (*Subdivision split*: recursion stops at small geometry).
-#[inline]
 pub fn divide<'s>(
     env: &mut Env,
     shape: &'s mut ShapeRef<'_>,
