@@ -33,11 +33,7 @@ fn by_hand(k: usize, m: usize, out: &mut Raw) {
     ];
     for (o, x, n) in sides {
         let at = |across: f64, up: f64, out: f64| {
-            [
-                o[0] + x[0] * across + n[0] * out,
-                o[1] + up,
-                o[2] + x[2] * across + n[2] * out,
-            ]
+            [o[0] + x[0] * across + n[0] * out, o[1] + up, o[2] + x[2] * across + n[2] * out]
         };
         let along = |by: f64| [x[0] * by, 0.0, x[2] * by];
         let up = |by: f64| [0.0, by, 0.0];

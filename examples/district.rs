@@ -120,7 +120,8 @@ fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn Error>> {
             }
         };
         for polygon in polygons {
-            let rings: Option<Vec<Vec<[f64; 2]>>> = polygon.as_array().and_then(|rings| rings.iter().map(ring).collect());
+            let rings: Option<Vec<Vec<[f64; 2]>>> =
+                polygon.as_array().and_then(|rings| rings.iter().map(ring).collect());
             match rings.map(|mut rings| (!rings.is_empty()).then(|| (rings.remove(0), rings))) {
                 Some(Some((outer, holes))) => footprints.push(Footprint { label: label.clone(), outer, holes }),
                 _ => problems.push(format!("{label}: skipped: its coordinates cannot be read")),

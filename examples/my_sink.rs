@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cga::{Flow, Leaf, Mesh, Quad, Settings, Shape, Sink, cga};
 use cga::glam::DAffine3;
+use cga::{Flow, Leaf, Mesh, Quad, Settings, Shape, Sink, cga};
 
 cga! {
     /// Walls with windows.

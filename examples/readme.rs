@@ -21,7 +21,7 @@ cga! {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let house = House { height: 20.0, ..House::default() };
+    let house = House { height: 20.0 };
     let model = house.generate(&Shape::rectangle(16.0, 11.0))?;
     std::fs::create_dir_all("docs")?;
     Picture::new(1000, 700).looking_from(28.0, 14.0).render(&model).write_png("docs/readme.png")?;

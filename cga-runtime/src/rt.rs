@@ -5,7 +5,7 @@ pub use std::ops::ControlFlow;
 pub use std::string::String;
 
 pub use crate::comp::select::Select;
-pub use crate::comp::{Arm, Mode, faces};
+pub use crate::comp::{Arm, Mode, comp};
 pub use crate::derive::{Cx, Report, run};
 pub use crate::env::Env;
 pub use crate::fault::{Error, Fault};
@@ -17,7 +17,7 @@ pub use crate::scope::Scope;
 pub use crate::settings::Settings;
 pub use crate::shape::{Shape, ShapeRef};
 pub use crate::sink::{Flow, Sink};
-pub use crate::split::divide::{Adjust, divide};
+pub use crate::split::divide::{Adjust, split};
 pub use crate::split::{Item, Size};
 pub use crate::state::Value;
 pub use crate::text::Text;

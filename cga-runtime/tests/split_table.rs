@@ -201,7 +201,8 @@ fn laws_hold_for_random_patterns() {
         }
         let extent = [10.0, 1.0, 0.125, 37.5, 1e-3][draw(5) as usize];
         let (items, mut sizes) = parse(&text);
-        let floats = text.contains('~') && sizes.iter().any(|s| s.prefix == cga_runtime::split::Prefix::Floating && 0.0 < s.value);
+        let floats = text.contains('~')
+            && sizes.iter().any(|s| s.prefix == cga_runtime::split::Prefix::Floating && 0.0 < s.value);
         let solution = solve(&items, &mut sizes, extent);
         assert!(solution.total() <= solution.at_most());
         let found = solution.pieces();

@@ -34,8 +34,7 @@ impl Cx<'_> {
         });
         quote_spanned! { place=>
             let arms = [#(#table),*];
-            let parts = cga_rt::faces(&mut cx.env, &mut shape, &arms)?;
-            parts.each(|arm, mut part| match arm {
+            cga_rt::comp(cx, shape, &arms, |cx, arm, part| match arm {
                 #(#arms)*
                 _ => cga_rt::Flow::Continue(()),
             })?;

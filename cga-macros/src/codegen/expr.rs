@@ -9,42 +9,29 @@ use super::public::captured;
 use super::{Cx, local};
 use crate::header::{HostType, conversion, convert};
 
-/// Where an expression is evaluated: how it gets at the run and at the current shape.
+/// Where an expression is evaluated: how it gets at the run and at the current shape, both borrowed mutably.
 pub(super) struct Place {
     pub(super) env: TokenStream,
     pub(super) shape: TokenStream,
-    pub(super) shape_mut: TokenStream,
 }
 
 impl Place {
     /// In a rule, on the current shape.
     pub(super) fn rule() -> Self {
         let place = Span::mixed_site();
-        Place {
-            env: quote_spanned!(place=> &mut cx.env),
-            shape: quote_spanned!(place=> &shape),
-            shape_mut: quote_spanned!(place=> &mut shape),
-        }
+        Place { env: quote_spanned!(place=> &mut cx.env), shape: quote_spanned!(place=> shape) }
     }
 
     /// In a rule, on a part of a split or comp.
     pub(super) fn part() -> Self {
         let place = Span::mixed_site();
-        Place {
-            env: quote_spanned!(place=> &mut cx.env),
-            shape: quote_spanned!(place=> &part),
-            shape_mut: quote_spanned!(place=> &mut part),
-        }
+        Place { env: quote_spanned!(place=> &mut cx.env), shape: quote_spanned!(place=> part) }
     }
 
     /// In a function, an attribute or a constant.
     pub(super) fn function() -> Self {
         let place = Span::mixed_site();
-        Place {
-            env: quote_spanned!(place=> &mut *env),
-            shape: quote_spanned!(place=> &*shape),
-            shape_mut: quote_spanned!(place=> &mut *shape),
-        }
+        Place { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> shape) }
     }
 }
 
@@ -108,13 +95,13 @@ impl Cx<'_> {
             }
             ExprKind::Call(id, args) => {
                 let name = self.names.function(*id, self.source.token(expr.span.first));
-                let (env, shape) = (&at.env, &at.shape_mut);
+                let (env, shape) = (&at.env, &at.shape);
                 self.with_args(args, at, |args| quote_spanned!(place=> CgaRules::#name(g, #env, #shape, #(#args),*)))
             }
             ExprKind::Builtin(function, args) => {
                 let name = Ident::new(function.call, place);
                 let shape = function.uses_shape.then(|| {
-                    let shape = &at.shape_mut;
+                    let shape = &at.shape;
                     quote_spanned!(place=> #shape,)
                 });
                 self.with_args(args, at, |args| quote_spanned!(place=> cga_rt::func::#name(#shape #(#args),*)))
@@ -221,7 +208,7 @@ impl Cx<'_> {
 /// The conditions of a stochastic block.
 pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Place) -> Vec<TokenStream> {
     let place = Span::mixed_site();
-    let shape = &at.shape_mut;
+    let shape = &at.shape;
     let mut before = 0.0;
     percents
         .map(|percent| {

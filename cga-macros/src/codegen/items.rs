@@ -54,12 +54,12 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     let start_numbers = starts.iter().map(|id| Literal::u32_suffixed(id.0));
     let start_arms = starts.iter().map(|id| {
         let (number, rule) = (Literal::u32_suffixed(id.0), cx.rule(*id, place));
-        quote_spanned!(place=> #number => CgaRules::#rule(g, cx, shape))
+        quote_spanned!(place=> #number => CgaRules::#rule(g, cx, &mut shape))
     });
     let resume_arms = waiting(cx).map(|(id, params)| {
         let (variant, rule) = (local("Rule", id.0 as usize), cx.rule(id, place));
         let args: Vec<Ident> = (0..params.len()).map(|at| local("a", at)).collect();
-        quote_spanned!(place=> CgaCall::#variant(#(#args),*) => CgaRules::#rule(g, cx, shape, #(#args),*))
+        quote_spanned!(place=> CgaCall::#variant(#(#args),*) => CgaRules::#rule(g, cx, &mut shape, #(#args),*))
     });
     let resume = if waiting(cx).next().is_some() {
         quote_spanned!(place=> match call { #(#resume_arms,)* })
@@ -96,7 +96,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
                 g: &CgaValues,
                 cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
                 rule: ::core::primitive::u32,
-                shape: cga_rt::ShapeRef<'_>,
+                mut shape: cga_rt::ShapeRef<'_>,
             ) -> cga_rt::Flow {
                 match rule {
                     #(#start_arms,)*
@@ -107,7 +107,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
             fn resume<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
                 g: &CgaValues,
                 cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-                shape: cga_rt::ShapeRef<'_>,
+                mut shape: cga_rt::ShapeRef<'_>,
                 call: CgaCall,
             ) -> cga_rt::Flow {
                 #resume

@@ -45,8 +45,8 @@ impl Cx<'_> {
         let flag = (rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> let mut childless = true;));
         let label = &rule.label;
         let leaf = match rule.leaf {
-            Childless::Always => quote_spanned!(place=> cx.leaf(&shape, #label)?;),
-            Childless::Depends => quote_spanned!(place=> if childless { cx.leaf(&shape, #label)?; }),
+            Childless::Always => quote_spanned!(place=> cx.leaf(shape, #label)?;),
+            Childless::Depends => quote_spanned!(place=> if childless { cx.leaf(shape, #label)?; }),
             Childless::Never => TokenStream::new(),
         };
         quote_spanned! { place=>
@@ -54,7 +54,7 @@ impl Cx<'_> {
             fn #name<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
                 g: &CgaValues,
                 cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-                mut shape: cga_rt::ShapeRef<'_>,
+                shape: &mut cga_rt::ShapeRef<'_>,
                 #(#names: #types,)*
             ) -> cga_rt::Flow {
                 cx.enter(#number)?;
@@ -115,7 +115,7 @@ impl Cx<'_> {
                 let value = self.expr(expr, &at);
                 quote_spanned!(place=> {
                     let a0 = #value;
-                    cga_rt::set::attribute(&mut shape, #number, cga_rt::Value::#kind(a0));
+                    cga_rt::set::attribute(shape, #number, cga_rt::Value::#kind(a0));
                 })
             }
             Step::SetShape(attr, expr, _) => {
@@ -123,20 +123,20 @@ impl Cx<'_> {
                 let (set, value) = (Ident::new(set, place), self.expr(expr, &at));
                 quote_spanned!(place=> {
                     let a0 = #value;
-                    cga_rt::set::#set(&mut cx.env, &mut shape, a0);
+                    cga_rt::set::#set(&mut cx.env, shape, a0);
                 })
             }
             Step::Rust(path, args, span) => {
                 let path = self.source.path(span.first, path);
                 let here = self.at_path(*span);
                 let call = self.with_rust_args(args, &at, |args| {
-                    quote_spanned!(here=> cga_rt::host::operate(&mut cx.env, &mut shape, |shape| #path(shape, #(#args),*)))
+                    quote_spanned!(here=> cga_rt::host::operate(&mut cx.env, shape, |shape| #path(shape, #(#args),*)))
                 });
                 quote_spanned!(place=> #call;)
             }
             Step::Give(target) => {
                 let code = match target {
-                    Target::Leaf(name, _) => quote_spanned!(place=> cx.symbol(&shape, #name)?;),
+                    Target::Leaf(name, _) => quote_spanned!(place=> cx.symbol(shape, #name)?;),
                     Target::Nil => TokenStream::new(),
                     Target::Rule { rule, args, span } => {
                         let call = self.call(body.id, *rule, args.len(), self.source.token(span.first));
@@ -144,7 +144,7 @@ impl Cx<'_> {
                         let values = args.iter().map(|arg| self.expr(arg, &at));
                         quote_spanned!(place=> {
                             #(let #names = #values;)*
-                            let part = cga_rt::successor(&mut shape);
+                            let part = &mut cga_rt::successor(shape);
                             #call?;
                         })
                     }
@@ -153,9 +153,10 @@ impl Cx<'_> {
             }
             Step::Split(split) => {
                 let code = self.split(split, body.id);
-                let divided = (body.rule.leaf == Childless::Depends)
-                    .then(|| quote_spanned!(place=> childless &= !parts.divided();));
-                quote_spanned!(place=> { #code #divided })
+                match body.rule.leaf {
+                    Childless::Depends => quote_spanned!(place=> childless &= !{ #code };),
+                    _ => quote_spanned!(place=> { #code };),
+                }
             }
             Step::Comp(comp) => {
                 let code = self.comp(comp, body.id);
@@ -166,7 +167,7 @@ impl Cx<'_> {
                 let label = label(inner.depth);
                 let (base, steps) = (base(steps), self.steps(steps, inner));
                 quote_spanned!(place=> #label: {
-                    let mut shape = cga_rt::push(&mut shape);
+                    let shape = &mut cga_rt::push(shape);
                     #base
                     #steps
                 })
@@ -219,7 +220,7 @@ impl Cx<'_> {
         let base = operation.uses_base.then(|| quote_spanned!(place=> &base,));
         quote_spanned!(place=> {
             #(let #names = #values;)*
-            cga_rt::op::#name(&mut cx.env, &mut shape, #base #(#names),*);
+            cga_rt::op::#name(&mut cx.env, shape, #base #(#names),*);
         })
     }
 
@@ -238,7 +239,7 @@ impl Cx<'_> {
                 cx.ascend(#levels, #stack);
                 flow
             } else {
-                cx.defer(&part, #levels, CgaCall::#variant(#(#args),*))
+                cx.defer(part, #levels, CgaCall::#variant(#(#args),*))
             }
         }
     }
@@ -248,7 +249,7 @@ impl Cx<'_> {
         let place = Span::mixed_site();
         match target {
             Target::Nil => quote_spanned!(place=> cga_rt::Flow::Continue(())),
-            Target::Leaf(name, _) => quote_spanned!(place=> cx.symbol(&part, #name)),
+            Target::Leaf(name, _) => quote_spanned!(place=> cx.symbol(part, #name)),
             Target::Rule { rule, args, span } => {
                 let call = self.call(from, *rule, args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();

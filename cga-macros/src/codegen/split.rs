@@ -8,7 +8,7 @@ use super::Cx;
 use super::expr::Place;
 
 impl Cx<'_> {
-    /// Leaves the solved split in `parts`.
+    /// Whether the shape was divided.
     pub(super) fn split(&self, split: &Split, rule: RuleId) -> TokenStream {
         let place = Span::mixed_site();
         let axis = match split.axis {
@@ -35,11 +35,11 @@ impl Cx<'_> {
         quote_spanned! { place=>
             const PATTERN: &[cga_rt::Item] = &[#(#pattern),*];
             let mut sizes: [cga_rt::Size; #count] = [#(#sizes),*];
-            let parts = cga_rt::divide(&mut cx.env, &mut shape, cga_rt::Axis::#axis, cga_rt::Adjust::#adjust, PATTERN, &mut sizes)?;
-            parts.each(|slot, mut part| match slot {
+            let how = (cga_rt::Axis::#axis, cga_rt::Adjust::#adjust);
+            cga_rt::split(cx, shape, how, PATTERN, &mut sizes, |cx, slot, part| match slot {
                 #(#arms)*
                 _ => cga_rt::Flow::Continue(()),
-            })?;
+            })?
         }
     }
 }

@@ -9,13 +9,14 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
+use crate::derive::Cx;
 use crate::env::Env;
 use crate::mesh::Mesh;
 use crate::place;
 use crate::scope::{Axis, Frame, Scope};
 use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, Geometry, Placed, ShapeRef};
-use crate::sink::{Flow, Quad};
+use crate::sink::{Flow, Quad, Sink};
 use frame::FaceFrame;
 use select::Select;
 
@@ -39,9 +40,22 @@ pub enum Mode {
     Together,
 }
 
+/// Divides a shape into its faces and calls `visit` with every part's arm and shape: arms in writing order, the faces of
+/// each in the mesh's order (*comp operation*).
+#[inline]
+pub fn comp<S: Sink + ?Sized, C>(
+    cx: &mut Cx<'_, S, C>,
+    shape: &mut ShapeRef<'_>,
+    arms: &[Arm],
+    mut visit: impl FnMut(&mut Cx<'_, S, C>, u32, &mut ShapeRef<'_>) -> Flow,
+) -> Flow {
+    let parts = faces(&mut cx.env, shape, arms)?;
+    parts.each(|arm, part| visit(cx, arm, part))
+}
+
 /// The faces of a shape, each given to an arm, ready to be handed out.
 #[derive(Debug)]
-pub struct Parts<'s> {
+struct Parts<'s> {
     parent: &'s ShapeRef<'s>,
     arms: &'s [Arm],
     owners: Owners,
@@ -52,6 +66,7 @@ pub struct Parts<'s> {
 
 /// Where the faces come from.
 #[derive(Debug)]
+#[allow(clippy::large_enum_variant, reason = "the large one is the common one and must not allocate")]
 enum Source {
     /// The faces of a box or a rectangle, in the world.
     Quads([Quad; 6]),
@@ -92,11 +107,7 @@ impl Owners {
 }
 
 /// Gives every face of `shape` to the first arm that selects it. `Break` when a limit was reached.
-pub fn faces<'s>(
-    env: &mut Env,
-    shape: &'s mut ShapeRef<'_>,
-    arms: &'s [Arm],
-) -> ControlFlow<(), Parts<'s>> {
+fn faces<'s>(env: &mut Env, shape: &'s mut ShapeRef<'_>, arms: &'s [Arm]) -> ControlFlow<(), Parts<'s>> {
     let (source, owners) = match simple(shape, arms) {
         Some((quads, count)) => {
             let to_scope = shape.scope.axes.transpose();
@@ -137,9 +148,8 @@ fn simple(shape: &ShapeRef<'_>, arms: &[Arm]) -> Option<([Quad; 6], usize)> {
 }
 
 impl<'s> Parts<'s> {
-    /// Calls `visit` with every part's arm and shape: arms in writing order, the faces of each in the mesh's order.
     #[inline]
-    pub fn each(&self, mut visit: impl FnMut(u32, ShapeRef<'s>) -> Flow) -> Flow {
+    fn each(&self, mut visit: impl FnMut(u32, &mut ShapeRef<'s>) -> Flow) -> Flow {
         let owners = self.owners.list();
         for (number, arm) in self.arms.iter().enumerate() {
             let mine = |owner: &&Option<u16>| **owner == Some(number as u16);
@@ -148,14 +158,14 @@ impl<'s> Parts<'s> {
             match arm.mode {
                 Mode::Each => {
                     for (index, face) in selected().enumerate() {
-                        visit(number as u32, self.part(arm, face, Counter::new(index, total), None))?;
+                        visit(number as u32, &mut self.part(arm, face, Counter::new(index, total), None))?;
                     }
                 }
                 Mode::Together => {
                     // *comp operation*: set up from the first selected component.
                     if let Some(first) = selected().next() {
                         let all: Vec<u32> = selected().map(|face| face as u32).collect();
-                        visit(number as u32, self.part(arm, first, Counter::new(0, 1), Some(&all)))?;
+                        visit(number as u32, &mut self.part(arm, first, Counter::new(0, 1), Some(&all)))?;
                     }
                 }
             }

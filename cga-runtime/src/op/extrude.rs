@@ -45,8 +45,7 @@ pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlon
 
 /// Whether a rectangle across `axis` grows along that axis, and is not mirrored.
 fn straight(scope: &Scope, axis: Axis, along: ExtrudeAlong) -> bool {
-    0.0 <= scope.size.min_element()
-        && (along == ExtrudeAlong::FaceNormal || scope.axes.col(axis.index()) == DVec3::Y)
+    0.0 <= scope.size.min_element() && (along == ExtrudeAlong::FaceNormal || scope.axes.col(axis.index()) == DVec3::Y)
 }
 
 /// The scope of a rectangle across `axis` that has grown along it.
@@ -54,16 +53,12 @@ fn raised(scope: &Scope, axis: Axis, distance: f64) -> Scope {
     let (o, s, [x, y, z]) = (scope.origin, scope.size, [scope.axes.x_axis, scope.axes.y_axis, scope.axes.z_axis]);
     match axis {
         Axis::Y => Scope { size: DVec3::new(s.x, distance, s.z), ..*scope },
-        Axis::Z => Scope {
-            origin: o + y * s.y,
-            axes: DMat3::from_cols(x, z, -y),
-            size: DVec3::new(s.x, distance, s.y),
-        },
-        Axis::X => Scope {
-            origin: o + y * s.y,
-            axes: DMat3::from_cols(-y, x, z),
-            size: DVec3::new(s.y, distance, s.z),
-        },
+        Axis::Z => {
+            Scope { origin: o + y * s.y, axes: DMat3::from_cols(x, z, -y), size: DVec3::new(s.x, distance, s.y) }
+        }
+        Axis::X => {
+            Scope { origin: o + y * s.y, axes: DMat3::from_cols(-y, x, z), size: DVec3::new(s.y, distance, s.z) }
+        }
     }
 }
 

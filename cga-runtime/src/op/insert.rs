@@ -66,6 +66,7 @@ type Vec3Mask = [bool; 3];
 pub(crate) fn raise(axes: &DMat3, up: DVec3) -> DMat3 {
     let x = (axes.x_axis - up * up.dot(axes.x_axis)).try_normalize();
     // Looking along x: the old y takes its place.
-    let x = x.or_else(|| (-axes.y_axis - up * up.dot(-axes.y_axis)).try_normalize()).unwrap_or(up.any_orthonormal_vector());
+    let x =
+        x.or_else(|| (-axes.y_axis - up * up.dot(-axes.y_axis)).try_normalize()).unwrap_or(up.any_orthonormal_vector());
     DMat3::from_cols(x, up, x.cross(up))
 }

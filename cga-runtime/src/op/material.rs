@@ -13,7 +13,9 @@ pub fn color_hex(env: &mut Env, shape: &mut ShapeRef<'_>, hex: Text) {
             material.color = Some(color);
             material.opacity = opacity.or(material.opacity);
         }),
-        None => env.fault(FaultKind::Value, format!("`{hex}` is no colour like \"#ff8000\"; the colour stays as it is")),
+        None => {
+            env.fault(FaultKind::Value, format!("`{hex}` is no colour like \"#ff8000\"; the colour stays as it is"))
+        }
     }
 }
 

@@ -10,14 +10,19 @@ use crate::shape::ShapeRef;
 /// `t(x, y, z)`: moves along the scope's own axes (*t operation*).
 pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) {
     let size = shape.scope.size;
-    let by = DVec3::new(x.of(size.x, env, "`t` along x"), y.of(size.y, env, "`t` along y"), z.of(size.z, env, "`t` along z"));
+    let by = DVec3::new(
+        x.of(size.x, env, "`t` along x"),
+        y.of(size.y, env, "`t` along y"),
+        z.of(size.z, env, "`t` along z"),
+    );
     shape.scope.origin += shape.scope.axes * by;
 }
 
 /// `s(x, y, z)`: sets the size; the origin corner stays (*s operation*).
 pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) {
     let old = shape.scope.size;
-    let new = DVec3::new(x.of(old.x, env, "`s` along x"), y.of(old.y, env, "`s` along y"), z.of(old.z, env, "`s` along z"));
+    let new =
+        DVec3::new(x.of(old.x, env, "`s` along x"), y.of(old.y, env, "`s` along y"), z.of(old.z, env, "`s` along z"));
     shape.resize(new);
 }
 

@@ -8,13 +8,14 @@ use glam::DVec3;
 use super::solve::{Solution, solve};
 use super::{Item, Size};
 use crate::cut;
+use crate::derive::Cx;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::mesh::Mesh;
 use crate::scope::{Axis, Scope};
 use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, Geometry, Placed, ShapeRef};
-use crate::sink::Flow;
+use crate::sink::{Flow, Sink};
 
 /// Whether parts shrink to what is in them (*split operation*, adjustSelector).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,9 +26,26 @@ pub enum Adjust {
     NoAdjust,
 }
 
+/// Splits a shape and calls `visit` with every part's slot and shape, from the low end to the high end. Says whether the
+/// shape was divided: one too small to be split, or flat along the axis, stays as it is, which makes it a leaf
+/// (*Subdivision split*: recursion stops at small geometry).
+#[inline]
+pub fn split<S: Sink + ?Sized, C>(
+    cx: &mut Cx<'_, S, C>,
+    shape: &mut ShapeRef<'_>,
+    (axis, adjust): (Axis, Adjust),
+    pattern: &[Item],
+    sizes: &mut [Size],
+    mut visit: impl FnMut(&mut Cx<'_, S, C>, u32, &mut ShapeRef<'_>) -> Flow,
+) -> ControlFlow<(), bool> {
+    let parts = divide(&mut cx.env, shape, axis, adjust, pattern, sizes)?;
+    parts.each(|slot, part| visit(cx, slot, part))?;
+    ControlFlow::Continue(0 < parts.total)
+}
+
 /// A split that is solved and cut, ready to hand out its parts.
 #[derive(Debug)]
-pub struct Parts<'s> {
+struct Parts<'s> {
     parent: &'s ShapeRef<'s>,
     axis: Axis,
     adjust: Adjust,
@@ -40,10 +58,7 @@ pub struct Parts<'s> {
 }
 
 /// Solves a split of `shape` and cuts its geometry. `Break` when a limit was reached.
-///
-/// *split operation*. A shape too small to be split, or flat along the axis, stays as it is: it has no parts and
-/// [`Parts::divided`] says so, which makes it a leaf (*Subdivision split*: recursion stops at small geometry).
-pub fn divide<'s>(
+fn divide<'s>(
     env: &mut Env,
     shape: &'s mut ShapeRef<'_>,
     axis: Axis,
@@ -77,15 +92,8 @@ pub fn divide<'s>(
 }
 
 impl<'s> Parts<'s> {
-    /// Whether the shape was divided at all.
     #[inline]
-    pub fn divided(&self) -> bool {
-        0 < self.total
-    }
-
-    /// Calls `visit` with every part's slot and shape, from the low end to the high end.
-    #[inline]
-    pub fn each(&self, mut visit: impl FnMut(u32, ShapeRef<'s>) -> Flow) -> Flow {
+    fn each(&self, mut visit: impl FnMut(u32, &mut ShapeRef<'s>) -> Flow) -> Flow {
         let parent = self.parent;
         let at = self.axis.index();
         // A negative size runs the other way from the origin.
@@ -97,7 +105,7 @@ impl<'s> Parts<'s> {
             scope.origin += along * piece.start;
             scope.size[at] = sign * piece.length;
             let geometry = self.geometry(index, piece.start, piece.length, &mut scope);
-            let part = ShapeRef {
+            let mut part = ShapeRef {
                 scope,
                 pivot: parent.pivot,
                 geometry,
@@ -108,7 +116,7 @@ impl<'s> Parts<'s> {
                 state: parent.state.lend(),
             };
             index += 1;
-            visit(piece.slot, part)
+            visit(piece.slot, &mut part)
         })
     }
 
@@ -178,7 +186,10 @@ fn slabs(env: &mut Env, placed: &Placed, size: DVec3, axis: Axis, solution: &Sol
     let cut = cut::slabs(&placed.mesh, axis, &rising);
     // *split operation*: surfaces get no caps. An asset that was meant to be a solid is worth a word, a face is not.
     if !cut.open.is_empty() && placed.whole && 1 < placed.mesh.face_count() {
-        env.fault(FaultKind::Geometry, "the inserted mesh is not closed where `split` cuts it; the cut stays open there");
+        env.fault(
+            FaultKind::Geometry,
+            "the inserted mesh is not closed where `split` cuts it; the cut stays open there",
+        );
     }
     let mut parts = cut.parts.into_iter();
     let mut list = Vec::with_capacity(pieces);

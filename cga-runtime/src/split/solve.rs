@@ -1,6 +1,6 @@
 //! Sizes and an extent → pieces. Pure: no geometry, no allocation for a handful of repeat groups.
 //!
-//! What the reference leaves open is decided in one named place each: [`usable`] (which sizes count), [`SLIVER`] (how
+//! What the reference leaves open is decided in one named place each: `usable` (which sizes count), `SLIVER` (how
 //! short a cut remainder may be) and, in `groups.rs`, which repetition count is better and how groups share repetitions.
 
 use std::ops::ControlFlow;

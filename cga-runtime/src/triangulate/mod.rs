@@ -4,7 +4,7 @@
 //! their rim: each edge of each loop belongs to exactly one triangle, collinear corners included, so a closed mesh gives
 //! closed triangles. Of `n` corners and `h` holes there are `n + 2h − 2`, unless loops touch.
 //!
-//! Convex polygons are fans, the rest is swept ([`sweep`]). Where loops cross, no triangulation is right: what comes out
+//! Convex polygons are fans, the rest is swept (`sweep.rs`). Where loops cross, no triangulation is right: what comes out
 //! still has every edge of the loops once, and the signed area. Nothing here panics; the same input gives the same
 //! triangles.
 

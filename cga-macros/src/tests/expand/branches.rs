@@ -1,36 +1,36 @@
-#[allow(non_snake_case, dead_code, unreachable_code)]
+#[allow(non_snake_case, dead_code, unreachable_code, clippy::too_many_arguments)]
 impl CgaRules {
     ///Lot --> case height > 2 && p(0.5) : [ s('1, '2, 3) center(xz) NIL ] A.case height == 1 : 30 % : A.else : NIL else : set(height, 2) set(material.opacity, 0.5)
     fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-        mut shape: cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         let mut childless = true;
-        if ((cga_rt::get::float_attribute(&shape, 0u32, g.attr_0) > 2f64)
-            & cga_rt::func::chance(&mut shape, 0.5f64))
+        if ((cga_rt::get::float_attribute(shape, 0u32, g.attr_0) > 2f64)
+            & cga_rt::func::chance(shape, 0.5f64))
         {
             'push1: {
-                let mut shape = cga_rt::push(&mut shape);
+                let shape = &mut cga_rt::push(shape);
                 let base = *shape.scope();
                 {
                     let a0 = cga_rt::Length::Relative(1f64);
                     let a1 = cga_rt::Length::Relative(2f64);
                     let a2 = cga_rt::Length::Absolute(3f64);
-                    cga_rt::op::size(&mut cx.env, &mut shape, a0, a1, a2);
+                    cga_rt::op::size(&mut cx.env, shape, a0, a1, a2);
                 }
                 {
                     let a0 = cga_rt::op::CenterAxes::Xz;
-                    cga_rt::op::center(&mut cx.env, &mut shape, &base, a0);
+                    cga_rt::op::center(&mut cx.env, shape, &base, a0);
                 }
                 break 'push1;
             }
-            cx.symbol(&shape, "A")?;
+            cx.symbol(shape, "A")?;
             childless = false;
-        } else if (cga_rt::get::float_attribute(&shape, 0u32, g.attr_0) == 1f64) {
-            if cga_rt::branch(&mut shape, 30f64, 0f64) {
-                cx.symbol(&shape, "A")?;
+        } else if (cga_rt::get::float_attribute(shape, 0u32, g.attr_0) == 1f64) {
+            if cga_rt::branch(shape, 30f64, 0f64) {
+                cx.symbol(shape, "A")?;
                 childless = false;
             } else {
                 return cx.leave();
@@ -38,15 +38,15 @@ impl CgaRules {
         } else {
             {
                 let a0 = 2f64;
-                cga_rt::set::attribute(&mut shape, 0u32, cga_rt::Value::Float(a0));
+                cga_rt::set::attribute(shape, 0u32, cga_rt::Value::Float(a0));
             }
             {
                 let a0 = 0.5f64;
-                cga_rt::set::material_opacity(&mut cx.env, &mut shape, a0);
+                cga_rt::set::material_opacity(&mut cx.env, shape, a0);
             }
         }
         if childless {
-            cx.leaf(&shape, "Lot")?;
+            cx.leaf(shape, "Lot")?;
         }
         cx.leave()
     }

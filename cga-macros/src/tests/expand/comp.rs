@@ -1,10 +1,10 @@
-#[allow(non_snake_case, dead_code, unreachable_code)]
+#[allow(non_snake_case, dead_code, unreachable_code, clippy::too_many_arguments)]
 impl CgaRules {
     ///Lot --> comp(f) { side : Wall. | 4 = Roof(comp.index) | all : NIL }
     fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-        mut shape: cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         {
@@ -25,17 +25,20 @@ impl CgaRules {
                     text: "all",
                 },
             ];
-            let parts = cga_rt::faces(&mut cx.env, &mut shape, &arms)?;
-            parts
-                .each(|arm, mut part| match arm {
-                    0 => cx.symbol(&part, "Wall"),
+            cga_rt::comp(
+                cx,
+                shape,
+                &arms,
+                |cx, arm, part| match arm {
+                    0 => cx.symbol(part, "Wall"),
                     1 => {
-                        let a0 = cga_rt::get::comp_index(&part);
+                        let a0 = cga_rt::get::comp_index(part);
                         CgaRules::Roof(g, cx, part, a0)
                     }
                     2 => cga_rt::Flow::Continue(()),
                     _ => cga_rt::Flow::Continue(()),
-                })?;
+                },
+            )?;
         }
         cx.leave()
     }
@@ -43,11 +46,11 @@ impl CgaRules {
     fn Roof<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-        mut shape: cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
-        cx.symbol(&shape, "X")?;
+        cx.symbol(shape, "X")?;
         cx.leave()
     }
 }

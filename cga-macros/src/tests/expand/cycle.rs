@@ -1,34 +1,34 @@
-#[allow(non_snake_case, dead_code, unreachable_code)]
+#[allow(non_snake_case, dead_code, unreachable_code, clippy::too_many_arguments)]
 impl CgaRules {
     ///A(n) --> case n > 1 : B(n) B(n - 1) else : NIL
     fn A<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-        mut shape: cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         if (p0 > 1f64) {
             {
                 let a0 = p0;
-                let part = cga_rt::successor(&mut shape);
+                let part = &mut cga_rt::successor(shape);
                 if cx.descend(1, 2) {
                     let flow = CgaRules::B(g, cx, part, a0);
                     cx.ascend(1, 2);
                     flow
                 } else {
-                    cx.defer(&part, 1, CgaCall::Rule1(a0))
+                    cx.defer(part, 1, CgaCall::Rule1(a0))
                 }?;
             }
             {
                 let a0 = (p0 - 1f64);
-                let part = cga_rt::successor(&mut shape);
+                let part = &mut cga_rt::successor(shape);
                 if cx.descend(1, 2) {
                     let flow = CgaRules::B(g, cx, part, a0);
                     cx.ascend(1, 2);
                     flow
                 } else {
-                    cx.defer(&part, 1, CgaCall::Rule1(a0))
+                    cx.defer(part, 1, CgaCall::Rule1(a0))
                 }?;
             }
         } else {
@@ -40,19 +40,19 @@ impl CgaRules {
     fn B<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-        mut shape: cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
         {
             let a0 = p0;
-            let part = cga_rt::successor(&mut shape);
+            let part = &mut cga_rt::successor(shape);
             if cx.descend(1, 3) {
                 let flow = CgaRules::A(g, cx, part, a0);
                 cx.ascend(1, 3);
                 flow
             } else {
-                cx.defer(&part, 1, CgaCall::Rule0(a0))
+                cx.defer(part, 1, CgaCall::Rule0(a0))
             }?;
         }
         cx.leave()

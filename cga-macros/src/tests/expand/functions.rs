@@ -1,39 +1,39 @@
-#[allow(non_snake_case, dead_code, unreachable_code)]
+#[allow(non_snake_case, dead_code, unreachable_code, clippy::too_many_arguments)]
 impl CgaRules {
     ///Lot --> t(fac(3, 4), #…, crate::noise("a" + scope.sx, true)) crate::ops::arch(1, "x")
     fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-        mut shape: cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         {
             let a0 = cga_rt::Length::Absolute(
-                CgaRules::fac_2(g, &mut cx.env, &mut shape, 3f64, 4f64),
+                CgaRules::fac_2(g, &mut cx.env, shape, 3f64, 4f64),
             );
             let a1 = cga_rt::Length::Absolute(cga_rt::host::ToFloat::to_float(&OFFSET));
             let a2 = cga_rt::Length::Absolute({
                 let a0 = cga_rt::func::concat(
                     cga_rt::Text::Static("a"),
-                    cga_rt::func::float_to_text(cga_rt::get::scope_sx(&shape)),
+                    cga_rt::func::float_to_text(cga_rt::get::scope_sx(shape)),
                 );
                 let a1 = true;
                 cga_rt::host::ToFloat::to_float(
                     &crate::noise(cga_rt::host::as_str(&a0), a1),
                 )
             });
-            cga_rt::op::translate(&mut cx.env, &mut shape, a0, a1, a2);
+            cga_rt::op::translate(&mut cx.env, shape, a0, a1, a2);
         }
         {
             let a0 = 1f64;
             let a1 = cga_rt::Text::Static("x");
             cga_rt::host::operate(
                 &mut cx.env,
-                &mut shape,
+                shape,
                 |shape| crate::ops::arch(shape, a0, cga_rt::host::as_str(&a1)),
             )
         };
-        cx.leaf(&shape, "Lot")?;
+        cx.leaf(shape, "Lot")?;
         cx.leave()
     }
     fn fac(
@@ -48,7 +48,7 @@ impl CgaRules {
         let value = (if (p0 < 2f64) {
             1f64
         } else {
-            (p0 * CgaRules::fac(g, &mut *env, &mut *shape, (p0 - 1f64)))
+            (p0 * CgaRules::fac(g, env, shape, (p0 - 1f64)))
         });
         env.called();
         value
@@ -60,7 +60,7 @@ impl CgaRules {
         p0: ::core::primitive::f64,
         p1: ::core::primitive::f64,
     ) -> ::core::primitive::f64 {
-        ((CgaRules::fac(g, &mut *env, &mut *shape, p0) + cga_rt::get::scope_sx(&*shape))
-            - cga_rt::func::rand_between(&mut *shape, p0, p1))
+        ((CgaRules::fac(g, env, shape, p0) + cga_rt::get::scope_sx(shape))
+            - cga_rt::func::rand_between(shape, p0, p1))
     }
 }

@@ -24,7 +24,7 @@ impl cga_rt::Rules for Tower {
             ::core::option::Option::None => {
                 let shape = &mut cga_rt::global(initial, 2u32);
                 let g = &g;
-                cga_rt::func::rand(&mut *shape)
+                cga_rt::func::rand(shape)
             }
         };
         g.const_0 = {
@@ -38,21 +38,21 @@ impl cga_rt::Rules for Tower {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
         rule: ::core::primitive::u32,
-        shape: cga_rt::ShapeRef<'_>,
+        mut shape: cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         match rule {
-            0u32 => CgaRules::Lot(g, cx, shape),
+            0u32 => CgaRules::Lot(g, cx, &mut shape),
             _ => cga_rt::Flow::Continue(()),
         }
     }
     fn resume<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-        shape: cga_rt::ShapeRef<'_>,
+        mut shape: cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         match call {
-            CgaCall::Rule1(a0) => CgaRules::Again(g, cx, shape, a0),
+            CgaCall::Rule1(a0) => CgaRules::Again(g, cx, &mut shape, a0),
         }
     }
 }

@@ -118,12 +118,7 @@ impl View {
     }
 
     /// A view that shows all of some points within the camera's bounds: closer than the bounds where they leave room.
-    pub(crate) fn around(
-        camera: &Camera,
-        points: impl Iterator<Item = DVec3>,
-        width: usize,
-        height: usize,
-    ) -> View {
+    pub(crate) fn around(camera: &Camera, points: impl Iterator<Item = DVec3>, width: usize, height: usize) -> View {
         let bounds = match camera.bounds.low.cmple(camera.bounds.high).all() && camera.bounds.size().is_finite() {
             true => camera.bounds,
             false => Bounds { low: DVec3::splat(-1.0), high: DVec3::ONE },
