@@ -207,7 +207,8 @@ fn spaced(left: &Tok, right: &Tok) -> bool {
         return !matches!(left, Tok::Ident(_) | Tok::Path(_));
     }
     if l(Dot) {
-        return !right.ident().is_some_and(|name| name.starts_with(char::is_lowercase));
+        // A dotted name goes on; after a leaf something else comes.
+        return !right.ident().is_some_and(|name| name.starts_with(char::is_lowercase) && name != "else");
     }
     !(r(Dot) || (left.is(Sym::RBrace) && r(Star)) || (l(LBrace) && r(Sym::RBrace)))
 }

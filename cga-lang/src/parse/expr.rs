@@ -197,7 +197,9 @@ impl Parser<'_> {
             let span = name.span;
             return Ok((Expr { kind: ExprKind::Name(name), span }, 1));
         }
-        if crate::words::is_later_function(&name.text) && !crate::ops::builtins(&name.text).any(|_| true) {
+        let (own, now) =
+            (self.layout.functions.contains(&name.text), crate::ops::builtins(&name.text).next().is_some());
+        if crate::words::is_later_function(&name.text) && !now && !own {
             // Its arguments may be words or arrays, so they are not read.
             self.at = self.closing()? + 1;
             if self.is(Sym::LBrace) {

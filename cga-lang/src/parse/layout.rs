@@ -18,6 +18,8 @@ pub(super) struct Layout {
     pub(super) starts: Vec<bool>,
     /// Names of rules.
     pub(super) rules: HashSet<String>,
+    /// Names of functions.
+    pub(super) functions: HashSet<String>,
 }
 
 /// How a declaration goes on behind its name and parameters.
@@ -34,8 +36,12 @@ pub(super) enum Head {
 impl Layout {
     pub(super) fn new(tokens: &[Tok], view: &[u32]) -> Self {
         let at = |position: usize| view.get(position).map(|&index| &tokens[index as usize]);
-        let mut layout =
-            Layout { close: vec![NONE; view.len()], starts: vec![false; view.len()], rules: HashSet::new() };
+        let mut layout = Layout {
+            close: vec![NONE; view.len()],
+            starts: vec![false; view.len()],
+            rules: HashSet::new(),
+            functions: HashSet::new(),
+        };
         let mut open: Vec<usize> = Vec::new();
         let mut quiet = 0;
         for position in 0..view.len() {
@@ -53,6 +59,9 @@ impl Layout {
             }
             if let (Some(Head::Rule | Head::Slip(_)), Some(name)) = (head, token.ident()) {
                 layout.rules.insert(name.to_owned());
+            }
+            if let (Some(Head::Function), true, Some(name)) = (head, open.is_empty(), token.ident()) {
+                layout.functions.insert(name.to_owned());
             }
             match token {
                 Tok::Sym(Sym::LParen | Sym::LBracket | Sym::LBrace) => open.push(position),

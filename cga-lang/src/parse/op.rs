@@ -3,6 +3,7 @@
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Arg, Expr, ExprKind, Name, Op, OpKind};
 use crate::code::Code;
+use crate::suggest::nearest;
 use crate::token::{Sym, Tok};
 use crate::words;
 
@@ -91,8 +92,16 @@ impl Parser<'_> {
             }
             if self.is(Sym::LBrace) {
                 let (span, text) = (self.span(), &name.text);
-                let message = format!("`{text}` has no block");
-                self.diags.report(Code::Syntax, span, message).help("only `split` and `comp` divide a shape");
+                match nearest(text, ["split", "comp"]) {
+                    Some(near) => {
+                        let message = format!("there is no operation `{text}`");
+                        self.diags.report(Code::Syntax, name.span, message).suggest(Some(near));
+                    }
+                    None => {
+                        let message = format!("`{text}` has no block");
+                        self.diags.report(Code::Syntax, span, message).help("only `split` and `comp` divide a shape");
+                    }
+                }
                 self.skip_block()?;
                 return Ok(OpKind::Error);
             }

@@ -68,7 +68,7 @@ fn names_are_emitted_whatever_is_wrong() {
 fn text_is_quoted_with_its_line() {
     let list = errors("grammar A = \"Lot --> X.\nX --> splat(x) { ~1 : X. }\n\";");
     assert_eq!(list.len(), 1, "{list:?}");
-    assert!(list[0].contains(":2:16\n"), "{}", list[0]);
+    assert!(list[0].contains(":2:7\n"), "{}", list[0]);
     assert!(list[0].contains("2 | X --> splat(x)"), "{}", list[0]);
 }
 
