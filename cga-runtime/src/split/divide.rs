@@ -101,9 +101,11 @@ impl<'s> Parts<'s> {
         let along = parent.scope.axes.col(at) * sign;
         let mut index = 0;
         self.solution.each(|piece| {
-            let mut scope = parent.scope;
-            scope.origin += along * piece.start;
-            scope.size[at] = sign * piece.length;
+            let mut scope = Scope {
+                origin: parent.scope.origin + along * piece.start,
+                axes: parent.scope.axes,
+                size: with(parent.scope.size, self.axis, sign * piece.length),
+            };
             let geometry = self.geometry(index, piece.start, piece.length, &mut scope);
             let mut part = ShapeRef {
                 scope,
@@ -160,6 +162,16 @@ impl<'s> Parts<'s> {
             (low, fit) = (bounds.low, bounds.size());
         }
         Geometry::Mesh(Arc::new(Placed { mesh: mesh.clone(), low, size: fit, whole: false }))
+    }
+}
+
+/// A size with another extent along an axis. Not by index: that would go through memory and stall there.
+#[inline]
+fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
+    match axis {
+        Axis::X => DVec3::new(extent, size.y, size.z),
+        Axis::Y => DVec3::new(size.x, extent, size.z),
+        Axis::Z => DVec3::new(size.x, size.y, extent),
     }
 }
 
