@@ -5,7 +5,7 @@
 pub use cga_macros::cga;
 pub use cga_runtime::asset::Assets;
 pub use cga_runtime::derive::Report;
-pub use cga_runtime::fault::{Error, Fault, FaultKind};
+pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
 /// The vector types in meshes and sinks.
 pub use cga_runtime::glam;
 pub use cga_runtime::grammar::{Attribute, Default as AttributeDefault, Grammar, Range};
@@ -14,13 +14,16 @@ pub use cga_runtime::mesh::{Mesh, MeshBuilder, MeshError};
 pub use cga_runtime::model::{Geometry, LeafView, Model};
 pub use cga_runtime::scope::{Axis, Frame, Scope};
 pub use cga_runtime::settings::{Limits, Settings};
-pub use cga_runtime::shape::Shape;
+pub use cga_runtime::shape::{Shape, ShapeRef};
 pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 pub use cga_runtime::text::Text;
 
-/// Meshes: building, measuring, reading.
+/// Meshes: building, measuring, checking, reading.
 pub mod mesh {
-    pub use cga_runtime::mesh::{Bounds, FaceTag, Mesh, MeshBuilder, MeshError};
+    #[cfg(feature = "obj")]
+    pub use cga_runtime::asset::obj::{ObjError, ObjFile, read_obj};
+    pub use cga_runtime::mesh::check::Flaw;
+    pub use cga_runtime::mesh::{Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError};
 }
 
 /// Where leaves go: the trait and the sinks that come with the crate.

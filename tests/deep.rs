@@ -1,6 +1,6 @@
 //! However deep the rules go, the stack suffices: also without optimisation, on a thread with two megabytes.
 
-use cga::{Error, Limits, Model, Settings, Shape, cga};
+use cga::{Error, LimitKind, Limits, Model, Settings, Shape, cga};
 
 /// Runs on a thread with the stack that threads usually have. Overflowing it would end the whole process.
 fn on_a_small_stack<T: Send + 'static>(run: impl FnOnce() -> T + Send + 'static) -> T {
@@ -32,7 +32,7 @@ cga! {
 fn endless_recursion_is_an_error() {
     let error = on_a_small_stack(|| Down::default().generate(&lot())).expect_err("too deep");
     let Error::Limit { what, limit, trail } = &error else { panic!("{error}") };
-    assert_eq!((*what, *limit, trail.len(), trail[0], trail[1]), ("depth", 1024, 1026, "Lot", "Level"));
+    assert_eq!((*what, *limit, trail.len(), trail[0], trail[1]), (LimitKind::Depth, 1024, 1026, "Lot", "Level"));
     assert_eq!(
         error.to_string(),
         "more depth than the limit of 1024 allows (in Lot > Level > Level > Level > Level > Level > … 1014 more … > \
@@ -128,7 +128,7 @@ fn functions_nest_as_deep_as_documented() {
     assert_eq!(names(&run("Even", 1001.0).expect("no limit")), ["Odd"]);
     for (start, trail) in [("Sum", "Sum"), ("Even", "Even")] {
         let error = run(start, 1e9).expect_err("too deep");
-        assert_eq!(error, Error::Limit { what: "nested function calls", limit: 1024, trail: vec![trail] });
+        assert_eq!(error, Error::Limit { what: LimitKind::Calls, limit: 1024, trail: vec![trail] });
     }
 }
 
@@ -137,5 +137,5 @@ fn functions_with_much_on_the_stack_nest_less_deep() {
     let run = |depth: f64| on_a_small_stack(move || Functions { depth }.generate_from("Text", &lot()));
     assert!(run(100.0).is_ok());
     let error = run(1e9).expect_err("too deep");
-    assert!(matches!(error, Error::Limit { what: "nested function calls", limit: 100..1024, .. }), "{error}");
+    assert!(matches!(error, Error::Limit { what: LimitKind::Calls, limit: 100..1024, .. }), "{error}");
 }

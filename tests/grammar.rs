@@ -1,6 +1,6 @@
 //! Grammars as values: attributes, start rules, limits, random choices.
 
-use cga::{Attribute, AttributeDefault, Error, Grammar, Limits, Model, Range, Settings, Shape, Sink, cga};
+use cga::{Attribute, AttributeDefault, Error, Grammar, LimitKind, Limits, Model, Range, Settings, Shape, Sink, cga};
 
 fn lot() -> Shape {
     Shape::rectangle(10.0, 10.0)
@@ -134,7 +134,7 @@ fn a_limit_ends_a_run_with_the_trail() {
     let rules = cga! { Lot --> extrude(10) split(y) { { 0.1 : Slab }* } Slab --> split(x) { { 0.1 : Tile. }* } };
     let limits = Limits { shapes: 500, ..Limits::default() };
     let error = rules.generate_with(&lot(), &only(limits)).expect_err("too many");
-    assert_eq!(error, Error::Limit { what: "shapes", limit: 500, trail: vec!["Lot", "Slab"] });
+    assert_eq!(error, Error::Limit { what: LimitKind::Shapes, limit: 500, trail: vec!["Lot", "Slab"] });
     assert_eq!(rules.generate(&lot()).expect("10000 tiles").len(), 10_000);
 }
 
@@ -153,7 +153,7 @@ fn the_limit_of_depth_counts_rules_that_reach_themselves() {
     };
     assert_eq!(run(5.0, 10), Ok(1));
     let error = run(6.0, 10).expect_err("12 levels");
-    assert!(matches!(error, Error::Limit { what: "depth", limit: 10, .. }), "{error}");
+    assert!(matches!(error, Error::Limit { what: LimitKind::Depth, limit: 10, .. }), "{error}");
     assert_eq!(
         run(100.0, 0).map_err(|error| error.to_string()),
         Err("more depth than the limit of 0 allows (in Lot > A)".into())

@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use std::rc::Rc;
 
 use crate::env::{Env, Trail};
-use crate::fault::{Error, Fault};
+use crate::fault::{Error, Fault, LimitKind};
 use crate::grammar::Rules;
 use crate::place;
 use crate::settings::Settings;
@@ -94,11 +94,11 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
     pub fn defer(&mut self, shape: &ShapeRef<'_>, levels: u32, call: C) -> Flow {
         let depth = self.depth + levels;
         if self.env.settings.limits.depth < depth {
-            return self.env.limit("depth", u64::from(self.env.settings.limits.depth));
+            return self.env.limit(LimitKind::Depth, u64::from(self.env.settings.limits.depth));
         }
         // What waits is counted when it runs; the list must not outgrow the limit either.
         if self.env.settings.limits.shapes < self.env.shapes.saturating_add(self.waiting.len() as u64) {
-            return self.env.limit("shapes", self.env.settings.limits.shapes);
+            return self.env.limit(LimitKind::Shapes, self.env.settings.limits.shapes);
         }
         let trail = self.env.keep_trail();
         self.waiting.push_back(Waiting { shape: shape.detach(), call, depth, trail });
@@ -108,12 +108,18 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
     /// Hands a leaf to the sink. A shape without geometry leaves nothing.
     #[inline]
     pub fn leaf(&mut self, shape: &ShapeRef<'_>, rule: &'static str) -> Flow {
+        if self.env.ended() {
+            return Flow::Break(());
+        }
         self.env.leaves += 1;
         let leaf = Leaf { rule, material: shape.state.material(), scope: &shape.scope };
         match &shape.geometry {
             Geometry::Rect(axis) => self.sink.quad(&leaf, &place::rect(&shape.scope, *axis)),
             Geometry::Box => self.sink.cuboid(&leaf, &place::cuboid(&shape.scope)),
-            Geometry::Empty => Flow::Continue(()),
+            Geometry::Empty => {
+                self.env.leaves -= 1;
+                Flow::Continue(())
+            }
             Geometry::Mesh(placed) => {
                 let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);
                 if placed.whole {

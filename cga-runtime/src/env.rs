@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use crate::fault::{Error, Fault, FaultKind};
+use crate::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::mesh::Mesh;
-use crate::settings::Settings;
+use crate::settings::{Limits, Settings};
 use crate::sink::Flow;
 
 /// Faults that are kept; later ones are only counted, so that memory stays bounded.
@@ -16,8 +16,9 @@ const FAULTS_KEPT: usize = 1000;
 /// Rules that a trail names; of longer ones the middle is left out, so that memory stays bounded.
 const LONGEST_TRAIL: usize = 2048;
 
-/// A share of the initial shape's largest extent below which a shape is not split any further.
-const TOO_SMALL: f64 = 1e-6;
+/// A share of the initial shape's largest extent below which a shape is not split any further, and the most that this
+/// may be, in metres: on a large site small things are as good as elsewhere.
+const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
 
 /// The run's state that does not depend on the sink.
 #[derive(Debug)]
@@ -61,8 +62,12 @@ impl Drop for Trail {
 impl Env {
     pub(crate) fn new(settings: &Settings, names: &'static [&'static str], extent: f64) -> Self {
         Env {
-            settings: settings.clone(),
-            too_small: extent * TOO_SMALL,
+            // The largest number marks a run that has ended; see `limit`.
+            settings: Settings {
+                limits: Limits { shapes: settings.limits.shapes.min(u64::MAX - 1), ..settings.limits },
+                ..settings.clone()
+            },
+            too_small: (extent * TOO_SMALL.0).min(TOO_SMALL.1),
             names,
             trail: Vec::new(),
             before: None,
@@ -82,7 +87,7 @@ impl Env {
     pub(crate) fn count_shapes(&mut self, count: u64) -> Flow {
         self.shapes = self.shapes.saturating_add(count);
         if self.settings.limits.shapes < self.shapes {
-            return self.limit("shapes", self.settings.limits.shapes);
+            return self.limit(LimitKind::Shapes, self.settings.limits.shapes);
         }
         Flow::Continue(())
     }
@@ -91,19 +96,25 @@ impl Env {
     pub(crate) fn count_vertices(&mut self, mesh: &Mesh) -> Flow {
         self.vertices = self.vertices.saturating_add(mesh.points().len() as u64);
         if self.settings.limits.vertices < self.vertices {
-            return self.limit("vertices", self.settings.limits.vertices);
+            return self.limit(LimitKind::Vertices, self.settings.limits.vertices);
         }
         Flow::Continue(())
     }
 
     /// Ends the run.
     #[cold]
-    pub(crate) fn limit<T>(&mut self, what: &'static str, limit: u64) -> ControlFlow<(), T> {
+    pub(crate) fn limit<T>(&mut self, what: LimitKind, limit: u64) -> ControlFlow<(), T> {
         let trail = self.trail();
         self.error.get_or_insert(Error::Limit { what, limit, trail });
         // Whoever counts next stops too: operations and functions cannot break off by themselves.
         self.shapes = u64::MAX;
         ControlFlow::Break(())
+    }
+
+    /// Whether a limit was reached.
+    #[inline]
+    pub(crate) fn ended(&self) -> bool {
+        self.shapes == u64::MAX
     }
 
     #[inline]
@@ -121,7 +132,7 @@ impl Env {
     #[inline]
     pub fn call(&mut self, depth: u32) -> bool {
         if depth <= self.calls {
-            let _: Flow = self.limit("nested function calls", u64::from(depth));
+            let _: Flow = self.limit(LimitKind::Calls, u64::from(depth));
         }
         let may = self.error.is_none();
         self.calls += u32::from(may);

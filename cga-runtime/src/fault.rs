@@ -43,14 +43,39 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
+/// What a limit counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LimitKind {
+    /// Shapes derived.
+    Shapes,
+    /// Nesting of rules that can reach themselves.
+    Depth,
+    /// Vertices in meshes that operations make.
+    Vertices,
+    /// Nesting of functions that can reach themselves; the limit is fixed, and lower for functions with large frames.
+    Calls,
+}
+
+impl fmt::Display for LimitKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            LimitKind::Shapes => "shapes",
+            LimitKind::Depth => "depth",
+            LimitKind::Vertices => "vertices",
+            LimitKind::Calls => "nested function calls",
+        })
+    }
+}
+
 /// Why a run ended without a model.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
     /// A limit of the [`Limits`](crate::settings::Limits) was reached.
     Limit {
-        /// Which: "shapes", "depth" or "vertices".
-        what: &'static str,
+        /// Which.
+        what: LimitKind,
         /// The limit.
         limit: u64,
         /// The rules that led there, from the start rule down.

@@ -83,7 +83,7 @@ pub struct Range {
     pub max: f64,
     /// Step of a slider, 0 when free.
     pub step: f64,
-    /// Whether a run refuses values outside.
+    /// Whether a run refuses values outside. What the host program sets is checked; what rules compute or `set` is not.
     pub restricted: bool,
 }
 

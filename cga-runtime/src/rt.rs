@@ -47,7 +47,7 @@ pub fn push<'s>(shape: &'s mut ShapeRef<'_>) -> ShapeRef<'s> {
     shape.child(Tag::Push)
 }
 
-/// The initial shape with the random stream of one attribute or constant (*CGA changelog 2018.0*: each has its own).
+/// The initial shape with the random stream of one attribute or constant, numbered by its name (*CGA changelog 2018.0*: each has its own).
 pub fn global(shape: &Shape, number: u32) -> Shape {
     let mut own = shape.clone();
     own.seed = Seed::child(shape.seed.value(), Tag::Global, number);

@@ -186,7 +186,10 @@ impl Shape {
     /// Whether a run can start with it.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let scope = &self.scope;
-        if scope.origin.is_finite() && scope.size.is_finite() && scope.axes.is_finite() {
+        let square = (scope.axes.transpose() * scope.axes).abs_diff_eq(DMat3::IDENTITY, 1e-9);
+        if !square {
+            Err(Error::Shape("the axes of the shape are not at right angles and of length 1".into()))
+        } else if scope.origin.is_finite() && scope.size.is_finite() {
             Ok(())
         } else {
             Err(Error::Shape("a size or position of the initial shape is not a finite number".into()))
@@ -257,6 +260,15 @@ impl<'a> ShapeRef<'a> {
 
     /// Sets the size. A size of zero flattens the geometry for good.
     pub(crate) fn resize(&mut self, size: DVec3) {
+        let grows = |axis: usize| match &self.geometry {
+            Geometry::Rect(normal) => normal.index() != axis,
+            Geometry::Box => true,
+            Geometry::Empty | Geometry::Mesh(_) => false,
+        };
+        if (0..3).any(|axis| size[axis] == 0.0 && self.scope.size[axis] != 0.0 && grows(axis)) {
+            // What fills its scope would come back with it; a mesh does not.
+            self.geometry = Geometry::Mesh(Arc::new(Placed::fitted(self.to_mesh().as_ref().clone())));
+        }
         if let Geometry::Mesh(placed) = &self.geometry {
             let flat = |axis: usize| size[axis] == 0.0 && placed.size[axis] != 0.0;
             if flat(0) || flat(1) || flat(2) {

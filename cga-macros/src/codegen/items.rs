@@ -140,10 +140,16 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     }
 }
 
+/// The number of an attribute's or constant's random stream: from its name (FNV-1a), so that adding another one changes
+/// nothing.
+fn stream(name: &str) -> u32 {
+    name.bytes().fold(0x811c_9dc5, |hash: u32, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+}
+
 /// Evaluates one attribute or constant.
 fn init(cx: &Cx<'_>, global: Global) -> TokenStream {
     let place = Span::mixed_site();
-    let (target, number, computed, given) = match global {
+    let (target, name, computed, given) = match global {
         Global::Attr(id) => {
             let attr = &cx.grammar.attrs[id.0 as usize];
             let field = ident(&attr.name, cx.source.token(attr.span.first));
@@ -153,15 +159,14 @@ fn init(cx: &Cx<'_>, global: Global) -> TokenStream {
                 (_, _) => quote_spanned!(place=> self.#field),
             };
             let given = (given, attr.known.is_some());
-            (local("attr_", id.0 as usize), id.0, &attr.default, Some(given))
+            (local("attr_", id.0 as usize), &attr.name, &attr.default, Some(given))
         }
-        // The streams of constants come after those of attributes.
         Global::Const(id) => {
-            let number = cx.grammar.attrs.len() as u32 + id.0;
-            (local("const_", id.0 as usize), number, &cx.grammar.consts[id.0 as usize].value, None)
+            let constant = &cx.grammar.consts[id.0 as usize];
+            (local("const_", id.0 as usize), &constant.name, &constant.value, None)
         }
     };
-    let number = Literal::u32_suffixed(number);
+    let number = Literal::u32_suffixed(stream(name));
     let code = cx.expr(computed, &Place::function());
     let computed = quote_spanned! { place=> {
         let shape = &mut cga_rt::global(initial, #number);

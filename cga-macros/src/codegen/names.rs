@@ -34,6 +34,7 @@ impl Names {
 fn unique(name: &str, taken: &mut HashSet<String>) -> String {
     // `Facade/2` is `Facade_2`.
     let plain: String = name.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '_' }).collect();
+    let plain = if NEVER.contains(&plain.as_str()) { plain + "_" } else { plain };
     let mut candidate = plain.clone();
     let mut number = 1;
     while !taken.insert(candidate.clone()) {
@@ -81,7 +82,7 @@ mod tests {
     #[test]
     fn overloads_and_blocks_get_names_of_their_own() {
         let mut taken = HashSet::new();
-        let names = ["A", "A", "A_2", "A/1", "A_1"].map(|name| unique(name, &mut taken));
-        assert_eq!(names, ["A", "A_2", "A_2_2", "A_1", "A_1_2"]);
+        let names = ["A", "A", "A_2", "A/1", "A_1", "self", "self_"].map(|name| unique(name, &mut taken));
+        assert_eq!(names, ["A", "A_2", "A_2_2", "A_1", "A_1_2", "self_", "self__2"]);
     }
 }

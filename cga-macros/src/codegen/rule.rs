@@ -33,7 +33,6 @@ impl Cx<'_> {
         let place = Span::mixed_site();
         let rule = &self.grammar.rules[id.0 as usize];
         let name = self.rule(id, self.source.token(rule.span.first));
-        let number = Literal::u32_suffixed(id.0);
         let params = rule.params.iter().enumerate().map(|(at, param)| (local("p", at), inner_type(param.ty)));
         let (names, types): (Vec<_>, Vec<_>) = params.unzip();
         let doc = (!rule.source.is_empty()).then(|| {
@@ -49,6 +48,7 @@ impl Cx<'_> {
             Childless::Depends => quote_spanned!(place=> if childless { cx.leaf(shape, #label)?; }),
             Childless::Never => TokenStream::new(),
         };
+        let (enter, leave) = (enter(rule, id), leave(rule));
         quote_spanned! { place=>
             #doc
             fn #name<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
@@ -57,12 +57,12 @@ impl Cx<'_> {
                 shape: &mut cga_rt::ShapeRef<'_>,
                 #(#names: #types,)*
             ) -> cga_rt::Flow {
-                cx.enter(#number)?;
+                #enter
                 #base
                 #flag
                 #steps
                 #leaf
-                cx.leave()
+                #leave
             }
         }
     }
@@ -184,7 +184,10 @@ impl Cx<'_> {
                 let otherwise = self.steps(otherwise, body);
                 quote_spanned!(place=> #(if #draws { #bodies } else)* { #otherwise })
             }
-            Step::Nil(_) if body.depth == 0 => quote_spanned!(place=> return cx.leave();),
+            Step::Nil(_) if body.depth == 0 => {
+                let leave = leave(body.rule);
+                quote_spanned!(place=> return #leave;)
+            }
             Step::Nil(_) => {
                 let label = label(body.depth);
                 quote_spanned!(place=> break #label;)
@@ -261,6 +264,21 @@ impl Cx<'_> {
             }
         }
     }
+}
+
+/// Whether a rule is a block of a split or comp: part of the rule it stands in, not a rule that was called.
+pub(super) fn is_block(rule: &Rule) -> bool {
+    rule.name != rule.label
+}
+
+fn enter(rule: &Rule, id: RuleId) -> TokenStream {
+    let number = Literal::u32_suffixed(id.0);
+    if is_block(rule) { TokenStream::new() } else { quote_spanned!(Span::mixed_site()=> cx.enter(#number)?;) }
+}
+
+fn leave(rule: &Rule) -> TokenStream {
+    let place = Span::mixed_site();
+    if is_block(rule) { quote_spanned!(place=> cga_rt::Flow::Continue(())) } else { quote_spanned!(place=> cx.leave()) }
 }
 
 /// The label of a `[ ]`.

@@ -13,6 +13,7 @@ use std::collections::HashMap;
 
 use cga_lang::ir::{Function, Grammar, Rule, RuleId, Step, Target, Type};
 
+use super::rule::is_block;
 use super::walk;
 
 /// Kilobytes, in a build without optimisation, that a chain of calls may take without asking.
@@ -49,7 +50,8 @@ impl Plan {
                     let share = own[to.0 as usize];
                     let cycle = rules[from.0 as usize].cycle;
                     if cycle.is_some() && cycle == rules[to.0 as usize].cycle {
-                        plan.ask(from, to, Ask { levels: 1, stack: share });
+                        let levels = u32::from(!is_block(&rules[to.0 as usize]));
+                        plan.ask(from, to, Ask { levels, stack: share });
                     } else if UNASKED < most + share {
                         plan.ask(from, to, Ask { levels: 0, stack: most });
                     } else {

@@ -10,9 +10,14 @@ use super::names::ident;
 /// The check of a restricted range.
 pub(super) fn check(attr: &Attr) -> Option<TokenStream> {
     let place = Span::mixed_site();
-    let range = attr.range.filter(|range| range.restricted && attr.ty == Type::Float)?;
-    let (range, name, field) = (range_tokens(range), &attr.name, ident(&attr.name, place));
-    Some(match attr.known {
+    let allowed = attr.range.filter(|range| range.restricted && attr.ty == Type::Float)?;
+    let (range, name, field) = (range_tokens(allowed), &attr.name, ident(&attr.name, place));
+    Some(match &attr.known {
+        // Old files have defaults outside of their ranges: as long as nobody changes it, such a one is no mistake.
+        Some(Value::Float(known)) if !(allowed.min <= *known && *known <= allowed.max) => {
+            let known = value(&Value::Float(*known));
+            quote_spanned!(place=> if self.#field != #known { #range.check(#name, self.#field)?; })
+        }
         Some(_) => quote_spanned!(place=> #range.check(#name, self.#field)?;),
         None => quote_spanned! { place=>
             if let ::core::option::Option::Some(value) = self.#field {

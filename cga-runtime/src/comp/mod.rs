@@ -108,24 +108,37 @@ impl Owners {
 
 /// Gives every face of `shape` to the first arm that selects it. `Break` when a limit was reached.
 fn faces<'s>(env: &mut Env, shape: &'s mut ShapeRef<'_>, arms: &'s [Arm]) -> ControlFlow<(), Parts<'s>> {
+    for arm in arms {
+        if let Select::Index(number) = arm.select {
+            env.finite(number, "an index of `comp`");
+        }
+    }
     let (source, owners) = match simple(shape, arms) {
         Some((quads, count)) => {
             let to_scope = shape.scope.axes.transpose();
-            let normals = quads[..count].iter().map(|quad| Some(to_scope * quad.u.cross(quad.v).normalize_or_zero()));
+            let normals = quads[..count].iter().map(|quad| quad.u.cross(quad.v).normalize_or_zero());
+            let normals = normals.map(|normal| Some(to_scope * normal));
             let owners = Owners::choose(arms, normals);
             (Source::Quads(quads), owners)
         }
         None => {
             let mesh = shape.to_mesh();
             env.count_vertices(&mesh)?;
+            let outwards = outwards(shape.scope.size);
             let frames: Vec<_> = (0..mesh.face_count()).map(|face| frame::face_frame(&mesh, face)).collect();
-            let normals = frames.iter().map(|frame| frame.as_ref().map(|frame| frame.frame.axes.z_axis));
+            let normals = frames.iter().map(|frame| frame.as_ref().map(|frame| frame.frame.axes.z_axis * outwards));
             let owners = Owners::choose(arms, normals);
             (Source::Mesh(mesh, frames), owners)
         }
     };
     let ordinal = shape.seed.reserve(owners.list().len().min(u32::MAX as usize) as u32);
     ControlFlow::Continue(Parts { seed: shape.seed.value(), parent: shape, arms, owners, source, ordinal })
+}
+
+/// The sign that makes selectors see a shape as if it were not mirrored: a negative size turns its faces inside out, and
+/// what a selector means is where they are, not where they look (*CGA changelog 2010.3*).
+fn outwards(size: DVec3) -> f64 {
+    if (0..3).filter(|&axis| size[axis] < 0.0).count() % 2 == 1 { -1.0 } else { 1.0 }
 }
 
 /// The faces of a shape that needs no mesh: a box or rectangle that is neither flat nor inside out, handed out one by one.

@@ -17,6 +17,17 @@ pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size,
 pub(crate) use transform::{angles, sin_cos, turn};
 
 use crate::env::Env;
+use crate::fault::FaultKind;
+use crate::scope::Scope;
+use crate::shape::ShapeRef;
+
+/// Goes back to the scope before an operation when numbers that are finite one by one have led out of what a number holds.
+pub(crate) fn settle(env: &mut Env, shape: &mut ShapeRef<'_>, before: &Scope, what: &str) {
+    if !(shape.scope.origin.is_finite() && shape.scope.size.is_finite()) {
+        shape.scope = *before;
+        env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
+    }
+}
 
 /// A length in metres, or relative to the scope.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::insert::fit;
+use super::settle;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::scope::Axis;
@@ -55,6 +56,8 @@ fn fill_with_cylinder(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64) {
     }
     let mesh = env.cylinder(count);
     shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size: DVec3::ONE, whole: true }));
+    // A size of zero flattens it.
+    shape.resize(shape.scope.size);
 }
 
 /// `primitiveQuad()`: across y; where exactly one size of the scope is zero, across that axis.
@@ -83,7 +86,9 @@ pub fn quad_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, length: f
 fn stand(env: &mut Env, shape: &mut ShapeRef<'_>, size: DVec3) {
     let size =
         DVec3::new(env.finite(size.x, "the width"), env.finite(size.y, "the height"), env.finite(size.z, "the depth"));
+    let before = shape.scope;
     let room = (shape.scope.size - size) * DVec3::new(0.5, 0.0, 0.5);
     shape.scope.origin += shape.scope.axes * room;
     shape.scope.size = size;
+    settle(env, shape, &before, "the size of the primitive");
 }

@@ -2,8 +2,9 @@
 
 use glam::{DMat3, DVec3};
 
-use super::Length;
+use super::{Length, settle};
 use crate::env::Env;
+use crate::fault::FaultKind;
 use crate::scope::Scope;
 use crate::shape::ShapeRef;
 
@@ -15,7 +16,9 @@ pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, 
         y.of(size.y, env, "`t` along y"),
         z.of(size.z, env, "`t` along z"),
     );
+    let before = shape.scope;
     shape.scope.origin += shape.scope.axes * by;
+    settle(env, shape, &before, "`t`");
 }
 
 /// `s(x, y, z)`: sets the size; the origin corner stays (*s operation*).
@@ -23,7 +26,10 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
     let old = shape.scope.size;
     let new =
         DVec3::new(x.of(old.x, env, "`s` along x"), y.of(old.y, env, "`s` along y"), z.of(old.z, env, "`s` along z"));
-    shape.resize(new);
+    if new.is_finite() {
+        return shape.resize(new);
+    }
+    env.fault(FaultKind::Value, "`s` leads beyond the largest number; the shape stays as it is");
 }
 
 /// `r(x, y, z)`: turns about the pivot's axes, x then y then z, around the scope's origin (*r operation*).

@@ -10,7 +10,7 @@ use super::{Item, Size};
 use crate::cut;
 use crate::derive::Cx;
 use crate::env::Env;
-use crate::fault::FaultKind;
+use crate::fault::{FaultKind, LimitKind};
 use crate::mesh::Mesh;
 use crate::scope::{Axis, Scope};
 use crate::seed::{Seed, Tag};
@@ -66,6 +66,9 @@ fn divide<'s>(
     pattern: &'s [Item],
     sizes: &'s mut [Size],
 ) -> ControlFlow<(), Parts<'s>> {
+    for size in sizes.iter_mut() {
+        size.value = env.finite(size.value, "a size of `split`");
+    }
     let extent = shape.scope.extent(axis).abs();
     let big_enough = env.too_small < extent;
     let solution = solve(pattern, sizes, if big_enough { extent } else { 0.0 });
@@ -73,9 +76,9 @@ fn divide<'s>(
     let bound = solution.at_most();
     if env.settings.limits.shapes < env.shapes.saturating_add(bound) {
         // The bound counts slots that get no room, so ask exactly when it is small enough to count.
-        let exact = if bound <= 4 * env.settings.limits.shapes { solution.total() } else { bound };
+        let exact = if bound <= env.settings.limits.shapes.saturating_mul(4) { solution.total() } else { bound };
         if env.settings.limits.shapes < env.shapes.saturating_add(exact) {
-            return env.limit("shapes", env.settings.limits.shapes);
+            return env.limit(LimitKind::Shapes, env.settings.limits.shapes);
         }
     }
     let total = solution.total() as usize;

@@ -22,13 +22,13 @@ impl cga_rt::Rules for Tower {
         g.attr_2 = match self.drawn {
             ::core::option::Option::Some(value) => value,
             ::core::option::Option::None => {
-                let shape = &mut cga_rt::global(initial, 2u32);
+                let shape = &mut cga_rt::global(initial, 3511804103u32);
                 let g = &g;
                 cga_rt::func::rand(shape)
             }
         };
         g.const_0 = {
-            let shape = &mut cga_rt::global(initial, 3u32);
+            let shape = &mut cga_rt::global(initial, 80777981u32);
             let g = &g;
             (g.attr_0 + g.attr_2)
         };

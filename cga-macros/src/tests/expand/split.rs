@@ -63,7 +63,6 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        cx.enter(2u32)?;
         {
             let a0 = cga_rt::Length::Absolute(1f64);
             let a1 = cga_rt::Length::Absolute(2f64);
@@ -71,6 +70,6 @@ impl CgaRules {
             cga_rt::op::size(&mut cx.env, shape, a0, a1, a2);
         }
         cx.symbol(shape, "Post")?;
-        cx.leave()
+        cga_rt::Flow::Continue(())
     }
 }

@@ -1,0 +1,118 @@
+//! What happens at the edges of numbers, depths and limits.
+
+use cga::{Error, LimitKind, Limits, Model, Settings, Shape, cga};
+
+fn names(model: &Model) -> Vec<&'static str> {
+    model.leaves().map(|leaf| leaf.rule()).collect()
+}
+
+cga! {
+    /// Small rules that each go to one edge.
+    grammar Edges;
+    @StartRule
+    NegativeExtrude --> extrude(-0.3) comp(f) { front : Aa. | side = Bb. }
+    NegativeMesh --> s(^1, ^1, 0.3) primitiveCylinder(4) s(^1, -1, ^1) comp(f) { top : Top. | bottom : Bottom. }
+    Down       --> Level(700)
+    Level(n)   --> case n == 0 : End. else : split(x) { ~1 : t(0, 0, 0) Level(n - 1) }
+    BadSizes   --> split(x) { ln(-1) : B. | ~1 : C. | exp(1000) : D. }
+    BadIndex   --> comp(f) { ln(-1) : Z. | all = X. }
+    Beyond     --> s(1e300, 1e300, 1e300) s(^1e300, ^1e300, ^1e300) A.
+    Away       --> t(1e308, 0, 0) t(1e308, 0, 0) A.
+    FlatBox    --> primitiveCube s(^1, 0, ^1) s(^1, 2, ^1) A.
+    FlatMesh   --> primitiveCylinder s(^1, 0, ^1) s(^1, 2, ^1) A.
+    FlatRound  --> primitiveCylinder(16, 0, 5) s(2, ^1, 2) A.
+    SmallThing --> s(0.05, 1, 1) split(x) { 0.01 : B. }*
+}
+
+#[test]
+fn selectors_see_a_mirrored_shape_as_if_it_were_not() {
+    // Fact 61: on an upright façade the face at its lower edge is the front of a negative extrusion.
+    let facade = Shape::mesh(
+        cga::Mesh::from_polygon(&[[0.0; 3], [4.0, 0.0, 0.0], [4.0, 3.0, 0.0], [0.0, 3.0, 0.0]].map(Into::into), &[])
+            .unwrap(),
+    );
+    let mesh = Edges::default().generate(&facade).unwrap();
+    assert_eq!(names(&mesh), ["Aa", "Bb"]);
+    let front = mesh.leaves().next().unwrap().bounds();
+    assert_eq!((front.low.y, front.high.y), (0.0, 0.0));
+    let side = mesh.leaves().nth(1).unwrap();
+    assert!((side.area() - (4.0 * 0.3 + 2.0 * 3.0 * 0.3)).abs() < 1e-12, "three faces: {}", side.area());
+
+    let turned = Edges::default().generate_from("NegativeMesh", &Shape::cuboid(1.0, 1.0, 1.0)).unwrap();
+    let heights: Vec<f64> = turned.leaves().map(|leaf| leaf.bounds().high.y).collect();
+    assert_eq!(heights, [0.0, -1.0], "top above bottom, in the world");
+}
+
+#[test]
+fn a_block_is_no_level_of_its_own() {
+    let model = Edges::default().generate_from("Down", &Shape::cuboid(1.0, 1.0, 1.0)).unwrap();
+    assert_eq!(names(&model), ["End"]);
+    let limits = Limits { depth: 300, ..Limits::default() };
+    let settings = Settings { start: Some("Down".into()), limits, ..Settings::default() };
+    match Edges::default().generate_with(&Shape::cuboid(1.0, 1.0, 1.0), &settings) {
+        Err(Error::Limit { what: LimitKind::Depth, limit: 300, trail }) => {
+            assert!(trail.iter().all(|rule| !rule.contains('/')), "only rules that were written: {trail:?}");
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn numbers_that_are_none_leave_a_fault() {
+    let faults = |rule: &str| {
+        let model = Edges::default().generate_from(rule, &Shape::cuboid(4.0, 3.0, 2.0)).unwrap();
+        assert!(model.leaves().all(|leaf| leaf.scope().size.is_finite() && leaf.scope().origin.is_finite()), "{rule}");
+        model.faults().len()
+    };
+    assert_eq!([faults("BadSizes"), faults("BadIndex"), faults("Beyond"), faults("Away")], [2, 1, 1, 1]);
+}
+
+#[test]
+fn what_is_flat_stays_flat() {
+    for rule in ["FlatBox", "FlatMesh", "FlatRound"] {
+        let model = Edges::default().generate_from(rule, &Shape::cuboid(4.0, 3.0, 2.0)).unwrap();
+        assert!(model.volume().abs() < 1e-12, "{rule}: {}", model.volume());
+    }
+}
+
+#[test]
+fn small_things_on_a_large_site_are_split_like_others() {
+    let model = Edges::default().generate_from("SmallThing", &Shape::cuboid(60_000.0, 1.0, 1.0)).unwrap();
+    assert_eq!(names(&model), ["B"; 5]);
+}
+
+#[test]
+fn nothing_reaches_the_sink_after_a_limit() {
+    let rules = cga! { Lot --> primitiveCylinder(64) split(x) { ~1 : A. | ~1 : A. } };
+    for shapes in [1000, u64::MAX] {
+        let limits = Limits { vertices: 10, shapes, ..Limits::default() };
+        let mut model = Model::new();
+        let result =
+            rules.generate_into(&Shape::cuboid(1.0, 1.0, 1.0), &Settings { limits, ..Settings::default() }, &mut model);
+        assert!(matches!(result, Err(Error::Limit { what: LimitKind::Vertices, .. })), "{result:?}");
+        assert!(model.is_empty());
+    }
+}
+
+#[test]
+fn an_attribute_more_changes_no_other() {
+    let shape = Shape::cuboid(1.0, 1.0, 1.0).seed(5);
+    let one = cga! { attr b = rand(0, 100) Lot --> s(b, 1, 1) A. };
+    let two = cga! { attr a = rand(0, 100) attr b = rand(0, 100) Lot --> s(b, 1 + a * 0, 1) A. };
+    let width = |model: Model| model.leaves().next().unwrap().size().x;
+    assert_eq!(width(one.generate(&shape).unwrap()), width(two.generate(&shape).unwrap()));
+}
+
+#[test]
+fn an_old_default_outside_of_its_range_is_no_mistake() {
+    cga! {
+        grammar Old;
+        @Range(1, 10)
+        attr height = 24
+        Lot --> extrude(height) A.
+    }
+    let lot = Shape::rectangle(1.0, 1.0);
+    assert!(Old::default().generate(&lot).is_ok());
+    assert!(Old { height: 5.0 }.generate(&lot).is_ok());
+    assert!(Old { height: 25.0 }.generate(&lot).is_err());
+}
