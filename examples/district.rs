@@ -5,6 +5,7 @@
 
 use std::error::Error;
 use std::io::{IsTerminal, Write};
+use std::process::ExitCode;
 use std::time::Instant;
 
 use cga::{Model, Settings, Shape, Sink, cga};
@@ -54,7 +55,17 @@ struct Footprint {
     holes: Vec<Vec<[f64; 2]>>,
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
     let text = match std::env::args_os().nth(1) {
         Some(path) => std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?,
         None => SAMPLE.to_owned(),
@@ -105,7 +116,7 @@ fn progress(done: usize, all: usize) {
 
 /// The polygons of a GeoJSON file in metres about their middle, and a line for each feature that has none.
 fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn Error>> {
-    let file: Value = serde_json::from_str(text)?;
+    let file: Value = serde_json::from_str(text).map_err(|error| format!("the outlines are no JSON: {error}"))?;
     let features = file["features"].as_array().ok_or("no `features`: is it a GeoJSON feature collection?")?;
     let (mut footprints, mut problems) = (Vec::new(), Vec::new());
     for (number, feature) in features.iter().enumerate() {
@@ -115,7 +126,10 @@ fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn Error>> {
             Some("Polygon") => vec![&geometry["coordinates"]],
             Some("MultiPolygon") => geometry["coordinates"].as_array().into_iter().flatten().collect(),
             other => {
-                problems.push(format!("{label}: skipped: {} is no polygon", other.unwrap_or("nothing")));
+                problems.push(format!(
+                    "{label}: skipped: {}",
+                    other.map_or("no geometry".into(), |kind| format!("a {kind} is no polygon"))
+                ));
                 continue;
             }
         };

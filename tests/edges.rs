@@ -95,6 +95,21 @@ fn nothing_reaches_the_sink_after_a_limit() {
 }
 
 #[test]
+fn growth_without_end_is_an_error_and_not_a_hang() {
+    let lot = Shape::rectangle(10.0, 10.0);
+    let what = |result: Result<Model, Error>| match result {
+        Err(Error::Limit { what, .. }) => what,
+        other => panic!("{:?}", other.map(|model| model.len())),
+    };
+    let twice = cga! { Lot --> Lot Lot };
+    assert_eq!(what(twice.generate(&lot)), LimitKind::Waiting);
+    let faces = cga! { Lot --> extrude(1) Lot };
+    assert_eq!(what(faces.generate(&lot)), LimitKind::Vertices);
+    let calls = cga! { f(x) = case x < 2 : 1 else : f(x - 1) + f(x - 2) Lot --> extrude(f(100)) A. };
+    assert_eq!(what(calls.generate(&lot)), LimitKind::Calls);
+}
+
+#[test]
 fn an_attribute_more_changes_no_other() {
     let shape = Shape::cuboid(1.0, 1.0, 1.0).seed(5);
     let one = cga! { attr b = rand(0, 100) Lot --> s(b, 1, 1) A. };

@@ -96,9 +96,8 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
         if self.env.settings.limits.depth < depth {
             return self.env.limit(LimitKind::Depth, u64::from(self.env.settings.limits.depth));
         }
-        // What waits is counted when it runs; the list must not outgrow the limit either.
-        if self.env.settings.limits.shapes < self.env.shapes.saturating_add(self.waiting.len() as u64) {
-            return self.env.limit(LimitKind::Shapes, self.env.settings.limits.shapes);
+        if self.env.settings.limits.waiting <= self.waiting.len() as u64 {
+            return self.env.limit(LimitKind::Waiting, self.env.settings.limits.waiting);
         }
         let trail = self.env.keep_trail();
         self.waiting.push_back(Waiting { shape: shape.detach(), call, depth, trail });

@@ -16,6 +16,9 @@ const FAULTS_KEPT: usize = 1000;
 /// Rules that a trail names; of longer ones the middle is left out, so that memory stays bounded.
 const LONGEST_TRAIL: usize = 2048;
 
+/// Calls in a run of functions that can reach themselves: those that branch would else run for ever within their depth.
+const MOST_CALLS: u64 = 20_000_000;
+
 /// A share of the initial shape's largest extent below which a shape is not split any further, and the most that this
 /// may be, in metres: on a large site small things are as good as elsewhere.
 const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
@@ -36,6 +39,7 @@ pub struct Env {
     pub(crate) leaves: u64,
     vertices: u64,
     calls: u32,
+    calls_made: u64,
     faults: Vec<Fault>,
     faults_left_out: u64,
     pub(crate) error: Option<Error>,
@@ -75,6 +79,7 @@ impl Env {
             leaves: 0,
             vertices: 0,
             calls: 0,
+            calls_made: 0,
             faults: Vec::new(),
             faults_left_out: 0,
             error: None,
@@ -92,9 +97,14 @@ impl Env {
         Flow::Continue(())
     }
 
-    /// Counts the vertices of a mesh that an operation made.
+    /// Counts the vertices of a mesh that an operation made, as sinks do: those that faces share count for each.
     pub(crate) fn count_vertices(&mut self, mesh: &Mesh) -> Flow {
-        self.vertices = self.vertices.saturating_add(mesh.points().len() as u64);
+        self.count_corners(mesh.corners().len() as u64)
+    }
+
+    /// Counts vertices before they are made.
+    pub(crate) fn count_corners(&mut self, count: u64) -> Flow {
+        self.vertices = self.vertices.saturating_add(count);
         if self.settings.limits.vertices < self.vertices {
             return self.limit(LimitKind::Vertices, self.settings.limits.vertices);
         }
@@ -133,6 +143,10 @@ impl Env {
     pub fn call(&mut self, depth: u32) -> bool {
         if depth <= self.calls {
             let _: Flow = self.limit(LimitKind::Calls, u64::from(depth));
+        }
+        self.calls_made += 1;
+        if MOST_CALLS < self.calls_made {
+            let _: Flow = self.limit(LimitKind::Calls, MOST_CALLS);
         }
         let may = self.error.is_none();
         self.calls += u32::from(may);

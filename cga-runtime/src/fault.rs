@@ -53,8 +53,11 @@ pub enum LimitKind {
     Depth,
     /// Vertices in meshes that operations make.
     Vertices,
-    /// Nesting of functions that can reach themselves; the limit is fixed, and lower for functions with large frames.
+    /// Calls of functions that can reach themselves: how deep they nest (fixed, and lower for functions with large frames)
+    /// or how many there are.
     Calls,
+    /// Calls of rules that wait.
+    Waiting,
 }
 
 impl fmt::Display for LimitKind {
@@ -64,6 +67,7 @@ impl fmt::Display for LimitKind {
             LimitKind::Depth => "depth",
             LimitKind::Vertices => "vertices",
             LimitKind::Calls => "nested function calls",
+            LimitKind::Waiting => "waiting calls",
         })
     }
 }

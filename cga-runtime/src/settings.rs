@@ -11,13 +11,16 @@ pub struct Limits {
     pub shapes: u64,
     /// Nesting of rules that can reach themselves.
     pub depth: u32,
-    /// Vertices in the meshes that operations make (boxes and rectangles count when they become meshes).
+    /// Vertices in the meshes that operations make, those shared between faces counted for each (boxes and rectangles count
+    /// when they become meshes).
     pub vertices: u64,
+    /// Calls of rules that wait because recursion is too deep for the stack. Each holds a shape.
+    pub waiting: u64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Limits { shapes: 10_000_000, depth: 1024, vertices: 100_000_000 }
+        Limits { shapes: 10_000_000, depth: 1024, vertices: 20_000_000, waiting: 500_000 }
     }
 }
 

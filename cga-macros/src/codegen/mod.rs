@@ -1,4 +1,5 @@
-//! A checked grammar → Rust. No decisions and no errors here: `cga_lang::lower` has made them all.
+//! A checked grammar → Rust. No errors here, and no decisions but which calls ask for stack (`stack.rs`): `cga_lang::lower`
+//! has made the others.
 //!
 //! The output is the public struct and one anonymous const with everything else in it: the evaluated attributes, the
 //! calls that may wait, and one function a rule, generic over the sink. Local names are hygienic; rule functions carry

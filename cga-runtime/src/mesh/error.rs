@@ -44,6 +44,13 @@ pub enum MeshError {
         /// The other edge.
         second: (usize, usize),
     },
+    /// A hole that lies outside of the outline, or inside of another hole.
+    HolePlace {
+        /// Which hole, from 0.
+        hole: usize,
+        /// The hole it lies in; `None` when it is outside of the outline.
+        within: Option<usize>,
+    },
     /// More points, corners or faces than indices of 32 bits can count.
     TooLarge,
 }
@@ -65,6 +72,8 @@ impl fmt::Display for MeshError {
             MeshError::SelfCrossing { first, second } => {
                 write!(f, "edge {} of {} meets edge {} of {}", first.1, name(first.0), second.1, name(second.0))
             }
+            MeshError::HolePlace { hole, within: None } => write!(f, "hole {hole} lies outside of the outline"),
+            MeshError::HolePlace { hole, within: Some(other) } => write!(f, "hole {hole} lies inside of hole {other}"),
             MeshError::TooLarge => write!(f, "more points or corners than 32-bit indices can count"),
         }
     }

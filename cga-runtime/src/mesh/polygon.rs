@@ -8,6 +8,7 @@ use super::face::unit;
 use super::map::flip;
 use super::{FaceTag, Mesh, MeshBuilder, MeshError};
 use crate::exact::orient;
+use crate::mesh::check::winding;
 use crate::triangulate::Projection;
 
 impl Mesh {
@@ -48,6 +49,7 @@ impl Mesh {
             }
         }
         check_crossings(&points, &rings, normal)?;
+        check_holes(&points, &rings, normal)?;
 
         let mut builder = MeshBuilder::new();
         let indices: Vec<u32> = points.iter().map(|&p| builder.point(p)).collect();
@@ -127,12 +129,51 @@ fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> R
     Ok(())
 }
 
+/// Loops that don't cross lie wholly inside or outside of each other, so one corner tells.
+fn check_holes(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> Result<(), MeshError> {
+    let flat = Projection::along(normal);
+    let flat: Vec<DVec2> = points.iter().map(|&p| flat.apply(p)).collect();
+    let inside = |ring: usize, around: usize| {
+        let around = &flat[rings[around].clone()];
+        flat[rings[ring].clone()].iter().find_map(|&p| winding(around, p)).is_some_and(|turns| turns != 0)
+    };
+    let bounds: Vec<(DVec2, DVec2)> = rings
+        .iter()
+        .map(|ring| {
+            flat[ring.clone()].iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)))
+        })
+        .collect();
+    for hole in 1..rings.len() {
+        if !inside(hole, 0) {
+            return Err(MeshError::HolePlace { hole: hole - 1, within: None });
+        }
+        let (low, high) = bounds[hole];
+        let could_hold =
+            |other: &usize| *other != hole && bounds[*other].0.cmple(low).all() && high.cmple(bounds[*other].1).all();
+        if let Some(other) = (1..rings.len()).filter(could_hold).find(|&other| inside(hole, other)) {
+            return Err(MeshError::HolePlace { hole: hole - 1, within: Some(other - 1) });
+        }
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn flat(points: &[(f64, f64)]) -> Vec<DVec3> {
         points.iter().map(|&(x, z)| DVec3::new(x, 0.0, -z)).collect()
+    }
+
+    #[test]
+    fn holes_lie_inside_the_outline_and_outside_of_each_other() {
+        let square = |from: f64, to: f64| flat(&[(from, from), (to, from), (to, to), (from, to)]);
+        let outer = square(0.0, 5.0);
+        let place = |holes: &[Vec<DVec3>]| Mesh::from_polygon(&outer, holes).map(|mesh| mesh.area());
+        assert_eq!(place(&[square(1.0, 2.0), square(3.0, 4.0)]), Ok(23.0));
+        assert_eq!(place(&[square(10.0, 11.0)]), Err(MeshError::HolePlace { hole: 0, within: None }));
+        let nested = [square(2.0, 3.0), square(1.0, 4.0)];
+        assert_eq!(place(&nested), Err(MeshError::HolePlace { hole: 0, within: Some(1) }));
     }
 
     #[test]

@@ -75,10 +75,11 @@ fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlong, dis
             (Extrude::FaceNormal, normal.unwrap_or(DVec3::Y))
         }
     };
-    let grown = extrude_mesh(&mesh, how, distance);
-    if env.count_vertices(&grown).is_break() {
+    // Every edge gets a wall of four corners, and each face a top and a bottom.
+    if env.count_corners(6 * mesh.corners().len() as u64).is_break() {
         return;
     }
+    let grown = extrude_mesh(&mesh, how, distance);
     // In scope coordinates: turn them so that y is up.
     let turn = raise(&DMat3::IDENTITY, up);
     let local = grown.map(&DAffine3 { matrix3: turn.transpose(), translation: DVec3::ZERO });

@@ -17,7 +17,11 @@ pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text) {
         return super::cube(env, shape);
     }
     let assets = Arc::clone(&env.settings.assets);
-    match assets.mesh(&file) {
+    let found = assets.mesh(&file).and_then(|mesh| match mesh.is_empty() {
+        true => Err("it has no faces".to_owned()),
+        false => Ok(mesh),
+    });
+    match found {
         Ok(mesh) => {
             let bounds = mesh.bounds();
             let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
