@@ -178,7 +178,7 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.note(format!("it becomes a leaf named `{text}`"));
         }
         diag.suggest(near);
-        if others.is_none() {
+        if others.is_none() && count == 0 {
             diag.help(format!("write `{text}.` for a leaf"));
         }
         self.note(name, Use::Leaf);

@@ -110,6 +110,15 @@ fn keyword<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> bool 
     }
 }
 
+/// Whether a name follows something that only an expression goes on behind.
+fn in_condition<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> bool {
+    match position.checked_sub(1).and_then(at) {
+        Some(Tok::Ident(word)) => word == "case",
+        Some(Tok::Sym(sym)) => matches!(sym, Sym::AndAnd | Sym::OrOr | Sym::Bang | Sym::EqEq | Sym::NotEq),
+        _ => false,
+    }
+}
+
 /// Where an import's own declarations end, so that they do not count as the grammar's.
 fn import_end<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> usize {
     let is = |position: usize, sym: Sym| at(position).is_some_and(|token| token.is(sym));
@@ -162,7 +171,8 @@ pub(super) fn head<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) 
     if is(next, Sym::Arrow) {
         return Some(Head::Rule);
     }
-    if !names {
+    // `case h = 3 :` means `==`, and the parser says so.
+    if !names || in_condition(at, position) {
         return None;
     }
     let slips: [&[Sym]; 4] = [

@@ -33,6 +33,9 @@ pub fn parse(tokens: &Tokens, diags: &mut Diags) -> Ast {
 /// Something was wrong and has been reported.
 struct Reported;
 
+/// What a rule's body consists of.
+const STEP: &str = "an operation or a rule";
+
 type Parsed<T> = Result<T, Reported>;
 
 struct Parser<'a> {
@@ -154,7 +157,19 @@ impl<'a> Parser<'a> {
         }
         let span = self.span();
         let found = self.peek().map_or("nothing".into(), Tok::describe);
-        self.diags.report(Code::Syntax, span, format!("expected {what}, found {found}"))
+        let help = match self.peek() {
+            Some(Tok::Sym(Sym::Assign)) => Some("two values are compared with `==`"),
+            Some(Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_)) if what == STEP => {
+                Some("put `|` between the slots of a split")
+            }
+            Some(Tok::Sym(Sym::Star)) if what == STEP => Some("`*` stands behind the `}` of what it repeats"),
+            _ => None,
+        };
+        let diag = self.diags.report(Code::Syntax, span, format!("expected {what}, found {found}"));
+        match help {
+            Some(help) => diag.help(help),
+            None => diag,
+        }
     }
 
     fn fail<T>(&mut self, what: &str) -> Parsed<T> {

@@ -1,6 +1,6 @@
 //! Steps of a rule: operations, successors, leaves, brackets.
 
-use super::{Parsed, Parser, Reported};
+use super::{Parsed, Parser, Reported, STEP};
 use crate::ast::{Arg, Expr, ExprKind, Name, Op, OpKind};
 use crate::code::Code;
 use crate::suggest::nearest;
@@ -57,10 +57,10 @@ impl Parser<'_> {
                 return self.fail("`:`");
             }
             Some(Tok::Host(_)) => {
-                self.expected("an operation or a rule").help("a Rust value can stand in an expression only");
+                self.expected(STEP).help("a Rust value can stand in an expression only");
                 return Err(Reported);
             }
-            _ => return self.fail("an operation or a rule"),
+            _ => return self.fail(STEP),
         };
         Ok(Op { kind, span: self.span_from(start) })
     }
@@ -73,7 +73,7 @@ impl Parser<'_> {
             "comp" => return self.comp(name),
             "else" | "case" => {
                 self.at -= 1;
-                return self.fail("an operation or a rule");
+                return self.fail(STEP);
             }
             _ => {}
         }

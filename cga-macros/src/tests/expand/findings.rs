@@ -5,7 +5,7 @@ const _: () = {
     unknown_annotation
 };
 ::core::compile_error! {
-    "there is no rule `extrud`\nhelp: did you mean `extrude`?\nhelp: write `extrud.` for a leaf"
+    "there is no rule `extrud`\nhelp: did you mean `extrude`?"
 }
 ::core::compile_error! {
     "there is no rule `splot`\nhelp: did you mean `split`?\nhelp: write `splot.` for a leaf"
