@@ -135,8 +135,7 @@ mod tests {
         assert_eq!(
             shown(text),
             "warning[undefined_rule]: there is no rule `extrud`\n --> a.cga:3:16\n  |\n3 | \tcolor(\"grün\") extrud(3)\n  \
-             | \t              ^^^^^^\n  = note: it becomes a leaf named `extrud`\n  = help: did you mean `extrude`?\n  \
-             = help: write `extrud.` for a leaf"
+             | \t              ^^^^^^\n  = note: it becomes a leaf named `extrud`\n  = help: did you mean `extrude`?"
         );
     }
 
