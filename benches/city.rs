@@ -4,8 +4,8 @@
 
 mod common;
 
-use cga::{Settings, Shape, cga};
-use common::{Expected, Fold, Raw, best, buffers, report};
+use cga::{Settings, Shape, Sink, cga};
+use common::{Expected, Raw, Scene};
 
 cga! {
     /// Walls and windows on every side.
@@ -74,39 +74,29 @@ fn main() {
     let sums = [30888.0, 324918.0, 980100.0, 3265218.0];
     for (lots, checksum) in [10, 100, 300, 1000].into_iter().zip(sums) {
         let terminals = (0..lots).map(|lot| 5 + 98 * floors(lot)).sum::<usize>();
-        let expected = Expected { triangles: 2 * terminals, vertices: 4 * terminals, checksum };
         let shapes: Vec<Shape> = (0..lots)
             .map(|lot| Shape::cuboid(13.5, 4.0 + 3.0 * floors(lot) as f64, 11.0).at(corner(lot)).seed(lot as u64))
             .collect();
         let (grammar, settings) = (City::default(), Settings::default());
-
-        let (mut raw, mut out, mut folded) = (Raw::default(), buffers(&expected), Fold::default());
         let mut colours = Vec::new();
-        let times = best(
-            [
-                &mut || {
-                    raw.clear();
-                    colours.clear();
-                    (0..lots).for_each(|lot| by_hand(lot, &mut colours, &mut raw));
-                },
-                &mut || {
-                    out.clear();
-                    for shape in &shapes {
-                        grammar.generate_into(shape, &settings, &mut out).expect("no limit is reached");
-                    }
-                },
-                &mut || {
-                    folded = Fold::default();
-                    for shape in &shapes {
-                        grammar.generate_into(shape, &settings, &mut folded).expect("no limit is reached");
-                    }
-                },
-            ],
-            1.0,
-        );
-        expected.check("by hand", &raw.vertices, &raw.indices);
-        expected.check("grammar", out.vertices(), out.indices());
-        assert_eq!((folded.leaves as usize, colours.len()), (terminals, 4 * lots));
-        report(&format!("city({lots})"), terminals, times);
+        Scene {
+            name: format!("city({lots})"),
+            terminals,
+            expected: Expected { triangles: 2 * terminals, vertices: 4 * terminals, checksum },
+            by_hand: &mut |out| {
+                colours.clear();
+                (0..lots).for_each(|lot| by_hand(lot, &mut colours, out));
+            },
+            buffers: &mut |out| run(&grammar, &shapes, &settings, out),
+            fold: &mut |out| run(&grammar, &shapes, &settings, out),
+        }
+        .compare();
+        assert_eq!(colours.len(), 4 * lots);
+    }
+}
+
+fn run(grammar: &City, shapes: &[Shape], settings: &Settings, sink: &mut impl Sink) {
+    for shape in shapes {
+        grammar.generate_into(shape, settings, sink).expect("no limit is reached");
     }
 }

@@ -5,7 +5,7 @@
 mod common;
 
 use cga::{Settings, Shape, cga};
-use common::{Expected, Fold, Raw, best, buffers, report};
+use common::{Expected, Raw, Scene};
 
 cga! {
     /// Walls, windows, frames and set-back glass.
@@ -71,33 +71,21 @@ fn main() {
     let sums = [2825.733333333, 22116.0, 159658.666666667, 1211036.0, 9428958.666666667];
     for ((k, m), checksum) in [(5, 4), (10, 10), (20, 20), (40, 40), (80, 80)].into_iter().zip(sums) {
         let terminals = 4 * (1 + m * (2 + 9 * k)) + 1;
-        let expected =
-            Expected { triangles: 2 * terminals + 160 * k * m, vertices: 4 * terminals + 320 * k * m, checksum };
         let width = 1.0 + 2.5 * k as f64;
         let lot = Shape::cuboid(width, 4.0 + 3.0 * m as f64, width);
         let (grammar, settings) = (Facades::default(), Settings::default());
-
-        let (mut raw, mut out, mut folded) = (Raw::default(), buffers(&expected), Fold::default());
-        let times = best(
-            [
-                &mut || {
-                    raw.clear();
-                    by_hand(k, m, &mut raw);
-                },
-                &mut || {
-                    out.clear();
-                    grammar.generate_into(&lot, &settings, &mut out).expect("no limit is reached");
-                },
-                &mut || {
-                    folded = Fold::default();
-                    grammar.generate_into(&lot, &settings, &mut folded).expect("no limit is reached");
-                },
-            ],
-            1.0,
-        );
-        expected.check("by hand", &raw.vertices, &raw.indices);
-        expected.check("grammar", out.vertices(), out.indices());
-        assert_eq!(folded.leaves as usize, terminals);
-        report(&format!("facade({k}, {m})"), terminals, times);
+        Scene {
+            name: format!("facade({k}, {m})"),
+            terminals,
+            expected: Expected {
+                triangles: 2 * terminals + 160 * k * m,
+                vertices: 4 * terminals + 320 * k * m,
+                checksum,
+            },
+            by_hand: &mut |out| by_hand(k, m, out),
+            buffers: &mut |out| drop(grammar.generate_into(&lot, &settings, out).expect("no limit is reached")),
+            fold: &mut |out| drop(grammar.generate_into(&lot, &settings, out).expect("no limit is reached")),
+        }
+        .compare();
     }
 }

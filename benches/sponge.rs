@@ -5,7 +5,7 @@
 mod common;
 
 use cga::{Settings, Shape, cga};
-use common::{Expected, Fold, Raw, best, buffers, report};
+use common::{Expected, Raw, Scene};
 
 cga! {
     /// A cube with holes, n times over.
@@ -42,31 +42,16 @@ fn main() {
     for n in 1..=4u32 {
         let boxes = 20usize.pow(n);
         let checksum = (20.0f64 / 27.0).powi(n as i32);
-        let expected = Expected { triangles: 12 * boxes, vertices: 24 * boxes, checksum };
         let lot = Shape::cuboid(1.0, 1.0, 1.0);
         let (grammar, settings) = (Sponge { n: f64::from(n) }, Settings::default());
-
-        let (mut raw, mut out, mut folded) = (Raw::default(), buffers(&expected), Fold::default());
-        let times = best(
-            [
-                &mut || {
-                    raw.clear();
-                    by_hand(n, [0.0; 3], 1.0, &mut raw);
-                },
-                &mut || {
-                    out.clear();
-                    grammar.generate_into(&lot, &settings, &mut out).expect("no limit is reached");
-                },
-                &mut || {
-                    folded = Fold::default();
-                    grammar.generate_into(&lot, &settings, &mut folded).expect("no limit is reached");
-                },
-            ],
-            1.0,
-        );
-        expected.check("by hand", &raw.vertices, &raw.indices);
-        expected.check("grammar", out.vertices(), out.indices());
-        assert_eq!(folded.leaves as usize, boxes);
-        report(&format!("sponge({n})"), boxes, times);
+        Scene {
+            name: format!("sponge({n})"),
+            terminals: boxes,
+            expected: Expected { triangles: 12 * boxes, vertices: 24 * boxes, checksum },
+            by_hand: &mut |out| by_hand(n, [0.0; 3], 1.0, out),
+            buffers: &mut |out| drop(grammar.generate_into(&lot, &settings, out).expect("no limit is reached")),
+            fold: &mut |out| drop(grammar.generate_into(&lot, &settings, out).expect("no limit is reached")),
+        }
+        .compare();
     }
 }

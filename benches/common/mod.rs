@@ -1,5 +1,4 @@
 //! What the benches share: timing two ways of making the same output beside each other, and checking that it is the same.
-#![allow(dead_code, reason = "each bench uses a part")]
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -107,36 +106,69 @@ impl Sink for Fold {
     }
 }
 
-/// Best times of three ways, run in turn so that the machine's moods meet all alike.
-pub(crate) fn best(mut ways: [&mut dyn FnMut(); 3], seconds: f64) -> [Duration; 3] {
-    let mut best = [Duration::MAX; 3];
-    let begin = Instant::now();
-    let mut rounds = 0;
-    while rounds < 3 || begin.elapsed().as_secs_f64() < seconds {
-        for (way, best) in ways.iter_mut().zip(&mut best) {
-            let start = Instant::now();
-            way();
-            *best = (*best).min(start.elapsed());
+/// One scene, made by hand and by rules: times both and prints them beside each other.
+pub(crate) struct Scene<'a> {
+    pub(crate) name: String,
+    pub(crate) terminals: usize,
+    pub(crate) expected: Expected,
+    pub(crate) by_hand: &'a mut dyn FnMut(&mut Raw),
+    /// The grammar, into buffers.
+    pub(crate) buffers: &'a mut dyn FnMut(&mut Buffers),
+    /// The grammar, terminals only.
+    pub(crate) fold: &'a mut dyn FnMut(&mut Fold),
+}
+
+impl Scene<'_> {
+    /// Best times of the three ways, run in turn so that the machine's moods meet all alike; what they made is checked.
+    pub(crate) fn compare(self) {
+        const SECONDS: f64 = 1.0;
+        let (mut raw, mut folded) = (Raw::default(), Fold::default());
+        // Large enough that no run has to grow them.
+        let mut out = Buffers::with_capacity(self.expected.vertices, self.expected.triangles * 3);
+        let mut best = [Duration::MAX; 3];
+        let begin = Instant::now();
+        let mut rounds = 0;
+        while rounds < 3 || begin.elapsed().as_secs_f64() < SECONDS {
+            let ways: [&mut dyn FnMut(); 3] = [
+                &mut || {
+                    raw.clear();
+                    (self.by_hand)(&mut raw);
+                },
+                &mut || {
+                    out.clear();
+                    (self.buffers)(&mut out);
+                },
+                &mut || {
+                    folded = Fold::default();
+                    (self.fold)(&mut folded);
+                },
+            ];
+            for (way, best) in ways.into_iter().zip(&mut best) {
+                let start = Instant::now();
+                way();
+                *best = (*best).min(start.elapsed());
+            }
+            rounds += 1;
         }
-        rounds += 1;
+        self.expected.check("by hand", &raw.vertices, &raw.indices);
+        self.expected.check("grammar", out.vertices(), out.indices());
+        assert_eq!(folded.leaves as usize, self.terminals);
+        assert!(folded.sum.is_finite());
+        self.report(best);
     }
-    best
-}
 
-/// Prints a line of results.
-pub(crate) fn report(name: &str, terminals: usize, [hand, ours, fold]: [Duration; 3]) {
-    let nanoseconds = |time: Duration| time.as_secs_f64() * 1e9 / terminals as f64;
-    println!(
-        "{name:<16} {terminals:>8} terminals  by hand {:>6.1} ns  grammar {:>6.1} ns  ratio {:>5.2}   terminals only {:>6.1} ns  ratio {:>5.2}",
-        nanoseconds(hand),
-        nanoseconds(ours),
-        ours.as_secs_f64() / hand.as_secs_f64(),
-        nanoseconds(fold),
-        fold.as_secs_f64() / hand.as_secs_f64(),
-    );
-}
-
-/// Buffers large enough that no run has to grow them.
-pub(crate) fn buffers(expected: &Expected) -> Buffers {
-    Buffers::with_capacity(expected.vertices, expected.triangles * 3)
+    fn report(&self, [hand, ours, fold]: [Duration; 3]) {
+        let each = |time: Duration| time.as_secs_f64() * 1e9 / self.terminals as f64;
+        let ratio = |time: Duration| time.as_secs_f64() / hand.as_secs_f64();
+        println!(
+            "{:<16} {:>8} terminals  by hand {:>6.1} ns  grammar {:>6.1} ns  ratio {:>5.2}   terminals only {:>6.1} ns  ratio {:>5.2}",
+            self.name,
+            self.terminals,
+            each(hand),
+            each(ours),
+            ratio(ours),
+            each(fold),
+            ratio(fold),
+        );
+    }
 }
