@@ -28,7 +28,10 @@ pub mod mesh {
 
 /// Where leaves go: the trait and the sinks that come with the crate.
 pub mod sink {
-    pub use cga_runtime::sink::*;
+    #[cfg(feature = "gltf")]
+    pub use cga_runtime::sink::gltf;
+    pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+    pub use cga_runtime::sink::{buffers, error, obj, picture, stats, svg, table};
 }
 
 /// The split solver on its own: sizes and an extent → pieces.

@@ -36,6 +36,7 @@ impl Raw {
     }
 
     /// A box with known unit axes.
+    #[allow(dead_code, reason = "the city has no boxes")]
     #[inline]
     pub(crate) fn cuboid(&mut self, o: V, axes: [V; 3], size: V) {
         let scaled = |axis: V, by: f64| [axis[0] * by, axis[1] * by, axis[2] * by];

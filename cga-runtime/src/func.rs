@@ -140,10 +140,10 @@ pub fn isinf(x: f64) -> bool {
 /// A number as text: without trailing zeros, at most 15 digits so that rounding noise stays out of sight.
 pub fn float_to_text(x: f64) -> Text {
     if x.is_nan() {
-        return Text::Static("nan");
+        return Text::fixed("nan");
     }
     if x.is_infinite() {
-        return Text::Static(if 0.0 < x { "inf" } else { "-inf" });
+        return Text::fixed(if 0.0 < x { "inf" } else { "-inf" });
     }
     // Round in decimal, then print the shortest form of what that is.
     let rounded: f64 = format!("{x:.14e}").parse().unwrap_or(x);
@@ -152,7 +152,7 @@ pub fn float_to_text(x: f64) -> Text {
 
 /// `true` or `false`.
 pub fn bool_to_text(x: bool) -> Text {
-    Text::Static(if x { "true" } else { "false" })
+    Text::fixed(if x { "true" } else { "false" })
 }
 
 /// Text stays as it is.
@@ -217,10 +217,10 @@ mod tests {
     #[test]
     fn text_reads_as_documented() {
         // *float function*, *floatArray function*, *bool function*.
-        let float = |text: &'static str| text_to_float(Text::Static(text));
+        let float = |text: &'static str| text_to_float(Text::fixed(text));
         assert_eq!((float("5+6"), float("001.5"), float("-2"), float("1e")), (5.0, 1.5, -2.0, 1.0));
         assert!(float("nixda").is_nan() && float("").is_nan() && float("inf").is_nan());
-        let truth = |text: &'static str| text_to_bool(Text::Static(text));
+        let truth = |text: &'static str| text_to_bool(Text::fixed(text));
         assert!(!truth("f") && !truth("0") && !truth("0.0") && !truth("false") && truth("x"));
     }
 

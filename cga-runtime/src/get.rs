@@ -62,7 +62,7 @@ numbers! {
 
 /// The selector that made this component.
 pub fn comp_sel(shape: &ShapeRef<'_>) -> Text {
-    Text::Static(shape.selector)
+    Text::fixed(shape.selector)
 }
 
 /// `material.name`, empty unless set.

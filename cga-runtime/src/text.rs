@@ -5,26 +5,32 @@ use std::sync::Arc;
 
 /// A piece of text: a literal of the rules or one made while they run.
 #[derive(Clone)]
-pub enum Text {
-    /// A literal.
-    Static(&'static str),
-    /// Made at run time.
+pub struct Text(Repr);
+
+#[derive(Clone)]
+enum Repr {
+    Fixed(&'static str),
     Shared(Arc<str>),
 }
 
 impl Text {
+    /// A literal.
+    pub const fn fixed(text: &'static str) -> Self {
+        Text(Repr::Fixed(text))
+    }
+
     /// The characters.
     pub fn as_str(&self) -> &str {
-        match self {
-            Text::Static(text) => text,
-            Text::Shared(text) => text,
+        match &self.0 {
+            Repr::Fixed(text) => text,
+            Repr::Shared(text) => text,
         }
     }
 }
 
 impl Default for Text {
     fn default() -> Self {
-        Text::Static("")
+        Text::fixed("")
     }
 }
 
@@ -37,13 +43,13 @@ impl std::ops::Deref for Text {
 
 impl From<&str> for Text {
     fn from(text: &str) -> Self {
-        Text::Shared(text.into())
+        Text(Repr::Shared(text.into()))
     }
 }
 
 impl From<String> for Text {
     fn from(text: String) -> Self {
-        Text::Shared(text.into())
+        Text(Repr::Shared(text.into()))
     }
 }
 

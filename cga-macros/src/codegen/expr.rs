@@ -49,7 +49,7 @@ pub(super) fn value(value: &Value) -> TokenStream {
             if number.is_sign_negative() { quote_spanned!(place=> (-#digits)) } else { quote!(#digits) }
         }
         Value::Bool(truth) => quote_spanned!(place=> #truth),
-        Value::Text(text) => quote_spanned!(place=> cga_rt::Text::Static(#text)),
+        Value::Text(text) => quote_spanned!(place=> cga_rt::Text::fixed(#text)),
     }
 }
 

@@ -82,6 +82,12 @@ impl FaceTag {
     pub const CAP: FaceTag = FaceTag { group: Self::NONE, material: Self::NONE, cap: true };
 }
 
+impl Default for FaceTag {
+    fn default() -> Self {
+        FaceTag::PLAIN
+    }
+}
+
 /// What is computed once, when first asked for.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Derived {

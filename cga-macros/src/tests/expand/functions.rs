@@ -14,7 +14,7 @@ impl CgaRules {
             let a1 = cga_rt::Length::Absolute(cga_rt::host::ToFloat::to_float(&OFFSET));
             let a2 = cga_rt::Length::Absolute({
                 let a0 = cga_rt::func::concat(
-                    cga_rt::Text::Static("a"),
+                    cga_rt::Text::fixed("a"),
                     cga_rt::func::float_to_text(cga_rt::get::scope_sx(shape)),
                 );
                 let a1 = true;
@@ -26,7 +26,7 @@ impl CgaRules {
         }
         {
             let a0 = 1f64;
-            let a1 = cga_rt::Text::Static("x");
+            let a1 = cga_rt::Text::fixed("x");
             cga_rt::host::operate(
                 &mut cx.env,
                 shape,
