@@ -119,6 +119,17 @@ fn an_attribute_more_changes_no_other() {
 }
 
 #[test]
+fn operations_on_the_way_to_a_rule_change_no_random_numbers_below() {
+    let shape = Shape::cuboid(4.0, 1.0, 1.0).seed(3);
+    let plain = cga! { Lot --> split(x) { { 1 : A(rand) }* } A(n) --> s(n, rand, 1) B. };
+    let coloured = cga! { Lot --> split(x) { { 1 : color("#ff0000") A(rand) }* } A(n) --> s(n, rand, 1) B. };
+    let sizes = |model: Model| model.leaves().map(|leaf| leaf.size().to_array()).collect::<Vec<_>>();
+    let expected = sizes(plain.generate(&shape).unwrap());
+    assert_eq!(expected, sizes(coloured.generate(&shape).unwrap()));
+    assert!(expected.windows(2).all(|pair| pair[0] != pair[1]));
+}
+
+#[test]
 fn an_old_default_outside_of_its_range_is_no_mistake() {
     cga! {
         grammar Old;

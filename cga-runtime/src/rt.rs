@@ -41,6 +41,12 @@ pub fn successor<'s>(shape: &'s mut ShapeRef<'_>) -> ShapeRef<'s> {
     shape.child(Tag::Successor)
 }
 
+/// A part that goes straight to a rule: the part itself is the successor.
+#[inline]
+pub fn hand_on(part: &mut ShapeRef<'_>) {
+    part.seed.hand_on();
+}
+
 /// A copy of the current shape for `[ … ]`.
 #[inline]
 pub fn push<'s>(shape: &'s mut ShapeRef<'_>) -> ShapeRef<'s> {

@@ -23,6 +23,8 @@ pub(crate) struct Seed {
     key: u64,
     draws: u32,
     children: u32,
+    /// Whether it is that of the first successor of the shape it was made for; see [`Seed::hand_on`].
+    handed_on: bool,
 }
 
 /// The key of a seed that is given and has no parent. No tag makes it.
@@ -41,11 +43,20 @@ fn key(tag: Tag, ordinal: u32) -> u64 {
 
 impl Seed {
     pub(crate) const fn new(value: u64) -> Self {
-        Seed { parent: value, key: GIVEN, draws: 0, children: 0 }
+        Seed { parent: value, key: GIVEN, draws: 0, children: 0, handed_on: false }
     }
 
     pub(crate) fn value(self) -> u64 {
-        if self.key == GIVEN { self.parent } else { mix(self.parent ^ mix(self.key)) }
+        let own = if self.key == GIVEN { self.parent } else { mix(self.parent ^ mix(self.key)) };
+        if self.handed_on { mix(own ^ mix(key(Tag::Successor, 0))) } else { own }
+    }
+
+    /// Becomes the seed of this shape's first successor, without a copy of the shape. A part of a split that goes straight
+    /// to a rule has the same seed there as one that passes operations on the way: `~1 : A` and `~1 : color(c) A`.
+    #[inline]
+    pub(crate) fn hand_on(&mut self) {
+        debug_assert!(!self.handed_on, "a part is handed on once");
+        (self.handed_on, self.draws, self.children) = (true, 0, 0);
     }
 
     /// Sets numbers aside for `count` children and gives the first.
@@ -59,7 +70,7 @@ impl Seed {
     /// The seed of a child by its number, given this seed's [`value`](Seed::value).
     #[inline]
     pub(crate) fn child(value: u64, tag: Tag, ordinal: u32) -> Seed {
-        Seed { parent: value, key: key(tag, ordinal), draws: 0, children: 0 }
+        Seed { parent: value, key: key(tag, ordinal), draws: 0, children: 0, handed_on: false }
     }
 
     /// The next random number in 0..1.

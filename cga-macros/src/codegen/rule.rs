@@ -257,8 +257,11 @@ impl Cx<'_> {
                 let call = self.call(from, *rule, args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.expr(arg, &Place::part()));
+                let called = !is_block(&self.grammar.rules[rule.0 as usize]);
+                let hand_on = called.then(|| quote_spanned!(place=> cga_rt::hand_on(part);));
                 quote_spanned!(place=> {
                     #(let #names = #values;)*
+                    #hand_on
                     #call
                 })
             }

@@ -33,6 +33,7 @@ impl CgaRules {
                     0 => cx.symbol(part, "Wall"),
                     1 => {
                         let a0 = cga_rt::get::comp_index(part);
+                        cga_rt::hand_on(part);
                         CgaRules::Roof(g, cx, part, a0)
                     }
                     2 => cga_rt::Flow::Continue(()),
