@@ -31,6 +31,7 @@ mod fold;
 mod graph;
 pub mod ir;
 pub mod ir_print;
+pub mod ir_walk;
 pub mod lex;
 pub mod lower;
 pub mod ops;

@@ -110,15 +110,12 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
         if self.env.ended() {
             return Flow::Break(());
         }
-        self.env.leaves += 1;
+        self.env.leaves += u64::from(!matches!(shape.geometry, Geometry::Empty));
         let leaf = Leaf { rule, material: shape.state.material(), scope: &shape.scope };
         match &shape.geometry {
             Geometry::Rect(axis) => self.sink.quad(&leaf, &place::rect(&shape.scope, *axis)),
             Geometry::Box => self.sink.cuboid(&leaf, &place::cuboid(&shape.scope)),
-            Geometry::Empty => {
-                self.env.leaves -= 1;
-                Flow::Continue(())
-            }
+            Geometry::Empty => Flow::Continue(()),
             Geometry::Mesh(placed) => {
                 let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);
                 if placed.whole {

@@ -13,6 +13,7 @@ use crate::ir::{
     Attr, AttrId, Childless, Const, ConstId, Function, Global, Grammar, Host, HostId, Param, Rule, RuleId, Step, Type,
     Value,
 };
+use crate::ir_walk::called;
 use crate::span::Span;
 use crate::token::{Tok, Tokens};
 use std::collections::HashMap;
@@ -182,7 +183,8 @@ impl<'c> Lower<'c> {
     }
 
     fn cycles(&mut self) {
-        let edges: Vec<Vec<usize>> = self.out.rules.iter().map(|rule| walk::called(&rule.body)).collect();
+        let edges: Vec<Vec<usize>> =
+            self.out.rules.iter().map(|rule| called(&rule.body).iter().map(|id| id.0 as usize).collect()).collect();
         let mut count = 0;
         for component in components(&edges) {
             if is_cycle(&component, &edges) {

@@ -1,4 +1,4 @@
-//! Over the expressions and calls of a rule's body.
+//! Over the expressions of a rule's body, to change them. Who only looks uses `ir_walk`.
 
 use crate::ir::{Arg, Expr, ExprKind, Selector, Step, Target};
 
@@ -73,45 +73,5 @@ pub(super) fn params(expr: &mut Expr, visit: &mut dyn FnMut(&mut u32)) {
             params(otherwise, visit);
         }
         ExprKind::Value(_) | ExprKind::Attr(_) | ExprKind::Const(_) | ExprKind::Host(_) | ExprKind::Shape(_) => {}
-    }
-}
-
-/// The rules a body calls, by index, each once.
-pub(super) fn called(steps: &[Step]) -> Vec<usize> {
-    let mut list = Vec::new();
-    calls(steps, &mut list);
-    list.sort_unstable();
-    list.dedup();
-    list
-}
-
-fn calls(steps: &[Step], list: &mut Vec<usize>) {
-    let mut add = |target: &Target| {
-        if let Target::Rule { rule, .. } = target {
-            list.push(rule.0 as usize);
-        }
-    };
-    for step in steps {
-        match step {
-            Step::Give(target) => add(target),
-            Step::Split(split) => split.slots.iter().for_each(&mut add),
-            Step::Comp(comp) => comp.arms.iter().for_each(|arm| add(&arm.target)),
-            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Nil(_) => {}
-            Step::Push(_) | Step::Case { .. } | Step::Chance { .. } => {}
-        }
-    }
-    for step in steps {
-        match step {
-            Step::Push(steps) => calls(steps, list),
-            Step::Case { arms, otherwise } => {
-                arms.iter().for_each(|(_, steps)| calls(steps, list));
-                calls(otherwise, list);
-            }
-            Step::Chance { arms, otherwise } => {
-                arms.iter().for_each(|(_, steps)| calls(steps, list));
-                calls(otherwise, list);
-            }
-            _ => {}
-        }
     }
 }

@@ -14,7 +14,6 @@ mod rule;
 mod split;
 mod stack;
 mod table;
-mod walk;
 
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
 use proc_macro2::{Ident, Span, TokenStream};
@@ -71,7 +70,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
 /// What a `#` value must be: the type that the rules give it, or anything where it is only made into text.
 fn host_types(grammar: &Grammar) -> Vec<HostType> {
     let mut types: Vec<HostType> = grammar.hosts.iter().map(|host| HostType::Is(host.ty)).collect();
-    walk::exprs(grammar, &mut |expr| {
+    cga_lang::ir_walk::exprs(grammar, &mut |expr| {
         if let ExprKind::ToText(inner) = &expr.kind
             && let ExprKind::Host(HostId(id)) = inner.kind
         {

@@ -11,10 +11,10 @@
 
 use std::collections::HashMap;
 
-use cga_lang::ir::{Function, Grammar, Rule, RuleId, Step, Target, Type};
+use cga_lang::ir::{Function, Grammar, Rule, RuleId, Step, Type};
+use cga_lang::ir_walk::{self, called};
 
 use super::rule::is_block;
-use super::walk;
 
 /// Kilobytes, in a build without optimisation, that a chain of calls may take without asking.
 const UNASKED: u32 = 256;
@@ -37,7 +37,7 @@ pub(super) struct Plan {
 impl Plan {
     pub(super) fn new(grammar: &Grammar) -> Self {
         let rules = &grammar.rules;
-        let calls: Vec<Vec<RuleId>> = rules.iter().map(called).collect();
+        let calls: Vec<Vec<RuleId>> = rules.iter().map(|rule| called(&rule.body)).collect();
         let own: Vec<u32> = rules.iter().map(share).collect();
         let mut plan = Plan { asks: HashMap::new(), may_wait: vec![false; rules.len()] };
         // The rules of a cycle have one reach.
@@ -116,23 +116,11 @@ fn callers_first(rules: &[Rule], calls: &[Vec<RuleId>]) -> Vec<Vec<RuleId>> {
     sorted
 }
 
-/// The rules a rule calls.
-fn called(rule: &Rule) -> Vec<RuleId> {
-    let mut list = Vec::new();
-    walk::steps(&rule.body, &mut |step| {
-        list.extend(walk::targets(step).into_iter().filter_map(|target| match target {
-            Target::Rule { rule, .. } => Some(*rule),
-            _ => None,
-        }));
-    });
-    list
-}
-
 /// About how many kilobytes of stack a rule takes in a build without optimisation, where every value has a place of its
 /// own. Measured with 1.95; `tests/deep.rs` of the facade holds it.
 fn share(rule: &Rule) -> u32 {
     let mut bytes = 1000;
-    walk::steps(&rule.body, &mut |step| {
+    ir_walk::steps(&rule.body, &mut |step| {
         bytes += match step {
             Step::Give(_) => 700,
             Step::Split(split) => 3000 + 500 * split.slots.len(),
@@ -149,7 +137,7 @@ fn share(rule: &Rule) -> u32 {
 pub(super) fn call_depth(function: &Function) -> u32 {
     const DOCUMENTED: usize = 1024;
     let mut frame = 100;
-    walk::parts(&function.body, &mut |expr| frame += if expr.ty == Type::Text { 64 } else { 8 });
+    ir_walk::parts(&function.body, &mut |expr| frame += if expr.ty == Type::Text { 64 } else { 8 });
     DOCUMENTED.min(512 * 1024 / frame).max(1) as u32
 }
 

@@ -85,7 +85,7 @@ fn divide<'s>(
     let ordinal = shape.seed.reserve(total.min(u32::MAX as usize) as u32);
     let seed = shape.seed.value();
     let slabs = match &shape.geometry {
-        Geometry::Mesh(placed) if 0 < total => slabs(env, placed, shape.scope.size, axis, &solution),
+        Geometry::Mesh(placed) if 0 < total => slabs(env, placed, shape.scope.size, axis, &solution, total),
         _ => Vec::new(),
     };
     for mesh in slabs.iter().flatten() {
@@ -179,7 +179,14 @@ fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
 }
 
 /// Cuts a mesh at the borders of all pieces in one pass; one slab a piece.
-fn slabs(env: &mut Env, placed: &Placed, size: DVec3, axis: Axis, solution: &Solution<'_>) -> Vec<Option<Arc<Mesh>>> {
+fn slabs(
+    env: &mut Env,
+    placed: &Placed,
+    size: DVec3,
+    axis: Axis,
+    solution: &Solution<'_>,
+    pieces: usize,
+) -> Vec<Option<Arc<Mesh>>> {
     let at = axis.index();
     // Planes in mesh coordinates, so that no vertex moves.
     let stretch = placed.stretch(size)[at].abs();
@@ -195,7 +202,6 @@ fn slabs(env: &mut Env, placed: &Placed, size: DVec3, axis: Axis, solution: &Sol
         }
         Flow::Continue(())
     });
-    let pieces = solution.total() as usize;
     let mut rising = offsets.clone();
     rising.dedup();
     let cut = cut::slabs(&placed.mesh, axis, &rising);

@@ -1,9 +1,9 @@
 //! Over the steps and expressions of a grammar.
 
-use cga_lang::ir::{Arg, Expr, ExprKind, Grammar, Selector, Step, Target};
+use crate::ir::{Arg, Expr, ExprKind, Grammar, RuleId, Selector, Step, Target};
 
 /// Every step of a body, those in brackets and branches included.
-pub(super) fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
+pub fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
     for step in list {
         visit(step);
         match step {
@@ -22,7 +22,7 @@ pub(super) fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
 }
 
 /// What a step hands shapes to.
-pub(super) fn targets(step: &Step) -> Vec<&Target> {
+pub fn targets(step: &Step) -> Vec<&Target> {
     match step {
         Step::Give(target) => vec![target],
         Step::Split(split) => split.slots.iter().collect(),
@@ -31,8 +31,22 @@ pub(super) fn targets(step: &Step) -> Vec<&Target> {
     }
 }
 
+/// The rules that a body calls, each once, in the order of their numbers.
+pub fn called(body: &[Step]) -> Vec<RuleId> {
+    let mut list = Vec::new();
+    steps(body, &mut |step| {
+        list.extend(targets(step).into_iter().filter_map(|target| match target {
+            Target::Rule { rule, .. } => Some(*rule),
+            Target::Leaf(..) | Target::Nil => None,
+        }));
+    });
+    list.sort_unstable();
+    list.dedup();
+    list
+}
+
 /// Every expression of a grammar, with its parts.
-pub(super) fn exprs<'g>(grammar: &'g Grammar, visit: &mut dyn FnMut(&'g Expr)) {
+pub fn exprs<'g>(grammar: &'g Grammar, visit: &mut dyn FnMut(&'g Expr)) {
     grammar.attrs.iter().for_each(|attr| parts(&attr.default, visit));
     grammar.consts.iter().for_each(|it| parts(&it.value, visit));
     grammar.functions.iter().for_each(|function| parts(&function.body, visit));
@@ -76,7 +90,7 @@ fn in_step(step: &Step) -> Vec<&Expr> {
 }
 
 /// An expression and its parts.
-pub(super) fn parts<'g>(expr: &'g Expr, visit: &mut dyn FnMut(&'g Expr)) {
+pub fn parts<'g>(expr: &'g Expr, visit: &mut dyn FnMut(&'g Expr)) {
     visit(expr);
     match &expr.kind {
         ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => {
