@@ -10,6 +10,10 @@ use crate::span::Span;
 pub struct Ast {
     /// Declarations, in source order.
     pub decls: Vec<Decl>,
+    /// Imports, in source order.
+    pub imports: Vec<Import>,
+    /// Styles, in source order of their first mention. `Decl::style` counts these from 1; 0 is the style `Default`.
+    pub styles: Vec<Style>,
     /// Annotations before a `version` line: they count for everything.
     pub head: Vec<Annotation>,
     /// The text of the `version` line.
@@ -34,6 +38,48 @@ impl Name {
     }
 }
 
+/// `import id(style, …) : "file.cga" (overrides)`.
+#[derive(Clone, Debug)]
+pub struct Import {
+    /// Annotations before it.
+    pub annotations: Vec<Annotation>,
+    /// The prefix of its names.
+    pub id: Name,
+    /// The styles it is limited to, in parentheses behind the id.
+    pub styles: Option<Vec<Name>>,
+    /// The path, as written.
+    pub path: String,
+    /// The path's token.
+    pub path_span: Span,
+    /// What stands in parentheses behind the path. `None` when there are none: then attributes of the importing file
+    /// override those of the same name; an empty list protects all.
+    pub overrides: Option<Vec<Override>>,
+    /// All of it, without annotations.
+    pub span: Span,
+}
+
+/// What an import changes in the file it imports.
+#[derive(Clone, Debug)]
+pub enum Override {
+    /// `name`: this attribute keeps its value.
+    Keep(Name),
+    /// `name = expr`, evaluated where the import stands.
+    Value(Name, Expr),
+    /// `Name(params) --> ops`: replaces an extension rule.
+    Rule(Decl),
+}
+
+/// `style Name extends Base`.
+#[derive(Clone, Debug)]
+pub struct Style {
+    /// Annotations before it.
+    pub annotations: Vec<Annotation>,
+    /// Its name.
+    pub name: Name,
+    /// The style it builds on; `None` for `Default`.
+    pub base: Option<Name>,
+}
+
 /// A declaration.
 #[derive(Clone, Debug)]
 pub struct Decl {
@@ -41,14 +87,32 @@ pub struct Decl {
     pub annotations: Vec<Annotation>,
     /// Doc comments before it.
     pub docs: Vec<String>,
-    /// What it declares.
+    /// What it declares. Dotted for a rule that continues a leaf of an import (`id.Name --> …`).
     pub name: Name,
+    /// The style it belongs to: 0 for `Default`, else a number into [`Ast::styles`], plus 1.
+    pub style: u32,
+    /// The word before a rule's name.
+    pub role: Role,
     /// Its parameters.
     pub params: Vec<Name>,
+    /// `with ( name := expr … )`: values computed once when it is entered, each seeing those before.
+    pub locals: Vec<(Name, Expr)>,
     /// What the name stands for.
     pub body: Body,
     /// The declaration without annotations.
     pub span: Span,
+}
+
+/// The word before a rule's name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Role {
+    /// No word.
+    #[default]
+    Plain,
+    /// `start`: the file's default rule, callable as `start` and `id.start`.
+    Start,
+    /// `extension`: a default that an importing file may replace.
+    Extension,
 }
 
 /// What a declaration stands for.
@@ -94,8 +158,21 @@ pub struct Op {
 /// What a step of a rule does.
 #[derive(Clone, Debug)]
 pub enum OpKind {
-    /// `name` or `name(args)`: an operation or a successor.
+    /// `name` or `name(args)`: an operation or a successor. The name is dotted for what an import declares.
     Call(Name, Vec<Arg>),
+    /// `id(overrides).Name(args)`: a rule of an import whose attributes start anew.
+    Dynamic {
+        /// The import.
+        import: Name,
+        /// What stands in its parentheses.
+        overrides: Vec<Override>,
+        /// The rule, without the import's name.
+        rule: Name,
+        /// Its arguments.
+        args: Vec<Arg>,
+    },
+    /// An operation with braces other than split and comp: `setback(1) { front : A | remainder : B }`.
+    Block(Block),
     /// `Name.`
     Leaf(Name),
     /// `NIL`
@@ -183,10 +260,43 @@ pub struct Comp {
 pub struct CompArm {
     /// Which components.
     pub selector: Expr,
-    /// `=` instead of `:`.
-    pub together: bool,
+    /// The operator.
+    pub mode: ArmMode,
     /// What they become.
     pub ops: Vec<Op>,
+}
+
+/// The operator of an arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArmMode {
+    /// `:`, one shape a component.
+    Each,
+    /// `=`, one shape for all.
+    Together,
+    /// `=:`, one shape for those that touch each other.
+    Connected,
+}
+
+/// `name(args) { … }`: an operation with braces that is neither split nor comp.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// The operation's name.
+    pub name: Name,
+    /// Words in parentheses right behind the name, as in `inline(unify)`, and arguments.
+    pub args: Vec<Arg>,
+    /// What stands in braces, in order; `splitAndSetbackPerimeter` has two pairs of them.
+    pub parts: Vec<BlockPart>,
+}
+
+/// What stands in a pair of braces.
+#[derive(Clone, Debug)]
+pub enum BlockPart {
+    /// `size : operations | …`, and whether a `*` follows.
+    Slots(Vec<SplitItem>, bool),
+    /// `selector : operations | …`.
+    Arms(Vec<CompArm>),
+    /// Operations; one for each side of `|`.
+    Ops(Vec<Vec<Op>>),
 }
 
 /// An expression.
@@ -217,14 +327,37 @@ pub enum ExprKind {
     Path(Name, Vec<Expr>),
     /// `-a`, `+a`, `!a`
     Unary(Unary, Box<Expr>),
+    /// `.-a`, `.+a`, `.!a`: element by element.
+    EachUnary(Unary, Box<Expr>),
     /// `a + b`; the span is the operator's.
     Binary(Binary, Span, Box<Expr>, Box<Expr>),
+    /// `a .+ b`: element by element.
+    Each(Binary, Span, Box<Expr>, Box<Expr>),
+    /// `[a, b; c, d]`, by rows. An entry may be a range.
+    Array(Vec<Vec<Expr>>),
+    /// `base : limit` or `base : step : limit`. Only as an entry of an array or an index.
+    Range(Box<Expr>, Option<Box<Expr>>, Box<Expr>),
+    /// `a[i]` or `a[row, column]`.
+    Index(Box<Expr>, Vec<Expr>),
+    /// `comp(f) { selector : expr | … }`: an array with a value a component.
+    Comp(CompValue),
     /// `case … else`
     Case(Vec<(Expr, Expr)>, Box<Expr>),
     /// `30% : … else`
     Chance(Vec<(Percent, Expr)>, Box<Expr>),
     /// Something that was reported.
     Error,
+}
+
+/// `comp(args) { selector : expr | … }` as a value.
+#[derive(Clone, Debug)]
+pub struct CompValue {
+    /// The word `comp`.
+    pub name: Name,
+    /// Kind of component and so on.
+    pub args: Vec<Expr>,
+    /// Selector, operator, value.
+    pub arms: Vec<(Expr, ArmMode, Expr)>,
 }
 
 /// Operators with one operand.
@@ -286,6 +419,37 @@ impl Binary {
             Binary::Ge => ">=",
             Binary::And => "&&",
             Binary::Or => "||",
+        }
+    }
+}
+
+impl Expr {
+    /// The expressions it is made of, in the order of evaluation.
+    pub fn parts(&self) -> Vec<&Expr> {
+        match &self.kind {
+            ExprKind::Number(_)
+            | ExprKind::Bool(_)
+            | ExprKind::Text(_)
+            | ExprKind::Name(_)
+            | ExprKind::Host(_)
+            | ExprKind::Error => Vec::new(),
+            ExprKind::Call(_, args) | ExprKind::Path(_, args) => args.iter().collect(),
+            ExprKind::Unary(_, a) | ExprKind::EachUnary(_, a) => vec![a],
+            ExprKind::Binary(_, _, a, b) | ExprKind::Each(_, _, a, b) => vec![a, b],
+            ExprKind::Case(arms, otherwise) => {
+                let arms = arms.iter().flat_map(|(condition, value)| [condition, value]);
+                arms.chain([&**otherwise]).collect()
+            }
+            ExprKind::Chance(arms, otherwise) => arms.iter().map(|(_, value)| value).chain([&**otherwise]).collect(),
+            ExprKind::Array(rows) => rows.iter().flatten().collect(),
+            ExprKind::Range(base, step, limit) => {
+                [Some(base), step.as_ref(), Some(limit)].into_iter().flatten().map(|part| &**part).collect()
+            }
+            ExprKind::Index(array, indices) => [&**array].into_iter().chain(indices).collect(),
+            ExprKind::Comp(comp) => {
+                let arms = comp.arms.iter().flat_map(|(selector, _, value)| [selector, value]);
+                comp.args.iter().chain(arms).collect()
+            }
         }
     }
 }

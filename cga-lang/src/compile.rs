@@ -7,7 +7,7 @@ use crate::diag::{Diag, Diags, Level};
 use crate::ir::{Grammar, Type, Value};
 use crate::lex::lex;
 use crate::lower::lower;
-use crate::ops::{builtins, shape_attr};
+use crate::ops::{functions, shape_attr};
 use crate::parse::parse;
 use crate::span::Span;
 use crate::token::Tokens;
@@ -131,14 +131,12 @@ fn computed(value: &Expr, ast: &Ast, depth: u32) -> bool {
                 Some(decl) if matches!(decl.body, Body::Attr(_)) || DEEPEST < depth => true,
                 Some(decl) => decl.value().is_some_and(|value| computed(value, ast, depth + 1)),
                 // One that is not declared is another finding; the rest are attributes of the shape and draws.
-                None => shape_attr(&name.text).is_some() || builtins(&name.text).any(|row| !row.pure),
+                None => shape_attr(&name.text).is_some() || functions(&name.text).any(|row| !row.pure),
             }
         }
-        ExprKind::Call(name, args) => !builtins(&name.text).any(|row| row.pure) || args.iter().any(part),
+        ExprKind::Call(name, args) => !functions(&name.text).any(|row| row.pure) || args.iter().any(part),
         ExprKind::Host(_) | ExprKind::Path(..) | ExprKind::Chance(..) => true,
-        ExprKind::Unary(_, a) => part(a),
-        ExprKind::Binary(_, _, a, b) => part(a) || part(b),
-        ExprKind::Case(arms, otherwise) => arms.iter().any(|(a, b)| part(a) || part(b)) || part(otherwise),
+        _ => value.parts().into_iter().any(part),
     }
 }
 

@@ -3,7 +3,7 @@
 //! Every name is an index, every split or comp block is a rule of its own with the parameters it captures, every
 //! expression has a type. Code generation reads this and decides nothing. `ir_print` shows it as text.
 
-use crate::ops::{Builtin, Operation, ShapeAttr};
+use crate::ops::{self, Operation, ShapeAttr};
 use crate::span::Span;
 
 /// Index into [`Grammar::rules`].
@@ -391,7 +391,7 @@ pub enum ExprKind {
     /// A function of the grammar.
     Call(FunctionId, Vec<Expr>),
     /// A function of the language.
-    Builtin(&'static Builtin, Vec<Expr>),
+    Builtin(&'static ops::Function, Vec<Expr>),
     /// A Rust function: `path::to(args)`.
     Rust(String, Vec<Expr>),
     /// An attribute of the current shape: `scope.sx`.

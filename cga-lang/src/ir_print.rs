@@ -120,7 +120,7 @@ impl<'g> Printer<'g> {
         match step {
             Step::Do(row, args, _) => {
                 let args: Vec<String> = args.iter().map(|arg| self.arg(arg)).collect();
-                self.line(&format!("{}({})", row.call, args.join(", ")));
+                self.line(&format!("{}({})", row.run.now().unwrap_or(row.name), args.join(", ")));
             }
             Step::SetAttr(id, value, _) => {
                 let text = format!("set {} = {}", self.grammar.attrs[id.0 as usize].name, self.expr(value));
@@ -241,7 +241,7 @@ impl<'g> Printer<'g> {
             ExprKind::Const(id) => self.grammar.consts[id.0 as usize].name.clone(),
             ExprKind::Host(id) => format!("#{}", id.0),
             ExprKind::Call(id, args) => format!("{}{}", self.grammar.functions[id.0 as usize].name, self.args(args)),
-            ExprKind::Builtin(row, args) => format!("{}{}", row.call, self.args(args)),
+            ExprKind::Builtin(row, args) => format!("{}{}", row.run.now().unwrap_or(row.name), self.args(args)),
             ExprKind::Rust(path, args) => format!("{path}{}", self.args(args)),
             ExprKind::Shape(row) => row.name.to_owned(),
             ExprKind::Neg(operand) => format!("-{}", self.expr(operand)),

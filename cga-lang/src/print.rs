@@ -1,7 +1,8 @@
 //! A tree as CGA text, in either spelling. Brackets show how operators were grouped.
 
 use crate::ast::{
-    Annotation, Arg, Ast, Body, Comp, Decl, Expr, ExprKind, Name, Op, OpKind, Percent, Prefix, Split, SplitItem, Unary,
+    Annotation, Arg, ArmMode, Ast, Body, Comp, Decl, Expr, ExprKind, Name, Op, OpKind, Percent, Prefix, Split,
+    SplitItem, Unary,
 };
 use crate::token::push_quoted;
 
@@ -150,7 +151,7 @@ impl Printer {
                 self.word("else :");
                 self.ops(otherwise);
             }
-            OpKind::Error => self.word("ERROR"),
+            OpKind::Error | OpKind::Dynamic { .. } | OpKind::Block(_) => self.word("ERROR"),
         }
     }
 
@@ -208,7 +209,11 @@ impl Printer {
         self.word(" { ");
         self.list(&comp.arms, " | ", |own, arm| {
             own.expr(&arm.selector);
-            own.word(if arm.together { " =" } else { " :" });
+            own.word(match arm.mode {
+                ArmMode::Each => " :",
+                ArmMode::Together => " =",
+                ArmMode::Connected => " =:",
+            });
             own.ops(&arm.ops);
         });
         self.word(" }");
@@ -265,7 +270,7 @@ impl Printer {
                 }
                 self.branch_end(otherwise);
             }
-            ExprKind::Error => self.word("ERROR"),
+            _ => self.word("ERROR"),
         }
     }
 

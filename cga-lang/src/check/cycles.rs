@@ -79,21 +79,11 @@ impl Numbering {
 
 /// Collects what an expression uses.
 fn needs(expr: &Expr, tables: &Tables, numbering: Numbering, list: &mut Vec<usize>) {
-    let mut all = |parts: &mut dyn Iterator<Item = &Expr>| parts.for_each(|part| needs(part, tables, numbering, list));
-    match &expr.kind {
-        ExprKind::Name(name) => list.extend(numbering.node(tables.of(name))),
-        ExprKind::Call(name, args) => {
-            all(&mut args.iter());
-            list.extend(numbering.node(tables.of(name)));
-        }
-        ExprKind::Path(_, args) => all(&mut args.iter()),
-        ExprKind::Unary(_, a) => all(&mut [&**a].into_iter()),
-        ExprKind::Binary(_, _, a, b) => all(&mut [&**a, &**b].into_iter()),
-        ExprKind::Case(arms, otherwise) => {
-            all(&mut arms.iter().flat_map(|(a, b)| [a, b]).chain([&**otherwise]));
-        }
-        ExprKind::Chance(arms, otherwise) => all(&mut arms.iter().map(|(_, b)| b).chain([&**otherwise])),
-        ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Host(_) | ExprKind::Error => {}
+    for part in expr.parts() {
+        needs(part, tables, numbering, list);
+    }
+    if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
+        list.extend(numbering.node(tables.of(name)));
     }
 }
 
@@ -119,14 +109,11 @@ fn can_end(expr: &Expr, tables: &Tables, numbering: Numbering, ends: &[bool]) ->
     match &expr.kind {
         ExprKind::Name(name) => used(name),
         ExprKind::Call(name, args) => used(name) && args.iter().all(can),
-        ExprKind::Path(_, args) => args.iter().all(can),
-        ExprKind::Unary(_, a) => can(a),
-        ExprKind::Binary(_, _, a, b) => can(a) && can(b),
         ExprKind::Case(arms, otherwise) => {
             arms.first().is_none_or(|(first, _)| can(first))
                 && (can(otherwise) || arms.iter().any(|(_, value)| can(value)))
         }
         ExprKind::Chance(arms, otherwise) => can(otherwise) || arms.iter().any(|(_, value)| can(value)),
-        ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Host(_) | ExprKind::Error => true,
+        _ => expr.parts().into_iter().all(can),
     }
 }

@@ -16,7 +16,7 @@ use crate::ast::{Ast, Body, Decl, Expr, Name};
 use crate::code::Code;
 use crate::diag::{Diags, Level};
 use crate::ir::Type;
-use crate::ops::{Builtin, Operation, ShapeAttr};
+use crate::ops::{Function, Operation, ShapeAttr};
 use std::collections::{HashMap, HashSet};
 
 pub use crate::compile::Door;
@@ -30,7 +30,7 @@ pub(crate) enum Use {
     Attr(u32),
     Const(u32),
     Function(u32),
-    Builtin(&'static Builtin),
+    Builtin(&'static Function),
     /// `float`, `bool` or `str`.
     Convert(Type),
     Shape(&'static ShapeAttr),

@@ -5,7 +5,7 @@ use super::{Cx, Door, Use};
 use crate::ast::{Decl, Expr, ExprKind, Name};
 use crate::code::Code;
 use crate::ir::Type;
-use crate::ops::{self, BUILTINS, SHAPE_ATTRS};
+use crate::ops;
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::words;
@@ -51,7 +51,7 @@ pub(super) fn declarations(cx: &mut Cx) {
             Some((_, first)) => duplicate(cx.diags, decl, "rule", globals.rules[*first as usize].name.span),
             None => list.push((decl.params.len(), index as u32)),
         }
-        if let Some(row) = ops::operations(&decl.name.text).find(|row| row.params.len() == decl.params.len()) {
+        if let Some(row) = ops::operations(&decl.name.text).find(|row| row.takes(decl.params.len())) {
             let message = format!("`{}` is an operation, so this rule could never be called", super::arity::usage(row));
             cx.diags.report(Code::DuplicateName, decl.name.span, message).help("give the rule another name");
         }
@@ -119,6 +119,14 @@ impl<'a> Scope<'_, 'a, '_> {
                 }
                 self.expr(otherwise);
             }
+            ExprKind::EachUnary(..)
+            | ExprKind::Each(..)
+            | ExprKind::Array(_)
+            | ExprKind::Range(..)
+            | ExprKind::Index(..)
+            | ExprKind::Comp(_) => {
+                self.cx.diags.report(Code::Unsupported, expr.span, "arrays are not supported yet");
+            }
             ExprKind::Chance(arms, otherwise) => {
                 self.percentages(arms.iter().map(|(percent, _)| percent));
                 for (_, value) in arms {
@@ -142,7 +150,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         let global = self.cx.globals.values.get(name).copied();
         global
-            .or_else(|| ops::builtins(name).find(|row| row.params.is_empty()).map(Use::Builtin))
+            .or_else(|| ops::functions(name).find(|row| row.takes(0)).map(Use::Builtin))
             .or_else(|| ops::shape_attr(name).map(Use::Shape))
     }
 
@@ -166,13 +174,13 @@ impl<'a> Scope<'_, 'a, '_> {
             let takes = list.iter().map(|(count, _)| *count).collect();
             return wrong_count(self.cx, "function", name, takes, 0);
         }
-        if ops::builtins(text).next().is_some() || text == "str" {
-            let takes = ops::builtins(text).map(|row| row.params.len()).collect::<Vec<_>>();
+        if ops::functions(text).next().is_some() || text == "str" {
+            let takes = counts_of(text);
             return wrong_count(self.cx, "function", name, if takes.is_empty() { vec![1] } else { takes }, 0);
         }
         let is_rule = globals.rules_named.contains_key(text);
         let params = self.params.iter().map(|param| param.text.as_str());
-        let names = params.chain(globals.values.keys_sorted()).chain(SHAPE_ATTRS.iter().map(|row| row.name));
+        let names = params.chain(globals.values.keys_sorted()).chain(ops::all_shape_attrs().map(|row| row.name));
         let near = nearest(text, names).map(str::to_owned);
         let (inline, dotted) = (self.cx.door == Door::Inline, text.contains('.'));
         let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
@@ -185,7 +193,7 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.help(format!("write `#{text}` for a Rust value"));
         } else if text
             .split_once('.')
-            .is_some_and(|(first, _)| !SHAPE_ATTRS.iter().any(|row| row.name.starts_with(first)))
+            .is_some_and(|(first, _)| !ops::all_shape_attrs().any(|row| row.name.starts_with(first)))
         {
             diag.note("names with a dot belong to imports, which are not supported yet");
         }
@@ -202,13 +210,13 @@ impl<'a> Scope<'_, 'a, '_> {
         {
             return self.note(name, Use::Convert(ty));
         }
-        if let Some(row) = ops::builtins(text).find(|row| row.params.len() == args.len()) {
+        if let Some(row) = ops::functions(text).find(|row| row.takes(args.len())) {
             return self.note(name, Use::Builtin(row));
         }
         if self.cx.globals.lost.contains(text) || args.iter().any(|arg| matches!(arg.kind, ExprKind::Error)) {
             return;
         }
-        let mut takes: Vec<usize> = ops::builtins(text).map(|row| row.params.len()).collect();
+        let mut takes = counts_of(text);
         takes.extend(self.cx.globals.functions_named.get(text).into_iter().flatten().map(|(count, _)| *count));
         takes.extend(conversion(text).map(|_| 1));
         if !takes.is_empty() {
@@ -230,7 +238,7 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let functions = self.cx.globals.functions_named.keys_sorted();
-        let names = functions.chain(BUILTINS.iter().map(|row| row.name)).chain(["str"]);
+        let names = functions.chain(ops::all_functions().map(|row| row.name)).chain(["str"]);
         let near = nearest(text, names).map(str::to_owned);
         let shape = ops::operations(text).next().is_some() || self.cx.globals.rules_named.contains_key(text);
         let diag = self.cx.diags.report(Code::UnknownFunction, name.span, format!("unknown function `{text}`"));
@@ -254,6 +262,11 @@ impl<'a> Scope<'_, 'a, '_> {
             }
         }
     }
+}
+
+/// Numbers of arguments a function of the language can take.
+fn counts_of(name: &str) -> Vec<usize> {
+    ops::functions(name).flat_map(|row| ops::required(row.params)..=row.params.len()).collect()
 }
 
 /// The type a conversion function gives.

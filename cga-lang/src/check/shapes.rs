@@ -7,7 +7,7 @@ use crate::ast::{Arg, Binary, Comp, Expr, ExprKind, Name, Op, OpKind, Prefix, Sp
 use crate::code::Code;
 use crate::diag::Level;
 use crate::ir::Axis;
-use crate::ops::{self, OPERATIONS, Operation, ParamKind, SELECTORS, SHAPE_ATTRS};
+use crate::ops::{self, Operation, ParamKind, SELECTORS};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::words;
@@ -69,6 +69,9 @@ impl<'a> Scope<'_, 'a, '_> {
     fn op(&mut self, op: &'a Op) {
         match &op.kind {
             OpKind::Leaf(_) | OpKind::Nil | OpKind::Error => {}
+            OpKind::Dynamic { .. } | OpKind::Block(_) => {
+                self.cx.diags.report(Code::Unsupported, op.span, "this is not supported yet");
+            }
             OpKind::Call(name, args) if name.text == "set" => self.set(name, args),
             OpKind::Call(name, args) => self.shape_call(name, args),
             OpKind::Path(_, args) => self.values(args),
@@ -118,7 +121,7 @@ impl<'a> Scope<'_, 'a, '_> {
             }
             return;
         }
-        let mut rows = ops::operations(&name.text).filter(|row| row.params.len() == args.len());
+        let mut rows = ops::operations(&name.text).filter(|row| row.takes(args.len()));
         if let Some(row) = rows.next() {
             self.operation(row, args);
             return self.note(name, Use::Operation(row));
@@ -147,14 +150,15 @@ impl<'a> Scope<'_, 'a, '_> {
         if globals.lost.contains(text) {
             return;
         }
-        let takes: Vec<usize> = ops::operations(text).map(|row| row.params.len()).collect();
+        let takes: Vec<usize> =
+            ops::operations(text).flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
         if !takes.is_empty() {
             let rows: Vec<String> = ops::operations(text).map(|row| format!("`{}`", usage(row))).collect();
             let message = format!("operation `{text}` takes {}, got {count}", counts(takes));
             self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write {}", rows.join(" or ")));
             return;
         }
-        if ops::builtins(text).next().is_some() || words::is_later_function(text) {
+        if ops::functions(text).next().is_some() || words::is_later_function(text) {
             let message = format!("`{text}` is a function: it has a value, it does nothing to the shape");
             self.cx.diags.report(Code::NotAnOperation, name.span, message);
             return;
@@ -167,7 +171,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 (message, None)
             }
             None => {
-                let names = globals.rules_named.keys_sorted().chain(OPERATIONS.iter().map(|row| row.name));
+                let names = globals.rules_named.keys_sorted().chain(ops::all_operations().map(|row| row.name));
                 let near = nearest(text, names.chain(["split", "comp", "set", "NIL"])).map(str::to_owned);
                 (format!("there is no rule `{text}`"), near)
             }
@@ -262,7 +266,7 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let own = globals.attrs.iter().map(|decl| decl.name.text.as_str());
-        let names = own.chain(SHAPE_ATTRS.iter().filter(|row| row.set.is_some()).map(|row| row.name));
+        let names = own.chain(ops::all_shape_attrs().filter(|row| row.set.is_some()).map(|row| row.name));
         let near = nearest(text, names).map(str::to_owned);
         let message = format!("there is no attribute `{text}`");
         self.cx.diags.report(Code::UnknownName, attr.span, message).suggest(near);

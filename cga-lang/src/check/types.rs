@@ -163,7 +163,13 @@ impl<'a> Infer<'_, 'a, '_> {
                 self.branches(arms.iter().map(|(_, value)| value), otherwise)
             }
             ExprKind::Chance(arms, otherwise) => self.branches(arms.iter().map(|(_, value)| value), otherwise),
-            ExprKind::Error => self.vars.add(State::Poison, None),
+            ExprKind::Error
+            | ExprKind::EachUnary(..)
+            | ExprKind::Each(..)
+            | ExprKind::Array(_)
+            | ExprKind::Range(..)
+            | ExprKind::Index(..)
+            | ExprKind::Comp(_) => self.vars.add(State::Poison, None),
         }
     }
 
@@ -201,8 +207,10 @@ impl<'a> Infer<'_, 'a, '_> {
                 self.slot(decl.name.id())
             }
             Some(Use::Builtin(row)) => {
-                for ((var, arg), ty) in types.into_iter().zip(args).zip(row.params) {
-                    self.need_var(var, arg.span, *ty, &format!("`{}`", row.name));
+                for ((var, arg), param) in types.into_iter().zip(args).zip(row.params) {
+                    if let ParamKind::Value(ty) = param.kind {
+                        self.need_var(var, arg.span, ty, &format!("`{}`", row.name));
+                    }
                 }
                 self.known(row.ty, name.span)
             }
@@ -263,7 +271,7 @@ impl<'a> Infer<'_, 'a, '_> {
     fn ops(&mut self, ops: &'a [Op]) {
         for op in ops {
             match &op.kind {
-                OpKind::Leaf(_) | OpKind::Nil | OpKind::Error => {}
+                OpKind::Leaf(_) | OpKind::Nil | OpKind::Error | OpKind::Dynamic { .. } | OpKind::Block(_) => {}
                 OpKind::Call(name, args) => self.call(name, args),
                 OpKind::Path(_, args) => {
                     for arg in args {
@@ -349,8 +357,8 @@ impl<'a> Infer<'_, 'a, '_> {
         for (param, arg) in row.params.iter().zip(args) {
             let ty = match param.kind {
                 ParamKind::Value(ty) => ty,
-                ParamKind::Length => Type::Float,
-                ParamKind::Word { .. } => continue,
+                ParamKind::Length | ParamKind::Size => Type::Float,
+                ParamKind::Any | ParamKind::Selector | ParamKind::Word { .. } => continue,
             };
             self.need(&arg.value, ty, &format!("`{}` of `{}`", param.name, row.name));
         }

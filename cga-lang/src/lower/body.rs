@@ -42,7 +42,7 @@ impl<'c> Lower<'c> {
                 arms: arms.iter().map(|(percent, ops)| (percent.value, self.steps(ops))).collect(),
                 otherwise: self.steps(otherwise),
             },
-            OpKind::Error => return None,
+            OpKind::Dynamic { .. } | OpKind::Block(_) | OpKind::Error => return None,
         })
     }
 
@@ -70,7 +70,9 @@ impl<'c> Lower<'c> {
             Use::Operation(row) => {
                 let args = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
                     ParamKind::Value(_) => Arg::Value(self.folded(&arg.value)),
-                    ParamKind::Length => Arg::Length(self.size(arg)),
+                    ParamKind::Any => Arg::Value(self.folded(&arg.value)),
+                    ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
+                    ParamKind::Selector => Arg::Value(self.folded(&arg.value)),
                     ParamKind::Word { words, .. } => Arg::Word(word(arg, words)),
                 });
                 Step::Do(row, args.collect(), span)
@@ -137,7 +139,7 @@ impl<'c> Lower<'c> {
             CompArm {
                 selector,
                 text: self.tokens.text(arm.selector.span, super::LONGEST_SOURCE),
-                mode: if arm.together { CompMode::Together } else { CompMode::Each },
+                mode: if arm.mode == ast::ArmMode::Each { CompMode::Each } else { CompMode::Together },
                 target: self.block(&arm.ops, block_span(&arm.ops, arm.selector.span)),
             }
         });

@@ -44,7 +44,13 @@ impl Lower<'_> {
                 let ty = otherwise.ty;
                 (ExprKind::Chance(arms, Box::new(otherwise)), ty)
             }
-            ast::ExprKind::Error => nothing(),
+            ast::ExprKind::Error
+            | ast::ExprKind::EachUnary(..)
+            | ast::ExprKind::Each(..)
+            | ast::ExprKind::Array(_)
+            | ast::ExprKind::Range(..)
+            | ast::ExprKind::Index(..)
+            | ast::ExprKind::Comp(_) => nothing(),
         };
         Expr { kind, ty, span: expr.span }
     }
@@ -89,7 +95,8 @@ fn convert(arg: Expr, ty: Type) -> (ExprKind, Type) {
         Type::Float => "float",
         Type::Bool => "bool",
     };
-    match ops::builtins(name).find(|row| row.params == [arg.ty]) {
+    match ops::functions(name).find(|row| matches!(row.params, [param] if param.kind == ops::ParamKind::Value(arg.ty)))
+    {
         Some(row) => (ExprKind::Builtin(row, vec![arg]), ty),
         None => (arg.kind, ty),
     }

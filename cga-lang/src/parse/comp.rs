@@ -1,7 +1,7 @@
 //! `comp(f) { selector : operations | selector = operations }`.
 
 use super::{Parsed, Parser, Reported};
-use crate::ast::{Comp, CompArm, Name, OpKind};
+use crate::ast::{ArmMode, Comp, CompArm, Name, OpKind};
 use crate::token::Sym;
 
 impl Parser<'_> {
@@ -31,6 +31,7 @@ impl Parser<'_> {
             return self.fail("`:` or `=` after the selector");
         }
         let ops = self.ops(false)?;
-        Ok(CompArm { selector, together, ops })
+        let mode = if together { ArmMode::Together } else { ArmMode::Each };
+        Ok(CompArm { selector, mode, ops })
     }
 }

@@ -198,7 +198,7 @@ impl Parser<'_> {
             return Ok((Expr { kind: ExprKind::Name(name), span }, 1));
         }
         let (own, now) =
-            (self.layout.functions.contains(&name.text), crate::ops::builtins(&name.text).next().is_some());
+            (self.layout.functions.contains(&name.text), crate::ops::functions(&name.text).next().is_some());
         if crate::words::is_later_function(&name.text) && !now && !own {
             // Its arguments may be words or arrays, so they are not read.
             self.at = self.closing()? + 1;
@@ -243,17 +243,6 @@ impl Parser<'_> {
 
 /// The depth of a tree whose parts are known to be bounded.
 fn depth_of(expr: &Expr) -> u32 {
-    let deepest = match &expr.kind {
-        ExprKind::Unary(_, a) => depth_of(a),
-        ExprKind::Binary(_, _, a, b) => depth_of(a).max(depth_of(b)),
-        ExprKind::Call(_, args) | ExprKind::Path(_, args) => args.iter().map(depth_of).max().unwrap_or(0),
-        ExprKind::Case(arms, otherwise) => {
-            arms.iter().map(|(a, b)| depth_of(a).max(depth_of(b))).max().unwrap_or(0).max(depth_of(otherwise))
-        }
-        ExprKind::Chance(arms, otherwise) => {
-            arms.iter().map(|(_, b)| depth_of(b)).max().unwrap_or(0).max(depth_of(otherwise))
-        }
-        _ => 0,
-    };
+    let deepest = expr.parts().into_iter().map(depth_of).max().unwrap_or(0);
     deepest + 1
 }

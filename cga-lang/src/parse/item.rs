@@ -2,7 +2,7 @@
 
 use super::layout::{Head, head};
 use super::{Parsed, Parser, Reported};
-use crate::ast::{Ast, Body, Decl, Expr, ExprKind, Name, Op, OpKind};
+use crate::ast::{Ast, Body, Decl, Expr, ExprKind, Name, Op, OpKind, Role};
 use crate::code::Code;
 use crate::token::{Sym, Tok};
 
@@ -117,7 +117,17 @@ impl Parser<'_> {
             Body::Rule(self.body_ops())
         };
         let span = self.span_from(start);
-        ast.decls.push(Decl { annotations, docs, name, params, body, span });
+        ast.decls.push(Decl {
+            annotations,
+            docs,
+            name,
+            style: 0,
+            role: Role::Plain,
+            params,
+            locals: Vec::new(),
+            body,
+            span,
+        });
         Ok(())
     }
 

@@ -2,6 +2,7 @@
 //! evaluated first and one by one, so that the borrows never overlap.
 
 use cga_lang::ir::{Binary, Expr, ExprKind, Type, Value};
+use cga_lang::ops::Needs;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
@@ -32,6 +33,19 @@ impl Place {
     pub(super) fn function() -> Self {
         let place = Span::mixed_site();
         Place { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> shape) }
+    }
+}
+
+impl Place {
+    /// What a function of the runtime gets before its arguments.
+    fn needs(&self, needs: Needs) -> TokenStream {
+        let (place, env, shape) = (Span::mixed_site(), &self.env, &self.shape);
+        match needs {
+            Needs::Nothing => TokenStream::new(),
+            Needs::Shape => quote_spanned!(place=> #shape,),
+            Needs::Env => quote_spanned!(place=> #env,),
+            Needs::Both => quote_spanned!(place=> #env, #shape,),
+        }
     }
 }
 
@@ -99,12 +113,9 @@ impl Cx<'_> {
                 self.with_args(args, at, |args| quote_spanned!(place=> CgaRules::#name(g, #env, #shape, #(#args),*)))
             }
             ExprKind::Builtin(function, args) => {
-                let name = Ident::new(function.call, place);
-                let shape = function.uses_shape.then(|| {
-                    let shape = &at.shape;
-                    quote_spanned!(place=> #shape,)
-                });
-                self.with_args(args, at, |args| quote_spanned!(place=> cga_rt::func::#name(#shape #(#args),*)))
+                let name = Ident::new(function.run.now().unwrap_or(function.name), place);
+                let needs = at.needs(function.needs);
+                self.with_args(args, at, |args| quote_spanned!(place=> cga_rt::func::#name(#needs #(#args),*)))
             }
             ExprKind::Rust(path, args) => {
                 let path = self.source.path(expr.span.first, path);
@@ -113,8 +124,8 @@ impl Cx<'_> {
                 self.with_rust_args(args, at, |args| quote_spanned!(here=> cga_rt::host::#convert(&#path(#(#args),*))))
             }
             ExprKind::Shape(attr) => {
-                let (get, shape) = (Ident::new(attr.get, place), &at.shape);
-                quote_spanned!(place=> cga_rt::get::#get(#shape))
+                let (get, needs) = (Ident::new(attr.get.now().unwrap_or(attr.name), place), at.needs(attr.needs));
+                quote_spanned!(place=> cga_rt::get::#get(#needs))
             }
             ExprKind::Neg(inner) => {
                 let inner = self.expr(inner, at);

@@ -1,7 +1,7 @@
 //! One function a rule, one function a function.
 
 use cga_lang::ir::{Arg, Childless, Function, Prefix, Rule, RuleId, Step, Target, Type};
-use cga_lang::ops::{Operation, ParamKind};
+use cga_lang::ops::{Operation, ParamKind, Run};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::Lifetime;
@@ -119,7 +119,7 @@ impl Cx<'_> {
                 })
             }
             Step::SetShape(attr, expr, _) => {
-                let Some(set) = attr.set else { return TokenStream::new() };
+                let Some(set) = attr.set.and_then(Run::now) else { return TokenStream::new() };
                 let (set, value) = (Ident::new(set, place), self.expr(expr, &at));
                 quote_spanned!(place=> {
                     let a0 = #value;
@@ -198,7 +198,7 @@ impl Cx<'_> {
     fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
         let place = Span::mixed_site();
         let at = Place::rule();
-        let name = Ident::new(operation.call, place);
+        let name = Ident::new(operation.run.now().unwrap_or(operation.name), place);
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
         let values = args.iter().zip(operation.params).map(|(arg, param)| match (arg, &param.kind) {
             (Arg::Value(expr), ParamKind::Length) => {
@@ -213,7 +213,7 @@ impl Cx<'_> {
                     Prefix::Absolute | Prefix::Floating => quote_spanned!(place=> cga_rt::Length::Absolute(#value)),
                 }
             }
-            (Arg::Word(word), ParamKind::Word { rust, words }) => {
+            (Arg::Word(word), ParamKind::Word { rust, words, .. }) => {
                 let variant = words.iter().find(|(written, _)| written == word).map_or("", |(_, variant)| variant);
                 let (rust, variant) = (Ident::new(rust, place), Ident::new(variant, place));
                 quote_spanned!(place=> cga_rt::op::#rust::#variant)

@@ -1,0 +1,261 @@
+//! The tables of the language's words: operations, functions, attributes of shapes, component selectors.
+//!
+//! Every word of the language has a row, whether it runs yet or not. To add an operation that only changes the current
+//! shape: one row and one function in the runtime's `op` module. The parser, the checks and the code generator read
+//! the row.
+
+mod attributes;
+mod functions;
+mod operations;
+mod selectors;
+
+use crate::ir::Type;
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+pub use attributes::SHAPE_ATTRS;
+pub use functions::FUNCTIONS;
+pub use operations::OPERATIONS;
+pub use selectors::SELECTORS;
+
+/// Whether a row of a table can run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Run {
+    /// By the function of that name in the runtime's module (`op`, `func`, `get`, `set`).
+    Now(&'static str),
+    /// Not yet: using it is a warning, and a fault in a run.
+    Later,
+}
+
+/// An operation: it changes the current shape or makes shapes of it.
+#[derive(Debug, PartialEq)]
+pub struct Operation {
+    /// As written in rules. Several rows may share a name; number and kinds of arguments tell them apart.
+    pub name: &'static str,
+    /// What does it.
+    pub run: Run,
+    /// Its parameters. Those with a default stand last.
+    pub params: &'static [Param],
+    /// What stands in braces behind it.
+    pub block: Block,
+    /// Whether it looks at the state at the start of the rule, bracket or part (`center`).
+    pub uses_base: bool,
+    /// Why it is accepted though nobody should write it any more, and what to write instead.
+    pub old: Option<&'static str>,
+    /// What it does, in a line.
+    pub about: &'static str,
+}
+
+/// What stands in braces behind an operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Block {
+    /// No braces.
+    None,
+    /// `size : operations`, repeatable, as in a split.
+    Slots,
+    /// `selector : operations`, as in a comp.
+    Arms,
+    /// Operations.
+    Ops,
+    /// Operations on both sides of `|`.
+    Operands,
+}
+
+/// A parameter of an operation or function.
+#[derive(Debug, PartialEq)]
+pub struct Param {
+    /// For messages.
+    pub name: &'static str,
+    /// What may stand there.
+    pub kind: ParamKind,
+    /// What counts when it is left out.
+    pub default: Option<Default>,
+}
+
+/// What counts when an argument is left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Default {
+    /// A number.
+    Float(f64),
+    /// A truth value.
+    Bool(bool),
+    /// Text.
+    Text(&'static str),
+    /// One of the parameter's words.
+    Word(&'static str),
+}
+
+/// What may stand in an argument.
+#[derive(Debug, PartialEq)]
+pub enum ParamKind {
+    /// A value of that type.
+    Value(Type),
+    /// A value of any type. The runtime's function is generic in it.
+    Any,
+    /// A length in metres, or relative with `'`.
+    Length,
+    /// A length in metres, relative with `'` or floating with `~`. Rows that run have no such parameter yet.
+    Size,
+    /// One of the selectors of components, or an index, or a condition. Rows that run have no such parameter yet.
+    Selector,
+    /// A word. The runtime has an enum of that name with a variant for each second entry.
+    Word {
+        /// The runtime's enum.
+        rust: &'static str,
+        /// As written, and the enum's variant.
+        words: &'static [(&'static str, &'static str)],
+        /// Words that nobody should write any more, and what to write instead.
+        old: &'static [(&'static str, &'static str)],
+    },
+}
+
+/// A function of the language.
+#[derive(Debug, PartialEq)]
+pub struct Function {
+    /// As written. Rows of one name and as many parameters differ in their kinds.
+    pub name: &'static str,
+    /// What computes it. When it runs later, its value is 0, false, empty or without elements.
+    pub run: Run,
+    /// Its parameters. Those with a default stand last.
+    pub params: &'static [Param],
+    /// Type of its result.
+    pub ty: Type,
+    /// What it gets before its arguments.
+    pub needs: Needs,
+    /// Whether equal arguments always give equal results, so that it may be folded.
+    pub pure: bool,
+    /// What it gives, in a line.
+    pub about: &'static str,
+}
+
+/// What a function of the runtime gets before its arguments, both mutably.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Needs {
+    /// Nothing.
+    Nothing,
+    /// The current shape.
+    Shape,
+    /// The run: faults, limits, assets, the initial shape.
+    Env,
+    /// The run, then the current shape.
+    Both,
+}
+
+/// An attribute of the current shape.
+#[derive(Debug, PartialEq)]
+pub struct ShapeAttr {
+    /// As written: `scope.sx`.
+    pub name: &'static str,
+    /// What reads it.
+    pub get: Run,
+    /// Its type.
+    pub ty: Type,
+    /// What it is read from.
+    pub needs: Needs,
+    /// The function in the runtime's `set` module, if it can be set.
+    pub set: Option<Run>,
+    /// Why it is accepted though nobody should write it any more, and what to write instead.
+    pub old: Option<&'static str>,
+}
+
+impl Run {
+    /// The runtime's function.
+    pub const fn now(self) -> Option<&'static str> {
+        match self {
+            Run::Now(name) => Some(name),
+            Run::Later => None,
+        }
+    }
+}
+
+impl Operation {
+    /// Whether it can be called with so many arguments.
+    pub fn takes(&self, count: usize) -> bool {
+        takes(self.params, count)
+    }
+}
+
+impl Function {
+    /// Whether it can be called with so many arguments.
+    pub fn takes(&self, count: usize) -> bool {
+        takes(self.params, count)
+    }
+}
+
+fn takes(params: &[Param], count: usize) -> bool {
+    required(params) <= count && count <= params.len()
+}
+
+/// How many arguments cannot be left out.
+pub fn required(params: &[Param]) -> usize {
+    params.iter().take_while(|param| param.default.is_none()).count()
+}
+
+type Rows<T> = HashMap<&'static str, Vec<&'static T>>;
+
+fn by_name<T>(rows: impl Iterator<Item = &'static T>, name: fn(&T) -> &'static str) -> Rows<T> {
+    let mut map = Rows::new();
+    for row in rows {
+        map.entry(name(row)).or_default().push(row);
+    }
+    map
+}
+
+/// The rows of an operation's name.
+pub fn operations(name: &str) -> impl Iterator<Item = &'static Operation> + Clone + use<> {
+    static ROWS: LazyLock<Rows<Operation>> = LazyLock::new(|| by_name(all_operations(), |row| row.name));
+    ROWS.get(name).map(Vec::as_slice).unwrap_or_default().iter().copied()
+}
+
+/// Every operation.
+pub fn all_operations() -> impl Iterator<Item = &'static Operation> + Clone {
+    OPERATIONS.iter().copied().flatten()
+}
+
+/// The rows of a function's name.
+pub fn functions(name: &str) -> impl Iterator<Item = &'static Function> + Clone + use<> {
+    static ROWS: LazyLock<Rows<Function>> = LazyLock::new(|| by_name(all_functions(), |row| row.name));
+    ROWS.get(name).map(Vec::as_slice).unwrap_or_default().iter().copied()
+}
+
+/// Every function.
+pub fn all_functions() -> impl Iterator<Item = &'static Function> + Clone {
+    FUNCTIONS.iter().copied().flatten()
+}
+
+/// The attribute of that name.
+pub fn shape_attr(name: &str) -> Option<&'static ShapeAttr> {
+    static ROWS: LazyLock<Rows<ShapeAttr>> = LazyLock::new(|| by_name(all_shape_attrs(), |row| row.name));
+    ROWS.get(name)?.first().copied()
+}
+
+/// Every attribute of shapes.
+pub fn all_shape_attrs() -> impl Iterator<Item = &'static ShapeAttr> + Clone {
+    SHAPE_ATTRS.iter().copied().flatten()
+}
+
+// Short forms for the tables.
+
+const F: Type = Type::Float;
+const B: Type = Type::Bool;
+const T: Type = Type::Text;
+
+const fn param(name: &'static str, kind: ParamKind) -> Param {
+    Param { name, kind, default: None }
+}
+
+const fn float(name: &'static str) -> Param {
+    param(name, ParamKind::Value(F))
+}
+
+const fn boolean(name: &'static str) -> Param {
+    param(name, ParamKind::Value(B))
+}
+
+const fn text(name: &'static str) -> Param {
+    param(name, ParamKind::Value(T))
+}
+
+const fn length(name: &'static str) -> Param {
+    param(name, ParamKind::Length)
+}
