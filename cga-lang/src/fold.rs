@@ -144,7 +144,7 @@ fn to_text(value: Value) -> Option<Value> {
         Value::Float(value) if value.fract() == 0.0 && value.abs() < 1e9 => {
             Some(Value::Text(format!("{}", value as i64)))
         }
-        Value::Float(_) => None,
+        Value::Float(_) | Value::Array(_) => None,
     }
 }
 
@@ -171,6 +171,9 @@ impl Value {
             Value::Float(_) => Type::Float,
             Value::Bool(_) => Type::Bool,
             Value::Text(_) => Type::Text,
+            Value::Array(rows) => {
+                rows.first().and_then(|row| row.first()).map_or(Type::Floats, |first| first.ty().array())
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::ir::{
     Arg, Axis, Binary, Childless, Comp, CompMode, Expr, ExprKind, Global, Grammar, Item, Param, Prefix, Rule, Selector,
-    Size, Split, Step, Target, Type, Value,
+    Size, Split, Step, Target, Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
@@ -33,7 +33,7 @@ impl<'g> Printer<'g> {
     fn grammar(&mut self) {
         let grammar = self.grammar;
         for attr in &grammar.attrs {
-            let mut text = format!("attr {}: {} = {}", attr.name, ty(attr.ty), self.expr(&attr.default));
+            let mut text = format!("attr {}: {} = {}", attr.name, attr.ty.word(), self.expr(&attr.default));
             if let Some(range) = attr.range {
                 let _ = write!(text, ", range {} to {}", range.min, range.max);
                 if range.step != 0.0 {
@@ -60,13 +60,13 @@ impl<'g> Printer<'g> {
             self.line(&text);
         }
         for own in &grammar.consts {
-            let text = format!("const {}: {} = {}", own.name, ty(own.ty), self.expr(&own.value));
+            let text = format!("const {}: {} = {}", own.name, own.ty.word(), self.expr(&own.value));
             self.line(&text);
         }
         for function in &grammar.functions {
             self.params = &function.params;
             let recursive = if function.recursive { ", recursive" } else { "" };
-            let head = format!("{}{}: {}", function.name, params(&function.params), ty(function.ty));
+            let head = format!("{}{}: {}", function.name, params(&function.params), function.ty.word());
             let text = format!("function {head} = {}{recursive}", self.expr(&function.body));
             self.line(&text);
         }
@@ -79,7 +79,7 @@ impl<'g> Printer<'g> {
             self.line(&text);
         }
         for (index, host) in grammar.hosts.iter().enumerate() {
-            let text = format!("host {index}: {} from {}", ty(host.ty), host.handle);
+            let text = format!("host {index}: {} from {}", host.ty.word(), host.handle);
             self.line(&text);
         }
         if let Some(start) = grammar.start {
@@ -227,13 +227,7 @@ impl<'g> Printer<'g> {
 
     fn expr(&self, expr: &Expr) -> String {
         match &expr.kind {
-            ExprKind::Value(Value::Float(value)) => value.to_string(),
-            ExprKind::Value(Value::Bool(value)) => value.to_string(),
-            ExprKind::Value(Value::Text(text)) => {
-                let mut out = String::new();
-                push_quoted(&mut out, text);
-                out
-            }
+            ExprKind::Value(known) => value(known),
             ExprKind::Param(index) => {
                 self.params.get(*index as usize).map_or_else(|| format!("param {index}"), |param| param.name.clone())
             }
@@ -264,11 +258,19 @@ impl<'g> Printer<'g> {
     }
 }
 
-fn ty(ty: Type) -> &'static str {
-    match ty {
-        Type::Float => "float",
-        Type::Bool => "bool",
-        Type::Text => "string",
+fn value(known: &Value) -> String {
+    match known {
+        Value::Float(number) => number.to_string(),
+        Value::Bool(truth) => truth.to_string(),
+        Value::Text(text) => {
+            let mut out = String::new();
+            push_quoted(&mut out, text);
+            out
+        }
+        Value::Array(rows) => {
+            let row = |row: &Vec<Value>| row.iter().map(value).collect::<Vec<_>>().join(", ");
+            format!("[{}]", rows.iter().map(row).collect::<Vec<_>>().join("; "))
+        }
     }
 }
 
@@ -276,7 +278,7 @@ fn params(params: &[Param]) -> String {
     if params.is_empty() {
         return String::new();
     }
-    let list: Vec<String> = params.iter().map(|param| format!("{}: {}", param.name, ty(param.ty))).collect();
+    let list: Vec<String> = params.iter().map(|param| format!("{}: {}", param.name, param.ty.word())).collect();
     format!("({})", list.join(", "))
 }
 

@@ -29,7 +29,7 @@ pub(super) fn infer(cx: &mut Cx) {
         let ty = pass.expr(value);
         // Fails only for a recursive function that was used as something else inside its own body.
         if let Err((own, other)) = pass.vars.join(own, ty) {
-            pass.mismatch(value.span, &format!("`{}` is used as a {}, but this is", decl.name.text, word(own)), other);
+            pass.mismatch(value.span, &format!("`{}` is used as a {}, but this is", decl.name.text, own.word()), other);
         }
         if pass.vars.state(ty) == State::Poison {
             pass.poison_slot(decl.name.id());
@@ -43,15 +43,6 @@ pub(super) fn infer(cx: &mut Cx) {
     }
     pass.solve();
     pass.store();
-}
-
-/// A type in CGA's words.
-pub(crate) fn word(ty: Type) -> &'static str {
-    match ty {
-        Type::Float => "float",
-        Type::Bool => "bool",
-        Type::Text => "string",
-    }
 }
 
 struct Plus {
@@ -104,7 +95,7 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     fn mismatch(&mut self, span: Span, needs: &str, got: Type) -> &mut crate::diag::Diag {
-        self.cx.diags.report(Code::TypeMismatch, span, format!("{needs} a {}", word(got)))
+        self.cx.diags.report(Code::TypeMismatch, span, format!("{needs} a {}", got.word()))
     }
 
     /// Demands a type of an expression.
@@ -119,10 +110,13 @@ impl<'a> Infer<'_, 'a, '_> {
         }
         let Some(got) = self.vars.known(var) else { return };
         let why = self.vars.why(var).filter(|why| *why != span);
-        let diag =
-            self.cx.diags.report(Code::TypeMismatch, span, format!("{who} needs a {}, got a {}", word(ty), word(got)));
+        let diag = self.cx.diags.report(
+            Code::TypeMismatch,
+            span,
+            format!("{who} needs a {}, got a {}", ty.word(), got.word()),
+        );
         if let Some(why) = why {
-            diag.related(format!("found to be a {}", word(got)), why);
+            diag.related(format!("found to be a {}", got.word()), why);
         }
         match (ty, got) {
             (Type::Text, _) => _ = diag.help("write `str(…)`"),
@@ -180,9 +174,9 @@ impl<'a> Infer<'_, 'a, '_> {
             if let Err((first, second)) = self.vars.join(result, ty) {
                 let why = self.vars.why(result);
                 let diag =
-                    self.mismatch(value.span, &format!("the branches before are a {}, this is", word(first)), second);
+                    self.mismatch(value.span, &format!("the branches before are a {}, this is", first.word()), second);
                 if let Some(why) = why {
-                    diag.related(format!("a {}", word(first)), why);
+                    diag.related(format!("a {}", first.word()), why);
                 }
                 return self.vars.add(State::Poison, None);
             }
@@ -255,7 +249,7 @@ impl<'a> Infer<'_, 'a, '_> {
                 let (a, b) = (self.expr(left), self.expr(right));
                 if let Err((first, second)) = self.vars.join(a, b) {
                     let message =
-                        format!("{who} compares values of one type, got a {} and a {}", word(first), word(second));
+                        format!("{who} compares values of one type, got a {} and a {}", first.word(), second.word());
                     let diag = self.cx.diags.report(Code::TypeMismatch, at, message);
                     if first == Type::Text || second == Type::Text {
                         diag.help("write `str(…)` or `float(…)` around one of them");
@@ -370,14 +364,14 @@ impl<'a> Infer<'_, 'a, '_> {
             let Argument { arg, span, param, ref callee, ref name } = self.calls[index];
             let Err((got, needs)) = self.vars.join(arg, param) else { continue };
             let message = if callee == "set" {
-                format!("`{name}` is a {}, got a {}", word(needs), word(got))
+                format!("`{name}` is a {}, got a {}", needs.word(), got.word())
             } else {
-                format!("`{name}` of `{callee}` is a {}, got a {}", word(needs), word(got))
+                format!("`{name}` of `{callee}` is a {}, got a {}", needs.word(), got.word())
             };
             let why = self.vars.why(param);
             let diag = self.cx.diags.report(Code::TypeMismatch, span, message);
             if let Some(why) = why.filter(|why| *why != span) {
-                diag.related(format!("found to be a {}", word(needs)), why);
+                diag.related(format!("found to be a {}", needs.word()), why);
             }
         }
         self.propagate();
@@ -444,7 +438,7 @@ impl<'a> Infer<'_, 'a, '_> {
         if !self.vars.bind(result, ty, at)
             && let Some(needs) = self.vars.known(result)
         {
-            let message = format!("this `+` gives a {}, but a {} is needed", word(ty), word(needs));
+            let message = format!("this `+` gives a {}, but a {} is needed", ty.word(), needs.word());
             self.cx.diags.report(Code::TypeMismatch, at, message);
         }
     }

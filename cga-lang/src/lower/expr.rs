@@ -94,6 +94,9 @@ fn convert(arg: Expr, ty: Type) -> (ExprKind, Type) {
         Type::Text => return (ExprKind::ToText(Box::new(arg)), ty),
         Type::Float => "float",
         Type::Bool => "bool",
+        Type::Floats => "floatArray",
+        Type::Bools => "boolArray",
+        Type::Texts => "stringArray",
     };
     match ops::functions(name).find(|row| matches!(row.params, [param] if param.kind == ops::ParamKind::Value(arg.ty)))
     {

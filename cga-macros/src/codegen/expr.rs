@@ -7,6 +7,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::public::captured;
+use super::types::{self, cloned, value};
 use super::{Cx, local};
 use crate::header::{HostType, conversion, convert};
 
@@ -49,24 +50,6 @@ impl Place {
     }
 }
 
-/// A constant.
-pub(super) fn value(value: &Value) -> TokenStream {
-    let place = Span::mixed_site();
-    match value {
-        Value::Float(number) if number.is_nan() => quote_spanned!(place=> ::core::primitive::f64::NAN),
-        Value::Float(number) if number.is_infinite() && *number < 0.0 => {
-            quote_spanned!(place=> ::core::primitive::f64::NEG_INFINITY)
-        }
-        Value::Float(number) if number.is_infinite() => quote_spanned!(place=> ::core::primitive::f64::INFINITY),
-        Value::Float(number) => {
-            let digits = Literal::f64_suffixed(number.abs());
-            if number.is_sign_negative() { quote_spanned!(place=> (-#digits)) } else { quote!(#digits) }
-        }
-        Value::Bool(truth) => quote_spanned!(place=> #truth),
-        Value::Text(text) => quote_spanned!(place=> cga_rt::Text::fixed(#text)),
-    }
-}
-
 impl Cx<'_> {
     pub(super) fn expr(&self, expr: &Expr, at: &Place) -> TokenStream {
         let place = Span::mixed_site();
@@ -82,10 +65,10 @@ impl Cx<'_> {
                     return cloned(attr.ty, quote_spanned!(place=> g.#name));
                 }
                 let (shape, number) = (&at.shape, Literal::u32_suffixed(id.0));
+                let get = types::function(attr.ty, "attribute");
                 match attr.ty {
-                    Type::Float => quote_spanned!(place=> cga_rt::get::float_attribute(#shape, #number, g.#name)),
-                    Type::Bool => quote_spanned!(place=> cga_rt::get::bool_attribute(#shape, #number, g.#name)),
-                    Type::Text => quote_spanned!(place=> cga_rt::get::text_attribute(#shape, #number, &g.#name)),
+                    Type::Float | Type::Bool => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, g.#name)),
+                    _ => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, &g.#name)),
                 }
             }
             ExprKind::Const(id) => {
@@ -142,11 +125,7 @@ impl Cx<'_> {
             // It came in as text.
             ExprKind::ToText(inner) if matches!(inner.kind, ExprKind::Host(_)) => self.expr(inner, at),
             ExprKind::ToText(inner) => {
-                let convert = match inner.ty {
-                    Type::Float => quote_spanned!(place=> float_to_text),
-                    Type::Bool => quote_spanned!(place=> bool_to_text),
-                    Type::Text => quote_spanned!(place=> text_to_text),
-                };
+                let convert = types::function(inner.ty, "to_text");
                 let inner = self.expr(inner, at);
                 quote_spanned!(place=> cga_rt::func::#convert(#inner))
             }
@@ -237,14 +216,6 @@ fn is_plain(expr: &Expr) -> bool {
         ExprKind::Neg(inner) | ExprKind::Not(inner) => is_plain(inner),
         ExprKind::Binary(_, left, right) => is_plain(left) && is_plain(right),
         _ => false,
-    }
-}
-
-/// Numbers and truth values are copied, text is shared.
-fn cloned(ty: Type, place: TokenStream) -> TokenStream {
-    match ty {
-        Type::Text => quote_spanned!(Span::mixed_site()=> ::core::clone::Clone::clone(&#place)),
-        _ => place,
     }
 }
 

@@ -14,6 +14,7 @@ mod rule;
 mod split;
 mod stack;
 mod table;
+mod types;
 
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
 use proc_macro2::{Ident, Span, TokenStream};
@@ -82,12 +83,7 @@ fn host_types(grammar: &Grammar) -> Vec<HostType> {
 
 /// The Rust type of a value inside the rules.
 fn inner_type(ty: Type) -> TokenStream {
-    let place = Span::mixed_site();
-    match ty {
-        Type::Float => quote_spanned!(place=> ::core::primitive::f64),
-        Type::Bool => quote_spanned!(place=> ::core::primitive::bool),
-        Type::Text => quote_spanned!(place=> cga_rt::Text),
-    }
+    types::inner(ty, &quote_spanned!(Span::mixed_site()=> cga_rt))
 }
 
 impl Cx<'_> {

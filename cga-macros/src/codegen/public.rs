@@ -5,9 +5,8 @@ use cga_lang::ir::{Attr, Type, Value};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::expr::value;
 use super::names::ident;
-use super::{inner_type, local};
+use super::{local, types};
 use crate::door::Source;
 use crate::header::{Header, HostType, capture};
 
@@ -32,7 +31,7 @@ impl PublicAttr {
     pub(super) fn of(attr: &Attr, source: &Source) -> Self {
         let about = if attr.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.doc) };
         let default = match &attr.known {
-            Some(known) => format!("default {}", show(known)),
+            Some(known) => format!("default `{}`", types::show(known)),
             None => "`None` computes the default for each initial shape".into(),
         };
         PublicAttr {
@@ -47,25 +46,13 @@ impl PublicAttr {
 impl PublicAttr {
     /// Of a grammar with errors: a number, where nothing better is known.
     pub(crate) fn known_so_far(attr: &SkeletonAttr, source: &Source) -> Self {
-        let known = attr.known.clone().unwrap_or(match attr.ty {
-            Some(Type::Bool) => Value::Bool(false),
-            Some(Type::Text) => Value::Text(String::new()),
-            Some(Type::Float) | None => Value::Float(0.0),
-        });
+        let known = attr.known.clone().unwrap_or_else(|| types::nothing(attr.ty));
         PublicAttr {
             name: ident(&attr.name, source.token(attr.span.first)),
             ty: attr.ty.unwrap_or(Type::Float),
             known: (!attr.computed).then_some(known),
             doc: format!("The attribute `{}`.", attr.name),
         }
-    }
-}
-
-fn show(value: &Value) -> String {
-    match value {
-        Value::Float(number) => format!("`{number}`"),
-        Value::Bool(truth) => format!("`{truth}`"),
-        Value::Text(text) => format!("`{text:?}`"),
     }
 }
 
@@ -80,7 +67,7 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
     let other_taste = public.attrs.iter().any(|attr| !is_snake_case(&attr.name.to_string()));
     let other_taste = other_taste.then(|| quote_spanned!(place=> #[allow(non_snake_case)]));
     let fields = public.attrs.iter().map(|attr| {
-        let (name, doc, ty) = (&attr.name, &attr.doc, outer_type(attr.ty, runtime));
+        let (name, doc, ty) = (&attr.name, &attr.doc, types::outer(attr.ty, runtime));
         let ty = match attr.known {
             Some(_) => ty,
             None => quote_spanned!(place=> ::core::option::Option<#ty>),
@@ -89,10 +76,7 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
     });
     let defaults: Vec<TokenStream> = public.attrs.iter().map(|attr| default_field(attr, runtime)).collect();
     let captured: Vec<Ident> = (0..public.captures.len()).map(captured).collect();
-    let captured_types = public.captures.iter().map(|ty| match ty.inside() {
-        Type::Text => quote_spanned!(place=> #runtime::Text),
-        ty => inner_type(ty),
-    });
+    let captured_types = public.captures.iter().map(|ty| types::inner(ty.inside(), runtime));
     let about = format!("The grammar `{}`.", header.label());
     let doc = (!header.has_doc).then(|| quote_spanned!(place=> #[doc = #about]));
     let methods = methods(public.hidden.is_some());
@@ -150,9 +134,8 @@ fn default_field(attr: &PublicAttr, runtime: &TokenStream) -> TokenStream {
     let name = &attr.name;
     match &attr.known {
         None => quote_spanned!(place=> #name: ::core::option::Option::None),
-        Some(Value::Text(text)) => quote_spanned!(place=> #name: #runtime::string(#text)),
         Some(known) => {
-            let known = value(known);
+            let known = types::field(known, runtime);
             quote_spanned!(place=> #name: #known)
         }
     }
@@ -216,13 +199,5 @@ fn methods(runs: bool) -> TokenStream {
         ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
             #generate_into
         }
-    }
-}
-
-/// The Rust type of a public field.
-fn outer_type(ty: Type, runtime: &TokenStream) -> TokenStream {
-    match ty {
-        Type::Text => quote_spanned!(Span::mixed_site()=> #runtime::String),
-        ty => inner_type(ty),
     }
 }

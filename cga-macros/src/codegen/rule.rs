@@ -1,6 +1,6 @@
 //! One function a rule, one function a function.
 
-use cga_lang::ir::{Arg, Childless, Function, Prefix, Rule, RuleId, Step, Target, Type};
+use cga_lang::ir::{Arg, Childless, Function, Prefix, Rule, RuleId, Step, Target};
 use cga_lang::ops::{Operation, ParamKind, Run};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
@@ -8,6 +8,7 @@ use syn::Lifetime;
 
 use super::expr::{Place, draws};
 use super::stack::call_depth;
+use super::types;
 use super::{Cx, inner_type, local};
 
 pub(super) fn rules(cx: &Cx<'_>) -> TokenStream {
@@ -107,11 +108,7 @@ impl Cx<'_> {
             Step::Do(operation, args, _) => self.operation(operation, args),
             Step::SetAttr(id, expr, _) => {
                 let number = Literal::u32_suffixed(id.0);
-                let kind = match expr.ty {
-                    Type::Float => quote_spanned!(place=> Float),
-                    Type::Bool => quote_spanned!(place=> Bool),
-                    Type::Text => quote_spanned!(place=> Text),
-                };
+                let kind = types::variant(expr.ty);
                 let value = self.expr(expr, &at);
                 quote_spanned!(place=> {
                     let a0 = #value;

@@ -11,10 +11,11 @@
 
 use std::collections::HashMap;
 
-use cga_lang::ir::{Function, Grammar, Rule, RuleId, Step, Type};
+use cga_lang::ir::{Function, Grammar, Rule, RuleId, Step};
 use cga_lang::ir_walk::{self, called};
 
 use super::rule::is_block;
+use super::types::stack_bytes;
 
 /// Kilobytes, in a build without optimisation, that a chain of calls may take without asking.
 const UNASKED: u32 = 256;
@@ -137,7 +138,7 @@ fn share(rule: &Rule) -> u32 {
 pub(super) fn call_depth(function: &Function) -> u32 {
     const DOCUMENTED: usize = 1024;
     let mut frame = 100;
-    ir_walk::parts(&function.body, &mut |expr| frame += if expr.ty == Type::Text { 64 } else { 8 });
+    ir_walk::parts(&function.body, &mut |expr| frame += stack_bytes(expr.ty));
     DOCUMENTED.min(512 * 1024 / frame).max(1) as u32
 }
 

@@ -4,8 +4,8 @@ use cga_lang::ir::{Attr, Range, Type, Value};
 use proc_macro2::{Span, TokenStream};
 use quote::quote_spanned;
 
-use super::expr::value;
 use super::names::ident;
+use super::types::{self, value};
 
 /// The check of a restricted range.
 pub(super) fn check(attr: &Attr) -> Option<TokenStream> {
@@ -37,11 +37,7 @@ fn range_tokens(range: Range) -> TokenStream {
 pub(super) fn attribute(attr: &Attr) -> TokenStream {
     let place = Span::mixed_site();
     let (name, group, about) = (&attr.name, &attr.group, &attr.doc);
-    let kind = match attr.ty {
-        Type::Float => quote_spanned!(place=> Float),
-        Type::Bool => quote_spanned!(place=> Bool),
-        Type::Text => quote_spanned!(place=> Text),
-    };
+    let kind = types::variant(attr.ty);
     let default = match &attr.known {
         None => quote_spanned!(place=> ::core::option::Option::None),
         Some(Value::Text(text)) => quote_spanned!(place=> ::core::option::Option::Some(#text)),

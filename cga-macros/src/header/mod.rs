@@ -114,6 +114,9 @@ pub(crate) fn conversion(ty: HostType, place: Span) -> TokenStream {
         HostType::Is(Type::Float) => quote_spanned!(place=> ToFloat::to_float),
         HostType::Is(Type::Bool) => quote_spanned!(place=> ToBool::to_bool),
         HostType::Is(Type::Text) => quote_spanned!(place=> ToText::to_text),
+        HostType::Is(Type::Floats) => quote_spanned!(place=> ToFloats::to_floats),
+        HostType::Is(Type::Bools) => quote_spanned!(place=> ToBools::to_bools),
+        HostType::Is(Type::Texts) => quote_spanned!(place=> ToTexts::to_texts),
         HostType::Shown => quote_spanned!(place=> Show::show),
     }
 }

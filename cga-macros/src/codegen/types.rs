@@ -1,0 +1,120 @@
+//! What the types of the language are in Rust: everything that differs from type to type.
+
+use cga_lang::ir::{Type, Value};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{quote, quote_spanned};
+
+/// The Rust type of a value inside the rules. `runtime` is the path of the runtime there.
+pub(super) fn inner(ty: Type, runtime: &TokenStream) -> TokenStream {
+    let place = Span::mixed_site();
+    match ty {
+        Type::Float => quote_spanned!(place=> ::core::primitive::f64),
+        Type::Bool => quote_spanned!(place=> ::core::primitive::bool),
+        Type::Text => quote_spanned!(place=> #runtime::Text),
+        Type::Floats | Type::Bools | Type::Texts => {
+            let element = inner(ty.element(), runtime);
+            quote_spanned!(place=> #runtime::Array<#element>)
+        }
+    }
+}
+
+/// The Rust type of a public field.
+pub(super) fn outer(ty: Type, runtime: &TokenStream) -> TokenStream {
+    match ty {
+        Type::Text => quote_spanned!(Span::mixed_site()=> #runtime::String),
+        ty => inner(ty, runtime),
+    }
+}
+
+/// The variant of that type in the runtime's `Value` and `Default`.
+pub(super) fn variant(ty: Type) -> Ident {
+    let name = match ty {
+        Type::Float => "Float",
+        Type::Bool => "Bool",
+        Type::Text => "Text",
+        Type::Floats => "Floats",
+        Type::Bools => "Bools",
+        Type::Texts => "Texts",
+    };
+    Ident::new(name, Span::mixed_site())
+}
+
+/// A function of the runtime that exists for each type: `float_attribute` and so on.
+pub(super) fn function(ty: Type, what: &str) -> Ident {
+    Ident::new(&format!("{}_{what}", variant(ty).to_string().to_lowercase()), Span::mixed_site())
+}
+
+/// The value of a place: numbers and truth values are copied, the rest is shared.
+pub(super) fn cloned(ty: Type, place: TokenStream) -> TokenStream {
+    match ty {
+        Type::Float | Type::Bool => place,
+        _ => quote_spanned!(Span::mixed_site()=> ::core::clone::Clone::clone(&#place)),
+    }
+}
+
+/// What a value takes on the stack, in bytes, with the copies of it that a debug build makes.
+pub(super) fn stack_bytes(ty: Type) -> usize {
+    match ty {
+        Type::Float | Type::Bool => 8,
+        _ => 64,
+    }
+}
+
+/// A constant.
+pub(super) fn value(value: &Value) -> TokenStream {
+    let place = Span::mixed_site();
+    match value {
+        Value::Float(number) if number.is_nan() => quote_spanned!(place=> ::core::primitive::f64::NAN),
+        Value::Float(number) if number.is_infinite() && *number < 0.0 => {
+            quote_spanned!(place=> ::core::primitive::f64::NEG_INFINITY)
+        }
+        Value::Float(number) if number.is_infinite() => quote_spanned!(place=> ::core::primitive::f64::INFINITY),
+        Value::Float(number) => {
+            let digits = Literal::f64_suffixed(number.abs());
+            if number.is_sign_negative() { quote_spanned!(place=> (-#digits)) } else { quote!(#digits) }
+        }
+        Value::Bool(truth) => quote_spanned!(place=> #truth),
+        Value::Text(text) => quote_spanned!(place=> cga_rt::Text::fixed(#text)),
+        Value::Array(rows) => {
+            let columns = rows.first().map_or(0, Vec::len);
+            let elements = rows.iter().flatten().map(self::value);
+            quote_spanned!(place=> cga_rt::array(#columns, [#(#elements),*]))
+        }
+    }
+}
+
+/// The default of a public field.
+pub(super) fn field(known: &Value, runtime: &TokenStream) -> TokenStream {
+    let place = Span::mixed_site();
+    match known {
+        Value::Text(text) => quote_spanned!(place=> #runtime::string(#text)),
+        Value::Array(_) => {
+            let known = value(known);
+            quote_spanned!(place=> { use #runtime as cga_rt; #known })
+        }
+        known => value(known),
+    }
+}
+
+/// As documentation shows it.
+pub(super) fn show(value: &Value) -> String {
+    match value {
+        Value::Float(number) => number.to_string(),
+        Value::Bool(truth) => truth.to_string(),
+        Value::Text(text) => format!("{text:?}"),
+        Value::Array(rows) => {
+            let row = |row: &Vec<Value>| row.iter().map(show).collect::<Vec<_>>().join(", ");
+            format!("[{}]", rows.iter().map(row).collect::<Vec<_>>().join("; "))
+        }
+    }
+}
+
+/// Stands for a value that is not known because the grammar has errors.
+pub(super) fn nothing(ty: Option<Type>) -> Value {
+    match ty {
+        Some(Type::Bool) => Value::Bool(false),
+        Some(Type::Text) => Value::Text(String::new()),
+        Some(ty @ (Type::Floats | Type::Bools | Type::Texts)) => Value::Array(vec![vec![nothing(Some(ty.element()))]]),
+        Some(Type::Float) | None => Value::Float(0.0),
+    }
+}
