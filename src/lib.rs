@@ -3,20 +3,26 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub use cga_macros::cga;
-pub use cga_runtime::asset::Assets;
+pub use cga_runtime::array::Array;
+pub use cga_runtime::asset::{AssetError, Assets};
+pub use cga_runtime::attribute::{
+    Attribute, AttributeError, AttributeKind, ChoiceValues, Choices, Default as AttributeDefault, Range,
+};
 pub use cga_runtime::derive::Report;
 pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
 /// The vector types in meshes and sinks.
 pub use cga_runtime::glam;
-pub use cga_runtime::grammar::{Attribute, Default as AttributeDefault, Grammar, Range};
-pub use cga_runtime::material::{Color, Material};
+pub use cga_runtime::grammar::Grammar;
+pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
 pub use cga_runtime::mesh::{Mesh, MeshBuilder, MeshError};
 pub use cga_runtime::model::{Geometry, LeafView, Model};
+pub use cga_runtime::report::{Collection, Print, Reports, Summary};
 pub use cga_runtime::scope::{Axis, Frame, Scope};
 pub use cga_runtime::settings::{Limits, Settings};
 pub use cga_runtime::shape::{Shape, ShapeRef};
 pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 pub use cga_runtime::text::Text;
+pub use cga_runtime::value::{Value, ValueType};
 
 /// Meshes: building, measuring, checking, reading.
 pub mod mesh {

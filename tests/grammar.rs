@@ -46,31 +46,17 @@ fn attributes_are_fields_and_a_table() {
     assert_eq!((house.height, house.depth, house.lit, house.storeys), (12.0, 0.2, false, None));
     assert_eq!((house.colour.as_str(), &house.label), ("#ff0000", &None));
     let table = house.attributes();
-    let range = |min, max, step, restricted| Some(Range { min, max, step, restricted });
-    assert_eq!(
-        table[..2],
-        [
-            Attribute {
-                name: "height",
-                default: AttributeDefault::Float(Some(12.0)),
-                range: range(3.0, 60.0, 0.5, true),
-                group: &["Size", "Main"],
-                about: "Height in metres.",
-                order: Some(2.0),
-                hidden: false,
-            },
-            Attribute {
-                name: "depth",
-                default: AttributeDefault::Float(Some(0.2)),
-                range: range(0.0, 1.0, 0.0, false),
-                // A group goes on until the next one.
-                group: &["Size", "Main"],
-                about: "How deep the windows lie.",
-                order: None,
-                hidden: false,
-            },
-        ]
-    );
+    let height = Attribute::new("height", AttributeDefault::Float(Some(12.0)))
+        .range(Range::new(3.0, 60.0, 0.5, true))
+        .group(&["Size", "Main"])
+        .about("Height in metres.")
+        .order(2.0);
+    // A group goes on until the next one.
+    let depth = Attribute::new("depth", AttributeDefault::Float(Some(0.2)))
+        .range(Range::new(0.0, 1.0, 0.0, false))
+        .group(&["Size", "Main"])
+        .about("How deep the windows lie.");
+    assert_eq!(table[..2], [height, depth]);
     let rest = table[2..].iter().map(|row| (row.name, row.default, row.hidden));
     assert_eq!(
         rest.collect::<Vec<_>>(),
@@ -81,6 +67,20 @@ fn attributes_are_fields_and_a_table() {
             ("label", AttributeDefault::Text(None), false),
         ]
     );
+}
+
+#[test]
+fn attributes_can_be_read_and_set_by_name() {
+    let mut grammar: Box<dyn Grammar> = Box::new(House::default());
+    assert_eq!((grammar.get("height"), grammar.get("colour")), (Ok(12.0.into()), Ok("#ff0000".into())));
+    assert!(grammar.get("storeys").is_err());
+    for (name, text) in [("height", "20"), ("storeys", "5"), ("lit", "true"), ("label", "Nº 5")] {
+        assert_eq!(grammar.set_text(name, text), Ok(()));
+        assert_eq!(grammar.get(name).map(|value| value.to_string()), Ok(text.to_owned()));
+    }
+    assert_eq!(grammar.generate(&lot()).expect("no limit").len(), 5);
+    let refused = grammar.set("height", 61.0.into()).expect_err("out of range");
+    assert_eq!(refused.to_string(), "attribute `height`: 61 is outside of 3 to 60");
 }
 
 #[test]

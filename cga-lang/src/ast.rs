@@ -282,7 +282,7 @@ pub enum ArmMode {
 pub struct Block {
     /// The operation's name.
     pub name: Name,
-    /// Words in parentheses right behind the name, as in `inline(unify)`, and arguments.
+    /// What stands in parentheses behind the name: arguments, and the word of `inline(unify)`.
     pub args: Vec<Arg>,
     /// What stands in braces, in order; `splitAndSetbackPerimeter` has two pairs of them.
     pub parts: Vec<BlockPart>,
@@ -293,10 +293,23 @@ pub struct Block {
 pub enum BlockPart {
     /// `size : operations | …`, and whether a `*` follows.
     Slots(Vec<SplitItem>, bool),
+    /// `length : depth : operations | …`, and whether a `*` follows.
+    Sections(Vec<Section>, bool),
     /// `selector : operations | …`.
     Arms(Vec<CompArm>),
-    /// Operations; one for each side of `|`.
+    /// Operations; one for each side of `|`. None at all leave the shape as it is.
     Ops(Vec<Vec<Op>>),
+}
+
+/// `length : depth : operations`: a part of a boundary.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// How long it is.
+    pub length: Arg,
+    /// How far it is set back; evaluated for each section that is made.
+    pub depth: Expr,
+    /// What becomes of it.
+    pub ops: Vec<Op>,
 }
 
 /// An expression.

@@ -47,7 +47,10 @@ codes! {
     MissingSize "missing_size" Error "A slot of a split without a size.",
     MisplacedPrefix "misplaced_prefix" Error "`'` or `~` where no size stands.",
     StrayQuote "stray_quote" Warning "A `'` behind a size.",
-    Unsupported "unsupported" Error "A part of CGA that is not supported yet.",
+    NotImplemented "not_implemented" Warning "A part of CGA that is known and does nothing yet.",
+    OldSpelling "old_spelling" Warning "Something that is accepted though newer CGA writes it in another way.",
+    CannotImport "cannot_import" Error "A file that cannot be imported.",
+    UnknownStyle "unknown_style" Error "A style that does not exist.",
     // Declarations.
     DuplicateName "duplicate_name" Error "Two declarations of one name.",
     BadAnnotation "bad_annotation" Error "An annotation with arguments it cannot have.",

@@ -1,14 +1,14 @@
 //! The whole way from tokens to a grammar, in one call.
 
-use crate::ast::{Ast, Body, Decl, Expr, ExprKind, Unary};
-use crate::check::check;
+use crate::ast::{Ast, Body, Expr, ExprKind, Unary};
+use crate::check::{Item, check};
 use crate::code::Code;
 use crate::diag::{Diag, Diags, Level};
 use crate::ir::{Grammar, Type, Value};
 use crate::lex::lex;
+use crate::link::{Files, NoFiles, Piece, Program, Unit, link};
 use crate::lower::lower;
 use crate::ops::{functions, shape_attr};
-use crate::parse::parse;
 use crate::span::Span;
 use crate::token::Tokens;
 use std::collections::HashSet;
@@ -28,10 +28,25 @@ pub enum Door {
 pub struct Compiled {
     /// The grammar; `None` when there was an error.
     pub grammar: Option<Grammar>,
-    /// Every finding, in source order.
+    /// Every finding, in source order. Those about a file that was read several times are there once.
     pub diags: Vec<Diag>,
     /// The public names, errors or not.
     pub names: Skeleton,
+    /// What was read: names of files. The first is what was compiled.
+    pub files: Vec<String>,
+    /// Where each file is among the tokens that spans count. A file that is imported several times is there as often.
+    pub pieces: Vec<Piece>,
+}
+
+impl Compiled {
+    /// The file of a token, by number, and the token's index in that file alone.
+    pub fn locate(&self, token: u32) -> (usize, u32) {
+        let at = self.pieces.partition_point(|piece| piece.tokens.start <= token);
+        match at.checked_sub(1).map(|at| &self.pieces[at]) {
+            Some(piece) => (piece.file, token - piece.tokens.start),
+            None => (0, token),
+        }
+    }
 }
 
 /// The public names of a grammar, known even when it has errors.
@@ -68,13 +83,40 @@ pub fn compile_with(tokens: &Tokens, door: Door, levels: &[(Code, Level)]) -> Co
 
 /// Compiles tokens; `found` are the findings of whoever made them. An error among these leaves no grammar.
 pub fn compile_after(tokens: &Tokens, door: Door, levels: &[(Code, Level)], found: Vec<Diag>) -> Compiled {
+    let root = Unit { name: String::new(), tokens: tokens.clone(), door, found };
+    compile_files(root, &mut NoFiles, levels)
+}
+
+/// Compiles a file and what it imports.
+pub fn compile_files(root: Unit, files: &mut dyn Files, levels: &[(Code, Level)]) -> Compiled {
     let mut diags = Diags::new();
-    diags.append(found);
-    let ast = parse(tokens, &mut diags);
-    let outcome = check(&ast, door, levels, &mut diags);
-    let grammar = outcome.checked.map(|checked| lower(&checked, tokens));
-    let names = skeleton(&ast, &outcome.attrs, grammar.as_ref());
-    Compiled { grammar, diags: diags.finish(), names }
+    let program = link(root, files, &mut diags);
+    let outcome = check(&program, levels, &mut diags);
+    let grammar = outcome.checked.map(|checked| lower(&checked));
+    let names = skeleton(&program, &outcome.attrs, grammar.as_ref());
+    let Program { pieces, files, .. } = program;
+    let diags = once(diags.finish(), &pieces);
+    Compiled { grammar, diags, names, files, pieces }
+}
+
+/// Moves findings about a file that was read several times to its first reading, and leaves out the copies.
+fn once(diags: Vec<Diag>, pieces: &[Piece]) -> Vec<Diag> {
+    if pieces.len() < 2 {
+        return diags;
+    }
+    let token = |token: u32| {
+        let at = pieces.partition_point(|piece| piece.tokens.start <= token).saturating_sub(1);
+        let first = pieces.iter().find(|piece| piece.file == pieces[at].file).unwrap_or(&pieces[at]);
+        token - pieces[at].tokens.start + first.tokens.start
+    };
+    let mut all = Diags::new();
+    all.append(
+        diags
+            .into_iter()
+            .map(|diag| diag.moved(|span| Span { first: token(span.first), last: token(span.last) }))
+            .collect(),
+    );
+    all.finish()
 }
 
 /// A compiled text.
@@ -100,22 +142,23 @@ pub fn compile_text_with(text: &str, levels: &[(Code, Level)]) -> Source {
     Source { tokens: lexed.tokens, ranges: lexed.ranges, compiled }
 }
 
-fn skeleton(ast: &Ast, attrs: &[(&Decl, Option<Type>)], grammar: Option<&Grammar>) -> Skeleton {
+fn skeleton(program: &Program, attrs: &[(Item, Option<Type>)], grammar: Option<&Grammar>) -> Skeleton {
     let mut list: Vec<SkeletonAttr> = Vec::new();
     let mut seen = HashSet::new();
-    for (index, (decl, ty)) in attrs.iter().enumerate() {
-        if !seen.insert(decl.name.text.as_str()) {
+    for (index, (item, ty)) in attrs.iter().enumerate() {
+        if !seen.insert(item.name.as_str()) {
             continue;
         }
+        let own = item.decl.value().filter(|_| item.is_own());
         let known = match grammar {
             Some(grammar) => grammar.attrs[index].known.clone(),
-            None => decl.value().and_then(literal),
+            None => own.and_then(literal),
         };
         let computed = match grammar {
             Some(_) => known.is_none(),
-            None => decl.value().is_some_and(|value| computed(value, ast, 0)),
+            None => own.is_none_or(|value| computed(value, &program.instances[item.home].ast, 0)),
         };
-        list.push(SkeletonAttr { name: decl.name.text.clone(), ty: *ty, known, computed, span: decl.name.span });
+        list.push(SkeletonAttr { name: item.name.clone(), ty: *ty, known, computed, span: item.decl.name.span });
     }
     Skeleton { attrs: list }
 }

@@ -59,6 +59,15 @@ impl Diag {
         self
     }
 
+    /// The same finding in other places.
+    pub(crate) fn moved(mut self, to: impl Fn(Span) -> Span) -> Diag {
+        self.span = to(self.span);
+        for note in &mut self.notes {
+            note.related = note.related.map(&to);
+        }
+        self
+    }
+
     /// Adds "did you mean" when there is something near.
     pub(crate) fn suggest(&mut self, near: Option<impl std::fmt::Display>) -> &mut Self {
         if let Some(near) = near {

@@ -8,6 +8,9 @@ use crate::ir::{Binary, Expr, ExprKind, Type, Value};
 /// Longest text made while compiling: doubling it again and again must not fill the memory.
 const LONGEST_TEXT: usize = 4096;
 
+/// Most elements of an array made while compiling.
+const MOST_ELEMENTS: usize = 1024;
+
 /// Values of the grammar that are known.
 #[derive(Default)]
 pub(crate) struct Known {
@@ -64,7 +67,16 @@ pub(crate) fn fold(expr: &mut Expr, known: &Known) -> Option<Value> {
             fold(otherwise, known);
             return None;
         }
-        ExprKind::Param(_) | ExprKind::Attr(_) | ExprKind::Host(_) | ExprKind::Shape(_) => return None,
+        ExprKind::Array(rows) => array(rows, known)?,
+        ExprKind::Range(..) | ExprKind::Index(..) | ExprKind::EachUnary(..) | ExprKind::Each(..) => {
+            for part in expr.parts_mut() {
+                fold(part, known);
+            }
+            return None;
+        }
+        ExprKind::Param(_) | ExprKind::Attr(_) | ExprKind::Host(_) | ExprKind::Shape(_) | ExprKind::Later(_) => {
+            return None;
+        }
     };
     expr.kind = ExprKind::Value(value.clone());
     Some(value)
@@ -105,6 +117,21 @@ fn case(arms: &mut Vec<(Expr, Expr)>, otherwise: &mut Box<Expr>, known: &Known) 
     arms.is_empty().then(|| std::mem::replace(&mut **otherwise, empty))
 }
 
+/// An array of known single values in equal rows.
+fn array(rows: &mut [Vec<Expr>], known: &Known) -> Option<Value> {
+    let mut values = Vec::with_capacity(rows.len());
+    for row in rows.iter_mut() {
+        let row: Vec<Option<Value>> = row.iter_mut().map(|entry| fold(entry, known)).collect();
+        values.push(row);
+    }
+    let columns = values.first().map_or(0, Vec::len);
+    let rows: Option<Vec<Vec<Value>>> = values.into_iter().map(|row| row.into_iter().collect()).collect();
+    let rows = rows?;
+    let even = 0 < columns && rows.iter().all(|row| row.len() == columns);
+    let single = rows.iter().flatten().all(|entry| !matches!(entry, Value::Array(_)));
+    (even && single && rows.len() * columns <= MOST_ELEMENTS).then_some(Value::Array(rows))
+}
+
 fn finite(value: f64) -> Option<Value> {
     value.is_finite().then_some(Value::Float(value))
 }
@@ -115,6 +142,7 @@ fn binary(op: Binary, left: Value, right: Value) -> Option<Value> {
         (Value::Float(a), Value::Float(b)) => a.partial_cmp(b)?,
         (Value::Bool(a), Value::Bool(b)) => a.cmp(b),
         (Value::Text(a), Value::Text(b)) => a.cmp(b),
+        // Arrays are compared by the runtime.
         _ => return None,
     };
     Some(match (op, left, right) {

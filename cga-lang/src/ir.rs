@@ -3,8 +3,14 @@
 //! Every name is an index, every split or comp block is a rule of its own with the parameters it captures, every
 //! expression has a type. Code generation reads this and decides nothing. `ir_print` shows it as text.
 
-use crate::ops::{self, Operation, ShapeAttr};
+mod attr;
+mod expr;
+
+use crate::ops::{Operation, ShapeAttr};
 use crate::span::Span;
+
+pub use attr::{Attr, ChoiceValues, Choices, Presentation, Range};
+pub use expr::{Binary, EachUnary, Expr, ExprKind};
 
 /// Index into [`Grammar::rules`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -25,6 +31,8 @@ pub struct HostId(pub u32);
 /// A grammar that has passed every check.
 #[derive(Clone, Debug, Default)]
 pub struct Grammar {
+    /// `@RuleFileDescription`: what it makes, in Markdown. Empty when nothing is said.
+    pub about: String,
     /// Attributes, in source order.
     pub attrs: Vec<Attr>,
     /// Constants, in source order.
@@ -33,13 +41,23 @@ pub struct Grammar {
     pub functions: Vec<Function>,
     /// Rules in source order, then the blocks that became rules.
     pub rules: Vec<Rule>,
-    /// The rule a run begins with: the first `@StartRule`, else the first rule without parameters. `None` when that
-    /// one has parameters or there is no rule.
-    pub start: Option<RuleId>,
-    /// Attributes and constants in an order in which each is ready before it is used.
-    pub init: Vec<Global>,
+    /// The rules a run can begin with: the default first.
+    pub starts: Vec<Start>,
+    /// By style: attributes and constants in an order in which each is ready before it is used. `Default` is first.
+    pub init: Vec<Vec<Global>>,
     /// Rust values used in the rules, one entry a use, in source order.
     pub hosts: Vec<Host>,
+}
+
+/// A rule that a run can begin with.
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// How the host program calls it: `Lot`, or `Style$Lot`.
+    pub name: String,
+    /// The style in force, by number into [`Grammar::init`].
+    pub style: u32,
+    /// The rule; it has no parameters.
+    pub rule: RuleId,
 }
 
 /// One value that is computed once for an initial shape.
@@ -121,47 +139,6 @@ pub enum Value {
     Array(Vec<Vec<Value>>),
 }
 
-/// `attr name = expr`.
-#[derive(Clone, Debug)]
-pub struct Attr {
-    /// As written.
-    pub name: String,
-    /// Its type.
-    pub ty: Type,
-    /// The default.
-    pub default: Expr,
-    /// The default, when it is a constant: then the public field holds it. Otherwise the field is an `Option` and
-    /// `None` means "compute the default for each initial shape".
-    pub known: Option<Value>,
-    /// `@Range(min, max)`.
-    pub range: Option<Range>,
-    /// `@Group("A", "B")`, from the outermost to the innermost.
-    pub group: Vec<String>,
-    /// `@Description`, else doc comments, joined by line ends.
-    pub doc: String,
-    /// `@Order(n)`: where user interfaces show it.
-    pub order: Option<f64>,
-    /// `@Hidden`: user interfaces leave it out.
-    pub hidden: bool,
-    /// Whether some rule changes it with `set`: only then do reads look at the shape first.
-    pub is_set: bool,
-    /// The name in its declaration.
-    pub span: Span,
-}
-
-/// `@Range(min=…, max=…, stepsize=…, restricted=…)`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Range {
-    /// Smallest value.
-    pub min: f64,
-    /// Largest value.
-    pub max: f64,
-    /// Step of a slider, 0 when free.
-    pub step: f64,
-    /// Whether values outside are refused.
-    pub restricted: bool,
-}
-
 /// `const name = expr`.
 #[derive(Clone, Debug)]
 pub struct Const {
@@ -182,8 +159,10 @@ pub struct Const {
 pub struct Function {
     /// As written; several may share a name.
     pub name: String,
-    /// Its parameters.
+    /// Its parameters, then its locals.
     pub params: Vec<Param>,
+    /// The values of its locals, computed in order when it is entered: they belong to the last parameters.
+    pub locals: Vec<Expr>,
     /// The type of the result.
     pub ty: Type,
     /// The value.
@@ -212,14 +191,16 @@ pub struct Rule {
     pub name: String,
     /// The name its implicit leaves carry: `Facade`, for its blocks too.
     pub label: String,
-    /// Parameters; a block's are the captured ones, in the order of the rule it stands in.
+    /// Parameters, then locals; a block's are the captured ones, in the order of the rule it stands in.
     pub params: Vec<Param>,
+    /// The values of its locals, computed in order when it is entered: they belong to the last parameters.
+    pub locals: Vec<Expr>,
     /// What it does.
     pub body: Vec<Step>,
+    /// Whether it is a block: part of the rule it stands in, not a rule that is called.
+    pub block: bool,
     /// Whether the shape itself becomes a leaf when the body is through.
     pub leaf: Childless,
-    /// Whether the host program may start it by name: a written rule without parameters.
-    pub startable: bool,
     /// The cycle of rules it belongs to, if any: a call from a rule to one of the same cycle may be deferred.
     pub cycle: Option<u32>,
     /// Its text, for the doc line in the generated code; empty for blocks.
@@ -248,6 +229,8 @@ pub enum Step {
     SetAttr(AttrId, Expr, Span),
     /// `set(name, value)` on an attribute of the shape itself.
     SetShape(&'static ShapeAttr, Expr, Span),
+    /// Something that is known and does nothing yet.
+    Later(String, Span),
     /// A Rust function as operation: `path::to(args)`.
     Rust(String, Vec<Expr>, Span),
     /// A successor: hands a copy of the current shape on.
@@ -410,85 +393,6 @@ pub enum Arg {
     Length(Size),
     /// A word of the parameter's set of words.
     Word(&'static str),
-}
-
-/// An expression with its type.
-#[derive(Clone, Debug)]
-pub struct Expr {
-    /// What it computes.
-    pub kind: ExprKind,
-    /// The type of its value.
-    pub ty: Type,
-    /// Where it stands.
-    pub span: Span,
-}
-
-/// The kinds of expressions.
-#[derive(Clone, Debug)]
-pub enum ExprKind {
-    /// A constant.
-    Value(Value),
-    /// A parameter of the rule or function.
-    Param(u32),
-    /// An attribute, as the current shape sees it.
-    Attr(AttrId),
-    /// A constant of the grammar.
-    Const(ConstId),
-    /// `#name` or `#(…)`.
-    Host(HostId),
-    /// A function of the grammar.
-    Call(FunctionId, Vec<Expr>),
-    /// A function of the language.
-    Builtin(&'static ops::Function, Vec<Expr>),
-    /// A Rust function: `path::to(args)`.
-    Rust(String, Vec<Expr>),
-    /// An attribute of the current shape: `scope.sx`.
-    Shape(&'static ShapeAttr),
-    /// `-a`.
-    Neg(Box<Expr>),
-    /// `!a`.
-    Not(Box<Expr>),
-    /// Both operands are always evaluated, the left one first.
-    Binary(Binary, Box<Expr>, Box<Expr>),
-    /// A float or bool as text, for `+` beside a string.
-    ToText(Box<Expr>),
-    /// `case … else`.
-    Case(Vec<(Expr, Expr)>, Box<Expr>),
-    /// `p% : … else`.
-    Chance(Vec<(f64, Expr)>, Box<Expr>),
-}
-
-/// Binary operators. Both sides have one type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Binary {
-    /// `+` on floats.
-    Add,
-    /// `-`.
-    Sub,
-    /// `*`.
-    Mul,
-    /// `/`.
-    Div,
-    /// `%`, with the sign of the dividend.
-    Rem,
-    /// `+` on text.
-    Concat,
-    /// `==`.
-    Eq,
-    /// `!=`.
-    Ne,
-    /// `<`.
-    Lt,
-    /// `<=`.
-    Le,
-    /// `>`.
-    Gt,
-    /// `>=`.
-    Ge,
-    /// `&&`; does not short-circuit.
-    And,
-    /// `||`; does not short-circuit.
-    Or,
 }
 
 /// One use of a Rust value.

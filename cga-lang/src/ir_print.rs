@@ -1,8 +1,8 @@
 //! A grammar as text, one line a step: for snapshots and traces.
 
 use crate::ir::{
-    Arg, Axis, Binary, Childless, Comp, CompMode, Expr, ExprKind, Global, Grammar, Item, Param, Prefix, Rule, Selector,
-    Size, Split, Step, Target, Value,
+    Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Comp, CompMode, EachUnary, Expr, ExprKind, Global,
+    Grammar, Item, Param, Prefix, Presentation, Rule, Selector, Size, Split, Step, Target, Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
@@ -30,33 +30,71 @@ impl<'g> Printer<'g> {
         self.out.push('\n');
     }
 
+    fn attr(&self, attr: &Attr) -> String {
+        let mut text = format!("attr {}: {} = {}", attr.name, attr.ty.word(), self.expr(&attr.default));
+        if let Some(range) = attr.range {
+            let _ = write!(text, ", range {} to {}", range.min, range.max);
+            if range.step != 0.0 {
+                let _ = write!(text, " by {}", range.step);
+            }
+            if !range.restricted {
+                text.push_str(" unrestricted");
+            }
+        }
+        if let Some(choices) = &attr.choices {
+            let _ = write!(text, ", one of {}", self.choices(choices));
+        }
+        match &attr.presentation {
+            Presentation::Plain => {}
+            Presentation::File(extensions) => _ = write!(text, ", shown as file {extensions:?}"),
+            other => _ = write!(text, ", shown as {other:?}"),
+        }
+        if let Some(name) = &attr.display_name {
+            let _ = write!(text, ", named {name:?}");
+        }
+        if !attr.group.is_empty() {
+            let _ = write!(text, ", group {}", attr.group.join("/"));
+        }
+        if let Some(order) = attr.group_order {
+            let _ = write!(text, " order {order}");
+        }
+        if let Some(order) = attr.order {
+            let _ = write!(text, ", order {order}");
+        }
+        for (flag, word) in [(attr.hidden, "hidden"), (attr.is_set, "set"), (attr.known.is_none(), "computed")] {
+            if flag {
+                let _ = write!(text, ", {word}");
+            }
+        }
+        if !attr.doc.is_empty() {
+            let _ = write!(text, ", doc {:?}", attr.doc);
+        }
+        text
+    }
+
+    fn choices(&self, choices: &Choices) -> String {
+        let mut text = match &choices.values {
+            ChoiceValues::Floats(values) => format!("{values:?}"),
+            ChoiceValues::Texts(values) => format!("{values:?}"),
+            ChoiceValues::Attr(id) => self.grammar.attrs[id.0 as usize].name.clone(),
+        };
+        if !choices.labels.is_empty() {
+            let _ = write!(text, " called {:?}", choices.labels);
+        }
+        if !choices.restricted {
+            text.push_str(" unrestricted");
+        }
+        text
+    }
+
     fn grammar(&mut self) {
         let grammar = self.grammar;
+        if !grammar.about.is_empty() {
+            let text = format!("about {:?}", grammar.about);
+            self.line(&text);
+        }
         for attr in &grammar.attrs {
-            let mut text = format!("attr {}: {} = {}", attr.name, attr.ty.word(), self.expr(&attr.default));
-            if let Some(range) = attr.range {
-                let _ = write!(text, ", range {} to {}", range.min, range.max);
-                if range.step != 0.0 {
-                    let _ = write!(text, " by {}", range.step);
-                }
-                if !range.restricted {
-                    text.push_str(" unrestricted");
-                }
-            }
-            if !attr.group.is_empty() {
-                let _ = write!(text, ", group {}", attr.group.join("/"));
-            }
-            if let Some(order) = attr.order {
-                let _ = write!(text, ", order {order}");
-            }
-            for (flag, word) in [(attr.hidden, "hidden"), (attr.is_set, "set"), (attr.known.is_none(), "computed")] {
-                if flag {
-                    let _ = write!(text, ", {word}");
-                }
-            }
-            if !attr.doc.is_empty() {
-                let _ = write!(text, ", doc {:?}", attr.doc);
-            }
+            let text = self.attr(attr);
             self.line(&text);
         }
         for own in &grammar.consts {
@@ -68,23 +106,25 @@ impl<'g> Printer<'g> {
             let recursive = if function.recursive { ", recursive" } else { "" };
             let head = format!("{}{}: {}", function.name, params(&function.params), function.ty.word());
             let text = format!("function {head} = {}{recursive}", self.expr(&function.body));
+            self.locals(&function.params, &function.locals);
             self.line(&text);
         }
-        if !grammar.init.is_empty() {
-            let name = |global: &Global| match global {
-                Global::Attr(id) => grammar.attrs[id.0 as usize].name.clone(),
-                Global::Const(id) => grammar.consts[id.0 as usize].name.clone(),
-            };
-            let text = format!("init {}", grammar.init.iter().map(name).collect::<Vec<_>>().join(", "));
+        let name = |global: &Global| match global {
+            Global::Attr(id) => grammar.attrs[id.0 as usize].name.clone(),
+            Global::Const(id) => grammar.consts[id.0 as usize].name.clone(),
+        };
+        for (style, init) in grammar.init.iter().enumerate().filter(|(_, init)| !init.is_empty()) {
+            let style = if style == 0 { String::new() } else { format!(" of style {style}") };
+            let text = format!("init{style} {}", init.iter().map(name).collect::<Vec<_>>().join(", "));
             self.line(&text);
         }
         for (index, host) in grammar.hosts.iter().enumerate() {
             let text = format!("host {index}: {} from {}", host.ty.word(), host.handle);
             self.line(&text);
         }
-        if let Some(start) = grammar.start {
-            let text = format!("start {}", grammar.rules[start.0 as usize].name);
-            self.line(&text);
+        if !grammar.starts.is_empty() {
+            let names: Vec<&str> = grammar.starts.iter().map(|start| start.name.as_str()).collect();
+            self.line(&format!("start {}", names.join(", ")));
         }
         for rule in &grammar.rules {
             self.rule(rule);
@@ -100,7 +140,16 @@ impl<'g> Printer<'g> {
         };
         let cycle = rule.cycle.map(|cycle| format!(", cycle {cycle}")).unwrap_or_default();
         self.line(&format!("rule {}{}{leaf}{cycle}", rule.name, params(&rule.params)));
+        self.locals(&rule.params, &rule.locals);
         self.steps(&rule.body);
+    }
+
+    fn locals(&mut self, params: &'g [Param], locals: &'g [Expr]) {
+        let names = params.iter().skip(params.len().saturating_sub(locals.len()));
+        for (param, value) in names.zip(locals) {
+            let text = format!("  with {} = {}", param.name, self.expr(value));
+            self.line(&text);
+        }
     }
 
     fn steps(&mut self, steps: &'g [Step]) {
@@ -155,6 +204,7 @@ impl<'g> Printer<'g> {
                 self.block("else", otherwise);
             }
             Step::Nil(_) => self.line("nil"),
+            Step::Later(what, _) => self.line(&format!("later {what}")),
         }
     }
 
@@ -238,6 +288,21 @@ impl<'g> Printer<'g> {
             ExprKind::Builtin(row, args) => format!("{}{}", row.run.now().unwrap_or(row.name), self.args(args)),
             ExprKind::Rust(path, args) => format!("{path}{}", self.args(args)),
             ExprKind::Shape(row) => row.name.to_owned(),
+            ExprKind::Later(what) => format!("later {what}"),
+            ExprKind::Array(rows) => {
+                let row = |row: &Vec<Expr>| row.iter().map(|entry| self.expr(entry)).collect::<Vec<_>>().join(", ");
+                format!("[{}]", rows.iter().map(row).collect::<Vec<_>>().join("; "))
+            }
+            ExprKind::Range(base, step, limit) => {
+                format!("{} : {} : {}", self.expr(base), self.expr(step), self.expr(limit))
+            }
+            ExprKind::Index(array, indices) => {
+                let indices: Vec<String> = indices.iter().map(|index| self.expr(index)).collect();
+                format!("{}[{}]", self.expr(array), indices.join(", "))
+            }
+            ExprKind::EachUnary(EachUnary::Neg, operand) => format!(".-{}", self.expr(operand)),
+            ExprKind::EachUnary(EachUnary::Not, operand) => format!(".!{}", self.expr(operand)),
+            ExprKind::Each(op, a, b) => format!("({} .{} {})", self.expr(a), sign(*op), self.expr(b)),
             ExprKind::Neg(operand) => format!("-{}", self.expr(operand)),
             ExprKind::Not(operand) => format!("!{}", self.expr(operand)),
             ExprKind::Binary(op, a, b) => format!("({} {} {})", self.expr(a), sign(*op), self.expr(b)),

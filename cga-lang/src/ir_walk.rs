@@ -49,8 +49,12 @@ pub fn called(body: &[Step]) -> Vec<RuleId> {
 pub fn exprs<'g>(grammar: &'g Grammar, visit: &mut dyn FnMut(&'g Expr)) {
     grammar.attrs.iter().for_each(|attr| parts(&attr.default, visit));
     grammar.consts.iter().for_each(|it| parts(&it.value, visit));
-    grammar.functions.iter().for_each(|function| parts(&function.body, visit));
+    for function in &grammar.functions {
+        function.locals.iter().for_each(|local| parts(local, visit));
+        parts(&function.body, visit);
+    }
     for rule in &grammar.rules {
+        rule.locals.iter().for_each(|local| parts(local, visit));
         steps(&rule.body, &mut |step| {
             in_step(step).into_iter().for_each(|expr| parts(expr, visit));
             for target in targets(step) {
@@ -85,33 +89,55 @@ fn in_step(step: &Step) -> Vec<&Expr> {
             })
             .collect(),
         Step::Case { arms, .. } => arms.iter().map(|(condition, _)| condition).collect(),
-        Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Nil(_) => Vec::new(),
+        Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Nil(_) | Step::Later(..) => Vec::new(),
     }
 }
 
 /// An expression and its parts.
 pub fn parts<'g>(expr: &'g Expr, visit: &mut dyn FnMut(&'g Expr)) {
     visit(expr);
-    match &expr.kind {
-        ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => {
-            args.iter().for_each(|arg| parts(arg, visit));
+    for part in expr.parts() {
+        parts(part, visit);
+    }
+}
+
+macro_rules! parts {
+    ($kind:expr, $iter:ident, $($mutable:tt)?) => {
+        match $kind {
+            ExprKind::Value(_)
+            | ExprKind::Param(_)
+            | ExprKind::Attr(_)
+            | ExprKind::Const(_)
+            | ExprKind::Host(_)
+            | ExprKind::Shape(_)
+            | ExprKind::Later(_) => Vec::new(),
+            ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
+            ExprKind::Neg(a) | ExprKind::Not(a) | ExprKind::ToText(a) | ExprKind::EachUnary(_, a) => vec![&$($mutable)? **a],
+            ExprKind::Binary(_, a, b) | ExprKind::Each(_, a, b) => vec![&$($mutable)? **a, &$($mutable)? **b],
+            ExprKind::Array(rows) => rows.$iter().flatten().collect(),
+            ExprKind::Range(base, step, limit) => {
+                vec![&$($mutable)? **base, &$($mutable)? **step, &$($mutable)? **limit]
+            }
+            ExprKind::Index(array, indices) => [&$($mutable)? **array].into_iter().chain(indices.$iter()).collect(),
+            ExprKind::Case(arms, otherwise) => {
+                let arms = arms.$iter().flat_map(|(condition, value)| [condition, value]);
+                arms.chain([&$($mutable)? **otherwise]).collect()
+            }
+            ExprKind::Chance(arms, otherwise) => {
+                arms.$iter().map(|(_, value)| value).chain([&$($mutable)? **otherwise]).collect()
+            }
         }
-        ExprKind::Neg(a) | ExprKind::Not(a) | ExprKind::ToText(a) => parts(a, visit),
-        ExprKind::Binary(_, a, b) => {
-            parts(a, visit);
-            parts(b, visit);
-        }
-        ExprKind::Case(arms, otherwise) => {
-            arms.iter().for_each(|(condition, value)| {
-                parts(condition, visit);
-                parts(value, visit);
-            });
-            parts(otherwise, visit);
-        }
-        ExprKind::Chance(arms, otherwise) => {
-            arms.iter().for_each(|(_, value)| parts(value, visit));
-            parts(otherwise, visit);
-        }
-        _ => {}
+    };
+}
+
+impl Expr {
+    /// The expressions it is made of, in the order of evaluation.
+    pub fn parts(&self) -> Vec<&Expr> {
+        parts!(&self.kind, iter,)
+    }
+
+    /// The same, to change them.
+    pub(crate) fn parts_mut(&mut self) -> Vec<&mut Expr> {
+        parts!(&mut self.kind, iter_mut, mut)
     }
 }

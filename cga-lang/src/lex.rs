@@ -8,6 +8,10 @@ use crate::span::Span;
 use crate::token::{Sym, Tok, Tokens};
 use std::ops::Range;
 
+mod decode;
+
+pub use decode::decode;
+
 /// Tokens of a text, and where each stands in it.
 #[derive(Clone, Debug, Default)]
 pub struct Lexed {
@@ -112,7 +116,8 @@ impl<'a> Lexer<'a> {
     fn number(&mut self, start: usize) {
         self.skip_while(|c| c.is_ascii_digit());
         if let Some(after) = self.rest().strip_prefix('.') {
-            // `1.==1` is `1 .== 1`: the dot belongs to the operator.
+            // `1.==1` is `1 .== 1`: the dot belongs to the operator (*changelog*, 2020.0). White space counts here, as
+            // in `1. == 1`, because it does in CGA; the token door looks at the places.
             let operator =
                 ["+", "-", "*", "/", "%", "!", "&&", "||", "==", "<", ">"].iter().any(|op| after.starts_with(op));
             if !operator && !after.starts_with(starts_name) {
@@ -201,7 +206,8 @@ impl<'a> Lexer<'a> {
     }
 
     fn string(&mut self, start: usize) {
-        let Some(end) = closing_quote(&self.rest()[1..]) else {
+        let end = closing_quote(&self.rest()[1..]);
+        let Some(end) = end.filter(|&end| !holds_rules(&self.rest()[1..1 + end])) else {
             self.line();
             self.bad(start, Code::UnclosedString, "this string is never closed").help("write `\"` at its end");
             return;
@@ -244,8 +250,9 @@ fn starts_name(c: char) -> bool {
     c == '_' || is_letter(c)
 }
 
+/// `$` is in names of rules only; the parser says so.
 fn continues_name(c: char) -> bool {
-    c == '_' || c.is_ascii_digit() || is_letter(c)
+    c == '_' || c == '$' || c.is_ascii_digit() || is_letter(c)
 }
 
 /// Letters that both CGA and Rust allow in names: Latin, Greek, Cyrillic, kana, Han, Hangul.
@@ -263,6 +270,11 @@ fn closing_quote(text: &str) -> Option<usize> {
         escaped = byte == b'\\' && !escaped;
         found
     })
+}
+
+/// Whether a string has run into the rules of further lines because its own quote is missing.
+fn holds_rules(text: &str) -> bool {
+    text.split_once(['\n', '\r']).is_some_and(|(_, rest)| rest.contains("-->"))
 }
 
 /// Resolves escapes; also returns the first one that means nothing.

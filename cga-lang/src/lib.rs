@@ -1,15 +1,16 @@
 //! The CGA language: tokens, parser, checks, lowering. Knows nothing of Rust macros and does no IO.
 //!
 //! ```text
-//! door ─► Tokens ─► parse ─► Ast ─► check ─► Checked ─► lower ─► ir::Grammar
+//! door ─► Tokens ─► parse ─► Ast ─► link ─► check ─► Checked ─► lower ─► ir::Grammar
 //! ```
 //!
 //! - A door (this crate's [`lex`](lex::lex), or a macro's token stream) brings [`Tokens`](token::Tokens). Only the door
 //!   knows where a token is on screen; everything here speaks of tokens by index ([`Span`](span::Span)).
 //! - [`parse`](parse::parse) never fails, never panics and always ends: it returns the tree it could build.
-//! - [`check`](check::check) reads the tree and writes side tables. It makes a [`Checked`](check::Checked) only when
-//!   there was no error, and only that can be lowered.
-//! - [`lower`](lower::lower) turns names into indices and blocks into rules.
+//! - [`link`] reads what is imported: a file once for each place and style it is used in.
+//! - [`check`] reads the trees and writes side tables. It makes a [`Checked`](check::Checked) only when there was no
+//!   error, and only that can be lowered.
+//! - lowering turns names into indices and blocks into rules.
 //!
 //! [`compile`](compile::compile) is the whole way in one call.
 //!
@@ -33,7 +34,8 @@ pub mod ir;
 pub mod ir_print;
 pub mod ir_walk;
 pub mod lex;
-pub mod lower;
+pub mod link;
+mod lower;
 pub mod ops;
 pub mod parse;
 pub mod print;

@@ -20,12 +20,22 @@ pub fn render(text: &str, ranges: &[Range<usize>], file: &str, diag: &Diag) -> S
         Level::Error => "error",
         Level::Warning | Level::Allow => "warning",
     };
-    format!("{level}[{}]: {}\n{}", diag.code.name(), diag.message, place(text, ranges, file, diag))
+    let related = |span| Some(format!("line {}", position(text, bytes(text, ranges, span).start).line));
+    let place = place(text, ranges, file, diag.span, diag, &related);
+    format!("{level}[{}]: {}\n{place}", diag.code.name(), diag.message)
 }
 
-/// Where a finding is, and its notes and help: [`render`] without the first line.
-pub fn place(text: &str, ranges: &[Range<usize>], file: &str, diag: &Diag) -> String {
-    let bytes = bytes(text, ranges, diag.span);
+/// Where a finding is, and its notes and help: [`render`] without the first line. `span` is the finding's place in this
+/// text, and `related` says where a second place is: "line 3", or "line 3 of lib.cga".
+pub fn place(
+    text: &str,
+    ranges: &[Range<usize>],
+    file: &str,
+    span: Span,
+    diag: &Diag,
+    related: &dyn Fn(Span) -> Option<String>,
+) -> String {
+    let bytes = bytes(text, ranges, span);
     let at = position(text, bytes.start);
     let line = line_at(text, bytes.start);
     let margin = " ".repeat(at.line.to_string().len());
@@ -38,8 +48,8 @@ pub fn place(text: &str, ranges: &[Range<usize>], file: &str, diag: &Diag) -> St
     out.push_str(&format!("{} | {before}{marked}{after}\n{margin} | {}{carets}", at.line, blank(&before)));
     for note in &diag.notes {
         out.push_str(&format!("\n{margin} = note: {}", note.text));
-        if let Some(related) = note.related {
-            out.push_str(&format!(" in line {}", position(text, self::bytes(text, ranges, related).start).line));
+        if let Some(line) = note.related.and_then(related) {
+            out.push_str(&format!(" in {line}"));
         }
     }
     for help in &diag.help {

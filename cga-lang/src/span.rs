@@ -17,6 +17,11 @@ impl Span {
         Span { first: token, last: token }
     }
 
+    /// The span as many tokens further on.
+    pub(crate) fn behind(self, tokens: u32) -> Span {
+        Span { first: self.first + tokens, last: self.last + tokens }
+    }
+
     /// The smallest span that holds both.
     pub fn to(self, other: Span) -> Span {
         Span { first: self.first.min(other.first), last: self.last.max(other.last) }

@@ -1,7 +1,16 @@
 //! Tokens, the form in which both doors hand over rules.
 //!
-//! Nothing here depends on whether white space stood between two tokens, because a macro cannot always know. Dotted
-//! names (`scope.sx`) and leaves (`Wall.`) are told apart by the parser: by where they stand.
+//! Nothing here depends on whether white space stood between two tokens, because a macro cannot always know. So signs
+//! that Rust does not glue are tokens of their own (`:=`, `=:`, `.+`), and what a dot means is for the parser to say, by
+//! what stands around it:
+//!
+//! - before a sign of an operator, in an expression, it makes that work element by element: `a .+ b`, `.![true]`;
+//! - between two names, in an expression, it makes one of them: `scope.sx`;
+//! - between two names, in a step of a rule, it does so if the first is an import of the grammar: `lib.Wall`;
+//! - behind any other name in a step it makes a leaf: `Wall.`.
+//!
+//! Numbers are the exception, because in CGA they are: `.5` stands close together and not close behind a name, and the
+//! dot of `1.==1` belongs to the operator, that of `1. == 1` to the number.
 
 use crate::span::Span;
 
@@ -149,6 +158,11 @@ impl Tokens {
     pub fn push(&mut self, token: Tok) -> u32 {
         self.list.push(token);
         (self.list.len() - 1) as u32
+    }
+
+    /// Appends other tokens.
+    pub fn extend(&mut self, other: &Tokens) {
+        self.list.extend_from_slice(&other.list);
     }
 
     /// How many there are.

@@ -11,7 +11,7 @@ mod header;
 mod report;
 mod skeleton;
 
-use cga_lang::compile::compile_with;
+use cga_lang::compile::compile_files;
 use proc_macro2::TokenStream;
 
 /// Checks CGA rules and turns them into Rust.
@@ -53,13 +53,14 @@ pub fn cga(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
 
 fn expand(input: TokenStream) -> TokenStream {
     let (header, body) = header::read(input);
-    let source = match body.and_then(|body| door::open(&header, body)) {
+    let mut source = match body.and_then(|body| door::open(&header, body)) {
         Ok(source) => source,
         Err(problem) => return skeleton::behind(&problem, &header),
     };
-    let compiled = compile_with(source.tokens(), source.strictness(), &header.levels);
-    let findings: Vec<_> = source.findings().iter().chain(&compiled.diags).cloned().collect();
-    let findings = report::findings(&findings, &source);
+    let mut imports = door::Imports::new();
+    let compiled = compile_files(source.unit(), &mut imports, &header.levels);
+    source.import(&compiled, imports.texts());
+    let findings = report::findings(&compiled.diags, &source);
     let output = match &compiled.grammar {
         Some(grammar) if !findings.has_errors => codegen::grammar(grammar, &header, &source),
         _ => skeleton::grammar(&compiled, &header, &source),

@@ -34,14 +34,17 @@ fn finding(diag: &Diag, source: &Source) -> TokenStream {
 
 /// The lines of a finding; behind a text door with the text it speaks of.
 fn message(diag: &Diag, source: &Source) -> String {
-    if let Some(text) = source.text() {
-        return format!("{}\n{}", diag.message, place(&text.written, &text.ranges, &text.name, diag));
+    if let Some((text, first)) = source.text(diag.span.first) {
+        let token = |token: u32| source.text(token).map_or(token, |(_, token)| token);
+        let span = cga_lang::span::Span { first, last: token(diag.span.last) };
+        let related = |place: cga_lang::span::Span| source.line(place.first);
+        return format!("{}\n{}", diag.message, place(&text.written, &text.ranges, &text.name, span, diag, &related));
     }
     let mut message = diag.message.clone();
     for note in &diag.notes {
         message.push_str(&format!("\nnote: {}", note.text));
         if let Some(line) = note.related.and_then(|place| source.line(place.first)) {
-            message.push_str(&format!(" (line {line})"));
+            message.push_str(&format!(" ({line})"));
         }
     }
     for help in &diag.help {

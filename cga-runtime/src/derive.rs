@@ -11,6 +11,7 @@ use crate::env::{Env, Trail};
 use crate::fault::{Error, Fault, LimitKind};
 use crate::grammar::Rules;
 use crate::place;
+use crate::report::{Collection, Print, Prints, Reports};
 use crate::settings::Settings;
 use crate::shape::{Geometry, Shape, ShapeRef};
 use crate::sink::{Flow, Leaf, Sink};
@@ -32,6 +33,30 @@ pub struct Report {
     pub faults_left_out: u64,
     /// Whether the sink ended the run.
     pub stopped: bool,
+    pub(crate) reports: Reports,
+    pub(crate) prints: Prints,
+}
+
+impl Report {
+    /// What rules reported, sorted by key (*report operation*).
+    pub fn reports(&self) -> &Reports {
+        &self.reports
+    }
+
+    /// What rules reported under one key; of several types the first, see [`Reports::of_type`].
+    pub fn reported(&self, key: &str) -> Option<&Collection> {
+        self.reports.get(key)
+    }
+
+    /// What rules printed, in the order of the run (*print operation*).
+    pub fn prints(&self) -> &[Print] {
+        &self.prints.list
+    }
+
+    /// Printed lines that found no room; see [`Limits::prints`](crate::settings::Limits::prints).
+    pub fn prints_left_out(&self) -> u64 {
+        self.prints.left_out
+    }
 }
 
 /// A run under way: what generated code hands from rule to rule.
@@ -147,10 +172,10 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
 ) -> Result<Report, Error> {
     shape.check()?;
     rules.check()?;
-    let start = start_rule::<R>(settings.start.as_deref())?;
-    let env = Env::new(settings, R::NAMES, shape.scope.size.abs().max_element());
+    let (start, style, start_name) = start_rule::<R>(settings.start.as_deref())?;
+    let env = Env::new(settings, R::NAMES, shape, start_name);
     let mut cx = Cx { env, sink, waiting: VecDeque::new(), stack: 0, depth: 0 };
-    let values = rules.values(&mut cx.env, shape);
+    let values = rules.values(&mut cx.env, shape, style);
     // A break with no error is the sink's.
     let mut flow = if cx.env.error.is_some() { Flow::Break(()) } else { Flow::Continue(()) };
     if flow.is_continue() {
@@ -171,17 +196,21 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
             faults,
             faults_left_out,
             stopped: flow.is_break(),
+            reports: std::mem::take(&mut cx.env.reports),
+            prints: std::mem::take(&mut cx.env.prints),
         }),
     }
 }
 
-/// The number of a start rule, the default one for `None`.
-fn start_rule<R: Rules>(name: Option<&str>) -> Result<u32, Error> {
+/// The number, style and name of a start rule, of the default one for `None`. `Default$Lot` is `Lot`.
+fn start_rule<R: Rules>(name: Option<&str>) -> Result<(u32, u32, &'static str), Error> {
     let at = match name {
         None => Some(0),
-        Some(name) => R::STARTS.iter().position(|start| *start == name),
+        Some(name) => {
+            let plain = name.strip_prefix("Default$").unwrap_or(name);
+            R::STARTS.iter().position(|start| *start == name || *start == plain)
+        }
     };
-    at.and_then(|at| R::START_RULES.get(at))
-        .copied()
+    at.and_then(|at| Some((*R::START_RULES.get(at)?, *R::START_STYLES.get(at)?, *R::STARTS.get(at)?)))
         .ok_or_else(|| Error::StartRule { name: name.unwrap_or_default().to_owned(), known: R::STARTS })
 }

@@ -1,14 +1,22 @@
 //! What a run keeps besides its sink: limits, faults, the trail of rules, assets.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::sync::Arc;
 
+use crate::array::Array;
+use crate::asset::Query;
 use crate::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::mesh::Mesh;
+use crate::report::{Prints, Reports};
+use crate::scope::Frame;
 use crate::settings::{Limits, Settings};
+use crate::shape::Shape;
 use crate::sink::Flow;
+use crate::text::Text;
+use crate::value::Value;
 
 /// Faults that are kept; later ones are only counted, so that memory stays bounded.
 const FAULTS_KEPT: usize = 1000;
@@ -18,6 +26,12 @@ const LONGEST_TRAIL: usize = 2048;
 
 /// Calls in a run of functions that can reach themselves: those that branch would else run for ever within their depth.
 const MOST_CALLS: u64 = 20_000_000;
+
+/// Queries for files whose answers are kept: rules ask the same ones for every shape.
+const SEARCHES_KEPT: usize = 32;
+
+/// Files whose tables are kept: functions read the same ones again and again.
+const TABLES_KEPT: usize = 16;
 
 /// A share of the initial shape's largest extent below which a shape is not split any further, and the most that this
 /// may be, in metres: on a large site small things are as good as elsewhere.
@@ -30,6 +44,7 @@ pub struct Env {
     /// Extents below this are not split any further, so that recursive splits end (*Subdivision split*: "the recursion
     /// stops when the geometry gets too small"). Relative to the initial shape.
     pub(crate) too_small: f64,
+    pub(crate) initial: Initial,
     names: &'static [&'static str],
     /// Rules entered and not yet left since the work list was last asked.
     trail: Vec<u32>,
@@ -44,6 +59,23 @@ pub struct Env {
     faults_left_out: u64,
     pub(crate) error: Option<Error>,
     cylinders: BTreeMap<u32, Arc<Mesh>>,
+    pub(crate) reports: Reports,
+    pub(crate) prints: Prints,
+    /// What file searches found; see [`Env::files`].
+    searches: BTreeMap<Text, Rc<[Text]>>,
+    /// Tables that were read, by file.
+    pub(crate) tables: BTreeMap<Text, Array<Text>>,
+    /// What is said once a run, and was: names that are not implemented, messages.
+    said_once: BTreeSet<&'static str>,
+}
+
+/// What a run knows of the shape it started with.
+#[derive(Clone, Debug)]
+pub(crate) struct Initial {
+    /// Object coordinates: they begin at the initial shape's pivot (*initialShape attribute*).
+    pub(crate) object: Frame,
+    pub(crate) name: Text,
+    pub(crate) start_rule: &'static str,
 }
 
 /// Rules that led to a deferred call, shared by all calls deferred under them.
@@ -64,8 +96,17 @@ impl Drop for Trail {
 }
 
 impl Env {
-    pub(crate) fn new(settings: &Settings, names: &'static [&'static str], extent: f64) -> Self {
+    /// For a run from that shape, with a start rule of that name; `names` are those of all rules.
+    pub(crate) fn new(
+        settings: &Settings,
+        names: &'static [&'static str],
+        shape: &Shape,
+        start_rule: &'static str,
+    ) -> Self {
+        let extent = shape.scope.size.abs().max_element();
+        let name = shape.state.get().map_or_else(Text::default, |state| state.name.clone());
         Env {
+            initial: Initial { object: shape.pivot, name, start_rule },
             // The largest number marks a run that has ended; see `limit`.
             settings: Settings {
                 limits: Limits { shapes: settings.limits.shapes.min(u64::MAX - 1), ..settings.limits },
@@ -84,7 +125,18 @@ impl Env {
             faults_left_out: 0,
             error: None,
             cylinders: BTreeMap::new(),
+            reports: Reports::default(),
+            prints: Prints::default(),
+            searches: BTreeMap::new(),
+            tables: BTreeMap::new(),
+            said_once: BTreeSet::new(),
         }
+    }
+
+    /// Of a run that starts with a box of 1 m.
+    #[cfg(test)]
+    pub(crate) fn for_tests() -> Self {
+        Env::new(&Settings::default(), &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
     }
 
     /// Counts shapes before they are made.
@@ -177,7 +229,7 @@ impl Env {
             parts.push(&trail.rules);
             before = trail.before.as_deref();
         }
-        let name = |&rule: &u32| self.names.get(rule as usize).copied().unwrap_or("?");
+        let name = |&rule: &u32| self.rule_name(rule);
         let count: usize = parts.iter().map(|part| part.len()).sum();
         let rules = parts.into_iter().rev().flatten();
         if count <= LONGEST_TRAIL {
@@ -186,6 +238,75 @@ impl Env {
         let half = LONGEST_TRAIL / 2;
         let (head, tail) = (rules.clone().take(half), rules.skip(count - half));
         head.map(name).chain(["…"]).chain(tail.map(name)).collect()
+    }
+
+    /// The files that a query finds, sorted.
+    pub(crate) fn files(&mut self, query: &Text) -> Rc<[Text]> {
+        if let Some(known) = self.searches.get(query) {
+            return known.clone();
+        }
+        let asked = Query::new(query);
+        let (found, cut_short) = self.settings.assets.search(&asked);
+        let found: Rc<[Text]> = found.into_iter().map(Text::from).collect();
+        if let Some(why) = asked.trouble() {
+            self.fault(FaultKind::Value, format!("a search for files finds less than there is: {why}"));
+        }
+        if cut_short {
+            self.fault_once(FaultKind::Limit, "the asset folder is too large to be searched; some files are left out");
+        }
+        if self.searches.len() < SEARCHES_KEPT {
+            self.searches.insert(query.clone(), found.clone());
+        }
+        found
+    }
+
+    /// Keeps a table that was read, as one of a few.
+    pub(crate) fn keep_table(&mut self, file: Text, table: &Array<Text>) {
+        if self.tables.len() < TABLES_KEPT {
+            self.tables.insert(file, table.clone());
+        }
+    }
+
+    /// Adds a value to a collection.
+    pub(crate) fn report(&mut self, key: Text, value: Value) {
+        let limit = self.settings.limits.reports;
+        if !self.reports.add(key, value, limit) && self.reports.left_out() == 1 {
+            self.fault(
+                FaultKind::Limit,
+                format!("there is no room for more than {limit} reports; others are left out"),
+            );
+        }
+    }
+
+    /// Keeps a printed line.
+    pub(crate) fn print(&mut self, value: Value) {
+        if self.settings.echo {
+            // A console that is gone is no reason to stop.
+            let _ = writeln!(std::io::stdout(), "{value}");
+        }
+        let rule = self.trail.last().map_or("", |&rule| self.rule_name(rule));
+        let limit = self.settings.limits.prints;
+        if !self.prints.add(rule, value, limit) && self.prints.left_out == 1 {
+            self.fault(FaultKind::Limit, format!("there is no room for more than {limit} lines; others are left out"));
+        }
+    }
+
+    /// Notes a fault unless the same was noted before.
+    pub(crate) fn fault_once(&mut self, kind: FaultKind, message: &'static str) {
+        if self.said_once.insert(message) {
+            self.fault(kind, message);
+        }
+    }
+
+    /// Notes that something is not implemented, once a run.
+    pub(crate) fn not_implemented(&mut self, name: &'static str, instead: &str) {
+        if self.said_once.insert(name) {
+            self.fault(FaultKind::NotImplemented, format!("`{name}` is not implemented yet; {instead}"));
+        }
+    }
+
+    fn rule_name(&self, rule: u32) -> &'static str {
+        self.names.get(rule as usize).copied().unwrap_or("?")
     }
 
     /// Notes a fault with the trail that led to it.

@@ -12,6 +12,10 @@ pub enum FaultKind {
     Asset,
     /// Geometry that an operation cannot handle as asked, such as a cut through a mesh that is not closed.
     Geometry,
+    /// Something that a run may keep only so much of: reports, printed lines, files to search.
+    Limit,
+    /// A part of the language that this runtime has not yet.
+    NotImplemented,
     /// Reported by an operation written in Rust.
     Host,
 }
@@ -58,6 +62,10 @@ pub enum LimitKind {
     Calls,
     /// Calls of rules that wait.
     Waiting,
+    /// Elements of an array.
+    Array,
+    /// Bytes of text.
+    Text,
 }
 
 impl fmt::Display for LimitKind {
@@ -68,6 +76,8 @@ impl fmt::Display for LimitKind {
             LimitKind::Vertices => "vertices",
             LimitKind::Calls => "nested function calls",
             LimitKind::Waiting => "waiting calls",
+            LimitKind::Array => "elements in an array",
+            LimitKind::Text => "bytes of text",
         })
     }
 }

@@ -2,10 +2,14 @@
 
 use glam::DVec3;
 
+use crate::array::Array;
+use crate::env::Env;
+use crate::material::list::{each_material_number, each_material_text};
+use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
 use crate::op::angles;
 use crate::shape::ShapeRef;
-use crate::state::Value;
 use crate::text::Text;
+use crate::value::Value;
 
 macro_rules! numbers {
     ($($(#[$doc:meta])* $name:ident = |$shape:ident| $value:expr;)*) => {$(
@@ -46,18 +50,6 @@ numbers! {
     comp_index = |shape| f64::from(shape.comp.index);
     /// Components of its selector.
     comp_total = |shape| f64::from(shape.comp.total);
-    /// Red, in 0..=1.
-    material_color_r = |shape| shape.material().color().r;
-    /// Green, in 0..=1.
-    material_color_g = |shape| shape.material().color().g;
-    /// Blue, in 0..=1.
-    material_color_b = |shape| shape.material().color().b;
-    /// 1 is opaque.
-    material_opacity = |shape| shape.material().opacity();
-    /// 0 unless set.
-    material_metallic = |shape| shape.material().metallic.unwrap_or(0.0);
-    /// 1 unless set.
-    material_roughness = |shape| shape.material().roughness.unwrap_or(1.0);
 }
 
 /// The selector that made this component.
@@ -65,14 +57,127 @@ pub fn comp_sel(shape: &ShapeRef<'_>) -> Text {
     Text::fixed(shape.selector)
 }
 
-/// `material.name`, empty unless set.
-pub fn material_name(shape: &ShapeRef<'_>) -> Text {
-    shape.material().name.clone().unwrap_or_default()
+macro_rules! material_numbers {
+    ($($function:ident $name:literal $which:expr;)*) => {$(
+        #[doc = concat!("`material.", $name, "`.")]
+        pub fn $function(shape: &ShapeRef<'_>) -> f64 {
+            material_number(shape, $which)
+        }
+    )*};
 }
 
-/// `material.colormap`, empty unless set.
-pub fn material_colormap(shape: &ShapeRef<'_>) -> Text {
-    shape.material().texture.clone().unwrap_or_default()
+macro_rules! material_texts {
+    ($($function:ident $name:literal $which:expr;)*) => {$(
+        #[doc = concat!("`material.", $name, "`.")]
+        pub fn $function(shape: &ShapeRef<'_>) -> Text {
+            material_text(shape, $which)
+        }
+    )*};
+}
+
+each_material_number!(material_numbers);
+each_material_text!(material_texts);
+
+/// What the rules set, else what the geometry's own material has (*CGA changelog 2010.3*), else the default.
+fn material_number(shape: &ShapeRef<'_>, which: MaterialNumber) -> f64 {
+    let set = shape.material().number(which);
+    set.or_else(|| shape.own_material()?.number(which)).unwrap_or(which.default_value())
+}
+
+fn material_text(shape: &ShapeRef<'_>, which: MaterialText) -> Text {
+    let set = shape.material().text(which).or_else(|| shape.own_material()?.text(which));
+    set.cloned().unwrap_or(Text::fixed(which.default_value()))
+}
+
+/// `material.color.rgb`: as in `#ff8000`.
+pub fn material_color_rgb(shape: &ShapeRef<'_>) -> Text {
+    let channel = |channel| {
+        let share = material_number(shape, MaterialNumber::Color(channel));
+        libm::round(share.clamp(0.0, 1.0) * 255.0) as u8
+    };
+    let (r, g, b) = (channel(Channel::R), channel(Channel::G), channel(Channel::B));
+    Text::from(format!("#{r:02x}{g:02x}{b:02x}"))
+}
+
+/// `material.doubleSided`.
+pub fn material_double_sided(shape: &ShapeRef<'_>) -> bool {
+    shape.material().double_sided.or_else(|| shape.own_material()?.double_sided).unwrap_or(true)
+}
+
+/// `trim.vertical`: whether vertical trim planes cut (*trim attribute*). There are no trim planes yet.
+pub fn trim_vertical(shape: &ShapeRef<'_>) -> bool {
+    shape.state.trim().vertical
+}
+
+/// `trim.horizontal`: whether horizontal trim planes cut (*trim attribute*). There are no trim planes yet.
+pub fn trim_horizontal(shape: &ShapeRef<'_>) -> bool {
+    shape.state.trim().horizontal
+}
+
+/// `seedian`: the seed that random numbers of this shape follow from (*seedian attribute*). Seeds have 64 bits; those that
+/// are no whole number a float can hold read as one that is.
+pub fn seedian(shape: &ShapeRef<'_>) -> f64 {
+    let seed = shape.seed.value();
+    let exact = (seed as i64).unsigned_abs() <= SEED_MAX;
+    if exact { seed as i64 as f64 } else { (seed >> 11) as f64 }
+}
+
+/// Whole numbers up to this are exact in a float.
+pub(crate) const SEED_MAX: u64 = 1 << 53;
+
+/// `initialShape.name`: see [`Shape::named`](crate::shape::Shape::named) (*initialShape attribute*).
+pub fn initial_shape_name(env: &Env, _: &ShapeRef<'_>) -> Text {
+    env.initial.name.clone()
+}
+
+/// `initialShape.startRule` (*initialShape attribute*).
+pub fn initial_shape_start_rule(env: &Env, _: &ShapeRef<'_>) -> Text {
+    Text::fixed(env.initial.start_rule)
+}
+
+macro_rules! placed {
+    ($($(#[$doc:meta])* $name:ident = |$env:ident, $shape:pat_param| $value:expr;)*) => {$(
+        $(#[$doc])*
+        pub fn $name($env: &Env, $shape: &ShapeRef<'_>) -> f64 {
+            $value
+        }
+    )*};
+}
+
+// *initialShape attribute*: object coordinates in the world. *pivot attribute*: the pivot in object coordinates.
+placed! {
+    /// Where object coordinates begin, in the world: x.
+    initial_shape_origin_px = |env, _| env.initial.object.origin.x;
+    /// Where object coordinates begin, in the world: y.
+    initial_shape_origin_py = |env, _| env.initial.object.origin.y;
+    /// Where object coordinates begin, in the world: z.
+    initial_shape_origin_pz = |env, _| env.initial.object.origin.z;
+    /// How object coordinates are turned in the world, in degrees: about x.
+    initial_shape_origin_ox = |env, _| angles(&env.initial.object.axes).x;
+    /// How object coordinates are turned in the world, in degrees: about y.
+    initial_shape_origin_oy = |env, _| angles(&env.initial.object.axes).y;
+    /// How object coordinates are turned in the world, in degrees: about z.
+    initial_shape_origin_oz = |env, _| angles(&env.initial.object.axes).z;
+    /// Where the pivot is in object coordinates: x.
+    pivot_px = |env, shape| pivot_position(env, shape).x;
+    /// Where the pivot is in object coordinates: y.
+    pivot_py = |env, shape| pivot_position(env, shape).y;
+    /// Where the pivot is in object coordinates: z.
+    pivot_pz = |env, shape| pivot_position(env, shape).z;
+    /// How the pivot is turned in object coordinates, in degrees: about x.
+    pivot_ox = |env, shape| pivot_rotation(env, shape).x;
+    /// How the pivot is turned in object coordinates, in degrees: about y.
+    pivot_oy = |env, shape| pivot_rotation(env, shape).y;
+    /// How the pivot is turned in object coordinates, in degrees: about z.
+    pivot_oz = |env, shape| pivot_rotation(env, shape).z;
+}
+
+pub(crate) fn pivot_position(env: &Env, shape: &ShapeRef<'_>) -> DVec3 {
+    env.initial.object.to_local(shape.pivot.origin)
+}
+
+pub(crate) fn pivot_rotation(env: &Env, shape: &ShapeRef<'_>) -> DVec3 {
+    angles(&(env.initial.object.axes.transpose() * shape.pivot.axes))
 }
 
 fn offset(shape: &ShapeRef<'_>) -> DVec3 {
@@ -88,6 +193,24 @@ fn rotation(shape: &ShapeRef<'_>) -> DVec3 {
 fn attribute<'s>(shape: &'s ShapeRef<'_>, number: u32) -> Option<&'s Value> {
     let state = shape.state.get()?;
     state.attributes.iter().find(|(id, _)| *id == number).map(|(_, value)| value)
+}
+
+macro_rules! array_attributes {
+    ($($(#[$doc:meta])* $name:ident: $item:ty = $variant:ident;)*) => {$(
+        $(#[$doc])*
+        pub fn $name(shape: &ShapeRef<'_>, number: u32, initial: &Array<$item>) -> Array<$item> {
+            if let Some(Value::$variant(value)) = attribute(shape, number) { value.clone() } else { initial.clone() }
+        }
+    )*};
+}
+
+array_attributes! {
+    /// An attribute of the grammar that is an array of floats, as this shape sees it.
+    floats_attribute: f64 = Floats;
+    /// An attribute of the grammar that is an array of bools, as this shape sees it.
+    bools_attribute: bool = Bools;
+    /// An attribute of the grammar that is an array of texts, as this shape sees it.
+    texts_attribute: Text = Texts;
 }
 
 /// A float attribute of the grammar as this shape sees it.

@@ -1,5 +1,6 @@
 //! Rust in rules: values (`#name`) and operations (`path::call(…)`).
 
+use crate::array::Array;
 use crate::env::Env;
 use crate::fault::{Fault, FaultKind};
 use crate::func;
@@ -91,6 +92,60 @@ impl<T: ToText + ?Sized> ToText for &T {
     fn to_text(&self) -> Text {
         (**self).to_text()
     }
+}
+
+macro_rules! to_arrays {
+    ($($(#[$doc:meta])* $name:ident, $method:ident, $item:ty, $one:ident, $convert:ident;)*) => {$(
+        $(#[$doc])*
+        #[diagnostic::on_unimplemented(
+            message = "`{Self}` is no array that a rule can use",
+            label = "the rule needs an array here"
+        )]
+        pub trait $name {
+            /// As an array.
+            fn $method(&self) -> Array<$item>;
+        }
+
+        impl $name for Array<$item> {
+            fn $method(&self) -> Array<$item> {
+                self.clone()
+            }
+        }
+
+        impl<T: $one> $name for [T] {
+            fn $method(&self) -> Array<$item> {
+                self.iter().map(|value| value.$convert()).collect()
+            }
+        }
+
+        impl<T: $one> $name for Vec<T> {
+            fn $method(&self) -> Array<$item> {
+                self.as_slice().$method()
+            }
+        }
+
+        impl<T: $one, const N: usize> $name for [T; N] {
+            fn $method(&self) -> Array<$item> {
+                self.as_slice().$method()
+            }
+        }
+
+        #[diagnostic::do_not_recommend]
+        impl<T: $name + ?Sized> $name for &T {
+            fn $method(&self) -> Array<$item> {
+                (**self).$method()
+            }
+        }
+    )*};
+}
+
+to_arrays! {
+    /// A Rust value that a rule can use as an array of numbers.
+    ToFloats, to_floats, f64, ToFloat, to_float;
+    /// A Rust value that a rule can use as an array of truth values.
+    ToBools, to_bools, bool, ToBool, to_bool;
+    /// A Rust value that a rule can use as an array of texts.
+    ToTexts, to_texts, Text, ToText, to_text;
 }
 
 /// A Rust value beside text in a rule: text, or a number or truth value that becomes text.

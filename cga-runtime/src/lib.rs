@@ -4,9 +4,12 @@
 //! with holes, counter-clockwise seen from outside. Most users want the facade crate `cga`.
 #![forbid(unsafe_code)]
 
+pub use array::Array;
 pub use glam;
 
+pub mod array;
 pub mod asset;
+pub mod attribute;
 pub mod comp;
 pub mod cut;
 pub mod derive;
@@ -17,11 +20,15 @@ pub mod func;
 pub mod get;
 pub mod grammar;
 pub mod host;
+pub mod later;
 pub mod material;
 pub mod mesh;
 pub mod model;
+mod nearest;
 pub mod op;
 mod place;
+pub mod query;
+pub mod report;
 pub mod rt;
 pub mod scope;
 mod seed;
@@ -34,3 +41,4 @@ mod state;
 pub mod text;
 pub mod tol;
 pub mod triangulate;
+pub mod value;

@@ -14,6 +14,7 @@ use crate::fault::Fault;
 use crate::material::Material;
 use crate::mesh::{Bounds, Mesh};
 use crate::place;
+use crate::report::{Collection, Print, Reports};
 use crate::scope::{Axis, Scope};
 use crate::sink::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
 use crate::sink::stats::Stats;
@@ -192,7 +193,22 @@ impl Model {
         &self.report.faults
     }
 
-    /// What the run said besides its leaves: counts and faults.
+    /// What rules reported, sorted by key (*report operation*). `to_string` makes a table of it.
+    pub fn reports(&self) -> &Reports {
+        self.report.reports()
+    }
+
+    /// What rules reported under one key; of several types the first, see [`Reports::of_type`].
+    pub fn reported(&self, key: &str) -> Option<&Collection> {
+        self.report.reported(key)
+    }
+
+    /// What rules printed, in the order of the run (*print operation*).
+    pub fn prints(&self) -> &[Print] {
+        self.report.prints()
+    }
+
+    /// What the run said besides its leaves: counts, faults, reports.
     pub fn report(&self) -> &Report {
         &self.report
     }

@@ -4,12 +4,14 @@
 pub use std::ops::ControlFlow;
 pub use std::string::String;
 
+pub use crate::array::{Array, Element};
+pub use crate::attribute::{Attribute, AttributeKind, ChoiceValues, Choices, Default, Range};
 pub use crate::comp::select::Select;
 pub use crate::comp::{Arm, Mode, comp};
 pub use crate::derive::{Cx, Report, run};
 pub use crate::env::Env;
 pub use crate::fault::{Error, Fault};
-pub use crate::grammar::{Attribute, Default, Grammar, Range, Rules, generate};
+pub use crate::grammar::{Field, Grammar, Rules, generate};
 pub use crate::model::Model;
 pub use crate::op::Length;
 pub use crate::scope::Axis;
@@ -19,9 +21,9 @@ pub use crate::shape::{Shape, ShapeRef};
 pub use crate::sink::{Flow, Sink};
 pub use crate::split::divide::{Adjust, split};
 pub use crate::split::{Item, Size};
-pub use crate::state::Value;
 pub use crate::text::Text;
-pub use crate::{func, get, host, op, set};
+pub use crate::value::Value;
+pub use crate::{func, get, host, later, op, query, set};
 
 use crate::seed::{Seed, Tag};
 
@@ -33,6 +35,11 @@ pub fn string(text: &str) -> String {
 /// The text of an attribute.
 pub fn text(value: &str) -> Text {
     Text::from(value)
+}
+
+/// An array that is known while compiling: its elements in rows of so many.
+pub fn array<T: Element, const N: usize>(columns: usize, elements: [T; N]) -> Array<T> {
+    Array::new(elements.to_vec(), N.checked_div(columns).unwrap_or_default(), columns)
 }
 
 /// A copy of the current shape for a successor.
@@ -64,5 +71,5 @@ pub fn global(shape: &Shape, number: u32) -> Shape {
 /// 0.05 / 0.70; see the digest's fact 95).
 #[inline]
 pub fn branch(shape: &mut ShapeRef<'_>, percent: f64, before: f64) -> bool {
-    func::chance(shape, percent / (100.0 - before))
+    func::drawn_below(shape, percent / (100.0 - before))
 }

@@ -51,6 +51,11 @@ impl Seed {
         if self.handed_on { mix(own ^ mix(key(Tag::Successor, 0))) } else { own }
     }
 
+    /// A whole number that a float can hold, as good as the seed itself.
+    pub(crate) fn scattered(self) -> u64 {
+        mix(self.value()) >> 11
+    }
+
     /// Becomes the seed of this shape's first successor, without a copy of the shape. A part of a split that goes straight
     /// to a rule has the same seed there as one that passes operations on the way: `~1 : A` and `~1 : color(c) A`.
     #[inline]

@@ -3,11 +3,16 @@
 use glam::DVec3;
 
 use crate::env::Env;
+use crate::fault::FaultKind;
 use crate::get;
+use crate::material::list::{each_material_number, each_material_text};
+use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
 use crate::op::turn;
+use crate::scope::Frame;
+use crate::seed::Seed;
 use crate::shape::ShapeRef;
-use crate::state::Value;
 use crate::text::Text;
+use crate::value::Value;
 
 macro_rules! sizes {
     ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
@@ -42,16 +47,6 @@ macro_rules! rotations {
     )*};
 }
 
-macro_rules! materials {
-    ($($(#[$doc:meta])* $name:ident = |$material:ident, $value:ident| $change:expr;)*) => {$(
-        $(#[$doc])*
-        pub fn $name(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
-            let $value = env.finite(value, "the material's value").clamp(0.0, 1.0);
-            shape.change_material(|$material| $change);
-        }
-    )*};
-}
-
 sizes! {
     /// Width.
     scope_sx = x;
@@ -79,29 +74,116 @@ rotations! {
     scope_rz = z;
 }
 
-materials! {
-    /// Red.
-    material_color_r = |material, value| material.color.get_or_insert(crate::material::Color::WHITE).r = value;
-    /// Green.
-    material_color_g = |material, value| material.color.get_or_insert(crate::material::Color::WHITE).g = value;
-    /// Blue.
-    material_color_b = |material, value| material.color.get_or_insert(crate::material::Color::WHITE).b = value;
-    /// Opacity.
-    material_opacity = |material, value| material.opacity = Some(value);
-    /// Metallic.
-    material_metallic = |material, value| material.metallic = Some(value);
-    /// Roughness.
-    material_roughness = |material, value| material.roughness = Some(value);
+macro_rules! material_numbers {
+    ($($function:ident $name:literal $which:expr;)*) => {$(
+        #[doc = concat!("`material.", $name, "`; moved into its range (*material attribute*).")]
+        pub fn $function(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+            material_number(env, shape, $which, value);
+        }
+    )*};
 }
 
-/// `material.name`.
-pub fn material_name(_: &mut Env, shape: &mut ShapeRef<'_>, value: Text) {
-    shape.change_material(|material| material.name = Some(value));
+macro_rules! material_texts {
+    ($($function:ident $name:literal $which:expr;)*) => {$(
+        #[doc = concat!("`material.", $name, "` (*material attribute*).")]
+        pub fn $function(env: &mut Env, shape: &mut ShapeRef<'_>, value: Text) {
+            material_text(env, shape, $which, value);
+        }
+    )*};
 }
 
-/// `material.colormap`.
-pub fn material_colormap(_: &mut Env, shape: &mut ShapeRef<'_>, value: Text) {
-    shape.change_material(|material| material.texture = Some(value));
+each_material_number!(material_numbers);
+each_material_text!(material_texts);
+
+pub(crate) fn material_number(env: &mut Env, shape: &mut ShapeRef<'_>, which: MaterialNumber, value: f64) {
+    let value = env.finite(value, "the material's value");
+    // One channel leaves the other two as they are seen.
+    let seen = matches!(which, MaterialNumber::Color(_)) && shape.material().color.is_none();
+    let own = if seen { shape.own_material().and_then(|own| own.color) } else { None };
+    shape.change_material(|material| {
+        material.color = material.color.or(own);
+        material.set_number(which, value);
+    });
+}
+
+pub(crate) fn material_text(env: &mut Env, shape: &mut ShapeRef<'_>, which: MaterialText, value: Text) {
+    if which.accepts(&value) {
+        shape.change_material(|material| material.set_text(which, value));
+    } else {
+        env.fault(FaultKind::Value, format!("`{value}` is no mode of an opacity map; it stays as it is"));
+    }
+}
+
+/// `material.color.rgb`, as `color` reads it (*material.color attribute*).
+pub fn material_color_rgb(env: &mut Env, shape: &mut ShapeRef<'_>, value: Text) {
+    crate::op::color_hex(env, shape, value);
+}
+
+/// `material.doubleSided` (*material attribute*).
+pub fn material_double_sided(_: &mut Env, shape: &mut ShapeRef<'_>, value: bool) {
+    shape.change_material(|material| material.double_sided = Some(value));
+}
+
+/// `trim.vertical`, for this shape and its descendants (*trim attribute*). There are no trim planes yet.
+pub fn trim_vertical(_: &mut Env, shape: &mut ShapeRef<'_>, value: bool) {
+    shape.state.change().trim.vertical = value;
+}
+
+/// `trim.horizontal`, for this shape and its descendants (*trim attribute*). There are no trim planes yet.
+pub fn trim_horizontal(_: &mut Env, shape: &mut ShapeRef<'_>, value: bool) {
+    shape.state.change().trim.horizontal = value;
+}
+
+/// `seedian`: random numbers begin anew, for this shape and for what is derived from it afterwards (*seedian attribute*). Equal
+/// seeds give equal numbers. A number that is not whole makes a seed of its own, which reads as another number.
+pub fn seedian(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+    let value = env.finite(value, "the seed");
+    let whole = value.fract() == 0.0 && value.abs() <= get::SEED_MAX as f64;
+    shape.seed = Seed::new(if whole { value as i64 as u64 } else { Seed::new(value.to_bits()).scattered() });
+}
+
+macro_rules! pivots {
+    ($($(#[$doc:meta])* $name:ident = |$position:ident, $rotation:ident| $part:expr;)*) => {$(
+        $(#[$doc])*
+        pub fn $name(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+            let value = env.finite(value, "the pivot");
+            let (mut position, mut rotation) = (get::pivot_position(env, shape), get::pivot_rotation(env, shape));
+            let ($position, $rotation) = (&mut position, &mut rotation);
+            *$part = value;
+            move_pivot(env, shape, position, rotation);
+        }
+    )*};
+}
+
+// *pivot attribute*: in object coordinates. The scope is relative to the pivot and keeps its translation and rotation, so
+// the shape goes with it.
+pivots! {
+    /// Where the pivot is: x.
+    pivot_px = |position, _rotation| &mut position.x;
+    /// Where the pivot is: y.
+    pivot_py = |position, _rotation| &mut position.y;
+    /// Where the pivot is: z.
+    pivot_pz = |position, _rotation| &mut position.z;
+    /// How the pivot is turned, in degrees: about x.
+    pivot_ox = |_position, rotation| &mut rotation.x;
+    /// How the pivot is turned, in degrees: about y.
+    pivot_oy = |_position, rotation| &mut rotation.y;
+    /// How the pivot is turned, in degrees: about z.
+    pivot_oz = |_position, rotation| &mut rotation.z;
+}
+
+fn move_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, position: DVec3, rotation: DVec3) {
+    let (object, before) = (&env.initial.object, (shape.scope, shape.pivot));
+    let offset = shape.pivot.to_local(shape.scope.origin);
+    let turned = shape.pivot.axes.transpose() * shape.scope.axes;
+    shape.pivot =
+        Frame { origin: object.to_world(position), axes: object.axes * turn(rotation.x, rotation.y, rotation.z) };
+    shape.scope.origin = shape.pivot.to_world(offset);
+    shape.scope.axes = shape.pivot.axes * turned;
+    if !(shape.pivot.origin.is_finite() && shape.scope.origin.is_finite()) {
+        (shape.scope, shape.pivot) = before;
+        env.fault(FaultKind::Value, "the pivot leads beyond the largest number; the shape stays as it is");
+    }
 }
 
 /// An attribute of the grammar, for this shape and its descendants.
@@ -110,5 +192,121 @@ pub fn attribute(shape: &mut ShapeRef<'_>, number: u32, value: Value) {
     match attributes.iter_mut().find(|(id, _)| *id == number) {
         Some((_, old)) => *old = value,
         None => attributes.push((number, value)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::op::Length::Absolute;
+    use crate::op::{rotate, translate};
+    use crate::settings::Settings;
+    use crate::shape::Shape;
+
+    #[test]
+    fn every_material_attribute_reads_its_default_then_what_was_set() {
+        let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
+        macro_rules! numbers {
+            ($($function:ident $name:literal $which:expr;)*) => {$(
+                if $name != "opacity" {
+                    assert_eq!(get::$function(shape), $which.default_value(), $name);
+                    for (value, expected) in [(0.25, 0.25), (1e9, $which.clamp(1e9)), (f64::NAN, 0.0)] {
+                        $function(env, shape, value);
+                        assert_eq!(get::$function(shape), expected, $name);
+                    }
+                    assert_eq!(env.take_faults().0.len(), 1, $name);
+                }
+            )*};
+        }
+        macro_rules! texts {
+            ($($function:ident $name:literal $which:expr;)*) => {$(
+                assert_eq!(get::$function(shape).as_str(), $which.default_value(), $name);
+                $function(env, shape, "opaque".into());
+                assert_eq!(get::$function(shape).as_str(), "opaque", $name);
+            )*};
+        }
+        each_material_number!(numbers);
+        each_material_text!(texts);
+        assert_eq!((get::material_opacity(shape), get::material_double_sided(shape)), (0.0, true));
+        assert_eq!(get::material_color_rgb(shape).as_str(), "#000000");
+        material_color_rgb(env, shape, "#0a5fff".into());
+        assert_eq!(get::material_color_rgb(shape).as_str(), "#0a5fff");
+        material_color_rgb(env, shape, "red".into());
+        assert_eq!((get::material_color_rgb(shape).as_str(), env.take_faults().0.len()), ("#0a5fff", 1));
+    }
+
+    #[test]
+    fn a_seed_that_is_set_is_read_and_repeats_its_numbers() {
+        let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0).seed(7));
+        assert_eq!(get::seedian(shape), 7.0);
+        let mut drawn = |env: &mut Env, value: f64| {
+            seedian(env, shape, value);
+            (get::seedian(shape), shape.seed.draw(), shape.child(crate::seed::Tag::Push).seed.value())
+        };
+        for value in [0.0, -3.0, 9_007_199_254_740_992.0] {
+            let first = drawn(env, value);
+            assert_eq!((first.0, first), (value, drawn(env, value)));
+        }
+        assert_ne!(drawn(env, 1.0).1, drawn(env, 2.0).1);
+        // Not whole: a seed of its own, which stays itself.
+        let odd = drawn(env, 0.5);
+        assert_eq!((odd.0.fract(), odd), (0.0, drawn(env, odd.0)));
+        assert_ne!(odd.1, drawn(env, 0.25).1);
+        assert_eq!(drawn(env, f64::NAN).0, 0.0);
+        assert_eq!(env.take_faults().0.len(), 1);
+    }
+
+    #[test]
+    fn trim_switches_are_inherited() {
+        let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
+        assert!(get::trim_vertical(shape) && !get::trim_horizontal(shape));
+        trim_vertical(env, shape, false);
+        trim_horizontal(env, shape, true);
+        let child = &mut shape.child(crate::seed::Tag::Push);
+        assert!(!get::trim_vertical(child) && get::trim_horizontal(child));
+        trim_horizontal(env, child, false);
+        assert!(get::trim_horizontal(shape));
+    }
+
+    /// A lot somewhere, and a run that starts with it.
+    fn moved() -> (Env, Shape) {
+        let outline = [[10.0, 5.0], [14.0, 8.0], [12.0, 1.0]];
+        let shape = Shape::footprint(&outline, &[]).expect("a triangle").at([0.0, 3.0, 0.0]).named("Lot 7");
+        (Env::new(&Settings::default(), &[], &shape, "Start"), shape)
+    }
+
+    #[test]
+    fn a_fresh_shape_has_its_pivot_at_the_origin_of_object_coordinates() {
+        let (env, shape) = &mut moved();
+        assert_eq!(get::pivot_position(env, shape), DVec3::ZERO);
+        assert_eq!(get::pivot_rotation(env, shape), DVec3::ZERO);
+        assert_eq!((get::initial_shape_origin_px(env, shape), get::initial_shape_origin_py(env, shape)), (10.0, 3.0));
+        let turned = get::initial_shape_origin_oy(env, shape);
+        assert!((turned - libm::atan2(-3.0, 4.0).to_degrees()).abs() < 1e-9, "{turned}");
+        assert_eq!(get::initial_shape_name(env, shape).as_str(), "Lot 7");
+        assert_eq!(get::initial_shape_start_rule(env, shape).as_str(), "Start");
+    }
+
+    #[test]
+    fn the_shape_goes_with_its_pivot() {
+        let (env, shape) = &mut moved();
+        translate(env, shape, Absolute(1.0), Absolute(2.0), Absolute(3.0));
+        rotate(env, shape, 10.0, 20.0, 30.0);
+        let state = |shape: &Shape| {
+            let rotation = [get::scope_rx(shape), get::scope_ry(shape), get::scope_rz(shape)];
+            [[get::scope_tx(shape), get::scope_ty(shape), get::scope_tz(shape)], rotation].concat()
+        };
+        let before = state(shape);
+        pivot_py(env, shape, 5.0);
+        pivot_oy(env, shape, 90.0);
+        pivot_px(env, shape, -1.0);
+        assert!((get::pivot_position(env, shape) - DVec3::new(-1.0, 5.0, 0.0)).length() < 1e-9);
+        assert!((get::pivot_rotation(env, shape) - DVec3::new(0.0, 90.0, 0.0)).length() < 1e-9);
+        assert!(state(shape).iter().zip(&before).all(|(a, b)| (a - b).abs() < 1e-9));
+        assert!(shape.check().is_ok());
+        pivot_pz(env, shape, f64::MAX);
+        assert!(shape.check().is_ok() && shape.pivot.origin.is_finite());
+        pivot_pz(env, shape, f64::INFINITY);
+        assert!(get::pivot_position(env, shape).z.abs() < 1e-6);
     }
 }

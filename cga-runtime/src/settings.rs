@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use crate::asset::Assets;
 
-/// Bounds on what one run may make. Reaching one ends the run with [`Error::Limit`](crate::fault::Error::Limit).
+/// Bounds on what one run may make. Reaching one ends the run with [`Error::Limit`](crate::fault::Error::Limit), unless it
+/// says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Shapes derived, leaves included.
@@ -16,11 +17,28 @@ pub struct Limits {
     pub vertices: u64,
     /// Calls of rules that wait because recursion is too deep for the stack. Each holds a shape.
     pub waiting: u64,
+    /// Keys that are reported under, and different texts reported. What is beyond is left out, with a fault.
+    pub reports: u64,
+    /// Lines printed. What is beyond is left out, with a fault.
+    pub prints: u64,
+    /// Elements of an array (*CGA changelog 2019.1*: 100,000).
+    pub array: u64,
+    /// Bytes of a text, and of all texts that one function makes for an array.
+    pub text: u64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Limits { shapes: 10_000_000, depth: 1024, vertices: 20_000_000, waiting: 500_000 }
+        Limits {
+            shapes: 10_000_000,
+            depth: 1024,
+            vertices: 20_000_000,
+            waiting: 500_000,
+            reports: 100_000,
+            prints: 100_000,
+            array: 100_000,
+            text: 10_000_000,
+        }
     }
 }
 
@@ -33,4 +51,6 @@ pub struct Settings {
     pub limits: Limits,
     /// What `i(…)` may insert.
     pub assets: Arc<Assets>,
+    /// Whether `print` also writes to standard output, as it happens.
+    pub echo: bool,
 }

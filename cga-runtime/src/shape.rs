@@ -14,6 +14,7 @@ use crate::mesh::Mesh;
 use crate::scope::{Axis, Frame, Scope};
 use crate::seed::{Seed, Tag};
 use crate::state::StateRef;
+use crate::text::Text;
 
 /// A shape that owns all it has: what a run starts with and what operations written in Rust get.
 pub type Shape = ShapeRef<'static>;
@@ -183,6 +184,12 @@ impl Shape {
         self
     }
 
+    /// The same shape under a name: what rules read as `initialShape.name`.
+    pub fn named(mut self, name: impl Into<Text>) -> Self {
+        self.state.change().name = name.into();
+        self
+    }
+
     /// Whether a run can start with it.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let scope = &self.scope;
@@ -222,6 +229,13 @@ impl<'a> ShapeRef<'a> {
     /// The material, as far as rules have set it.
     pub fn material(&self) -> &Material {
         self.state.material()
+    }
+
+    /// The geometry's own material; of several the first that a face has.
+    pub(crate) fn own_material(&self) -> Option<&Material> {
+        let Geometry::Mesh(placed) = &self.geometry else { return None };
+        let mesh = &placed.mesh;
+        mesh.tags.runs().iter().find_map(|(_, tag)| mesh.materials.get(tag.material as usize))
     }
 
     /// Changes the material of this shape and of what is derived from it.

@@ -1,20 +1,10 @@
-//! What a shape inherits besides its geometry: material and attributes changed with `set`.
+//! What a shape inherits besides its geometry: material, attributes changed with `set`, trim switches, its name.
 
 use std::sync::{Arc, LazyLock};
 
 use crate::material::Material;
 use crate::text::Text;
-
-/// The value of an attribute.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Value {
-    /// A number.
-    Float(f64),
-    /// A truth value.
-    Bool(bool),
-    /// Text.
-    Text(Text),
-}
+use crate::value::Value;
 
 /// Rarely changed and often inherited, therefore shared.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,11 +12,25 @@ pub(crate) struct State {
     pub(crate) material: Arc<Material>,
     /// Attributes by number, those that `set` changed.
     pub(crate) attributes: Vec<(u32, Value)>,
+    pub(crate) trim: Trim,
+    /// `initialShape.name`.
+    pub(crate) name: Text,
+}
+
+/// Which trim planes cut what is inserted (*trim attribute*).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Trim {
+    pub(crate) vertical: bool,
+    pub(crate) horizontal: bool,
+}
+
+impl Trim {
+    pub(crate) const DEFAULT: Trim = Trim { vertical: true, horizontal: false };
 }
 
 impl Default for State {
     fn default() -> Self {
-        State { material: UNSET.clone(), attributes: Vec::new() }
+        State { material: UNSET.clone(), attributes: Vec::new(), trim: Trim::DEFAULT, name: Text::default() }
     }
 }
 
@@ -83,6 +87,11 @@ impl StateRef<'_> {
             StateRef::Owned(state) => Arc::make_mut(state),
             _ => unreachable!("it was just made owned"),
         }
+    }
+
+    /// Which trim planes cut.
+    pub(crate) fn trim(&self) -> Trim {
+        self.get().map_or(Trim::DEFAULT, |state| state.trim)
     }
 
     /// The material, for a sink.

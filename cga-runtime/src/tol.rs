@@ -14,3 +14,6 @@ pub(crate) const COPLANAR_EPSILON: f64 = 1e-9;
 
 /// Loops of a polygon that cross by less than this, relative to its extent, were meant to touch.
 pub(crate) const TOUCH_EPSILON: f64 = 1e-7;
+
+/// Edges whose directions have a sine below this between them go straight on.
+pub(crate) const STRAIGHT_EPSILON: f64 = 1e-7;

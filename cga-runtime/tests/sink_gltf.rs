@@ -5,7 +5,7 @@ mod sink_support;
 
 use std::sync::Arc;
 
-use cga_runtime::material::{Color, Material};
+use cga_runtime::material::{Channel, Color, Material, MaterialNumber, MaterialText};
 use cga_runtime::model::Model;
 use cga_runtime::sink::error::WriteError;
 use glam::{DAffine3, DVec3, dvec3};
@@ -66,7 +66,7 @@ fn looks_are_shared_and_rules_are_not_lost() {
     let mut fill = Fill(Model::new());
     fill.quad("A", &color(0.5, 0.5, 0.5), front(DVec3::ZERO, 1.0, 1.0));
     fill.quad("B", &color(0.5, 0.5, 0.5), front(DVec3::X, 1.0, 1.0));
-    let clear = Material { color: Some(Color::new(0.5, 0.5, 0.5)), opacity: Some(0.5), ..Material::UNSET };
+    let clear = Material::with(|look| (look.color, look.opacity) = (Some(Color::new(0.5, 0.5, 0.5)), Some(0.5)));
     fill.cuboid("C", &Arc::new(clear), upright(DVec3::ZERO, DVec3::ONE));
     let file = glb(&fill.0);
     let (json, _) = parts(&file);
@@ -78,9 +78,41 @@ fn looks_are_shared_and_rules_are_not_lost() {
 }
 
 #[test]
+fn light_sides_and_alpha_modes_are_told_apart() {
+    let mut fill = Fill(Model::new());
+    let material = |change: &dyn Fn(&mut Material)| Arc::new(Material::with(|look| change(look)));
+    let list = [
+        material(&|_| {}),
+        material(&|look| look.set_number(MaterialNumber::Emissive(Channel::B), 1.0)),
+        material(&|look| look.double_sided = Some(false)),
+        material(&|look| look.set_text(MaterialText::OpacityMode, "mask")),
+        material(&|look| {
+            look.set_text(MaterialText::OpacityMode, "mask");
+            look.set_number(MaterialNumber::Cutoff, 0.25);
+        }),
+        material(&|look| {
+            look.set_text(MaterialText::OpacityMode, "opaque");
+            look.opacity = Some(0.5);
+        }),
+        // What glTF does not know makes no other look.
+        material(&|look| look.set_number(MaterialNumber::Shininess, 3.0)),
+    ];
+    for material in &list {
+        fill.quad("A", material, front(DVec3::ZERO, 1.0, 1.0));
+    }
+    let (json, _) = parts(&glb(&fill.0));
+    assert_eq!(json.matches("\"pbrMetallicRoughness\"").count(), 6);
+    assert_eq!(json.matches("\"emissiveFactor\":[0,0,1]").count(), 1);
+    assert_eq!(json.matches("\"doubleSided\":false").count(), 1);
+    assert_eq!(json.matches("\"alphaMode\":\"MASK\",\"alphaCutoff\":0.5").count(), 1);
+    assert_eq!(json.matches("\"alphaCutoff\":0.25").count(), 1);
+    assert_eq!(json.matches("BLEND").count(), 0);
+}
+
+#[test]
 fn only_what_has_texture_coordinates_shows_a_texture() {
     let mut fill = Fill(Model::new());
-    let brick = Arc::new(Material { texture: Some("maps/brick wall.png".into()), ..Material::UNSET });
+    let brick = Arc::new(Material::with(|look| look.texture = Some("maps/brick wall.png".into())));
     fill.quad("Wall", &brick, front(DVec3::ZERO, 1.0, 1.0));
     fill.mesh("Sign", &brick, &textured(), DAffine3::IDENTITY);
     let file = glb(&fill.0);

@@ -4,7 +4,7 @@ mod sink_support;
 
 use std::sync::Arc;
 
-use cga_runtime::material::Material;
+use cga_runtime::material::{Channel, Layer, Material, MaterialNumber, MaterialText};
 use cga_runtime::model::Model;
 use glam::{DAffine3, DVec3, dvec3};
 use sink_support::{Fill, color, front, hash, mixed, plate, steady, textured, upright};
@@ -84,10 +84,38 @@ fn a_run_of_one_rule_and_material_is_one_group() {
     assert!(library.contains("newmtl color_0000ff\nKd 0 0 1\n"));
 }
 
+#[cfg(feature = "obj")]
+#[test]
+fn what_an_old_material_file_can_say_is_said() {
+    let mut fill = Fill(Model::new());
+    let material = Material::with(|look| {
+        look.set_number(MaterialNumber::Specular(Channel::G), 0.5);
+        look.set_number(MaterialNumber::Emissive(Channel::R), 0.25);
+        look.set_number(MaterialNumber::Shininess, 30.0);
+        look.set_text(MaterialText::Map(Layer::Opacity), "holes.png");
+    });
+    fill.quad("A", &Arc::new(material), front(DVec3::ZERO, 1.0, 1.0));
+    let (_, library) = fill.0.to_obj("a.mtl");
+    for line in ["Ks 0 0.5 0", "Ke 0.25 0 0", "Ns 30", "map_d holes.png"] {
+        assert!(library.lines().any(|other| other == line), "{library}");
+    }
+    assert!(!library.contains("Ka"));
+    let back = cga_runtime::asset::obj::read_obj(
+        b"mtllib a.mtl\nusemtl color_ffffff\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+        &mut |_| Some(library.clone().into_bytes()),
+    );
+    let mesh = back.expect("it was written by us").mesh;
+    let look = &mesh.materials()[0];
+    assert_eq!(look.number(MaterialNumber::Specular(Channel::G)), Some(0.5));
+    assert_eq!(look.number(MaterialNumber::Emissive(Channel::R)), Some(0.25));
+    assert_eq!(look.number(MaterialNumber::Shininess), Some(30.0));
+    assert_eq!(look.text(MaterialText::Map(Layer::Opacity)).map(|text| text.as_str()), Some("holes.png"));
+}
+
 #[test]
 fn material_names_are_plain_and_distinct() {
     let named = |name: &str, opacity: f64| {
-        Arc::new(Material { name: Some(name.into()), opacity: Some(opacity), ..Material::UNSET })
+        Arc::new(Material::with(|look| (look.name, look.opacity) = (Some(name.into()), Some(opacity))))
     };
     let mut fill = Fill(Model::new());
     for material in [named("old brick", 1.0), named("old_brick", 0.5), named("old/brick", 0.25)] {

@@ -94,7 +94,8 @@ fn holes_can_be_seen_through() {
 fn glass_lets_what_is_behind_it_through() {
     let mut fill = Fill(Model::new());
     fill.cuboid("Box", &color(0.9, 0.1, 0.1), upright(DVec3::ZERO, DVec3::ONE));
-    let clear = cga_runtime::material::Material { opacity: Some(0.2), ..(*color(0.2, 0.5, 0.9)).clone() };
+    let mut clear = (*color(0.2, 0.5, 0.9)).clone();
+    clear.opacity = Some(0.2);
     fill.quad("Glass", &Arc::new(clear), sink_support::front(dvec3(-1.0, -1.0, 2.0), 3.0, 3.0));
     let camera = Camera::auto(fill.0.bounds()).looking_from(0.0, 0.0);
     let image = Picture::new(80, 60).camera(camera).render(&fill.0);

@@ -1,62 +1,71 @@
 //! Attributes and constants that need each other, and functions that never end.
 
-use super::{Cx, Tables, Use};
-use crate::ast::{Decl, Expr, ExprKind};
+use super::{Cx, Init, Item, Tables, Use};
+use crate::ast::{Expr, ExprKind};
 use crate::code::Code;
 use crate::graph::{components, is_cycle};
 
 /// Finds cycles among attributes, constants and functions, and the order in which values can be computed.
 pub(super) fn find(cx: &mut Cx) {
-    let decls: Vec<&Decl> = cx.globals.values().collect();
-    let (attrs, consts) = (cx.globals.attrs.len(), cx.globals.consts.len());
-    let numbering = Numbering { attrs, consts };
-    let edges: Vec<Vec<usize>> = decls
+    let items: Vec<&Item> = cx.globals.values().collect();
+    let numbering = Numbering { attrs: cx.globals.attrs.len(), consts: cx.globals.consts.len() };
+    let edges: Vec<Vec<usize>> = items
         .iter()
-        .map(|decl| {
+        .map(|item| {
             let mut list = Vec::new();
-            if let Some(value) = decl.value() {
+            for value in values(item) {
                 needs(value, &cx.tables, numbering, &mut list);
+            }
+            if let Init::Flows(outer) = item.init {
+                list.push(outer as usize);
             }
             list.sort_unstable();
             list.dedup();
             list
         })
         .collect();
-    let mut ends = vec![false; decls.len()];
+    let first_function = numbering.attrs + numbering.consts;
+    let mut ends = vec![false; items.len()];
     for component in components(&edges) {
-        settle(&component, &decls, &cx.tables, numbering, &mut ends);
+        settle(&component, &items, &cx.tables, numbering, &mut ends);
         let cyclic = is_cycle(&component, &edges);
-        let value = component.iter().copied().find(|&node| node < attrs + consts);
+        let value = component.iter().copied().find(|&node| node < first_function);
         if let (true, Some(node)) = (cyclic, value) {
-            let decl = decls[node];
+            let item = items[node];
             let others: Vec<String> = component
                 .iter()
                 .filter(|&&other| other != node)
-                .map(|&other| format!("`{}`", decls[other].name.text))
+                .map(|&other| format!("`{}`", items[other].name))
                 .collect();
             let message = if others.is_empty() {
-                format!("`{}` needs its own value", decl.name.text)
+                format!("`{}` needs its own value", item.name)
             } else {
-                format!("`{}` needs its own value, by way of {}", decl.name.text, others.join(", "))
+                format!("`{}` needs its own value, by way of {}", item.name, others.join(", "))
             };
-            cx.diags.report(Code::InitCycle, decl.name.span, message);
+            cx.diags.report(Code::InitCycle, item.decl.name.span, message);
         } else if let (true, Some(&node)) = (cyclic, component.iter().find(|&&node| !ends[node])) {
-            let decl = decls[node];
+            let item = items[node];
             cx.diags
                 .report(
                     Code::EndlessFunction,
-                    decl.name.span,
-                    format!("`{}` calls itself and never ends", decl.name.text),
+                    item.decl.name.span,
+                    format!("`{}` calls itself and never ends", item.decl.name.text),
                 )
                 .help("a recursive function needs a `case` with a branch that does not call it");
         }
         for &node in &component {
             cx.tables.order.push(node);
-            if cyclic && attrs + consts <= node {
-                cx.tables.recursive.insert((node - attrs - consts) as u32);
+            if cyclic && first_function <= node {
+                cx.tables.recursive.insert((node - first_function) as u32);
             }
         }
     }
+}
+
+/// The expressions an item's value is made of, locals first.
+fn values<'a>(item: &Item<'a>) -> impl Iterator<Item = &'a Expr> {
+    let locals = item.is_own().then(|| item.decl.locals.iter().map(|(_, value)| value));
+    locals.into_iter().flatten().chain(item.value().map(|(value, _)| value))
 }
 
 /// Nodes: attributes, then constants, then functions.
@@ -88,11 +97,11 @@ fn needs(expr: &Expr, tables: &Tables, numbering: Numbering, list: &mut Vec<usiz
 }
 
 /// Finds out which declarations of a component can end: those of which some path calls only what can end.
-fn settle(component: &[usize], decls: &[&Decl], tables: &Tables, numbering: Numbering, ends: &mut [bool]) {
+fn settle(component: &[usize], items: &[&Item], tables: &Tables, numbering: Numbering, ends: &mut [bool]) {
     for _ in component {
         let mut changed = false;
         for &node in component {
-            if !ends[node] && decls[node].value().is_none_or(|value| can_end(value, tables, numbering, ends)) {
+            if !ends[node] && values(items[node]).all(|value| can_end(value, tables, numbering, ends)) {
                 ends[node] = true;
                 changed = true;
             }

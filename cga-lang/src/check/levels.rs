@@ -1,7 +1,7 @@
 //! `@Allow(code)`, `@Warn(code)` and `@Deny(code)`, before a declaration or before `version`.
 
 use super::Cx;
-use crate::ast::{Annotation, Ast, ExprKind};
+use crate::ast::{Annotation, ExprKind};
 use crate::code::Code;
 use crate::diag::{Diags, Level};
 use crate::span::Span;
@@ -14,14 +14,19 @@ pub(super) struct Setting {
     place: Option<Span>,
 }
 
-pub(super) fn collect(cx: &mut Cx, ast: &Ast, levels: &[(Code, Level)]) {
+pub(super) fn collect(cx: &mut Cx, levels: &[(Code, Level)]) {
     cx.levels.extend(levels.iter().map(|&(code, level)| Setting { code, level, place: None }));
-    for annotation in &ast.head {
-        read(cx, annotation, None);
-    }
-    for decl in &ast.decls {
-        for annotation in &decl.annotations {
-            read(cx, annotation, Some(decl.span));
+    let program = cx.globals.program;
+    for (instance, piece) in program.instances.iter().zip(&program.pieces) {
+        // What stands before `version` counts for all of its file.
+        let whole = Span { first: piece.tokens.start, last: piece.tokens.end };
+        for annotation in &instance.ast.head {
+            read(cx, annotation, Some(whole).filter(|_| piece.file != 0));
+        }
+        for decl in &instance.ast.decls {
+            for annotation in &decl.annotations {
+                read(cx, annotation, Some(decl.span));
+            }
         }
     }
 }

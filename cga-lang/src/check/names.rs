@@ -1,188 +1,193 @@
-//! Declarations, and what each name in an expression stands for. Steps of rules are in `shapes`.
+//! What each name in an expression stands for. Steps of rules are in `shapes`.
 
 use super::arity::wrong_count;
-use super::{Cx, Door, Use};
-use crate::ast::{Decl, Expr, ExprKind, Name};
+use super::globals::{Kind, builtins};
+use super::{Cx, Door, Init, Use};
+use crate::ast::{CompValue, Expr, ExprKind, Name};
 use crate::code::Code;
 use crate::ir::Type;
-use crate::ops;
+use crate::link::InstanceId;
+use crate::ops::{self, Function, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
-use crate::words;
-use std::collections::HashMap;
-
-/// Enters every declaration under its name; the second of a name is reported.
-pub(super) fn declarations(cx: &mut Cx) {
-    let mut values: HashMap<&str, (Use, Span)> = HashMap::new();
-    let globals = &mut cx.globals;
-    let kinds = [(&globals.attrs, "attribute"), (&globals.consts, "constant"), (&globals.functions, "function")];
-    let mut found: Vec<(&Decl, &str, Use)> = Vec::new();
-    for (kind, (list, what)) in kinds.into_iter().enumerate() {
-        for (index, decl) in list.iter().enumerate() {
-            let index = index as u32;
-            found.push((*decl, what, [Use::Attr(index), Use::Const(index), Use::Function(index)][kind]));
-        }
-    }
-    found.sort_by_key(|(decl, ..)| decl.name.span);
-    for (decl, what, own) in found {
-        let name = decl.name.text.as_str();
-        if let Use::Function(index) = own {
-            let list = globals.functions_named.entry(name).or_default();
-            let same = list.iter().find(|(count, _)| *count == decl.params.len());
-            let first = same.map(|(_, first)| globals.functions[*first as usize].name.span);
-            if let Some(first) = first {
-                duplicate(cx.diags, decl, what, first);
-                continue;
-            }
-            list.push((decl.params.len(), index));
-            if !decl.params.is_empty() {
-                continue;
-            }
-        }
-        match values.get(name) {
-            Some((_, first)) => duplicate(cx.diags, decl, what, *first),
-            None => _ = values.insert(name, (own, decl.name.span)),
-        }
-    }
-    globals.values = values.into_iter().map(|(name, (own, _))| (name, own)).collect();
-    for (index, decl) in globals.rules.iter().enumerate() {
-        let list = globals.rules_named.entry(decl.name.text.as_str()).or_default();
-        match list.iter().find(|(count, _)| *count == decl.params.len()) {
-            Some((_, first)) => duplicate(cx.diags, decl, "rule", globals.rules[*first as usize].name.span),
-            None => list.push((decl.params.len(), index as u32)),
-        }
-        if let Some(row) = ops::operations(&decl.name.text).find(|row| row.takes(decl.params.len())) {
-            let message = format!("`{}` is an operation, so this rule could never be called", super::arity::usage(row));
-            cx.diags.report(Code::DuplicateName, decl.name.span, message).help("give the rule another name");
-        }
-    }
-    let all = globals.rules.iter().chain(&globals.attrs).chain(&globals.consts).chain(&globals.functions);
-    for decl in all {
-        for (index, param) in decl.params.iter().enumerate() {
-            if let Some(first) = decl.params[..index].iter().find(|first| first.text == param.text) {
-                let message = format!("parameter `{}` is declared twice", param.text);
-                cx.diags.report(Code::DuplicateName, param.span, message).related("first declared", first.span);
-            }
-        }
-    }
-}
-
-fn duplicate(diags: &mut crate::diag::Diags, decl: &Decl, what: &str, first: Span) {
-    let params = match decl.params.len() {
-        0 => String::new(),
-        count => format!(" with {count} parameter{}", if count == 1 { "" } else { "s" }),
-    };
-    let message = format!("{what} `{}`{params} is declared twice", decl.name.text);
-    diags.report(Code::DuplicateName, decl.name.span, message).related("first declared", first);
-}
 
 /// Resolves every use.
 pub(super) fn uses(cx: &mut Cx) {
-    for decl in cx.globals.values().collect::<Vec<_>>() {
-        if let Some(value) = decl.value() {
-            Scope { cx, params: &decl.params }.expr(value);
+    let values: Vec<_> = cx.globals.values().cloned().collect();
+    for (index, item) in values.iter().enumerate() {
+        let Some((value, home)) = item.value() else { continue };
+        let owner = (!item.origin && index < cx.globals.attrs.len()).then_some(index as u32);
+        let mut scope = Scope { cx, at: home, inner: Vec::new(), owner };
+        if item.is_own() {
+            scope.enter(item.decl);
         }
+        scope.expr(value);
     }
-    for decl in cx.globals.rules.clone() {
-        if let crate::ast::Body::Rule(ops) = &decl.body {
-            Scope { cx, params: &decl.params }.ops(ops);
+    for item in cx.globals.rules.clone() {
+        if let crate::ast::Body::Rule(ops) = &item.decl.body {
+            let mut scope = Scope { cx, at: item.home, inner: Vec::new(), owner: None };
+            scope.enter(item.decl);
+            scope.ops(ops);
         }
     }
 }
 
-/// Where names are looked up: the parameters of one declaration, then everything global.
+/// Where names are looked up: parameters and locals of one declaration, then everything of an instance.
 pub(super) struct Scope<'s, 'a, 'd> {
     pub(super) cx: &'s mut Cx<'a, 'd>,
-    pub(super) params: &'a [Name],
+    pub(super) at: InstanceId,
+    pub(super) inner: Vec<&'a Name>,
+    /// The attribute whose value this is.
+    owner: Option<u32>,
 }
 
 impl<'a> Scope<'_, 'a, '_> {
+    /// Parameters, then locals, each of which sees those before it.
+    fn enter(&mut self, decl: &'a crate::ast::Decl) {
+        self.inner.extend(&decl.params);
+        for (name, value) in &decl.locals {
+            self.expr(value);
+            self.inner.push(name);
+        }
+    }
+
     pub(super) fn note(&mut self, name: &Name, found: Use) {
         self.cx.tables.uses.insert(name.id(), found);
     }
 
-    pub(super) fn expr(&mut self, expr: &'a Expr) {
-        match &expr.kind {
-            ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Host(_) | ExprKind::Error => {}
-            ExprKind::Name(name) => self.name(name),
-            ExprKind::Call(name, args) => self.call(name, args),
-            ExprKind::Path(_, args) => self.exprs(args),
-            ExprKind::Unary(_, operand) => self.expr(operand),
-            ExprKind::Binary(_, _, left, right) => {
-                self.expr(left);
-                self.expr(right);
-            }
-            ExprKind::Case(arms, otherwise) => {
-                for (condition, value) in arms {
-                    self.expr(condition);
-                    self.expr(value);
-                }
-                self.expr(otherwise);
-            }
-            ExprKind::EachUnary(..)
-            | ExprKind::Each(..)
-            | ExprKind::Array(_)
-            | ExprKind::Range(..)
-            | ExprKind::Index(..)
-            | ExprKind::Comp(_) => {
-                self.cx.diags.report(Code::Unsupported, expr.span, "arrays are not supported yet");
-            }
-            ExprKind::Chance(arms, otherwise) => {
-                self.percentages(arms.iter().map(|(percent, _)| percent));
-                for (_, value) in arms {
-                    self.expr(value);
-                }
-                self.expr(otherwise);
+    /// Notes what a call may stand for; the types decide if there are several.
+    pub(super) fn note_open(&mut self, name: &Name, mut candidates: Vec<Use>) {
+        match candidates.as_slice() {
+            [] => {}
+            [one] => self.note(name, *one),
+            _ => {
+                candidates.dedup();
+                let open = Use::Open(self.cx.tables.open.len() as u32);
+                self.cx.tables.open.push(candidates);
+                self.note(name, open);
             }
         }
     }
 
-    fn exprs(&mut self, list: &'a [Expr]) {
-        for expr in list {
-            self.expr(expr);
+    pub(super) fn door(&self) -> Door {
+        self.cx.globals.program.instances[self.at].door
+    }
+
+    pub(super) fn expr(&mut self, expr: &'a Expr) {
+        match &expr.kind {
+            ExprKind::Name(name) => return self.expr_name(name),
+            ExprKind::Call(name, args) => return self.call(name, args),
+            ExprKind::Comp(comp) => return self.comp_value(comp),
+            ExprKind::Chance(arms, _) => self.percentages(arms.iter().map(|(percent, _)| percent)),
+            _ => {}
         }
+        for part in expr.parts() {
+            self.expr(part);
+        }
+    }
+
+    /// `comp(f) { selector : value }`.
+    fn comp_value(&mut self, comp: &'a CompValue) {
+        let (place, _) = self.comp_kind(comp.name.span, comp.args.iter().map(|arg| (arg, arg.span)));
+        for (selector, _, value) in &comp.arms {
+            self.selector(selector, place);
+            self.expr(value);
+        }
+        self.not_implemented(comp.name.span, "`comp` as a value", None);
     }
 
     /// What a bare name stands for, if anything.
-    pub(super) fn lookup(&self, name: &str) -> Option<Use> {
-        if let Some(index) = self.params.iter().position(|param| param.text == name) {
+    pub(super) fn lookup(&mut self, name: &str) -> Option<Use> {
+        if let Some(index) = self.inner.iter().position(|inner| inner.text == name) {
             return Some(Use::Param(index as u32));
         }
-        let global = self.cx.globals.values.get(name).copied();
+        let global = self.cx.globals.value(self.at, name).map(|found| self.unless_own(found, name));
         global
             .or_else(|| ops::functions(name).find(|row| row.takes(0)).map(Use::Builtin))
             .or_else(|| ops::shape_attr(name).map(Use::Shape))
     }
 
-    fn name(&mut self, name: &'a Name) {
+    /// An attribute that overrides another may be made of what that other would be.
+    fn unless_own(&mut self, found: Use, name: &str) -> Use {
+        let (Use::Attr(index), Some(owner)) = (found, self.owner) else { return found };
+        let flows = matches!(self.cx.globals.attrs[index as usize].init, Init::Flows(outer) if outer == owner);
+        let overrides = index == owner && !self.cx.globals.attrs[index as usize].is_own();
+        match self.cx.globals.origin(self.at, name).filter(|_| flows || overrides) {
+            Some(origin) => {
+                self.cx.tables.origins.insert(origin);
+                Use::Const(origin)
+            }
+            None => found,
+        }
+    }
+
+    pub(super) fn expr_name(&mut self, name: &'a Name) {
         match self.lookup(&name.text) {
-            Some(found) => self.note(name, found),
+            Some(found) => {
+                self.about_later(name, found);
+                self.note(name, found);
+            }
             None => self.unknown_name(name),
         }
     }
 
+    /// Says so when something is used that does not run yet or should not be used any more.
+    pub(super) fn about_later(&mut self, name: &Name, found: Use) {
+        match found {
+            Use::Builtin(Function { run: Run::Later, about, .. }) => {
+                self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, about)));
+            }
+            Use::Shape(row) => {
+                if row.get == Run::Later {
+                    self.not_implemented(name.span, &format!("`{}`", name.text), None);
+                }
+                self.deprecated(name, row.old);
+            }
+            Use::SetShape(row) => {
+                if row.set == Some(Run::Later) {
+                    self.not_implemented(name.span, &format!("`set` of `{}`", name.text), None);
+                }
+                self.deprecated(name, row.old);
+            }
+            Use::Operation(row) => {
+                if row.run == Run::Later {
+                    self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, row.about)));
+                }
+                self.deprecated(name, row.old);
+            }
+            _ => {}
+        }
+    }
+
+    pub(super) fn not_implemented(&mut self, span: Span, what: &str, about: Option<(&str, &str)>) {
+        let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
+        if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
+            diag.note(format!("`{name}` {about}"));
+        }
+        diag.note("it does nothing in a run, which says so among its faults");
+    }
+
+    pub(super) fn deprecated(&mut self, name: &Name, old: Option<&str>) {
+        if let Some(instead) = old {
+            let message = format!("`{}` is an old spelling", name.text);
+            self.cx.diags.report(Code::OldSpelling, name.span, message).help(instead.to_owned());
+        }
+    }
+
     fn unknown_name(&mut self, name: &'a Name) {
-        let (text, globals) = (name.text.as_str(), &self.cx.globals);
-        if globals.lost.contains(text) {
+        let (text, globals, at) = (name.text.as_str(), &self.cx.globals, self.at);
+        if globals.is_lost(at, text) {
             return;
         }
-        if words::is_later_attribute(text) || words::is_later_function(text) {
-            self.cx.diags.report(Code::Unsupported, name.span, format!("`{text}` is not supported yet"));
-            return;
-        }
-        if let Some(list) = globals.functions_named.get(text) {
-            let takes = list.iter().map(|(count, _)| *count).collect();
+        let takes = self.takes(text);
+        if !takes.is_empty() {
             return wrong_count(self.cx, "function", name, takes, 0);
         }
-        if ops::functions(text).next().is_some() || text == "str" {
-            let takes = counts_of(text);
-            return wrong_count(self.cx, "function", name, if takes.is_empty() { vec![1] } else { takes }, 0);
-        }
-        let is_rule = globals.rules_named.contains_key(text);
-        let params = self.params.iter().map(|param| param.text.as_str());
-        let names = params.chain(globals.values.keys_sorted()).chain(ops::all_shape_attrs().map(|row| row.name));
+        let is_rule = !globals.rules(at, text).is_empty();
+        let inner = self.inner.iter().map(|inner| inner.text.as_str());
+        let names = inner.chain(globals.near(at, Kind::Values)).chain(ops::all_shape_attrs().map(|row| row.name));
         let near = nearest(text, names).map(str::to_owned);
-        let (inline, dotted) = (self.cx.door == Door::Inline, text.contains('.'));
+        let (inline, dotted) = (self.door() == Door::Inline, text.contains('.'));
         let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
         if is_rule {
             diag.note(format!("`{text}` is a rule: it makes shapes, it has no value"));
@@ -191,40 +196,81 @@ impl<'a> Scope<'_, 'a, '_> {
         diag.suggest(near);
         if inline && !dotted && !suggested {
             diag.help(format!("write `#{text}` for a Rust value"));
-        } else if text
-            .split_once('.')
-            .is_some_and(|(first, _)| !ops::all_shape_attrs().any(|row| row.name.starts_with(first)))
+        } else if let Some((first, _)) = text.split_once('.')
+            && !ops::all_shape_attrs().any(|row| row.name.starts_with(first))
+            && !self.cx.globals.program.instances[at].imports.contains_key(first)
         {
-            diag.note("names with a dot belong to imports, which are not supported yet");
+            diag.note(format!("there is no import `{first}`"));
         }
     }
 
+    /// Numbers of arguments that functions of a name take.
+    fn takes(&self, name: &str) -> Vec<usize> {
+        let globals = &self.cx.globals;
+        let own =
+            globals.functions(self.at, name).iter().map(|index| globals.functions[*index as usize].decl.params.len());
+        let own: Vec<usize> = own.collect();
+        let rows = ops::functions(name).flat_map(|row| ops::required(row.params)..=row.params.len());
+        own.into_iter().chain(rows).chain(conversion(name).map(|_| 1)).collect()
+    }
+
     fn call(&mut self, name: &'a Name, args: &'a [Expr]) {
-        self.exprs(args);
         let text = name.text.as_str();
-        if let Some(index) = self.cx.globals.function(text, args.len()) {
-            return self.note(name, Use::Function(index));
+        let own = self.cx.globals.functions(self.at, text).iter().copied();
+        let own = own.filter(|index| self.cx.globals.functions[*index as usize].decl.params.len() == args.len());
+        let mut candidates: Vec<Use> = own.map(Use::Function).collect();
+        let rows = builtins(text, args.len());
+        if candidates.is_empty() && rows.is_empty() && !(args.len() == 1 && conversion(text).is_some()) {
+            args.iter().for_each(|arg| self.expr(arg));
+            return self.unknown_call(name, args);
+        }
+        // Words are no names: they tell rows apart, and are not looked up.
+        let fitting: Vec<_> = rows.iter().copied().filter(|row| words_fit(row, args)).collect();
+        if candidates.is_empty() && fitting.is_empty() && !rows.is_empty() && conversion(text).is_none() {
+            return self.wrong_words(rows[0], args);
+        }
+        for (index, arg) in args.iter().enumerate() {
+            let is_word =
+                |row: &&Function| matches!(row.params[index].kind, ParamKind::Word { .. } | ParamKind::Selector);
+            if candidates.is_empty() && !fitting.is_empty() && fitting.iter().all(is_word) {
+                if fitting.iter().any(|row| row.params[index].kind == ParamKind::Selector) {
+                    self.selector(arg, Places::FACES);
+                }
+                continue;
+            }
+            self.expr(arg);
         }
         if args.len() == 1
             && let Some(ty) = conversion(text)
         {
-            return self.note(name, Use::Convert(ty));
+            candidates.push(Use::Convert(ty));
         }
-        if let Some(row) = ops::functions(text).find(|row| row.takes(args.len())) {
-            return self.note(name, Use::Builtin(row));
+        candidates.extend(fitting.into_iter().map(Use::Builtin));
+        if let Some(first @ Use::Builtin(_)) = candidates.first().copied() {
+            self.about_later(name, first);
         }
-        if self.cx.globals.lost.contains(text) || args.iter().any(|arg| matches!(arg.kind, ExprKind::Error)) {
+        self.note_open(name, candidates);
+    }
+
+    /// A call whose words fit no row.
+    fn wrong_words(&mut self, row: &'static Function, args: &'a [Expr]) {
+        for (param, arg) in row.params.iter().zip(args) {
+            match &param.kind {
+                ParamKind::Word { words, .. } => self.word_expr(row.name, words.iter().map(|(word, _)| *word), arg),
+                ParamKind::Selector => _ = self.selector(arg, Places::FACES),
+                _ => self.expr(arg),
+            }
+        }
+    }
+
+    fn unknown_call(&mut self, name: &'a Name, args: &'a [Expr]) {
+        let text = name.text.as_str();
+        if self.cx.globals.is_lost(self.at, text) || args.iter().any(|arg| matches!(arg.kind, ExprKind::Error)) {
             return;
         }
-        let mut takes = counts_of(text);
-        takes.extend(self.cx.globals.functions_named.get(text).into_iter().flatten().map(|(count, _)| *count));
-        takes.extend(conversion(text).map(|_| 1));
+        let takes = self.takes(text);
         if !takes.is_empty() {
             return wrong_count(self.cx, "function", name, takes, args.len());
-        }
-        if words::is_later_function(text) {
-            self.cx.diags.report(Code::Unsupported, name.span, format!("function `{text}` is not supported yet"));
-            return;
         }
         if let Some(found) = self.lookup(text) {
             let what = match found {
@@ -237,10 +283,10 @@ impl<'a> Scope<'_, 'a, '_> {
             self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write `{text}`"));
             return;
         }
-        let functions = self.cx.globals.functions_named.keys_sorted();
-        let names = functions.chain(ops::all_functions().map(|row| row.name)).chain(["str"]);
+        let functions = self.cx.globals.near(self.at, Kind::Functions);
+        let names = functions.into_iter().chain(ops::all_functions().map(|row| row.name)).chain(["str"]);
         let near = nearest(text, names).map(str::to_owned);
-        let shape = ops::operations(text).next().is_some() || self.cx.globals.rules_named.contains_key(text);
+        let shape = ops::operations(text).next().is_some() || !self.cx.globals.rules(self.at, text).is_empty();
         let diag = self.cx.diags.report(Code::UnknownFunction, name.span, format!("unknown function `{text}`"));
         if shape {
             diag.note(format!("`{text}` works on shapes, it has no value"));
@@ -264,9 +310,16 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 }
 
-/// Numbers of arguments a function of the language can take.
-fn counts_of(name: &str) -> Vec<usize> {
-    ops::functions(name).flat_map(|row| ops::required(row.params)..=row.params.len()).collect()
+/// Whether every word of a call is one that the row knows.
+fn words_fit(row: &Function, args: &[Expr]) -> bool {
+    row.params.iter().zip(args).all(|(param, arg)| match &param.kind {
+        ParamKind::Word { words, old, .. } => match &arg.kind {
+            ExprKind::Name(name) => words.iter().chain(*old).any(|(word, _)| *word == name.text),
+            ExprKind::Error => true,
+            _ => false,
+        },
+        _ => true,
+    })
 }
 
 /// The type a conversion function gives.
@@ -276,19 +329,5 @@ fn conversion(name: &str) -> Option<Type> {
         "bool" => Some(Type::Bool),
         "str" => Some(Type::Text),
         _ => None,
-    }
-}
-
-/// Keys in alphabetical order, so that messages do not depend on hashing.
-pub(super) trait KeysSorted<'k> {
-    /// The keys.
-    fn keys_sorted(&self) -> std::vec::IntoIter<&'k str>;
-}
-
-impl<'k, V> KeysSorted<'k> for HashMap<&'k str, V> {
-    fn keys_sorted(&self) -> std::vec::IntoIter<&'k str> {
-        let mut keys: Vec<&str> = self.keys().copied().collect();
-        keys.sort_unstable();
-        keys.into_iter()
     }
 }

@@ -1,53 +1,33 @@
 //! Steps of a rule: which operation, rule or leaf each call is, and whether the words in it exist.
 
 use super::arity::{counts, usage, wrong_count};
-use super::names::{KeysSorted, Scope};
-use super::{Door, Use};
-use crate::ast::{Arg, Binary, Comp, Expr, ExprKind, Name, Op, OpKind, Prefix, Split, SplitItem, Unary};
+use super::globals::Kind;
+use super::names::Scope;
+use super::{Door, Use, overrides};
+use crate::ast::{Arg, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
 use crate::code::Code;
 use crate::diag::Level;
-use crate::ir::Axis;
-use crate::ops::{self, Operation, ParamKind, SELECTORS};
+use crate::ops::{self, Operation, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
-use crate::words;
-
-/// The axis of a split; `None` when it has none or an unknown one.
-pub(crate) fn split_axis(split: &Split) -> Option<Axis> {
-    match word(split.args.first()?)? {
-        "x" => Some(Axis::X),
-        "y" => Some(Axis::Y),
-        "z" => Some(Axis::Z),
-        _ => None,
-    }
-}
-
-/// Whether the parts of a split shrink to their geometry: yes, if nothing else is said.
-pub(crate) fn split_adjust(split: &Split) -> bool {
-    split.args.get(1).and_then(word) != Some("noAdjust")
-}
 
 /// An argument that is a bare word.
-fn word(arg: &Arg) -> Option<&str> {
+pub(super) fn word(arg: &Arg) -> Option<&str> {
     match &arg.value.kind {
         ExprKind::Name(name) if arg.prefix.is_none() => Some(&name.text),
         _ => None,
     }
 }
 
-/// Whether a selector is a condition by its form.
-pub(super) fn is_condition(selector: &Expr) -> bool {
-    use Binary::{And, Eq, Ge, Gt, Le, Lt, Ne, Or};
-    matches!(
-        selector.kind,
-        ExprKind::Unary(Unary::Not, _)
-            | ExprKind::Bool(_)
-            | ExprKind::Binary(And | Or | Eq | Ne | Lt | Le | Gt | Ge, ..)
-    )
+pub(super) fn has_error(args: &[Arg]) -> bool {
+    args.iter().any(|arg| matches!(arg.value.kind, ExprKind::Error))
 }
 
-fn has_error(args: &[Arg]) -> bool {
-    args.iter().any(|arg| matches!(arg.value.kind, ExprKind::Error))
+/// The rows whose words stand among the arguments: of those that fit, the ones with the most words.
+fn fitting(rows: &[&'static Operation], args: &[Arg]) -> Vec<&'static Operation> {
+    let words: Vec<Option<&str>> = args.iter().map(word).collect();
+    let most = rows.iter().filter_map(|row| row.words(&words)).max();
+    rows.iter().copied().filter(|row| most.is_some() && row.words(&words) == most).collect()
 }
 
 impl<'a> Scope<'_, 'a, '_> {
@@ -69,15 +49,14 @@ impl<'a> Scope<'_, 'a, '_> {
     fn op(&mut self, op: &'a Op) {
         match &op.kind {
             OpKind::Leaf(_) | OpKind::Nil | OpKind::Error => {}
-            OpKind::Dynamic { .. } | OpKind::Block(_) => {
-                self.cx.diags.report(Code::Unsupported, op.span, "this is not supported yet");
-            }
             OpKind::Call(name, args) if name.text == "set" => self.set(name, args),
             OpKind::Call(name, args) => self.shape_call(name, args),
+            OpKind::Dynamic { import, overrides, rule, args } => self.dynamic(import, overrides, rule, args),
             OpKind::Path(_, args) => self.values(args),
             OpKind::Push(ops) => self.ops(ops),
             OpKind::Split(split) => self.split(split),
             OpKind::Comp(comp) => self.comp(comp),
+            OpKind::Block(block) => self.block(block),
             OpKind::Case(arms, otherwise) => {
                 for (condition, ops) in arms {
                     self.expr(condition);
@@ -114,67 +93,84 @@ impl<'a> Scope<'_, 'a, '_> {
         };
     }
 
+    /// An operation or a rule.
     fn shape_call(&mut self, name: &'a Name, args: &'a [Arg]) {
         if has_error(args) {
-            for arg in args {
-                self.expr(&arg.value);
-            }
+            args.iter().for_each(|arg| self.expr(&arg.value));
             return;
         }
-        let mut rows = ops::operations(&name.text).filter(|row| row.takes(args.len()));
-        if let Some(row) = rows.next() {
-            self.operation(row, args);
-            return self.note(name, Use::Operation(row));
+        let rows: Vec<_> = ops::operations(&name.text).filter(|row| row.takes(args.len())).collect();
+        let fitting = fitting(&rows, args);
+        let rules = self.rules(name, args.len());
+        // A rule with the name of what does not run yet is older than that.
+        if !rules.is_empty() && fitting.iter().all(|row| row.run == Run::Later) {
+            self.values(args);
+            return self.note_open(name, rules);
         }
-        match self.cx.globals.rule(&name.text, args.len()) {
-            Some(index) => {
-                self.values(args);
-                self.note(name, Use::Rule(index));
-            }
-            None => {
+        match (fitting.as_slice(), rows.first()) {
+            ([], None) => {
                 // What an operation with another number of arguments makes of these nobody can tell: its words would
                 // look like unknown names and its relative lengths misplaced.
                 if ops::operations(&name.text).next().is_none() {
-                    for arg in args {
-                        self.expr(&arg.value);
-                    }
+                    args.iter().for_each(|arg| self.expr(&arg.value));
                 }
                 self.undefined(name, args.len());
+            }
+            ([], Some(row)) => self.operation(&[row], args),
+            ([row, ..], _) => {
+                self.operation(&fitting, args);
+                self.about_later(name, Use::Operation(row));
+                self.needs_braces(name, row);
+                self.note_open(name, fitting.into_iter().map(Use::Operation).collect());
             }
         }
     }
 
+    fn needs_braces(&mut self, name: &Name, row: &Operation) {
+        if row.block != ops::Block::None {
+            let message = format!("`{}` needs braces behind it", name.text);
+            self.cx.diags.report(Code::Syntax, name.span, message).note(format!("it {}", row.about));
+        }
+    }
+
+    /// The rules a call may mean.
+    fn rules(&self, name: &Name, count: usize) -> Vec<Use> {
+        let globals = &self.cx.globals;
+        let list = globals.rules(self.at, &name.text).into_iter();
+        list.filter(|index| globals.rules[*index as usize].decl.params.len() == count).map(Use::Rule).collect()
+    }
+
     /// A call that is neither an operation nor a rule.
     fn undefined(&mut self, name: &'a Name, count: usize) {
-        let (text, globals) = (name.text.as_str(), &self.cx.globals);
-        if globals.lost.contains(text) {
+        let (text, globals, at) = (name.text.as_str(), &self.cx.globals, self.at);
+        if globals.is_lost(at, text) {
             return;
         }
         let takes: Vec<usize> =
             ops::operations(text).flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
         if !takes.is_empty() {
-            let rows: Vec<String> = ops::operations(text).map(|row| format!("`{}`", usage(row))).collect();
+            let new = ops::operations(text).filter(|row| row.old.is_none());
+            let mut rows: Vec<String> = new.map(|row| format!("`{}`", usage(row))).collect();
+            rows.dedup();
             let message = format!("operation `{text}` takes {}, got {count}", counts(takes));
             self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write {}", rows.join(" or ")));
             return;
         }
-        if ops::functions(text).next().is_some() || words::is_later_function(text) {
+        let others: Vec<usize> =
+            globals.rules(at, text).iter().map(|&index| globals.rules[index as usize].decl.params.len()).collect();
+        let function = ops::functions(text).next().is_some() || !globals.functions(at, text).is_empty();
+        if function && others.is_empty() {
             let message = format!("`{text}` is a function: it has a value, it does nothing to the shape");
             self.cx.diags.report(Code::NotAnOperation, name.span, message);
             return;
         }
-        let inline = self.cx.door == Door::Inline;
-        let others = globals.rules_named.get(text);
-        let (message, near) = match others {
-            Some(list) => {
-                let message = format!("rule `{text}` takes {}, got {count}", counts(list.iter().map(|(own, _)| *own)));
-                (message, None)
-            }
-            None => {
-                let names = globals.rules_named.keys_sorted().chain(ops::all_operations().map(|row| row.name));
-                let near = nearest(text, names.chain(["split", "comp", "set", "NIL"])).map(str::to_owned);
-                (format!("there is no rule `{text}`"), near)
-            }
+        let inline = self.door() == Door::Inline;
+        let (message, near) = if others.is_empty() {
+            let rules = globals.near(at, Kind::Rules).into_iter();
+            let names = rules.chain(ops::all_operations().map(|row| row.name)).chain(["split", "comp", "set", "NIL"]);
+            (format!("there is no rule `{text}`"), nearest(text, names).map(str::to_owned))
+        } else {
+            (format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied())), None)
         };
         let level = if inline { Level::Error } else { Level::Warning };
         let diag = self.cx.diags.report_as(Code::UndefinedRule, level, name.span, message);
@@ -182,31 +178,54 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.note(format!("it becomes a leaf named `{text}`"));
         }
         diag.suggest(near);
-        if others.is_none() && count == 0 {
+        if others.is_empty() && count == 0 {
             diag.help(format!("write `{text}.` for a leaf"));
         }
         self.note(name, Use::Leaf);
     }
 
-    fn operation(&mut self, row: &'static Operation, args: &'a [Arg]) {
-        for (param, arg) in row.params.iter().zip(args) {
-            match &param.kind {
-                ParamKind::Word { words, .. } => self.word(row.name, words.iter().map(|(word, _)| *word), arg),
-                kind => {
-                    match arg.prefix {
-                        Some((Prefix::Relative, _)) if *kind == ParamKind::Length => {}
-                        Some((prefix, span)) => self.no_prefix(prefix, span),
-                        None => {}
+    /// The arguments of an operation. Of several rows the types decide, later.
+    fn operation(&mut self, rows: &[&'static Operation], args: &'a [Arg]) {
+        for (index, arg) in args.iter().enumerate() {
+            let kinds = || rows.iter().map(|row| &row.params[index].kind);
+            let takes = |prefix| {
+                kinds().any(|kind| match kind {
+                    ParamKind::Length => prefix == Prefix::Relative,
+                    ParamKind::Size => true,
+                    _ => false,
+                })
+            };
+            if let Some((prefix, span)) = arg.prefix.filter(|(prefix, _)| !takes(*prefix)) {
+                self.no_prefix(prefix, span);
+            }
+            match &rows[0].params[index].kind {
+                ParamKind::Word { words, old, .. } => {
+                    self.word(rows[0].name, words.iter().map(|(word, _)| *word), arg);
+                    if let Some((word, new)) = old.iter().find(|(old, _)| word(arg) == Some(*old)) {
+                        let message = format!("`{word}` is an old spelling");
+                        self.cx.diags.report(Code::OldSpelling, arg.span, message).help(format!("write `{new}`"));
                     }
-                    self.expr(&arg.value);
                 }
+                ParamKind::Selector => _ = self.selector(&arg.value, Places::FACES.and(Places::SETBACK)),
+                _ => self.expr(&arg.value),
             }
         }
     }
 
     /// An argument that must be one of some words.
-    fn word(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, arg: &Arg) {
-        let (found, all) = (word(arg).unwrap_or_default(), list.clone().collect::<Vec<_>>());
+    pub(super) fn word(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, arg: &Arg) {
+        let found = word(arg).unwrap_or_default();
+        self.known_word(name, list, found, arg.span);
+    }
+
+    /// The same in an expression.
+    pub(super) fn word_expr(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, arg: &Expr) {
+        let found = if let ExprKind::Name(word) = &arg.kind { word.text.as_str() } else { "" };
+        self.known_word(name, list, found, arg.span);
+    }
+
+    fn known_word(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, found: &str, span: Span) {
+        let all = list.clone().collect::<Vec<_>>();
         if all.contains(&found) {
             return;
         }
@@ -214,9 +233,100 @@ impl<'a> Scope<'_, 'a, '_> {
         let all = all.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
         self.cx
             .diags
-            .report(Code::UnknownWord, arg.span, format!("{shown} is not a word of `{name}`"))
+            .report(Code::UnknownWord, span, format!("{shown} is not a word of `{name}`"))
             .note(format!("it knows {all}"))
             .suggest(nearest(found, list));
+    }
+
+    /// An operation with braces. None of them runs yet; what stands in them is checked all the same.
+    fn block(&mut self, block: &'a Block) {
+        let name = &block.name;
+        let all = || ops::operations(&name.text).filter(|row| row.block != ops::Block::None);
+        let rows: Vec<_> = all().filter(|row| row.takes(block.args.len())).collect();
+        let fitting = fitting(&rows, &block.args);
+        if !has_error(&block.args) {
+            if let Some(row) = fitting.first().or(rows.first()).copied() {
+                self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, &block.args);
+                self.about_later(name, Use::Operation(row));
+                self.note_open(name, fitting.into_iter().map(Use::Operation).collect());
+            } else if all().next().is_some() {
+                let takes: Vec<usize> = all().flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
+                wrong_count(self.cx, "operation", name, takes, block.args.len());
+            } else if !self.cx.globals.is_lost(self.at, &name.text) {
+                let names = ops::all_operations().filter(|row| row.block != ops::Block::None).map(|row| row.name);
+                let near = nearest(&name.text, names.chain(["split", "comp"])).map(str::to_owned);
+                let message = format!("`{}` is no operation with braces", name.text);
+                self.cx.diags.report(Code::NotAnOperation, name.span, message).suggest(near);
+            }
+        }
+        let place = self.place(block);
+        for part in &block.parts {
+            match part {
+                BlockPart::Slots(items, _) => self.items(items),
+                BlockPart::Sections(list, _) => {
+                    for section in list {
+                        self.expr(&section.length.value);
+                        self.expr(&section.depth);
+                        self.ops(&section.ops);
+                    }
+                }
+                BlockPart::Arms(arms) => arms.iter().for_each(|arm| _ = self.arm(arm, place)),
+                BlockPart::Ops(list) => list.iter().for_each(|ops| self.ops(ops)),
+            }
+        }
+    }
+
+    /// Which selectors an operation with braces has.
+    fn place(&self, block: &Block) -> Places {
+        match block.name.text.as_str() {
+            "setback" | "setbackPerEdge" | "setbackToArea" => Places::SETBACK,
+            "shapeL" | "shapeU" | "shapeO" | "innerRectangle" => Places::SHAPE,
+            "splitAndSetbackPerimeter" => Places::PERIMETER,
+            "modify" => {
+                block.args.first().and_then(word).and_then(ops::component).map_or(Places::FACES, |row| row.place)
+            }
+            _ => Places::NONE,
+        }
+    }
+
+    /// `id(overrides).Rule(args)`.
+    fn dynamic(&mut self, import: &'a Name, list: &'a [Override], rule: &'a Name, args: &'a [Arg]) {
+        for own in list {
+            if let Override::Value(_, value) = own {
+                self.expr(value);
+            }
+        }
+        self.values(args);
+        let program = self.cx.globals.program;
+        let own = &program.instances[self.at];
+        let target = match (own.dynamic.get(&import.id()), own.imports.get(&import.text)) {
+            (Some(&target), _) => target,
+            (None, Some(Some(target))) => {
+                overrides::list_of(self.cx, *target, list);
+                *target
+            }
+            (None, Some(None)) => return,
+            (None, None) => {
+                let near = nearest(&import.text, own.imports.keys().map(String::as_str)).map(str::to_owned);
+                let message = format!("there is no import `{}`", import.text);
+                self.cx.diags.report(Code::UnknownName, import.span, message).suggest(near);
+                return;
+            }
+        };
+        for own in list {
+            if let Override::Value(name, _) = own
+                && let Some(Use::Attr(attr)) = self.cx.globals.value(target, &name.text)
+            {
+                self.cx.tables.targets.insert(name.id(), attr);
+            }
+        }
+        let here = std::mem::replace(&mut self.at, target);
+        let rules = self.rules(rule, args.len());
+        if rules.is_empty() {
+            self.undefined(rule, args.len());
+        }
+        self.note_open(rule, rules);
+        self.at = here;
     }
 
     fn set(&mut self, name: &'a Name, args: &'a [Arg]) {
@@ -227,146 +337,58 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         };
         self.values(std::slice::from_ref(value));
-        let ExprKind::Name(attr) = &target.value.kind else {
-            if !has_error(args) {
+        match &target.value.kind {
+            ExprKind::Name(attr) => self.set_name(name, &attr.text, attr.span),
+            // A word in text: the same as the bare word, as long as it is known.
+            ExprKind::Call(sel, words) if sel.text == "sel" => match words.as_slice() {
+                [Expr { kind: ExprKind::Text(text), span }] => self.set_name(name, text, *span),
+                _ => {
+                    words.iter().for_each(|word| self.expr(word));
+                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", None);
+                }
+            },
+            _ if has_error(args) => {}
+            _ => {
                 let message = "`set` needs the name of an attribute";
                 self.cx.diags.report(Code::NotSettable, target.span, message);
             }
-            return;
-        };
-        let text = attr.text.as_str();
+        }
+    }
+
+    fn set_name(&mut self, set: &'a Name, text: &'a str, span: Span) {
         // A parameter of that name hides nothing here: it could not be set anyway.
-        let found = match self.cx.globals.values.get(text) {
-            Some(Use::Attr(index)) => Ok(Use::SetAttr(*index)),
+        let found = match self.cx.globals.value(self.at, text) {
+            Some(Use::Attr(index)) => Ok(Use::SetAttr(index)),
             Some(Use::Const(_)) => Err("a constant"),
             Some(_) => Err("a function"),
             None => match ops::shape_attr(text) {
                 Some(row) if row.set.is_some() => Ok(Use::SetShape(row)),
                 Some(_) => Err("given by the shape"),
-                None if self.params.iter().any(|param| param.text == text) => Err("a parameter"),
-                None => return self.unknown_target(attr),
+                None if self.inner.iter().any(|inner| inner.text == text) => Err("a parameter"),
+                None => return self.unknown_target(text, span),
             },
         };
         match found {
-            Ok(found) => self.note(name, found),
+            Ok(found) => {
+                self.about_later(&Name { text: text.to_owned(), span }, found);
+                self.note(set, found);
+            }
             Err(what) => {
                 let message = format!("`{text}` is {what}, it cannot be set");
-                self.cx.diags.report(Code::NotSettable, attr.span, message);
+                self.cx.diags.report(Code::NotSettable, span, message);
             }
         }
     }
 
-    fn unknown_target(&mut self, attr: &'a Name) {
-        let (text, globals) = (attr.text.as_str(), &self.cx.globals);
-        if globals.lost.contains(text) {
+    fn unknown_target(&mut self, text: &'a str, span: Span) {
+        let globals = &self.cx.globals;
+        if globals.is_lost(self.at, text) {
             return;
         }
-        if words::is_later_attribute(text) {
-            self.cx.diags.report(Code::Unsupported, attr.span, format!("`{text}` is not supported yet"));
-            return;
-        }
-        let own = globals.attrs.iter().map(|decl| decl.name.text.as_str());
+        let own = globals.near(self.at, Kind::Attrs).into_iter();
         let names = own.chain(ops::all_shape_attrs().filter(|row| row.set.is_some()).map(|row| row.name));
         let near = nearest(text, names).map(str::to_owned);
         let message = format!("there is no attribute `{text}`");
-        self.cx.diags.report(Code::UnknownName, attr.span, message).suggest(near);
-    }
-
-    fn split(&mut self, split: &'a Split) {
-        self.split_args(split);
-        self.items(&split.items);
-    }
-
-    fn split_args(&mut self, split: &'a Split) {
-        if has_error(&split.args) {
-            return;
-        }
-        let Some(axis) = split.args.first() else {
-            let message = "a split needs an axis: `split(x)`, `split(y)` or `split(z)`";
-            self.cx.diags.report(Code::UnknownAxis, split.name.span, message);
-            return;
-        };
-        if let Some("u" | "v") = word(axis) {
-            self.cx.diags.report(Code::Unsupported, axis.span, "a split in texture space is not supported yet");
-            return;
-        }
-        if split_axis(split).is_none() {
-            let shown = word(axis).map_or("this".into(), |word| format!("`{word}`"));
-            let diag = self.cx.diags.report(Code::UnknownAxis, axis.span, format!("{shown} is not an axis"));
-            diag.help("write `x`, `y` or `z`");
-        }
-        if let Some(adjust) = split.args.get(1) {
-            self.word("split", ["adjust", "noAdjust"].into_iter(), adjust);
-        }
-        if 2 < split.args.len() {
-            wrong_count(self.cx, "operation", &split.name, vec![1, 2], split.args.len());
-        }
-    }
-
-    fn items(&mut self, items: &'a [SplitItem]) {
-        for item in items {
-            match item {
-                SplitItem::Slot(size, ops) => {
-                    self.expr(&size.value);
-                    self.ops(ops);
-                }
-                SplitItem::Group(items, _) => self.items(items),
-            }
-        }
-    }
-
-    fn comp(&mut self, comp: &'a Comp) {
-        match comp.args.first().map(|arg| (arg, word(arg).unwrap_or_default())) {
-            Some((_, "f")) | Some((Arg { value: Expr { kind: ExprKind::Error, .. }, .. }, _)) => {}
-            Some((arg, word @ ("e" | "fe" | "v" | "fv" | "g" | "m" | "h"))) => {
-                self.cx.diags.report(Code::Unsupported, arg.span, format!("`comp({word})` is not supported yet"));
-            }
-            Some((arg, word)) => {
-                let shown = if word.is_empty() { "this".into() } else { format!("`{word}`") };
-                let message = format!("{shown} is not a kind of component");
-                self.cx.diags.report(Code::UnknownWord, arg.span, message).help("write `comp(f)` for faces");
-            }
-            None => {
-                let message = "`comp` needs a kind of component";
-                self.cx.diags.report(Code::UnknownWord, comp.name.span, message).help("write `comp(f)` for faces");
-            }
-        }
-        if let Some(second) = comp.args.get(1).filter(|_| !has_error(&comp.args)) {
-            let text = word(second).unwrap_or("a second argument");
-            self.cx.diags.report(Code::Unsupported, second.span, format!("`comp` with `{text}` is not supported yet"));
-        }
-        let faces = comp.args.first().and_then(word) == Some("f");
-        for arm in &comp.arms {
-            // Other components have other selectors.
-            if faces {
-                self.selector(&arm.selector);
-            }
-            self.ops(&arm.ops);
-        }
-    }
-
-    fn selector(&mut self, selector: &'a Expr) {
-        if is_condition(selector) {
-            self.cx.diags.report(Code::Unsupported, selector.span, "conditions as selectors are not supported yet");
-            return;
-        }
-        let ExprKind::Name(name) = &selector.kind else { return self.expr(selector) };
-        let text = name.text.as_str();
-        if let Some(&word) = SELECTORS.iter().find(|&&word| word == text) {
-            self.note(name, Use::Selector(word));
-        } else if let Some(found) = self.lookup(text) {
-            self.note(name, found);
-        } else if words::is_later_selector(text) {
-            self.cx.diags.report(Code::Unsupported, name.span, format!("selector `{text}` is not supported yet"));
-        } else if !self.cx.globals.lost.contains(text) {
-            self.cx
-                .diags
-                .report(Code::UnknownSelector, name.span, format!("unknown selector `{text}`"))
-                .suggest(nearest(text, SELECTORS.iter().copied()))
-                .note(format!(
-                    "there are {}",
-                    SELECTORS.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
-                ));
-        }
+        self.cx.diags.report(Code::UnknownName, span, message).suggest(near);
     }
 }

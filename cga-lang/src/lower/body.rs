@@ -6,10 +6,13 @@ use crate::check::{Use, split_adjust, split_axis};
 use crate::fold::fold;
 use crate::ir::{
     Arg, AttrId, Axis, Childless, Comp, CompArm, CompKind, CompMode, Expr, ExprKind, Item, Param, Prefix, Rule, RuleId,
-    Selector, Size, Split, Step, Target,
+    Selector, Size, Split, Step, Target, Type, Value,
 };
-use crate::ops::ParamKind;
+use crate::ops::{self, ParamKind, Run};
 use crate::span::Span;
+
+/// Longest text of a comp in the name of what does not run, in bytes.
+const LONGEST_NAME: usize = 40;
 
 impl<'c> Lower<'c> {
     pub(super) fn steps(&mut self, ops: &'c [ast::Op]) -> Vec<Step> {
@@ -32,8 +35,18 @@ impl<'c> Lower<'c> {
             OpKind::Nil => Step::Nil(op.span),
             OpKind::Path(name, args) => Step::Rust(name.text.clone(), self.values(args), name.span),
             OpKind::Push(ops) => Step::Push(self.steps(ops)),
+            OpKind::Split(split) if split_axis(split).is_none() => {
+                Step::Later("split in texture space".into(), op.span)
+            }
             OpKind::Split(split) => Step::Split(self.split(split)),
+            OpKind::Comp(comp) if self.checked.tables.later.contains(&comp.name.id()) => {
+                Step::Later(format!("comp {}", self.tokens.text(comp.name.span.to(op.span), LONGEST_NAME)), op.span)
+            }
             OpKind::Comp(comp) => Step::Comp(self.comp(comp)),
+            OpKind::Block(block) => Step::Later(block.name.text.clone(), op.span),
+            OpKind::Dynamic { import, overrides, rule, args } => {
+                return self.dynamic((import, overrides), (rule, args), op.span);
+            }
             OpKind::Case(arms, otherwise) => Step::Case {
                 arms: arms.iter().map(|(test, ops)| (self.folded(test), self.steps(ops))).collect(),
                 otherwise: self.steps(otherwise),
@@ -42,11 +55,11 @@ impl<'c> Lower<'c> {
                 arms: arms.iter().map(|(percent, ops)| (percent.value, self.steps(ops))).collect(),
                 otherwise: self.steps(otherwise),
             },
-            OpKind::Dynamic { .. } | OpKind::Block(_) | OpKind::Error => return None,
+            OpKind::Error => return None,
         })
     }
 
-    fn folded(&mut self, expr: &ast::Expr) -> Expr {
+    pub(super) fn folded(&mut self, expr: &ast::Expr) -> Expr {
         let mut expr = self.expr(expr);
         fold(&mut expr, &self.known);
         expr
@@ -67,26 +80,29 @@ impl<'c> Lower<'c> {
 
     fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Step> {
         Some(match self.used(name)? {
+            Use::Operation(row) if row.run == Run::Later => Step::Later(name.text.clone(), span),
             Use::Operation(row) => {
+                let left_out = row.params.iter().skip(args.len()).filter_map(|param| default(param, span));
                 let args = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
                     ParamKind::Value(_) => Arg::Value(self.folded(&arg.value)),
                     ParamKind::Any => Arg::Value(self.folded(&arg.value)),
                     ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
-                    ParamKind::Selector => Arg::Value(self.folded(&arg.value)),
+                    ParamKind::Selector | ParamKind::PerEdge => Arg::Value(self.folded(&arg.value)),
                     ParamKind::Word { words, .. } => Arg::Word(word(arg, words)),
                 });
-                Step::Do(row, args.collect(), span)
+                Step::Do(row, args.collect::<Vec<_>>().into_iter().chain(left_out).collect(), span)
             }
             Use::SetAttr(index) => {
                 self.out.attrs[index as usize].is_set = true;
                 Step::SetAttr(AttrId(index), self.folded(&args.get(1)?.value), span)
             }
+            Use::SetShape(row) if row.set == Some(Run::Later) => Step::Later(format!("set({})", row.name), span),
             Use::SetShape(row) => Step::SetShape(row, self.folded(&args.get(1)?.value), span),
             _ => Step::Give(self.successor(name, args)?),
         })
     }
 
-    fn successor(&mut self, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Target> {
+    pub(super) fn successor(&mut self, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Target> {
         match self.used(name)? {
             Use::Rule(index) => Some(Target::Rule { rule: RuleId(index), args: self.values(args), span: name.span }),
             Use::Leaf => Some(Target::Leaf(name.text.clone(), name.span)),
@@ -160,17 +176,18 @@ impl<'c> Lower<'c> {
                 _ => {}
             }
         }
-        let count = self.blocks.entry(self.label).or_default();
+        let count = self.blocks.entry(self.name.clone()).or_default();
         *count += 1;
-        let name = format!("{}/{count}", self.label);
+        let name = format!("{}/{count}", self.name);
         let rule = RuleId(self.out.rules.len() as u32);
         self.out.rules.push(Rule {
             name,
-            label: self.label.to_owned(),
+            label: self.label.clone(),
             params: Vec::new(),
+            locals: Vec::new(),
             body: Vec::new(),
+            block: true,
             leaf: Childless::Always,
-            startable: false,
             cycle: None,
             source: String::new(),
             span,
@@ -178,7 +195,7 @@ impl<'c> Lower<'c> {
         let mut body = self.steps(ops);
         let captured = capture(&mut body);
         let own = |&index: &u32| {
-            let name = &self.params[index as usize];
+            let name = self.inner[index as usize];
             Param { name: name.text.clone(), ty: self.ty(name.id()), span: name.span }
         };
         let params: Vec<Param> = captured.iter().map(own).collect();
@@ -202,6 +219,21 @@ fn capture(body: &mut [Step]) -> Vec<u32> {
         });
     });
     captured
+}
+
+/// What counts for an argument that was left out.
+fn default(param: &ops::Param, span: Span) -> Option<Arg> {
+    let value = |value, ty| Expr { kind: ExprKind::Value(value), ty, span };
+    let value = match param.default? {
+        ops::Default::Float(number) => value(Value::Float(number), Type::Float),
+        ops::Default::Bool(truth) => value(Value::Bool(truth), Type::Bool),
+        ops::Default::Text(text) => value(Value::Text(text.into()), Type::Text),
+        ops::Default::Word(word) => return Some(Arg::Word(word)),
+    };
+    Some(match param.kind {
+        ParamKind::Length | ParamKind::Size => Arg::Length(Size { prefix: Prefix::Absolute, value }),
+        _ => Arg::Value(value),
+    })
 }
 
 /// Where a block stands: its first token, else what it belongs to.

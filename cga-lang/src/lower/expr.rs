@@ -3,8 +3,8 @@
 use super::Lower;
 use crate::ast::{self, Unary};
 use crate::check::Use;
-use crate::ir::{AttrId, Binary, ConstId, Expr, ExprKind, FunctionId, Type, Value};
-use crate::ops;
+use crate::ir::{AttrId, Binary, ConstId, EachUnary, Expr, ExprKind, FunctionId, Type, Value};
+use crate::ops::{self, Run};
 
 impl Lower<'_> {
     pub(super) fn expr(&mut self, expr: &ast::Expr) -> Expr {
@@ -18,8 +18,12 @@ impl Lower<'_> {
             },
             ast::ExprKind::Name(name) => self.used_value(self.used(name), Vec::new()),
             ast::ExprKind::Call(name, args) => {
-                let args = self.exprs(args);
-                self.used_value(self.used(name), args)
+                let found = self.used(name);
+                let args = match found {
+                    Some(Use::Builtin(row)) => self.builtin_args(row, args),
+                    _ => self.exprs(args),
+                };
+                self.used_value(found, args)
             }
             ast::ExprKind::Path(name, args) => {
                 (ExprKind::Rust(name.text.clone(), self.exprs(args)), self.ty(name.id()))
@@ -44,13 +48,41 @@ impl Lower<'_> {
                 let ty = otherwise.ty;
                 (ExprKind::Chance(arms, Box::new(otherwise)), ty)
             }
-            ast::ExprKind::Error
-            | ast::ExprKind::EachUnary(..)
-            | ast::ExprKind::Each(..)
-            | ast::ExprKind::Array(_)
-            | ast::ExprKind::Range(..)
-            | ast::ExprKind::Index(..)
-            | ast::ExprKind::Comp(_) => nothing(),
+            ast::ExprKind::EachUnary(Unary::Plus, operand) => return self.expr(operand),
+            ast::ExprKind::EachUnary(op, operand) => {
+                let operand = self.expr(operand);
+                let (op, ty) = (if *op == Unary::Not { EachUnary::Not } else { EachUnary::Neg }, operand.ty);
+                (ExprKind::EachUnary(op, Box::new(operand)), ty)
+            }
+            ast::ExprKind::Each(op, _, left, right) => {
+                let (left, right) = (self.expr(left), self.expr(right));
+                each(*op, left, right)
+            }
+            ast::ExprKind::Array(rows) => {
+                let rows: Vec<Vec<Expr>> = rows.iter().map(|row| self.exprs(row)).collect();
+                let ty = rows.iter().flatten().next().map_or(Type::Floats, |first| first.ty.array());
+                (ExprKind::Array(rows), ty)
+            }
+            ast::ExprKind::Range(base, step, limit) => {
+                let base = self.expr(base);
+                let step = match step {
+                    Some(step) => self.expr(step),
+                    None => Expr { kind: ExprKind::Value(Value::Float(1.0)), ty: Type::Float, span: expr.span },
+                };
+                let limit = self.expr(limit);
+                (ExprKind::Range(Box::new(base), Box::new(step), Box::new(limit)), Type::Floats)
+            }
+            ast::ExprKind::Index(array, indices) => {
+                let (array, indices) = (self.expr(array), self.exprs(indices));
+                let many = indices.iter().any(|index| index.ty.is_array());
+                let ty = if many { array.ty } else { array.ty.element() };
+                (ExprKind::Index(Box::new(array), indices), ty)
+            }
+            ast::ExprKind::Comp(comp) => {
+                let ty = comp.arms.first().map_or(Type::Floats, |(_, _, value)| self.expr(value).ty.array());
+                (ExprKind::Later("comp".into()), ty)
+            }
+            ast::ExprKind::Error => nothing(),
         };
         Expr { kind, ty, span: expr.span }
     }
@@ -59,18 +91,48 @@ impl Lower<'_> {
         list.iter().map(|expr| self.expr(expr)).collect()
     }
 
+    /// Words among the arguments are text from here on.
+    fn builtin_args(&mut self, row: &'static ops::Function, args: &[ast::Expr]) -> Vec<Expr> {
+        let own = args.iter().zip(row.params).map(|(arg, param)| match (&arg.kind, &param.kind) {
+            (ast::ExprKind::Name(name), ops::ParamKind::Word { .. } | ops::ParamKind::Selector) => {
+                Expr { kind: ExprKind::Value(Value::Text(name.text.clone())), ty: Type::Text, span: arg.span }
+            }
+            _ => self.expr(arg),
+        });
+        own.collect()
+    }
+
+    /// A call of a function of the language. What was left out is filled in.
+    fn builtin(row: &'static ops::Function, mut args: Vec<Expr>) -> (ExprKind, Type) {
+        let span = args.last().map_or_else(crate::span::Span::default, |last| last.span);
+        for param in row.params.iter().skip(args.len()) {
+            let (value, ty) = match param.default {
+                Some(ops::Default::Float(value)) => (Value::Float(value), Type::Float),
+                Some(ops::Default::Bool(value)) => (Value::Bool(value), Type::Bool),
+                Some(ops::Default::Text(value) | ops::Default::Word(value)) => (Value::Text(value.into()), Type::Text),
+                None => continue,
+            };
+            args.push(Expr { kind: ExprKind::Value(value), ty, span });
+        }
+        (ExprKind::Builtin(row, args), row.ty)
+    }
+
     fn used_value(&self, found: Option<Use>, mut args: Vec<Expr>) -> (ExprKind, Type) {
         let globals = &self.checked.globals;
         match found {
-            Some(Use::Param(index)) => (ExprKind::Param(index), self.ty(self.params[index as usize].id())),
-            Some(Use::Attr(index)) => (ExprKind::Attr(AttrId(index)), self.ty(globals.attrs[index as usize].name.id())),
+            Some(Use::Param(index)) => (ExprKind::Param(index), self.ty(self.inner[index as usize].id())),
+            Some(Use::Attr(index)) => {
+                (ExprKind::Attr(AttrId(index)), self.ty(globals.attrs[index as usize].decl.name.id()))
+            }
             Some(Use::Const(index)) => {
-                (ExprKind::Const(ConstId(index)), self.ty(globals.consts[index as usize].name.id()))
+                (ExprKind::Const(ConstId(index)), self.ty(globals.consts[index as usize].decl.name.id()))
             }
             Some(Use::Function(index)) => {
-                (ExprKind::Call(FunctionId(index), args), self.ty(globals.functions[index as usize].name.id()))
+                (ExprKind::Call(FunctionId(index), args), self.ty(globals.functions[index as usize].decl.name.id()))
             }
-            Some(Use::Builtin(row)) => (ExprKind::Builtin(row, args), row.ty),
+            Some(Use::Builtin(row)) if row.run == Run::Later => (ExprKind::Later(row.name.into()), row.ty),
+            Some(Use::Builtin(row)) => Self::builtin(row, args),
+            Some(Use::Shape(row)) if row.get == Run::Later => (ExprKind::Later(row.name.into()), row.ty),
             Some(Use::Shape(row)) => (ExprKind::Shape(row), row.ty),
             Some(Use::Convert(ty)) => match args.pop() {
                 Some(arg) => convert(arg, ty),
@@ -79,6 +141,16 @@ impl Lower<'_> {
             _ => nothing(),
         }
     }
+}
+
+fn each(op: ast::Binary, left: Expr, right: Expr) -> (ExprKind, Type) {
+    let is_text = [left.ty, right.ty].iter().any(|ty| ty.element() == Type::Text);
+    let (op, ty) = match operator(op) {
+        Binary::Add if is_text => (Binary::Concat, Type::Texts),
+        op @ (Binary::Add | Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem) => (op, Type::Floats),
+        op => (op, Type::Bools),
+    };
+    (ExprKind::Each(op, Box::new(left), Box::new(right)), ty)
 }
 
 /// Stands for what a check has refused; it never gets here.
@@ -112,23 +184,32 @@ fn text(expr: Expr) -> Box<Expr> {
 }
 
 fn binary(op: ast::Binary, left: Expr, right: Expr) -> (ExprKind, Type) {
-    let (op, ty) = match op {
-        ast::Binary::Add if left.ty == Type::Text || right.ty == Type::Text => {
-            return (ExprKind::Binary(Binary::Concat, text(left), text(right)), Type::Text);
-        }
-        ast::Binary::Add => (Binary::Add, Type::Float),
-        ast::Binary::Sub => (Binary::Sub, Type::Float),
-        ast::Binary::Mul => (Binary::Mul, Type::Float),
-        ast::Binary::Div => (Binary::Div, Type::Float),
-        ast::Binary::Rem => (Binary::Rem, Type::Float),
-        ast::Binary::Eq => (Binary::Eq, Type::Bool),
-        ast::Binary::Ne => (Binary::Ne, Type::Bool),
-        ast::Binary::Lt => (Binary::Lt, Type::Bool),
-        ast::Binary::Le => (Binary::Le, Type::Bool),
-        ast::Binary::Gt => (Binary::Gt, Type::Bool),
-        ast::Binary::Ge => (Binary::Ge, Type::Bool),
-        ast::Binary::And => (Binary::And, Type::Bool),
-        ast::Binary::Or => (Binary::Or, Type::Bool),
+    if op == ast::Binary::Add && (left.ty == Type::Text || right.ty == Type::Text) {
+        return (ExprKind::Binary(Binary::Concat, text(left), text(right)), Type::Text);
+    }
+    let op = operator(op);
+    let ty = match op {
+        Binary::Add | Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem => Type::Float,
+        _ => Type::Bool,
     };
     (ExprKind::Binary(op, Box::new(left), Box::new(right)), ty)
+}
+
+/// The operator as it is on numbers.
+fn operator(op: ast::Binary) -> Binary {
+    match op {
+        ast::Binary::Add => Binary::Add,
+        ast::Binary::Sub => Binary::Sub,
+        ast::Binary::Mul => Binary::Mul,
+        ast::Binary::Div => Binary::Div,
+        ast::Binary::Rem => Binary::Rem,
+        ast::Binary::Eq => Binary::Eq,
+        ast::Binary::Ne => Binary::Ne,
+        ast::Binary::Lt => Binary::Lt,
+        ast::Binary::Le => Binary::Le,
+        ast::Binary::Gt => Binary::Gt,
+        ast::Binary::Ge => Binary::Ge,
+        ast::Binary::And => Binary::And,
+        ast::Binary::Or => Binary::Or,
+    }
 }

@@ -1,19 +1,19 @@
-//! A checked tree to [`ir`](crate::ir): names become indices, blocks become rules, constants are folded.
+//! A checked program to [`ir`](crate::ir): names become indices, blocks become rules, constants are folded.
 
 mod body;
 mod childless;
 mod expr;
+mod globals;
+mod import;
 mod walk;
 
 use crate::ast::{Body, Decl, Name};
 use crate::check::{Checked, Use};
-use crate::fold::{Known, fold};
+use crate::fold::Known;
 use crate::graph::{components, is_cycle};
-use crate::ir::{
-    Attr, AttrId, Childless, Const, ConstId, Function, Global, Grammar, Host, HostId, Param, Rule, RuleId, Step, Type,
-    Value,
-};
+use crate::ir::{Childless, Grammar, Host, HostId, Param, Rule, RuleId, Start, Step, Type};
 use crate::ir_walk::called;
+use crate::link::InstanceId;
 use crate::span::Span;
 use crate::token::{Tok, Tokens};
 use std::collections::HashMap;
@@ -21,13 +21,15 @@ use std::collections::HashMap;
 /// Longest text of a rule kept for its doc line, in bytes.
 const LONGEST_SOURCE: usize = 400;
 
-/// Lowers a checked tree. `tokens` are those it was parsed from.
-pub fn lower(checked: &Checked, tokens: &Tokens) -> Grammar {
+/// Lowers a checked program.
+pub(crate) fn lower(checked: &Checked) -> Grammar {
     let mut lower = Lower {
         checked,
-        tokens,
-        params: &[],
-        label: "",
+        tokens: &checked.globals.program.tokens,
+        inner: Vec::new(),
+        home: 0,
+        label: String::new(),
+        name: String::new(),
         blocks: HashMap::new(),
         hosts: HashMap::new(),
         known: Known::default(),
@@ -43,12 +45,16 @@ pub fn lower(checked: &Checked, tokens: &Tokens) -> Grammar {
 struct Lower<'c> {
     checked: &'c Checked<'c>,
     tokens: &'c Tokens,
-    /// Parameters of the declaration at hand.
-    params: &'c [Name],
-    /// Name of the rule at hand.
-    label: &'c str,
+    /// Parameters and locals of the declaration at hand.
+    inner: Vec<&'c Name>,
+    /// Where its names are looked up.
+    home: InstanceId,
+    /// What the implicit leaves of the rule at hand are called.
+    label: String,
+    /// Name of the rule at hand, with its style.
+    name: String,
     /// Blocks so far, by the name of their rule.
-    blocks: HashMap<&'c str, u32>,
+    blocks: HashMap<String, u32>,
     /// By token.
     hosts: HashMap<u32, HostId>,
     /// Constants and functions whose value is known.
@@ -75,105 +81,74 @@ impl<'c> Lower<'c> {
         }
     }
 
-    fn declared_params(&self, decl: &Decl) -> Vec<Param> {
-        let param = |name: &Name| Param { name: name.text.clone(), ty: self.ty(name.id()), span: name.span };
-        decl.params.iter().map(param).collect()
+    /// Begins with a declaration.
+    fn enter(&mut self, decl: &'c Decl, home: InstanceId) {
+        self.inner = decl.inner().collect();
+        self.home = home;
     }
 
-    /// Attributes, constants and functions, with the order in which they are ready.
-    fn globals(&mut self) {
-        let checked = self.checked;
-        let globals = &checked.globals;
-        for (decl, info) in globals.attrs.iter().zip(&checked.tables.attrs) {
-            let default = self.value(decl);
-            let (name, span, info) = (decl.name.text.clone(), decl.name.span, info.clone());
-            self.out.attrs.push(Attr {
-                name,
-                ty: default.ty,
-                default,
-                known: None,
-                range: info.range,
-                group: info.group,
-                doc: info.doc,
-                order: info.order,
-                hidden: info.hidden,
-                is_set: false,
-                span,
-            });
-        }
-        for decl in &globals.consts {
-            let value = self.value(decl);
-            let (name, span) = (decl.name.text.clone(), decl.name.span);
-            self.out.consts.push(Const { name, ty: value.ty, value, known: None, span });
-        }
-        for (index, decl) in globals.functions.iter().enumerate() {
-            let body = self.value(decl);
-            self.out.functions.push(Function {
-                name: decl.name.text.clone(),
-                params: self.declared_params(decl),
-                ty: body.ty,
-                body,
-                recursive: checked.tables.recursive.contains(&(index as u32)),
-                span: decl.name.span,
-            });
-        }
-        self.fold_values();
+    /// Parameters and locals of the declaration at hand.
+    fn declared_params(&self) -> Vec<Param> {
+        let param = |name: &&Name| Param { name: name.text.clone(), ty: self.ty(name.id()), span: name.span };
+        self.inner.iter().map(param).collect()
     }
 
-    fn value(&mut self, decl: &'c Decl) -> crate::ir::Expr {
-        self.params = &decl.params;
-        match decl.value() {
-            Some(value) => self.expr(value),
-            None => crate::ir::Expr {
-                kind: crate::ir::ExprKind::Value(Value::Float(0.0)),
-                ty: Type::Float,
-                span: decl.span,
-            },
-        }
-    }
-
-    fn fold_values(&mut self) {
-        let (attrs, consts) = (self.out.attrs.len(), self.out.consts.len());
-        let mut known = Known { consts: vec![None; consts], functions: vec![None; self.out.functions.len()] };
-        for &node in &self.checked.tables.order {
-            if let Some(attr) = self.out.attrs.get_mut(node) {
-                attr.known = fold(&mut attr.default, &known);
-                self.out.init.push(Global::Attr(AttrId(node as u32)));
-            } else if let Some(own) = self.out.consts.get_mut(node - attrs) {
-                own.known = fold(&mut own.value, &known);
-                known.consts[node - attrs].clone_from(&own.known);
-                self.out.init.push(Global::Const(ConstId((node - attrs) as u32)));
-            } else if let Some(function) = self.out.functions.get_mut(node - attrs - consts) {
-                known.functions[node - attrs - consts] = fold(&mut function.body, &known);
-            }
-        }
-        self.known = known;
+    fn locals(&mut self, decl: &'c Decl) -> Vec<crate::ir::Expr> {
+        decl.locals.iter().map(|(_, value)| self.folded(value)).collect()
     }
 
     fn rules(&mut self) {
         let checked = self.checked;
-        for decl in &checked.globals.rules {
+        for item in &checked.globals.rules {
+            self.enter(item.decl, item.home);
+            let instance = &checked.globals.program.instances[item.instance];
+            let style = checked.globals.program.roots.get(instance.root_style as usize);
+            let style = style.and_then(|&root| checked.globals.program.instances[root].styles.name.as_deref());
             self.out.rules.push(Rule {
-                name: decl.name.text.clone(),
-                label: decl.name.text.clone(),
-                params: self.declared_params(decl),
+                name: style.map_or_else(|| item.name.clone(), |style| format!("{style}${}", item.name)),
+                label: item.name.clone(),
+                params: self.declared_params(),
+                locals: Vec::new(),
                 body: Vec::new(),
+                block: false,
                 leaf: Childless::Always,
-                startable: decl.params.is_empty(),
                 cycle: None,
-                source: self.tokens.text(decl.span, LONGEST_SOURCE),
-                span: decl.name.span,
+                source: self.tokens.text(item.decl.span, LONGEST_SOURCE),
+                span: item.decl.name.span,
             });
         }
-        for (index, decl) in checked.globals.rules.iter().enumerate() {
-            if let Body::Rule(ops) = &decl.body {
-                self.params = &decl.params;
-                self.label = &decl.name.text;
+        for (index, item) in checked.globals.rules.iter().enumerate() {
+            if let Body::Rule(ops) = &item.decl.body {
+                self.enter(item.decl, item.home);
+                self.label.clone_from(&item.name);
+                self.name.clone_from(&self.out.rules[index].name);
+                self.out.rules[index].locals = self.locals(item.decl);
                 let body = self.steps(ops);
                 self.finish(index, body);
             }
         }
-        self.out.start = checked.tables.start.map(RuleId);
+        self.out.about.clone_from(&checked.tables.about);
+        self.starts();
+    }
+
+    /// Rules without parameters of the root, in each style.
+    fn starts(&mut self) {
+        let (globals, starts) = (&self.checked.globals, &self.checked.tables.starts);
+        for (style, (&root, &default)) in globals.program.roots.iter().zip(starts).enumerate() {
+            let rules = globals.rules.iter().enumerate();
+            let own = rules.filter(|(_, item)| {
+                item.instance == root
+                    && item.home == root
+                    && item.decl.params.is_empty()
+                    && !item.decl.name.text.contains('.')
+            });
+            let mut own: Vec<u32> = own.map(|(index, _)| index as u32).collect();
+            own.sort_by_key(|&index| (Some(index) != default, index));
+            for index in own {
+                let name = self.out.rules[index as usize].name.clone();
+                self.out.starts.push(Start { name, style: style as u32, rule: RuleId(index) });
+            }
+        }
     }
 
     /// Puts a body into its rule.

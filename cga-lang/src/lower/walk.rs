@@ -38,7 +38,7 @@ pub(super) fn exprs(steps: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
                 arms.iter_mut().for_each(|(_, steps)| exprs(steps, visit));
                 exprs(otherwise, visit);
             }
-            Step::Nil(_) => {}
+            Step::Nil(_) | Step::Later(..) => {}
         }
     }
 }
@@ -51,27 +51,10 @@ fn target_exprs(target: &mut Target, visit: &mut dyn FnMut(&mut Expr)) {
 
 /// The parameters an expression reads.
 pub(super) fn params(expr: &mut Expr, visit: &mut dyn FnMut(&mut u32)) {
-    match &mut expr.kind {
-        ExprKind::Param(index) => visit(index),
-        ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => {
-            args.iter_mut().for_each(|arg| params(arg, visit));
-        }
-        ExprKind::Neg(a) | ExprKind::Not(a) | ExprKind::ToText(a) => params(a, visit),
-        ExprKind::Binary(_, a, b) => {
-            params(a, visit);
-            params(b, visit);
-        }
-        ExprKind::Case(arms, otherwise) => {
-            for (condition, value) in arms {
-                params(condition, visit);
-                params(value, visit);
-            }
-            params(otherwise, visit);
-        }
-        ExprKind::Chance(arms, otherwise) => {
-            arms.iter_mut().for_each(|(_, value)| params(value, visit));
-            params(otherwise, visit);
-        }
-        ExprKind::Value(_) | ExprKind::Attr(_) | ExprKind::Const(_) | ExprKind::Host(_) | ExprKind::Shape(_) => {}
+    if let ExprKind::Param(index) = &mut expr.kind {
+        visit(index);
+    }
+    for part in expr.parts_mut() {
+        params(part, visit);
     }
 }

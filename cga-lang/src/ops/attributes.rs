@@ -1,17 +1,28 @@
 //! The attributes of shapes.
 
-use super::{F, Needs, Run, ShapeAttr, T};
+use super::material::MATERIAL;
+use super::{B, F, Needs, Run, ShapeAttr, T};
 use crate::ir::Type;
 
 /// Every attribute of shapes.
-pub static SHAPE_ATTRS: &[&[ShapeAttr]] = &[SHAPE];
+pub static SHAPE_ATTRS: &[&[ShapeAttr]] = &[SHAPE, MATERIAL];
 
 const fn get(name: &'static str, get: &'static str) -> ShapeAttr {
     ShapeAttr { name, get: Run::Now(get), ty: F, needs: Needs::Shape, set: None, old: None }
 }
 
-const fn both(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
+pub(super) const fn both(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
     ShapeAttr { name, get: Run::Now(call), ty, needs: Needs::Shape, set: Some(Run::Now(call)), old: None }
+}
+
+/// Of the initial shape: it cannot be set.
+const fn initial(name: &'static str, call: &'static str) -> ShapeAttr {
+    ShapeAttr { needs: Needs::Both, ..get(name, call) }
+}
+
+/// In the coordinates of the initial shape.
+const fn pivot(name: &'static str, call: &'static str) -> ShapeAttr {
+    ShapeAttr { needs: Needs::Both, ..both(name, call, F) }
 }
 
 static SHAPE: &[ShapeAttr] = &[
@@ -30,12 +41,21 @@ static SHAPE: &[ShapeAttr] = &[
     get("comp.index", "comp_index"),
     get("comp.total", "comp_total"),
     ShapeAttr { ty: T, ..get("comp.sel", "comp_sel") },
-    both("material.color.r", "material_color_r", F),
-    both("material.color.g", "material_color_g", F),
-    both("material.color.b", "material_color_b", F),
-    both("material.opacity", "material_opacity", F),
-    both("material.metallic", "material_metallic", F),
-    both("material.roughness", "material_roughness", F),
-    both("material.name", "material_name", T),
-    both("material.colormap", "material_colormap", T),
+    both("trim.vertical", "trim_vertical", B),
+    both("trim.horizontal", "trim_horizontal", B),
+    both("seedian", "seedian", F),
+    ShapeAttr { ty: T, ..initial("initialShape.name", "initial_shape_name") },
+    ShapeAttr { ty: T, ..initial("initialShape.startRule", "initial_shape_start_rule") },
+    initial("initialShape.origin.px", "initial_shape_origin_px"),
+    initial("initialShape.origin.py", "initial_shape_origin_py"),
+    initial("initialShape.origin.pz", "initial_shape_origin_pz"),
+    initial("initialShape.origin.ox", "initial_shape_origin_ox"),
+    initial("initialShape.origin.oy", "initial_shape_origin_oy"),
+    initial("initialShape.origin.oz", "initial_shape_origin_oz"),
+    pivot("pivot.px", "pivot_px"),
+    pivot("pivot.py", "pivot_py"),
+    pivot("pivot.pz", "pivot_pz"),
+    pivot("pivot.ox", "pivot_ox"),
+    pivot("pivot.oy", "pivot_oy"),
+    pivot("pivot.oz", "pivot_oz"),
 ];

@@ -1,60 +1,210 @@
 //! The functions.
 
-use super::{B, F, Function, Needs, Param, Run, boolean, float, text};
+use super::{
+    B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, queries, set_elements, text,
+    values, word,
+};
 use crate::ir::Type;
 
 /// Every function. `str`, `float` and `bool` of a value that has the type already is the value itself, and `str` of a
 /// float or bool is [`ToText`](crate::ir::ExprKind::ToText): these need no row.
-pub static FUNCTIONS: &[&[Function]] = &[VALUES];
-
-const fn func(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    ty: Type,
-    about: &'static str,
-) -> Function {
-    Function { name, run: Run::Now(call), params, ty, needs: Needs::Nothing, pure: true, about }
-}
-
-const fn draw(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    ty: Type,
-    about: &'static str,
-) -> Function {
-    Function { name, run: Run::Now(call), params, ty, needs: Needs::Shape, pure: false, about }
-}
-
-static VALUES: &[Function] = &[
-    draw("rand", "rand", &[], F, ""),
-    draw("rand", "rand_to", &[float("max")], F, ""),
-    draw("rand", "rand_between", &[float("min"), float("max")], F, ""),
-    draw("p", "chance", &[float("q")], B, ""),
-    func("floor", "floor", &[float("x")], F, ""),
-    func("ceil", "ceil", &[float("x")], F, ""),
-    func("rint", "rint", &[float("x")], F, ""),
-    func("abs", "abs", &[float("x")], F, ""),
-    func("sqrt", "sqrt", &[float("x")], F, ""),
-    func("sin", "sin", &[float("x")], F, ""),
-    func("cos", "cos", &[float("x")], F, ""),
-    func("tan", "tan", &[float("x")], F, ""),
-    func("asin", "asin", &[float("x")], F, ""),
-    func("acos", "acos", &[float("x")], F, ""),
-    func("atan", "atan", &[float("x")], F, ""),
-    func("atan2", "atan2", &[float("y"), float("x")], F, ""),
-    func("pow", "pow", &[float("base"), float("exponent")], F, ""),
-    func("exp", "exp", &[float("x")], F, ""),
-    func("ln", "ln", &[float("x")], F, ""),
-    func("log10", "log10", &[float("x")], F, ""),
-    func("min", "min", &[float("x"), float("y")], F, ""),
-    func("max", "max", &[float("x"), float("y")], F, ""),
-    func("clamp", "clamp", &[float("x"), float("min"), float("max")], F, ""),
-    func("isnan", "isnan", &[float("x")], B, ""),
-    func("isinf", "isinf", &[float("x")], B, ""),
-    func("float", "bool_to_float", &[boolean("x")], F, ""),
-    func("float", "text_to_float", &[text("x")], F, ""),
-    func("bool", "float_to_bool", &[float("x")], B, ""),
-    func("bool", "text_to_bool", &[text("x")], B, ""),
+pub static FUNCTIONS: &[&[Function]] = &[
+    values::CHANCE,
+    values::MATH,
+    values::CONVERSIONS,
+    values::TEXTS,
+    values::LISTS,
+    values::ARRAYS,
+    values::COLOURS,
+    set_elements::FLOAT,
+    set_elements::FLOATS,
+    set_elements::BOOL,
+    set_elements::BOOLS,
+    set_elements::TEXT,
+    set_elements::TEXTS,
+    queries::GEOMETRY,
+    queries::SHAPES,
+    queries::FILES,
+    CONTEXT,
+    GEOMETRY,
+    ASSETS,
+    MATERIALS,
+    REST,
 ];
+
+/// A row that does not run yet. What the function will need is said when it does.
+const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
+    Function { name, run: Run::Later, params, ty, needs: Needs::Nothing, pure: false, about }
+}
+
+const TARGET: Param = word("target", "ContextTarget", &[("intra", "Intra"), ("inter", "Inter"), ("all", "All")]);
+
+/// No target means all (*occlusion queries*).
+const OPTIONAL_TARGET: Param = or(TARGET, Default::Word("all"));
+
+/// An empty label means none.
+const OPTIONAL_LABEL: Param = or(text("label"), Default::Text(""));
+
+const COMPARISON: Param = word(
+    "comparisonType",
+    "ContextComparison",
+    &[
+        ("world.northernmost", "WorldNorthernmost"),
+        ("world.southernmost", "WorldSouthernmost"),
+        ("world.easternmost", "WorldEasternmost"),
+        ("world.westernmost", "WorldWesternmost"),
+        ("world.highest", "WorldHighest"),
+        ("world.lowest", "WorldLowest"),
+        ("area.largest", "AreaLargest"),
+        ("area.smallest", "AreaSmallest"),
+    ],
+);
+
+const GEO_COORDINATE: Param =
+    word("geoCoordinate", "GeoCoordinate", &[("X", "X"), ("Y", "Y"), ("lon", "Lon"), ("lat", "Lat")]);
+
+/// Other shapes, the initial shape's edges, and where on Earth a shape is.
+static CONTEXT: &[Function] = &[
+    later("inside", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape lies inside another closed shape"),
+    later(
+        "overlaps",
+        &[OPTIONAL_TARGET, OPTIONAL_LABEL],
+        B,
+        "whether the shape lies partly inside another closed shape",
+    ),
+    later("touches", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape touches another closed shape"),
+    later("minimumDistance", &[TARGET, text("label")], F, "the distance to the nearest shape of a label"),
+    later("contextCompare", &[TARGET, text("label"), COMPARISON], F, "the rank among the shapes of a label"),
+    later("contextCount", &[TARGET, text("label")], F, "how many shapes have a label"),
+    later("edgeAttr.getFloat", &[text("attributeName")], F, "an attribute of the initial shape's nearest edge"),
+    later("edgeAttr.getString", &[text("attributeName")], T, "an attribute of the initial shape's nearest edge"),
+    later("edgeAttr.getBool", &[text("attributeName")], B, "an attribute of the initial shape's nearest edge"),
+    later("getGeoCoord", &[GEO_COORDINATE], F, "a coordinate of the scope's origin on the map"),
+    later("getTreeKey", &[], T, "the way from the initial shape to this one, as a list of numbers"),
+];
+
+const UV_SET: Param = or(float("uvSet"), Default::Float(0.0));
+
+const SURFACE: Param =
+    word("surfaceParameterization", "UvSpace", &[("uvSpace", "UvSpace"), ("unitSpace", "UnitSpace")]);
+
+const TAGGED: Param = or(
+    word(
+        "components",
+        "TaggedParts",
+        &[("all", "All"), ("faces", "Faces"), ("edges", "Edges"), ("vertices", "Vertices")],
+    ),
+    Default::Word("all"),
+);
+
+/// What `isTagged` looks at instead of the component itself.
+const SUBCOMPONENT: Param = word("subcomponent", "Subcomponent", &[("e", "Edges"), ("v", "Vertices")]);
+
+/// Texture coordinates and tags.
+static GEOMETRY: &[Function] = &[
+    later("geometry.du", &[float("uvSet"), SURFACE], F, "the extent in u, in texture coordinates or about in metres"),
+    later("geometry.dv", &[float("uvSet"), SURFACE], F, "the extent in v, in texture coordinates or about in metres"),
+    later("geometry.uMin", &[UV_SET], F, "the smallest u"),
+    later("geometry.uMax", &[UV_SET], F, "the largest u"),
+    later("geometry.vMin", &[UV_SET], F, "the smallest v"),
+    later("geometry.vMax", &[UV_SET], F, "the largest v"),
+    later("geometry.hasUVs", &[], B, "whether there are texture coordinates"),
+    later("geometry.hasUVs", &[float("uvSet")], B, "whether there are texture coordinates of a set"),
+    later("geometry.tags", &[], TS, "the tags of the components, in order"),
+    later("geometry.tags", &[text("tagQuery"), TAGGED], TS, "the tags that match, in order"),
+    later("geometry.hasTags", &[], B, "whether components have tags"),
+    later("geometry.hasTags", &[text("tagQuery"), TAGGED], B, "whether components have tags that match"),
+    later("isTagged", &[text("tagQuery")], B, "whether a component has a tag that matches"),
+    later(
+        "isTagged",
+        &[text("tagQuery"), SUBCOMPONENT],
+        B,
+        "whether an edge or vertex of a component has a tag that matches",
+    ),
+];
+
+const ASSET_RATIO: Param = word("axesRatio", "AssetAxes", &[("xy", "Xy"), ("xz", "Xz"), ("yz", "Yz"), ("xyz", "Xyz")]);
+
+const ASSET_SIZE: Param = word(
+    "axisSize",
+    "AssetAxes",
+    &[("x", "X"), ("y", "Y"), ("z", "Z"), ("xy", "Xy"), ("xz", "Xz"), ("yz", "Yz"), ("xyz", "Xyz")],
+);
+
+const IMAGE_RATIO: Param = word(
+    "axesRatio",
+    "ImageAxes",
+    &[("xy", "Xy"), ("xz", "Xz"), ("yx", "Yx"), ("yz", "Yz"), ("zx", "Zx"), ("zy", "Zy")],
+);
+
+const QUERY: Param = text("searchQuery");
+const FILE: Param = text("filePath");
+const KEY: Param = text("key");
+const METADATA: &str = "a value kept in an asset's file";
+
+/// Assets and images that suit the shape, and what their files know. The functions whose axes are text are written in CGA
+/// in the reference's utility library.
+static ASSETS: &[Function] = &[
+    later("assetsSortRatio", &[text("filePathList"), ASSET_RATIO], T, "assets by how well their proportions suit"),
+    later("assetsSortRatio", &[of("filePaths", TS), ASSET_RATIO], TS, "assets by how well their proportions suit"),
+    later(
+        "assetsSortSize",
+        &[text("filePathList"), ASSET_SIZE, float("maxScaleError")],
+        T,
+        "assets by how well their size suits",
+    ),
+    later(
+        "assetsSortSize",
+        &[of("filePaths", TS), ASSET_SIZE, float("maxScaleError")],
+        TS,
+        "assets by how well their size suits",
+    ),
+    later("imagesSortRatio", &[text("filePathList"), IMAGE_RATIO], T, "images by how well their proportions suit"),
+    later("imagesSortRatio", &[of("filePaths", TS), IMAGE_RATIO], TS, "images by how well their proportions suit"),
+    later("assetBestRatio", &[QUERY, text("axesRatio")], T, "the asset whose proportions suit best"),
+    later(
+        "assetApproxRatio",
+        &[QUERY, text("axesRatio"), float("n")],
+        T,
+        "one of the assets whose proportions suit best",
+    ),
+    later("assetBestSize", &[QUERY, text("axisSize")], T, "the asset whose size suits best"),
+    later("assetApproxSize", &[QUERY, text("axisSize"), float("n")], T, "one of the assets whose size suits best"),
+    later("assetFitSize", &[QUERY, text("axisSize"), float("maxScaleError")], T, "one of the assets whose size suits"),
+    later("imageBestRatio", &[QUERY, text("axesRatio")], T, "the image whose proportions suit best"),
+    later(
+        "imageApproxRatio",
+        &[QUERY, text("axesRatio"), float("n")],
+        T,
+        "one of the images whose proportions suit best",
+    ),
+    later("assetMetadata", &[FILE, KEY, float("defaultValue")], F, METADATA),
+    later("assetMetadata", &[FILE, KEY, boolean("defaultValue")], B, METADATA),
+    later("assetMetadata", &[FILE, KEY, text("defaultValue")], T, METADATA),
+    later("assetMetadata", &[FILE, KEY, of("defaultValue", FS)], FS, METADATA),
+    later("assetMetadata", &[FILE, KEY, of("defaultValue", BS)], BS, METADATA),
+    later("assetMetadata", &[FILE, KEY, of("defaultValue", TS)], TS, METADATA),
+];
+
+/// Materials from files.
+static MATERIALS: &[Function] =
+    &[later("readMaterial", &[FILE], TS, "the attributes of a material file, as names and values")];
+
+/// Words from text.
+static REST: &[Function] = &[later("sel", &[text("selString")], T, "a word from text, where a word must stand")];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn rows_of_one_name_differ_in_their_kinds() {
+        let mut seen = HashSet::new();
+        for row in FUNCTIONS.iter().copied().flatten() {
+            let kinds: Vec<String> = row.params.iter().map(|param| format!("{:?}", param.kind)).collect();
+            assert!(seen.insert((row.name, kinds)), "{row:?}");
+            assert!(!row.about.is_empty(), "{row:?}");
+        }
+    }
+}

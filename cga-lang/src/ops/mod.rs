@@ -6,8 +6,13 @@
 
 mod attributes;
 mod functions;
+mod material;
 mod operations;
+mod queries;
 mod selectors;
+mod set_elements;
+mod syntax;
+mod values;
 
 use crate::ir::Type;
 use std::collections::HashMap;
@@ -16,7 +21,8 @@ use std::sync::LazyLock;
 pub use attributes::SHAPE_ATTRS;
 pub use functions::FUNCTIONS;
 pub use operations::OPERATIONS;
-pub use selectors::SELECTORS;
+pub use selectors::{COMPONENTS, Component, Places, SELECTORS, Selector, component, selector, selectors};
+pub use syntax::{SYNTAX, Syntax, syntax};
 
 /// Whether a row of a table can run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +46,7 @@ pub struct Operation {
     pub block: Block,
     /// Whether it looks at the state at the start of the rule, bracket or part (`center`).
     pub uses_base: bool,
-    /// Why it is accepted though nobody should write it any more, and what to write instead.
+    /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
     pub old: Option<&'static str>,
     /// What it does, in a line.
     pub about: &'static str,
@@ -53,12 +59,16 @@ pub enum Block {
     None,
     /// `size : operations`, repeatable, as in a split.
     Slots,
+    /// `length : depth : operations`, repeatable, then a second pair of braces with `remainder : operations`.
+    Sections,
     /// `selector : operations`, as in a comp.
     Arms,
     /// Operations.
     Ops,
     /// Operations on both sides of `|`.
     Operands,
+    /// A rule, an operation that divides, or operations in braces.
+    Inline,
 }
 
 /// A parameter of an operation or function.
@@ -98,6 +108,9 @@ pub enum ParamKind {
     Size,
     /// One of the selectors of components, or an index, or a condition. Rows that run have no such parameter yet.
     Selector,
+    /// A float that is computed for each edge of each face, with that edge as current shape. Rows that run have no such
+    /// parameter yet.
+    PerEdge,
     /// A word. The runtime has an enum of that name with a variant for each second entry.
     Word {
         /// The runtime's enum.
@@ -168,10 +181,53 @@ impl Run {
     }
 }
 
+impl ParamKind {
+    /// Whether a bare word can stand there as that word: not as the name of a value.
+    pub fn has_word(&self, word: &str) -> bool {
+        matches!(self, ParamKind::Word { words, .. } if words.iter().any(|(own, _)| *own == word))
+    }
+
+    /// Whether one argument can be meant for both.
+    pub fn overlaps(&self, other: &ParamKind) -> bool {
+        match (self, other) {
+            (ParamKind::Word { words, .. }, ParamKind::Word { .. }) => {
+                words.iter().any(|(word, _)| other.has_word(word))
+            }
+            (ParamKind::Selector, _) | (_, ParamKind::Selector) => true,
+            (ParamKind::Word { .. }, _) | (_, ParamKind::Word { .. }) => false,
+            (ParamKind::Any, _) | (_, ParamKind::Any) => true,
+            _ => self.ty() == other.ty(),
+        }
+    }
+
+    /// The type of the value that stands there; none for words and where any type does.
+    pub fn ty(&self) -> Option<Type> {
+        match self {
+            ParamKind::Value(ty) => Some(*ty),
+            ParamKind::Length | ParamKind::Size | ParamKind::PerEdge => Some(Type::Float),
+            ParamKind::Any | ParamKind::Selector | ParamKind::Word { .. } => None,
+        }
+    }
+}
+
 impl Operation {
     /// Whether it can be called with so many arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)
+    }
+
+    /// How many arguments are words of it; `None` when one that must be is none. `args` has what stands in each
+    /// argument: a bare word or something else.
+    pub fn words(&self, args: &[Option<&str>]) -> Option<usize> {
+        let mut found = 0;
+        for (param, arg) in self.params.iter().zip(args) {
+            match (&param.kind, arg) {
+                (ParamKind::Word { .. }, Some(word)) if param.kind.has_word(word) => found += 1,
+                (ParamKind::Word { .. }, _) => return None,
+                _ => {}
+            }
+        }
+        Some(found)
     }
 }
 
@@ -207,6 +263,15 @@ pub fn operations(name: &str) -> impl Iterator<Item = &'static Operation> + Clon
     ROWS.get(name).map(Vec::as_slice).unwrap_or_default().iter().copied()
 }
 
+/// The row that a call means by the number of its arguments and the words among them; types may leave a choice between
+/// later ones. The first with so many arguments if none has the words, so that a message can name those it has.
+pub fn operation(name: &str, args: &[Option<&str>]) -> Option<&'static Operation> {
+    let rows = || operations(name).filter(|row| row.takes(args.len()));
+    // Of equals the first: `max_by_key` would take the last.
+    let best = rows().filter_map(|row| Some((row.words(args)?, row))).reduce(|a, b| if a.0 < b.0 { b } else { a });
+    best.map(|(_, row)| row).or_else(|| rows().next())
+}
+
 /// Every operation.
 pub fn all_operations() -> impl Iterator<Item = &'static Operation> + Clone {
     OPERATIONS.iter().copied().flatten()
@@ -239,6 +304,9 @@ pub fn all_shape_attrs() -> impl Iterator<Item = &'static ShapeAttr> + Clone {
 const F: Type = Type::Float;
 const B: Type = Type::Bool;
 const T: Type = Type::Text;
+const FS: Type = Type::Floats;
+const BS: Type = Type::Bools;
+const TS: Type = Type::Texts;
 
 const fn param(name: &'static str, kind: ParamKind) -> Param {
     Param { name, kind, default: None }
@@ -258,4 +326,22 @@ const fn text(name: &'static str) -> Param {
 
 const fn length(name: &'static str) -> Param {
     param(name, ParamKind::Length)
+}
+
+const fn size(name: &'static str) -> Param {
+    param(name, ParamKind::Size)
+}
+
+const fn of(name: &'static str, ty: Type) -> Param {
+    param(name, ParamKind::Value(ty))
+}
+
+/// A parameter that may be left out.
+const fn or(param: Param, default: Default) -> Param {
+    Param { default: Some(default), ..param }
+}
+
+/// A parameter for words.
+const fn word(name: &'static str, rust: &'static str, words: &'static [(&'static str, &'static str)]) -> Param {
+    param(name, ParamKind::Word { rust, words, old: &[] })
 }

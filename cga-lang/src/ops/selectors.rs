@@ -1,5 +1,184 @@
-//! The words that select components.
+//! The components of shapes, and the words that select among them.
 
-/// The words that select components.
-pub const SELECTORS: &[&str] =
-    &["front", "back", "left", "right", "top", "bottom", "side", "vertical", "horizontal", "aslant", "nutant", "all"];
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+/// A kind of component: what `comp(…)` and `modify(…)` divide into.
+#[derive(Debug, PartialEq)]
+pub struct Component {
+    /// As written.
+    pub name: &'static str,
+    /// It, as a place of selectors.
+    pub place: Places,
+    /// Whether a comp into these runs today.
+    pub now: bool,
+    /// What it is, in a line.
+    pub about: &'static str,
+}
+
+/// Every kind of component.
+pub static COMPONENTS: &[Component] = &[
+    Component { name: "f", place: Places::FACES, now: true, about: "faces" },
+    Component { name: "e", place: Places::EDGES, now: false, about: "edges, shared ones once" },
+    Component { name: "fe", place: Places::FACE_EDGES, now: false, about: "edges of each face" },
+    Component { name: "v", place: Places::VERTICES, now: false, about: "vertices, shared ones once" },
+    Component { name: "fv", place: Places::FACE_VERTICES, now: false, about: "vertices of each face" },
+    Component { name: "g", place: Places::GROUPS, now: false, about: "groups of an asset" },
+    Component { name: "m", place: Places::MATERIALS, now: false, about: "parts of one material" },
+    Component { name: "h", place: Places::HOLES, now: false, about: "holes of faces" },
+];
+
+/// The kind of component of that name.
+pub fn component(name: &str) -> Option<&'static Component> {
+    COMPONENTS.iter().find(|row| row.name == name)
+}
+
+/// Where a selector may stand: any number of places.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Places(u16);
+
+impl Places {
+    /// Nowhere.
+    pub const NONE: Places = Places(0);
+    /// `comp(f)`.
+    pub const FACES: Places = Places(1);
+    /// `comp(e)`.
+    pub const EDGES: Places = Places(1 << 1);
+    /// `comp(fe)`.
+    pub const FACE_EDGES: Places = Places(1 << 2);
+    /// `comp(v)`.
+    pub const VERTICES: Places = Places(1 << 3);
+    /// `comp(fv)`.
+    pub const FACE_VERTICES: Places = Places(1 << 4);
+    /// `comp(g)`.
+    pub const GROUPS: Places = Places(1 << 5);
+    /// `comp(m)`.
+    pub const MATERIALS: Places = Places(1 << 6);
+    /// `comp(h)`.
+    pub const HOLES: Places = Places(1 << 7);
+    /// `setback`, `setbackPerEdge` and `setbackToArea`.
+    pub const SETBACK: Places = Places(1 << 8);
+    /// `shapeL`, `shapeU`, `shapeO` and `innerRectangle`, which know two words only.
+    pub const SHAPE: Places = Places(1 << 9);
+    /// The second braces of `splitAndSetbackPerimeter`.
+    pub const PERIMETER: Places = Places(1 << 10);
+    /// Every comp.
+    pub const COMP: Places = Places((1 << 8) - 1);
+
+    /// Here and there.
+    pub const fn and(self, other: Places) -> Places {
+        Places(self.0 | other.0)
+    }
+
+    /// Here, but not there.
+    pub const fn but(self, other: Places) -> Places {
+        Places(self.0 & !other.0)
+    }
+
+    /// Whether all of those are among these.
+    pub const fn has(self, other: Places) -> bool {
+        self.0 & other.0 == other.0
+    }
+}
+
+/// A word that selects components. `isTagged` is a function, and a number is an index.
+#[derive(Debug, PartialEq)]
+pub struct Selector {
+    /// As written.
+    pub name: &'static str,
+    /// Where it may stand.
+    pub on: Places,
+    /// Where it runs today; elsewhere it is known only.
+    pub now: Places,
+    /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
+    pub old: Option<&'static str>,
+    /// What it takes, in a line.
+    pub about: &'static str,
+}
+
+/// A word for every comp and for setbacks.
+const fn facing(name: &'static str, about: &'static str) -> Selector {
+    only(name, Places::COMP.and(Places::SETBACK), about)
+}
+
+const fn only(name: &'static str, on: Places, about: &'static str) -> Selector {
+    Selector { name, on, now: Places::NONE, old: None, about }
+}
+
+/// The same word, which runs on faces today.
+const fn faces(row: Selector) -> Selector {
+    Selector { now: Places::FACES, ..row }
+}
+
+const fn old(row: Selector, instead: &'static str) -> Selector {
+    Selector { old: Some(instead), ..row }
+}
+
+/// Every selector; in messages they stand in this order.
+static ROWS: &[Selector] = &[
+    faces(facing("front", "what faces the scope's front, its z axis")),
+    faces(facing("back", "what faces the scope's back")),
+    faces(facing("left", "what faces the scope's left")),
+    faces(facing("right", "what faces the scope's right, its x axis")),
+    faces(facing("top", "what faces the scope's top, its y axis")),
+    faces(facing("bottom", "what faces the scope's bottom")),
+    faces(facing("side", "what is not horizontal")),
+    faces(only("vertical", Places::COMP, "what stands upright")),
+    faces(only("horizontal", Places::COMP, "what lies flat")),
+    faces(only("aslant", Places::COMP, "what leans back, as a roof does")),
+    faces(only("nutant", Places::COMP, "what leans forward")),
+    faces(facing("all", "everything that is left")),
+    facing("object.front", "what faces the object's front"),
+    facing("object.back", "what faces the object's back"),
+    facing("object.left", "what faces the object's left"),
+    facing("object.right", "what faces the object's right"),
+    facing("object.top", "what faces the object's top"),
+    facing("object.bottom", "what faces the object's bottom"),
+    facing("object.side", "what faces none of the object's top and bottom"),
+    facing("world.south", "what faces south"),
+    facing("world.north", "what faces north"),
+    facing("world.west", "what faces west"),
+    facing("world.east", "what faces east"),
+    facing("world.up", "what faces upwards"),
+    facing("world.down", "what faces downwards"),
+    facing("world.side", "what faces neither upwards nor downwards"),
+    facing("street.front", "what borders a street"),
+    facing("street.back", "what lies opposite a street"),
+    facing("street.left", "what lies left between front and back"),
+    facing("street.right", "what lies right between front and back"),
+    facing("street.side", "what lies between front and back"),
+    only("border", Places::COMP.but(Places::HOLES), "what has an edge that only one face has"),
+    only("inside", Places::COMP.but(Places::HOLES), "what is not at the border"),
+    only("eave", Places::EDGES, "edges at the foot of a roof"),
+    only("hip", Places::EDGES, "edges that rise from an eave"),
+    only("valley", Places::EDGES, "edges between roofs that slope towards each other"),
+    only("ridge", Places::EDGES, "edges at the top of a roof"),
+    only("uv.left", Places::SETBACK, "edges towards smaller u"),
+    only("uv.right", Places::SETBACK, "edges towards larger u"),
+    only("uv.bottom", Places::SETBACK, "edges towards smaller v"),
+    only("uv.top", Places::SETBACK, "edges towards larger v"),
+    only("uv.uMin", Places::SETBACK, "edges at the smallest u"),
+    only("uv.uMax", Places::SETBACK, "edges at the largest u"),
+    only("uv.vMin", Places::SETBACK, "edges at the smallest v"),
+    only("uv.vMax", Places::SETBACK, "edges at the largest v"),
+    only("shape", Places::SHAPE, "the rectangle or the strip"),
+    only("remainder", Places::SETBACK.and(Places::SHAPE).and(Places::PERIMETER), "what is left of the face"),
+    old(facing("streetSide", "what borders a street"), "write `street.front`"),
+    old(facing("noStreetSide", "what borders no street"), "write `!street.front`"),
+];
+
+/// Every selector.
+pub fn selectors() -> std::slice::Iter<'static, Selector> {
+    ROWS.iter()
+}
+
+/// The selector of that name.
+pub fn selector(name: &str) -> Option<&'static Selector> {
+    static BY_NAME: LazyLock<HashMap<&str, &Selector>> =
+        LazyLock::new(|| ROWS.iter().map(|row| (row.name, row)).collect());
+    BY_NAME.get(name).copied()
+}
+
+/// The words that select faces and run today.
+pub static SELECTORS: LazyLock<Vec<&'static str>> =
+    LazyLock::new(|| ROWS.iter().filter(|row| row.now.has(Places::FACES)).map(|row| row.name).collect());

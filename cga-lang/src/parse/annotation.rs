@@ -1,12 +1,17 @@
-//! `@Name(…)`.
+//! `@Name(…)`. Annotations never change what a grammar makes, so what is wrong with one stops nothing.
 
 use super::{Parsed, Parser};
 use crate::ast::{Annotation, AnnotationArg};
-use crate::token::{Sym, Tok};
+use crate::code::Code;
+use crate::diag::Level;
+use crate::token::Sym;
 use crate::words;
 
+/// Has a syntax of its own, with braces and bare words.
+const HANDLE: &str = "Handle";
+
 impl Parser<'_> {
-    /// One annotation; `None` when its arguments are wrong, which is reported.
+    /// One annotation. Its arguments are `None` when they cannot be read, which is a warning where they count.
     pub(super) fn annotation(&mut self) -> Parsed<Option<Annotation>> {
         self.bump();
         let Some(name) = self.take_name() else { return self.fail("the name of an annotation") };
@@ -14,25 +19,27 @@ impl Parser<'_> {
             return Ok(Some(Annotation { name, args: Some(Vec::new()) }));
         }
         let close = self.closing()?;
-        let args = if words::READ_ANNOTATIONS.contains(&name.text.as_str()) {
-            self.bump();
-            self.annotation_args(close).ok()
-        } else {
-            None
-        };
+        self.bump();
+        let (args, found) = self.tried(|parser| parser.annotation_args(close));
+        if let (Some(first), true) = (found.first(), name.text != HANDLE && words::ANNOTATIONS.contains(&&*name.text)) {
+            let diag = self.diags.report_as(Code::BadAnnotation, Level::Warning, first.span, first.message.clone());
+            diag.note(format!("`@{}` counts for nothing", name.text));
+            diag.help.clone_from(&first.help);
+        }
+        self.deep = false;
         self.at = close + 1;
-        Ok(Some(Annotation { name, args }))
+        Ok(Some(Annotation { name, args: args.ok().filter(|_| found.is_empty()) }))
     }
 
     fn annotation_args(&mut self, close: usize) -> Parsed<Vec<AnnotationArg>> {
         let mut args = Vec::new();
         while self.at < close && self.tick() {
             let mut name = None;
-            if matches!(self.peek(), Some(Tok::Ident(_))) && self.nth_is(1, Sym::Assign) {
+            if self.nth_is_name(0) && self.nth_is(1, Sym::Assign) {
                 name = self.take_name();
                 self.bump();
             }
-            let value = self.value()?;
+            let value = self.expr()?;
             args.push(AnnotationArg { name, value });
             if self.at < close && !self.eat(Sym::Comma) {
                 return self.fail("`,` or `)`");

@@ -1,5 +1,6 @@
 //! `case … else` and `30% : … else`, the same for steps of a rule and for values.
 
+use super::expr::Part;
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Expr, ExprKind, Op, OpKind, Percent};
 use crate::code::Code;
@@ -10,6 +11,8 @@ struct Arms<T> {
     cases: Vec<(Expr, T)>,
     chances: Vec<(Percent, T)>,
     otherwise: Option<T>,
+    /// The depth of the deepest condition.
+    deepest: u32,
 }
 
 impl Parser<'_> {
@@ -17,7 +20,7 @@ impl Parser<'_> {
         self.is_word("case") || self.at_percent()
     }
 
-    fn at_percent(&self) -> bool {
+    pub(super) fn at_percent(&self) -> bool {
         matches!(self.peek(), Some(Tok::Number(_))) && self.nth_is(1, Sym::Percent) && self.nth_is(2, Sym::Colon)
     }
 
@@ -35,17 +38,24 @@ impl Parser<'_> {
     }
 
     /// A branch block of values.
-    pub(super) fn branch_value(&mut self) -> Parsed<Expr> {
+    pub(super) fn branch_value(&mut self) -> Parsed<Part> {
         let start = self.at;
-        let arms = self.arms(Self::value, Self::value)?;
+        let mut deepest = 0;
+        let arms = self.arms(Self::deep_expr, Self::deep_expr)?;
         let span = self.span_from(start);
-        let otherwise = Box::new(arms.otherwise.unwrap_or(Expr { kind: ExprKind::Error, span }));
-        let kind = if arms.cases.is_empty() {
-            ExprKind::Chance(arms.chances, otherwise)
-        } else {
-            ExprKind::Case(arms.cases, otherwise)
+        let mut value = |(value, depth): Part| {
+            deepest = deepest.max(depth);
+            value
         };
-        Ok(Expr { kind, span })
+        let otherwise = arms.otherwise.map(&mut value).unwrap_or(Expr { kind: ExprKind::Error, span });
+        let otherwise = Box::new(otherwise);
+        let kind = if arms.cases.is_empty() {
+            ExprKind::Chance(arms.chances.into_iter().map(|(percent, arm)| (percent, value(arm))).collect(), otherwise)
+        } else {
+            ExprKind::Case(arms.cases.into_iter().map(|(test, arm)| (test, value(arm))).collect(), otherwise)
+        };
+        let depth = self.deepen(deepest.max(arms.deepest))?;
+        Ok((Expr { kind, span }, depth))
     }
 
     fn arms<T>(
@@ -55,7 +65,7 @@ impl Parser<'_> {
     ) -> Parsed<Arms<T>> {
         let start = self.at;
         let first_is_case = self.is_word("case");
-        let mut arms = Arms { cases: Vec::new(), chances: Vec::new(), otherwise: None };
+        let mut arms = Arms { cases: Vec::new(), chances: Vec::new(), otherwise: None, deepest: 0 };
         let mut mixed = false;
         while self.at_branch() && self.tick() {
             if self.is_word("case") != first_is_case && !mixed {
@@ -67,7 +77,8 @@ impl Parser<'_> {
             }
             if self.is_word("case") {
                 self.bump();
-                let condition = self.expr()?;
+                let (condition, depth) = self.nested(Self::deep_expr)?;
+                arms.deepest = arms.deepest.max(depth);
                 self.expect(Sym::Colon)?;
                 let body = self.nested(&mut arm)?;
                 arms.cases.push((condition, body));

@@ -1,37 +1,60 @@
-//! `comp(f) { selector : operations | selector = operations }`.
+//! `comp(f) { selector : operations | selector = operations }`, and with values instead of operations.
 
+use super::expr::Part;
 use super::{Parsed, Parser, Reported};
-use crate::ast::{ArmMode, Comp, CompArm, Name, OpKind};
+use crate::ast::{ArmMode, Comp, CompArm, CompValue, Expr, ExprKind, Name, OpKind};
 use crate::token::Sym;
 
 impl Parser<'_> {
     /// Behind the word `comp`.
     pub(super) fn comp(&mut self, name: Name) -> Parsed<OpKind> {
-        if !self.is(Sym::LParen) {
-            self.expected("`(`").help("write `comp(f) { … }`");
-            return Err(Reported);
-        }
-        let args = self.args()?;
-        if !self.is(Sym::LBrace) {
-            self.expected("`{`").help("write `comp(f) { selector : operations | … }`");
-            return Err(Reported);
-        }
+        let args = self.comp_args("operations", Self::args)?;
         let arms = self.between_bars(Self::arm)?;
         Ok(OpKind::Comp(Comp { name, args, arms }))
     }
 
-    fn arm(&mut self) -> Parsed<CompArm> {
-        let selector = self.expr()?;
-        let together = self.eat(Sym::Assign);
-        if together && self.is(Sym::Colon) {
-            let span = self.span_at(self.at - 1).to(self.span());
-            self.unsupported(span, "the operator `=:` is");
-            self.bump();
-        } else if !together && !self.eat(Sym::Colon) {
-            return self.fail("`:` or `=` after the selector");
+    /// Behind the word `comp` of a value that begins at a position.
+    pub(super) fn comp_value(&mut self, name: Name, start: usize) -> Parsed<Part> {
+        let args = self.comp_args("value", |parser| parser.call_args("comp"))?;
+        let mut deepest = args.iter().map(|(_, depth)| *depth).max().unwrap_or(0);
+        let arms = self.between_bars(|parser| {
+            let (selector, one) = parser.deep_expr()?;
+            let mode = parser.arm_mode()?;
+            let (value, other) = parser.deep_expr()?;
+            deepest = deepest.max(one).max(other);
+            Ok((selector, mode, value))
+        })?;
+        let depth = self.deepen(deepest)?;
+        let args = args.into_iter().map(|(arg, _)| arg).collect();
+        let kind = ExprKind::Comp(CompValue { name, args, arms });
+        Ok((Expr { kind, span: self.span_from(start) }, depth))
+    }
+
+    fn comp_args<T>(&mut self, what: &str, args: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+        if !self.is(Sym::LParen) {
+            self.expected("`(`").help(format!("write `comp(f) {{ selector : {what} | … }}`"));
+            return Err(Reported);
         }
+        let args = args(self)?;
+        if !self.is(Sym::LBrace) {
+            self.expected("`{`").help(format!("write `comp(f) {{ selector : {what} | … }}`"));
+            return Err(Reported);
+        }
+        Ok(args)
+    }
+
+    /// `selector : operations`.
+    pub(super) fn arm(&mut self) -> Parsed<CompArm> {
+        let selector = self.expr()?;
+        let mode = self.arm_mode()?;
         let ops = self.ops(false)?;
-        let mode = if together { ArmMode::Together } else { ArmMode::Each };
         Ok(CompArm { selector, mode, ops })
+    }
+
+    fn arm_mode(&mut self) -> Parsed<ArmMode> {
+        if self.eat(Sym::Assign) {
+            return Ok(if self.eat(Sym::Colon) { ArmMode::Connected } else { ArmMode::Together });
+        }
+        if self.eat(Sym::Colon) { Ok(ArmMode::Each) } else { self.fail("`:` or `=` after the selector") }
     }
 }

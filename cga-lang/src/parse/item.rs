@@ -1,22 +1,27 @@
 //! Declarations: rules, attributes, constants, functions.
 
-use super::layout::{Head, head};
+use super::head::Head;
 use super::{Parsed, Parser, Reported};
-use crate::ast::{Ast, Body, Decl, Expr, ExprKind, Name, Op, OpKind, Role};
+use crate::ast::{Annotation, Ast, Body, Decl, Expr, ExprKind, Name, Op, OpKind, Role};
 use crate::code::Code;
+use crate::ops;
 use crate::token::{Sym, Tok};
 
 /// Words that cannot be names.
 const KEYWORDS: &[&str] = &["attr", "const", "case", "else", "true", "false", "NIL", "split", "comp"];
 
+/// The one attribute with a parameter (*changelog*, 2019.1).
+const STREET_WIDTH: &str = "streetWidth";
+
 impl Parser<'_> {
     pub(super) fn grammar(&mut self) -> Ast {
         let mut ast = Ast::default();
-        while self.at < self.view.len() && self.tick() {
+        let mut style = 0;
+        while self.at < self.layout.len() && self.tick() {
             let start = self.at;
             self.depth = 0;
             self.deep = false;
-            if self.declaration(&mut ast).is_ok() && !self.at_border() {
+            if self.item(&mut ast, &mut style).is_ok() && !self.at_border() {
                 self.leftover();
             }
             if self.at == start {
@@ -28,113 +33,135 @@ impl Parser<'_> {
         ast
     }
 
-    fn leftover(&mut self) {
-        let (span, found) = (self.span(), self.peek().map_or("nothing".into(), Tok::describe));
-        match self.peek() {
-            Some(token) if token.ident() == Some("else") => {
-                self.diags.report(Code::Syntax, span, "`else` without a `case` or percentage before it")
-            }
-            Some(Tok::Sym(Sym::RParen | Sym::RBrace | Sym::RBracket)) => {
-                self.diags.report(Code::Syntax, span, format!("this {found} closes nothing"))
-            }
-            _ => self.diags.report(Code::Syntax, span, format!("unexpected {found}")),
-        };
-    }
-
     /// Skips to the next declaration. Names that seem to be declared on the way are remembered as lost.
     fn skip_to_border(&mut self) {
         while !self.at_border() {
-            let at = |ahead: usize| self.view.get(ahead).map(|&index| &self.tokens[index as usize]);
-            if let (Some(_), Some(name)) = (head(&at, self.at), self.peek().and_then(Tok::ident)) {
-                let name = name.to_owned();
-                self.lost.push(name);
+            if let (Some(_), Some(name)) = (self.layout.head(self.at), self.peek().and_then(Tok::ident)) {
+                self.lost.push(name.to_owned());
             }
             self.bump();
         }
     }
 
-    fn declaration(&mut self, ast: &mut Ast) -> Parsed<()> {
+    fn item(&mut self, ast: &mut Ast, style: &mut u32) -> Parsed<()> {
         let docs_from = self.at;
         let mut annotations = Vec::new();
         while self.is(Sym::At) && self.tick() {
             annotations.extend(self.annotation()?);
         }
-        let start = self.at;
-        let docs = self.docs_between(docs_from, start);
-        let word = self.peek().and_then(Tok::ident).unwrap_or_default();
-        let next_is_name = self.nth(1).is_some_and(|token| token.ident().is_some());
-        match word {
-            "version" if matches!(self.nth(1), Some(Tok::Str(_))) => {
+        let docs = self.docs_between(docs_from, self.at);
+        let next_is_name = self.nth_is_name(1);
+        match self.peek().and_then(Tok::ident).unwrap_or_default() {
+            "version" => {
                 if let Some(Tok::Str(text)) = self.nth(1) {
                     ast.version = Some(text.clone());
+                    ast.head.append(&mut annotations);
+                    self.bump();
+                    self.bump();
+                    return Ok(());
                 }
-                ast.head.append(&mut annotations);
-                self.bump();
-                self.bump();
+            }
+            "import" if next_is_name => {
+                ast.imports.push(self.import(annotations)?);
                 return Ok(());
             }
-            "import" | "style" if next_is_name => return self.later(start, word),
-            "start" | "extension" if next_is_name && self.layout.starts[self.at] => {
-                self.later::<()>(start, word).ok();
-                self.bump();
-                return self.declaration(ast);
+            "style" if next_is_name && self.layout.head(self.at + 1).is_none() => {
+                *style = self.style(ast, annotations)?;
+                return Ok(());
             }
             _ => {}
         }
-        let keyword = matches!(word, "attr" | "const") && next_is_name;
-        if keyword {
-            self.bump();
-        }
-        let at = |position: usize| self.view.get(position).map(|&index| &self.tokens[index as usize]);
-        let head = head(&at, self.at);
-        if !keyword && head.is_none() {
-            return self.no_declaration();
-        }
-        let Some(name) = self.take_name() else { return self.fail("a name") };
-        self.not_a_keyword(&name);
-        let params = self.params().inspect_err(|_| self.lost.push(name.text.clone()))?;
-        if self.is_word("with") && self.nth_is(1, Sym::LParen) {
-            self.lost.push(name.text);
-            let span = self.span();
-            self.unsupported(span, "`with` is");
-            return Err(Reported);
-        }
-        let body = if keyword {
-            if let (Some(first), Some(last)) = (params.first(), params.last()) {
-                let message = if word == "attr" { "an attribute" } else { "a constant" };
-                self.diags
-                    .report(Code::Syntax, first.span.to(last.span), format!("{message} has no parameters"))
-                    .help(format!("leave out `{word}`: then it is a function"));
-            }
-            self.expect(Sym::Assign).inspect_err(|_| self.lost.push(name.text.clone()))?;
-            let value = self.body_expr();
-            if word == "attr" { Body::Attr(value) } else { Body::Const(value) }
-        } else if head == Some(Head::Function) {
-            self.bump();
-            Body::Function(self.body_expr())
-        } else {
-            self.arrow(head);
-            Body::Rule(self.body_ops())
-        };
-        let span = self.span_from(start);
-        ast.decls.push(Decl {
-            annotations,
-            docs,
-            name,
-            style: 0,
-            role: Role::Plain,
-            params,
-            locals: Vec::new(),
-            body,
-            span,
-        });
+        let decl = self.declaration(annotations, docs)?;
+        ast.decls.push(Decl { style: *style, ..decl });
         Ok(())
     }
 
-    fn not_a_keyword(&mut self, name: &Name) {
+    fn declaration(&mut self, annotations: Vec<Annotation>, docs: Vec<String>) -> Parsed<Decl> {
+        let start = self.at;
+        let word = self.peek().and_then(Tok::ident).unwrap_or_default();
+        let next_is_name = self.nth_is_name(1);
+        let keyword = matches!(word, "attr" | "const") && next_is_name;
+        let role = match word {
+            "start" if next_is_name && self.layout.head(self.at + 1).is_some_and(Head::is_sure) => Role::Start,
+            "extension" if next_is_name && self.layout.head(self.at + 1).is_some_and(Head::is_sure) => Role::Extension,
+            _ => Role::Plain,
+        };
+        if keyword || role != Role::Plain {
+            self.bump();
+        }
+        let head = self.layout.head(self.at);
+        if !keyword && head.is_none() {
+            return self.no_declaration();
+        }
+        let Some(name) = self.take_dotted(self.layout.name_end(self.at)) else { return self.fail("a name") };
+        self.not_a_keyword(&name);
+        let lose = |parser: &mut Self| parser.lost.push(name.text.clone());
+        let params = self.params().inspect_err(|_| lose(self))?;
+        let locals = self.locals().inspect_err(|_| lose(self))?;
+        let body = match head.filter(|_| !keyword) {
+            None => {
+                self.value_name(&name, if word == "attr" { "an attribute" } else { "a constant" }, &params);
+                self.expect(Sym::Assign).inspect_err(|_| lose(self))?;
+                let value = self.body_expr();
+                if word == "attr" { Body::Attr(value) } else { Body::Const(value) }
+            }
+            Some(Head::Function) => {
+                self.bump();
+                self.function(&name)
+            }
+            Some(head) => {
+                self.rule_name(&name);
+                self.arrow(head);
+                Body::Rule(self.body_ops())
+            }
+        };
+        let span = self.span_from(start);
+        Ok(Decl { annotations, docs, name, style: 0, role, params, locals, body, span })
+    }
+
+    pub(super) fn not_a_keyword(&mut self, name: &Name) {
         if KEYWORDS.contains(&name.text.as_str()) {
             let message = format!("`{}` is a word of the language, it cannot be declared", name.text);
             self.diags.report(Code::Syntax, name.span, message);
+        }
+    }
+
+    /// Only names of rules have a `$` (*changelog*, 2021.0, 2023.1).
+    pub(super) fn no_dollar(&mut self, name: &Name, what: &str) {
+        if name.text.contains('$') {
+            let message = format!("the name of {what} has no `$`");
+            self.diags.report(Code::Syntax, name.span, message);
+        }
+    }
+
+    /// The name of an attribute or constant.
+    fn value_name(&mut self, name: &Name, what: &str, params: &[Name]) {
+        self.no_dollar(name, what);
+        self.no_dot(name);
+        if let (Some(first), Some(last)) = (params.first(), params.last())
+            && !(what == "an attribute" && name.text == STREET_WIDTH && params.len() == 1)
+        {
+            let word = if what == "an attribute" { "attr" } else { "const" };
+            self.diags
+                .report(Code::Syntax, first.span.to(last.span), format!("{what} has no parameters"))
+                .help(format!("leave out `{word}`: then it is a function"));
+        }
+    }
+
+    fn no_dot(&mut self, name: &Name) {
+        if name.text.contains('.') {
+            let message = format!("`{}` belongs to an import, it is not declared here", name.text);
+            self.diags
+                .report(Code::Syntax, name.span, message)
+                .help("behind the path of the import write `(name = value)` to replace an attribute");
+        }
+    }
+
+    /// The name of a rule: with one dot it continues a leaf of an import (*changelog*, 2023.0).
+    fn rule_name(&mut self, name: &Name) {
+        if 1 < name.text.matches('.').count() {
+            let message = format!("`{}` has more than one import before it", name.text);
+            self.diags.report(Code::Syntax, name.span, message).help("declare it in the file that imports it");
         }
     }
 
@@ -144,33 +171,41 @@ impl Parser<'_> {
         found.map(|(_, text)| (*text).to_owned()).collect()
     }
 
-    fn later<T>(&mut self, start: usize, word: &str) -> Parsed<T> {
-        let span = self.span_at(start);
-        self.unsupported(span, &format!("`{word}` is"));
-        Err(Reported)
-    }
-
     fn no_declaration<T>(&mut self) -> Parsed<T> {
         if self.at_border() && 0 < self.at {
             // Annotations with nothing behind them.
             return self.fail("a declaration");
         }
-        self.expected("a declaration").help("write `Name --> …`, `attr name = …`, `const name = …` or `name = …`");
+        let help = match self.peek().and_then(Tok::ident) {
+            Some("style") => "a style has a name: write `style Name`",
+            Some("import") => "write `import prefix : \"file.cga\"`",
+            Some("version") => "write `version \"2025.1\"`",
+            _ => "write `Name --> …`, `attr name = …`, `const name = …` or `name = …`",
+        };
+        self.expected("a declaration").help(help);
         Err(Reported)
     }
 
-    fn arrow(&mut self, head: Option<Head>) {
-        if let Some(Head::Slip(length)) = head {
-            let start = self.at;
-            self.at += length;
-            let span = self.span_from(start);
-            self.diags.report(Code::Syntax, span, "a rule's arrow has two dashes").help("write `-->`");
-        } else {
-            self.bump();
+    /// Passes over `-->` or what was written for it.
+    pub(super) fn arrow(&mut self, head: Head) {
+        match head {
+            Head::Slip(length) => {
+                let start = self.at;
+                self.at += length;
+                let span = self.span_from(start);
+                self.syntax_over(start, span, "a rule's arrow has two dashes").help("write `-->`");
+            }
+            Head::Leaf => {
+                let at = self.at;
+                self.at += 2;
+                self.syntax(at, "the name of a rule has no dot behind it")
+                    .help("leave out the dot; it makes a leaf where no rule is declared");
+            }
+            Head::Rule | Head::Function => self.bump(),
         }
     }
 
-    fn params(&mut self) -> Parsed<Vec<Name>> {
+    pub(super) fn params(&mut self) -> Parsed<Vec<Name>> {
         let mut params = Vec::new();
         if !self.is(Sym::LParen) {
             return Ok(params);
@@ -181,6 +216,7 @@ impl Parser<'_> {
             match self.take_name() {
                 Some(name) => {
                     self.not_a_keyword(&name);
+                    self.no_dollar(&name, "a parameter");
                     params.push(name);
                 }
                 None => return self.fail("the name of a parameter"),
@@ -195,7 +231,7 @@ impl Parser<'_> {
 
     fn body_expr(&mut self) -> Expr {
         let start = self.at;
-        self.value().unwrap_or_else(|Reported| {
+        self.expr().unwrap_or_else(|Reported| {
             self.skip_to_border();
             Expr { kind: ExprKind::Error, span: self.span_from(start) }
         })
@@ -207,5 +243,50 @@ impl Parser<'_> {
             self.skip_to_border();
             vec![Op { kind: OpKind::Error, span: self.span_from(start) }]
         })
+    }
+
+    /// Behind the `=` of a function. Steps there are a rule's with the wrong arrow.
+    fn function(&mut self, name: &Name) -> Body {
+        let (start, lost) = (self.at, self.lost.len());
+        let (value, found) = self.tried(Self::body_expr);
+        let end = self.at;
+        if !self.at_border() || !found.is_empty() || is_operation(&value) {
+            self.at = start;
+            let (steps, wrong) = self.tried(|parser| parser.ops(false));
+            if let Ok(steps) = steps
+                && wrong.is_empty()
+                && self.at_border()
+                && steps.iter().any(|step| is_step(&step.kind))
+            {
+                self.lost.truncate(lost);
+                self.rule_name(name);
+                self.syntax(start - 1, "`=` stands before a value, and these are operations").help("write `-->`");
+                return Body::Rule(steps);
+            }
+            self.at = end;
+        }
+        self.no_dollar(name, "a function");
+        self.no_dot(name);
+        self.diags.append(found);
+        Body::Function(value)
+    }
+}
+
+/// Whether it is the call of an operation, as far as the tables know.
+fn is_operation(value: &Expr) -> bool {
+    match &value.kind {
+        ExprKind::Name(name) | ExprKind::Call(name, _) => {
+            ops::operations(&name.text).next().is_some() && ops::functions(&name.text).next().is_none()
+        }
+        _ => false,
+    }
+}
+
+/// Whether it can be nothing but a step of a rule.
+fn is_step(step: &OpKind) -> bool {
+    match step {
+        OpKind::Call(name, _) => ops::operations(&name.text).next().is_some(),
+        OpKind::Path(..) | OpKind::Case(..) | OpKind::Chance(..) | OpKind::Error => false,
+        _ => true,
     }
 }

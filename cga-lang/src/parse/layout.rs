@@ -2,189 +2,196 @@
 //!
 //! A rule's body has no end of its own: it runs to the next declaration. `Name -->`, `attr name` and `@` begin one
 //! wherever they stand, even inside brackets that were left open. `name =` does so only outside brackets, because
-//! in a comp block it is an arm.
+//! in a comp block it is an arm. Nothing begins between the parentheses of an import, where rules are replaced.
 
+use super::head::{Head, Heads};
 use crate::token::{Sym, Tok};
 use std::collections::HashSet;
 
 const NONE: u32 = u32::MAX;
 
-/// Tokens looked at to find out whether a parameter list and then `-->` follow; a bound keeps this linear.
-const LONGEST_HEAD: usize = 100;
-
-pub(super) struct Layout {
+/// The tokens that count, and what can be told of them.
+pub(super) struct Layout<'a> {
+    heads: Heads<'a>,
     close: Vec<u32>,
     /// Whether a declaration begins at a position.
-    pub(super) starts: Vec<bool>,
+    starts: Vec<bool>,
+    /// The next position where one begins, for each position.
+    borders: Vec<u32>,
+    /// How many tokens before a position were unreadable.
+    bad: Vec<u32>,
     /// Names of rules.
-    pub(super) rules: HashSet<String>,
-    /// Names of functions.
-    pub(super) functions: HashSet<String>,
+    rules: HashSet<&'a str>,
 }
 
-/// How a declaration goes on behind its name and parameters.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Head {
-    /// With `-->`.
-    Rule,
-    /// With `=`.
-    Function,
-    /// With something that was meant to be `-->`; how many tokens it has.
-    Slip(usize),
-}
-
-impl Layout {
-    pub(super) fn new(tokens: &[Tok], view: &[u32]) -> Self {
-        let at = |position: usize| view.get(position).map(|&index| &tokens[index as usize]);
+impl<'a> Layout<'a> {
+    /// `view` are the indices of the tokens that count.
+    pub(super) fn new(tokens: &'a [Tok], view: Vec<u32>) -> Self {
+        let mut bad = Vec::with_capacity(view.len());
+        let (mut count, mut next) = (0, 0);
+        for &index in &view {
+            count += tokens[next..index as usize].iter().filter(|token| matches!(token, Tok::Bad)).count() as u32;
+            next = index as usize;
+            bad.push(count);
+        }
+        bad.push(count + tokens[next..].iter().filter(|token| matches!(token, Tok::Bad)).count() as u32);
+        let heads = Heads::new(tokens, view);
+        let length = heads.len();
         let mut layout = Layout {
-            close: vec![NONE; view.len()],
-            starts: vec![false; view.len()],
+            heads,
+            close: vec![NONE; length],
+            starts: vec![false; length],
+            borders: vec![length as u32; length + 1],
+            bad,
             rules: HashSet::new(),
-            functions: HashSet::new(),
         };
-        let mut open: Vec<usize> = Vec::new();
-        let mut quiet = 0;
-        for position in 0..view.len() {
-            let Some(token) = at(position) else { break };
-            if position < quiet {
-                continue;
-            }
-            quiet = import_end(&at, position);
-            let head = head(&at, position);
-            if head == Some(Head::Rule) || keyword(&at, position) {
-                open.clear();
-                layout.starts[position] = true;
-            } else if head.is_some() && open.is_empty() {
-                layout.starts[position] = true;
-            }
-            if let (Some(Head::Rule | Head::Slip(_)), Some(name)) = (head, token.ident()) {
-                layout.rules.insert(name.to_owned());
-            }
-            if let (Some(Head::Function), true, Some(name)) = (head, open.is_empty(), token.ident()) {
-                layout.functions.insert(name.to_owned());
-            }
-            match token {
-                Tok::Sym(Sym::LParen | Sym::LBracket | Sym::LBrace) => open.push(position),
-                Tok::Sym(sym) => {
-                    if let Some(opener) = opener(*sym)
-                        && let Some(depth) = open.iter().rposition(|&start| at(start).is_some_and(|t| t.is(opener)))
-                    {
-                        layout.close[open[depth]] = position as u32;
-                        open.truncate(depth);
-                    }
-                }
-                _ => {}
-            }
+        layout.find_starts();
+        for position in (0..length).rev() {
+            layout.borders[position] =
+                if layout.starts[position] { position as u32 } else { layout.borders[position + 1] };
         }
         layout
+    }
+
+    fn find_starts(&mut self) {
+        let mut open = Open::default();
+        // Up to where a name with dots goes, or what an import replaces.
+        let (mut name_end, mut quiet) = (0, 0);
+        for position in 0..self.heads.len() {
+            let Some(token) = self.heads.at(position) else { break };
+            if let Some(name) = token.ident().filter(|_| quiet <= position && name_end <= position) {
+                name_end = self.heads.name_end(position);
+                let head = self.heads.head(position);
+                if head.is_some_and(Head::is_sure) || self.heads.keyword(position) {
+                    open = Open::default();
+                    self.starts[position] = true;
+                } else if head.is_some() && open.is_empty() {
+                    self.starts[position] = true;
+                }
+                if head.is_some_and(|head| head != Head::Function) && name_end == position + 1 {
+                    self.rules.insert(name);
+                }
+            } else if token.is(Sym::At) && quiet <= position {
+                open = Open::default();
+                self.starts[position] = true;
+            }
+            if token.is(Sym::LParen) && self.heads.holds_overrides(position) {
+                quiet = quiet.max(self.heads.pair(position).unwrap_or(0));
+            }
+            if let Tok::Sym(sym) = token {
+                open.pass(*sym, position, &mut self.close);
+            }
+        }
+    }
+
+    /// How many tokens count.
+    pub(super) fn len(&self) -> usize {
+        self.heads.len()
+    }
+
+    /// The token at a position.
+    pub(super) fn at(&self, position: usize) -> Option<&'a Tok> {
+        self.heads.at(position)
+    }
+
+    /// The index of the token at a position.
+    pub(super) fn index(&self, position: usize) -> Option<u32> {
+        self.heads.index(position)
+    }
+
+    /// How a declaration of the name at a position goes on, if there is one.
+    pub(super) fn head(&self, position: usize) -> Option<Head> {
+        self.heads.head(position)
+    }
+
+    /// The position behind the name that begins at a position: behind `lib.Wall` where `lib` is an import.
+    pub(super) fn name_end(&self, position: usize) -> usize {
+        self.heads.name_end(position)
+    }
+
+    /// Whether the parentheses that begin at a position replace attributes and rules of an import.
+    pub(super) fn holds_overrides(&self, position: usize) -> bool {
+        self.heads.holds_overrides(position)
+    }
+
+    /// Whether a declaration begins at a position, or the text ends.
+    pub(super) fn is_border(&self, position: usize) -> bool {
+        self.starts.get(position).copied().unwrap_or(true)
+    }
+
+    /// Whether a rule of that name is declared.
+    pub(super) fn has_rule(&self, name: &str) -> bool {
+        self.rules.contains(name)
     }
 
     /// The position of the bracket that closes the one at `position`.
     pub(super) fn close(&self, position: usize) -> Option<usize> {
         self.close.get(position).filter(|&&close| close != NONE).map(|&close| close as usize)
     }
-}
 
-fn opener(sym: Sym) -> Option<Sym> {
-    match sym {
-        Sym::RParen => Some(Sym::LParen),
-        Sym::RBracket => Some(Sym::LBracket),
-        Sym::RBrace => Some(Sym::LBrace),
-        _ => None,
+    /// Whether something unreadable stands right before or behind the token at a position.
+    pub(super) fn beside_bad(&self, position: usize) -> bool {
+        let bad = |position: usize| self.bad.get(position).or(self.bad.last()).copied().unwrap_or(0);
+        let before = position.checked_sub(1).map_or(0, bad);
+        before < bad(position + 1)
+    }
+
+    /// Whether something unreadable stands between a position and the end of the declaration.
+    pub(super) fn bad_until_border(&self, position: usize) -> bool {
+        let border = self.borders.get(position + 1).map_or(self.len(), |&border| border as usize);
+        let bad = |position: usize| self.bad.get(position).or(self.bad.last()).copied().unwrap_or(0);
+        bad(position) < bad(border)
     }
 }
 
-/// Whether a word or sign that only declarations have stands there.
-fn keyword<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> bool {
-    let ident = |ahead: usize| at(position + ahead).and_then(Tok::ident);
-    match at(position) {
-        Some(Tok::Sym(Sym::At)) => true,
-        Some(Tok::Ident(word)) => match word.as_str() {
-            "attr" | "const" | "import" => ident(1).is_some(),
-            "version" => matches!(at(position + 1), Some(Tok::Str(_))),
-            "style" => ident(1).is_some() && head(at, position + 1).is_none(),
-            "start" | "extension" => ident(1).is_some() && head(at, position + 1) == Some(Head::Rule),
-            _ => false,
-        },
-        _ => false,
-    }
+/// Brackets that are open, with how many there are of each kind: a bracket that closes none must not look for one.
+#[derive(Default)]
+struct Open {
+    list: Vec<(Sym, usize)>,
+    counts: [usize; 3],
 }
 
-/// Whether a name follows something that only an expression goes on behind.
-fn in_condition<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> bool {
-    match position.checked_sub(1).and_then(at) {
-        Some(Tok::Ident(word)) => word == "case",
-        Some(Tok::Sym(sym)) => matches!(sym, Sym::AndAnd | Sym::OrOr | Sym::Bang | Sym::EqEq | Sym::NotEq),
-        _ => false,
+impl Open {
+    fn is_empty(&self) -> bool {
+        self.list.is_empty()
     }
-}
 
-/// Where an import's own declarations end, so that they do not count as the grammar's.
-fn import_end<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> usize {
-    let is = |position: usize, sym: Sym| at(position).is_some_and(|token| token.is(sym));
-    if at(position).and_then(Tok::ident) != Some("import")
-        || !is(position + 2, Sym::Colon)
-        || !is(position + 4, Sym::LParen)
-    {
-        return 0;
-    }
-    after_brackets(at, position + 4).unwrap_or(0)
-}
-
-/// The position behind the parentheses that begin at `position`, unless they are long or never closed.
-fn after_brackets<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> Option<usize> {
-    let mut depth = 0;
-    for next in position..position + LONGEST_HEAD {
-        let token = at(next)?;
-        depth += i32::from(token.is(Sym::LParen)) - i32::from(token.is(Sym::RParen));
-        if depth == 0 {
-            return Some(next + 1);
-        }
-    }
-    None
-}
-
-/// How a declaration of the name at `position` goes on, if there is one.
-pub(super) fn head<'t>(at: &impl Fn(usize) -> Option<&'t Tok>, position: usize) -> Option<Head> {
-    if at(position)?.ident()? == "with" {
-        return None;
-    }
-    let is = |position: usize, sym: Sym| at(position).is_some_and(|token| token.is(sym));
-    let mut next = position + 1;
-    let mut names = true;
-    if is(next, Sym::LParen) {
-        next += 1;
-        while let Some(token) = at(next)
-            && !token.is(Sym::RParen)
-        {
-            names &= token.is(Sym::Comma) || matches!(token, Tok::Ident(_));
-            next += 1;
-            if token.is(Sym::LParen) || position + LONGEST_HEAD < next {
-                return None;
+    /// Passes over a symbol; where it closes a bracket that is noted. What was opened in between stays open for ever.
+    fn pass(&mut self, sym: Sym, position: usize, close: &mut [u32]) {
+        match sym {
+            Sym::LParen | Sym::LBracket | Sym::LBrace => {
+                self.counts[kind(sym)] += 1;
+                self.list.push((sym, position));
             }
-        }
-        next += 1;
-    }
-    if at(next).and_then(Tok::ident) == Some("with") && is(next + 1, Sym::LParen) {
-        next = after_brackets(at, next + 1)?;
-    }
-    if is(next, Sym::Arrow) {
-        return Some(Head::Rule);
-    }
-    // `case h = 3 :` means `==`, and the parser says so.
-    if !names || in_condition(at, position) {
-        return None;
-    }
-    let slips: [&[Sym]; 4] = [
-        &[Sym::Minus, Sym::Greater],
-        &[Sym::Minus, Sym::Minus, Sym::Greater],
-        &[Sym::Assign, Sym::Greater],
-        &[Sym::EqEq, Sym::Greater],
-    ];
-    for slip in slips {
-        if slip.iter().enumerate().all(|(ahead, &sym)| is(next + ahead, sym)) {
-            return Some(Head::Slip(slip.len()));
+            Sym::RParen | Sym::RBracket | Sym::RBrace if 0 < self.counts[kind(sym)] => {
+                while let Some((opener, start)) = self.list.pop() {
+                    self.counts[kind(opener)] -= 1;
+                    if kind(opener) == kind(sym) {
+                        close[start] = position as u32;
+                        break;
+                    }
+                }
+            }
+            _ => {}
         }
     }
-    is(next, Sym::Assign).then_some(Head::Function)
+}
+
+fn kind(sym: Sym) -> usize {
+    match sym {
+        Sym::LParen | Sym::RParen => 0,
+        Sym::LBracket | Sym::RBracket => 1,
+        _ => 2,
+    }
+}
+
+/// Which bracket closes which, wherever declarations begin.
+pub(super) fn pairs<'t>(tokens: impl Iterator<Item = &'t Tok>, length: usize) -> Vec<u32> {
+    let (mut open, mut close) = (Open::default(), vec![NONE; length]);
+    for (position, token) in tokens.enumerate() {
+        if let Tok::Sym(sym) = token {
+            open.pass(*sym, position, &mut close);
+        }
+    }
+    close
 }

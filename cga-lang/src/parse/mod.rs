@@ -4,13 +4,20 @@
 //! slot or arm, else the declaration, goes on behind it: a mistake in one rule does not hide those of another.
 
 mod annotation;
+mod array;
+mod block;
 mod branch;
 mod comp;
 mod expr;
+mod head;
+mod import;
 mod item;
 mod layout;
 mod op;
+mod report;
 mod split;
+mod style;
+mod with;
 
 use crate::ast::{Ast, Name};
 use crate::code::Code;
@@ -18,63 +25,81 @@ use crate::diag::{Diag, Diags};
 use crate::span::Span;
 use crate::token::{Sym, Tok, Tokens};
 use layout::Layout;
+use std::collections::HashMap;
+use std::ops::Range;
 
 /// Deepest nesting of brackets and branches, and deepest expression.
 pub const MAX_DEPTH: u32 = 200;
 
 /// Builds the tree; what is wrong goes to `diags`.
 pub fn parse(tokens: &Tokens, diags: &mut Diags) -> Ast {
-    let mut parser = Parser::new(tokens.as_slice());
+    parse_part(tokens, 0..tokens.len() as u32, diags)
+}
+
+/// Builds the tree of some of the tokens. Spans count all of them.
+pub(crate) fn parse_part(tokens: &Tokens, part: Range<u32>, diags: &mut Diags) -> Ast {
+    let mut parser = Parser::new(&tokens.as_slice()[..part.end as usize], part.start);
     let ast = parser.grammar();
     diags.append(parser.diags.finish());
+    parser.muted.finish();
     ast
 }
 
 /// Something was wrong and has been reported.
 struct Reported;
 
-/// What a rule's body consists of.
-const STEP: &str = "an operation or a rule";
-
 type Parsed<T> = Result<T, Reported>;
 
 struct Parser<'a> {
-    /// Every token; spans count these.
-    tokens: &'a [Tok],
-    /// Those that count, as indices. Positions count these.
-    view: Vec<u32>,
+    /// The tokens that count. Positions count these; spans count all.
+    layout: Layout<'a>,
     /// Doc comments, by the position they stand before.
     docs: Vec<(usize, &'a str)>,
-    layout: Layout,
     at: usize,
     depth: u32,
     /// Whether `TooDeep` was reported in this declaration.
     deep: bool,
+    /// Whether a comma ends the steps of a rule, as between what an import replaces.
+    comma_ends: bool,
     /// Steps left before the parser gives up: a guard against a loop that makes no progress.
     fuel: usize,
+    /// Numbers of styles by name.
+    styles: HashMap<String, u32>,
     lost: Vec<String>,
     diags: Diags,
+    /// What need not be said because the door has complained about the same place.
+    muted: Diags,
 }
 
 impl<'a> Parser<'a> {
-    fn new(tokens: &'a [Tok]) -> Self {
+    fn new(tokens: &'a [Tok], first: u32) -> Self {
         let mut view = Vec::with_capacity(tokens.len());
         let mut docs = Vec::new();
-        for (index, token) in tokens.iter().enumerate() {
+        for (index, token) in tokens.iter().enumerate().skip(first as usize) {
             match token {
                 Tok::Bad => {}
                 Tok::Doc(text) => docs.push((view.len(), text.as_str())),
                 _ => view.push(index as u32),
             }
         }
-        let layout = Layout::new(tokens, &view);
-        let fuel = tokens.len() * 16 + 1000;
-        Parser { tokens, view, docs, layout, at: 0, depth: 0, deep: false, fuel, lost: Vec::new(), diags: Diags::new() }
+        Parser {
+            layout: Layout::new(tokens, view),
+            docs,
+            at: 0,
+            depth: 0,
+            deep: false,
+            comma_ends: false,
+            fuel: tokens.len() * 32 + 1000,
+            styles: HashMap::new(),
+            lost: Vec::new(),
+            diags: Diags::new(),
+            muted: Diags::new(),
+        }
     }
 
     /// The token `ahead` of the next one.
     fn nth(&self, ahead: usize) -> Option<&'a Tok> {
-        self.view.get(self.at + ahead).map(|&index| &self.tokens[index as usize])
+        self.layout.at(self.at + ahead)
     }
 
     fn peek(&self) -> Option<&'a Tok> {
@@ -82,7 +107,7 @@ impl<'a> Parser<'a> {
     }
 
     fn is(&self, sym: Sym) -> bool {
-        self.peek().is_some_and(|token| token.is(sym))
+        self.nth_is(0, sym)
     }
 
     fn nth_is(&self, ahead: usize, sym: Sym) -> bool {
@@ -93,8 +118,12 @@ impl<'a> Parser<'a> {
         self.peek().and_then(Tok::ident) == Some(word)
     }
 
+    fn nth_is_name(&self, ahead: usize) -> bool {
+        self.nth(ahead).is_some_and(|token| token.ident().is_some())
+    }
+
     fn bump(&mut self) {
-        self.at = (self.at + 1).min(self.view.len());
+        self.at = (self.at + 1).min(self.layout.len());
     }
 
     /// Passes over a symbol if it is there.
@@ -108,22 +137,24 @@ impl<'a> Parser<'a> {
 
     /// Whether the declaration is through.
     fn at_border(&self) -> bool {
-        self.view.len() <= self.at || self.layout.starts[self.at]
+        self.layout.is_border(self.at)
     }
 
     /// Counts a step of a loop. False when there have been too many; then everything left is skipped.
     fn tick(&mut self) -> bool {
-        self.fuel = self.fuel.saturating_sub(1);
-        if self.fuel == 0 {
-            self.at = self.view.len();
+        if self.fuel == 1 {
+            let span = self.span();
+            self.diags.report(Code::TooDeep, span, "this cannot be read in reasonable time");
+            self.at = self.layout.len();
         }
+        self.fuel = self.fuel.saturating_sub(1);
         0 < self.fuel
     }
 
     /// The span of the token at a position, or of the last one.
     fn span_at(&self, at: usize) -> Span {
-        match self.view.get(at).or(self.view.last()) {
-            Some(&index) => Span::one(index),
+        match self.layout.index(at).or_else(|| self.layout.index(self.layout.len().checked_sub(1)?)) {
+            Some(index) => Span::one(index),
             None => Span::default(),
         }
     }
@@ -148,41 +179,18 @@ impl<'a> Parser<'a> {
         Some(Name { text, span })
     }
 
-    /// Reports that something else was expected here.
-    fn expected(&mut self, what: &str) -> &mut Diag {
-        if self.at_border() && 0 < self.at {
-            let span = self.span_at(self.at - 1);
-            let tail = if self.view.len() <= self.at { "the end" } else { "the next declaration" };
-            return self.diags.report(Code::Syntax, span, format!("expected {what} after this, found {tail}"));
+    /// The next tokens up to a position as a name with dots.
+    fn take_dotted(&mut self, end: usize) -> Option<Name> {
+        let start = self.at;
+        let mut name = self.take_name()?;
+        while self.at < end && self.is(Sym::Dot) && self.tick() {
+            let Some(part) = self.nth(1).and_then(Tok::ident) else { break };
+            name.text.push('.');
+            name.text.push_str(part);
+            self.at += 2;
         }
-        let span = self.span();
-        let found = self.peek().map_or("nothing".into(), Tok::describe);
-        let help = match self.peek() {
-            Some(Tok::Sym(Sym::Assign)) => Some("two values are compared with `==`"),
-            Some(Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_)) if what == STEP => {
-                Some("put `|` between the slots of a split")
-            }
-            Some(Tok::Sym(Sym::Star)) if what == STEP => Some("`*` stands behind the `}` of what it repeats"),
-            _ => None,
-        };
-        let diag = self.diags.report(Code::Syntax, span, format!("expected {what}, found {found}"));
-        match help {
-            Some(help) => diag.help(help),
-            None => diag,
-        }
-    }
-
-    fn fail<T>(&mut self, what: &str) -> Parsed<T> {
-        self.expected(what);
-        Err(Reported)
-    }
-
-    fn expect(&mut self, sym: Sym) -> Parsed<()> {
-        if self.eat(sym) { Ok(()) } else { self.fail(&format!("`{}`", sym.text())) }
-    }
-
-    fn unsupported(&mut self, span: Span, what: &str) -> &mut Diag {
-        self.diags.report(Code::Unsupported, span, format!("{what} not supported yet"))
+        name.span = self.span_from(start);
+        Some(name)
     }
 
     /// The position of the bracket that closes the one here; reports it when there is none.
@@ -191,7 +199,9 @@ impl<'a> Parser<'a> {
             return Ok(close);
         }
         let (span, open) = (self.span(), self.peek().map_or("bracket".into(), Tok::describe));
-        self.diags.report(Code::UnclosedBracket, span, format!("this {open} is never closed"));
+        // Where something could not be read, the bracket may be part of it.
+        let list = if self.layout.bad_until_border(self.at) { &mut self.muted } else { &mut self.diags };
+        list.report(Code::UnclosedBracket, span, format!("this {open} is never closed"));
         Err(Reported)
     }
 
@@ -206,15 +216,20 @@ impl<'a> Parser<'a> {
         result
     }
 
-    fn too_deep<T>(&mut self) -> Parsed<T> {
-        if !self.deep {
-            self.deep = true;
-            let span = self.span();
-            self.diags
-                .report(Code::TooDeep, span, format!("nested more than {MAX_DEPTH} deep"))
-                .help("move a part into a rule or function of its own");
-        }
-        Err(Reported)
+    /// Runs a part in brackets of its own, so that a comma in it means nothing outside.
+    fn bracketed<T>(&mut self, comma_ends: bool, part: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
+        let outside = std::mem::replace(&mut self.comma_ends, comma_ends);
+        let result = self.nested(part);
+        self.comma_ends = outside;
+        result
+    }
+
+    /// Runs a part and hands over what it has found, for whoever can say it better.
+    fn tried<T>(&mut self, part: impl FnOnce(&mut Self) -> T) -> (T, Vec<Diag>) {
+        let before = std::mem::take(&mut self.diags);
+        let result = part(self);
+        let found = std::mem::replace(&mut self.diags, before).finish();
+        (result, found)
     }
 
     /// Reads what stands between `|` in the braces here, one call of `item` each, and passes over the closing brace.
@@ -224,15 +239,13 @@ impl<'a> Parser<'a> {
         self.bump();
         let mut items = Vec::new();
         while self.tick() {
-            if let Ok(one) = self.nested(&mut item) {
+            if let Ok(one) = self.bracketed(false, &mut item) {
                 items.push(one);
                 if self.at < close && !self.is(Sym::Bar) {
                     self.expected("`|` or `}`");
                 }
             }
-            while self.at < close && !self.is(Sym::Bar) {
-                self.at = self.layout.close(self.at).unwrap_or(self.at) + 1;
-            }
+            self.skip_to_bar(close);
             if close <= self.at {
                 break;
             }
@@ -240,5 +253,12 @@ impl<'a> Parser<'a> {
         }
         self.at = close + 1;
         Ok(items)
+    }
+
+    /// Skips to the end of what stands between `|`.
+    fn skip_to_bar(&mut self, close: usize) {
+        while self.at < close && !self.is(Sym::Bar) {
+            self.at = self.layout.close(self.at).unwrap_or(self.at) + 1;
+        }
     }
 }

@@ -1,11 +1,12 @@
 //! Steps of a rule: operations, successors, leaves, brackets.
+//!
+//! A `[` in a step pushes, whatever stands before it: a step has no value that could be indexed. In a value it indexes.
 
-use super::{Parsed, Parser, Reported, STEP};
-use crate::ast::{Arg, Expr, ExprKind, Name, Op, OpKind};
+use super::report::STEP;
+use super::{Parsed, Parser, Reported};
+use crate::ast::{Arg, Expr, ExprKind, Op, OpKind};
 use crate::code::Code;
-use crate::suggest::nearest;
 use crate::token::{Sym, Tok};
-use crate::words;
 
 impl Parser<'_> {
     /// Steps up to something that is none. A branch block may stand only at the beginning; `in_arm` says that the
@@ -32,11 +33,13 @@ impl Parser<'_> {
             }
             match self.peek() {
                 Some(Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket | Sym::RParen)) => break,
-                Some(Tok::Sym(Sym::Semi)) => {
-                    let span = self.span();
-                    self.diags
-                        .report(Code::Syntax, span, "nothing ends an operation")
-                        .help("leave out the `;`: a rule runs to the next declaration");
+                Some(Tok::Sym(Sym::Comma)) if self.comma_ends => break,
+                Some(Tok::Sym(sym @ (Sym::Semi | Sym::Comma))) => {
+                    let help = match sym {
+                        Sym::Semi => "leave out the `;`: a rule runs to the next declaration",
+                        _ => "leave out the `,`: operations stand one behind the other",
+                    };
+                    self.syntax(self.at, "nothing ends an operation").help(help);
                     self.bump();
                 }
                 Some(token) if token.ident() == Some("else") => break,
@@ -46,9 +49,10 @@ impl Parser<'_> {
         Ok(ops)
     }
 
-    fn op(&mut self) -> Parsed<Op> {
+    pub(super) fn op(&mut self) -> Parsed<Op> {
         let start = self.at;
         let kind = match self.peek() {
+            _ if self.at_border() => return self.fail(STEP),
             Some(Tok::Ident(_)) => self.named()?,
             Some(Tok::Path(_)) => self.rust()?,
             Some(Tok::Sym(Sym::LBracket)) => self.brackets()?,
@@ -66,7 +70,8 @@ impl Parser<'_> {
     }
 
     fn named(&mut self) -> Parsed<OpKind> {
-        let Some(name) = self.take_name() else { return self.fail("a name") };
+        let end = self.layout.name_end(self.at);
+        let Some(name) = self.take_dotted(end) else { return self.fail("a name") };
         match name.text.as_str() {
             "NIL" => return Ok(OpKind::Nil),
             "split" => return self.split(name),
@@ -77,58 +82,33 @@ impl Parser<'_> {
             }
             _ => {}
         }
-        if words::is_later_operation(&name.text) && !self.layout.rules.contains(&name.text) && !self.is(Sym::Dot) {
-            return self.later_operation(name);
+        // An old file may have a rule of that name; then braces tell.
+        let own = self.layout.has_rule(&name.text);
+        if !own && self.at_inlined(&name.text) {
+            return self.inlined(name);
         }
-        if self.is(Sym::LParen) {
-            let args = self.args()?;
-            if self.is(Sym::Dot) {
-                let span = self.span();
-                self.diags
-                    .report(Code::Syntax, span, "a leaf has no arguments")
-                    .help(format!("write `{}.`, or leave out the dot", name.text));
-                self.bump();
-                return Ok(OpKind::Error);
-            }
-            if self.is(Sym::LBrace) {
-                let (span, text) = (self.span(), &name.text);
-                match nearest(text, ["split", "comp"]) {
-                    Some(near) => {
-                        let message = format!("there is no operation `{text}`");
-                        self.diags.report(Code::Syntax, name.span, message).suggest(Some(near));
-                    }
-                    None => {
-                        let message = format!("`{text}` has no block");
-                        self.diags.report(Code::Syntax, span, message).help("only `split` and `comp` divide a shape");
-                    }
-                }
-                self.skip_block()?;
-                return Ok(OpKind::Error);
-            }
-            return Ok(OpKind::Call(name, args));
+        if self.is(Sym::LParen) && self.layout.holds_overrides(self.at) {
+            return self.dynamic(name);
         }
         if self.eat(Sym::Dot) {
             return Ok(OpKind::Leaf(name));
         }
-        Ok(OpKind::Call(name, Vec::new()))
-    }
-
-    /// An operation of the full language: reported once, whatever its arguments look like.
-    fn later_operation(&mut self, name: Name) -> Parsed<OpKind> {
-        self.unsupported(name.span, &format!("operation `{}` is", name.text));
-        if self.is(Sym::LParen) {
-            self.at = self.closing()? + 1;
+        let args = if self.is(Sym::LParen) { Some(self.args()?) } else { None };
+        if args.is_some() && self.is(Sym::Dot) {
+            self.syntax(self.at, "a leaf has no arguments")
+                .help(format!("write `{}.`, or leave out the dot", name.text));
+            self.bump();
+            return Ok(OpKind::Error);
         }
+        let args = args.unwrap_or_default();
         if self.is(Sym::LBrace) {
-            self.skip_block()?;
+            return self.block(name, args);
         }
-        Ok(OpKind::Error)
-    }
-
-    fn skip_block(&mut self) -> Parsed<()> {
-        self.at = self.closing()? + 1;
-        self.eat(Sym::Star);
-        Ok(())
+        if !own && let Some(usage) = self.missing_braces(&name.text) {
+            self.expected("`{`").help(usage);
+            return Err(Reported);
+        }
+        Ok(OpKind::Call(name, args))
     }
 
     fn rust(&mut self) -> Parsed<OpKind> {
@@ -143,7 +123,7 @@ impl Parser<'_> {
     fn brackets(&mut self) -> Parsed<OpKind> {
         let close = self.closing()?;
         self.bump();
-        let ops = self.nested(|parser| parser.ops(false)).unwrap_or_else(|Reported| {
+        let ops = self.bracketed(false, |parser| parser.ops(false)).unwrap_or_else(|Reported| {
             let span = self.span();
             self.at = close;
             vec![Op { kind: OpKind::Error, span }]
@@ -163,7 +143,7 @@ impl Parser<'_> {
         let mut args = Vec::new();
         while self.at < close && self.tick() {
             let start = self.at;
-            let result = self.arg().and_then(|arg| {
+            let result = self.bracketed(false, Self::arg).and_then(|arg| {
                 let more = self.at < close;
                 if more && !self.is(Sym::Comma) {
                     return self.fail("`,` or `)`");

@@ -21,18 +21,25 @@ impl Parser<'_> {
         Ok(OpKind::Split(Split { name, args, items, repeat }))
     }
 
-    fn items(&mut self) -> Parsed<(Vec<SplitItem>, bool)> {
-        let items = self.between_bars(Self::item)?;
+    pub(super) fn items(&mut self) -> Parsed<(Vec<SplitItem>, bool)> {
+        let items = self.between_bars(Self::slot)?;
         Ok((items, self.eat(Sym::Star)))
     }
 
-    fn item(&mut self) -> Parsed<SplitItem> {
+    fn slot(&mut self) -> Parsed<SplitItem> {
         if self.is(Sym::LBrace) {
             let (items, repeat) = self.items()?;
             return Ok(SplitItem::Group(items, repeat));
         }
         if matches!(self.peek(), Some(Tok::Ident(_) | Tok::Path(_) | Tok::Sym(Sym::LBracket))) && !self.has_colon() {
             return self.missing_size();
+        }
+        if self.at_percent() && !self.has_else() {
+            let span = self.span().to(self.span_at(self.at + 1));
+            self.diags
+                .report(Code::Syntax, span, "the size of a slot is no percentage")
+                .help("write `'0.3` for 30 % of the scope");
+            return Err(Reported);
         }
         let size = self.arg()?;
         if !self.eat(Sym::Colon) {
@@ -44,10 +51,19 @@ impl Parser<'_> {
 
     /// Whether a `:` follows before the slot ends.
     fn has_colon(&self) -> bool {
+        self.slot_has(|token| token.is(Sym::Colon))
+    }
+
+    /// Whether an `else` follows before the slot ends.
+    fn has_else(&self) -> bool {
+        self.slot_has(|token| token.ident() == Some("else"))
+    }
+
+    fn slot_has(&self, wanted: impl Fn(&Tok) -> bool) -> bool {
         let mut at = self.at;
-        while let Some(&index) = self.view.get(at) {
-            match &self.tokens[index as usize] {
-                Tok::Sym(Sym::Colon) => return true,
+        while let Some(token) = self.layout.at(at) {
+            match token {
+                token if wanted(token) => return true,
                 Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket | Sym::RParen) => return false,
                 Tok::Sym(Sym::LBrace | Sym::LBracket | Sym::LParen) => match self.layout.close(at) {
                     Some(close) => at = close,

@@ -1,8 +1,8 @@
 //! Expressions. What needs the current shape gets it mutably, because random draws use up its numbers; arguments are
 //! evaluated first and one by one, so that the borrows never overlap.
 
-use cga_lang::ir::{Binary, Expr, ExprKind, Type, Value};
-use cga_lang::ops::Needs;
+use cga_lang::ir::{Binary, EachUnary, Expr, ExprKind, Type, Value};
+use cga_lang::ops::{Function, Needs, Param, ParamKind};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
@@ -98,7 +98,17 @@ impl Cx<'_> {
             ExprKind::Builtin(function, args) => {
                 let name = Ident::new(function.run.now().unwrap_or(function.name), place);
                 let needs = at.needs(function.needs);
-                self.with_args(args, at, |args| quote_spanned!(place=> cga_rt::func::#name(#needs #(#args),*)))
+                let call = |args: &[TokenStream]| {
+                    // Words stand in the call itself.
+                    let mut values = args.iter();
+                    let args = function.params.iter().zip(words(function, expr)).map(|(param, word)| match word {
+                        Some(word) => word_variant(&param.kind, word, &quote_spanned!(place=> func)),
+                        None => values.next().cloned().unwrap_or_default(),
+                    });
+                    quote_spanned!(place=> cga_rt::func::#name(#needs #(#args),*))
+                };
+                let values = args.iter().zip(words(function, expr)).filter(|(_, word)| word.is_none());
+                self.with_args(values.map(|(arg, _)| arg), at, call)
             }
             ExprKind::Rust(path, args) => {
                 let path = self.source.path(expr.span.first, path);
@@ -110,6 +120,41 @@ impl Cx<'_> {
                 let (get, needs) = (Ident::new(attr.get.now().unwrap_or(attr.name), place), at.needs(attr.needs));
                 quote_spanned!(place=> cga_rt::get::#get(#needs))
             }
+            ExprKind::Later(what) => {
+                let (later, env) = (types::later(expr.ty), &at.env);
+                quote_spanned!(place=> cga_rt::later::#later(#env, #what))
+            }
+            ExprKind::Array(rows) => self.array(rows, at),
+            ExprKind::Range(base, step, limit) => {
+                let env = &at.env;
+                let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::range_by(#env, #(#args),*));
+                self.with_args([&**base, &**step, &**limit], at, call)
+            }
+            ExprKind::Index(array, indices) => {
+                let many = indices.iter().any(|index| index.ty.is_array());
+                let name = match (indices.len(), many) {
+                    (1, false) => "element",
+                    (1, true) => "elements",
+                    (_, false) => "element_at",
+                    (_, true) => "elements_at",
+                };
+                let (name, env) = (Ident::new(name, place), &at.env);
+                let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::#name(#env, #(#args),*));
+                self.with_args([&**array].into_iter().chain(indices), at, call)
+            }
+            ExprKind::EachUnary(operator, inner) => {
+                let name = match operator {
+                    EachUnary::Neg => quote_spanned!(place=> each_minus),
+                    EachUnary::Not => quote_spanned!(place=> each_not),
+                };
+                let inner = self.expr(inner, at);
+                quote_spanned!(place=> cga_rt::func::#name(#inner))
+            }
+            ExprKind::Each(operator, left, right) => {
+                let (name, env) = (Ident::new(each(*operator), place), &at.env);
+                let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::#name(#env, #(#args),*));
+                self.with_args([&**left, &**right], at, call)
+            }
             ExprKind::Neg(inner) => {
                 let inner = self.expr(inner, at);
                 quote_spanned!(place=> (-(#inner)))
@@ -118,12 +163,36 @@ impl Cx<'_> {
                 let inner = self.expr(inner, at);
                 quote_spanned!(place=> (!(#inner)))
             }
-            ExprKind::Binary(operator, left, right) => {
+            ExprKind::Binary(operator @ (Binary::Lt | Binary::Le), left, right) if left.ty == Type::Float => {
+                // What is no number is less than anything; see `func::compare`.
                 let (left, right) = (self.expr(left, at), self.expr(right, at));
-                binary(*operator, &left, &right)
+                let opposite = operator_of(if *operator == Binary::Lt { Binary::Ge } else { Binary::Gt });
+                quote_spanned!(place=> (!(#left #opposite #right)))
             }
+            ExprKind::Binary(operator, left, right) if left.ty.is_array() => {
+                let name = Ident::new(compare(*operator), place);
+                let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::#name(#(#args),*));
+                self.with_args([&**left, &**right], at, call)
+            }
+            ExprKind::Binary(operator, left, right) => match operator_of(*operator) {
+                Some(operator) => {
+                    let (left, right) = (self.expr(left, at), self.expr(right, at));
+                    quote_spanned!(place=> (#left #operator #right))
+                }
+                None => {
+                    let env = &at.env;
+                    let concat = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::concat(#env, #(#args),*));
+                    self.with_args([&**left, &**right], at, concat)
+                }
+            },
             // It came in as text.
             ExprKind::ToText(inner) if matches!(inner.kind, ExprKind::Host(_)) => self.expr(inner, at),
+            // Long arrays end the run.
+            ExprKind::ToText(inner) if inner.ty.is_array() => {
+                let env = &at.env;
+                let call = |args: &[TokenStream]| quote_spanned!(place=> cga_rt::func::array_to_text(#env, #(#args),*));
+                self.with_args([&**inner], at, call)
+            }
             ExprKind::ToText(inner) => {
                 let convert = types::function(inner.ty, "to_text");
                 let inner = self.expr(inner, at);
@@ -144,20 +213,34 @@ impl Cx<'_> {
         }
     }
 
+    /// `[a, b; c, d]`.
+    fn array(&self, rows: &[Vec<Expr>], at: &Place) -> TokenStream {
+        let (place, env) = (Span::mixed_site(), &at.env);
+        let call = |args: &[TokenStream]| {
+            let mut args = args.iter();
+            let rows = rows.iter().map(|row| {
+                let parts = args.by_ref().take(row.len());
+                quote_spanned!(place=> &[#(cga_rt::func::Part::from(#parts)),*])
+            });
+            quote_spanned!(place=> cga_rt::func::array(#env, &[#(#rows),*]))
+        };
+        self.with_args(rows.iter().flatten(), at, call)
+    }
+
     /// Arguments first, one by one, then the call.
-    pub(super) fn with_args(
+    pub(super) fn with_args<'e>(
         &self,
-        args: &[Expr],
+        args: impl IntoIterator<Item = &'e Expr> + Clone,
         at: &Place,
         call: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
         let place = Span::mixed_site();
-        let values: Vec<TokenStream> = args.iter().map(|arg| self.expr(arg, at)).collect();
-        if args.iter().all(is_plain) {
+        let values: Vec<TokenStream> = args.clone().into_iter().map(|arg| self.expr(arg, at)).collect();
+        if args.into_iter().all(is_plain) {
             return call(&values);
         }
         let names: Vec<TokenStream> =
-            (0..args.len()).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
+            (0..values.len()).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
         let call = call(&names);
         quote_spanned!(place=> { #(let #names = #values;)* #call })
     }
@@ -186,6 +269,7 @@ impl Cx<'_> {
                 let name = Ident::new(&name.to_string(), here);
                 match arg.ty {
                     Type::Text => quote_spanned!(here=> cga_rt::host::as_str(&#name)),
+                    ty if ty.is_array() => quote_spanned!(here=> &#name),
                     _ => quote!(#name),
                 }
             })
@@ -214,28 +298,81 @@ fn is_plain(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Value(_) | ExprKind::Param(_) | ExprKind::Const(_) => true,
         ExprKind::Neg(inner) | ExprKind::Not(inner) => is_plain(inner),
+        ExprKind::Binary(Binary::Concat, ..) => false,
         ExprKind::Binary(_, left, right) => is_plain(left) && is_plain(right),
         _ => false,
     }
 }
 
-fn binary(operator: Binary, left: &TokenStream, right: &TokenStream) -> TokenStream {
+/// The words among the arguments of a call.
+fn words<'e>(function: &'static Function, call: &'e Expr) -> Vec<Option<&'e str>> {
+    let ExprKind::Builtin(_, args) = &call.kind else { return Vec::new() };
+    let word = |(param, arg): (&Param, &'e Expr)| match (&param.kind, &arg.kind) {
+        (ParamKind::Word { .. }, ExprKind::Value(Value::Text(word))) => Some(word.as_str()),
+        _ => None,
+    };
+    function.params.iter().zip(args).map(word).collect()
+}
+
+/// A word as the runtime's enum has it.
+pub(super) fn word_variant(kind: &ParamKind, word: &str, module: &TokenStream) -> TokenStream {
+    let ParamKind::Word { rust, words, .. } = kind else { return TokenStream::new() };
     let place = Span::mixed_site();
+    let variant = words.iter().find(|(written, _)| *written == word).map_or("", |(_, variant)| variant);
+    let (rust, variant) = (Ident::new(rust, place), Ident::new(variant, place));
+    quote_spanned!(place=> cga_rt::#module::#rust::#variant)
+}
+
+/// The function of an operator that goes over elements.
+fn each(operator: Binary) -> &'static str {
     match operator {
-        Binary::Add => quote_spanned!(place=> (#left + #right)),
-        Binary::Sub => quote_spanned!(place=> (#left - #right)),
-        Binary::Mul => quote_spanned!(place=> (#left * #right)),
-        Binary::Div => quote_spanned!(place=> (#left / #right)),
-        Binary::Rem => quote_spanned!(place=> (#left % #right)),
-        Binary::Concat => quote_spanned!(place=> cga_rt::func::concat(#left, #right)),
-        Binary::Eq => quote_spanned!(place=> (#left == #right)),
-        Binary::Ne => quote_spanned!(place=> (#left != #right)),
-        Binary::Lt => quote_spanned!(place=> (#left < #right)),
-        Binary::Le => quote_spanned!(place=> (#left <= #right)),
-        Binary::Gt => quote_spanned!(place=> (#left > #right)),
-        Binary::Ge => quote_spanned!(place=> (#left >= #right)),
-        // Both sides are always evaluated.
-        Binary::And => quote_spanned!(place=> (#left & #right)),
-        Binary::Or => quote_spanned!(place=> (#left | #right)),
+        Binary::Add => "each_add",
+        Binary::Sub => "each_subtract",
+        Binary::Mul => "each_multiply",
+        Binary::Div => "each_divide",
+        Binary::Rem => "each_remainder",
+        Binary::Concat => "each_concat",
+        Binary::Eq => "each_equal",
+        Binary::Ne => "each_unequal",
+        Binary::Lt => "each_less",
+        Binary::Le => "each_less_equal",
+        Binary::Gt => "each_greater",
+        Binary::Ge => "each_greater_equal",
+        Binary::And => "each_and",
+        Binary::Or => "each_or",
     }
+}
+
+/// The function that compares two arrays.
+fn compare(operator: Binary) -> &'static str {
+    match operator {
+        Binary::Ne => "unequal",
+        Binary::Lt => "less",
+        Binary::Le => "less_equal",
+        Binary::Gt => "greater",
+        Binary::Ge => "greater_equal",
+        _ => "equal",
+    }
+}
+
+/// Rust's operator. Text has none: making it can end the run.
+fn operator_of(operator: Binary) -> Option<TokenStream> {
+    let place = Span::mixed_site();
+    Some(match operator {
+        Binary::Add => quote_spanned!(place=> +),
+        Binary::Sub => quote_spanned!(place=> -),
+        Binary::Mul => quote_spanned!(place=> *),
+        Binary::Div => quote_spanned!(place=> /),
+        Binary::Rem => quote_spanned!(place=> %),
+        Binary::Concat => return None,
+        Binary::Eq => quote_spanned!(place=> ==),
+        Binary::Ne => quote_spanned!(place=> !=),
+        Binary::Lt => quote_spanned!(place=> <),
+        Binary::Le => quote_spanned!(place=> <=),
+        Binary::Gt => quote_spanned!(place=> >),
+        Binary::Ge => quote_spanned!(place=> >=),
+        // Both sides are always evaluated.
+        Binary::And => quote_spanned!(place=> &),
+        Binary::Or => quote_spanned!(place=> |),
+    })
 }

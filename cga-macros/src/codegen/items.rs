@@ -1,13 +1,14 @@
 //! The items behind the public struct: evaluated attributes, calls that may wait, and the trait implementations.
 
-use cga_lang::ir::{Global, RuleId, Type};
+use cga_lang::ir::{Global, RuleId};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
 use super::expr::Place;
-use super::names::ident;
+use super::fields::Field;
 use super::public::captured;
-use super::{Cx, inner_type, local, table};
+use super::rule::given;
+use super::{Cx, fields, inner_type, local, table};
 use crate::header::Header;
 
 /// Attributes and constants of one run, and captured values.
@@ -38,7 +39,7 @@ pub(super) fn calls(cx: &Cx<'_>) -> TokenStream {
 fn waiting<'c>(cx: &'c Cx<'_>) -> impl Iterator<Item = (RuleId, Vec<TokenStream>)> + 'c {
     let rules = cx.grammar.rules.iter().enumerate().map(|(at, rule)| (RuleId(at as u32), rule));
     let rules = rules.filter(|(id, _)| cx.plan.may_wait(*id));
-    rules.map(|(id, rule)| (id, rule.params.iter().map(|param| inner_type(param.ty)).collect()))
+    rules.map(|(id, rule)| (id, given(&rule.params, &rule.locals).map(|(_, ty)| ty).collect()))
 }
 
 /// The runtime's `Rules` and `Grammar`.
@@ -46,14 +47,12 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
     let place = Span::mixed_site();
     let names = cx.grammar.rules.iter().map(|rule| &rule.name);
-    let default = cx.grammar.start;
-    let mut starts: Vec<RuleId> = (0..cx.grammar.rules.len() as u32).map(RuleId).collect();
-    starts.retain(|id| cx.grammar.rules[id.0 as usize].startable);
-    starts.sort_by_key(|id| (Some(*id) != default, *id));
-    let start_names = starts.iter().map(|id| &cx.grammar.rules[id.0 as usize].name);
-    let start_numbers = starts.iter().map(|id| Literal::u32_suffixed(id.0));
-    let start_arms = starts.iter().map(|id| {
-        let (number, rule) = (Literal::u32_suffixed(id.0), cx.rule(*id, place));
+    let starts = &cx.grammar.starts;
+    let start_names = starts.iter().map(|start| &start.name);
+    let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
+    let start_styles = starts.iter().map(|start| Literal::u32_suffixed(start.style));
+    let start_arms = starts.iter().map(|start| {
+        let (number, rule) = (Literal::u32_suffixed(start.rule.0), cx.rule(start.rule, place));
         quote_spanned!(place=> #number => CgaRules::#rule(g, cx, &mut shape))
     });
     let resume_arms = waiting(cx).map(|(id, params)| {
@@ -66,11 +65,13 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     } else {
         quote_spanned!(place=> match call {})
     };
-    let checks = cx.grammar.attrs.iter().filter_map(table::check);
-    let globals = cx.grammar.init.iter().map(|global| init(cx, *global));
+    let fields = fields::of(cx.grammar, cx.source);
+    let checks = fields.iter().flat_map(table::checks);
+    let globals = values_by_style(cx, &fields);
+    let (get_arms, set_arms) = fields::arms(&fields);
     let captured = (0..cx.grammar.hosts.len()).filter(|_| cx.captured).map(captured);
     let captured = captured.map(|name| quote_spanned!(place=> g.#name = ::core::clone::Clone::clone(&self.#name);));
-    let table = cx.grammar.attrs.iter().map(table::attribute);
+    let table = fields.iter().map(table::attribute);
     quote_spanned! { place=>
         #[automatically_derived]
         impl cga_rt::Rules for #name {
@@ -79,16 +80,22 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
             const NAMES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
             const STARTS: &'static [&'static ::core::primitive::str] = &[#(#start_names),*];
             const START_RULES: &'static [::core::primitive::u32] = &[#(#start_numbers),*];
+            const START_STYLES: &'static [::core::primitive::u32] = &[#(#start_styles),*];
 
             fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
                 #(#checks)*
                 ::core::result::Result::Ok(())
             }
 
-            fn values(&self, env: &mut cga_rt::Env, initial: &cga_rt::Shape) -> CgaValues {
+            fn values(
+                &self,
+                env: &mut cga_rt::Env,
+                initial: &cga_rt::Shape,
+                style: ::core::primitive::u32,
+            ) -> CgaValues {
                 let mut g = <CgaValues as ::core::default::Default>::default();
                 #(#captured)*
-                #(#globals)*
+                #globals
                 g
             }
 
@@ -121,7 +128,21 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
             }
 
             fn attributes(&self) -> &'static [cga_rt::Attribute] {
-                &[#(#table),*]
+                const { &[#(#table),*] }
+            }
+
+            fn attribute_get(&self, index: ::core::primitive::usize) -> ::core::option::Option<cga_rt::Value> {
+                match index {
+                    #(#get_arms)*
+                    _ => ::core::option::Option::None,
+                }
+            }
+
+            fn attribute_set(&mut self, index: ::core::primitive::usize, value: cga_rt::Value) {
+                match index {
+                    #(#set_arms)*
+                    _ => {}
+                }
             }
 
             fn start_rules(&self) -> &'static [&'static ::core::primitive::str] {
@@ -146,20 +167,26 @@ fn stream(name: &str) -> u32 {
     name.bytes().fold(0x811c_9dc5, |hash: u32, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
-/// Evaluates one attribute or constant.
-fn init(cx: &Cx<'_>, global: Global) -> TokenStream {
+/// Evaluates attributes and constants, those of the style in force.
+fn values_by_style(cx: &Cx<'_>, fields: &[Field<'_>]) -> TokenStream {
     let place = Span::mixed_site();
-    let (target, name, computed, given) = match global {
+    let mut styles: Vec<TokenStream> =
+        cx.grammar.init.iter().map(|list| list.iter().map(|global| init(cx, fields, *global)).collect()).collect();
+    if styles.len() < 2 {
+        return styles.pop().unwrap_or_default();
+    }
+    let numbers = (0..styles.len() as u32).map(Literal::u32_suffixed);
+    quote_spanned!(place=> match style { #(#numbers => { #styles })* _ => {} })
+}
+
+/// Evaluates one attribute or constant.
+fn init(cx: &Cx<'_>, fields: &[Field<'_>], global: Global) -> TokenStream {
+    let place = Span::mixed_site();
+    let (target, name, computed, field) = match global {
         Global::Attr(id) => {
             let attr = &cx.grammar.attrs[id.0 as usize];
-            let field = ident(&attr.name, cx.source.token(attr.span.first));
-            let given = match (attr.ty, &attr.known) {
-                (Type::Text, Some(_)) => quote_spanned!(place=> cga_rt::text(&self.#field)),
-                (Type::Text, None) => quote_spanned!(place=> self.#field.as_deref().map(cga_rt::text)),
-                (_, _) => quote_spanned!(place=> self.#field),
-            };
-            let given = (given, attr.known.is_some());
-            (local("attr_", id.0 as usize), &attr.name, &attr.default, Some(given))
+            let field = fields.iter().find(|field| attr.public && field.attr.name == attr.name);
+            (local("attr_", id.0 as usize), &attr.name, &attr.default, field)
         }
         Global::Const(id) => {
             let constant = &cx.grammar.consts[id.0 as usize];
@@ -173,14 +200,20 @@ fn init(cx: &Cx<'_>, global: Global) -> TokenStream {
         let g = &g;
         #code
     } };
-    match given {
-        Some((given, true)) => quote_spanned!(place=> g.#target = #given;),
-        Some((given, false)) => quote_spanned! { place=>
-            g.#target = match #given {
-                ::core::option::Option::Some(value) => value,
-                ::core::option::Option::None => #computed,
-            };
-        },
+    match field {
+        Some(field) if field.known.is_some() => {
+            let given = field.plain();
+            quote_spanned!(place=> g.#target = #given;)
+        }
+        Some(field) => {
+            let given = field.optional();
+            quote_spanned! { place=>
+                g.#target = match #given {
+                    ::core::option::Option::Some(value) => value,
+                    ::core::option::Option::None => #computed,
+                };
+            }
+        }
         None => quote_spanned!(place=> g.#target = #computed;),
     }
 }

@@ -7,6 +7,7 @@
 
 mod comp;
 mod expr;
+mod fields;
 mod items;
 mod names;
 mod public;
@@ -59,7 +60,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         #implementation
     };
     let public = Public {
-        attrs: grammar.attrs.iter().map(|attr| PublicAttr::of(attr, source)).collect(),
+        attrs: fields::of(grammar, source).iter().map(PublicAttr::of).collect(),
         captures: cx.hosts.clone(),
         hidden: Some(hidden),
     };

@@ -1,10 +1,13 @@
 //! The public struct: its fields, defaults and methods.
 
+use std::collections::HashSet;
+
 use cga_lang::compile::SkeletonAttr;
-use cga_lang::ir::{Attr, Type, Value};
+use cga_lang::ir::{Type, Value};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
+use super::fields::{self, Field};
 use super::names::ident;
 use super::{local, types};
 use crate::door::Source;
@@ -28,16 +31,17 @@ pub(crate) struct PublicAttr {
 }
 
 impl PublicAttr {
-    pub(super) fn of(attr: &Attr, source: &Source) -> Self {
+    pub(super) fn of(field: &Field<'_>) -> Self {
+        let attr = field.attr;
         let about = if attr.doc.is_empty() { String::new() } else { format!("\n\n{}", attr.doc) };
-        let default = match &attr.known {
+        let default = match field.known {
             Some(known) => format!("default `{}`", types::show(known)),
             None => "`None` computes the default for each initial shape".into(),
         };
         PublicAttr {
-            name: ident(&attr.name, source.token(attr.span.first)),
+            name: field.name.clone(),
             ty: attr.ty,
-            known: attr.known.clone(),
+            known: field.known.cloned(),
             doc: format!("The attribute `{}`, {default}.{about}", attr.name),
         }
     }
@@ -45,10 +49,10 @@ impl PublicAttr {
 
 impl PublicAttr {
     /// Of a grammar with errors: a number, where nothing better is known.
-    pub(crate) fn known_so_far(attr: &SkeletonAttr, source: &Source) -> Self {
+    pub(crate) fn known_so_far(attr: &SkeletonAttr, source: &Source, taken: &mut HashSet<String>) -> Self {
         let known = attr.known.clone().unwrap_or_else(|| types::nothing(attr.ty));
         PublicAttr {
-            name: ident(&attr.name, source.token(attr.span.first)),
+            name: ident(&fields::unique(&attr.name, taken), source.token(attr.span.first)),
             ty: attr.ty.unwrap_or(Type::Float),
             known: (!attr.computed).then_some(known),
             doc: format!("The attribute `{}`.", attr.name),

@@ -1,12 +1,12 @@
 //! One function a rule, one function a function.
 
-use cga_lang::ir::{Arg, Childless, Function, Prefix, Rule, RuleId, Step, Target};
+use cga_lang::ir::{Arg, Childless, Expr, Function, Param, Prefix, Rule, RuleId, Step, Target};
 use cga_lang::ops::{Operation, ParamKind, Run};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::Lifetime;
 
-use super::expr::{Place, draws};
+use super::expr::{Place, draws, word_variant};
 use super::stack::call_depth;
 use super::types;
 use super::{Cx, inner_type, local};
@@ -34,8 +34,8 @@ impl Cx<'_> {
         let place = Span::mixed_site();
         let rule = &self.grammar.rules[id.0 as usize];
         let name = self.rule(id, self.source.token(rule.span.first));
-        let params = rule.params.iter().enumerate().map(|(at, param)| (local("p", at), inner_type(param.ty)));
-        let (names, types): (Vec<_>, Vec<_>) = params.unzip();
+        let (names, types): (Vec<_>, Vec<_>) = given(&rule.params, &rule.locals).unzip();
+        let locals = self.locals(&rule.params, &rule.locals, &Place::rule());
         let doc = (!rule.source.is_empty()).then(|| {
             let source = &rule.source;
             quote_spanned!(place=> #[doc = #source])
@@ -59,6 +59,7 @@ impl Cx<'_> {
                 #(#names: #types,)*
             ) -> cga_rt::Flow {
                 #enter
+                #locals
                 #base
                 #flag
                 #steps
@@ -72,10 +73,12 @@ impl Cx<'_> {
         let place = Span::mixed_site();
         let function: &Function = &self.grammar.functions[id.0 as usize];
         let name = self.names.function(id, self.source.token(function.span.first));
-        let params = function.params.iter().enumerate().map(|(at, param)| (local("p", at), inner_type(param.ty)));
+        let params = given(&function.params, &function.locals);
         let (names, types): (Vec<_>, Vec<_>) = params.unzip();
         let ty = inner_type(function.ty);
+        let locals = self.locals(&function.params, &function.locals, &Place::function());
         let body = self.expr(&function.body, &Place::function());
+        let body = quote_spanned!(place=> { #locals #body });
         let body = if function.recursive {
             let depth = Literal::u32_unsuffixed(call_depth(function));
             quote_spanned! { place=>
@@ -96,6 +99,16 @@ impl Cx<'_> {
         }
     }
 
+    /// The values of locals: they are the last parameters.
+    fn locals(&self, params: &[Param], locals: &[Expr], at: &Place) -> TokenStream {
+        let first = params.len() - locals.len();
+        let locals = locals.iter().enumerate().map(|(number, value)| {
+            let (name, value) = (local("p", first + number), self.expr(value, at));
+            quote_spanned!(Span::mixed_site()=> let #name = #value;)
+        });
+        locals.collect()
+    }
+
     fn steps(&self, steps: &[Step], body: Body<'_>) -> TokenStream {
         steps.iter().map(|step| self.step(step, body)).collect()
     }
@@ -106,6 +119,7 @@ impl Cx<'_> {
         let made = (body.rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> childless = false;));
         match step {
             Step::Do(operation, args, _) => self.operation(operation, args),
+            Step::Later(what, _) => quote_spanned!(place=> cga_rt::later::operation(&mut cx.env, #what);),
             Step::SetAttr(id, expr, _) => {
                 let number = Literal::u32_suffixed(id.0);
                 let kind = types::variant(expr.ty);
@@ -210,12 +224,7 @@ impl Cx<'_> {
                     Prefix::Absolute | Prefix::Floating => quote_spanned!(place=> cga_rt::Length::Absolute(#value)),
                 }
             }
-            (Arg::Word(word), ParamKind::Word { rust, words, .. }) => {
-                let variant = words.iter().find(|(written, _)| written == word).map_or("", |(_, variant)| variant);
-                let (rust, variant) = (Ident::new(rust, place), Ident::new(variant, place));
-                quote_spanned!(place=> cga_rt::op::#rust::#variant)
-            }
-            (Arg::Word(_), _) => TokenStream::new(),
+            (Arg::Word(word), kind) => word_variant(kind, word, &quote_spanned!(place=> op)),
         });
         let base = operation.uses_base.then(|| quote_spanned!(place=> &base,));
         quote_spanned!(place=> {
@@ -268,7 +277,7 @@ impl Cx<'_> {
 
 /// Whether a rule is a block of a split or comp: part of the rule it stands in, not a rule that was called.
 pub(super) fn is_block(rule: &Rule) -> bool {
-    rule.name != rule.label
+    rule.block
 }
 
 fn enter(rule: &Rule, id: RuleId) -> TokenStream {
@@ -279,6 +288,12 @@ fn enter(rule: &Rule, id: RuleId) -> TokenStream {
 fn leave(rule: &Rule) -> TokenStream {
     let place = Span::mixed_site();
     if is_block(rule) { quote_spanned!(place=> cga_rt::Flow::Continue(())) } else { quote_spanned!(place=> cx.leave()) }
+}
+
+/// The parameters that are given, with their types; locals are not.
+pub(super) fn given<'r>(params: &'r [Param], locals: &[Expr]) -> impl Iterator<Item = (Ident, TokenStream)> + use<'r> {
+    let count = params.len() - locals.len();
+    params.iter().take(count).enumerate().map(|(at, param)| (local("p", at), inner_type(param.ty)))
 }
 
 /// The label of a `[ ]`.

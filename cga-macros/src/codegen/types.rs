@@ -44,6 +44,11 @@ pub(super) fn function(ty: Type, what: &str) -> Ident {
     Ident::new(&format!("{}_{what}", variant(ty).to_string().to_lowercase()), Span::mixed_site())
 }
 
+/// The function of the runtime's `later` module for a value of that type.
+pub(super) fn later(ty: Type) -> Ident {
+    Ident::new(&variant(ty).to_string().to_lowercase(), Span::mixed_site())
+}
+
 /// The value of a place: numbers and truth values are copied, the rest is shared.
 pub(super) fn cloned(ty: Type, place: TokenStream) -> TokenStream {
     match ty {
@@ -80,6 +85,22 @@ pub(super) fn value(value: &Value) -> TokenStream {
             let elements = rows.iter().flatten().map(self::value);
             quote_spanned!(place=> cga_rt::array(#columns, [#(#elements),*]))
         }
+    }
+}
+
+/// A constant of the attribute table: text is `&str`, arrays are slices of rows.
+pub(super) fn fixed(known: &Value) -> TokenStream {
+    let place = Span::mixed_site();
+    match known {
+        Value::Text(text) => quote_spanned!(place=> #text),
+        Value::Array(rows) => {
+            let rows = rows.iter().map(|row| {
+                let entries = row.iter().map(fixed);
+                quote_spanned!(place=> &[#(#entries),*])
+            });
+            quote_spanned!(place=> &[#(#rows),*])
+        }
+        known => value(known),
     }
 }
 

@@ -3,11 +3,7 @@
 use std::io::ErrorKind;
 use std::path::Path;
 
-use cga_lang::code::Code;
-use cga_lang::diag::Diags;
-use cga_lang::lex::{Lexed, lex};
-use cga_lang::span::Span as TokenSpan;
-use cga_lang::token::Tok;
+use cga_lang::lex::{decode, lex};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -34,34 +30,16 @@ pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
             _ => format!("`{path}` cannot be read: {error}"),
         })
     })?;
-    let text = String::from_utf8_lossy(&bytes).into_owned();
-    let mut lexed = lex(&text);
-    if std::str::from_utf8(&bytes).is_err() {
-        name_broken_text(&text, &mut lexed);
-    }
-    let place = TextPlace { name: path, written: text, ranges: lexed.ranges };
+    let text = decode(&bytes).into_owned();
+    let lexed = lex(&text);
+    let place = TextPlace { name: path.replace('\\', "/"), written: text, ranges: lexed.ranges };
     Ok(source(lexed.tokens, lexed.diags, span, place, tracking(literal)))
 }
 
 const FROM_PACKAGE: &str = "paths count from the folder that has the package's Cargo.toml";
 
-/// Reports text that is no UTF-8. In comments it may be: many rule files come from older days.
-fn name_broken_text(text: &str, lexed: &mut Lexed) {
-    let mut diags = Diags::new();
-    for (at, (token, range)) in lexed.tokens.as_slice().iter().zip(&lexed.ranges).enumerate() {
-        if matches!(token, Tok::Str(_) | Tok::Bad) && text[range.clone()].contains(char::REPLACEMENT_CHARACTER) {
-            let span = TokenSpan::one(at as u32);
-            lexed.diags.retain(|diag| diag.span != span);
-            diags
-                .report(Code::UnknownCharacter, span, "this is not UTF-8 text")
-                .help("save the file with the encoding UTF-8");
-        }
-    }
-    lexed.diags.append(&mut diags.finish());
-}
-
 /// Makes the build follow the file, in the error case as well; the user's own literal keeps machine paths out.
-fn tracking(literal: &Literal) -> TokenStream {
+pub(super) fn tracking(literal: &Literal) -> TokenStream {
     quote! {
         const _: &[u8] = ::core::include_bytes!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #literal));
     }

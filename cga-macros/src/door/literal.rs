@@ -37,7 +37,8 @@ pub(super) fn source(
     text: TextPlace,
     tracking: TokenStream,
 ) -> Source {
-    Source { tokens, findings, hosts: Vec::new(), place: Place::Text { span, text, tracking } }
+    let place = Place::Text { span, text, tracking };
+    Source { tokens, findings, hosts: Vec::new(), place, imported: Vec::new(), pieces: Vec::new() }
 }
 
 /// Literals one after the other.

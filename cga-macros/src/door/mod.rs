@@ -2,14 +2,18 @@
 
 mod content;
 mod file;
+mod import;
 mod literal;
 pub(crate) mod tokens;
 
-use cga_lang::compile::Door;
+use cga_lang::compile::{Compiled, Door};
 use cga_lang::diag::Diag;
+use cga_lang::link::{Piece, Unit};
 use cga_lang::span;
 use cga_lang::token::Tokens;
 use proc_macro2::{Ident, Span, TokenStream};
+
+pub(crate) use import::Imports;
 
 use crate::header::{Body, Header};
 
@@ -19,6 +23,10 @@ pub(crate) struct Source {
     findings: Vec<Diag>,
     hosts: Vec<Host>,
     place: Place,
+    /// Texts of imported files.
+    imported: Vec<TextPlace>,
+    /// Where each file is among the tokens that spans count, with its text in `imported`; `None` for the rules themselves.
+    pieces: Vec<(Piece, Option<usize>)>,
 }
 
 /// A Rust value in the rules: `#name` or `#(…)`.
@@ -78,19 +86,47 @@ pub(crate) fn open(header: &Header, body: Body) -> Result<Source, Problem> {
 }
 
 impl Source {
+    #[cfg(test)]
     pub(crate) fn tokens(&self) -> &Tokens {
         &self.tokens
     }
 
-    /// Inline is strict, text is compatible.
-    pub(crate) fn strictness(&self) -> Door {
-        match self.place {
+    /// The rules as a file that others may be imported into.
+    pub(crate) fn unit(&self) -> Unit {
+        // Inline is strict, text is compatible.
+        let door = match self.place {
             Place::Inline { .. } => Door::Inline,
             Place::Text { .. } => Door::Text,
+        };
+        // Paths in a string or inline count from the package's folder.
+        let name = match &self.place {
+            Place::Text { text, tracking, .. } if !tracking.is_empty() => text.name.clone(),
+            _ => String::new(),
+        };
+        Unit { name, tokens: self.tokens.clone(), door, found: self.findings.clone() }
+    }
+
+    /// Takes over what was imported.
+    pub(crate) fn import(&mut self, compiled: &Compiled, texts: Vec<TextPlace>) {
+        let text = |piece: &Piece| {
+            let name = compiled.files.get(piece.file)?;
+            if piece.file == 0 { None } else { texts.iter().position(|text| text.name == *name) }
+        };
+        self.pieces = compiled.pieces.iter().map(|piece| (piece.clone(), text(piece))).collect();
+        self.imported = texts;
+    }
+
+    /// The imported text a token belongs to, if any, and the token's number there.
+    fn locate(&self, token: u32) -> (Option<&TextPlace>, u32) {
+        let at = self.pieces.partition_point(|(piece, _)| piece.tokens.start <= token);
+        match at.checked_sub(1).map(|at| &self.pieces[at]) {
+            Some((piece, text)) => (text.map(|text| &self.imported[text]), token - piece.tokens.start),
+            None => (None, token),
         }
     }
 
     /// What the door itself found.
+    #[cfg(test)]
     pub(crate) fn findings(&self) -> &[Diag] {
         &self.findings
     }
@@ -100,11 +136,11 @@ impl Source {
         &self.hosts
     }
 
-    /// The text behind a text door.
-    pub(crate) fn text(&self) -> Option<&TextPlace> {
-        match &self.place {
-            Place::Inline { .. } => None,
-            Place::Text { text, .. } => Some(text),
+    /// The text a token stands in, and the token's number there; `None` for inline rules.
+    pub(crate) fn text(&self, token: u32) -> Option<(&TextPlace, u32)> {
+        match (self.locate(token), &self.place) {
+            ((Some(text), token), _) | ((None, token), Place::Text { text, .. }) => Some((text, token)),
+            ((None, _), Place::Inline { .. }) => None,
         }
     }
 
@@ -119,7 +155,9 @@ impl Source {
     }
 
     fn ends(&self, index: u32) -> (Span, Span) {
+        let (imported, index) = self.locate(index);
         match &self.place {
+            Place::Inline { end, .. } if imported.is_some() => (*end, *end),
             Place::Inline { spans, end, .. } => {
                 spans.get(index as usize).or(spans.last()).copied().unwrap_or((*end, *end))
             }
@@ -127,23 +165,25 @@ impl Source {
         }
     }
 
-    /// The line of a token, for messages that name a second place.
-    pub(crate) fn line(&self, index: u32) -> Option<usize> {
-        match &self.place {
-            // Editors' macro servers know no lines and say 1 or 0.
-            Place::Inline { spans, .. } => {
-                spans.get(index as usize).map(|(span, _)| span.start().line).filter(|line| 1 < *line)
-            }
-            Place::Text { text, .. } => {
-                let range = text.ranges.get(index as usize)?;
-                Some(1 + text.written.get(..range.start)?.matches('\n').count())
-            }
+    /// The line of a token, for messages that name a second place: "line 3", "line 3 of lib.cga".
+    pub(crate) fn line(&self, index: u32) -> Option<String> {
+        if let Some((text, token)) = self.text(index) {
+            let range = text.ranges.get(token as usize)?;
+            let line = 1 + text.written.get(..range.start)?.matches('\n').count();
+            let imported = self.locate(index).0.is_some();
+            return Some(if imported { format!("line {line} of {}", text.name) } else { format!("line {line}") });
         }
+        let Place::Inline { spans, .. } = &self.place else { return None };
+        let index = self.locate(index).1;
+        // Editors' macro servers know no lines and say 1 or 0.
+        let line = spans.get(index as usize).map(|(span, _)| span.start().line).filter(|line| 1 < *line)?;
+        Some(format!("line {line}"))
     }
 
     /// A Rust path as the user wrote it.
     pub(crate) fn path(&self, token: u32, text: &str) -> TokenStream {
-        if let Place::Inline { paths, .. } = &self.place
+        let (imported, token) = self.locate(token);
+        if let (Place::Inline { paths, .. }, None) = (&self.place, imported)
             && let Ok(at) = paths.binary_search_by_key(&token, |(index, _)| *index)
         {
             return paths[at].1.clone();
@@ -152,11 +192,12 @@ impl Source {
         text.parse().unwrap_or_default()
     }
 
-    /// Makes the build depend on the rule file.
+    /// Makes the build depend on the rule file and what it imports.
     pub(crate) fn tracking(&self) -> TokenStream {
-        match &self.place {
+        let own = match &self.place {
             Place::Inline { .. } => TokenStream::new(),
             Place::Text { tracking, .. } => tracking.clone(),
-        }
+        };
+        own.into_iter().chain(import::follow(self.imported.iter())).collect()
     }
 }

@@ -14,7 +14,7 @@ pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
     reader.stream(stream);
     let findings: Vec<Diag> = reader.diags.finish();
     let place = Place::Inline { spans: reader.spans, paths: reader.paths, end };
-    Source { tokens: reader.tokens, findings, hosts: reader.hosts, place }
+    Source { tokens: reader.tokens, findings, hosts: reader.hosts, place, imported: Vec::new(), pieces: Vec::new() }
 }
 
 #[derive(Default)]
@@ -59,12 +59,10 @@ impl Reader {
                 1
             }
             TokenTree::Ident(_) => self.name(list),
-            TokenTree::Literal(literal) => {
-                self.literal(literal);
-                1
-            }
+            TokenTree::Literal(literal) => self.literal(literal, &list[1..]),
             TokenTree::Punct(sign) => match sign.as_char() {
                 '#' => self.host(list),
+                '.' if self.starts_fraction(list) => self.fraction(list),
                 '\'' | '^' => self.relative(list),
                 ':' if path_joint(list, 0) && matches!(list.get(2), Some(TokenTree::Ident(_))) => self.name(list),
                 _ => self.symbol(list),
@@ -104,8 +102,9 @@ impl Reader {
             end += 2;
         }
         if end == 1 {
-            let plain = text.strip_prefix("r#").map(str::to_owned).unwrap_or(text);
-            self.push_one(Tok::Ident(plain), list[0].span());
+            let mut plain = text.strip_prefix("r#").map(str::to_owned).unwrap_or(text);
+            end += dollars(list, &mut plain);
+            self.push(Tok::Ident(plain), list[0].span(), list[end - 1].span());
         } else {
             let at = self.push(Tok::Path(text), list[0].span(), list[end - 1].span());
             self.paths.push((at.first, list[..end].iter().cloned().collect()));
@@ -113,23 +112,25 @@ impl Reader {
         end
     }
 
-    fn literal(&mut self, literal: &Literal) {
+    fn literal(&mut self, literal: &Literal, rest: &[TokenTree]) -> usize {
         let span = literal.span();
         let written = literal.to_string();
         if written.starts_with(|c: char| c.is_ascii_digit() || c == '-') {
-            let digits = written.replace('_', "");
-            let (sign, digits) = digits.strip_prefix('-').map_or((false, digits.as_str()), |digits| (true, digits));
-            match digits.parse::<f64>() {
-                Ok(value) if value.is_finite() => {
-                    if sign {
-                        self.push_one(Tok::Sym(Sym::Minus), span);
-                    }
-                    self.push_one(Tok::Number(value), span);
+            let digits = match written.strip_prefix('-') {
+                Some(digits) => {
+                    self.push_one(Tok::Sym(Sym::Minus), span);
+                    digits
                 }
-                _ => {
-                    let help = "write it in digits, like `12` or `0.5`";
-                    self.bad(span, span, format!("`{written}` is no number in CGA"), help);
-                }
+                None => &written,
+            };
+            self.number(digits, span, span);
+            let close = rest.first().is_some_and(|next| !is_apart(span, next.span()));
+            if written.ends_with('.') && close && begins_operator(rest) {
+                // `1.==1` is `1 .== 1`.
+                self.push_one(Tok::Sym(Sym::Dot), span);
+            } else if !written.contains('.') && close && dots(rest) == 2 {
+                // Rust glues the dots of `1..==1`; the first one is the number's.
+                return 2;
             }
         } else if let Some(text) = super::content::value(literal) {
             self.push_one(Tok::Str(text), span);
@@ -139,6 +140,32 @@ impl Reader {
         } else {
             self.bad(span, span, format!("`{written}` has no meaning in CGA"), "text is written \"…\"");
         }
+        1
+    }
+
+    fn number(&mut self, written: &str, first: Span, last: Span) {
+        match written.replace('_', "").parse::<f64>() {
+            Ok(value) if value.is_finite() => _ = self.push(Tok::Number(value), first, last),
+            _ => {
+                let help = "write it in digits, like `12` or `0.5`";
+                self.bad(first, last, format!("`{written}` is no number in CGA"), help);
+            }
+        }
+    }
+
+    /// Whether `.5` stands there: digits close behind the dot, and no name close before it, as in `X.5`.
+    fn starts_fraction(&self, list: &[TokenTree]) -> bool {
+        let Some(TokenTree::Literal(digits)) = list.get(1) else { return false };
+        let behind_name = matches!(self.tokens.as_slice().last(), Some(Tok::Ident(_)))
+            && self.spans.last().is_some_and(|(_, end)| !is_apart(*end, list[0].span()));
+        digits.to_string().starts_with(|c: char| c.is_ascii_digit())
+            && !is_apart(list[0].span(), digits.span())
+            && !behind_name
+    }
+
+    fn fraction(&mut self, list: &[TokenTree]) -> usize {
+        self.number(&format!(".{}", list[1]), list[0].span(), list[1].span());
+        2
     }
 
     /// `#name`, `#(…)`, and `#[doc = "…"]`, which is how a doc comment arrives.
@@ -213,15 +240,10 @@ impl Reader {
     }
 
     fn symbol(&mut self, list: &[TokenTree]) -> usize {
-        // The signs that stand together without a space.
-        let mut run = String::new();
-        for token in list {
-            let TokenTree::Punct(sign) = token else { break };
-            run.push(sign.as_char());
-            // The body of a `macro_rules!` does not say that the first dash of `-->` belongs to what follows.
-            if sign.spacing() == Spacing::Alone && !(run == "-" && begins_arrow(&list[1..])) {
-                break;
-            }
+        let mut run = run(list);
+        // The body of a `macro_rules!` does not say that the first dash of `-->` belongs to what follows.
+        if run == "-" && begins_arrow(&list[1..]) {
+            run.push_str("->");
         }
         let span = list[0].span();
         // The longest first; see `Sym::ALL`.
@@ -244,6 +266,50 @@ impl Reader {
 fn is_apart(left: Span, right: Span) -> bool {
     let (end, start) = (left.end(), right.start());
     end.line < start.line || (end.line == start.line && end.column < start.column)
+}
+
+/// The signs that stand together there without a space.
+fn run(list: &[TokenTree]) -> String {
+    let mut run = String::new();
+    for token in list {
+        let TokenTree::Punct(sign) = token else { break };
+        run.push(sign.as_char());
+        if sign.spacing() == Spacing::Alone {
+            break;
+        }
+    }
+    run
+}
+
+fn dots(list: &[TokenTree]) -> usize {
+    run(list).chars().take_while(|c| *c == '.').count()
+}
+
+/// Whether an operator stands there that works element by element with a dot before it.
+fn begins_operator(list: &[TokenTree]) -> bool {
+    let run = run(list);
+    ["+", "-", "*", "/", "%", "!", "&&", "||", "==", "<", ">"].iter().any(|sign| run.starts_with(sign))
+}
+
+/// Appends `$` and what belongs to the name behind it; gives the number of Rust tokens that takes.
+fn dollars(list: &[TokenTree], name: &mut String) -> usize {
+    let mut end = 1;
+    while let Some(token) = list.get(end) {
+        let text = token.to_string();
+        let goes_on = match token {
+            TokenTree::Punct(sign) => sign.as_char() == '$',
+            TokenTree::Ident(_) | TokenTree::Literal(_) => {
+                name.ends_with('$') && text.chars().all(|c| c == '_' || c.is_alphanumeric())
+            }
+            TokenTree::Group(_) => false,
+        };
+        if !goes_on || is_apart(list[end - 1].span(), token.span()) {
+            break;
+        }
+        name.push_str(&text);
+        end += 1;
+    }
+    end - 1
 }
 
 /// Whether `->` stands there.

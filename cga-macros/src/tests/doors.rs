@@ -76,6 +76,22 @@ fn both_doors_read_the_same_tokens() {
 }
 
 #[test]
+fn dots_mean_the_same_wherever_they_stand() {
+    for text in [
+        "a .+ b .- c.*d./e.%f .&& g.||h .== i.!=j .< k.<=l.>m .>= n",
+        ".-a .+b .!c .--d - .5 -.5 (.5) [.5,.25;.1] x=.5 .5e3",
+        "1.==1 1. ==1 1.+2 1. + 2 1.*2 1.%2 1.&&2 1.||2 1.!=2 1.<2 1.>=2 1..==1 1..+2 1.0.+2 1.5.==2",
+        "X.5 X. 5 X .5 X. Y X.Y a.b.c 1.a 2.a.b",
+        "x:=1 y := -2 front=:X front =: X a=-1 [0:2] [4:-1:2] [1:0.5:3] a[i] a[1,2] a==[1]",
+        "a$b a$1 a$ b a$$c$2d",
+        "lib.start lib(h=3,Roof-->X).Lot(1) start(20)",
+    ] {
+        let source = read(text.parse().expect("Rust tokens"), Span::call_site());
+        assert_eq!(source.tokens(), &lex(text).tokens, "{text}");
+    }
+}
+
+#[test]
 fn symbols_stay_whole_in_tokens_that_a_macro_took_apart() {
     // `macro_rules!` hands `-->` on as `-` and `->`.
     let stream: TokenStream = "A - -> B. C --> D.".parse().expect("Rust tokens");

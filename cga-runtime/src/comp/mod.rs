@@ -137,7 +137,7 @@ fn faces<'s>(env: &mut Env, shape: &'s mut ShapeRef<'_>, arms: &'s [Arm]) -> Con
 
 /// The sign that makes selectors see a shape as if it were not mirrored: a negative size turns its faces inside out, and
 /// what a selector means is where they are, not where they look (*CGA changelog 2010.3*).
-fn outwards(size: DVec3) -> f64 {
+pub(crate) fn outwards(size: DVec3) -> f64 {
     if (0..3).filter(|&axis| size[axis] < 0.0).count() % 2 == 1 { -1.0 } else { 1.0 }
 }
 

@@ -1,9 +1,11 @@
 //! Moving and turning over whole meshes.
 
+use std::sync::Arc;
+
 use glam::{DAffine3, DMat3};
 
 use super::face::unit;
-use super::{Derived, Mesh};
+use super::{Derived, FaceTag, Mesh, Tags};
 
 impl Mesh {
     /// The mesh moved by a map. The order of corners stays: a map that mirrors turns the faces inside out, and the
@@ -42,6 +44,13 @@ impl Mesh {
             }
         }
         mesh
+    }
+
+    /// The same mesh with no face having a material.
+    pub(crate) fn without_materials(&self) -> Mesh {
+        let mut tags = Tags::default();
+        (0..self.face_count()).for_each(|face| tags.push(FaceTag { material: FaceTag::NONE, ..self.tags[face] }));
+        Mesh { tags, materials: Arc::default(), ..self.clone() }
     }
 
     /// Everything but points, normals and what derives from them.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
+use crate::asset::AssetError;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::shape::{Geometry, Placed, ShapeRef};
@@ -18,7 +19,7 @@ pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text) {
     }
     let assets = Arc::clone(&env.settings.assets);
     let found = assets.mesh(&file).and_then(|mesh| match mesh.is_empty() {
-        true => Err("it has no faces".to_owned()),
+        true => Err(AssetError::Broken("it has no faces".to_owned())),
         false => Ok(mesh),
     });
     match found {

@@ -1,10 +1,14 @@
-//! `color` and `texture`.
+//! `color`, `texture`, `setMaterial` and `resetMaterial`.
 
+use std::sync::Arc;
+
+use crate::array::Array;
 use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::material::Color;
-use crate::shape::ShapeRef;
+use crate::material::{Color, Layer, Material, MaterialText, Named};
+use crate::shape::{Geometry, Placed, ShapeRef};
 use crate::text::Text;
+use crate::{func, set};
 
 /// `color("#rrggbb")` or `color("#rrggbboo")` (*color operation*). The short form leaves the opacity alone.
 pub fn color_hex(env: &mut Env, shape: &mut ShapeRef<'_>, hex: Text) {
@@ -32,9 +36,64 @@ pub fn color_rgba(env: &mut Env, shape: &mut ShapeRef<'_>, r: f64, g: f64, b: f6
     shape.change_material(|material| material.opacity = Some(opacity));
 }
 
-/// `texture(file)`: the colour map; empty text takes it away (*texture operation*).
+/// `texture(file)`: the colour map; empty text takes it away (*texture operation*). An opacity map is reset: whether the
+/// file has an alpha channel that would become one is not looked at.
 pub fn texture(_: &mut Env, shape: &mut ShapeRef<'_>, file: Text) {
-    shape.change_material(|material| material.texture = Some(file));
+    shape.change_material(|material| {
+        material.texture = Some(file);
+        let opacity = MaterialText::Map(Layer::Opacity);
+        if material.text(opacity).is_some() {
+            material.set_text(opacity, Text::default());
+        }
+    });
+}
+
+/// `setMaterial(material)`: attributes by name, without `material.`, each followed by its value as text (*setMaterial
+/// operation*). It is as if each was set alone; what has no such name, and a name without a value, leaves a fault.
+pub fn set_material(env: &mut Env, shape: &mut ShapeRef<'_>, material: Array<Text>) {
+    let (pairs, rest) = material.as_slice().as_chunks::<2>();
+    for [name, value] in pairs {
+        match Named::find(name) {
+            Some(Named::Number(which)) => {
+                let number = func::text_to_float(value.clone());
+                set::material_number(env, shape, which, number);
+            }
+            Some(Named::Text(which)) => set::material_text(env, shape, which, value.clone()),
+            Some(Named::Rgb) => color_hex(env, shape, value.clone()),
+            Some(Named::DoubleSided) => set::material_double_sided(env, shape, func::text_to_bool(value.clone())),
+            None => env.fault(FaultKind::Value, format!("`{name}` is no attribute of a material; it is left out")),
+        }
+    }
+    for name in rest {
+        env.fault(FaultKind::Value, format!("`setMaterial` has no value for `{name}`; it is left out"));
+    }
+}
+
+/// What `resetMaterial` resets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MaterialTarget {
+    /// What rules have set.
+    Shape,
+    /// What the geometry brought along.
+    Geometry,
+    /// Both.
+    All,
+}
+
+/// `resetMaterial(shape | geometry | all)`: back to the defaults (*resetMaterial operation*).
+pub fn reset_material(env: &mut Env, shape: &mut ShapeRef<'_>, target: MaterialTarget) {
+    if target != MaterialTarget::Geometry && *shape.material() != Material::UNSET {
+        shape.change_material(|material| *material = Material::UNSET);
+    }
+    if target == MaterialTarget::Shape || shape.own_material().is_none() {
+        return;
+    }
+    let Geometry::Mesh(placed) = &shape.geometry else { return };
+    if env.count_vertices(&placed.mesh).is_break() {
+        return;
+    }
+    let mesh = Arc::new(placed.mesh.without_materials());
+    shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, ..Placed::clone(placed) }));
 }
 
 /// Channels of `#rrggbb` or `#rrggbboo`.
@@ -51,6 +110,68 @@ fn parse_hex(hex: &str) -> Option<(Color, Option<f64>)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::get;
+    use crate::mesh::{FaceTag, Mesh, MeshBuilder};
+    use crate::shape::Shape;
+
+    fn texts(list: &[&'static str]) -> Array<Text> {
+        list.iter().map(|text| Text::fixed(text)).collect()
+    }
+
+    /// A triangle with a material of its own.
+    fn own() -> Shape {
+        let mut builder = MeshBuilder::new();
+        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|p| builder.point(p));
+        builder.face(&corners, &[], FaceTag { material: 0, ..FaceTag::PLAIN });
+        let mut look = Material { color: Some(Color::new(0.2, 0.4, 0.6)), ..Material::UNSET };
+        look.set_text(MaterialText::Map(Layer::Dirt), "dirt.png");
+        builder.materials([look]);
+        Shape::mesh(builder.build().expect("a triangle"))
+    }
+
+    #[test]
+    fn materials_are_set_by_name() {
+        // *setMaterial operation*, example 1.
+        let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
+        let list = ["color.r", "1.0", "color.g", "0.0", "color.b", "0.0", "opacitymap", "builtin:default"];
+        set_material(env, shape, texts(&list));
+        assert_eq!(get::material_color_rgb(shape).as_str(), "#ff0000");
+        assert_eq!(get::material_opacitymap(shape).as_str(), "builtin:default");
+        let list = ["doubleSided", "false", "color.rgb", "#00ff00", "shininess", "200", "opacitymap.mode", "mask"];
+        set_material(env, shape, texts(&list));
+        assert_eq!((get::material_double_sided(shape), get::material_shininess(shape)), (false, 128.0));
+        assert_eq!(get::material_color_rgb(shape).as_str(), "#00ff00");
+        assert_eq!(env.take_faults().0.len(), 0);
+        set_material(env, shape, texts(&["opacitymap.mode", "odd", "nothing", "1", "opacity", "x", "name"]));
+        assert_eq!(env.take_faults().0.len(), 4);
+        assert_eq!((get::material_opacitymap_mode(shape).as_str(), get::material_opacity(shape)), ("mask", 0.0));
+        texture(env, shape, "wall.png".into());
+        assert_eq!(
+            (get::material_colormap(shape).as_str(), get::material_opacitymap(shape).as_str()),
+            ("wall.png", "")
+        );
+        set_material(env, shape, Array::default());
+        reset_material(env, shape, MaterialTarget::Shape);
+        assert_eq!(shape.material(), &Material::UNSET);
+    }
+
+    #[test]
+    fn unset_attributes_are_those_of_the_geometry_until_they_are_reset() {
+        let (env, shape) = (&mut Env::for_tests(), &mut own());
+        assert_eq!((get::material_color_g(shape), get::material_dirtmap(shape).as_str()), (0.4, "dirt.png"));
+        set::material_color_r(env, shape, 1.5);
+        assert_eq!(shape.material().color, Some(Color::new(1.0, 0.4, 0.6)));
+        reset_material(env, shape, MaterialTarget::Geometry);
+        assert_eq!((get::material_color_r(shape), get::material_dirtmap(shape).as_str()), (1.0, ""));
+        let shape = &mut own();
+        set::material_dirtmap(env, shape, "other.png".into());
+        reset_material(env, shape, MaterialTarget::All);
+        assert_eq!((get::material_color_g(shape), get::material_dirtmap(shape).as_str()), (1.0, ""));
+        assert_eq!(shape.to_mesh().check(), []);
+        let shape = &mut Shape::mesh(Mesh::default());
+        reset_material(env, shape, MaterialTarget::All);
+        assert_eq!(env.take_faults().0.len(), 0);
+    }
 
     #[test]
     fn hex_colours_are_read_or_refused() {

@@ -7,12 +7,14 @@ mod extrude;
 mod insert;
 mod material;
 mod primitive;
+mod report;
 mod transform;
 
 pub use extrude::{ExtrudeAlong, extrude, extrude_along};
 pub use insert::insert;
-pub use material::{color_hex, color_rgb, color_rgba, texture};
+pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, reset_material, set_material, texture};
 pub use primitive::{cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, quad, quad_sized};
+pub use report::{label, print, report};
 pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
 pub(crate) use transform::{angles, sin_cos, turn};
 

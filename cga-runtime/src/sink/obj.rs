@@ -18,7 +18,7 @@ use super::flatten::{Flattener, normal_map, unit};
 use super::number::Short;
 use super::table::Table;
 use super::{Cuboid, Flow, Leaf, Quad, Sink};
-use crate::material::Material;
+use crate::material::{ColorOf, Layer, Material, MaterialNumber, MaterialText};
 use crate::mesh::Mesh;
 use crate::model::Model;
 
@@ -228,8 +228,18 @@ fn write_material(text: &mut String, name: &str, material: &Material) {
     number("d", material.opacity);
     number("Pm", material.metallic);
     number("Pr", material.roughness);
-    if let Some(path) = material.texture.as_ref().filter(|path| !path.is_empty()) {
-        let _ = writeln!(text, "map_Kd {path}");
+    number("Ns", material.number(MaterialNumber::Shininess));
+    let colors: [(&str, ColorOf); 3] =
+        [("Ka", MaterialNumber::Ambient), ("Ks", MaterialNumber::Specular), ("Ke", MaterialNumber::Emissive)];
+    for (key, which) in colors {
+        if let Some(color) = material.channels(which) {
+            let _ = writeln!(text, "{key} {} {} {}", Short(color.r), Short(color.g), Short(color.b));
+        }
+    }
+    for (key, layer) in [("map_Kd", Layer::Color), ("map_d", Layer::Opacity), ("map_Ks", Layer::Specular)] {
+        if let Some(path) = material.text(MaterialText::Map(layer)).filter(|path| !path.is_empty()) {
+            let _ = writeln!(text, "{key} {path}");
+        }
     }
     text.push_str("illum 1\n\n");
 }

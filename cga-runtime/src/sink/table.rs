@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use crate::material::{Color, Material};
+use crate::material::{Color, Material, MaterialNumber};
 use crate::text::Text;
 
 /// Interned rule names and materials. The same leaves in the same order give the same numbers.
@@ -219,16 +219,31 @@ fn number_bits(material: &Material) -> [u64; 6] {
 
 /// Equality by bits: unlike `==` it also finds a material with NaN in it again.
 fn same_bits(a: &Material, b: &Material) -> bool {
-    number_bits(a) == number_bits(b) && a.name == b.name && a.texture == b.texture
+    let more = |material: &Material| (material.more_numbers().len(), material.more_texts().len());
+    let same = |a: &(MaterialNumber, f64), b: &(MaterialNumber, f64)| a.0 == b.0 && a.1.to_bits() == b.1.to_bits();
+    number_bits(a) == number_bits(b)
+        && a.name == b.name
+        && a.texture == b.texture
+        && a.double_sided == b.double_sided
+        && more(a) == more(b)
+        && a.more_numbers().iter().zip(b.more_numbers()).all(|(a, b)| same(a, b))
+        && a.more_texts() == b.more_texts()
 }
 
 fn material_hash(material: &Material) -> u64 {
-    let mut hash = 0;
+    let mut hash = material.double_sided.map_or(2, u64::from);
     for bits in number_bits(material) {
         hash = mix(hash ^ bits);
     }
     for text in [&material.name, &material.texture] {
         hash = mix(hash ^ text.as_ref().map_or(1, text_hash));
+    }
+    // Which attribute it is may be left to the comparison.
+    for (_, value) in material.more_numbers() {
+        hash = mix(hash ^ value.to_bits());
+    }
+    for (_, text) in material.more_texts() {
+        hash = mix(hash ^ text_hash(text));
     }
     hash
 }
@@ -261,8 +276,13 @@ mod tests {
         let mut table = Table::new();
         let red = || Arc::new(Material { color: Some(Color::new(1.0, 0.0, 0.0)), ..Material::UNSET });
         let odd = || Arc::new(Material { opacity: Some(f64::NAN), ..Material::UNSET });
-        let ids = [red(), Arc::default(), red(), odd(), odd()].map(|material| table.material(&material));
-        assert_eq!(ids, [0, 1, 0, 2, 2]);
+        let shiny = |value| {
+            let mut material = Material::UNSET;
+            material.set_number(MaterialNumber::Shininess, value);
+            Arc::new(material)
+        };
+        let list = [red(), Arc::default(), red(), odd(), odd(), shiny(2.0), shiny(3.0), shiny(2.0)];
+        assert_eq!(list.map(|material| table.material(&material)), [0, 1, 0, 2, 2, 3, 4, 3]);
     }
 
     #[test]

@@ -11,7 +11,7 @@ use cga_runtime::sink::{Cuboid, Leaf, Quad, Sink};
 use glam::{DAffine3, DMat3, DVec3, dvec2, dvec3};
 
 pub fn color(r: f64, g: f64, b: f64) -> Arc<Material> {
-    Arc::new(Material { color: Some(Color::new(r, g, b)), ..Material::UNSET })
+    Arc::new(Material::with(|look| look.color = Some(Color::new(r, g, b))))
 }
 
 /// The front of a scope.
@@ -69,7 +69,7 @@ fn plate_builder() -> MeshBuilder {
         builder.face(&[back[i], back[j], front[j], front[i]], &[], FaceTag { material: 1, ..FaceTag::PLAIN });
         builder.face(&[inner_back[j], inner_back[i], inner_front[i], inner_front[j]], &[], FaceTag::PLAIN);
     }
-    let painted = |r, g, b| Material { color: Some(Color::new(r, g, b)), ..Material::UNSET };
+    let painted = |r, g, b| Material::with(|look| look.color = Some(Color::new(r, g, b)));
     builder.materials([painted(0.8, 0.3, 0.2), painted(0.2, 0.4, 0.7)]);
     builder
 }
@@ -81,19 +81,17 @@ pub fn textured() -> Arc<Mesh> {
     builder.face(&corners, &[], FaceTag { material: 0, ..FaceTag::PLAIN });
     builder.uvs(&[dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec2(0.0, 0.25)]);
     builder.normals(&[dvec3(0.6, 0.0, 0.8), DVec3::Z, DVec3::Z]);
-    builder.materials([Material { texture: Some("maps/brick wall.png".into()), ..Material::UNSET }]);
+    builder.materials([Material::with(|look| look.texture = Some("maps/brick wall.png".into()))]);
     Arc::new(builder.build().expect("the triangle is well formed"))
 }
 
 /// Thousands of leaves in a few colours: walls, frames, glass.
 pub fn tower(floors: usize) -> Model {
     let (wall, frame) = (color(0.86, 0.8, 0.7), color(0.95, 0.94, 0.92));
-    let glass = Arc::new(Material {
-        color: Some(Color::new(0.3, 0.45, 0.55)),
-        opacity: Some(0.6),
-        roughness: Some(0.1),
-        ..Material::UNSET
-    });
+    let glass = Arc::new(Material::with(|look| {
+        look.color = Some(Color::new(0.3, 0.45, 0.55));
+        (look.opacity, look.roughness) = (Some(0.6), Some(0.1));
+    }));
     let mut fill = Fill(Model::new());
     for floor in 0..floors {
         for bay in 0..8 {

@@ -9,7 +9,7 @@ impl CgaRules {
         cx.enter(0u32)?;
         let mut childless = true;
         if ((cga_rt::get::float_attribute(shape, 0u32, g.attr_0) > 2f64)
-            & cga_rt::func::chance(shape, 0.5f64))
+            & cga_rt::func::chance(&mut cx.env, shape, 0.5f64))
         {
             'push1: {
                 let shape = &mut cga_rt::push(shape);

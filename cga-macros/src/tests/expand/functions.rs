@@ -13,10 +13,11 @@ impl CgaRules {
             );
             let a1 = cga_rt::Length::Absolute(cga_rt::host::ToFloat::to_float(&OFFSET));
             let a2 = cga_rt::Length::Absolute({
-                let a0 = cga_rt::func::concat(
-                    cga_rt::Text::fixed("a"),
-                    cga_rt::func::float_to_text(cga_rt::get::scope_sx(shape)),
-                );
+                let a0 = {
+                    let a0 = cga_rt::Text::fixed("a");
+                    let a1 = cga_rt::func::float_to_text(cga_rt::get::scope_sx(shape));
+                    cga_rt::func::concat(&mut cx.env, a0, a1)
+                };
                 let a1 = true;
                 cga_rt::host::ToFloat::to_float(
                     &crate::noise(cga_rt::host::as_str(&a0), a1),
@@ -45,11 +46,13 @@ impl CgaRules {
         if !env.call(1024) {
             return ::core::default::Default::default();
         }
-        let value = (if (p0 < 2f64) {
-            1f64
-        } else {
-            (p0 * CgaRules::fac(g, env, shape, (p0 - 1f64)))
-        });
+        let value = {
+            (if (!(p0 >= 2f64)) {
+                1f64
+            } else {
+                (p0 * CgaRules::fac(g, env, shape, (p0 - 1f64)))
+            })
+        };
         env.called();
         value
     }
@@ -60,7 +63,9 @@ impl CgaRules {
         p0: ::core::primitive::f64,
         p1: ::core::primitive::f64,
     ) -> ::core::primitive::f64 {
-        ((CgaRules::fac(g, env, shape, p0) + cga_rt::get::scope_sx(shape))
-            - cga_rt::func::rand_between(shape, p0, p1))
+        {
+            ((CgaRules::fac(g, env, shape, p0) + cga_rt::get::scope_sx(shape))
+                - cga_rt::func::rand_between(env, shape, p0, p1))
+        }
     }
 }

@@ -5,17 +5,17 @@ impl cga_rt::Rules for Tower {
     const NAMES: &'static [&'static ::core::primitive::str] = &["Lot", "Again"];
     const STARTS: &'static [&'static ::core::primitive::str] = &["Lot"];
     const START_RULES: &'static [::core::primitive::u32] = &[0u32];
+    const START_STYLES: &'static [::core::primitive::u32] = &[0u32];
     fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
-        cga_rt::Range {
-            min: 0f64,
-            max: 1f64,
-            step: 0f64,
-            restricted: true,
-        }
-            .check("share", self.share)?;
+        cga_rt::Range::new(0f64, 1f64, 0f64, true).check("share", self.share)?;
         ::core::result::Result::Ok(())
     }
-    fn values(&self, env: &mut cga_rt::Env, initial: &cga_rt::Shape) -> CgaValues {
+    fn values(
+        &self,
+        env: &mut cga_rt::Env,
+        initial: &cga_rt::Shape,
+        style: ::core::primitive::u32,
+    ) -> CgaValues {
         let mut g = <CgaValues as ::core::default::Default>::default();
         g.attr_0 = self.share;
         g.attr_1 = cga_rt::text(&self.name);

@@ -65,6 +65,14 @@ impl Vars {
         self.nodes[root].why
     }
 
+    /// Says that something wrong was reported about it.
+    pub(super) fn poison(&mut self, var: Var) {
+        let root = self.root(var);
+        if self.nodes[root].state == State::Free {
+            self.nodes[root].state = State::Poison;
+        }
+    }
+
     /// Says what a free one is; false when it is something else.
     pub(super) fn bind(&mut self, var: Var, ty: Type, why: Span) -> bool {
         let root = self.root(var);

@@ -1,0 +1,327 @@
+//! What annotations say about attributes and imports, and which rule comes first (*annotations*).
+//!
+//! They describe and generate nothing. What cannot be understood is reported, and the rest counts as if it were not there.
+
+mod limits;
+mod read;
+
+use super::{Cx, Door, Item};
+use crate::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
+use crate::code::Code;
+use crate::diag::{Diag, Level};
+use crate::ir::{Choices, Presentation, Range, Type};
+use crate::link::{InstanceId, Program};
+use crate::span::Span;
+use crate::suggest::nearest;
+use crate::words::ANNOTATIONS;
+use limits::Limits;
+use std::collections::HashMap;
+
+/// What annotations and comments say about an attribute.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct AttrInfo {
+    pub(crate) range: Option<Range>,
+    pub(crate) choices: Option<Choices>,
+    pub(crate) presentation: Presentation,
+    pub(crate) display_name: Option<String>,
+    pub(crate) group: Group,
+    pub(crate) doc: String,
+    pub(crate) order: Option<f64>,
+    pub(crate) hidden: bool,
+}
+
+/// The group that attributes belong to, from one `@Group` to the next, across imports.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Group {
+    /// From the outermost to the innermost; empty when they belong to none.
+    pub(crate) names: Vec<String>,
+    /// Where the innermost is shown.
+    pub(crate) order: Option<f64>,
+}
+
+/// What annotations say about an import.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ImportInfo {
+    /// Which of its attributes user interfaces leave out.
+    pub(crate) hidden: Hidden,
+    /// The group its attributes belong to as long as they name none.
+    pub(crate) group: Group,
+}
+
+/// What `@Hidden` hides.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) enum Hidden {
+    /// Nothing: there is none.
+    #[default]
+    Nothing,
+    /// What it stands before; of an import every attribute, and every import in it.
+    All,
+    /// `@Hidden(a, b)`: these attributes of an import.
+    Names(Vec<String>),
+}
+
+/// What annotations can stand before.
+enum Place<'a> {
+    Head(&'a [Annotation]),
+    Import(&'a Import),
+    Style(&'a Style),
+    Decl(&'a Decl),
+}
+
+impl<'a> Place<'a> {
+    fn annotations(&self) -> &'a [Annotation] {
+        match self {
+            Place::Head(annotations) => annotations,
+            Place::Import(import) => &import.annotations,
+            Place::Style(style) => &style.annotations,
+            Place::Decl(decl) => &decl.annotations,
+        }
+    }
+
+    fn span(&self) -> Span {
+        match self {
+            // Before everything.
+            Place::Head(_) => Span::default(),
+            Place::Import(import) => import.span,
+            Place::Style(style) => style.name.span,
+            Place::Decl(decl) => decl.span,
+        }
+    }
+}
+
+/// What stands before one thing.
+#[derive(Default)]
+struct Notes {
+    info: AttrInfo,
+    limits: Limits,
+    /// Where it is said how the attribute is shown.
+    presented: Option<Span>,
+    descriptions: Vec<String>,
+    start: Option<Span>,
+    hidden: Hidden,
+    /// Where names of an import are hidden.
+    names: Option<Span>,
+}
+
+pub(super) fn read(cx: &mut Cx) {
+    let program = cx.globals.program;
+    cx.tables.attrs = vec![AttrInfo::default(); cx.globals.attrs.len()];
+    let by_token: HashMap<u32, usize> =
+        cx.globals.attrs.iter().enumerate().map(|(index, item)| (item.decl.name.id(), index)).collect();
+    let mut hidden = vec![false; program.instances.len()];
+    // Importing files come before the imported ones.
+    for (id, instance) in program.instances.iter().enumerate() {
+        cx.at = id;
+        let import = instance.parent.and_then(|parent| from(program, parent, id));
+        let import = import.and_then(|import| cx.tables.imports.get(&import.id.id()).cloned()).unwrap_or_default();
+        hidden[id] = import.hidden == Hidden::All || instance.parent.is_some_and(|parent| hidden[parent]);
+        let start = file(cx, &instance.ast, import.group, &mut |cx, decl, mut info: AttrInfo| {
+            let Some(&index) = by_token.get(&decl.name.id()) else { return };
+            info.hidden |=
+                hidden[id] || matches!(&import.hidden, Hidden::Names(names) if names.contains(&decl.name.text));
+            cx.tables.attrs[index] = info;
+        });
+        if program.roots.contains(&id) {
+            let start = start.rule_of(cx);
+            cx.tables.starts.push(start);
+        }
+    }
+}
+
+/// The import that an instance comes from.
+fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<&Import> {
+    let instance = &program.instances[parent];
+    instance.ast.imports.iter().find(|import| instance.imports.get(&import.id.text) == Some(&Some(id)))
+}
+
+/// Reads the annotations of a file. `group` is the one that counts where it is imported.
+fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&mut Cx, &'a Decl, AttrInfo)) -> Starts {
+    let mut places: Vec<Place<'_>> = vec![Place::Head(&ast.head)];
+    places.extend(ast.imports.iter().map(Place::Import));
+    places.extend(ast.styles.iter().map(Place::Style));
+    places.extend(ast.decls.iter().map(Place::Decl));
+    places.sort_by_key(Place::span);
+    let mut starts = Starts::default();
+    for place in places {
+        let mut notes = Notes::default();
+        for annotation in place.annotations() {
+            let (Some(name), Some(args)) = (known(cx, annotation), &annotation.args) else { continue };
+            notes.read(cx, name, annotation.name.span, args, &mut group);
+        }
+        let is_rule = matches!(place, Place::Decl(Decl { body: Body::Rule(_), .. }));
+        if let Some(span) = notes.start.filter(|_| !is_rule) {
+            wrong(cx, span, "only a rule can be the start rule".into());
+        }
+        if let Some(span) = notes.names.filter(|_| !matches!(place, Place::Import(_))) {
+            wrong(cx, span, "`@Hidden` has names only before an import".into());
+        }
+        match place {
+            Place::Import(import) => {
+                let info = ImportInfo { hidden: notes.hidden, group: group.clone() };
+                cx.tables.imports.insert(import.id.id(), info);
+            }
+            Place::Decl(decl) => match &decl.body {
+                Body::Attr(_) => {
+                    let info = notes.attribute(cx, decl, &group);
+                    keep(cx, decl, info);
+                }
+                Body::Rule(_) => starts.rule(cx, decl, notes.start),
+                _ => {}
+            },
+            Place::Head(_) | Place::Style(_) => {}
+        }
+    }
+    starts
+}
+
+impl Notes {
+    /// What they say about an attribute, as far as it suits the type.
+    fn attribute(self, cx: &mut Cx, decl: &Decl, group: &Group) -> AttrInfo {
+        let Notes { mut info, limits, presented, descriptions, hidden, .. } = self;
+        info.group.clone_from(group);
+        info.doc = if descriptions.is_empty() { decl.docs.join("\n") } else { descriptions.join("\n") };
+        info.hidden = hidden == Hidden::All;
+        let ty = cx.tables.types.get(&decl.name.id()).copied();
+        if let (Some(ty), Some(span)) = (ty, presented) {
+            let needs = match info.presentation {
+                Presentation::Plain => ty.element(),
+                Presentation::Angle | Presentation::Percent | Presentation::Distance => Type::Float,
+                _ => Type::Text,
+            };
+            if needs != ty.element() {
+                let message = format!("this is for a {}, but `{}` is a {}", needs.word(), decl.name.text, ty.word());
+                wrong(cx, span, message);
+                info.presentation = Presentation::Plain;
+            }
+        }
+        limits.settle(cx, decl, ty, &mut info);
+        info
+    }
+}
+
+/// The search for the rule that a run begins with.
+#[derive(Default)]
+struct Starts {
+    /// The first `@StartRule` of each style: the token of the rule's name.
+    first: HashMap<u32, u32>,
+}
+
+impl Starts {
+    fn rule(&mut self, cx: &mut Cx, decl: &Decl, start: Option<Span>) {
+        let Some(span) = start else { return };
+        if !decl.params.is_empty() {
+            let message = format!("`{}` has parameters, so a run cannot begin with it", decl.name.text);
+            wrong(cx, span, message);
+            return;
+        }
+        // All of them can be started; a run begins with the first, or with the first of its style.
+        self.first.entry(decl.style).or_insert(decl.name.id());
+    }
+
+    /// The rule marked with `start`, else the annotated one of the nearest style, else the first, each without
+    /// parameters.
+    fn rule_of(self, cx: &mut Cx) -> Option<u32> {
+        let (root, styles) = (cx.at, &cx.globals.program.instances[cx.at].styles);
+        let own = |item: &Item| item.instance == root && item.home == root && !item.decl.name.text.contains('.');
+        let rules = cx.globals.rules.iter().enumerate().filter(|(_, item)| own(item));
+        let rules: Vec<(usize, &Item)> = rules.collect();
+        let free = || rules.iter().filter(|(_, item)| item.decl.params.is_empty());
+        let annotated = |item: &Item| {
+            let token = self.first.get(&item.decl.style)?;
+            (*token == item.decl.name.id()).then(|| styles.rank(item.decl.style)).flatten()
+        };
+        let found = free()
+            .find(|(_, item)| item.decl.role == Role::Start)
+            .or_else(|| {
+                free()
+                    .filter_map(|found| Some((annotated(found.1)?, found)))
+                    .min_by_key(|(rank, _)| *rank)
+                    .map(|(_, found)| found)
+            })
+            .or_else(|| free().next())
+            .map(|(index, _)| *index as u32);
+        if let (None, Some((_, first))) = (found, rules.first()) {
+            let message = format!("`{}` has parameters, and so has every rule: no run can begin", first.decl.name.text);
+            cx.diags.report(Code::NoStartRule, first.decl.name.span, message);
+        }
+        found
+    }
+}
+
+/// The annotation's name as the language has it.
+fn known(cx: &mut Cx, annotation: &Annotation) -> Option<&'static str> {
+    let name = annotation.name.text.as_str();
+    if let Some(known) = ANNOTATIONS.iter().find(|&&known| known == name) {
+        return Some(known);
+    }
+    let span = annotation.name.span;
+    // *CGA changelog 2019.1*: other capitals are a warning, and it counts.
+    if let Some(known) = ANNOTATIONS.iter().find(|known| known.eq_ignore_ascii_case(name)) {
+        let message = format!("annotation `@{name}` is written `@{known}`");
+        cx.diags.report(Code::UnknownAnnotation, span, message);
+        return Some(known);
+    }
+    cx.diags
+        .report(Code::UnknownAnnotation, span, format!("unknown annotation `@{name}`"))
+        .suggest(nearest(name, ANNOTATIONS.iter().copied()).map(|near| format!("@{near}")));
+    None
+}
+
+fn wrong<'d>(cx: &'d mut Cx, span: Span, message: String) -> &'d mut Diag {
+    // In text they are as forgiving as CGA: they describe, they do not generate.
+    let door = cx.globals.program.instances[cx.at].door;
+    let level = if door == Door::Inline { Level::Error } else { Level::Warning };
+    cx.diags.report_as(Code::BadAnnotation, level, span, message)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::compile::{Door, compile_files, compile_text};
+    use crate::lex::lex;
+    use crate::link::{Files, Unit};
+
+    /// One library for every path.
+    struct Library(&'static str);
+
+    impl Files for Library {
+        fn open(&mut self, path: &str, _: &str) -> Result<Unit, String> {
+            let lexed = lex(self.0);
+            Ok(Unit { name: path.into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+        }
+    }
+
+    #[test]
+    fn what_stands_before_an_import_is_said_of_it() {
+        for (before, expected) in
+            [("", [false, false]), ("@Hidden", [true, true]), ("@Hidden(b, \"c\")", [false, true])]
+        {
+            let text = format!(
+                "@Group(\"A\") attr x = 1 {before} @Group(\"B\") import lib : \"lib.cga\" attr y = 1 Lot --> lib.Lot"
+            );
+            let lexed = lex(&text);
+            let root = Unit { name: "a.cga".into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags };
+            let library = "attr a = 1  attr b = 2  @Group(\"C\") attr c = 3  Lot --> t(a, b, c)";
+            let compiled = compile_files(root, &mut Library(library), &[]);
+            assert_eq!(compiled.diags, []);
+            let grammar = compiled.grammar.expect("no error");
+            let shown: Vec<(&str, &str, bool)> =
+                grammar.attrs.iter().map(|attr| (attr.name.as_str(), attr.group[0].as_str(), attr.hidden)).collect();
+            // The group goes on across the import.
+            let [first, second] = expected;
+            let imported = [("lib.a", "B", first), ("lib.b", "B", second), ("lib.c", "C", second)];
+            assert_eq!(shown, [[("x", "A", false), ("y", "B", false)].as_slice(), &imported].concat());
+        }
+    }
+
+    #[test]
+    fn each_style_may_have_a_start_rule() {
+        for style in ["", "style S"] {
+            let source = compile_text(&format!("@StartRule A --> NIL {style} @StartRule B --> NIL"));
+            assert_eq!(source.compiled.diags, []);
+            let grammar = source.compiled.grammar.expect("no error");
+            let default = |style| grammar.starts.iter().find(|start| start.style == style).map(|start| &*start.name);
+            assert_eq!(default(0), Some("A"));
+            assert_eq!(default(1), (!style.is_empty()).then_some("S$B"));
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Two declarations of one name.
+
+use super::{Cx, arity};
+use crate::ast::Decl;
+use crate::code::Code;
+use crate::diag::Diags;
+use crate::ir::Type;
+use crate::link::InstanceId;
+use crate::ops::{self, Run};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+/// Fills the tables of names. Attributes, constants and functions without parameters share their names; parameters and
+/// locals of a declaration do too.
+pub(super) fn values(cx: &mut Cx) {
+    let diags = &mut *cx.diags;
+    cx.globals.name(|item, what, first| duplicate(diags, item.decl, what, first.decl));
+    for item in cx.globals.items() {
+        let inner: Vec<_> = item.decl.inner().collect();
+        for (index, name) in inner.iter().enumerate() {
+            if let Some(first) = inner[..index].iter().find(|first| first.text == name.text) {
+                let what = if index < item.decl.params.len() { "parameter" } else { "local value" };
+                let message = format!("{what} `{}` is declared twice", name.text);
+                cx.diags.report(Code::DuplicateName, name.span, message).related("first declared", first.span);
+            }
+        }
+    }
+    // What runs today cannot be called any more. A rule with the name of what does not run yet is called instead.
+    for item in &cx.globals.rules {
+        let rows = ops::operations(&item.decl.name.text).filter(|row| row.run != Run::Later);
+        if let Some(row) = rows.into_iter().find(|row| row.takes(item.decl.params.len())) {
+            let message = format!("`{}` is an operation, so this rule could never be called", arity::usage(row));
+            cx.diags.report(Code::DuplicateName, item.decl.name.span, message).help("give the rule another name");
+        }
+    }
+}
+
+/// Rules and functions of one name must differ in number or types of parameters.
+pub(super) fn overloads(cx: &mut Cx) {
+    for (items, what) in [(&cx.globals.rules, "rule"), (&cx.globals.functions, "function")] {
+        let mut first: HashMap<(InstanceId, &str, Vec<Option<Type>>), &Decl> = HashMap::new();
+        for item in items.iter().filter(|item| item.home == item.instance) {
+            let types = item.decl.params.iter().map(|param| cx.tables.types.get(&param.id()).copied()).collect();
+            match first.entry((item.instance, &item.decl.name.text, types)) {
+                Entry::Vacant(entry) => _ = entry.insert(item.decl),
+                Entry::Occupied(entry) => duplicate(cx.diags, item.decl, what, entry.get()),
+            }
+        }
+    }
+}
+
+fn duplicate(diags: &mut Diags, decl: &Decl, what: &str, first: &Decl) {
+    let params = match decl.params.len() {
+        0 => String::new(),
+        1 => " with 1 parameter".into(),
+        count => format!(" with {count} parameters"),
+    };
+    let message = format!("{what} `{}`{params} is declared twice", decl.name.text);
+    diags.report(Code::DuplicateName, decl.name.span, message).related("first declared", first.name.span);
+}

@@ -1,0 +1,370 @@
+//! What is declared, in every instance of every file, and how names find it.
+
+use crate::ast::{Body, Decl, Expr, Name, Override, Role};
+use crate::link::{Instance, InstanceId, Layer, Program};
+use crate::ops;
+use std::collections::{HashMap, HashSet};
+
+use super::Use;
+
+/// Everything that is declared. Indices count the items of a kind: instance by instance, in source order.
+pub(crate) struct Globals<'a> {
+    pub(crate) program: &'a Program,
+    pub(crate) attrs: Vec<Item<'a>>,
+    pub(crate) consts: Vec<Item<'a>>,
+    pub(crate) functions: Vec<Item<'a>>,
+    pub(crate) rules: Vec<Item<'a>>,
+    names: Vec<Names<'a>>,
+}
+
+/// A declaration in its place.
+#[derive(Clone)]
+pub(crate) struct Item<'a> {
+    pub(crate) decl: &'a Decl,
+    /// The instance it belongs to.
+    pub(crate) instance: InstanceId,
+    /// Where the names in it are looked up: another instance for a rule that an import overrides.
+    pub(crate) home: InstanceId,
+    /// With the names of imports before it: `imp.height`.
+    pub(crate) name: String,
+    /// Where its value comes from.
+    pub(crate) init: Init<'a>,
+    /// Whether it is what an overridden attribute would be without the override.
+    pub(crate) origin: bool,
+}
+
+/// Where the value of an attribute comes from.
+#[derive(Clone, Copy)]
+pub(crate) enum Init<'a> {
+    /// What its declaration says.
+    Own,
+    /// From an override in an import, whose names are looked up there.
+    Override(&'a Expr, InstanceId),
+    /// From the importing file's attribute of the same name.
+    Flows(u32),
+}
+
+/// What names mean in an instance.
+#[derive(Default)]
+struct Names<'a> {
+    /// Attributes, constants and functions without parameters.
+    values: HashMap<&'a str, Use>,
+    functions: HashMap<&'a str, Vec<u32>>,
+    rules: HashMap<&'a str, Vec<u32>>,
+    /// Rules that replace extensions, for calls from inside.
+    replaced: HashMap<&'a str, u32>,
+    /// Rules marked with `start`.
+    start: Vec<u32>,
+    /// Names that may be declared where something could not be read.
+    lost: HashSet<&'a str>,
+    /// Default values of overridden attributes, which the overriding expression may ask for.
+    origins: HashMap<&'a str, u32>,
+}
+
+/// Where a name, perhaps dotted, is to be looked up.
+pub(crate) enum Way<'n> {
+    /// In that instance, by the rest of the name.
+    To(InstanceId, &'n str),
+    /// In a file that could not be read.
+    Missing,
+}
+
+impl<'a> Item<'a> {
+    /// The expressions that make its value, and where their names are looked up; none for a rule.
+    pub(crate) fn value(&self) -> Option<(&'a Expr, InstanceId)> {
+        match self.init {
+            Init::Own => self.decl.value().map(|value| (value, self.home)),
+            Init::Override(value, home) => Some((value, home)),
+            Init::Flows(_) => None,
+        }
+    }
+
+    /// Whether its own parameters and locals count in its value.
+    pub(crate) fn is_own(&self) -> bool {
+        matches!(self.init, Init::Own)
+    }
+}
+
+impl<'a> Globals<'a> {
+    pub(super) fn new(program: &'a Program) -> Self {
+        let names = program.instances.iter().map(|_| Names::default()).collect();
+        let mut globals =
+            Globals { program, attrs: Vec::new(), consts: Vec::new(), functions: Vec::new(), rules: Vec::new(), names };
+        for instance in 0..program.instances.len() {
+            globals.collect(instance);
+        }
+        // Importing files come before the imported ones.
+        for instance in 0..program.instances.len() {
+            globals.override_attrs(instance);
+            globals.override_rules(instance);
+        }
+        globals
+    }
+
+    /// The declarations of an instance that count with its style in force.
+    fn collect(&mut self, id: InstanceId) {
+        let instance = &self.program.instances[id];
+        self.names[id].lost = instance.ast.lost.iter().map(String::as_str).collect();
+        for decl in &instance.ast.decls {
+            let Some(rank) = instance.styles.rank(decl.style) else { continue };
+            if instance.ast.decls.iter().any(|other| hides(instance, other, decl, rank)) {
+                continue;
+            }
+            let own = instance.prefix.as_str();
+            let item = Item {
+                decl,
+                instance: id,
+                home: id,
+                name: format!("{own}{}", decl.name.text),
+                init: Init::Own,
+                origin: false,
+            };
+            match decl.body {
+                Body::Attr(_) => self.attrs.push(item),
+                Body::Const(_) => self.consts.push(item),
+                Body::Function(_) => self.functions.push(item),
+                Body::Rule(_) => self.rules.push(item),
+            }
+        }
+    }
+
+    /// Attributes of an imported file that get their values from the importing one.
+    fn override_attrs(&mut self, id: InstanceId) {
+        let instance = &self.program.instances[id];
+        let Some(layer) = instance.layers.first() else { return };
+        for index in self.own(&self.attrs, id) {
+            let item = &self.attrs[index];
+            // Only what belongs to the style `Default` is overridden.
+            if item.decl.style != 0 {
+                continue;
+            }
+            let name = item.decl.name.text.as_str();
+            let init = match written(layer, name) {
+                Some(Override::Value(_, value)) => Init::Override(value, layer.home),
+                Some(_) => continue,
+                None if layer.list.as_ref().is_some_and(Vec::is_empty) => continue,
+                None => {
+                    let outer = |other: &Item| other.instance == layer.home && other.decl.name.text == name;
+                    match self.attrs.iter().position(outer) {
+                        Some(outer) => Init::Flows(outer as u32),
+                        None => continue,
+                    }
+                }
+            };
+            let mut origin = item.clone();
+            origin.origin = true;
+            self.attrs[index].init = init;
+            self.names[id].origins.insert(name, self.consts.len() as u32);
+            self.consts.push(origin);
+        }
+    }
+
+    /// Rules that an importing file puts in the place of extensions.
+    fn override_rules(&mut self, id: InstanceId) {
+        let instance = &self.program.instances[id];
+        for layer in &instance.layers {
+            for decl in layer.list.iter().flatten().filter_map(|own| match own {
+                Override::Rule(decl) => Some(decl),
+                _ => None,
+            }) {
+                let known = self.rules.iter().position(|item| item.decl.name.id() == decl.name.id());
+                let index = known.unwrap_or_else(|| {
+                    let name = format!("{}{}", instance.prefix, decl.name.text);
+                    self.rules.push(Item {
+                        decl,
+                        instance: id,
+                        home: layer.home,
+                        name,
+                        init: Init::Own,
+                        origin: false,
+                    });
+                    self.rules.len() - 1
+                });
+                self.names[id].replaced.insert(&decl.name.text, index as u32);
+            }
+        }
+    }
+
+    /// Items of an instance, by index.
+    fn own(&self, items: &[Item<'a>], id: InstanceId) -> Vec<usize> {
+        items.iter().enumerate().filter(|(_, item)| item.instance == id).map(|(index, _)| index).collect()
+    }
+
+    /// Fills the tables of names. A name that an earlier declaration has already goes to `twice`.
+    pub(super) fn name<'s>(&'s mut self, mut twice: impl FnMut(&Item<'a>, &str, &Item<'a>)) {
+        let mut found: Vec<(&Item<'a>, &str, Use)> = Vec::new();
+        let mut enter = |items: &'s [Item<'a>], what: &'static str, make: fn(u32) -> Use| {
+            let own = items.iter().enumerate().filter(|(_, item)| !item.origin);
+            found.extend(own.map(|(index, item)| (item, what, make(index as u32))));
+        };
+        enter(&self.attrs, "attribute", Use::Attr);
+        enter(&self.consts, "constant", Use::Const);
+        enter(&self.functions, "function", Use::Function);
+        found.sort_by_key(|(item, ..)| item.decl.name.span);
+        for (item, what, own) in found {
+            let (name, names) = (item.decl.name.text.as_str(), &mut self.names[item.instance]);
+            if let Use::Function(index) = own {
+                names.functions.entry(name).or_default().push(index);
+                if !item.decl.params.is_empty() {
+                    continue;
+                }
+            }
+            match names.values.get(name) {
+                // Functions are compared by their types, later.
+                Some(Use::Function(_)) if matches!(own, Use::Function(_)) => {}
+                Some(Use::Attr(first)) => twice(item, what, &self.attrs[*first as usize]),
+                Some(Use::Const(first)) => twice(item, what, &self.consts[*first as usize]),
+                Some(Use::Function(first)) => twice(item, what, &self.functions[*first as usize]),
+                _ => _ = names.values.insert(name, own),
+            }
+        }
+        for (index, item) in self.rules.iter().enumerate() {
+            // A rule in the place of an extension is found from inside only.
+            if item.home != item.instance {
+                continue;
+            }
+            let name = item.decl.name.text.as_str();
+            let names = &mut self.names[item.instance];
+            names.rules.entry(name).or_default().push(index as u32);
+            if item.decl.role == Role::Start {
+                names.start.push(index as u32);
+            }
+            // `id.Name --> …` goes on where the imported file leaves off.
+            if let Some((import, rest)) = name.split_once('.')
+                && let Some(Some(target)) = self.program.instances[item.instance].imports.get(import)
+            {
+                self.names[*target].rules.entry(rest).or_default().insert(0, index as u32);
+            }
+        }
+    }
+
+    /// Follows the names of imports.
+    pub(crate) fn way<'n>(&self, from: InstanceId, name: &'n str) -> Way<'n> {
+        let (mut at, mut rest) = (from, name);
+        while let Some((first, behind)) = rest.split_once('.') {
+            match self.program.instances[at].imports.get(first) {
+                Some(Some(next)) => (at, rest) = (*next, behind),
+                Some(None) => return Way::Missing,
+                None => break,
+            }
+        }
+        Way::To(at, rest)
+    }
+
+    /// Whether something of that name may be declared where it could not be read.
+    pub(crate) fn is_lost(&self, from: InstanceId, name: &str) -> bool {
+        match self.way(from, name) {
+            Way::Missing => true,
+            Way::To(at, rest) => self.names[at].lost.contains(rest),
+        }
+    }
+
+    /// The attribute, constant or function without parameters of that name.
+    pub(crate) fn value(&self, from: InstanceId, name: &str) -> Option<Use> {
+        let Way::To(at, rest) = self.way(from, name) else { return None };
+        self.names[at].values.get(rest).copied()
+    }
+
+    /// The value that an overridden attribute would have without the override.
+    pub(crate) fn origin(&self, from: InstanceId, name: &str) -> Option<u32> {
+        let Way::To(at, rest) = self.way(from, name) else { return None };
+        self.names[at].origins.get(rest).copied()
+    }
+
+    /// The functions of that name.
+    pub(crate) fn functions(&self, from: InstanceId, name: &str) -> &[u32] {
+        match self.way(from, name) {
+            Way::To(at, rest) => self.names[at].functions.get(rest).map(Vec::as_slice).unwrap_or_default(),
+            Way::Missing => &[],
+        }
+    }
+
+    /// The rules of that name; `start` stands for those marked so.
+    pub(crate) fn rules(&self, from: InstanceId, name: &str) -> Vec<u32> {
+        // A dotted name that continues a leaf of an import is declared here.
+        if let Some(list) = self.names[from].rules.get(name).filter(|_| name.contains('.')) {
+            return list.clone();
+        }
+        let Way::To(at, rest) = self.way(from, name) else { return Vec::new() };
+        let names = &self.names[at];
+        if let Some(&rule) = names.replaced.get(rest).filter(|_| at == from) {
+            return vec![rule];
+        }
+        match names.rules.get(rest) {
+            Some(list) => list.clone(),
+            None if rest == "start" => names.start.clone(),
+            None => Vec::new(),
+        }
+    }
+
+    /// Everything with a value: attributes, constants, functions.
+    pub(crate) fn values(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
+        self.attrs.iter().chain(&self.consts).chain(&self.functions)
+    }
+
+    /// Everything.
+    pub(crate) fn items(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
+        self.rules.iter().chain(self.values())
+    }
+
+    /// Names that may be meant in an instance, sorted.
+    pub(crate) fn near(&self, from: InstanceId, kind: Kind) -> Vec<&'a str> {
+        let names = &self.names[from];
+        let mut list: Vec<&'a str> = match kind {
+            Kind::Values => names.values.keys().copied().collect(),
+            Kind::Attrs => {
+                let attr = |(name, found): (&&'a str, &Use)| matches!(found, Use::Attr(_)).then_some(*name);
+                names.values.iter().filter_map(attr).collect()
+            }
+            Kind::Functions => names.functions.keys().copied().collect(),
+            Kind::Rules => names.rules.keys().copied().collect(),
+        };
+        list.sort_unstable();
+        list
+    }
+}
+
+/// What a suggestion is looked for among.
+#[derive(Clone, Copy)]
+pub(crate) enum Kind {
+    Values,
+    Attrs,
+    Functions,
+    Rules,
+}
+
+/// Whether a declaration takes the place of another that belongs to a style further down.
+fn hides(instance: &Instance, other: &Decl, decl: &Decl, rank: usize) -> bool {
+    0 < rank
+        && other.name.text == decl.name.text
+        && other.params.len() == decl.params.len()
+        && instance.styles.rank(other.style).is_some_and(|own| own < rank)
+}
+
+/// What a layer says about an attribute.
+fn written<'a>(layer: &'a Layer, name: &str) -> Option<&'a Override> {
+    layer.list.iter().flatten().find(|own| match own {
+        Override::Keep(own) | Override::Value(own, _) => own.text == name,
+        Override::Rule(_) => false,
+    })
+}
+
+impl Decl {
+    /// The expression it stands for, unless it is a rule.
+    pub(crate) fn value(&self) -> Option<&Expr> {
+        match &self.body {
+            Body::Attr(value) | Body::Const(value) | Body::Function(value) => Some(value),
+            Body::Rule(_) => None,
+        }
+    }
+
+    /// Parameters, then locals: what [`Use::Param`] counts.
+    pub(crate) fn inner(&self) -> impl Iterator<Item = &Name> {
+        self.params.iter().chain(self.locals.iter().map(|(name, _)| name))
+    }
+}
+
+/// Functions of the language of that name that take so many arguments.
+pub(crate) fn builtins(name: &str, count: usize) -> Vec<&'static ops::Function> {
+    ops::functions(name).filter(|row| row.takes(count)).collect()
+}

@@ -1,0 +1,89 @@
+//! What stands in parentheses behind an import: whether it names attributes and extensions of the imported file.
+
+use super::{Cx, Use};
+use crate::ast::{Override, Role};
+use crate::code::Code;
+use crate::link::{InstanceId, Layer};
+use crate::suggest::nearest;
+
+pub(super) fn check(cx: &mut Cx) {
+    let program = cx.globals.program;
+    for (id, instance) in program.instances.iter().enumerate() {
+        for (index, layer) in instance.layers.iter().enumerate() {
+            // The layers before the last belong to the static import, which is an instance of its own.
+            if index + 1 == instance.layers.len() {
+                layer_of(cx, id, layer);
+            }
+        }
+    }
+}
+
+fn layer_of(cx: &mut Cx, id: InstanceId, layer: &Layer) {
+    let list = layer.list.as_deref().unwrap_or_default();
+    list_of(cx, id, list);
+}
+
+/// Checks overrides of an instance.
+pub(super) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
+    for (index, own) in list.iter().enumerate() {
+        let name = match own {
+            Override::Keep(name) | Override::Value(name, _) => name,
+            Override::Rule(decl) => &decl.name,
+        };
+        let same = |other: &&Override| match other {
+            Override::Keep(other) | Override::Value(other, _) => other.text == name.text,
+            Override::Rule(other) => other.name.text == name.text,
+        };
+        if list[..index].iter().any(|other| same(&other)) {
+            let message = format!("`{}` is overridden twice", name.text);
+            cx.diags.report(Code::DuplicateName, name.span, message);
+            continue;
+        }
+        if cx.globals.is_lost(id, &name.text) {
+            continue;
+        }
+        match own {
+            Override::Keep(_) | Override::Value(..) => attribute(cx, id, name),
+            Override::Rule(_) => extension(cx, id, name),
+        }
+    }
+}
+
+fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
+    if name.text.contains('.') {
+        let message =
+            format!("`{}` belongs to an import of the imported file, it cannot be overridden here", name.text);
+        cx.diags.report(Code::UnknownName, name.span, message);
+        return;
+    }
+    match cx.globals.value(id, &name.text) {
+        Some(Use::Attr(_)) => {}
+        found => {
+            let near = nearest(&name.text, cx.globals.near(id, super::globals::Kind::Attrs)).map(str::to_owned);
+            let message = match found {
+                Some(_) => format!("`{}` is a constant, only attributes can be overridden", name.text),
+                None => format!("the imported file has no attribute `{}`", name.text),
+            };
+            cx.diags.report(Code::UnknownName, name.span, message).suggest(near);
+        }
+    }
+}
+
+fn extension(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
+    let own = cx.globals.rules.iter().filter(|item| item.instance == id && item.home == id);
+    let named: Vec<_> = own.clone().filter(|item| item.decl.name.text == name.text).collect();
+    if named.iter().any(|item| item.decl.role == Role::Extension) {
+        return;
+    }
+    let extensions = own.filter(|item| item.decl.role == Role::Extension).map(|item| item.decl.name.text.as_str());
+    let near = nearest(&name.text, extensions).map(str::to_owned);
+    if let Some(rule) = named.first() {
+        let message = format!("rule `{}` is no extension, it cannot be overridden", name.text);
+        cx.diags
+            .report(Code::UndefinedRule, name.span, message)
+            .help(format!("write `extension {}` in the imported file", rule.decl.name.text));
+    } else {
+        let message = format!("the imported file has no rule `{}`", name.text);
+        cx.diags.report_as(Code::UndefinedRule, crate::diag::Level::Error, name.span, message).suggest(near);
+    }
+}

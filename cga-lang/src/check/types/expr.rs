@@ -1,0 +1,228 @@
+//! Types of expressions.
+
+use super::open::{Candidate, Open, Takes};
+use super::{Infer, State, Type, Use, Var};
+use crate::ast::{Binary, CompValue, Expr, ExprKind, Name, Unary};
+use crate::code::Code;
+use crate::ops::{Param, ParamKind};
+use crate::span::Span;
+
+impl<'a> Infer<'_, 'a, '_> {
+    pub(super) fn expr(&mut self, expr: &'a Expr) -> Var {
+        let span = expr.span;
+        match &expr.kind {
+            ExprKind::Number(_) => self.known(Type::Float, span),
+            ExprKind::Bool(_) => self.known(Type::Bool, span),
+            ExprKind::Text(_) => self.known(Type::Text, span),
+            ExprKind::Host(_) => self.slot(span.first),
+            ExprKind::Name(name) => self.used(name, &[]),
+            ExprKind::Call(name, args) => self.used(name, args),
+            ExprKind::Path(name, args) => {
+                for arg in args {
+                    self.expr(arg);
+                }
+                self.slot(name.id())
+            }
+            ExprKind::Unary(Unary::Not, operand) => {
+                self.need(operand, Type::Bool, "`!`");
+                self.known(Type::Bool, span)
+            }
+            ExprKind::Unary(op, operand) => {
+                self.need(operand, Type::Float, if *op == Unary::Minus { "`-`" } else { "`+` with one operand" });
+                self.known(Type::Float, span)
+            }
+            ExprKind::EachUnary(op, operand) => {
+                let (ty, who) = match op {
+                    Unary::Not => (Type::Bools, "`.!`"),
+                    Unary::Minus => (Type::Floats, "`.-`"),
+                    Unary::Plus => (Type::Floats, "`.+` with one operand"),
+                };
+                self.need(operand, ty, who);
+                self.known(ty, span)
+            }
+            ExprKind::Binary(op, at, left, right) => self.binary(*op, *at, left, right, span),
+            ExprKind::Each(op, at, left, right) => {
+                let (left, right) = ((self.expr(left), left.span), (self.expr(right), right.span));
+                let result = self.free();
+                self.wait(Open::Each { op: *op, at: *at, left, right, result })
+            }
+            ExprKind::Array(rows) => {
+                let entries = rows.iter().flatten().map(|entry| (self.expr(entry), entry.span)).collect();
+                let result = self.free();
+                self.wait(Open::Array { entries, result, span })
+            }
+            ExprKind::Range(..) => {
+                for part in expr.parts() {
+                    self.need(part, Type::Float, "a range");
+                }
+                self.known(Type::Floats, span)
+            }
+            ExprKind::Index(array, indices) => {
+                let array = (self.expr(array), array.span);
+                let indices = indices.iter().map(|index| (self.expr(index), index.span)).collect();
+                let result = self.free();
+                self.wait(Open::Index { array, indices, result, span })
+            }
+            ExprKind::Comp(comp) => self.comp_value(comp, span),
+            ExprKind::Case(arms, otherwise) => {
+                for (condition, _) in arms {
+                    self.need(condition, Type::Bool, "`case`");
+                }
+                self.branches(arms.iter().map(|(_, value)| value), otherwise)
+            }
+            ExprKind::Chance(arms, otherwise) => self.branches(arms.iter().map(|(_, value)| value), otherwise),
+            ExprKind::Error => self.poison(),
+        }
+    }
+
+    fn branches(&mut self, arms: impl Iterator<Item = &'a Expr>, otherwise: &'a Expr) -> Var {
+        let result = self.free();
+        for value in arms.chain([otherwise]) {
+            let ty = self.expr(value);
+            if let Err((first, second)) = self.vars.join(result, ty) {
+                let why = self.vars.why(result);
+                let needs = format!("the branches before are a {}, this is", first.word());
+                let diag = self.mismatch(value.span, &needs, second);
+                if let Some(why) = why {
+                    diag.related(format!("a {}", first.word()), why);
+                }
+                return self.poison();
+            }
+        }
+        result
+    }
+
+    /// An array with a value for each component.
+    fn comp_value(&mut self, comp: &'a CompValue, span: Span) -> Var {
+        let mut entries = Vec::new();
+        for (selector, _, value) in &comp.arms {
+            self.selector(selector);
+            entries.push((self.expr(value), value.span));
+        }
+        let result = self.free();
+        self.wait(Open::Array { entries, result, span })
+    }
+
+    /// A name or call in an expression.
+    fn used(&mut self, name: &'a Name, args: &'a [Expr]) -> Var {
+        let found = self.cx.tables.of(name);
+        // Words among the arguments have no entry in the tables: they come out as poison and disturb nobody.
+        let args: Vec<(Var, Span)> = args.iter().map(|arg| (self.expr(arg), arg.span)).collect();
+        match found {
+            Some(Use::Param(index)) => {
+                let token = self.inner[index as usize].id();
+                self.slot(token)
+            }
+            Some(Use::Attr(index)) => self.slot(self.cx.globals.attrs[index as usize].decl.name.id()),
+            Some(Use::Const(index)) => self.slot(self.cx.globals.consts[index as usize].decl.name.id()),
+            Some(Use::Function(index)) => {
+                let decl = self.cx.globals.functions[index as usize].decl;
+                for ((arg, span), param) in args.into_iter().zip(&decl.params) {
+                    self.argument(decl, param, arg, span);
+                }
+                self.slot(decl.name.id())
+            }
+            Some(Use::Builtin(row)) => {
+                for ((var, span), param) in args.into_iter().zip(row.params) {
+                    self.builtin_argument(param, row.name, var, span);
+                }
+                self.known(row.ty, name.span)
+            }
+            Some(Use::Convert(ty)) => self.known(ty, name.span),
+            Some(Use::Shape(row)) => self.known(row.ty, name.span),
+            Some(Use::Open(open)) => {
+                let candidates = self.candidates(open);
+                let result = self.free();
+                self.wait(Open::Call { name: name.clone(), candidates, args, result: Some(result) });
+                result
+            }
+            _ => self.poison(),
+        }
+    }
+
+    pub(super) fn builtin_argument(&mut self, param: &Param, name: &str, var: Var, span: Span) {
+        let ty = match param.kind {
+            ParamKind::Value(ty) => ty,
+            ParamKind::Length | ParamKind::Size => Type::Float,
+            _ => return,
+        };
+        let who = if param.name.is_empty() { format!("`{name}`") } else { format!("`{}` of `{name}`", param.name) };
+        self.need_var(var, span, ty, &who);
+    }
+
+    /// What a call may be, with the types it takes.
+    pub(super) fn candidates(&mut self, open: u32) -> Vec<Candidate> {
+        let list = self.cx.tables.open[open as usize].clone();
+        list.into_iter().map(|found| self.candidate(found)).collect()
+    }
+
+    fn candidate(&mut self, found: Use) -> Candidate {
+        let builtin = |params: &[Param]| -> Vec<Takes> {
+            let takes = |param: &Param| match param.kind {
+                ParamKind::Value(ty) => Takes::Type(ty),
+                ParamKind::Length | ParamKind::Size => Takes::Type(Type::Float),
+                _ => Takes::Any,
+            };
+            params.iter().map(takes).collect()
+        };
+        let (takes, gives) = match found {
+            Use::Function(index) => {
+                let decl = self.cx.globals.functions[index as usize].decl;
+                let takes = decl.params.iter().map(|param| Takes::Var(self.slot(param.id()))).collect();
+                (takes, Takes::Var(self.slot(decl.name.id())))
+            }
+            Use::Rule(index) => {
+                let decl = self.cx.globals.rules[index as usize].decl;
+                (decl.params.iter().map(|param| Takes::Var(self.slot(param.id()))).collect(), Takes::Any)
+            }
+            Use::Builtin(row) => (builtin(row.params), Takes::Type(row.ty)),
+            Use::Operation(row) => (builtin(row.params), Takes::Any),
+            Use::Convert(Type::Text) => (vec![Takes::Any], Takes::Type(Type::Text)),
+            Use::Convert(ty) => (vec![Takes::Type(ty)], Takes::Type(ty)),
+            _ => (Vec::new(), Takes::Any),
+        };
+        Candidate { found, takes, gives }
+    }
+
+    fn binary(&mut self, op: Binary, at: Span, left: &'a Expr, right: &'a Expr, span: Span) -> Var {
+        let who = format!("`{}`", op.text());
+        match op {
+            Binary::Add => {
+                let (left, right) = ((self.expr(left), left.span), (self.expr(right), right.span));
+                let result = self.free();
+                self.wait(Open::Plus { left, right, result, at })
+            }
+            Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem => {
+                self.need(left, Type::Float, &who);
+                self.need(right, Type::Float, &who);
+                self.known(Type::Float, span)
+            }
+            Binary::And | Binary::Or => {
+                self.need(left, Type::Bool, &who);
+                self.need(right, Type::Bool, &who);
+                self.known(Type::Bool, span)
+            }
+            _ => {
+                let (a, b) = (self.expr(left), self.expr(right));
+                if let Err((first, second)) = self.vars.join(a, b) {
+                    let message =
+                        format!("{who} compares values of one type, got a {} and a {}", first.word(), second.word());
+                    let diag = self.cx.diags.report(Code::TypeMismatch, at, message);
+                    if first.element() == second.element() {
+                        diag.help(format!("write `.{}` to compare each element", op.text()));
+                    } else if first == Type::Text || second == Type::Text {
+                        diag.help("write `str(…)` or `float(…)` around one of them");
+                    }
+                } else if !matches!(op, Binary::Eq | Binary::Ne) {
+                    self.ordered.push((a, at));
+                }
+                self.known(Type::Bool, span)
+            }
+        }
+    }
+
+    /// Whether anything is known about a type.
+    pub(super) fn is_free(&mut self, var: Var) -> bool {
+        self.vars.state(var) == State::Free
+    }
+}

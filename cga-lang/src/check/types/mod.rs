@@ -1,0 +1,220 @@
+//! Which values are floats, bools, strings and arrays of these.
+//!
+//! There are no type annotations: every declaration and parameter has one type, found from its uses and from the calls.
+//! Bodies come first and calls last, so that a wrong argument is blamed at the call. What is not clear when it is read
+//! (`+`, overloaded calls, arrays) waits in `open` until more is known.
+
+mod expr;
+mod open;
+mod steps;
+mod unify;
+
+use super::{Cx, Init, Use};
+use crate::ast::{Body, Decl, Expr, Name};
+use crate::code::Code;
+use crate::diag::Diag;
+use crate::ir::Type;
+use crate::span::Span;
+use open::Open;
+use std::collections::HashMap;
+use unify::{State, Var, Vars};
+
+pub(super) fn infer(cx: &mut Cx) {
+    let mut pass = Infer {
+        cx,
+        vars: Vars::default(),
+        slots: HashMap::new(),
+        open: Vec::new(),
+        calls: Vec::new(),
+        ordered: Vec::new(),
+        inner: Vec::new(),
+    };
+    let values: Vec<_> = pass.cx.globals.values().cloned().collect();
+    for item in &values {
+        let own = pass.slot(item.decl.name.id());
+        if let Init::Flows(outer) = item.init {
+            pass.flows(own, item.decl, outer);
+        }
+        let Some((value, _)) = item.value() else { continue };
+        pass.inner.clear();
+        if item.is_own() {
+            pass.enter(item.decl);
+        }
+        let ty = pass.expr(value);
+        // Fails only for a recursive function that was used as something else inside its own body, and for overrides.
+        if let Err((own, other)) = pass.vars.join(own, ty) {
+            let name = &item.decl.name.text;
+            let needs = if item.is_own() {
+                format!("`{name}` is used as a {}, but this is", own.word())
+            } else {
+                format!("`{name}` is a {}, but this is", own.word())
+            };
+            pass.mismatch(value.span, &needs, other);
+        }
+        if pass.vars.state(ty) == State::Poison {
+            pass.poison_slot(item.decl.name.id());
+        }
+    }
+    for item in pass.cx.globals.rules.clone() {
+        if let Body::Rule(ops) = &item.decl.body {
+            pass.inner.clear();
+            pass.enter(item.decl);
+            pass.ops(ops);
+        }
+    }
+    pass.solve();
+    pass.store();
+}
+
+/// An argument of a rule or function of the grammar: joined with the parameter when all bodies are read.
+struct Argument {
+    arg: Var,
+    span: Span,
+    param: Var,
+    callee: String,
+    name: String,
+}
+
+struct Infer<'p, 'a, 'd> {
+    cx: &'p mut Cx<'a, 'd>,
+    vars: Vars,
+    /// By the token a declaration, parameter, local, Rust value or Rust call begins with.
+    slots: HashMap<u32, Var>,
+    open: Vec<Open>,
+    calls: Vec<Argument>,
+    /// Operands of `<` and its like, which bools have not.
+    ordered: Vec<(Var, Span)>,
+    /// Parameters and locals of the declaration at hand.
+    inner: Vec<&'a Name>,
+}
+
+impl<'a> Infer<'_, 'a, '_> {
+    fn slot(&mut self, token: u32) -> Var {
+        if let Some(&var) = self.slots.get(&token) {
+            return var;
+        }
+        let var = self.vars.add(State::Free, None);
+        self.slots.insert(token, var);
+        var
+    }
+
+    fn poison_slot(&mut self, token: u32) {
+        let var = self.vars.add(State::Poison, None);
+        self.slots.insert(token, var);
+    }
+
+    fn free(&mut self) -> Var {
+        self.vars.add(State::Free, None)
+    }
+
+    fn poison(&mut self) -> Var {
+        self.vars.add(State::Poison, None)
+    }
+
+    fn known(&mut self, ty: Type, span: Span) -> Var {
+        self.vars.add(State::Is(ty), Some(span))
+    }
+
+    /// Parameters and locals become names; locals get the types of their values.
+    fn enter(&mut self, decl: &'a Decl) {
+        self.inner.extend(&decl.params);
+        for (name, value) in &decl.locals {
+            let ty = self.expr(value);
+            let slot = self.slot(name.id());
+            _ = self.vars.join(slot, ty);
+            self.inner.push(name);
+        }
+    }
+
+    /// An attribute that gets its value from the importing file's.
+    fn flows(&mut self, own: Var, decl: &Decl, outer: u32) {
+        let from = self.cx.globals.attrs[outer as usize].decl;
+        let var = self.slot(from.name.id());
+        let (callee, name) = (String::new(), decl.name.text.clone());
+        self.calls.push(Argument { arg: var, span: from.name.span, param: own, callee, name });
+    }
+
+    fn mismatch(&mut self, span: Span, needs: &str, got: Type) -> &mut Diag {
+        self.cx.diags.report(Code::TypeMismatch, span, format!("{needs} a {}", got.word()))
+    }
+
+    /// Demands a type of an expression.
+    fn need(&mut self, expr: &'a Expr, ty: Type, who: &str) {
+        let var = self.expr(expr);
+        self.need_var(var, expr.span, ty, who);
+    }
+
+    fn need_var(&mut self, var: Var, span: Span, ty: Type, who: &str) {
+        if self.vars.bind(var, ty, span) {
+            return;
+        }
+        let Some(got) = self.vars.known(var) else { return };
+        let why = self.vars.why(var).filter(|why| *why != span);
+        let message = format!("{who} needs a {}, got a {}", ty.word(), got.word());
+        let diag = self.cx.diags.report(Code::TypeMismatch, span, message);
+        if let Some(why) = why {
+            diag.related(format!("found to be a {}", got.word()), why);
+        }
+        match (ty, got) {
+            (Type::Text, _) => _ = diag.help("write `str(…)`"),
+            (Type::Float, Type::Text) => _ = diag.help("write `float(…)`"),
+            (Type::Bool, Type::Float) => _ = diag.help("write a comparison, as in `… != 0`"),
+            (Type::Float, Type::Floats) => {
+                _ = diag.help("write `…[0]` for one element; `.+`, `.*` and so on go over all")
+            }
+            _ => {}
+        }
+    }
+
+    fn argument(&mut self, decl: &Decl, param: &Name, arg: Var, span: Span) {
+        let param_var = self.slot(param.id());
+        let (callee, name) = (decl.name.text.clone(), param.text.clone());
+        self.calls.push(Argument { arg, span, param: param_var, callee, name });
+    }
+
+    fn solve(&mut self) {
+        self.propagate();
+        for index in 0..self.calls.len() {
+            self.join_argument(index);
+        }
+        self.propagate();
+        self.settle();
+        for (var, span) in std::mem::take(&mut self.ordered) {
+            if let Some(ty @ (Type::Bool | Type::Bools)) = self.vars.known(var) {
+                let message = format!("{} have no order", if ty == Type::Bool { "bools" } else { "arrays of bools" });
+                self.cx.diags.report(Code::TypeMismatch, span, message).help("write `==` or `!=`");
+            }
+        }
+    }
+
+    fn join_argument(&mut self, index: usize) {
+        let Argument { arg, span, param, ref callee, ref name } = self.calls[index];
+        let Err((got, needs)) = self.vars.join(arg, param) else { return };
+        let message = match callee.as_str() {
+            "" => format!("`{name}` of the imported file is a {}, this is a {}", needs.word(), got.word()),
+            "set" => format!("`{name}` is a {}, got a {}", needs.word(), got.word()),
+            _ => format!("`{name}` of `{callee}` is a {}, got a {}", needs.word(), got.word()),
+        };
+        let why = self.vars.why(param);
+        let diag = self.cx.diags.report(Code::TypeMismatch, span, message);
+        if let Some(why) = why.filter(|why| *why != span) {
+            diag.related(format!("found to be a {}", needs.word()), why);
+        }
+    }
+
+    fn store(&mut self) {
+        let slots: Vec<(u32, Var)> = self.slots.iter().map(|(token, var)| (*token, *var)).collect();
+        for (token, var) in slots {
+            let ty = match self.vars.state(var) {
+                State::Is(ty) => ty,
+                State::Free => Type::Float,
+                State::Poison => continue,
+            };
+            self.cx.tables.types.insert(token, ty);
+        }
+        let params: Vec<u32> = self.cx.globals.items().flat_map(|item| item.decl.params.iter().map(Name::id)).collect();
+        for param in params {
+            self.cx.tables.types.entry(param).or_insert(Type::Float);
+        }
+    }
+}

@@ -1,0 +1,400 @@
+//! What cannot be told when it is read: `+`, calls of one of several, arrays. Decided as soon as enough is known, and at
+//! the end by what is likeliest.
+
+use super::{Infer, State, Type, Use, Var};
+use crate::ast::{Binary, Name};
+use crate::code::Code;
+use crate::span::Span;
+
+/// A type and where it is needed.
+type Place = (Var, Span);
+
+pub(super) enum Open {
+    /// `a + b`: a sum, or text.
+    Plus {
+        left: Place,
+        right: Place,
+        result: Var,
+        at: Span,
+    },
+    /// `a .+ b` and its like.
+    Each {
+        op: Binary,
+        at: Span,
+        left: Place,
+        right: Place,
+        result: Var,
+    },
+    /// `[a, b]`: entries are elements or arrays.
+    Array {
+        entries: Vec<Place>,
+        result: Var,
+        span: Span,
+    },
+    /// `a[i]` or `a[i, j]`: an element, or an array if an index is one.
+    Index {
+        array: Place,
+        indices: Vec<Place>,
+        result: Var,
+        span: Span,
+    },
+    /// A call of one of several.
+    Call {
+        name: Name,
+        candidates: Vec<Candidate>,
+        args: Vec<Place>,
+        result: Option<Var>,
+    },
+    Done,
+}
+
+/// What a call may be.
+#[derive(Clone)]
+pub(super) struct Candidate {
+    pub(super) found: Use,
+    pub(super) takes: Vec<Takes>,
+    pub(super) gives: Takes,
+}
+
+#[derive(Clone, Copy)]
+pub(super) enum Takes {
+    /// Anything, or a word.
+    Any,
+    Type(Type),
+    Var(Var),
+}
+
+impl Infer<'_, '_, '_> {
+    /// Decides it if that is possible, else lets it wait; gives the type of its value.
+    pub(super) fn wait(&mut self, open: Open) -> Var {
+        let result = match &open {
+            Open::Plus { result, .. }
+            | Open::Each { result, .. }
+            | Open::Array { result, .. }
+            | Open::Index { result, .. } => *result,
+            Open::Call { result, .. } => result.unwrap_or_else(|| self.free()),
+            Open::Done => self.free(),
+        };
+        self.wait_for(open);
+        result
+    }
+
+    pub(super) fn wait_for(&mut self, open: Open) {
+        // Most are clear at once, and what follows sees their type.
+        self.open.push(open);
+        self.decide(self.open.len() - 1, false);
+    }
+
+    /// Decides all that can be decided. The number of rounds is bounded: what is open then is settled by what is likeliest.
+    pub(super) fn propagate(&mut self) {
+        for _ in 0..32 {
+            let mut changed = false;
+            for index in 0..self.open.len() {
+                changed |= self.decide(index, false);
+            }
+            if !changed {
+                break;
+            }
+        }
+    }
+
+    /// Decides the rest in source order: what has become clear on the way, and the others by what is likeliest.
+    pub(super) fn settle(&mut self) {
+        for index in 0..self.open.len() {
+            if !self.decide(index, false) {
+                self.decide(index, true);
+            }
+        }
+    }
+
+    /// True if something became known. `force` decides in any case.
+    fn decide(&mut self, index: usize, force: bool) -> bool {
+        let mut open = std::mem::replace(&mut self.open[index], Open::Done);
+        let done = match &mut open {
+            Open::Done => return false,
+            Open::Plus { left, right, result, at } => self.plus(*left, *right, *result, *at, force),
+            Open::Each { op, at, left, right, result } => self.each(*op, *at, *left, *right, *result, force),
+            Open::Array { entries, result, span } => self.array(entries, *result, *span, force),
+            Open::Index { array, indices, result, span } => self.index(*array, indices, *result, *span, force),
+            Open::Call { name, candidates, args, result } => self.choose(name, candidates, args, *result, force),
+        };
+        if !done {
+            self.open[index] = open;
+        }
+        done
+    }
+
+    fn plus(&mut self, left: Place, right: Place, result: Var, at: Span, force: bool) -> bool {
+        let (l, r) = (self.vars.state(left.0), self.vars.state(right.0));
+        let text = State::Is(Type::Text);
+        if l == text || r == text {
+            self.gives(result, Type::Text, at, "`+`");
+            return true;
+        }
+        if l == State::Poison || r == State::Poison {
+            // Nothing more is said about it.
+            return true;
+        }
+        let is_other = |state: State| matches!(state, State::Is(ty) if ty != Type::Float);
+        let sum = self.vars.known(result) == Some(Type::Float)
+            || (l == State::Is(Type::Float) && r == l)
+            || (is_other(l) && r != State::Free)
+            || (is_other(r) && l != State::Free);
+        if sum || (force && self.vars.known(result).is_none_or(|ty| ty != Type::Text)) {
+            self.need_var(left.0, left.1, Type::Float, "`+`");
+            self.need_var(right.0, right.1, Type::Float, "`+`");
+            self.gives(result, Type::Float, at, "`+`");
+            return true;
+        }
+        if force {
+            for (var, _) in [left, right] {
+                self.vars.bind(var, Type::Text, at);
+            }
+        }
+        force
+    }
+
+    fn gives(&mut self, result: Var, ty: Type, at: Span, who: &str) {
+        if !self.vars.bind(result, ty, at)
+            && let Some(needs) = self.vars.known(result)
+        {
+            let message = format!("this {who} gives a {}, but a {} is needed", ty.word(), needs.word());
+            self.cx.diags.report(Code::TypeMismatch, at, message);
+        }
+    }
+
+    fn each(&mut self, op: Binary, at: Span, left: Place, right: Place, result: Var, force: bool) -> bool {
+        let (l, r) = (self.vars.state(left.0), self.vars.state(right.0));
+        if l == State::Poison || r == State::Poison {
+            return true;
+        }
+        let who = format!("`.{}`", op.text());
+        let known = |state: State| if let State::Is(ty) = state { Some(ty) } else { None };
+        let element = match op {
+            Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem => Some(Type::Float),
+            Binary::And | Binary::Or => Some(Type::Bool),
+            Binary::Add => match (known(l), known(r)) {
+                (Some(a), Some(b)) if a.element() != Type::Text && b.element() != Type::Text => Some(Type::Float),
+                (Some(ty), _) | (_, Some(ty)) if ty.element() == Type::Text => Some(Type::Text),
+                _ if force => Some(Type::Float),
+                _ => None,
+            },
+            _ => known(l).or(known(r)).map(Type::element),
+        };
+        let Some(element) = element.or(force.then_some(Type::Float)) else { return false };
+        let gives = match op {
+            Binary::Add => element.array(),
+            Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem => Type::Floats,
+            _ => Type::Bools,
+        };
+        let ordered = matches!(op, Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge);
+        if ordered && element == Type::Bool {
+            self.cx.diags.report(Code::TypeMismatch, at, "bools have no order").help("write `.==` or `.!=`");
+            return true;
+        }
+        // Text takes anything beside it.
+        let strict = !(op == Binary::Add && element == Type::Text);
+        for (var, span) in [left, right] {
+            if strict
+                && let Some(ty) = self.vars.known(var)
+                && ty.element() != element
+            {
+                let message =
+                    format!("{who} needs a {} or {} here, got a {}", element.word(), element.array().word(), ty.word());
+                self.cx.diags.report(Code::TypeMismatch, span, message);
+                return true;
+            }
+        }
+        self.gives(result, gives, at, &who);
+        match (self.vars.known(left.0), self.vars.known(right.0)) {
+            (Some(a), Some(b)) if !a.is_array() && !b.is_array() => {
+                let diag = self.cx.diags.report(Code::TypeMismatch, at, format!("{who} works on arrays, here is none"));
+                diag.help(format!("write `{}`; a number before it needs a digit behind its point", op.text()));
+                true
+            }
+            (Some(_), Some(_)) => true,
+            // One side is no array, so the other is.
+            (Some(a), None) if !a.is_array() => self.vars.bind(right.0, element.array(), at),
+            (None, Some(b)) if !b.is_array() => self.vars.bind(left.0, element.array(), at),
+            _ if force => {
+                for (var, _) in [left, right] {
+                    if self.is_free(var) {
+                        self.vars.bind(var, element.array(), at);
+                    }
+                }
+                true
+            }
+            _ => false,
+        }
+    }
+
+    fn array(&mut self, entries: &[Place], result: Var, span: Span, force: bool) -> bool {
+        let mut element = self.vars.known(result).filter(|ty| ty.is_array()).map(Type::element);
+        let mut all_known = true;
+        for &(var, place) in entries {
+            match self.vars.state(var) {
+                State::Is(ty) => match element {
+                    None => element = Some(ty.element()),
+                    Some(first) if first != ty.element() => {
+                        let needs = format!("this array has elements of type {}, here is", first.word());
+                        self.mismatch(place, &needs, ty);
+                        self.gives_array(result, first, span);
+                        return true;
+                    }
+                    Some(_) => {}
+                },
+                State::Free => all_known = false,
+                State::Poison => {}
+            }
+        }
+        let Some(element) = element.or(force.then_some(Type::Float)) else { return false };
+        self.gives_array(result, element, span);
+        if force {
+            for &(var, place) in entries {
+                if self.is_free(var) {
+                    self.vars.bind(var, element, place);
+                }
+            }
+        }
+        all_known || force
+    }
+
+    fn gives_array(&mut self, result: Var, element: Type, span: Span) {
+        if !self.vars.bind(result, element.array(), span)
+            && let Some(needs) = self.vars.known(result)
+        {
+            let message = format!("this is a {}, but a {} is needed", element.array().word(), needs.word());
+            self.cx.diags.report(Code::TypeMismatch, span, message);
+        }
+    }
+
+    fn index(&mut self, array: Place, indices: &[Place], result: Var, span: Span, force: bool) -> bool {
+        let mut many = Some(false);
+        for &(var, place) in indices {
+            match self.vars.known(var) {
+                Some(Type::Float) => {}
+                Some(Type::Floats | Type::Bools) => many = Some(true),
+                Some(ty) => {
+                    self.mismatch(place, "an index is a float, an array of floats or an array of bools, not", ty);
+                    return true;
+                }
+                None if force => _ = self.vars.bind(var, Type::Float, place),
+                None if many != Some(true) => many = None,
+                None => {}
+            }
+        }
+        let found = match self.vars.state(array.0) {
+            State::Poison => return true,
+            State::Is(ty) if !ty.is_array() => {
+                self.mismatch(array.1, "only arrays have elements, this is", ty);
+                return true;
+            }
+            State::Is(ty) => Some(ty),
+            State::Free => self.vars.known(result).map(Type::array),
+        };
+        let Some(found) = found.or(force.then_some(Type::Floats)) else { return false };
+        self.vars.bind(array.0, found, array.1);
+        let Some(many) = many.or(force.then_some(false)) else { return false };
+        self.gives(result, if many { found } else { found.element() }, span, "index");
+        true
+    }
+
+    /// Leaves out the candidates that do not fit; decides when one is left.
+    fn choose(
+        &mut self,
+        name: &Name,
+        candidates: &mut Vec<Candidate>,
+        args: &[Place],
+        result: Option<Var>,
+        force: bool,
+    ) -> bool {
+        let fits: Vec<bool> = candidates.iter().map(|candidate| self.fits(candidate, args)).collect();
+        if !fits.contains(&true) {
+            self.fits_none(name, candidates, args);
+            if let Some(result) = result {
+                self.vars.poison(result);
+            }
+            return true;
+        }
+        let mut keep = fits.into_iter();
+        candidates.retain(|_| keep.next() == Some(true));
+        let settled = args.iter().all(|&(var, _)| !self.is_free(var));
+        if 1 < candidates.len() && !force && !(settled && self.all_known(candidates)) {
+            // What they have in common is known already.
+            if let (Some(result), Some(ty)) = (result, self.common(candidates)) {
+                self.vars.bind(result, ty, name.span);
+            }
+            return false;
+        }
+        let chosen = candidates.swap_remove(0);
+        self.cx.tables.uses.insert(name.id(), chosen.found);
+        for (takes, &(var, span)) in chosen.takes.iter().zip(args) {
+            match takes {
+                Takes::Any => {}
+                Takes::Type(ty) => self.need_var(var, span, *ty, &format!("`{}`", name.text)),
+                Takes::Var(param) => _ = self.vars.join(var, *param),
+            }
+        }
+        match (result, chosen.gives) {
+            (Some(result), Takes::Type(ty)) => self.gives(result, ty, name.span, "call"),
+            (Some(result), Takes::Var(var)) => {
+                if let Err((needs, got)) = self.vars.join(result, var) {
+                    self.mismatch(name.span, &format!("a {} is needed, this is", needs.word()), got);
+                }
+            }
+            _ => {}
+        }
+        true
+    }
+
+    fn fits(&mut self, candidate: &Candidate, args: &[Place]) -> bool {
+        candidate.takes.iter().zip(args).all(|(takes, &(var, _))| {
+            let Some(got) = self.vars.known(var) else { return true };
+            match takes {
+                Takes::Any => true,
+                Takes::Type(ty) => *ty == got,
+                Takes::Var(param) => self.vars.known(*param).is_none_or(|ty| ty == got),
+            }
+        })
+    }
+
+    fn all_known(&mut self, candidates: &[Candidate]) -> bool {
+        candidates.iter().flat_map(|candidate| &candidate.takes).all(|takes| match takes {
+            Takes::Var(var) => !self.is_free(*var),
+            _ => true,
+        })
+    }
+
+    /// The type that every candidate gives.
+    fn common(&mut self, candidates: &[Candidate]) -> Option<Type> {
+        let mut types = candidates.iter().map(|candidate| match candidate.gives {
+            Takes::Any => None,
+            Takes::Type(ty) => Some(ty),
+            Takes::Var(var) => self.vars.known(var),
+        });
+        let first = types.next()??;
+        types.all(|ty| ty == Some(first)).then_some(first)
+    }
+
+    fn fits_none(&mut self, name: &Name, candidates: &[Candidate], args: &[Place]) {
+        let shown = |ty: Option<Type>| ty.map_or("…", Type::word);
+        let got: Vec<&str> = args.iter().map(|&(var, _)| shown(self.vars.known(var))).collect();
+        let span = args.first().map_or(name.span, |first| first.1.to(args[args.len() - 1].1));
+        let mut forms: Vec<String> = Vec::new();
+        for candidate in candidates {
+            let takes: Vec<&str> = candidate
+                .takes
+                .iter()
+                .map(|takes| match takes {
+                    Takes::Any => "…",
+                    Takes::Type(ty) => ty.word(),
+                    Takes::Var(var) => shown(self.vars.known(*var)),
+                })
+                .collect();
+            forms.push(format!("`{}({})`", name.text, takes.join(", ")));
+        }
+        forms.dedup();
+        let message = format!("`{}` cannot take ({})", name.text, got.join(", "));
+        self.cx.diags.report(Code::TypeMismatch, span, message).note(format!("there is {}", forms.join(", ")));
+    }
+}

@@ -1,0 +1,101 @@
+//! Attributes, and what annotations say about them (*annotations*). None of it changes what rules make.
+
+use super::{AttrId, Expr, Type, Value};
+use crate::span::Span;
+
+/// `attr name = expr`.
+#[derive(Clone, Debug)]
+pub struct Attr {
+    /// As written, behind the names of imports: `imp.height`.
+    pub name: String,
+    /// Its type.
+    pub ty: Type,
+    /// The default.
+    pub default: Expr,
+    /// The default, when it is a constant: then the public field holds it. Otherwise the field is an `Option` and
+    /// `None` means "compute the default for each initial shape".
+    pub known: Option<Value>,
+    /// `@Range(min, max)`, or what `@Angle` and `@Percent` offer without one. Only for floats; it holds for each element of
+    /// an array.
+    pub range: Option<Range>,
+    /// `@Enum`, or a `@Range` with a list of values. Only for floats and text; it holds for each element of an array.
+    pub choices: Option<Choices>,
+    /// As what user interfaces show it.
+    pub presentation: Presentation,
+    /// `@DisplayName`: shown instead of the name.
+    pub display_name: Option<String>,
+    /// `@Group("A", "B")`, from the outermost to the innermost.
+    pub group: Vec<String>,
+    /// The number in `@Group("A", "B", n)`: where user interfaces show the innermost group.
+    pub group_order: Option<f64>,
+    /// `@Description`, else doc comments, joined by line ends.
+    pub doc: String,
+    /// `@Order(n)`: where user interfaces show it.
+    pub order: Option<f64>,
+    /// `@Hidden`: user interfaces leave it out.
+    pub hidden: bool,
+    /// Whether some rule changes it with `set` or an import that starts anew: only then do reads look at the shape first.
+    pub is_set: bool,
+    /// Whether the host program may set it. An attribute that has one value in several styles is there once for each;
+    /// those of one name share a field.
+    pub public: bool,
+    /// The name in its declaration.
+    pub span: Span,
+}
+
+/// `@Range(min=…, max=…, stepsize=…, restricted=…)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Smallest value.
+    pub min: f64,
+    /// Largest value.
+    pub max: f64,
+    /// Step of a slider, 0 when free.
+    pub step: f64,
+    /// Whether values outside are refused.
+    pub restricted: bool,
+}
+
+/// `@Enum(value, …, restricted=…)`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choices {
+    /// The values.
+    pub values: ChoiceValues,
+    /// What the values are called in old files, as in `@Range(few=1, many=5)`; empty, or one for each.
+    pub labels: Vec<String>,
+    /// Whether other values are refused.
+    pub restricted: bool,
+}
+
+/// Where the values of an `@Enum` are.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ChoiceValues {
+    /// Numbers.
+    Floats(Vec<f64>),
+    /// Strings.
+    Texts(Vec<String>),
+    /// `valuesAttr=name`: the value or the elements of that attribute.
+    Attr(AttrId),
+}
+
+/// As what user interfaces show an attribute.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Presentation {
+    /// As what its type says.
+    #[default]
+    Plain,
+    /// `@Angle`: in degrees.
+    Angle,
+    /// `@Percent`: 0.1 is shown as 10 %.
+    Percent,
+    /// `@Distance`: in metres.
+    Distance,
+    /// `@Color`: text like `"#ff8000"`.
+    Color,
+    /// `@File`: a file with one of these extensions, with any when there are none.
+    File(Vec<String>),
+    /// `@Directory`.
+    Directory,
+    /// `@MaterialFile`.
+    MaterialFile,
+}

@@ -1,0 +1,105 @@
+//! Expressions. Each knows its type.
+
+use super::{AttrId, ConstId, FunctionId, HostId, Type, Value};
+use crate::ops::{self, ShapeAttr};
+use crate::span::Span;
+
+/// An expression with its type.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it computes.
+    pub kind: ExprKind,
+    /// The type of its value.
+    pub ty: Type,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The kinds of expressions.
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// A constant.
+    Value(Value),
+    /// A parameter of the rule or function.
+    Param(u32),
+    /// An attribute, as the current shape sees it.
+    Attr(AttrId),
+    /// A constant of the grammar.
+    Const(ConstId),
+    /// `#name` or `#(…)`.
+    Host(HostId),
+    /// A function of the grammar.
+    Call(FunctionId, Vec<Expr>),
+    /// A function of the language.
+    Builtin(&'static ops::Function, Vec<Expr>),
+    /// A Rust function: `path::to(args)`.
+    Rust(String, Vec<Expr>),
+    /// An attribute of the current shape: `scope.sx`.
+    Shape(&'static ShapeAttr),
+    /// A value that is known and cannot be computed yet: 0, false, empty, or what is given.
+    Later(String),
+    /// `[a, b; c, d]`: entries are elements or arrays.
+    Array(Vec<Vec<Expr>>),
+    /// `base : step : limit`.
+    Range(Box<Expr>, Box<Expr>, Box<Expr>),
+    /// `a[i]` or `a[row, column]`.
+    Index(Box<Expr>, Vec<Expr>),
+    /// `.-a` or `.!a`.
+    EachUnary(EachUnary, Box<Expr>),
+    /// `a .+ b`: element by element. One side may be a single value.
+    Each(Binary, Box<Expr>, Box<Expr>),
+    /// `-a`.
+    Neg(Box<Expr>),
+    /// `!a`.
+    Not(Box<Expr>),
+    /// Both operands are always evaluated, the left one first.
+    Binary(Binary, Box<Expr>, Box<Expr>),
+    /// A float or bool as text, for `+` beside a string.
+    ToText(Box<Expr>),
+    /// `case … else`.
+    Case(Vec<(Expr, Expr)>, Box<Expr>),
+    /// `p% : … else`.
+    Chance(Vec<(f64, Expr)>, Box<Expr>),
+}
+
+/// Operators over the elements of an array.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EachUnary {
+    /// `.-`.
+    Neg,
+    /// `.!`.
+    Not,
+}
+
+/// Binary operators. Both sides have one type, but for [`Expr::Each`](ExprKind::Each).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Binary {
+    /// `+` on floats.
+    Add,
+    /// `-`.
+    Sub,
+    /// `*`.
+    Mul,
+    /// `/`.
+    Div,
+    /// `%`, with the sign of the dividend.
+    Rem,
+    /// `+` on text.
+    Concat,
+    /// `==`.
+    Eq,
+    /// `!=`.
+    Ne,
+    /// `<`.
+    Lt,
+    /// `<=`.
+    Le,
+    /// `>`.
+    Gt,
+    /// `>=`.
+    Ge,
+    /// `&&`; does not short-circuit.
+    And,
+    /// `||`; does not short-circuit.
+    Or,
+}

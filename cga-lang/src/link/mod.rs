@@ -1,0 +1,285 @@
+//! Files to one program: imports and styles are resolved before anything is checked.
+//!
+//! An *instance* is one file with one style in force, imported in one place. Each instance has tokens and a tree of its
+//! own: the file is read again for it, behind the tokens so far, so that a name is still identified by its token. Two
+//! imports of one file share nothing, as CGA wants it; what styles have in common is found again after lowering
+//! (`share.rs`).
+
+mod overrides;
+mod paths;
+mod style;
+
+use crate::ast::{Ast, Import, Override};
+use crate::code::Code;
+use crate::compile::Door;
+use crate::diag::{Diag, Diags};
+use crate::parse::parse_part;
+use crate::span::Span;
+use crate::token::Tokens;
+use std::collections::HashMap;
+use std::ops::Range;
+
+pub(crate) use overrides::dynamic_calls;
+pub use paths::candidates;
+pub(crate) use style::Styles;
+
+/// Most instances a program may have: files that import each other twice, level by level, would become millions.
+const MOST_INSTANCES: usize = 1000;
+
+/// A file of rules as tokens.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    /// What messages call it. Units of one name are one file.
+    pub name: String,
+    /// Its tokens.
+    pub tokens: Tokens,
+    /// How strict to be with it.
+    pub door: Door,
+    /// What whoever made the tokens has found.
+    pub found: Vec<Diag>,
+}
+
+/// Where imported files come from.
+pub trait Files {
+    /// The file of a path that stands in the file `from`.
+    ///
+    /// # Errors
+    /// Why there is none, as a message goes on after "cannot import `path`: ".
+    fn open(&mut self, path: &str, from: &str) -> Result<Unit, String>;
+}
+
+/// There are no files.
+#[derive(Clone, Copy, Debug)]
+pub struct NoFiles;
+
+impl Files for NoFiles {
+    fn open(&mut self, _: &str, _: &str) -> Result<Unit, String> {
+        Err("there is no folder to look for it in".into())
+    }
+}
+
+/// Where in a program the tokens of a file are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Piece {
+    /// The file, by number. 0 is the one that was compiled.
+    pub file: usize,
+    /// Its tokens in the program.
+    pub tokens: Range<u32>,
+}
+
+/// Index into [`Program::instances`].
+pub(crate) type InstanceId = usize;
+
+/// Everything that was read.
+pub(crate) struct Program {
+    pub(crate) tokens: Tokens,
+    pub(crate) pieces: Vec<Piece>,
+    /// Names of the files.
+    pub(crate) files: Vec<String>,
+    /// The root with its style `Default` first.
+    pub(crate) instances: Vec<Instance>,
+    /// The root's instances by style: `Default`, then the others in source order.
+    pub(crate) roots: Vec<InstanceId>,
+}
+
+/// A file with a style in force, in one place.
+pub(crate) struct Instance {
+    pub(crate) ast: Ast,
+    pub(crate) door: Door,
+    /// Its styles, from the one in force to `Default`.
+    pub(crate) styles: Styles,
+    /// The number of the root's style it belongs to.
+    pub(crate) root_style: u32,
+    /// What stands before its names: `imp.`, empty for the root.
+    pub(crate) prefix: String,
+    /// Who imports it.
+    pub(crate) parent: Option<InstanceId>,
+    /// What it imports. `None` for a file that could not be read.
+    pub(crate) imports: HashMap<String, Option<InstanceId>>,
+    /// Overrides of its import, then those of a dynamic call.
+    pub(crate) layers: Vec<Layer>,
+    /// By the token of the import's name in a dynamic call with rules: the instance made for it.
+    pub(crate) dynamic: HashMap<u32, InstanceId>,
+    file: usize,
+}
+
+/// Overrides from one place.
+#[derive(Clone)]
+pub(crate) struct Layer {
+    /// Where they stand, and where their names are looked up.
+    pub(crate) home: InstanceId,
+    /// `None`: nothing is written, attributes of the same name flow in.
+    pub(crate) list: Option<Vec<Override>>,
+}
+
+/// Reads all that a file needs.
+pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Program {
+    let mut link = Link {
+        files,
+        diags,
+        units: Vec::new(),
+        by_name: HashMap::new(),
+        under_way: Vec::new(),
+        full: false,
+        program: Program {
+            tokens: Tokens::new(),
+            pieces: Vec::new(),
+            files: Vec::new(),
+            instances: Vec::new(),
+            roots: Vec::new(),
+        },
+    };
+    let file = link.unit(root);
+    link.under_way.push(file);
+    let origin = Origin { prefix: String::new(), parent: None, layers: Vec::new() };
+    let first = link.instance(file, 0, 0, origin.clone());
+    link.program.roots.push(first);
+    for style in 1..=link.program.instances[first].ast.styles.len() as u32 {
+        let root = link.instance(file, style, style, origin.clone());
+        link.program.roots.push(root);
+    }
+    link.program
+}
+
+/// Where an instance comes from.
+#[derive(Clone)]
+struct Origin {
+    prefix: String,
+    parent: Option<InstanceId>,
+    layers: Vec<Layer>,
+}
+
+struct Link<'l> {
+    files: &'l mut dyn Files,
+    diags: &'l mut Diags,
+    units: Vec<Unit>,
+    by_name: HashMap<String, usize>,
+    /// Files that are being imported, outermost first.
+    under_way: Vec<usize>,
+    /// Whether too many instances were reported.
+    full: bool,
+    program: Program,
+}
+
+impl Link<'_> {
+    fn unit(&mut self, unit: Unit) -> usize {
+        if let Some(&file) = self.by_name.get(&unit.name) {
+            return file;
+        }
+        let file = self.units.len();
+        self.by_name.insert(unit.name.clone(), file);
+        self.program.files.push(unit.name.clone());
+        self.units.push(unit);
+        file
+    }
+
+    /// Reads a file with a style in force, and what it imports.
+    fn instance(&mut self, file: usize, style: u32, root_style: u32, origin: Origin) -> InstanceId {
+        let id = self.program.instances.len();
+        let unit = &self.units[file];
+        let start = self.program.tokens.len() as u32;
+        self.program.tokens.extend(&unit.tokens);
+        let tokens = start..self.program.tokens.len() as u32;
+        self.diags.append(unit.found.iter().map(|diag| diag.clone().moved(|span| span.behind(start))).collect());
+        let ast = parse_part(&self.program.tokens, tokens.clone(), self.diags);
+        self.program.pieces.push(Piece { file, tokens });
+        let styles = Styles::new(&ast, style, self.diags);
+        let imports = ast.imports.clone();
+        let calls = dynamic_calls(&ast);
+        let Origin { prefix, parent, layers } = origin;
+        self.program.instances.push(Instance {
+            ast,
+            door: unit.door,
+            styles,
+            root_style,
+            prefix,
+            parent,
+            imports: HashMap::new(),
+            layers,
+            dynamic: HashMap::new(),
+            file,
+        });
+        for import in &imports {
+            let own = self.import(id, import);
+            let name = import.id.text.clone();
+            if self.program.instances[id].imports.contains_key(&name) {
+                let message = format!("import `{name}` is declared twice");
+                self.diags.report(Code::DuplicateName, import.id.span, message);
+                continue;
+            }
+            self.program.instances[id].imports.insert(name, own);
+        }
+        for (import, overrides) in calls {
+            let Some(&Some(target)) = self.program.instances[id].imports.get(&import.text) else { continue };
+            if self.full_up(import.span) {
+                break;
+            }
+            let target = &self.program.instances[target];
+            let (file, style) = (target.file, target.styles.in_force());
+            let mut layers = target.layers.clone();
+            layers.push(Layer { home: id, list: Some(overrides) });
+            let prefix = target.prefix.clone();
+            let own = self.under(file, style, root_style, Origin { prefix, parent: Some(id), layers });
+            self.program.instances[id].dynamic.insert(import.id(), own);
+        }
+        id
+    }
+
+    fn under(&mut self, file: usize, style: u32, root_style: u32, origin: Origin) -> InstanceId {
+        self.under_way.push(file);
+        let id = self.instance(file, style, root_style, origin);
+        self.under_way.pop();
+        id
+    }
+
+    fn full_up(&mut self, span: Span) -> bool {
+        let full = MOST_INSTANCES <= self.program.instances.len();
+        if full && !self.full {
+            self.full = true;
+            let message = format!("more than {MOST_INSTANCES} imports of imports");
+            self.diags.report(Code::CannotImport, span, message);
+        }
+        full
+    }
+
+    fn import(&mut self, from: InstanceId, import: &Import) -> Option<InstanceId> {
+        if self.full_up(import.id.span) {
+            return None;
+        }
+        let (root_style, prefix, file) = {
+            let own = &self.program.instances[from];
+            (own.root_style, format!("{}{}.", own.prefix, import.id.text), own.file)
+        };
+        let from_name = self.units[file].name.clone();
+        let opened = match self.files.open(&import.path, &from_name) {
+            Ok(unit) => self.unit(unit),
+            Err(why) => {
+                let message = format!("cannot import `{}`: {why}", import.path);
+                self.diags.report(Code::CannotImport, import.path_span, message);
+                return None;
+            }
+        };
+        if let Some(at) = self.under_way.iter().position(|&file| file == opened) {
+            let way: Vec<&str> = self.under_way[at..].iter().map(|&file| self.units[file].name.as_str()).collect();
+            let message = format!("`{}` imports itself: {} → {0}", self.units[opened].name, way.join(" → "));
+            self.diags.report(Code::CannotImport, import.path_span, message);
+            return None;
+        }
+        let layer = Layer { home: from, list: import.overrides.clone() };
+        let origin = Origin { prefix, parent: Some(from), layers: vec![layer] };
+        let wanted = import.styles.as_ref().and_then(|styles| styles.first()).cloned();
+        // Which number a style has only the tree can tell.
+        let style = match wanted.filter(|name| name.text != style::DEFAULT) {
+            None => 0,
+            Some(name) => match style::number(&self.units[opened].tokens, &name.text) {
+                Some(style) => style,
+                None => {
+                    let message = format!("`{}` has no style `{}`", self.units[opened].name, name.text);
+                    self.diags.report(Code::UnknownStyle, name.span, message);
+                    0
+                }
+            },
+        };
+        Some(self.under(opened, style, root_style, origin))
+    }
+}

@@ -1,0 +1,88 @@
+//! Where an imported file may be.
+
+/// Folders above the importing file that are looked into.
+const MOST_FOLDERS: usize = 16;
+
+/// The names a file may have that `from` imports as `path`, the likeliest first. All are written with `/`.
+///
+/// A path counts from the folder of the importing file, else from a folder above it or the `assets` folder in one
+/// (*Asset search*: the project's assets, then the project). With a `/` in front it is a path of a workspace whose first
+/// part is the name of a project (*import*): it counts from the folders above too, with and without that part.
+pub fn candidates(path: &str, from: &str) -> Vec<String> {
+    let path = path.replace('\\', "/");
+    let from = from.replace('\\', "/");
+    let mut folders: Vec<&str> = Vec::new();
+    let mut folder = from.rsplit_once('/').map_or("", |(folder, _)| folder);
+    loop {
+        folders.push(folder);
+        if folder.is_empty() || folders.len() == MOST_FOLDERS {
+            break;
+        }
+        folder = folder.rsplit_once('/').map_or("", |(folder, _)| folder);
+    }
+    let root = if from.starts_with('/') { "/" } else { "" };
+    let join = |folder: &str, path: &str| match folder {
+        "" => normal(&format!("{root}{path}")),
+        folder => normal(&format!("{folder}/{path}")),
+    };
+    let mut list: Vec<String> = Vec::new();
+    match path.strip_prefix('/') {
+        Some(inside) => {
+            let without = inside.split_once('/').map(|(_, rest)| rest);
+            for folder in folders {
+                list.extend([Some(inside), without].into_iter().flatten().map(|path| join(folder, path)));
+            }
+        }
+        None => {
+            for folder in folders {
+                list.push(join(folder, &path));
+                list.push(join(folder, &format!("assets/{path}")));
+            }
+        }
+    }
+    let mut seen = std::collections::HashSet::new();
+    list.retain(|name| seen.insert(name.clone()));
+    list
+}
+
+/// Without `.` and, as far as possible, without `..`.
+fn normal(path: &str) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in path.split('/') {
+        match part {
+            "" | "." => {}
+            ".." if parts.last().is_some_and(|last| *last != "..") => _ = parts.pop(),
+            part => parts.push(part),
+        }
+    }
+    format!("{}{}", if path.starts_with('/') { "/" } else { "" }, parts.join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::candidates;
+
+    #[test]
+    fn the_importing_files_folder_comes_first() {
+        assert_eq!(
+            candidates("x.cga", "city/rules/a.cga"),
+            ["city/rules/x.cga", "city/rules/assets/x.cga", "city/x.cga", "city/assets/x.cga", "x.cga", "assets/x.cga"]
+        );
+        assert_eq!(candidates("../b/./x.cga", "rules/a.cga")[0], "b/x.cga");
+        assert_eq!(candidates("x.cga", "a.cga"), ["x.cga", "assets/x.cga"]);
+        assert_eq!(candidates("x.cga", "/p/a.cga")[0], "/p/x.cga");
+    }
+
+    #[test]
+    fn a_path_of_a_workspace_may_begin_with_the_project() {
+        let list = candidates("/city/rules/x.cga", "city/rules/a.cga");
+        assert!(list.contains(&"city/rules/x.cga".to_owned()) && list.contains(&"rules/x.cga".to_owned()), "{list:?}");
+        assert_eq!(candidates("/x.cga", ""), ["x.cga"]);
+    }
+
+    #[test]
+    fn what_leads_out_stays_visible() {
+        assert_eq!(candidates("../../x.cga", "a/b.cga")[0], "../x.cga");
+        assert!(candidates("x.cga", &"a/".repeat(10_000)).len() <= 2 * super::MOST_FOLDERS);
+    }
+}

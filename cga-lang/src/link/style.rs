@@ -1,0 +1,71 @@
+//! Styles of a file.
+
+use crate::ast::{Ast, Name};
+use crate::code::Code;
+use crate::diag::Diags;
+use crate::parse::parse_part;
+use crate::suggest::nearest;
+use crate::token::Tokens;
+
+/// The style that every file has.
+pub(crate) const DEFAULT: &str = "Default";
+
+/// The style in force and those it builds on.
+pub(crate) struct Styles {
+    /// By number as in [`Decl::style`](crate::ast::Decl::style), the one in force first, `Default` last.
+    chain: Vec<u32>,
+    /// Its name; `None` for `Default`.
+    pub(crate) name: Option<String>,
+}
+
+impl Styles {
+    /// Follows the styles from one to `Default`. Reports bases that do not exist or form a ring.
+    pub(crate) fn new(ast: &Ast, style: u32, diags: &mut Diags) -> Self {
+        let mut chain = Vec::new();
+        let mut at = style;
+        while let Some(own) = at.checked_sub(1).and_then(|index| ast.styles.get(index as usize)) {
+            chain.push(at);
+            let Some(base) = own.base.as_ref().filter(|base| base.text != DEFAULT) else { break };
+            match position(ast, base) {
+                Some(next) if chain.contains(&next) => {
+                    let message = format!("style `{}` builds on itself", own.name.text);
+                    diags.report(Code::UnknownStyle, base.span, message);
+                    break;
+                }
+                Some(next) => at = next,
+                None => {
+                    let names = ast.styles.iter().map(|style| style.name.text.as_str()).chain([DEFAULT]);
+                    let near = nearest(&base.text, names).map(str::to_owned);
+                    let message = format!("there is no style `{}`", base.text);
+                    diags.report(Code::UnknownStyle, base.span, message).suggest(near);
+                    break;
+                }
+            }
+        }
+        chain.push(0);
+        let name = style.checked_sub(1).and_then(|index| ast.styles.get(index as usize));
+        Styles { chain, name: name.map(|style| style.name.text.clone()) }
+    }
+
+    /// The number of the style in force.
+    pub(crate) fn in_force(&self) -> u32 {
+        self.chain.first().copied().unwrap_or(0)
+    }
+
+    /// How near a style is to the one in force, 0 being the nearest; `None` when it does not count.
+    pub(crate) fn rank(&self, style: u32) -> Option<usize> {
+        self.chain.iter().position(|own| *own == style)
+    }
+}
+
+fn position(ast: &Ast, name: &Name) -> Option<u32> {
+    ast.styles.iter().position(|style| style.name.text == name.text).map(|index| index as u32 + 1)
+}
+
+/// The number that a style has in a file that is not read yet.
+pub(super) fn number(tokens: &Tokens, name: &str) -> Option<u32> {
+    let mut unheard = Diags::new();
+    let ast = parse_part(tokens, 0..tokens.len() as u32, &mut unheard);
+    unheard.finish();
+    ast.styles.iter().position(|style| style.name.text == name).map(|index| index as u32 + 1)
+}

@@ -1,0 +1,249 @@
+//! Geometry creation: extrusion, assets, primitives, envelopes.
+
+use super::super::{Default, FS, Operation, Param, ParamKind, float, length, of, or, text, word};
+use super::{later, old, op};
+
+const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
+    rust: "ExtrudeAlong",
+    words: &[("face.normal", "FaceNormal"), ("world.up", "WorldUp"), ("world.y", "WorldUp")],
+    old: &[("world.y", "world.up")],
+};
+
+/// The types of extrusion that do not run yet.
+const EXTRUDE_LATER: Param =
+    word("extrusionType", "ExtrudeAlong", &[("vertex.normal", "VertexNormal"), ("world.up.flatTop", "WorldUpFlatTop")]);
+
+const EXTRUDE_AXIS: Param =
+    word("axis", "ExtrudeAxis", &[("x", "X"), ("y", "Y"), ("z", "Z"), ("world.x", "WorldX"), ("world.z", "WorldZ")]);
+
+const UP_AXIS: Param = word("upAxisOfGeometry", "UpAxis", &[("yUp", "YUp"), ("zUp", "ZUp")]);
+
+const INSERT_MODE: Param = word(
+    "insertMode",
+    "InsertMode",
+    &[
+        ("alignSizeAndPosition", "AlignSizeAndPosition"),
+        ("keepSizeAndPosition", "KeepSizeAndPosition"),
+        ("keepSizeAlignPosition", "KeepSizeAlignPosition"),
+    ],
+);
+
+const CLEANUP_MODE: Param =
+    word("cleanupMode", "CleanupMode", &[("numericalCleanup", "NumericalCleanup"), ("noCleanup", "NoCleanup")]);
+
+const HEIGHT_DIRECTION: Param =
+    word("heightDirection", "HeightDirection", &[("scope.y", "ScopeY"), ("vertex.normal", "VertexNormal")]);
+
+const HEIGHT_ALIGNMENT: Param =
+    word("heightAlignment", "HeightAlignment", &[("alignPosition", "AlignPosition"), ("keepPosition", "KeepPosition")]);
+
+const DIRECTION: Param = word("direction", "EnvelopeDirection", &[("normal", "Normal"), ("world.up", "WorldUp")]);
+
+const KEEP_FACES: Param =
+    word("keepFaces", "OffsetFaces", &[("all", "All"), ("inside", "Inside"), ("border", "Border")]);
+
+const SIXTEEN: Default = Default::Float(16.0);
+
+const NO_DIRECTION: &str = "say which way is up: `envelope(normal, …)`";
+
+pub(super) static ROWS: &[Operation] = &[
+    op("extrude", "extrude", &[length("distance")], "extrudes each face along its normal"),
+    op(
+        "extrude",
+        "extrude_along",
+        &[super::super::param("extrusionType", EXTRUDE_ALONG), length("distance")],
+        "extrudes each face along its normal or upwards",
+    ),
+    later(
+        "extrude",
+        &[EXTRUDE_LATER, length("distance")],
+        "extrudes with faces kept together, or upwards to a flat top",
+    ),
+    old(
+        later("extrude", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis"),
+        "write `extrude(world.up, …)` to extrude upwards",
+    ),
+    op("i", "insert", &[text("filePath")], "replaces the geometry by an asset that fills the scope"),
+    later(
+        "i",
+        &[
+            text("filePath"),
+            UP_AXIS,
+            or(INSERT_MODE, Default::Word("alignSizeAndPosition")),
+            or(CLEANUP_MODE, Default::Word("numericalCleanup")),
+        ],
+        "replaces the geometry by an asset, which may lie down or keep its size and place",
+    ),
+    later(
+        "insertAlongUV",
+        &[float("uvSet"), text("filePath"), float("height")],
+        "bends copies of an asset along texture coordinates",
+    ),
+    later(
+        "insertAlongUV",
+        &[float("uvSet"), text("filePath"), float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT],
+        "bends copies of an asset along texture coordinates",
+    ),
+    op("primitiveQuad", "quad", &[], "replaces the geometry by a rectangle that fills the scope"),
+    op(
+        "primitiveQuad",
+        "quad_sized",
+        &[float("width"), float("length")],
+        "replaces the geometry by a rectangle of that size",
+    ),
+    later("primitiveDisk", &[or(float("nVertices"), SIXTEEN)], "replaces the geometry by a disk that fills the scope"),
+    later("primitiveDisk", &[float("nVertices"), float("radius")], "replaces the geometry by a disk of that size"),
+    op("primitiveCube", "cube", &[], "replaces the geometry by a box that fills the scope"),
+    op(
+        "primitiveCube",
+        "cube_sized",
+        &[float("width"), float("height"), float("depth")],
+        "replaces the geometry by a box of that size",
+    ),
+    later("primitiveSphere", &[], "replaces the geometry by a sphere that fills the scope"),
+    later(
+        "primitiveSphere",
+        &[float("sides"), float("divisions")],
+        "replaces the geometry by a sphere that fills the scope",
+    ),
+    later(
+        "primitiveSphere",
+        &[float("sides"), float("divisions"), float("radius")],
+        "replaces the geometry by a sphere of that size",
+    ),
+    op("primitiveCylinder", "cylinder", &[], "replaces the geometry by a cylinder that fills the scope"),
+    op(
+        "primitiveCylinder",
+        "cylinder_sides",
+        &[float("sides")],
+        "replaces the geometry by a cylinder that fills the scope, with so many sides",
+    ),
+    op(
+        "primitiveCylinder",
+        "cylinder_sized",
+        &[float("sides"), float("radius"), float("height")],
+        "replaces the geometry by a cylinder of that size",
+    ),
+    later("primitiveCone", &[or(float("sides"), SIXTEEN)], "replaces the geometry by a cone that fills the scope"),
+    later(
+        "primitiveCone",
+        &[float("sides"), float("radius"), float("height")],
+        "replaces the geometry by a cone of that size",
+    ),
+    later("taper", &[float("height")], "makes a pyramid over the first face"),
+    later(
+        "offset",
+        &[float("distance"), or(KEEP_FACES, Default::Word("all"))],
+        "moves the outline of each face in or out, with faces for the difference",
+    ),
+    later("footprint", &[], "replaces the geometry by its outline seen from above"),
+    later(
+        "envelope",
+        &[DIRECTION, float("maxHeight"), float("frontBaseHeight"), float("frontAngle")],
+        "makes the volume that may be built on",
+    ),
+    later(
+        "envelope",
+        &[
+            DIRECTION,
+            float("maxHeight"),
+            float("frontBaseHeight"),
+            float("frontAngle"),
+            float("backBaseHeight"),
+            float("backAngle"),
+        ],
+        "makes the volume that may be built on",
+    ),
+    later(
+        "envelope",
+        &[
+            DIRECTION,
+            float("maxHeight"),
+            float("frontBaseHeight"),
+            float("frontAngle"),
+            float("backBaseHeight"),
+            float("backAngle"),
+            float("sideBaseHeight"),
+            float("sideAngle"),
+        ],
+        "makes the volume that may be built on",
+    ),
+    later(
+        "envelope",
+        &[
+            DIRECTION,
+            float("maxHeight"),
+            float("frontBaseHeight"),
+            float("frontAngle"),
+            float("backBaseHeight"),
+            float("backAngle"),
+            float("rightBaseHeight"),
+            float("rightAngle"),
+            float("leftBaseHeight"),
+            float("leftAngle"),
+        ],
+        "makes the volume that may be built on",
+    ),
+    later(
+        "envelope",
+        &[DIRECTION, float("maxHeight"), of("baseHeights", FS), of("angles", FS)],
+        "makes the volume that may be built on, with heights and angles edge by edge",
+    ),
+    // Without a direction, as before 2013.1 (*CGA changelog*).
+    old(
+        later(
+            "envelope",
+            &[float("maxHeight"), float("frontBaseHeight"), float("frontAngle")],
+            "makes the volume that may be built on",
+        ),
+        NO_DIRECTION,
+    ),
+    old(
+        later(
+            "envelope",
+            &[
+                float("maxHeight"),
+                float("frontBaseHeight"),
+                float("frontAngle"),
+                float("backBaseHeight"),
+                float("backAngle"),
+            ],
+            "makes the volume that may be built on",
+        ),
+        NO_DIRECTION,
+    ),
+    old(
+        later(
+            "envelope",
+            &[
+                float("maxHeight"),
+                float("frontBaseHeight"),
+                float("frontAngle"),
+                float("backBaseHeight"),
+                float("backAngle"),
+                float("sideBaseHeight"),
+                float("sideAngle"),
+            ],
+            "makes the volume that may be built on",
+        ),
+        NO_DIRECTION,
+    ),
+    old(
+        later(
+            "envelope",
+            &[
+                float("maxHeight"),
+                float("frontBaseHeight"),
+                float("frontAngle"),
+                float("backBaseHeight"),
+                float("backAngle"),
+                float("rightBaseHeight"),
+                float("rightAngle"),
+                float("leftBaseHeight"),
+                float("leftAngle"),
+            ],
+            "makes the volume that may be built on",
+        ),
+        NO_DIRECTION,
+    ),
+];

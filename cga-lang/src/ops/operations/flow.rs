@@ -1,0 +1,34 @@
+//! Colours and materials, labels, reports. `set` has a syntax of its own.
+
+use super::super::{B, Default, F, Operation, Param, ParamKind, T, TS, float, of, or, param, text, word};
+use super::op;
+
+const TARGET: Param = or(
+    word("target", "MaterialTarget", &[("shape", "Shape"), ("geometry", "Geometry"), ("all", "All")]),
+    Default::Word("shape"),
+);
+
+const REPORT: &str = "adds a value to a collection of the run";
+
+pub(super) static ROWS: &[Operation] = &[
+    op("color", "color_hex", &[text("hexValue")], "sets the colour, as in \"#ff8000\""),
+    op("color", "color_rgb", &[float("red"), float("green"), float("blue")], "sets the colour, each from 0 to 1"),
+    op(
+        "color",
+        "color_rgba",
+        &[float("red"), float("green"), float("blue"), float("opacity")],
+        "sets colour and opacity, each from 0 to 1",
+    ),
+    op(
+        "setMaterial",
+        "set_material",
+        &[of("material", TS)],
+        "sets several attributes of the material, by names and values",
+    ),
+    op("resetMaterial", "reset_material", &[TARGET], "gives the attributes of the material their defaults again"),
+    op("label", "label", &[text("label")], "leaves a labelled copy of the shape for queries"),
+    op("report", "report", &[text("key"), of("value", F)], REPORT),
+    op("report", "report", &[text("key"), of("value", B)], REPORT),
+    op("report", "report", &[text("key"), of("value", T)], REPORT),
+    op("print", "print", &[param("value", ParamKind::Any)], "shows a value"),
+];

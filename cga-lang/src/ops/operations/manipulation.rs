@@ -1,0 +1,85 @@
+//! Geometry manipulation, tags, inlined rules and boolean operations.
+
+use super::super::{Block, Default, Operation, Param, boolean, float, or, text, word};
+use super::{block, later, old};
+
+const CLEANUP: Param = word(
+    "components",
+    "CleanupParts",
+    &[("vertices", "Vertices"), ("edges", "Edges"), ("faces", "Faces"), ("all", "All")],
+);
+
+const NORMALS: Param =
+    word("normalsMode", "NormalsMode", &[("hard", "Hard"), ("conform", "Conform"), ("soft", "Soft"), ("auto", "Auto")]);
+
+const TAGGED: Param = or(
+    word(
+        "components",
+        "TagParts",
+        &[("auto", "Auto"), ("faces", "Faces"), ("edges", "Edges"), ("vertices", "Vertices")],
+    ),
+    Default::Word("auto"),
+);
+
+const UNTAGGED: Param = or(
+    word(
+        "components",
+        "TaggedParts",
+        &[("all", "All"), ("faces", "Faces"), ("edges", "Edges"), ("vertices", "Vertices")],
+    ),
+    Default::Word("all"),
+);
+
+const STRATEGY: Param = or(
+    word(
+        "geometryMergeStrategy",
+        "MergeStrategy",
+        &[("append", "Append"), ("unify", "Unify"), ("recompose", "Recompose")],
+    ),
+    Default::Word("append"),
+);
+
+const SWAP: Param = word("mode", "BooleanMode", &[("swap", "Swap")]);
+
+const UNION: &str = "joins what both sides make of the shape";
+const SUBTRACT: &str = "takes what the right side makes of the shape away from what the left side makes";
+const INTERSECT: &str = "keeps what both sides have in common";
+
+/// The syntax up to 2024.1, where the left operand was the current shape (*CGA changelog 2025.0*).
+const fn one_operand(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+    old(block(name, Block::Inline, params, about), "name both operands in braces: `{ A | B }`")
+}
+
+pub(super) static ROWS: &[Operation] = &[
+    later("cleanupGeometry", &[CLEANUP, float("tolerance")], "merges what is nearly the same"),
+    later("convexify", &[], "cuts concave faces into convex ones"),
+    later("convexify", &[float("maxLength")], "cuts concave faces where the cut is short"),
+    later("deleteHoles", &[], "fills the holes of faces"),
+    later("reverseNormals", &[], "turns every face over"),
+    later("setNormals", &[NORMALS], "sets the normals of vertices"),
+    later("softenNormals", &[float("angle")], "smooths edges flatter than an angle"),
+    later("mirror", &[boolean("xFlip"), boolean("yFlip"), boolean("zFlip")], "mirrors the geometry inside its scope"),
+    later("rectify", &[float("angle")], "turns edges that nearly follow the scope's axes to them"),
+    later("reduceGeometry", &[float("tolerance")], "removes vertices and changes the form as little as it can"),
+    later("resetGeometry", &[], "takes the geometry of the initial shape again"),
+    later("trim", &[], "cuts the geometry at the trim planes"),
+    later("tag", &[text("name"), TAGGED], "gives components a tag"),
+    later("deleteTags", &[], "removes all tags"),
+    later("deleteTags", &[text("tagQuery"), UNTAGGED], "removes the tags that match"),
+    later("setTagsFromEdgeAttrs", &[], "makes tags of the initial shape's edge attributes"),
+    block(
+        "inline",
+        Block::Inline,
+        &[STRATEGY],
+        "derives a rule at once and goes on with what comes of it as one shape",
+    ),
+    block("union", Block::Operands, &[], UNION),
+    block("subtract", Block::Operands, &[], SUBTRACT),
+    block("intersect", Block::Operands, &[], INTERSECT),
+    one_operand("union", &[], UNION),
+    one_operand("union", &[SWAP], UNION),
+    one_operand("subtract", &[], SUBTRACT),
+    one_operand("subtract", &[SWAP], SUBTRACT),
+    one_operand("intersect", &[], INTERSECT),
+    one_operand("intersect", &[SWAP], INTERSECT),
+];

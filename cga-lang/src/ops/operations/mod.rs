@@ -1,0 +1,45 @@
+//! The operations, by topic. Parameters have the names of the reference; where one takes several types there is a row for
+//! each.
+
+mod creation;
+mod flow;
+mod manipulation;
+mod roofs;
+mod scope;
+mod subdivision;
+mod texturing;
+mod transform;
+
+use super::{Block, Operation, Param, Run};
+
+/// Every operation.
+pub static OPERATIONS: &[&[Operation]] = &[
+    creation::ROWS,
+    roofs::ROWS,
+    subdivision::ROWS,
+    manipulation::ROWS,
+    texturing::ROWS,
+    transform::ROWS,
+    scope::ROWS,
+    flow::ROWS,
+];
+
+/// A row that runs, by the function `call` of the runtime.
+const fn op(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+    Operation { run: Run::Now(call), ..later(name, params, about) }
+}
+
+/// A row that does not run yet.
+const fn later(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+    Operation { name, run: Run::Later, params, block: Block::None, uses_base: false, old: None, about }
+}
+
+/// A row that does not run yet and has braces.
+const fn block(name: &'static str, block: Block, params: &'static [Param], about: &'static str) -> Operation {
+    Operation { block, ..later(name, params, about) }
+}
+
+/// The same row, as something that only old files should have.
+const fn old(row: Operation, instead: &'static str) -> Operation {
+    Operation { old: Some(instead), ..row }
+}

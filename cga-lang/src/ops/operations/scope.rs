@@ -1,0 +1,73 @@
+//! The scope and the pivot: the geometry stays where it is.
+
+use super::super::{Default, Operation, Param, boolean, float, or, word};
+use super::{later, old};
+
+const ALIGN_AXES: Param = or(
+    word(
+        "alignAxes",
+        "AlignAxes",
+        &[
+            ("x", "WorldX"),
+            ("y", "WorldY"),
+            ("z", "WorldZ"),
+            ("world.x", "WorldX"),
+            ("world.y", "WorldY"),
+            ("world.z", "WorldZ"),
+            ("world.xyz", "WorldXyz"),
+            ("object.x", "ObjectX"),
+            ("object.y", "ObjectY"),
+            ("object.z", "ObjectZ"),
+            ("object.xyz", "ObjectXyz"),
+        ],
+    ),
+    Default::Word("world.xyz"),
+);
+
+const UP_AXIS: Param = word("upAxis", "UpAxis", &[("yUp", "YUp"), ("zUp", "ZUp")]);
+
+const FACE: Param = word("faceSelector", "AlignFace", &[("world.lowest", "WorldLowest"), ("largest", "Largest")]);
+
+/// `any` means the face whose edge is picked, so an edge must be picked by a word.
+const FACE_BY_EDGE: Param =
+    word("faceSelector", "AlignFace", &[("world.lowest", "WorldLowest"), ("largest", "Largest"), ("any", "Any")]);
+
+const EDGE: Param = word("edgeSelector", "AlignEdge", &[("world.lowest", "WorldLowest"), ("longest", "Longest")]);
+
+const AUTO: Param = word("mode", "AlignAuto", &[("auto", "Auto")]);
+
+const BOX_AXES: Param =
+    word("alignAxes", "BoxAxes", &[("xy", "Xy"), ("yx", "Yx"), ("xz", "Xz"), ("zx", "Zx"), ("yz", "Yz"), ("zy", "Zy")]);
+
+const AXIS_MAP: Param = word("axisMap", "AxisMap", &[("xyz", "Xyz"), ("yzx", "Yzx"), ("zxy", "Zxy")]);
+
+const TO_GEOMETRY: &str = "turns the scope to an edge and the normal of a face";
+
+pub(super) static ROWS: &[Operation] = &[
+    later("alignScopeToAxes", &[ALIGN_AXES], "turns the scope to the axes of the world or the object"),
+    later("alignScopeToGeometry", &[UP_AXIS, float("faceIndex"), float("edgeIndex")], TO_GEOMETRY),
+    later("alignScopeToGeometry", &[UP_AXIS, FACE, float("edgeIndex")], TO_GEOMETRY),
+    later("alignScopeToGeometry", &[UP_AXIS, float("faceIndex"), EDGE], TO_GEOMETRY),
+    later("alignScopeToGeometry", &[UP_AXIS, FACE_BY_EDGE, EDGE], TO_GEOMETRY),
+    // Both deprecated in 2010.1 (*CGA changelog*).
+    old(
+        later("alignScopeToGeometry", &[UP_AXIS, float("faceIndex")], TO_GEOMETRY),
+        "name the edge too: `alignScopeToGeometry(yUp, 0, 0)`",
+    ),
+    old(
+        later("alignScopeToGeometry", &[UP_AXIS, AUTO], TO_GEOMETRY),
+        "write `alignScopeToGeometry(yUp, any, world.lowest)`",
+    ),
+    later("alignScopeToGeometryBBox", &[BOX_AXES], "turns the scope about an axis until its box is as small as can be"),
+    later(
+        "rotateScope",
+        &[float("xAngle"), float("yAngle"), float("zAngle")],
+        "turns the scope about the axes of the pivot, in degrees",
+    ),
+    later("setPivot", &[AXIS_MAP, float("cornerIndex")], "puts the pivot to a corner of the scope"),
+    later(
+        "mirrorScope",
+        &[boolean("xFlip"), boolean("yFlip"), boolean("zFlip")],
+        "mirrors the scope around the geometry",
+    ),
+];

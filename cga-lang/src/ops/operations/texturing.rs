@@ -1,0 +1,81 @@
+//! Textures and texture coordinates. A uv set is a number from 0 to 9.
+
+use super::super::{Default, Operation, Param, float, length, or, size, text, word};
+use super::{later, old, op};
+
+const UV_SET: Param = float("uvSet");
+
+const AXES: Param = word(
+    "axes",
+    "ProjectionAxes",
+    &[
+        ("scope.xy", "ScopeXy"),
+        ("scope.xz", "ScopeXz"),
+        ("scope.yx", "ScopeYx"),
+        ("scope.yz", "ScopeYz"),
+        ("scope.zx", "ScopeZx"),
+        ("scope.zy", "ScopeZy"),
+        ("world.xy", "WorldXy"),
+        ("world.xz", "WorldXz"),
+        ("world.yx", "WorldYx"),
+        ("world.yz", "WorldYz"),
+        ("world.zx", "WorldZx"),
+        ("world.zy", "WorldZy"),
+    ],
+);
+
+const NORMALIZE_MODE: Param =
+    word("normalizeMode", "NormalizeMode", &[("uv", "Uv"), ("uvUniform", "UvUniform"), ("u", "U"), ("v", "V")]);
+
+const NORMALIZE_TYPE: Param = word(
+    "normalizeType",
+    "NormalizeType",
+    &[("separatePerFace", "SeparatePerFace"), ("collectiveAllFaces", "CollectiveAllFaces")],
+);
+
+const WIDTH: Param = size("textureWidth");
+const HEIGHT: Param = size("textureHeight");
+const PROJECTION: &str = "says how a texture is to be laid on the shape";
+
+pub(super) static ROWS: &[Operation] = &[
+    op("texture", "texture", &[text("filePath")], "sets the colour map"),
+    later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION),
+    later(
+        "setupProjection",
+        &[
+            UV_SET,
+            AXES,
+            WIDTH,
+            HEIGHT,
+            length("widthOffset"),
+            length("heightOffset"),
+            or(float("uwFactor"), Default::Float(0.0)),
+        ],
+        PROJECTION,
+    ),
+    old(
+        later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT, float("uwFactor")], PROJECTION),
+        "write the offsets before the factor: `setupProjection(0, scope.xy, 1, 1, 0, 0, factor)`",
+    ),
+    later("projectUV", &[UV_SET], "writes the texture coordinates of the projection that was set up"),
+    later("translateUV", &[UV_SET, float("uOffset"), float("vOffset")], "moves texture coordinates"),
+    later("scaleUV", &[UV_SET, float("uFactor"), float("vFactor")], "multiplies texture coordinates"),
+    later("rotateUV", &[UV_SET, float("angle")], "turns texture coordinates about their origin, in degrees"),
+    later("normalizeUV", &[UV_SET, NORMALIZE_MODE, NORMALIZE_TYPE], "fits texture coordinates between 0 and 1"),
+    later("tileUV", &[UV_SET, WIDTH, HEIGHT], "scales texture coordinates to tiles of a size"),
+    later("deleteUV", &[UV_SET], "removes texture coordinates"),
+    later("copyUV", &[float("uvSetSource"), float("uvSetDest")], "copies texture coordinates to another set"),
+    // No reference page has these any more; the parameters are those that old rule files give them.
+    old(
+        later("setupUV", &[UV_SET, float("textureWidth"), float("textureHeight"), float("uwFactor")], PROJECTION),
+        "write `setupProjection(…)` and `projectUV(…)`",
+    ),
+    old(
+        later("bakeUV", &[UV_SET], "writes the texture coordinates that were set up"),
+        "write `projectUV(…)`, and `setupProjection(…)` before it",
+    ),
+    old(
+        later("offsetUV", &[UV_SET, float("uOffset"), float("vOffset")], "moves texture coordinates"),
+        "write `translateUV(…)`",
+    ),
+];

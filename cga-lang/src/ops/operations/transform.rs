@@ -1,0 +1,50 @@
+//! Moving, turning and sizing.
+
+use super::super::{Operation, Param, float, length, word};
+use super::{later, op};
+
+const CENTER_AXES: Param = word(
+    "axes",
+    "CenterAxes",
+    &[("x", "X"), ("y", "Y"), ("z", "Z"), ("xy", "Xy"), ("xz", "Xz"), ("yz", "Yz"), ("xyz", "Xyz")],
+);
+
+const CENTER: Param = word("center", "RotateAbout", &[("scopeOrigin", "ScopeOrigin"), ("scopeCenter", "ScopeCenter")]);
+
+const MODE: Param = word("mode", "TransformMode", &[("abs", "Abs"), ("rel", "Rel")]);
+
+const SYSTEM: Param = word(
+    "coordSystem",
+    "CoordSystem",
+    &[("scope", "Scope"), ("pivot", "Pivot"), ("object", "Object"), ("world", "World")],
+);
+
+const X_ANGLE: Param = float("xAngle");
+const Y_ANGLE: Param = float("yAngle");
+const Z_ANGLE: Param = float("zAngle");
+
+pub(super) static ROWS: &[Operation] = &[
+    op("s", "size", &[length("xSize"), length("ySize"), length("zSize")], "sets the size of the scope"),
+    op("t", "translate", &[length("tx"), length("ty"), length("tz")], "moves along the axes of the scope"),
+    later(
+        "translate",
+        &[MODE, SYSTEM, float("x"), float("y"), float("z")],
+        "moves to a place or by an amount in a coordinate system",
+    ),
+    op("r", "rotate", &[X_ANGLE, Y_ANGLE, Z_ANGLE], "rotates about the origin of the scope, in degrees"),
+    op(
+        "r",
+        "rotate_about",
+        &[CENTER, X_ANGLE, Y_ANGLE, Z_ANGLE],
+        "rotates about the origin or the centre of the scope, in degrees",
+    ),
+    later(
+        "rotate",
+        &[MODE, SYSTEM, X_ANGLE, Y_ANGLE, Z_ANGLE],
+        "turns to angles or by angles in a coordinate system, in degrees",
+    ),
+    Operation {
+        uses_base: true,
+        ..op("center", "center", &[CENTER_AXES], "moves the centre of the scope to the centre it had before")
+    },
+];

@@ -1,0 +1,201 @@
+//! The functions that look at the shape, its geometry, the run and files.
+
+use super::{B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, text, word};
+use crate::ir::Type;
+
+const fn row(
+    name: &'static str,
+    call: &'static str,
+    params: &'static [Param],
+    ty: Type,
+    needs: Needs,
+    about: &'static str,
+) -> Function {
+    Function { name, run: Run::Now(call), params, ty, needs, pure: false, about }
+}
+
+/// Asks the shape alone.
+const fn shape(
+    name: &'static str,
+    call: &'static str,
+    params: &'static [Param],
+    ty: Type,
+    about: &'static str,
+) -> Function {
+    row(name, call, params, ty, Needs::Shape, about)
+}
+
+/// Asks the shape and the run.
+const fn both(
+    name: &'static str,
+    call: &'static str,
+    params: &'static [Param],
+    ty: Type,
+    about: &'static str,
+) -> Function {
+    row(name, call, params, ty, Needs::Both, about)
+}
+
+/// Asks the run alone.
+const fn run(
+    name: &'static str,
+    call: &'static str,
+    params: &'static [Param],
+    ty: Type,
+    about: &'static str,
+) -> Function {
+    row(name, call, params, ty, Needs::Env, about)
+}
+
+/// The directions that faces can look in; of areas also all.
+macro_rules! directions {
+    ($($more:expr),*) => {
+        word(
+            "faceOrientation",
+            "FaceSelector",
+            &[
+                $($more,)*
+                ("front", "Front"),
+                ("back", "Back"),
+                ("left", "Left"),
+                ("right", "Right"),
+                ("top", "Top"),
+                ("bottom", "Bottom"),
+                ("side", "Side"),
+                ("object.front", "ObjectFront"),
+                ("object.back", "ObjectBack"),
+                ("object.left", "ObjectLeft"),
+                ("object.right", "ObjectRight"),
+                ("object.top", "ObjectTop"),
+                ("object.bottom", "ObjectBottom"),
+                ("object.side", "ObjectSide"),
+                ("world.south", "WorldSouth"),
+                ("world.north", "WorldNorth"),
+                ("world.west", "WorldWest"),
+                ("world.east", "WorldEast"),
+                ("world.up", "WorldUp"),
+                ("world.down", "WorldDown"),
+                ("world.side", "WorldSide"),
+                ("street.front", "StreetFront"),
+                ("street.back", "StreetBack"),
+                ("street.left", "StreetLeft"),
+                ("street.right", "StreetRight"),
+                ("street.side", "StreetSide"),
+            ],
+        )
+    };
+}
+
+const FACES: Param = or(directions!(("all", "All"), ("surface", "All")), Default::Word("all"));
+const DIRECTION: Param = directions!();
+
+const ANGLE: Param =
+    word("angleType", "AngleType", &[("maxSlope", "MaxSlope"), ("azimuth", "Azimuth"), ("zenith", "Zenith")]);
+
+const TOLERANCE: Param = float("tolerance");
+
+/// The geometry of the shape.
+pub(super) static GEOMETRY: &[Function] = &[
+    both("geometry.area", "geometry_area", &[FACES], F, "the area of the faces, in square metres"),
+    shape("geometry.volume", "geometry_volume", &[], F, "what the faces enclose, in cubic metres"),
+    shape("geometry.height", "geometry_height", &[], F, "the height in the world, in metres"),
+    shape(
+        "geometry.boundaryLength",
+        "geometry_boundary_length",
+        &[],
+        F,
+        "the length of the edges that no two faces share, in metres",
+    ),
+    shape("geometry.angle", "geometry_angle", &[ANGLE], F, "how steep the steepest face is, or where it looks"),
+    shape("geometry.nVertices", "geometry_n_vertices", &[], F, "how many vertices there are"),
+    shape("geometry.nEdges", "geometry_n_edges", &[], F, "how many edges there are"),
+    shape("geometry.nFaces", "geometry_n_faces", &[], F, "how many faces there are"),
+    shape("geometry.nHoles", "geometry_n_holes", &[], F, "how many holes the faces have"),
+    shape("geometry.isConcave", "geometry_is_concave", &[], B, "whether a face turns inwards somewhere"),
+    shape("geometry.isClosedSurface", "geometry_is_closed_surface", &[], B, "whether two faces share every edge"),
+    shape("geometry.isInstanced", "geometry_is_instanced", &[], B, "whether it is an asset that nothing has changed"),
+    both(
+        "geometry.isRectangular",
+        "geometry_is_rectangular",
+        &[TOLERANCE],
+        B,
+        "whether all faces are rectangles, within so many degrees",
+    ),
+    both(
+        "geometry.isPlanar",
+        "geometry_is_planar",
+        &[TOLERANCE],
+        B,
+        "whether all faces are flat, within so many degrees",
+    ),
+    both("geometry.isOriented", "geometry_is_oriented", &[DIRECTION], B, "whether a face looks there"),
+    shape("geometry.groups", "geometry_groups", &[], TS, "the names of the groups that have faces"),
+    shape("geometry.materials", "geometry_materials", &[], TS, "the names of the materials that faces have"),
+];
+
+const SYSTEMS: &[(&str, &str)] = &[("scope", "Scope"), ("pivot", "Pivot"), ("object", "Object"), ("world", "World")];
+const FROM: Param = word("fromSystem", "System", SYSTEMS);
+const TO: Param = word("toSystem", "System", SYSTEMS);
+const WHAT: Param = word("type", "ConvertWhat", &[("pos", "Pos"), ("orient", "Orient")]);
+const COORDINATE: Param = word("coordinate", "Axis", &[("x", "X"), ("y", "Y"), ("z", "Z")]);
+
+const SOURCE: Param =
+    word("source", "MaterialSource", &[("used", "Used"), ("shape", "Shape"), ("geometry", "Geometry")]);
+const MODE: Param = word("mode", "MaterialMode", &[("changed", "Changed"), ("all", "All")]);
+
+/// The shape itself, its material, and what is printed on the way.
+pub(super) static SHAPES: &[Function] = &[
+    both(
+        "convert",
+        "convert",
+        &[COORDINATE, FROM, TO, WHAT, float("x"), float("y"), float("z")],
+        F,
+        "a position or orientation in another coordinate system",
+    ),
+    both(
+        "convert",
+        "convert_array",
+        &[FROM, TO, WHAT, of("coordinates", FS)],
+        FS,
+        "a position or orientation in another coordinate system",
+    ),
+    both("getMaterial", "get_material", &[SOURCE, MODE], TS, "the attributes of the material, as names and values"),
+    run("print", "print", &[float("value")], F, "shows a value and gives it"),
+    run("print", "print", &[boolean("value")], B, "shows a value and gives it"),
+    run("print", "print", &[text("value")], T, "shows a value and gives it"),
+    run("print", "print", &[of("value", FS)], FS, "shows a value and gives it"),
+    run("print", "print", &[of("value", BS)], BS, "shows a value and gives it"),
+    run("print", "print", &[of("value", TS)], TS, "shows a value and gives it"),
+];
+
+const QUERY: Param = text("searchQuery");
+const FILE: Param = text("filePath");
+
+const ASSET: Param = word(
+    "attribute",
+    "AssetDimension",
+    &[("sx", "Sx"), ("sy", "Sy"), ("sz", "Sz"), ("tx", "Tx"), ("ty", "Ty"), ("tz", "Tz")],
+);
+const IMAGE: Param = word("attribute", "ImageDimension", &[("sx", "Sx"), ("sy", "Sy")]);
+const NAMING: Param = word("namingAttribute", "AssetNaming", &[("g", "Groups"), ("m", "Materials")]);
+
+/// Files and what is in them.
+pub(super) static FILES: &[Function] = &[
+    run("fileExists", "file_exists", &[FILE], B, "whether there is a file that can be used"),
+    run("fileSearch", "file_search", &[QUERY], T, "the files that a query finds, as a list"),
+    run("filesSearch", "files_search", &[QUERY], TS, "the files that a query finds"),
+    both("fileRandom", "file_random", &[QUERY], T, "one of the files that a query finds"),
+    run("assetInfo", "asset_info", &[FILE, ASSET], F, "a size or coordinate of the box around an asset, in metres"),
+    run(
+        "assetNamingInfo",
+        "asset_naming_info",
+        &[FILE, NAMING],
+        T,
+        "the names of an asset's groups or materials, as a list",
+    ),
+    run("assetNamingInfos", "asset_naming_infos", &[FILE, NAMING], TS, "the names of an asset's groups or materials"),
+    run("imageInfo", "image_info", &[FILE, IMAGE], F, "the width or height of an image, in pixels"),
+    run("readTextFile", "read_text_file", &[FILE], T, "the text of a file"),
+    run("readStringTable", "read_string_table", &[FILE], TS, "the table of a file, as text"),
+    run("readFloatTable", "read_float_table", &[FILE], FS, "the table of a file, as numbers"),
+];

@@ -1,0 +1,343 @@
+//! The functions of values: numbers, text, lists in text, arrays, colours, paths, chance. Of rows with one name the one
+//! for single numbers comes first.
+
+use super::{B, BS, F, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, text};
+use crate::ir::Type;
+
+/// A function of its arguments alone.
+const fn plain(
+    name: &'static str,
+    call: &'static str,
+    params: &'static [Param],
+    ty: Type,
+    about: &'static str,
+) -> Function {
+    Function { name, run: Run::Now(call), params, ty, needs: Needs::Nothing, pure: true, about }
+}
+
+/// One that can leave a fault or end the run.
+const fn run(
+    name: &'static str,
+    call: &'static str,
+    params: &'static [Param],
+    ty: Type,
+    about: &'static str,
+) -> Function {
+    Function { needs: Needs::Env, ..plain(name, call, params, ty, about) }
+}
+
+/// One that uses up random numbers of the shape.
+const fn draw(
+    name: &'static str,
+    call: &'static str,
+    params: &'static [Param],
+    ty: Type,
+    needs: Needs,
+    about: &'static str,
+) -> Function {
+    Function { needs, pure: false, ..plain(name, call, params, ty, about) }
+}
+
+/// Random numbers.
+pub(super) static CHANCE: &[Function] = &[
+    draw("rand", "rand", &[], F, Needs::Shape, "a random number between 0 and 1"),
+    draw("rand", "rand_to", &[float("max")], F, Needs::Both, "a random number between 0 and a number"),
+    draw("rand", "rand_between", &[float("min"), float("max")], F, Needs::Both, "a random number between two numbers"),
+    draw("p", "chance", &[float("probability")], B, Needs::Both, "true with a probability from 0 to 1"),
+];
+
+/// Arithmetic.
+pub(super) static MATH: &[Function] = &[
+    run("floor", "floor", &[float("x")], F, "the largest whole number that is not above"),
+    plain("floor", "floor_each", &[of("x", FS)], FS, "the largest whole number that is not above, for each element"),
+    run("ceil", "ceil", &[float("x")], F, "the smallest whole number that is not below"),
+    plain("ceil", "ceil_each", &[of("x", FS)], FS, "the smallest whole number that is not below, for each element"),
+    run("rint", "rint", &[float("x")], F, "the nearest whole number"),
+    plain("rint", "rint_each", &[of("x", FS)], FS, "the nearest whole number, for each element"),
+    run("abs", "abs", &[float("x")], F, "the number without its sign"),
+    plain("abs", "abs_each", &[of("x", FS)], FS, "the number without its sign, for each element"),
+    run("sqrt", "sqrt", &[float("x")], F, "the square root"),
+    run("sin", "sin", &[float("degrees")], F, "the sine of an angle in degrees"),
+    run("cos", "cos", &[float("degrees")], F, "the cosine of an angle in degrees"),
+    run("tan", "tan", &[float("degrees")], F, "the tangent of an angle in degrees"),
+    run("asin", "asin", &[float("x")], F, "the angle of a sine, from -90 to 90 degrees"),
+    run("acos", "acos", &[float("x")], F, "the angle of a cosine, from 0 to 180 degrees"),
+    run("atan", "atan", &[float("x")], F, "the angle of a tangent, from -90 to 90 degrees"),
+    run("atan2", "atan2", &[float("y"), float("x")], F, "the angle of the point (x, y), from -180 to 180 degrees"),
+    run("pow", "pow", &[float("base"), float("exponent")], F, "a power"),
+    run("exp", "exp", &[float("x")], F, "e to the power of a number"),
+    run("ln", "ln", &[float("x")], F, "the natural logarithm"),
+    run("log10", "log10", &[float("x")], F, "the logarithm to base 10"),
+    plain("min", "min", &[float("a"), float("b")], F, "the smaller one"),
+    plain("min", "min_text", &[text("a"), text("b")], T, "the text that comes first"),
+    run("min", "min_each", &[of("a", FS), of("b", FS)], FS, "the smaller one, element by element"),
+    run("min", "min_each", &[of("a", TS), of("b", TS)], TS, "the smaller one, element by element"),
+    plain("max", "max", &[float("a"), float("b")], F, "the larger one"),
+    plain("max", "max_text", &[text("a"), text("b")], T, "the text that comes last"),
+    run("max", "max_each", &[of("a", FS), of("b", FS)], FS, "the larger one, element by element"),
+    run("max", "max_each", &[of("a", TS), of("b", TS)], TS, "the larger one, element by element"),
+    plain("clamp", "clamp", &[float("x"), float("min"), float("max")], F, "the number, moved between two numbers"),
+    plain(
+        "clamp",
+        "clamp_text",
+        &[text("x"), text("min"), text("max")],
+        T,
+        "the text, or the one it must not come before or behind",
+    ),
+    run(
+        "clamp",
+        "clamp_each",
+        &[of("x", FS), of("min", FS), of("max", FS)],
+        FS,
+        "the elements, moved between those of two arrays",
+    ),
+    run(
+        "clamp",
+        "clamp_each",
+        &[of("x", TS), of("min", TS), of("max", TS)],
+        TS,
+        "the elements, moved between those of two arrays",
+    ),
+    plain("isnan", "isnan", &[float("x")], B, "whether it is not a number"),
+    plain("isnan", "isnan_each", &[of("x", FS)], BS, "whether it is not a number, for each element"),
+    plain("isinf", "isinf", &[float("x")], B, "whether it is infinite"),
+    plain("isinf", "isinf_each", &[of("x", FS)], BS, "whether it is infinite, for each element"),
+    plain("isNull", "isnull_float", &[float("value")], B, "whether it stands for a missing value"),
+    plain("isNull", "isnull_text", &[text("value")], B, "whether it stands for a missing value"),
+    plain(
+        "isNull",
+        "isnull_float_each",
+        &[of("values", FS)],
+        BS,
+        "whether it stands for a missing value, for each element",
+    ),
+    plain(
+        "isNull",
+        "isnull_text_each",
+        &[of("values", TS)],
+        BS,
+        "whether it stands for a missing value, for each element",
+    ),
+];
+
+/// Values of one type as values of another.
+pub(super) static CONVERSIONS: &[Function] = &[
+    plain("float", "bool_to_float", &[boolean("value")], F, "1 or 0"),
+    plain("float", "text_to_float", &[text("value")], F, "the number that a text begins with"),
+    plain("bool", "float_to_bool", &[float("value")], B, "whether it is not 0"),
+    plain("bool", "text_to_bool", &[text("value")], B, "whether it is neither `f` nor `false` nor a zero"),
+    plain("floatArray", "no_floats", &[], FS, "an array without elements"),
+    plain("floatArray", "floats_from_bools", &[of("values", BS)], FS, "1 or 0 for each element"),
+    plain("floatArray", "floats_from_texts", &[of("values", TS)], FS, "the number that each element begins with"),
+    plain("boolArray", "no_bools", &[], BS, "an array without elements"),
+    plain("boolArray", "bools_from_floats", &[of("values", FS)], BS, "whether each element is not 0"),
+    plain(
+        "boolArray",
+        "bools_from_texts",
+        &[of("values", TS)],
+        BS,
+        "whether each element is neither `f` nor `false` nor a zero",
+    ),
+    plain("stringArray", "no_texts", &[], TS, "an array without elements"),
+    run("stringArray", "texts_from_floats", &[of("values", FS)], TS, "each element as text"),
+    plain("stringArray", "texts_from_bools", &[of("values", BS)], TS, "each element as text"),
+];
+
+/// Text.
+pub(super) static TEXTS: &[Function] = &[
+    plain("len", "len", &[text("inputString")], F, "how many characters"),
+    run(
+        "find",
+        "find",
+        &[text("inputString"), text("matchString"), float("n")],
+        F,
+        "where an occurrence begins, or -1",
+    ),
+    plain("count", "count", &[text("inputString"), text("matchString")], F, "how many occurrences"),
+    run(
+        "substring",
+        "substring",
+        &[text("inputString"), float("startPos"), float("endPos")],
+        T,
+        "the characters from one place up to another",
+    ),
+    run("splitString", "split_string", &[text("inputString"), text("delimiter")], TS, "the parts between delimiters"),
+    run(
+        "replace",
+        "replace",
+        &[text("inputString"), text("oldString"), text("newString")],
+        T,
+        "the text with every occurrence replaced",
+    ),
+    run(
+        "replace",
+        "replace",
+        &[text("inputString"), text("oldString"), float("newString")],
+        T,
+        "the text with every occurrence replaced",
+    ),
+    run(
+        "replace",
+        "replace",
+        &[text("inputString"), text("oldString"), boolean("newString")],
+        T,
+        "the text with every occurrence replaced",
+    ),
+    plain(
+        "findFirst",
+        "find_first",
+        &[text("inputString"), text("matchString")],
+        F,
+        "where the first occurrence begins, or -1",
+    ),
+    plain(
+        "findLast",
+        "find_last",
+        &[text("inputString"), text("matchString")],
+        F,
+        "where the last occurrence begins, or -1",
+    ),
+    plain(
+        "getPrefix",
+        "get_prefix",
+        &[text("inputString"), text("matchString")],
+        T,
+        "what stands before the first occurrence",
+    ),
+    plain(
+        "getSuffix",
+        "get_suffix",
+        &[text("inputString"), text("matchString")],
+        T,
+        "what stands behind the last occurrence",
+    ),
+    plain(
+        "getRange",
+        "get_range",
+        &[text("inputString"), text("leftMatchString"), text("rightMatchString")],
+        T,
+        "what stands between two occurrences",
+    ),
+    plain(
+        "fileBasename",
+        "file_basename",
+        &[text("filePath")],
+        T,
+        "the name of a file without directory and extension",
+    ),
+    plain("fileDirectory", "file_directory", &[text("filePath")], T, "the directory of a file"),
+    plain("fileExtension", "file_extension", &[text("filePath")], T, "the extension of a file"),
+    plain("fileName", "file_name", &[text("filePath")], T, "the name of a file with its extension"),
+];
+
+/// Lists in text.
+pub(super) static LISTS: &[Function] = &[
+    run("listAdd", "list_add", &[text("stringList"), text("item")], T, "the list with one more item"),
+    plain("listClean", "list_clean", &[text("stringList")], T, "the list without empty items"),
+    plain("listCount", "list_count", &[text("stringList"), text("searchString")], F, "how many items match"),
+    plain("listFirst", "list_first", &[text("stringList")], T, "the first item"),
+    run("listFromArray", "list_from_array", &[of("array", FS)], T, "the elements as a list"),
+    run("listFromArray", "list_from_array", &[of("array", BS)], T, "the elements as a list"),
+    run("listFromArray", "list_from_array", &[of("array", TS)], T, "the elements as a list"),
+    plain(
+        "listIndex",
+        "list_index",
+        &[text("stringList"), text("searchString")],
+        F,
+        "the number of the first item that matches, or -1",
+    ),
+    run("listItem", "list_item", &[text("stringList"), float("index")], T, "an item by its number"),
+    plain("listLast", "list_last", &[text("stringList")], T, "the last item"),
+    draw("listRandom", "list_random", &[text("stringList")], T, Needs::Shape, "an item by chance"),
+    run(
+        "listRange",
+        "list_range",
+        &[text("stringList"), float("leftIndex"), float("rightIndex")],
+        T,
+        "the items from one number up to another",
+    ),
+    plain(
+        "listRemove",
+        "list_remove",
+        &[text("stringList"), text("searchString")],
+        T,
+        "the list without the first item that matches",
+    ),
+    plain(
+        "listRemoveAll",
+        "list_remove_all",
+        &[text("stringList"), text("searchString")],
+        T,
+        "the list without the items that match",
+    ),
+    plain("listRetainAll", "list_retain_all", &[text("stringList"), text("searchString")], T, "the items that match"),
+    plain("listSize", "list_size", &[text("stringList")], F, "how many items"),
+    run("listTerminate", "list_terminate", &[text("stringList")], T, "the list with a `;` at its end"),
+    run("listToArray", "list_to_array", &[text("stringList")], TS, "the items as an array"),
+];
+
+/// Arrays.
+pub(super) static ARRAYS: &[Function] = &[
+    plain("size", "size", &[of("array", FS)], F, "how many elements"),
+    plain("size", "size", &[of("array", BS)], F, "how many elements"),
+    plain("size", "size", &[of("array", TS)], F, "how many elements"),
+    plain("nRows", "n_rows", &[of("array", FS)], F, "how many rows"),
+    plain("nRows", "n_rows", &[of("array", BS)], F, "how many rows"),
+    plain("nRows", "n_rows", &[of("array", TS)], F, "how many rows"),
+    plain("nColumns", "n_columns", &[of("array", FS)], F, "how many columns"),
+    plain("nColumns", "n_columns", &[of("array", BS)], F, "how many columns"),
+    plain("nColumns", "n_columns", &[of("array", TS)], F, "how many columns"),
+    plain("sum", "sum", &[of("array", FS)], F, "the sum of the elements"),
+    plain("sum", "count_true", &[of("array", BS)], F, "how many elements are true"),
+    run("sum", "join", &[of("array", TS)], T, "the elements one behind the other"),
+    plain("findFirst", "find_element", &[of("array", BS), boolean("value")], F, "where a value stands first, or -1"),
+    plain("findFirst", "find_element", &[of("array", TS), text("value")], F, "where a value stands first, or -1"),
+    run(
+        "findFirst",
+        "find_near",
+        &[of("array", FS), float("value"), float("epsilon")],
+        F,
+        "where a value stands first, within a tolerance, or -1",
+    ),
+    plain("sortIndices", "sort_indices", &[of("array", FS)], FS, "the places of the elements of each row, in order"),
+    plain("sortIndices", "sort_indices", &[of("array", TS)], FS, "the places of the elements of each row, in order"),
+    plain("sortRowIndices", "sort_row_indices", &[of("array", FS)], FS, "the numbers of the rows, in order"),
+    plain("sortRowIndices", "sort_row_indices", &[of("array", TS)], FS, "the numbers of the rows, in order"),
+    plain("transpose", "transpose", &[of("array", FS)], FS, "rows as columns"),
+    plain("transpose", "transpose", &[of("array", BS)], BS, "rows as columns"),
+    plain("transpose", "transpose", &[of("array", TS)], TS, "rows as columns"),
+    run("index", "element", &[of("array", FS), float("index")], F, "an element by its place"),
+    run("index", "element", &[of("array", BS), float("index")], B, "an element by its place"),
+    run("index", "element", &[of("array", TS), float("index")], T, "an element by its place"),
+];
+
+/// Colours.
+pub(super) static COLOURS: &[Function] = &[
+    run("colorHexToR", "color_hex_to_r", &[text("hexValue")], F, "red of a colour such as \"#ff8000\""),
+    run("colorHexToG", "color_hex_to_g", &[text("hexValue")], F, "green of a colour such as \"#ff8000\""),
+    run("colorHexToB", "color_hex_to_b", &[text("hexValue")], F, "blue of a colour such as \"#ff8000\""),
+    run("colorHexToH", "color_hex_to_h", &[text("hexValue")], F, "the hue in degrees of a colour such as \"#ff8000\""),
+    run("colorHexToS", "color_hex_to_s", &[text("hexValue")], F, "the saturation of a colour such as \"#ff8000\""),
+    run("colorHexToV", "color_hex_to_v", &[text("hexValue")], F, "the value of a colour such as \"#ff8000\""),
+    run("colorHexToO", "color_hex_to_o", &[text("hexValue")], F, "the opacity of a colour such as \"#ff8000\""),
+    run("colorRGBToHex", "color_rgb_to_hex", &[float("red"), float("green"), float("blue")], T, RGB),
+    run(
+        "colorRGBOToHex",
+        "color_rgbo_to_hex",
+        &[float("red"), float("green"), float("blue"), float("opacity")],
+        T,
+        RGB,
+    ),
+    run("colorHSVToHex", "color_hsv_to_hex", &[float("hue"), float("saturation"), float("value")], T, HSV),
+    run(
+        "colorHSVOToHex",
+        "color_hsvo_to_hex",
+        &[float("hue"), float("saturation"), float("value"), float("opacity")],
+        T,
+        HSV,
+    ),
+    run("colorRamp", "color_ramp", &[text("gradient"), float("value")], T, "a colour between the colours of a ramp"),
+];
+
+const RGB: &str = "the colour of red, green and blue, as in \"#FF8000\"";
+const HSV: &str = "the colour of a hue, saturation and value, as in \"#FF8000\"";

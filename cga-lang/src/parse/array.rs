@@ -1,0 +1,88 @@
+//! `[a, b; c, d]`, and `[i]` behind a value.
+
+use super::expr::Part;
+use super::{Parsed, Parser, Reported};
+use crate::ast::{Expr, ExprKind};
+use crate::token::Sym;
+
+impl Parser<'_> {
+    /// At the `[` that begins an array (*array initialization function*).
+    pub(super) fn array(&mut self) -> Parsed<Part> {
+        let start = self.at;
+        let close = self.closing()?;
+        self.bump();
+        let (mut rows, mut deepest) = (vec![Vec::new()], 0);
+        if self.at == close {
+            self.expected("a value")
+                .help("write `floatArray`, `boolArray` or `stringArray` for an array without elements");
+            return Err(Reported);
+        }
+        loop {
+            let (entry, depth) = self.bracketed(false, Self::entry)?;
+            deepest = deepest.max(depth);
+            if let Some(row) = rows.last_mut() {
+                row.push(entry);
+            }
+            if self.at == close {
+                break;
+            }
+            if self.is(Sym::Semi) {
+                rows.push(Vec::new());
+            } else if !self.is(Sym::Comma) {
+                return self.fail("`,`, `;` or `]`");
+            }
+            self.bump();
+            if !self.tick() {
+                return Err(Reported);
+            }
+        }
+        self.at = close + 1;
+        let depth = self.deepen(deepest)?;
+        Ok((Expr { kind: ExprKind::Array(rows), span: self.span_from(start) }, depth))
+    }
+
+    /// At the `[` behind a value that begins at `start` (*index operator*).
+    pub(super) fn index(&mut self, (array, depth): Part, start: usize) -> Parsed<Part> {
+        let close = self.closing()?;
+        self.bump();
+        let (mut indices, mut deepest) = (Vec::new(), depth);
+        while self.tick() {
+            if 2 <= indices.len() {
+                self.syntax(self.at, "an array has rows and columns, no third index").help("write `a[row, column]`");
+                return Err(Reported);
+            }
+            let (index, depth) = self.bracketed(false, Self::entry)?;
+            deepest = deepest.max(depth);
+            indices.push(index);
+            if self.at == close {
+                break;
+            }
+            if !self.eat(Sym::Comma) {
+                return self.fail("`,` or `]`");
+            }
+        }
+        self.at = close + 1;
+        let depth = self.deepen(deepest)?;
+        Ok((Expr { kind: ExprKind::Index(Box::new(array), indices), span: self.span_from(start) }, depth))
+    }
+
+    /// A value, or `base : limit`, or `base : step : limit` (*colon operator*).
+    fn entry(&mut self) -> Parsed<Part> {
+        let start = self.at;
+        let (base, mut deepest) = self.deep_expr()?;
+        if !self.eat(Sym::Colon) {
+            return Ok((base, deepest));
+        }
+        let (mut limit, depth) = self.deep_expr()?;
+        deepest = deepest.max(depth);
+        let mut step = None;
+        if self.eat(Sym::Colon) {
+            let (last, depth) = self.deep_expr()?;
+            deepest = deepest.max(depth);
+            step = Some(Box::new(std::mem::replace(&mut limit, last)));
+        }
+        let depth = self.deepen(deepest)?;
+        let kind = ExprKind::Range(Box::new(base), step, Box::new(limit));
+        Ok((Expr { kind, span: self.span_from(start) }, depth))
+    }
+}

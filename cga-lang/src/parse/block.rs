@@ -1,0 +1,167 @@
+//! Operations with braces other than split and comp: `setback(2) { front : A | remainder : B }`.
+//!
+//! What stands in the braces is told by the operation's row in the table. Of an operation that has none it is guessed,
+//! so that the rest of the rule can be read; whoever checks names says that there is no such operation.
+
+use super::{Parsed, Parser, Reported};
+use crate::ast::{Arg, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, Section};
+use crate::ops::{self, Block as Braces};
+use crate::token::{Sym, Tok};
+
+/// Cuts the boundary of a face into sections; the one operation with two pairs of braces (*splitAndSetbackPerimeter*).
+const PERIMETER: &str = "splitAndSetbackPerimeter";
+
+/// What stands in braces behind an operation, as far as the table knows.
+fn block_of(name: &str) -> Option<Braces> {
+    ops::operations(name).map(|row| row.block).find(|block| *block != Braces::None)
+}
+
+impl Parser<'_> {
+    /// At the `{` behind a name and its arguments.
+    pub(super) fn block(&mut self, name: Name, args: Vec<Arg>) -> Parsed<OpKind> {
+        if name.text == PERIMETER {
+            return self.perimeter(name, args);
+        }
+        let braces = match block_of(&name.text) {
+            Some(known) => known,
+            None => self.guess()?,
+        };
+        let part = match braces {
+            Braces::Slots => {
+                let (items, repeat) = self.items()?;
+                BlockPart::Slots(items, repeat)
+            }
+            Braces::Arms => BlockPart::Arms(self.between_bars(Self::arm)?),
+            Braces::Ops | Braces::Inline | Braces::Sections | Braces::None => BlockPart::Ops(self.operands(&name, 1)?),
+            Braces::Operands => BlockPart::Ops(self.operands(&name, 2)?),
+        };
+        if !matches!(part, BlockPart::Slots(..)) && self.is(Sym::Star) {
+            self.syntax(self.at, format!("`{}` is not repeated", name.text)).help("leave out the `*`");
+            self.bump();
+        }
+        Ok(OpKind::Block(Block { name, args, parts: vec![part] }))
+    }
+
+    /// What to write when an operation lacks its braces.
+    pub(super) fn missing_braces(&self, name: &str) -> Option<String> {
+        let inside = match block_of(name)? {
+            Braces::None => return None,
+            _ if name == PERIMETER => "{ length : depth : operations | … } { remainder : operations }",
+            Braces::Slots => "{ size : operations | … }",
+            Braces::Arms => "{ selector : operations | … }",
+            Braces::Ops | Braces::Inline | Braces::Sections => "{ operations }",
+            Braces::Operands => "{ operations | operations }",
+        };
+        let arguments = ops::operations(name).any(|row| !row.params.is_empty());
+        Some(format!("write `{name}{} {inside}`", if arguments { "(…)" } else { "" }))
+    }
+
+    /// What seems to stand in the braces of an unknown operation: an operator of arms, a size, or neither.
+    fn guess(&mut self) -> Parsed<Braces> {
+        let close = self.closing()?;
+        let (mut at, mut arms, mut size, mut bar) = (self.at + 1, false, false, false);
+        let mut first = true;
+        while at < close {
+            match self.layout.at(at) {
+                Some(Tok::Sym(Sym::Quote | Sym::Tilde)) if first => size = true,
+                Some(Tok::Sym(Sym::LBrace)) if first => size = true,
+                Some(Tok::Ident(word)) if first && word == "case" => break,
+                Some(Tok::Number(_)) if first && self.layout.at(at + 1).is_some_and(|t| t.is(Sym::Percent)) => break,
+                Some(Tok::Sym(Sym::Colon | Sym::Assign)) => arms = true,
+                Some(Tok::Sym(Sym::Bar)) => bar = true,
+                _ => {}
+            }
+            first = self.layout.at(at).is_some_and(|token| token.is(Sym::Bar));
+            at = self.layout.close(at).unwrap_or(at) + 1;
+        }
+        let star = self.layout.at(close + 1).is_some_and(|token| token.is(Sym::Star));
+        Ok(match (size || star, arms, bar) {
+            (true, _, _) => Braces::Slots,
+            (_, true, _) => Braces::Arms,
+            (_, _, true) => Braces::Operands,
+            _ => Braces::Ops,
+        })
+    }
+
+    /// Steps on so many sides of `|`. What cannot be read is an error step.
+    fn operands(&mut self, name: &Name, count: usize) -> Parsed<Vec<Vec<Op>>> {
+        let close = self.closing()?;
+        let list = self.between_bars(|parser| {
+            let start = parser.at;
+            Ok(parser.ops(false).unwrap_or_else(|Reported| {
+                parser.skip_to_bar(close);
+                vec![Op { kind: OpKind::Error, span: parser.span_from(start) }]
+            }))
+        })?;
+        if list.len() != count {
+            let message = match count {
+                1 => format!("`{}` has one sequence of operations, got {}", name.text, list.len()),
+                _ => format!("`{}` has operations on both sides of one `|`, got {}", name.text, list.len()),
+            };
+            self.syntax_over(close, name.span, message);
+        }
+        Ok(list)
+    }
+
+    fn perimeter(&mut self, name: Name, args: Vec<Arg>) -> Parsed<OpKind> {
+        let sections = self.between_bars(Self::section)?;
+        let mut parts = vec![BlockPart::Sections(sections, self.eat(Sym::Star))];
+        if self.is(Sym::LBrace) {
+            parts.push(BlockPart::Arms(self.between_bars(Self::arm)?));
+        } else {
+            self.expected("`{`").help("write `{ remainder : operations }` behind the sections");
+        }
+        Ok(OpKind::Block(Block { name, args, parts }))
+    }
+
+    fn section(&mut self) -> Parsed<Section> {
+        let usage = "a section is `length : depth : operations`";
+        let length = self.arg()?;
+        if !self.eat(Sym::Colon) {
+            self.expected("`:` after the length").help(usage);
+            return Err(Reported);
+        }
+        let depth = self.expr()?;
+        if !self.eat(Sym::Colon) {
+            self.expected("`:` after the depth").help(usage);
+            return Err(Reported);
+        }
+        Ok(Section { length, depth, ops: self.ops(false)? })
+    }
+
+    /// Whether `inline …`, or `union Rule` as it was written before 2025, goes on here behind its name.
+    pub(super) fn at_inlined(&self, name: &str) -> bool {
+        let boolean = matches!(name, "union" | "subtract" | "intersect");
+        if name != "inline" && !boolean {
+            return false;
+        }
+        let next = match self.is(Sym::LParen).then(|| self.layout.close(self.at)) {
+            Some(Some(close)) => close + 1,
+            Some(None) => return false,
+            None => self.at,
+        };
+        let brace = self.layout.at(next).is_some_and(|token| token.is(Sym::LBrace));
+        let step = matches!(self.layout.at(next), Some(Tok::Ident(word)) if !matches!(word.as_str(), "case" | "else"));
+        (step && !self.layout.is_border(next)) || (brace && name == "inline")
+    }
+
+    /// `inline(mode) Rule`, `inline comp(f) { … }`, `subtract(swap) Rule`, behind the name.
+    pub(super) fn inlined(&mut self, name: Name) -> Parsed<OpKind> {
+        let mut args = if self.is(Sym::LParen) { self.args()? } else { Vec::new() };
+        if self.is(Sym::LBrace) {
+            return self.block(name, args);
+        }
+        let op = vec![self.nested(Self::op)?];
+        // The other operand was the shape itself (*changelog*, 2025.0), which is what no operations leave.
+        let swapped = matches!(args.first().map(|arg| &arg.value), Some(Expr { kind: ExprKind::Name(word), .. }) if word.text == "swap");
+        let operands = match name.text.as_str() {
+            "inline" => vec![op],
+            _ if swapped => {
+                args.remove(0);
+                vec![op, Vec::new()]
+            }
+            _ => vec![Vec::new(), op],
+        };
+        Ok(OpKind::Block(Block { name, args, parts: vec![BlockPart::Ops(operands)] }))
+    }
+}

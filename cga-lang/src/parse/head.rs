@@ -1,0 +1,221 @@
+//! How declarations begin, and which names have dots.
+//!
+//! Nobody can tell `lib.Wall` from a leaf `lib.` and a call of `Wall` by looking at the two names: where a step may
+//! stand, a dot joins names if the first of them is an import of this grammar.
+
+use super::layout::pairs;
+use crate::token::{Sym, Tok};
+use std::collections::HashSet;
+
+/// Tokens looked at where the end of what is searched through is not known; a bound keeps this linear.
+const LONGEST_HEAD: usize = 100;
+
+/// How a declaration goes on behind its name, parameters and `with`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Head {
+    /// With `-->`.
+    Rule,
+    /// With `. -->`, as old files have it.
+    Leaf,
+    /// With `=`.
+    Function,
+    /// With something that was meant to be `-->`; how many tokens it has.
+    Slip(usize),
+}
+
+impl Head {
+    /// Whether nothing but a declaration goes on like that.
+    pub(super) fn is_sure(self) -> bool {
+        matches!(self, Head::Rule | Head::Leaf)
+    }
+}
+
+/// The tokens that count, without a notion of declarations.
+pub(super) struct Heads<'a> {
+    tokens: &'a [Tok],
+    view: Vec<u32>,
+    pairs: Vec<u32>,
+    imports: HashSet<&'a str>,
+    /// Where parentheses behind the path of an import begin.
+    overrides: HashSet<usize>,
+}
+
+impl<'a> Heads<'a> {
+    pub(super) fn new(tokens: &'a [Tok], view: Vec<u32>) -> Self {
+        let pairs = pairs(view.iter().map(|&index| &tokens[index as usize]), view.len());
+        let mut heads = Heads { tokens, view, pairs, imports: HashSet::new(), overrides: HashSet::new() };
+        for position in 0..heads.len() {
+            if heads.word(position) == Some("import") {
+                heads.import(position);
+            }
+        }
+        heads
+    }
+
+    /// `import id (styles) : "path" (overrides)`.
+    fn import(&mut self, position: usize) {
+        let Some(id) = self.word(position + 1) else { return };
+        let mut next = position + 2;
+        if self.is(next, Sym::LParen) {
+            next = self.pair(next).map_or(next, |close| close + 1);
+        }
+        if !self.is(next, Sym::Colon) {
+            return;
+        }
+        self.imports.insert(id);
+        if matches!(self.at(next + 1), Some(Tok::Str(_))) && self.is(next + 2, Sym::LParen) {
+            self.overrides.insert(next + 2);
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.view.len()
+    }
+
+    pub(super) fn index(&self, position: usize) -> Option<u32> {
+        self.view.get(position).copied()
+    }
+
+    pub(super) fn at(&self, position: usize) -> Option<&'a Tok> {
+        self.index(position).map(|index| &self.tokens[index as usize])
+    }
+
+    fn is(&self, position: usize, sym: Sym) -> bool {
+        self.at(position).is_some_and(|token| token.is(sym))
+    }
+
+    fn word(&self, position: usize) -> Option<&'a str> {
+        self.at(position).and_then(Tok::ident)
+    }
+
+    /// The bracket that closes the one at a position, declarations or not.
+    pub(super) fn pair(&self, position: usize) -> Option<usize> {
+        self.pairs.get(position).filter(|&&close| close != u32::MAX).map(|&close| close as usize)
+    }
+
+    /// The position behind a name that may have dots.
+    pub(super) fn name_end(&self, position: usize) -> usize {
+        let mut next = position + 1;
+        if self.word(position).is_some_and(|name| self.imports.contains(name)) {
+            while self.is(next, Sym::Dot) && self.word(next + 1).is_some() {
+                next += 2;
+            }
+        }
+        next
+    }
+
+    /// Whether the parentheses at a position replace attributes and rules of an import.
+    pub(super) fn holds_overrides(&self, position: usize) -> bool {
+        if self.overrides.contains(&position) {
+            return true;
+        }
+        let Some(close) = self.pair(position) else { return false };
+        let Some(name) = position.checked_sub(1).and_then(|before| self.word(before)) else { return false };
+        if !self.is(close + 1, Sym::Dot) || self.word(close + 2).is_none() {
+            return false;
+        }
+        // Of an import that was forgotten the rest is clear enough.
+        self.imports.contains(name)
+            || (self.word(position + 1).is_some() && self.is(position + 2, Sym::Assign))
+            || self.head(position + 1) == Some(Head::Rule)
+    }
+
+    /// Whether a word stands there that only declarations have, and what it goes with.
+    pub(super) fn keyword(&self, position: usize) -> bool {
+        let name = self.word(position + 1).is_some();
+        match self.word(position) {
+            Some("attr" | "const" | "import") => name,
+            Some("version") => matches!(self.at(position + 1), Some(Tok::Str(_))),
+            Some("style") => name && self.head(position + 1).is_none(),
+            Some("start" | "extension") => name && self.head(position + 1).is_some_and(Head::is_sure),
+            _ => false,
+        }
+    }
+
+    /// How a declaration of the name at a position goes on, if there is one.
+    pub(super) fn head(&self, position: usize) -> Option<Head> {
+        if self.word(position)? == "with" {
+            return None;
+        }
+        let mut next = self.name_end(position);
+        let mut names = true;
+        if self.is(next, Sym::LParen) {
+            next += 1;
+            // To the next parenthesis of either kind, so that nothing is looked at twice.
+            while !self.is(next, Sym::RParen) {
+                let token = self.at(next).filter(|token| !token.is(Sym::LParen))?;
+                names &= token.is(Sym::Comma) || token.ident().is_some();
+                next += 1;
+            }
+            next += 1;
+        }
+        if self.word(next) == Some("with") && self.is(next + 1, Sym::LParen) {
+            match self.pair(next + 1) {
+                Some(close) => next = close + 1,
+                None => return self.arrow_near(next + 1).then_some(Head::Rule),
+            }
+        }
+        if self.is(next, Sym::Arrow) {
+            return Some(Head::Rule);
+        }
+        if self.is(next, Sym::Dot) && self.is(next + 1, Sym::Arrow) {
+            return Some(Head::Leaf);
+        }
+        if !names {
+            return None;
+        }
+        let slips: [&[Sym]; 4] = [
+            &[Sym::Minus, Sym::Greater],
+            &[Sym::Minus, Sym::Minus, Sym::Greater],
+            &[Sym::Assign, Sym::Greater],
+            &[Sym::EqEq, Sym::Greater],
+        ];
+        let slip = slips.iter().find(|slip| slip.iter().enumerate().all(|(ahead, &sym)| self.is(next + ahead, sym)));
+        let head = match slip {
+            Some(slip) => Head::Slip(slip.len()),
+            None if self.is(next, Sym::Assign) => Head::Function,
+            None => return None,
+        };
+        // `case h = 3 :` means `==`, and the parser says so.
+        (!self.in_value(position)).then_some(head)
+    }
+
+    fn arrow_near(&self, position: usize) -> bool {
+        (position..position + LONGEST_HEAD).any(|next| self.is(next, Sym::Arrow))
+    }
+
+    /// Whether something stands before a name that only a value goes on behind.
+    fn in_value(&self, mut position: usize) -> bool {
+        // Before the first part of a name with dots.
+        for _ in 0..LONGEST_HEAD {
+            if position < 2 || !self.is(position - 1, Sym::Dot) || self.word(position - 2).is_none() {
+                break;
+            }
+            position -= 2;
+        }
+        let before = |back: usize| position.checked_sub(back).and_then(|at| self.at(at));
+        match before(1) {
+            Some(Tok::Ident(word)) => word == "case",
+            Some(Tok::Sym(Sym::Star)) => !before(2).is_some_and(|token| token.is(Sym::RBrace)),
+            Some(Tok::Sym(sym)) => matches!(
+                sym,
+                Sym::AndAnd
+                    | Sym::OrOr
+                    | Sym::Bang
+                    | Sym::EqEq
+                    | Sym::NotEq
+                    | Sym::Less
+                    | Sym::LessEq
+                    | Sym::Greater
+                    | Sym::GreaterEq
+                    | Sym::Plus
+                    | Sym::Minus
+                    | Sym::Slash
+                    | Sym::Percent
+                    | Sym::Quote
+                    | Sym::Tilde
+            ),
+            _ => false,
+        }
+    }
+}

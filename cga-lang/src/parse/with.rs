@@ -1,0 +1,54 @@
+//! `with ( name := value … )`: what a declaration computes once.
+
+use super::{Parsed, Parser, Reported};
+use crate::ast::{Expr, Name};
+use crate::token::Sym;
+
+impl Parser<'_> {
+    /// The locals of a declaration, if it has some. One that cannot be read is left out.
+    pub(super) fn locals(&mut self) -> Parsed<Vec<(Name, Expr)>> {
+        let mut locals = Vec::new();
+        if !self.is_word("with") || !self.nth_is(1, Sym::LParen) {
+            return Ok(locals);
+        }
+        self.bump();
+        let close = self.closing()?;
+        self.bump();
+        if self.at == close {
+            self.expected("the name of a local").help("write `with ( name := value )`");
+        }
+        while self.at < close && self.tick() {
+            match self.bracketed(false, Self::local) {
+                Ok(local) => locals.push(local),
+                Err(Reported) => self.skip_to_local(close),
+            }
+            if self.at < close && self.is(Sym::Comma) {
+                self.syntax(self.at, "nothing stands between locals").help("leave out the `,`");
+                self.bump();
+            }
+        }
+        self.at = close + 1;
+        Ok(locals)
+    }
+
+    fn local(&mut self) -> Parsed<(Name, Expr)> {
+        let Some(name) = self.take_name() else { return self.fail("the name of a local") };
+        self.not_a_keyword(&name);
+        self.no_dollar(&name, "a local");
+        if self.is(Sym::Colon) && self.nth_is(1, Sym::Assign) {
+            self.at += 2;
+        } else if self.is(Sym::Assign) {
+            self.syntax(self.at, "the value of a local stands behind `:=`").help(format!("write `{} :=`", name.text));
+            self.bump();
+        } else {
+            return self.fail("`:=`");
+        }
+        Ok((name, self.expr()?))
+    }
+
+    fn skip_to_local(&mut self, close: usize) {
+        while self.at < close && !(self.nth_is_name(0) && self.nth_is(1, Sym::Colon) && self.nth_is(2, Sym::Assign)) {
+            self.at = self.layout.close(self.at).unwrap_or(self.at) + 1;
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! The attributes as fields of the public struct: one for each name, whatever the style.
+
+use std::collections::HashSet;
+
+use cga_lang::ir::{Attr, Grammar, Type, Value};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote_spanned;
+
+use super::names::ident;
+use crate::door::Source;
+
+/// A public field.
+pub(super) struct Field<'g> {
+    /// The attribute, as the style `Default` has it.
+    pub(super) attr: &'g Attr,
+    /// Its name in Rust.
+    pub(super) name: Ident,
+    /// The default, when it is the same constant in every style; else the field is an `Option`.
+    pub(super) known: Option<&'g Value>,
+}
+
+/// The fields of a grammar, in the order of its attributes.
+pub(super) fn of<'g>(grammar: &'g Grammar, source: &Source) -> Vec<Field<'g>> {
+    let mut taken = HashSet::new();
+    let mut fields: Vec<Field<'g>> = Vec::new();
+    for attr in grammar.attrs.iter().filter(|attr| attr.public) {
+        if let Some(field) = fields.iter_mut().find(|field| field.attr.name == attr.name) {
+            field.known = field.known.filter(|known| attr.known.as_ref() == Some(*known));
+            continue;
+        }
+        let name = ident(&unique(&attr.name, &mut taken), source.token(attr.span.first));
+        fields.push(Field { attr, name, known: attr.known.as_ref() });
+    }
+    fields
+}
+
+/// `imp.height` is the field `imp_height`.
+pub(super) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
+    let mut plain = name.replace(['.', '$'], "_");
+    while !taken.insert(plain.clone()) {
+        plain.push('_');
+    }
+    plain
+}
+
+impl Field<'_> {
+    /// The value of a field that is no `Option`, as the rules need it.
+    pub(super) fn plain(&self) -> TokenStream {
+        let (place, name) = (Span::mixed_site(), &self.name);
+        match self.attr.ty {
+            Type::Float | Type::Bool => quote_spanned!(place=> self.#name),
+            Type::Text => quote_spanned!(place=> cga_rt::text(&self.#name)),
+            _ => quote_spanned!(place=> ::core::clone::Clone::clone(&self.#name)),
+        }
+    }
+
+    /// The value of a field that is an `Option`.
+    pub(super) fn optional(&self) -> TokenStream {
+        let (place, name) = (Span::mixed_site(), &self.name);
+        match self.attr.ty {
+            Type::Float | Type::Bool => quote_spanned!(place=> self.#name),
+            Type::Text => quote_spanned!(place=> self.#name.as_deref().map(cga_rt::text)),
+            _ => quote_spanned!(place=> ::core::clone::Clone::clone(&self.#name)),
+        }
+    }
+}
+
+/// Reading and writing by number, for `dyn Grammar`.
+pub(super) fn arms(fields: &[Field<'_>]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+    let place = Span::mixed_site();
+    let arm = |(number, field): (usize, &Field<'_>)| {
+        let (number, name) = (Literal::usize_unsuffixed(number), &field.name);
+        (
+            quote_spanned!(place=> #number => cga_rt::Field::get(&self.#name),),
+            quote_spanned!(place=> #number => cga_rt::Field::set(&mut self.#name, value),),
+        )
+    };
+    fields.iter().enumerate().map(arm).unzip()
+}

@@ -1,0 +1,56 @@
+//! Files that rules import: looked for below the package, like the file behind `in`.
+
+use std::path::PathBuf;
+
+use cga_lang::compile::Door;
+use cga_lang::lex::{decode, lex};
+use cga_lang::link::{Files, Unit, candidates};
+use proc_macro2::{Literal, TokenStream};
+
+use super::TextPlace;
+use super::file::tracking;
+
+/// Opens imported files and remembers them: findings quote from them, and the build follows them.
+pub(crate) struct Imports {
+    /// The package's folder.
+    root: PathBuf,
+    /// In the order in which they were opened first.
+    opened: Vec<TextPlace>,
+}
+
+impl Imports {
+    pub(crate) fn new() -> Self {
+        let root = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
+        Imports { root, opened: Vec::new() }
+    }
+
+    /// The texts, by name.
+    pub(crate) fn texts(self) -> Vec<TextPlace> {
+        self.opened
+    }
+}
+
+impl Files for Imports {
+    fn open(&mut self, path: &str, from: &str) -> Result<Unit, String> {
+        // A machine's own paths have no place in a package.
+        let inside = |name: &String| !name.starts_with("..") && !name.starts_with('/');
+        let names: Vec<String> = candidates(path, from).into_iter().filter(inside).collect();
+        let found = names.iter().find(|name| self.root.join(name).is_file());
+        let Some(name) = found else {
+            let first = names.first().map_or(path, String::as_str);
+            return Err(format!("there is no file `{first}` in the package"));
+        };
+        let bytes = std::fs::read(self.root.join(name)).map_err(|error| error.to_string())?;
+        let text = decode(&bytes).into_owned();
+        let lexed = lex(&text);
+        if !self.opened.iter().any(|place| place.name == *name) {
+            self.opened.push(TextPlace { name: name.clone(), written: text, ranges: lexed.ranges });
+        }
+        Ok(Unit { name: name.clone(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+    }
+}
+
+/// Makes the build follow the imported files.
+pub(super) fn follow<'t>(texts: impl Iterator<Item = &'t TextPlace>) -> TokenStream {
+    texts.map(|text| tracking(&Literal::string(&text.name))).collect()
+}

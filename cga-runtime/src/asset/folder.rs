@@ -1,0 +1,181 @@
+//! The asset folder: finding a file in it, and listing all of them. Nothing outside is ever touched, not through `..` and not
+//! through links.
+
+use std::collections::BTreeSet;
+use std::path::{Component, Path, PathBuf};
+
+use super::AssetError;
+
+/// Files and folders that are looked at; more are left out, the same ones on every platform.
+const MOST_ENTRIES: usize = 100_000;
+
+/// Folders within folders that are looked at.
+const DEEPEST: usize = 32;
+
+/// The path of a file by its name, without links.
+pub(super) fn find(root: &Path, name: &str) -> Result<PathBuf, AssetError> {
+    let path = Path::new(name);
+    if path.components().any(|part| !matches!(part, Component::Normal(_) | Component::CurDir)) {
+        return Err(AssetError::Outside);
+    }
+    // *Asset search*: the folder `assets` of a project comes before the project itself.
+    match inside(root, &root.join("assets").join(path)) {
+        Err(AssetError::File { .. }) => inside(root, &root.join(path)),
+        found => found,
+    }
+}
+
+/// The path without links, if it exists and lies below the root.
+pub(super) fn inside(root: &Path, path: &Path) -> Result<PathBuf, AssetError> {
+    let real = path.canonicalize()?;
+    if real.starts_with(root.canonicalize()?) { Ok(real) } else { Err(AssetError::Outside) }
+}
+
+/// All files, as names with forward slashes, sorted.
+#[derive(Debug, Default)]
+pub(super) struct Listing {
+    pub(super) names: Vec<String>,
+    /// Whether there are more than were looked at.
+    pub(super) cut_short: bool,
+}
+
+impl Listing {
+    /// The files below a root and names that are given besides.
+    pub(super) fn new<'a>(root: Option<&Path>, given: impl Iterator<Item = &'a String>) -> Self {
+        let mut walk = Walk { listing: Listing::default(), looked_at: 0 };
+        if let Some(root) = root.and_then(|root| root.canonicalize().ok()) {
+            walk.folder(&root, &root, "", 0);
+        }
+        let mut listing = walk.listing;
+        listing.names.extend(given.cloned());
+        listing.names.sort_unstable();
+        listing.names.dedup();
+        listing
+    }
+}
+
+struct Walk {
+    listing: Listing,
+    looked_at: usize,
+}
+
+impl Walk {
+    /// Takes what is in a folder, in the order of names: file systems have their own.
+    fn folder(&mut self, root: &Path, folder: &Path, prefix: &str, depth: usize) {
+        if DEEPEST < depth {
+            self.listing.cut_short = true;
+            return;
+        }
+        let Ok(entries) = std::fs::read_dir(folder) else { return };
+        let mut names = BTreeSet::new();
+        // Names that are no text cannot be written in rules.
+        for name in entries.flatten().filter_map(|entry| entry.file_name().into_string().ok()) {
+            names.insert(name);
+            if MOST_ENTRIES < self.looked_at + names.len() {
+                names.pop_last();
+                self.listing.cut_short = true;
+            }
+        }
+        self.looked_at += names.len();
+        for name in names {
+            let path = folder.join(&name);
+            let Ok(kind) = path.symlink_metadata().map(|data| data.file_type()) else { continue };
+            let name = format!("{prefix}{name}");
+            if kind.is_dir() {
+                self.folder(root, &path, &format!("{name}/"), depth + 1);
+            } else if kind.is_file() || kind.is_symlink() && inside(root, &path).is_ok_and(|real| real.is_file()) {
+                // Links to folders are not followed: they could go round in circles.
+                self.listing.names.push(name);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A folder of its own for each test, gone afterwards.
+    struct Temporary(PathBuf);
+
+    impl Temporary {
+        fn new(name: &str) -> Self {
+            let path = std::env::temp_dir().join(format!("cga-{name}-{}", std::process::id()));
+            let _ = std::fs::remove_dir_all(&path);
+            std::fs::create_dir_all(path.join("project/assets/deep")).expect("a folder");
+            let file = |name: &str| std::fs::write(path.join(name), "x").expect("a file");
+            ["outside.txt", "project/b.txt", "project/a.txt", "project/assets/a.txt", "project/assets/deep/Z.txt"]
+                .into_iter()
+                .for_each(file);
+            Temporary(path)
+        }
+
+        fn root(&self) -> PathBuf {
+            self.0.join("project")
+        }
+    }
+
+    impl Drop for Temporary {
+        fn drop(&mut self) {
+            let _ = std::fs::remove_dir_all(&self.0);
+        }
+    }
+
+    #[test]
+    fn all_files_are_listed_in_the_order_of_names() {
+        let folder = Temporary::new("list");
+        let listing = Listing::new(Some(&folder.root()), ["given.obj".to_owned(), "a.txt".to_owned()].iter());
+        assert_eq!(listing.names, ["a.txt", "assets/a.txt", "assets/deep/Z.txt", "b.txt", "given.obj"]);
+        assert!(!listing.cut_short);
+        assert_eq!(Listing::new(None, [].iter()).names, [""; 0]);
+        assert_eq!(Listing::new(Some(&folder.root().join("none")), [].iter()).names, [""; 0]);
+    }
+
+    #[test]
+    fn assets_come_before_the_project() {
+        let folder = Temporary::new("order");
+        let root = folder.root().canonicalize().expect("it exists");
+        assert_eq!(find(&root, "a.txt"), Ok(root.join("assets/a.txt")));
+        assert_eq!(find(&root, "./b.txt"), Ok(root.join("b.txt")));
+        assert_eq!(find(&root, "assets/a.txt"), Ok(root.join("assets/a.txt")));
+        assert!(matches!(find(&root, "c.txt"), Err(AssetError::File { kind: std::io::ErrorKind::NotFound, .. })));
+    }
+
+    #[test]
+    fn no_name_leads_out() {
+        let folder = Temporary::new("out");
+        for name in ["../outside.txt", "assets/../../outside.txt", "/etc/hosts", "a/../../outside.txt"] {
+            assert_eq!(find(&folder.root(), name), Err(AssetError::Outside), "{name}");
+        }
+        assert!(find(&folder.root(), "").is_ok_and(|path| path.is_dir()) && find(&folder.root(), "a\0b").is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn no_link_leads_out() {
+        let folder = Temporary::new("link");
+        let link = |to: &Path, name: &str| {
+            std::os::unix::fs::symlink(to, folder.root().join(name)).expect("a link");
+        };
+        link(&folder.0.join("outside.txt"), "out.txt");
+        link(&folder.0, "up");
+        link(&folder.root().join("b.txt"), "in.txt");
+        link(&folder.root(), "round");
+        link(Path::new("nowhere"), "dead");
+        assert_eq!(find(&folder.root(), "out.txt"), Err(AssetError::Outside));
+        assert_eq!(find(&folder.root(), "up/outside.txt"), Err(AssetError::Outside));
+        assert!(find(&folder.root(), "in.txt").is_ok());
+        let listing = Listing::new(Some(&folder.root()), [].iter());
+        assert_eq!(listing.names, ["a.txt", "assets/a.txt", "assets/deep/Z.txt", "b.txt", "in.txt"]);
+    }
+
+    #[test]
+    fn a_folder_without_end_is_cut_short() {
+        let folder = Temporary::new("deep");
+        let deep = folder.root().join("d/".repeat(DEEPEST + 2));
+        std::fs::create_dir_all(&deep).expect("folders");
+        std::fs::write(deep.join("x.txt"), "x").expect("a file");
+        let listing = Listing::new(Some(&folder.root()), [].iter());
+        assert!(listing.cut_short && listing.names.len() == 4);
+    }
+}

@@ -1,0 +1,124 @@
+//! What an array is as a whole: its size, its sum, where a value stands.
+
+use crate::array::{Array, Element};
+use crate::env::Env;
+use crate::text::Text;
+
+/// How many elements (*size function*).
+pub fn size<T: Element>(array: Array<T>) -> f64 {
+    array.len() as f64
+}
+
+/// How many rows (*nRows function*); 0 without elements.
+pub fn n_rows<T: Element>(array: Array<T>) -> f64 {
+    array.rows() as f64
+}
+
+/// How many columns (*nColumns function*); 0 without elements.
+pub fn n_columns<T: Element>(array: Array<T>) -> f64 {
+    array.columns() as f64
+}
+
+/// The sum of all numbers, added from the first to the last (*sum function*).
+pub fn sum(array: Array<f64>) -> f64 {
+    // Not `sum`, which begins with -0.
+    array.into_iter().fold(0.0, |sum, value| sum + value)
+}
+
+/// How many elements are true (*sum function*).
+pub fn count_true(array: Array<bool>) -> f64 {
+    array.into_iter().filter(|truth| **truth).count() as f64
+}
+
+/// All texts one behind the other (*sum function*).
+pub fn join(env: &mut Env, array: Array<Text>) -> Text {
+    if env.may_write(array.into_iter().map(|text| text.len()).fold(0, usize::saturating_add)) {
+        Text::from(array.into_iter().map(Text::as_str).collect::<String>())
+    } else {
+        Text::default()
+    }
+}
+
+/// Where a text or truth value stands first, counted row by row from 0; -1 if it does not (*findFirst function
+/// (builtin)*).
+pub fn find_element<T: Element>(array: Array<T>, value: T) -> f64 {
+    place(array.into_iter().position(|element| element.compare(&value).is_eq()))
+}
+
+/// Where a number no further than `epsilon` from `value` stands first, counted row by row from 0; -1 if there is none
+/// (*findFirst function (builtin)*).
+pub fn find_near(env: &mut Env, array: Array<f64>, value: f64, epsilon: f64) -> f64 {
+    let value = env.finite(value, "the value to find");
+    let epsilon = env.finite(epsilon, "the tolerance");
+    place(array.into_iter().position(|element| (element - value).abs() <= epsilon))
+}
+
+fn place(place: Option<usize>) -> f64 {
+    place.map_or(-1.0, |place| place as f64)
+}
+
+/// Rows as columns (*transpose function*).
+pub fn transpose<T: Element>(array: Array<T>) -> Array<T> {
+    let columns = (0..array.columns()).flat_map(|column| array.iter_rows().map(move |row| row[column].clone()));
+    Array::new(columns.collect::<Vec<_>>(), array.columns(), array.rows())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::tests::{env, faults, limit, small_env, text};
+    use super::*;
+    use crate::fault::LimitKind;
+
+    fn two_rows() -> Array<f64> {
+        Array::from(vec![vec![1.0, 2.0, 3.0], vec![4.0, 5.0, 6.0]])
+    }
+
+    #[test]
+    fn sizes_are_counted() {
+        // *size function*, *nRows function*, *nColumns function*.
+        assert_eq!((size(two_rows()), n_rows(two_rows()), n_columns(two_rows())), (6.0, 2.0, 3.0));
+        let none = Array::<bool>::default();
+        assert_eq!((size(none.clone()), n_rows(none.clone()), n_columns(none)), (0.0, 0.0, 0.0));
+        assert_eq!((n_rows(Array::from([true])), n_columns(Array::from([text("")]))), (1.0, 1.0));
+    }
+
+    #[test]
+    fn fact_83_sums() {
+        assert_eq!(sum(Array::from([1.0, 2.0, 3.0])), 6.0);
+        assert_eq!(count_true(Array::from([true, false, true])), 2.0);
+        assert_eq!(join(&mut env(), Array::from(["a", "b", "c"].map(text))), text("abc"));
+        assert_eq!(sum(Array::default()).to_bits(), 0.0f64.to_bits());
+        assert_eq!((count_true(Array::default()), join(&mut env(), Array::default())), (0.0, text("")));
+        let env = &mut small_env(10, 3);
+        assert_eq!(join(env, Array::from(["ab", "ü"].map(text))), text(""));
+        assert_eq!(limit(env), Some(LimitKind::Text));
+    }
+
+    #[test]
+    fn values_are_found() {
+        // *findFirst function (builtin)*.
+        let env = &mut env();
+        assert_eq!(find_near(env, Array::from([1.0, 2.0, 3.0, 4.0]), 2.0, 0.0), 1.0);
+        assert_eq!(find_near(env, two_rows(), 4.0, 0.0), 3.0);
+        assert_eq!(find_near(env, Array::from([6.0, 8.1, 6.0, 8.1]), 8.0, 0.5), 1.0);
+        assert_eq!(find_near(env, two_rows(), 9.0, 0.5), -1.0);
+        assert_eq!(find_near(env, Array::from([f64::NAN, f64::INFINITY, 0.0]), 0.0, 1.0), 2.0);
+        assert_eq!(find_near(env, two_rows(), 1.0, -1.0), -1.0);
+        assert_eq!(find_element(Array::from(["a", "b", "b"].map(text)), text("b")), 1.0);
+        assert_eq!((find_element(Array::from([true]), false), find_element(Array::from([true]), true)), (-1.0, 0.0));
+        assert_eq!(faults(env), 0);
+        assert_eq!(find_near(env, Array::from([1.0, 0.0]), f64::NAN, f64::NAN), 1.0);
+        assert_eq!(faults(env), 2);
+    }
+
+    #[test]
+    fn rows_become_columns() {
+        // *transpose function*.
+        let array = Array::from(vec![["a", "b"].map(text).to_vec(), ["c", "d"].map(text).to_vec()]);
+        assert_eq!(transpose(array.clone()).to_string(), "(2x2)\n   a   c\n   b   d");
+        assert_eq!(transpose(transpose(array.clone())), array);
+        assert_eq!((transpose(two_rows()).rows(), transpose(two_rows()).columns()), (3, 2));
+        assert_eq!(transpose(two_rows()).as_slice(), [1.0, 4.0, 2.0, 5.0, 3.0, 6.0]);
+        assert!(transpose(Array::<f64>::default()).is_empty());
+    }
+}

@@ -1,0 +1,99 @@
+//! The order of elements and rows.
+
+use std::cmp::Ordering;
+
+use super::super::compare::Compare;
+use crate::array::{Array, Element};
+
+/// An order without contradictions, which sorting needs: what is no number comes last.
+fn order<T: Compare>(a: &T, b: &T) -> Ordering {
+    match (a.unordered(), b.unordered()) {
+        (false, false) => a.compare(b),
+        (one, other) => one.cmp(&other),
+    }
+}
+
+/// Where the elements of each row stand in the array, counted row by row, from the smallest to the largest (*sortIndices
+/// function*). Equal ones keep their order.
+pub fn sort_indices<T: Element>(array: Array<T>) -> Array<f64> {
+    let mut indices: Vec<usize> = (0..array.len()).collect();
+    for row in indices.chunks_mut(array.columns().max(1)) {
+        row.sort_by(|&a, &b| order(&array.as_slice()[a], &array.as_slice()[b]));
+    }
+    Array::new(numbers(indices), array.rows(), array.columns())
+}
+
+/// The numbers of the rows, from the smallest to the largest; the first elements that differ decide (*sortRowIndices
+/// function*). Equal ones keep their order.
+pub fn sort_row_indices<T: Element>(array: Array<T>) -> Array<f64> {
+    let rows: Vec<&[T]> = array.iter_rows().collect();
+    let mut indices: Vec<usize> = (0..rows.len()).collect();
+    let compare = |a: &[T], b: &[T]| a.iter().zip(b).map(|(a, b)| order(a, b)).find(|order| order.is_ne());
+    indices.sort_by(|&a, &b| compare(rows[a], rows[b]).unwrap_or(Ordering::Equal));
+    Array::from(numbers(indices))
+}
+
+fn numbers(indices: Vec<usize>) -> Vec<f64> {
+    indices.into_iter().map(|index| index as f64).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::tests::{Random, text};
+    use super::*;
+
+    #[test]
+    fn fact_82_elements() {
+        // *sortIndices function*.
+        assert_eq!(sort_indices(Array::from(["c", "b", "d", "a"].map(text))), Array::from([3.0, 1.0, 0.0, 2.0]));
+        let numbers = Array::from([2.0, 1.0, 3.0, 3.0, 1.0]);
+        assert_eq!(sort_indices(numbers), Array::from([1.0, 4.0, 0.0, 2.0, 3.0]));
+        let rows = [["e", "c", "d"], ["b", "a", "c"], ["d", "a", "d"]].map(|row| row.map(text).to_vec()).to_vec();
+        let sorted = [[1.0, 2.0, 0.0], [4.0, 3.0, 5.0], [7.0, 6.0, 8.0]].map(|row| row.to_vec()).to_vec();
+        assert_eq!(sort_indices(Array::from(rows)), Array::from(sorted));
+        assert!(sort_indices(Array::<f64>::default()).is_empty());
+    }
+
+    #[test]
+    fn fact_82_rows() {
+        // *sortRowIndices function*.
+        let rows = [[4.0, 0.0, 1.0], [2.0, 1.0, 9.0], [1.0, 3.0, 0.0], [2.0, 1.0, 0.0]].map(|row| row.to_vec());
+        assert_eq!(sort_row_indices(Array::from(rows.to_vec())), Array::from([2.0, 3.0, 1.0, 0.0]));
+        let equal = Array::from(vec![vec![text("b")], vec![text("a")], vec![text("b")]]);
+        assert_eq!(sort_row_indices(equal), Array::from([1.0, 0.0, 2.0]));
+        assert!(sort_row_indices(Array::<f64>::default()).is_empty());
+    }
+
+    #[test]
+    fn what_is_no_number_comes_last() {
+        let none = f64::NAN;
+        let array = Array::from([none, 2.0, f64::INFINITY, none, -0.0, 0.0, f64::NEG_INFINITY]);
+        assert_eq!(sort_indices(array), Array::from([6.0, 4.0, 5.0, 1.0, 2.0, 0.0, 3.0]));
+        let rows = Array::from(vec![vec![none, 1.0], vec![none, 0.0], vec![5.0, none]]);
+        assert_eq!(sort_row_indices(rows), Array::from([2.0, 1.0, 0.0]));
+    }
+
+    #[test]
+    fn sorting_is_a_permutation_in_order() {
+        let mut random = Random(82);
+        for _ in 0..2_000 {
+            let (rows, columns) = (random.below(5), random.below(40));
+            let values: Vec<f64> = (0..rows * columns).map(|_| random.number()).collect();
+            let array = Array::new(values, rows, columns);
+            let indices = sort_indices(array.clone());
+            for (number, row) in indices.iter_rows().enumerate() {
+                let mut seen: Vec<usize> = row.iter().map(|&index| index as usize).collect();
+                for pair in seen.windows(2) {
+                    let (a, b) = (array.as_slice()[pair[0]], array.as_slice()[pair[1]]);
+                    let order = order(&a, &b);
+                    assert!(order.is_lt() || order.is_eq() && pair[0] < pair[1]);
+                }
+                seen.sort_unstable();
+                assert!(seen.into_iter().eq(number * columns..(number + 1) * columns));
+            }
+            let mut seen: Vec<f64> = sort_row_indices(array.clone()).as_slice().to_vec();
+            seen.sort_by(f64::total_cmp);
+            assert!(seen.into_iter().eq((0..array.rows()).map(|row| row as f64)));
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Bounds on what functions make: elements of arrays, bytes of text.
+
+use std::fmt::{self, Write};
+
+use crate::env::Env;
+use crate::fault::LimitKind;
+use crate::sink::Flow;
+use crate::text::Text;
+
+impl Env {
+    /// Whether an array may have so many elements. If not, the run ends.
+    pub(crate) fn may_hold(&mut self, elements: usize) -> bool {
+        let limit = self.settings.limits.array;
+        self.within(LimitKind::Array, elements, limit)
+    }
+
+    /// Whether there may be a text of so many bytes. If not, the run ends.
+    pub(crate) fn may_write(&mut self, bytes: usize) -> bool {
+        let limit = self.settings.limits.text;
+        self.within(LimitKind::Text, bytes, limit)
+    }
+
+    fn within(&mut self, what: LimitKind, count: usize, limit: u64) -> bool {
+        let fits = count as u64 <= limit;
+        if !fits {
+            let _: Flow = self.limit(what, limit);
+        }
+        fits
+    }
+
+    /// What is written, unless it is longer than a text may be: then the run ends and the text is empty.
+    pub(super) fn write(&mut self, text: impl fmt::Display) -> Text {
+        let mut out = Bounded { text: String::new(), longest: self.settings.limits.text };
+        match write!(out, "{text}") {
+            Ok(()) => Text::from(out.text),
+            Err(_) => {
+                let _: Flow = self.limit(LimitKind::Text, out.longest);
+                Text::default()
+            }
+        }
+    }
+}
+
+/// Text that refuses to grow beyond a length in bytes.
+struct Bounded {
+    text: String,
+    longest: u64,
+}
+
+impl Write for Bounded {
+    fn write_str(&mut self, more: &str) -> fmt::Result {
+        if self.longest < (self.text.len() + more.len()) as u64 {
+            return Err(fmt::Error);
+        }
+        self.text.push_str(more);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{limit, small_env};
+    use super::*;
+
+    #[test]
+    fn what_is_too_large_ends_the_run() {
+        let mut env = small_env(3, 5);
+        assert!(env.may_hold(3) && env.may_write(5) && env.write("äaüb").is_empty());
+        assert_eq!(limit(&env), Some(LimitKind::Text));
+        let mut env = small_env(3, 5);
+        assert_eq!(env.write("abcde").as_str(), "abcde");
+        assert!(!env.may_hold(4) && env.ended());
+        assert_eq!(limit(&env), Some(LimitKind::Array));
+    }
+}

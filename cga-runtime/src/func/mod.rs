@@ -1,0 +1,127 @@
+//! Functions of the language, as its table names them. Angles are in degrees; results are the same on every platform.
+//!
+//! Functions that can meet a number they cannot use, or make something large, take the run's [`Env`](crate::env::Env)
+//! first. Numbers that are not finite count as 0 and leave a fault (*CGA changelog 2013.1*: "replace with zero", for all
+//! float parameters); elements of arrays are left as they are, because there "not a number" stands for a missing value
+//! (*isNull function*). Numbers that count or number something lose their fraction.
+
+mod array;
+mod choose;
+mod colour;
+mod compare;
+mod convert;
+mod limit;
+mod list;
+mod math;
+mod path;
+mod pattern;
+mod ramp;
+mod random;
+mod split;
+mod string;
+
+pub use crate::query::*;
+pub use array::*;
+pub use choose::{clamp, clamp_each, clamp_text, max, max_each, max_text, min, min_each, min_text};
+pub use colour::{
+    color_hex_to_b, color_hex_to_g, color_hex_to_h, color_hex_to_o, color_hex_to_r, color_hex_to_s, color_hex_to_v,
+    color_hsv_to_hex, color_hsvo_to_hex, color_rgb_to_hex, color_rgbo_to_hex,
+};
+pub(crate) use compare::Compare;
+pub use compare::{compare, equal, greater, greater_equal, less, less_equal, unequal};
+pub(crate) use convert::Number;
+pub use convert::{
+    array_itself, array_to_text, array_to_text as floats_to_text, array_to_text as bools_to_text,
+    array_to_text as texts_to_text, bool_to_bool, bool_to_float, bool_to_text, bools_from_floats, bools_from_texts,
+    float_to_bool, float_to_float, float_to_text, floats_from_bools, floats_from_texts, isnull_float,
+    isnull_float_each, isnull_text, isnull_text_each, no_bools, no_floats, no_texts, text_to_bool, text_to_float,
+    text_to_text, texts_from_bools, texts_from_floats,
+};
+pub use list::{
+    list_add, list_clean, list_count, list_first, list_from_array, list_index, list_item, list_last, list_random,
+    list_range, list_remove, list_remove_all, list_retain_all, list_size, list_terminate, list_to_array,
+};
+pub use math::{
+    abs, abs_each, acos, asin, atan, atan2, ceil, ceil_each, cos, exp, floor, floor_each, isinf, isinf_each, isnan,
+    isnan_each, ln, log10, pow, rint, rint_each, sin, sqrt, tan,
+};
+pub use path::{file_basename, file_directory, file_extension, file_name};
+pub(crate) use pattern::Whole;
+pub use ramp::color_ramp;
+pub(crate) use random::drawn_below;
+pub use random::{chance, rand, rand_between, rand_to};
+pub use split::split_string;
+pub use string::{
+    concat, count, find, find_first, find_last, get_prefix, get_range, get_suffix, len, replace, substring,
+};
+
+/// A number that counts or numbers something, without its fraction; `None` below 0 and for what is no number. The
+/// reference says nothing about fractions; C's conversion of a float to an integer cuts them off.
+fn whole(number: f64) -> Option<usize> {
+    let number = number.trunc();
+    // What is beyond the largest integer becomes the largest.
+    if 0.0 <= number { Some(number as usize) } else { None }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::env::Env;
+    use crate::fault::{Error, LimitKind};
+    use crate::settings::Settings;
+    use crate::text::Text;
+
+    /// A run with the default settings.
+    pub(super) fn env() -> Env {
+        Env::for_tests()
+    }
+
+    /// A run with small limits.
+    pub(super) fn small_env(array: u64, text: u64) -> Env {
+        let mut settings = Settings::default();
+        (settings.limits.array, settings.limits.text) = (array, text);
+        Env::new(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "")
+    }
+
+    /// How many faults there were since the last time.
+    pub(super) fn faults(env: &mut Env) -> usize {
+        env.take_faults().0.len()
+    }
+
+    /// Which limit was reached.
+    pub(super) fn limit(env: &Env) -> Option<LimitKind> {
+        match &env.error {
+            Some(Error::Limit { what, .. }) => Some(*what),
+            _ => None,
+        }
+    }
+
+    pub(super) fn text(text: &str) -> Text {
+        Text::from(text)
+    }
+
+    /// splitmix64: the same numbers on every machine.
+    pub(super) struct Random(pub(super) u64);
+
+    impl Random {
+        pub(super) fn below(&mut self, bound: usize) -> usize {
+            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut z = self.0;
+            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            ((z ^ (z >> 31)) % bound.max(1) as u64) as usize
+        }
+
+        /// Mostly small numbers, with halves; now and then one that is awkward.
+        pub(super) fn number(&mut self) -> f64 {
+            const AWKWARD: [f64; 8] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 1e300, -1e300, 1e-300, 4.5e15];
+            if self.below(12) == 0 { AWKWARD[self.below(8)] } else { self.below(25) as f64 / 2.0 - 3.0 }
+        }
+    }
+
+    #[test]
+    fn fractions_are_cut_off() {
+        assert_eq!([2.9, -0.5, -1.0, f64::NAN].map(whole), [Some(2), Some(0), None, None]);
+        assert_eq!([f64::INFINITY, f64::NEG_INFINITY].map(whole), [Some(usize::MAX), None]);
+    }
+}

@@ -1,0 +1,308 @@
+//! Reads patterns.
+
+use super::set::Set;
+
+/// Groups inside each other.
+const DEEPEST: usize = 50;
+/// Repetitions that a number may ask for.
+const MOST_REPEATED: u32 = 1000;
+
+/// A pattern as a tree.
+#[derive(Debug, PartialEq)]
+pub(super) enum Node {
+    Set(Set),
+    At(Place),
+    Sequence(Vec<Node>),
+    /// The first that leads to a match.
+    Either(Vec<Node>),
+    /// As often as possible, or as seldom (`lazy`).
+    Repeat {
+        node: Box<Node>,
+        least: u32,
+        most: Option<u32>,
+        lazy: bool,
+    },
+    /// What must stand here, or must not, without being part of the match.
+    Look {
+        node: Box<Node>,
+        ahead: bool,
+        negated: bool,
+    },
+}
+
+/// A place in a text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Place {
+    TextStart,
+    TextEnd,
+    LineStart,
+    LineEnd,
+    WordEdge,
+    NoWordEdge,
+}
+
+/// `(?i)`, `(?m)`, `(?s)` at the beginning.
+#[derive(Clone, Copy, Default)]
+struct Flags {
+    fold: bool,
+    lines: bool,
+    dot_line_ends: bool,
+}
+
+struct Parser<'p> {
+    pattern: &'p [char],
+    at: usize,
+    flags: Flags,
+    depth: usize,
+}
+
+/// The tree of a pattern, or what is wrong with it.
+pub(super) fn parse(pattern: &str) -> Result<Node, String> {
+    let pattern: Vec<char> = pattern.chars().collect();
+    let mut parser = Parser { pattern: &pattern, at: 0, flags: Flags::default(), depth: 0 };
+    parser.flags();
+    let node = parser.either()?;
+    match parser.peek() {
+        None => Ok(node),
+        Some(_) => Err("a `)` without a `(`".to_owned()),
+    }
+}
+
+impl Parser<'_> {
+    fn peek(&self) -> Option<char> {
+        self.pattern.get(self.at).copied()
+    }
+
+    fn next(&mut self) -> Option<char> {
+        let next = self.peek();
+        self.at += usize::from(next.is_some());
+        next
+    }
+
+    /// Goes on behind a text if it stands here.
+    fn take(&mut self, text: &str) -> bool {
+        let found = text.chars().enumerate().all(|(i, c)| self.pattern.get(self.at + i) == Some(&c));
+        self.at += if found { text.chars().count() } else { 0 };
+        found
+    }
+
+    fn flags(&mut self) {
+        let rest = self.pattern.get(2..).unwrap_or_default();
+        let length = rest.iter().take_while(|c| matches!(c, 'i' | 'm' | 's')).count();
+        if self.pattern.starts_with(&['(', '?']) && 0 < length && rest.get(length) == Some(&')') {
+            let given = |flag: char| rest.iter().take(length).any(|c| *c == flag);
+            self.flags = Flags { fold: given('i'), lines: given('m'), dot_line_ends: given('s') };
+            self.at = length + 3;
+        }
+    }
+
+    fn either(&mut self) -> Result<Node, String> {
+        let mut nodes = vec![self.sequence()?];
+        while self.take("|") {
+            nodes.push(self.sequence()?);
+        }
+        Ok(if nodes.len() == 1 { nodes.swap_remove(0) } else { Node::Either(nodes) })
+    }
+
+    fn sequence(&mut self) -> Result<Node, String> {
+        let mut nodes = Vec::new();
+        while self.peek().is_some_and(|c| !matches!(c, '|' | ')')) {
+            let node = self.atom()?;
+            nodes.push(self.repeated(node)?);
+        }
+        Ok(Node::Sequence(nodes))
+    }
+
+    fn repeated(&mut self, node: Node) -> Result<Node, String> {
+        let Some((least, most)) = self.count()? else { return Ok(node) };
+        let lazy = self.take("?");
+        if self.peek() == Some('+') {
+            return Err("`+` behind a repetition is not supported".to_owned());
+        }
+        if self.count()?.is_some() {
+            return Err("a repetition of a repetition".to_owned());
+        }
+        Ok(Node::Repeat { node: Box::new(node), least, most, lazy })
+    }
+
+    /// `*`, `+`, `?`, `{2}`, `{2,}`, `{2,3}`.
+    fn count(&mut self) -> Result<Option<(u32, Option<u32>)>, String> {
+        let found = match self.peek() {
+            Some('*') => (0, None),
+            Some('+') => (1, None),
+            Some('?') => (0, Some(1)),
+            Some('{') => return self.braces(),
+            _ => return Ok(None),
+        };
+        self.at += 1;
+        Ok(Some(found))
+    }
+
+    /// A brace that does not count is a character.
+    fn braces(&mut self) -> Result<Option<(u32, Option<u32>)>, String> {
+        let start = self.at;
+        self.at += 1;
+        let least = self.number();
+        let most = if self.take(",") { self.number() } else { least };
+        let open = self.pattern.get(self.at.wrapping_sub(1)) == Some(&',');
+        let (Some(least), true) = (least, self.take("}")) else {
+            self.at = start;
+            return Ok(None);
+        };
+        let most = if open { None } else { most };
+        match most {
+            _ if MOST_REPEATED < most.unwrap_or(least).max(least) => {
+                Err(format!("more than {MOST_REPEATED} repetitions"))
+            }
+            Some(most) if most < least => Err("a repetition whose largest number is below its smallest".to_owned()),
+            most => Ok(Some((least, most))),
+        }
+    }
+
+    fn number(&mut self) -> Option<u32> {
+        let mut number = None;
+        while let Some(digit) = self.peek().and_then(|c| c.to_digit(10)) {
+            number = Some(number.unwrap_or(0u32).saturating_mul(10).saturating_add(digit));
+            self.at += 1;
+        }
+        number
+    }
+
+    fn atom(&mut self) -> Result<Node, String> {
+        let lines = self.flags.lines;
+        Ok(match self.next() {
+            Some('(') => return self.group(),
+            Some('[') => Node::Set(self.bracket()?),
+            Some('.') => Node::Set(Set::any(self.flags.dot_line_ends)),
+            Some('^') => Node::At(if lines { Place::LineStart } else { Place::TextStart }),
+            Some('$') => Node::At(if lines { Place::LineEnd } else { Place::TextEnd }),
+            Some('\\') => match self.peek() {
+                Some('b') => self.place(Place::WordEdge),
+                Some('B') => self.place(Place::NoWordEdge),
+                Some('A') => self.place(Place::TextStart),
+                Some('z') => self.place(Place::TextEnd),
+                _ => Node::Set(self.escape()?.fold(self.flags.fold)),
+            },
+            Some(c @ ('*' | '+' | '?')) => return Err(format!("nothing in front of `{c}` to repeat")),
+            Some(c) => Node::Set(Set::one(c).fold(self.flags.fold)),
+            None => Node::Sequence(Vec::new()),
+        })
+    }
+
+    fn place(&mut self, place: Place) -> Node {
+        self.at += 1;
+        Node::At(place)
+    }
+
+    /// Behind `(`.
+    fn group(&mut self) -> Result<Node, String> {
+        if self.depth == DEEPEST {
+            return Err(format!("more than {DEEPEST} groups inside each other"));
+        }
+        const LOOKS: [(&str, bool, bool); 4] =
+            [("?=", true, false), ("?!", true, true), ("?<=", false, false), ("?<!", false, true)];
+        let look = LOOKS.into_iter().find(|(mark, ..)| self.take(mark));
+        if look.is_none() && !self.take("?:") && self.peek() == Some('?') {
+            return Err("`(?` with something else than `:`, `=`, `!`, `<=` or `<!`".to_owned());
+        }
+        self.depth += 1;
+        let node = self.either()?;
+        self.depth -= 1;
+        if !self.take(")") {
+            return Err("a `(` without a `)`".to_owned());
+        }
+        Ok(match look {
+            Some((_, ahead, negated)) => Node::Look { node: Box::new(node), ahead, negated },
+            None => node,
+        })
+    }
+
+    /// Behind `[`.
+    fn bracket(&mut self) -> Result<Set, String> {
+        const OPEN: &str = "a `[` without a `]`";
+        let negated = self.take("^");
+        let mut set = Set::default();
+        let mut first = true;
+        loop {
+            let from = match self.next().ok_or(OPEN)? {
+                ']' if !first => return Ok(set.fold(self.flags.fold).negate(negated)),
+                '[' if self.peek() == Some(':') => {
+                    return Err("classes such as `[:alpha:]` are not supported".to_owned());
+                }
+                '\\' => match self.escaped_in_bracket(&mut set)? {
+                    Some(c) => c,
+                    None => {
+                        first = false;
+                        continue;
+                    }
+                },
+                c => c,
+            };
+            first = false;
+            let to = match (self.peek(), self.pattern.get(self.at + 1)) {
+                (Some('-'), Some(end)) if *end != ']' => {
+                    self.at += 1;
+                    match self.next().ok_or(OPEN)? {
+                        '\\' => self.escaped_in_bracket(&mut Set::default())?.ok_or("a range that ends in a class")?,
+                        c => c,
+                    }
+                }
+                _ => from,
+            };
+            if to < from {
+                return Err(format!("the range `{from}-{to}` is the wrong way round"));
+            }
+            set.add_range(from, to);
+        }
+    }
+
+    /// Behind `\` in brackets: a character, or a class, which is added.
+    fn escaped_in_bracket(&mut self, set: &mut Set) -> Result<Option<char>, String> {
+        if let Some(class) = self.peek().and_then(Set::class) {
+            self.at += 1;
+            set.add(&class);
+            return Ok(None);
+        }
+        if self.take("b") {
+            return Ok(Some('\u{8}'));
+        }
+        self.escaped().map(Some)
+    }
+
+    /// Behind `\`.
+    fn escape(&mut self) -> Result<Set, String> {
+        if let Some(class) = self.peek().and_then(Set::class) {
+            self.at += 1;
+            return Ok(class);
+        }
+        self.escaped().map(Set::one)
+    }
+
+    /// Behind `\`: a character.
+    fn escaped(&mut self) -> Result<char, String> {
+        Ok(match self.next().ok_or("a `\\` at the end")? {
+            't' => '\t',
+            'n' => '\n',
+            'r' => '\r',
+            'f' => '\u{c}',
+            'v' => '\u{b}',
+            'x' => self.code(2)?,
+            'u' => self.code(4)?,
+            c if c.is_alphanumeric() => return Err(format!("`\\{c}` is not supported")),
+            c => c,
+        })
+    }
+
+    /// A character by its number: so many hexadecimal digits, or any in braces.
+    fn code(&mut self, digits: usize) -> Result<char, String> {
+        let braces = self.take("{");
+        let (mut code, mut count) = (0u32, 0);
+        while let Some(digit) = self.peek().and_then(|c| c.to_digit(16)).filter(|_| braces || count < digits) {
+            code = code.saturating_mul(16).saturating_add(digit);
+            count += 1;
+            self.at += 1;
+        }
+        let complete = if braces { 0 < count && self.take("}") } else { count == digits };
+        char::from_u32(code).filter(|_| complete).ok_or_else(|| "a number that is no character".to_owned())
+    }
+}

@@ -1,0 +1,38 @@
+//! Patterns that must match all of a text, tried on many texts.
+
+use super::{Pattern, Search};
+
+/// A pattern for all of a text.
+#[derive(Debug)]
+pub(crate) struct Whole(Pattern);
+
+impl Whole {
+    /// Reads a pattern; the error says what is wrong with it.
+    pub(crate) fn new(pattern: &str) -> Result<Self, String> {
+        Pattern::whole(pattern).map(Whole)
+    }
+
+    /// Whether it matches, and how many steps it took to know. What would take too long does not match.
+    pub(crate) fn matches(&self, text: &str) -> (bool, u64) {
+        let text: Vec<char> = text.chars().collect();
+        let Ok(mut search) = Search::new(&self.0, &text) else { return (false, u64::MAX) };
+        match search.find(0) {
+            Ok(found) => (found.is_some(), search.steps()),
+            Err(_) => (false, u64::MAX),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_left_over() {
+        let matches = |pattern, text| Whole::new(pattern).expect("a pattern").matches(text).0;
+        assert!(matches("a|ab", "ab") && matches("a|ab", "a") && matches("(?i)A.", "ab") && matches("", ""));
+        assert!(!matches("a|ab", "abc") && !matches("b", "ab") && !matches("", "a") && !matches("a|b", "ab"));
+        assert!(Whole::new("(").is_err());
+        assert!(!matches("(?=(a|b)+c)*x", &"ab".repeat(10)));
+    }
+}

@@ -1,0 +1,83 @@
+//! `colorRamp`.
+//!
+//! The names are those of the reference; the colours are ours: each ramp goes evenly through a few colours in 36 steps.
+
+use super::colour::{from_hsv, print};
+use crate::env::Env;
+use crate::fault::FaultKind;
+use crate::text::Text;
+
+/// Colours of a ramp.
+const STEPS: f64 = 36.0;
+
+/// Red, green and blue in 0..=1.
+type Rgb = [f64; 3];
+
+const WHITE: Rgb = [1.0, 1.0, 1.0];
+const PALE: Rgb = [0.96, 0.96, 0.9];
+const BLACK: Rgb = [0.0, 0.0, 0.0];
+const GREEN: Rgb = [0.1, 0.65, 0.2];
+const YELLOW: Rgb = [1.0, 0.95, 0.2];
+const ORANGE: Rgb = [1.0, 0.55, 0.0];
+const RED: Rgb = [0.85, 0.1, 0.1];
+const BROWN: Rgb = [0.55, 0.3, 0.1];
+const BLUE: Rgb = [0.1, 0.3, 0.8];
+
+/// Colours at even distances. Ramps between colours that would mix to mud go through a light one.
+const RAMPS: [(&str, &[Rgb]); 6] = [
+    ("whiteToBlack", &[WHITE, BLACK]),
+    ("greenToRed", &[GREEN, YELLOW, RED]),
+    ("yellowToRed", &[YELLOW, RED]),
+    ("redToBlue", &[RED, PALE, BLUE]),
+    ("orangeToBlue", &[ORANGE, PALE, BLUE]),
+    ("brownToBlue", &[BROWN, PALE, BLUE]),
+];
+
+/// The colour of a ramp at a value in 0..=1, as `#RRGGBB` (*colorRamp*). A ramp has 36 colours; below 0 it is the first,
+/// from 1 up the last. For a name that is none the colour is white, with a fault.
+pub fn color_ramp(env: &mut Env, name: Text, value: f64) -> Text {
+    let step = (env.finite(value, "the value on a colour ramp") * STEPS).floor().clamp(0.0, STEPS - 1.0);
+    let share = step / (STEPS - 1.0);
+    if name.as_str() == "spectrum" {
+        // From violet to red.
+        return print(from_hsv(280.0 * (1.0 - share), 1.0, 1.0));
+    }
+    let Some((_, colours)) = RAMPS.iter().find(|(known, _)| *known == name.as_str()) else {
+        let known: Vec<&str> = RAMPS.iter().map(|(known, _)| *known).chain(["spectrum"]).collect();
+        env.fault(FaultKind::Value, format!("`{name}` is no colour ramp; there is {}", known.join(", ")));
+        return print(WHITE);
+    };
+    let place = share * (colours.len() - 1) as f64;
+    let first = (place as usize).min(colours.len() - 2);
+    let (from, to, part) = (colours[first], colours[first + 1], place - first as f64);
+    print([0, 1, 2].map(|channel| from[channel] + (to[channel] - from[channel]) * part))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{env, faults, text};
+    use super::*;
+
+    #[test]
+    fn fact_93_a_ramp_has_36_colours() {
+        let env = &mut env();
+        let names: Vec<&str> = RAMPS.iter().map(|(name, _)| *name).chain(["spectrum"]).collect();
+        assert_eq!(names.len(), 7);
+        for name in names {
+            let mut at = |value: f64| color_ramp(env, text(name), value);
+            // In the middle of each step, so that rounding does not matter.
+            let colours: Vec<Text> = (0..36).map(|step| at((f64::from(step) + 0.5) / 36.0)).collect();
+            assert!(colours.windows(2).all(|pair| pair[0] != pair[1]), "{name}");
+            assert_eq!([-1e300, -0.1, 0.0, 0.027].map(&mut at), [0; 4].map(|step: usize| colours[step].clone()));
+            assert_eq!([0.98, 1.0, 1.1, 1e300].map(&mut at), [35; 4].map(|step: usize| colours[step].clone()));
+            assert_eq!(at(0.5), colours[18]);
+        }
+        assert_eq!(color_ramp(env, text("whiteToBlack"), 0.0).as_str(), "#FFFFFF");
+        assert_eq!(color_ramp(env, text("whiteToBlack"), 1.0).as_str(), "#000000");
+        assert_eq!(color_ramp(env, text("spectrum"), 1.0).as_str(), "#FF0000");
+        assert_eq!(faults(env), 0);
+        assert_eq!(color_ramp(env, text("pinkToBlack"), 0.5).as_str(), "#FFFFFF");
+        color_ramp(env, text("spectrum"), f64::NAN);
+        assert_eq!(faults(env), 2);
+    }
+}

@@ -1,0 +1,206 @@
+//! The attributes of a material by name (*material attribute*, *material.map attribute*).
+
+/// One part of a colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Channel {
+    /// Red.
+    R,
+    /// Green.
+    G,
+    /// Blue.
+    B,
+}
+
+/// One of the colours: `MaterialNumber::Color` and so on.
+pub type ColorOf = fn(Channel) -> MaterialNumber;
+
+/// A texture layer. The number of each is that of the uv set it uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Layer {
+    /// `colormap`.
+    Color,
+    /// `bumpmap`.
+    Bump,
+    /// `dirtmap`.
+    Dirt,
+    /// `specularmap`.
+    Specular,
+    /// `opacitymap`.
+    Opacity,
+    /// `normalmap`.
+    Normal,
+    /// `emissivemap`.
+    Emissive,
+    /// `occlusionmap`.
+    Occlusion,
+    /// `roughnessmap`.
+    Roughness,
+    /// `metallicmap`.
+    Metallic,
+}
+
+/// How a texture lies on its layer: `su`, `sv` scale it, `tu`, `tv` move it, `rw` turns it, in degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[allow(missing_docs, reason = "see above")]
+pub enum LayerPart {
+    Su,
+    Sv,
+    Tu,
+    Tv,
+    Rw,
+}
+
+/// An attribute of a material that is a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum MaterialNumber {
+    /// `color.r` and so on, the diffuse colour.
+    Color(Channel),
+    /// `ambient.r` and so on.
+    Ambient(Channel),
+    /// `specular.r` and so on.
+    Specular(Channel),
+    /// `emissive.r` and so on.
+    Emissive(Channel),
+    /// 1 is opaque.
+    Opacity,
+    /// 1 reflects everything.
+    Reflectivity,
+    /// Phong's exponent, up to 128.
+    Shininess,
+    /// Scale of the bump map.
+    BumpValue,
+    /// 1 is a metal.
+    Metallic,
+    /// 0 is smooth.
+    Roughness,
+    /// `opacitymap.cutoff`.
+    Cutoff,
+    /// `colormap.su` and so on.
+    Map(Layer, LayerPart),
+}
+
+/// An attribute of a material that is text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum MaterialText {
+    /// `name`.
+    Name,
+    /// `shader`.
+    Shader,
+    /// The path of a texture; empty text means "no texture".
+    Map(Layer),
+    /// `opacitymap.mode`: `blend`, `mask` or `opaque`.
+    OpacityMode,
+}
+
+impl MaterialNumber {
+    /// What it is when nothing sets it.
+    pub fn default_value(self) -> f64 {
+        use LayerPart::{Su, Sv};
+        match self {
+            MaterialNumber::Color(_)
+            | MaterialNumber::Opacity
+            | MaterialNumber::Shininess
+            | MaterialNumber::BumpValue
+            | MaterialNumber::Roughness
+            | MaterialNumber::Map(_, Su | Sv) => 1.0,
+            MaterialNumber::Cutoff => 0.5,
+            _ => 0.0,
+        }
+    }
+
+    /// A number that it can be: what is outside of the range of the attribute is moved to its end.
+    pub(crate) fn clamp(self, value: f64) -> f64 {
+        match self {
+            MaterialNumber::BumpValue | MaterialNumber::Map(..) => value,
+            MaterialNumber::Shininess => value.clamp(0.0, 128.0),
+            _ => value.clamp(0.0, 1.0),
+        }
+    }
+}
+
+impl MaterialText {
+    /// What it is when nothing sets it.
+    pub fn default_value(self) -> &'static str {
+        match self {
+            MaterialText::Shader => "CityEngineShader",
+            MaterialText::OpacityMode => "blend",
+            MaterialText::Name | MaterialText::Map(_) => "",
+        }
+    }
+
+    /// Whether it can be that.
+    pub(crate) fn accepts(self, value: &str) -> bool {
+        self != MaterialText::OpacityMode || matches!(value, "blend" | "mask" | "opaque")
+    }
+}
+
+/// What is named so, without `material.` in front.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Named {
+    Number(MaterialNumber),
+    Text(MaterialText),
+    /// `color.rgb`.
+    Rgb,
+    /// `doubleSided`.
+    DoubleSided,
+}
+
+impl Named {
+    pub(crate) fn find(name: &str) -> Option<Named> {
+        match name {
+            "color.rgb" => return Some(Named::Rgb),
+            "doubleSided" => return Some(Named::DoubleSided),
+            _ => {}
+        }
+        let number = MATERIAL_NUMBERS.iter().find(|(known, _)| *known == name).map(|(_, which)| Named::Number(*which));
+        number.or_else(|| MATERIAL_TEXTS.iter().find(|(known, _)| *known == name).map(|(_, which)| Named::Text(*which)))
+    }
+}
+
+macro_rules! names {
+    ($($function:ident $name:literal $which:expr;)*) => {
+        &[$(($name, $which),)*]
+    };
+}
+
+/// Names and what they mean, without `material.` in front.
+pub(crate) const MATERIAL_NUMBERS: &[(&str, MaterialNumber)] = super::list::each_material_number!(names);
+/// Names and what they mean, without `material.` in front.
+pub(crate) const MATERIAL_TEXTS: &[(&str, MaterialText)] = super::list::each_material_text!(names);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_attribute_of_the_page_has_its_name() {
+        let maps = ["color", "bump", "dirt", "specular", "opacity", "normal"];
+        let maps = maps.into_iter().chain(["emissive", "occlusion", "roughness", "metallic"]);
+        let parts = ["", ".su", ".sv", ".tu", ".tv", ".rw"];
+        let maps = maps.flat_map(|map| parts.map(|part| format!("{map}map{part}")));
+        let colors = ["color", "ambient", "specular", "emissive"];
+        let colors = colors.iter().flat_map(|color| ["r", "g", "b"].map(|channel| format!("{color}.{channel}")));
+        let others =
+            "color.rgb color.a opacity reflectivity shininess bumpValue metallic roughness doubleSided name shader";
+        let others = others.split(' ').chain(["opacitymap.mode", "opacitymap.cutoff"]).map(str::to_owned);
+        let all: Vec<String> = maps.chain(colors).chain(others).collect();
+        assert!(all.iter().all(|name| Named::find(name).is_some()), "{all:?}");
+        assert_eq!(all.len(), MATERIAL_NUMBERS.len() + MATERIAL_TEXTS.len() + 2);
+        assert!(["", "Color.r", "material.name", "colormap.xu"].iter().all(|name| Named::find(name).is_none()));
+    }
+
+    #[test]
+    fn names_and_what_they_mean_are_one_to_one() {
+        for (at, (name, which)) in MATERIAL_NUMBERS.iter().enumerate() {
+            let twin = MATERIAL_NUMBERS[..at].iter().find(|(_, other)| other == which);
+            assert!(twin.is_none() || *which == MaterialNumber::Opacity, "{name}");
+            if let MaterialNumber::Map(layer, part) = which {
+                let (map, end) = name.split_once('.').unwrap();
+                assert_eq!(format!("{layer:?}map").to_lowercase(), map);
+                assert_eq!(format!("{part:?}").to_lowercase(), end);
+            }
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! `convert`: positions and orientations from one coordinate system to another.
+
+use glam::DVec3;
+
+use crate::array::Array;
+use crate::env::Env;
+use crate::fault::FaultKind;
+use crate::op::{angles, turn};
+use crate::scope::{Axis, Frame};
+use crate::shape::ShapeRef;
+
+/// A coordinate system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum System {
+    /// From the scope's origin along its axes, in metres.
+    Scope,
+    /// Of the pivot.
+    Pivot,
+    /// Of the initial shape.
+    Object,
+    /// The world.
+    World,
+}
+
+impl System {
+    fn frame(self, env: &Env, shape: &ShapeRef<'_>) -> Frame {
+        match self {
+            System::Scope => shape.scope.frame(),
+            System::Pivot => shape.pivot,
+            System::Object => env.initial.object,
+            System::World => Frame::WORLD,
+        }
+    }
+}
+
+/// What three numbers are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConvertWhat {
+    /// A position, in metres.
+    Pos,
+    /// Rotations about x, then y, then z, in degrees.
+    Orient,
+}
+
+/// `convert(x | y | z, from, to, pos | orient, x, y, z)`: one coordinate of the result (*convert function*).
+#[allow(clippy::too_many_arguments, reason = "they are those of the language")]
+pub fn convert(
+    env: &mut Env,
+    shape: &ShapeRef<'_>,
+    axis: Axis,
+    from: System,
+    to: System,
+    what: ConvertWhat,
+    x: f64,
+    y: f64,
+    z: f64,
+) -> f64 {
+    convert_all(env, shape, from, to, what, [x, y, z])[axis.index()]
+}
+
+/// `convert(from, to, pos | orient, coordinates)`: all three (*convert function*). Coordinates that are missing count as 0 and
+/// more than three are left out, both with a fault.
+pub fn convert_array(
+    env: &mut Env,
+    shape: &ShapeRef<'_>,
+    from: System,
+    to: System,
+    what: ConvertWhat,
+    coordinates: Array<f64>,
+) -> Array<f64> {
+    if coordinates.len() != 3 {
+        env.fault(FaultKind::Value, format!("`convert` needs 3 coordinates and has {}", coordinates.len()));
+    }
+    let given = [0, 1, 2].map(|at| coordinates.get(at).copied().unwrap_or_default());
+    Array::from(convert_all(env, shape, from, to, what, given))
+}
+
+pub(super) fn convert_all(
+    env: &mut Env,
+    shape: &ShapeRef<'_>,
+    from: System,
+    to: System,
+    what: ConvertWhat,
+    given: [f64; 3],
+) -> [f64; 3] {
+    let given = DVec3::from_array(given.map(|number| env.finite(number, "a coordinate of `convert`")));
+    if from == to {
+        return given.to_array();
+    }
+    let (from, to) = (from.frame(env, shape), to.frame(env, shape));
+    let found = match what {
+        ConvertWhat::Pos => to.to_local(from.to_world(given)),
+        ConvertWhat::Orient => angles(&(to.axes.transpose() * from.axes * turn(given.x, given.y, given.z))),
+    };
+    if found.is_finite() {
+        return found.to_array();
+    }
+    env.fault(FaultKind::Value, "`convert` leads beyond the largest number; 0 is used instead");
+    [0.0; 3]
+}

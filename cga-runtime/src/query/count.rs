@@ -1,0 +1,78 @@
+//! How many vertices, edges, faces and holes; the names of groups and materials.
+
+use super::edges;
+use crate::array::Array;
+use crate::mesh::FaceTag;
+use crate::shape::{Geometry, ShapeRef};
+use crate::text::Text;
+
+/// `geometry.nVertices()` (*geometry.nVertices function*): those that faces share count once.
+pub fn geometry_n_vertices(shape: &ShapeRef<'_>) -> f64 {
+    match &shape.geometry {
+        Geometry::Empty => 0.0,
+        Geometry::Rect(_) => 4.0,
+        Geometry::Box => 8.0,
+        Geometry::Mesh(placed) => placed.mesh.points().len() as f64,
+    }
+}
+
+/// `geometry.nFaces()` (*geometry.nFaces function*).
+pub fn geometry_n_faces(shape: &ShapeRef<'_>) -> f64 {
+    match &shape.geometry {
+        Geometry::Empty => 0.0,
+        Geometry::Rect(_) => 1.0,
+        Geometry::Box => 6.0,
+        Geometry::Mesh(placed) => placed.mesh.face_count() as f64,
+    }
+}
+
+/// `geometry.nEdges()` (*geometry.nEdges function*): those that faces share count once.
+pub fn geometry_n_edges(shape: &ShapeRef<'_>) -> f64 {
+    match &shape.geometry {
+        Geometry::Empty => 0.0,
+        Geometry::Rect(_) => 4.0,
+        Geometry::Box => 12.0,
+        Geometry::Mesh(placed) => {
+            let mut count = 0.0;
+            edges::each(&placed.mesh, |_, _| count += 1.0);
+            count
+        }
+    }
+}
+
+/// `geometry.nHoles()`: holes in faces (*geometry.nHoles function*).
+pub fn geometry_n_holes(shape: &ShapeRef<'_>) -> f64 {
+    match &shape.geometry {
+        Geometry::Mesh(placed) => placed.mesh.faces().map(|face| face.holes().len()).sum::<usize>() as f64,
+        _ => 0.0,
+    }
+}
+
+/// `geometry.groups()`: the names of the groups that have faces, in their order; faces without a group come last, under
+/// an empty name (*geometry.groups function*).
+pub fn geometry_groups(shape: &ShapeRef<'_>) -> Array<Text> {
+    names(shape, |tag| tag.group, |mesh, id| mesh.groups().get(id).map(|name| Text::from(name.as_str())))
+}
+
+/// `geometry.materials()`: the names of the materials that faces have, in their order; faces without a material come last,
+/// under an empty name (*geometry.materials function*).
+pub fn geometry_materials(shape: &ShapeRef<'_>) -> Array<Text> {
+    names(shape, |tag| tag.material, |mesh, id| mesh.materials().get(id).and_then(|look| look.name.clone()))
+}
+
+fn names(
+    shape: &ShapeRef<'_>,
+    id: fn(&FaceTag) -> u32,
+    name: fn(&crate::mesh::Mesh, usize) -> Option<Text>,
+) -> Array<Text> {
+    match &shape.geometry {
+        Geometry::Empty => Array::default(),
+        Geometry::Rect(_) | Geometry::Box => Array::from([Text::default()]),
+        Geometry::Mesh(placed) => {
+            let mut used: Vec<u32> = placed.mesh.tags.runs().iter().map(|(_, tag)| id(tag)).collect();
+            used.sort_unstable();
+            used.dedup();
+            used.into_iter().map(|id| name(&placed.mesh, id as usize).unwrap_or_default()).collect()
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! What the faces of a shape are like: concave, rectangular, planar, closed, looking somewhere.
+
+use glam::DVec3;
+
+use super::edges;
+use super::faces::{FaceSelector, selected};
+use crate::env::Env;
+use crate::mesh::{FaceRef, unit};
+use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::tol::{ANGLE_EPSILON, STRAIGHT_EPSILON};
+
+/// `geometry.isConcave()`: whether a face turns inwards somewhere (*geometry.isConcave function*). Corners that go straight
+/// on do not; a face with a hole does.
+pub fn geometry_is_concave(shape: &ShapeRef<'_>) -> bool {
+    let Geometry::Mesh(placed) = &shape.geometry else { return false };
+    let stretch = placed.stretch(shape.scope.size);
+    placed.mesh.faces().any(|face| {
+        let normal = normal(&face, stretch);
+        normal != DVec3::ZERO
+            && corners(&face, stretch).any(|[before, after]| before.cross(after).dot(normal) < -STRAIGHT_EPSILON)
+    })
+}
+
+/// `geometry.isRectangular(tolerance)`: whether there are faces, and all have four vertices and right angles within so many
+/// degrees (*geometry.isRectangular function*). A side without length has no angles.
+pub fn geometry_is_rectangular(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f64) -> bool {
+    let tolerance = env.finite(tolerance, "the tolerance");
+    let long = |axis: usize| shape.scope.size[axis] != 0.0;
+    match &shape.geometry {
+        Geometry::Empty => false,
+        Geometry::Rect(axis) => 0.0 <= tolerance && (0..3).all(|other| other == axis.index() || long(other)),
+        Geometry::Box => 0.0 <= tolerance && (0..3).all(long),
+        Geometry::Mesh(placed) => {
+            let stretch = placed.stretch(shape.scope.size);
+            let near = libm::sin(tolerance.clamp(0.0, 90.0).to_radians()) + ANGLE_EPSILON;
+            let right = |[before, after]: [DVec3; 2]| {
+                before != DVec3::ZERO && after != DVec3::ZERO && before.dot(after).abs() <= near
+            };
+            0.0 <= tolerance
+                && !placed.mesh.is_empty()
+                && placed.mesh.faces().all(|face| face.corner_count() == 4 && corners(&face, stretch).all(right))
+        }
+    }
+}
+
+/// `geometry.isPlanar(tolerance)`: whether there are faces, and none has a corner whose two edges lie in a plane that is off
+/// its own by more than so many degrees (*geometry.isPlanar function*). Corners that go straight on say nothing.
+pub fn geometry_is_planar(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f64) -> bool {
+    let tolerance = env.finite(tolerance, "the tolerance");
+    match &shape.geometry {
+        Geometry::Empty => false,
+        Geometry::Rect(_) | Geometry::Box => 0.0 <= tolerance,
+        Geometry::Mesh(placed) => 0.0 <= tolerance && is_planar(placed, shape.scope.size, tolerance),
+    }
+}
+
+fn is_planar(placed: &Placed, size: DVec3, tolerance: f64) -> bool {
+    let stretch = placed.stretch(size);
+    let least = libm::cos(tolerance.min(90.0).to_radians()) - ANGLE_EPSILON;
+    let flat = |face: FaceRef<'_>| {
+        let normal = normal(&face, stretch);
+        normal == DVec3::ZERO
+            || corners(&face, stretch).all(|[before, after]| {
+                let local = before.cross(after);
+                // Where a face turns inwards, the local normal looks the other way.
+                local.length() <= STRAIGHT_EPSILON || least <= unit(local).dot(normal).abs()
+            })
+    };
+    !placed.mesh.is_empty() && placed.mesh.faces().all(flat)
+}
+
+/// `geometry.isOriented(selector)`: whether a face looks there (*geometry.isOriented function*).
+pub fn geometry_is_oriented(env: &Env, shape: &ShapeRef<'_>, selector: FaceSelector) -> bool {
+    let mut any = false;
+    selected(env, shape, selector, |_| any = true);
+    any
+}
+
+/// `geometry.isClosedSurface()`: whether there are faces, and two of them at every edge (*geometry.isClosedSurface function*).
+pub fn geometry_is_closed_surface(shape: &ShapeRef<'_>) -> bool {
+    match &shape.geometry {
+        Geometry::Empty | Geometry::Rect(_) => false,
+        Geometry::Box => true,
+        Geometry::Mesh(placed) => {
+            let mut closed = !placed.mesh.is_empty();
+            edges::each(&placed.mesh, |_, faces| closed &= faces == 2);
+            closed
+        }
+    }
+}
+
+/// `geometry.isInstanced()`: whether the geometry is an asset that nothing has changed since it was inserted
+/// (*geometry.isInstanced function*). Boxes and rectangles are no assets here, even those that `primitiveCube` made.
+pub fn geometry_is_instanced(shape: &ShapeRef<'_>) -> bool {
+    matches!(&shape.geometry, Geometry::Mesh(placed) if placed.whole)
+}
+
+/// The unit normal of a face in scope coordinates; zero without area.
+fn normal(face: &FaceRef<'_>, stretch: DVec3) -> DVec3 {
+    unit(face.area_vector() * DVec3::new(stretch.y * stretch.z, stretch.z * stretch.x, stretch.x * stretch.y))
+}
+
+/// For each corner the directions of the edge to it and of the edge from it, made one long, in scope coordinates.
+fn corners<'a>(face: &FaceRef<'a>, stretch: DVec3) -> impl Iterator<Item = [DVec3; 2]> + 'a {
+    let face = *face;
+    face.loop_ranges().flat_map(move |ring| {
+        let (start, count) = (ring.start, ring.len());
+        let at = move |i: usize| face.position(start + i % count) * stretch;
+        (0..count).map(move |i| {
+            let here = at(i + 1);
+            [unit(here - at(i)), unit(at(i + 2) - here)]
+        })
+    })
+}

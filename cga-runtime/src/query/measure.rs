@@ -1,0 +1,122 @@
+//! `geometry.area`, `volume`, `height`, `boundaryLength` and `angle`.
+
+use glam::DVec3;
+
+use super::edges;
+use super::faces::{FaceSelector, area_vectors, selected};
+use crate::env::Env;
+use crate::scope::Axis;
+use crate::shape::{Geometry, ShapeRef};
+use crate::tol::ANGLE_EPSILON;
+
+/// `geometry.area(selector)`: the sum of the areas of the faces, holes taken off, in square metres (*geometry.area
+/// function*).
+pub fn geometry_area(env: &Env, shape: &ShapeRef<'_>, selector: FaceSelector) -> f64 {
+    let size = shape.scope.size.abs();
+    match &shape.geometry {
+        Geometry::Rect(axis) if selector == FaceSelector::All => match axis {
+            Axis::X => size.y * size.z,
+            Axis::Y => size.x * size.z,
+            Axis::Z => size.x * size.y,
+        },
+        Geometry::Box if selector == FaceSelector::All => 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x),
+        _ => {
+            let mut sum = 0.0;
+            selected(env, shape, selector, |area| sum += area);
+            sum
+        }
+    }
+}
+
+/// `geometry.volume()`: what the faces enclose, in cubic metres (*geometry.volume function*). Never negative: a shape that is
+/// inside out holds as much as before. Flat geometry has none; of an open mesh it is that of the cones from the faces to the
+/// middle.
+pub fn geometry_volume(shape: &ShapeRef<'_>) -> f64 {
+    let size = shape.scope.size;
+    match &shape.geometry {
+        Geometry::Empty | Geometry::Rect(_) => 0.0,
+        _ if size.x == 0.0 || size.y == 0.0 || size.z == 0.0 => 0.0,
+        Geometry::Box => (size.x * size.y * size.z).abs(),
+        Geometry::Mesh(placed) => {
+            let stretch = placed.stretch(size);
+            (placed.mesh.volume() * (stretch.x * stretch.y * stretch.z)).abs()
+        }
+    }
+}
+
+/// `geometry.height()`: from the lowest to the highest point in the world, in metres (*geometry.height function*).
+pub fn geometry_height(shape: &ShapeRef<'_>) -> f64 {
+    let (size, axes) = (shape.scope.size, shape.scope.axes);
+    let rise = DVec3::new(axes.x_axis.y, axes.y_axis.y, axes.z_axis.y);
+    match &shape.geometry {
+        Geometry::Empty => 0.0,
+        Geometry::Rect(axis) => {
+            let mut rises = (rise * size).abs();
+            rises[axis.index()] = 0.0;
+            rises.element_sum()
+        }
+        Geometry::Box => (rise * size).abs().element_sum(),
+        Geometry::Mesh(placed) => {
+            let rise = rise * placed.stretch(size);
+            let heights = placed.mesh.points().iter().map(|point| rise.dot(*point));
+            let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
+            if low <= high { high - low } else { 0.0 }
+        }
+    }
+}
+
+/// `geometry.boundaryLength()`: the length of all edges that no more than one face has, in metres
+/// (*geometry.boundaryLength function*).
+pub fn geometry_boundary_length(shape: &ShapeRef<'_>) -> f64 {
+    let size = shape.scope.size;
+    match &shape.geometry {
+        Geometry::Empty | Geometry::Box => 0.0,
+        Geometry::Rect(axis) => {
+            let mut size = size.abs();
+            size[axis.index()] = 0.0;
+            2.0 * size.element_sum()
+        }
+        Geometry::Mesh(placed) => {
+            let (stretch, points) = (placed.stretch(size), placed.mesh.points());
+            let mut sum = 0.0;
+            edges::each(&placed.mesh, |[a, b], faces| {
+                if faces <= 1 {
+                    sum += ((points[b as usize] - points[a as usize]) * stretch).length();
+                }
+            });
+            sum
+        }
+    }
+}
+
+/// What `geometry.angle` gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AngleType {
+    /// How steep the steepest face is: 0 is level, 90 upright.
+    MaxSlope,
+    /// Where that face looks: 0 is north (−z), 90 east (+x); 0 also for a level one.
+    Azimuth,
+    /// 90 less the slope.
+    Zenith,
+}
+
+/// `geometry.angle(maxSlope | azimuth | zenith)`, in degrees (*geometry.angle function*). Slopes are those of the world; of
+/// equally steep faces the first counts.
+pub fn geometry_angle(shape: &ShapeRef<'_>, angle: AngleType) -> f64 {
+    let mut steepest = (0.0, 0.0);
+    area_vectors(shape, |vector| {
+        let normal = shape.scope.axes * crate::mesh::unit(vector);
+        let level = (normal.x * normal.x + normal.z * normal.z).sqrt();
+        let slope = libm::atan2(level, normal.y.abs()).to_degrees();
+        if steepest.0 < slope && ANGLE_EPSILON < level {
+            let azimuth = libm::atan2(normal.x, -normal.z).to_degrees().rem_euclid(360.0);
+            // Just below 0 rounds to 360.
+            steepest = (slope, if azimuth < 360.0 { azimuth } else { 0.0 });
+        }
+    });
+    match angle {
+        AngleType::MaxSlope => steepest.0,
+        AngleType::Azimuth => steepest.1,
+        AngleType::Zenith => 90.0 - steepest.0,
+    }
+}

@@ -1,0 +1,41 @@
+//! Functions that look at the current shape, its geometry, the run or files, as the language's table names them.
+//!
+//! Geometry is measured where it stands: in metres, in the world. Boxes and rectangles answer by formula and make no mesh;
+//! the answer is the one that their mesh would give.
+
+mod convert;
+mod count;
+mod edges;
+mod faces;
+mod file;
+mod form;
+mod material;
+mod measure;
+mod print;
+mod table;
+
+pub use convert::{ConvertWhat, System, convert, convert_array};
+pub use count::{
+    geometry_groups, geometry_materials, geometry_n_edges, geometry_n_faces, geometry_n_holes, geometry_n_vertices,
+};
+pub use faces::FaceSelector;
+pub use file::{
+    AssetDimension, AssetNaming, ImageDimension, asset_info, asset_naming_info, asset_naming_infos, file_exists,
+    file_random, file_search, files_search, image_info, read_text_file,
+};
+pub use form::{
+    geometry_is_closed_surface, geometry_is_concave, geometry_is_instanced, geometry_is_oriented, geometry_is_planar,
+    geometry_is_rectangular,
+};
+pub use material::{MaterialMode, MaterialSource, get_material};
+pub use measure::{
+    AngleType, geometry_angle, geometry_area, geometry_boundary_length, geometry_height, geometry_volume,
+};
+pub use print::print;
+pub use table::{read_float_table, read_string_table};
+
+/// The coordinate that `convert` gives.
+pub use crate::scope::Axis;
+
+#[cfg(test)]
+mod tests;

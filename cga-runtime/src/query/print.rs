@@ -1,0 +1,10 @@
+//! `print` as a function.
+
+use crate::env::Env;
+use crate::value::Value;
+
+/// `print(value)`: keeps a line with the model and gives the value back (*print function*).
+pub fn print<V: Clone + Into<Value>>(env: &mut Env, value: V) -> V {
+    env.print(value.clone().into());
+    value
+}

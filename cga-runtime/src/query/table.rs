@@ -1,0 +1,119 @@
+//! `readStringTable` and `readFloatTable`.
+
+use super::file::read_text;
+use crate::array::Array;
+use crate::env::Env;
+use crate::fault::FaultKind;
+use crate::func::floats_from_texts;
+use crate::text::Text;
+
+/// `readStringTable(file)`: the cells of a table, a line a row (*readTable functions*). What stands between cells is found out:
+/// whichever of comma, semicolon and tab is most frequent in the first line, else space. Cells may stand between double quotes,
+/// which are doubled inside. Shorter rows are filled with empty text, and lines with nothing in them are left out. Without such
+/// a file there are no cells, with a fault.
+pub fn read_string_table(env: &mut Env, file: Text) -> Array<Text> {
+    if let Some(known) = env.tables.get(&file) {
+        return known.clone();
+    }
+    let rows = match read_text(env, &file, "csv") {
+        Ok(text) => rows(&text),
+        Err(why) => {
+            env.fault(FaultKind::Asset, format!("`{file}` cannot be read: {why}; it gives no table"));
+            Vec::new()
+        }
+    };
+    let columns = rows.iter().map(Vec::len).max().unwrap_or_default();
+    if !env.may_hold(rows.len().saturating_mul(columns)) {
+        return Array::default();
+    }
+    let table = Array::from(rows);
+    env.keep_table(file, &table);
+    table
+}
+
+/// `readFloatTable(file)`: the same as numbers (*readTable functions*). What is no number is not a number.
+pub fn read_float_table(env: &mut Env, file: Text) -> Array<f64> {
+    floats_from_texts(read_string_table(env, file))
+}
+
+fn rows(text: &str) -> Vec<Vec<Text>> {
+    let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+    let mut delimiter = (' ', 0);
+    for sign in [',', ';', '\t'] {
+        let count = outside_of_quotes(first).filter(|c| *c == sign).count();
+        if delimiter.1 < count {
+            delimiter = (sign, count);
+        }
+    }
+    let delimiter = delimiter.0;
+    let (mut rows, mut row, mut cell) = (Vec::new(), Vec::new(), String::new());
+    let (mut quoted, mut signs) = (false, text.chars().peekable());
+    while let Some(c) = signs.next() {
+        match c {
+            '"' if quoted && signs.peek() == Some(&'"') => {
+                signs.next();
+                cell.push('"');
+            }
+            '"' if quoted || cell.is_empty() => quoted = !quoted,
+            '\n' if !quoted => {
+                row.push(Text::from(std::mem::take(&mut cell)));
+                rows.push(std::mem::take(&mut row));
+            }
+            c if c == delimiter && !quoted => row.push(Text::from(std::mem::take(&mut cell))),
+            c => cell.push(c),
+        }
+    }
+    row.push(Text::from(cell));
+    rows.push(row);
+    rows.retain(|row| row.iter().any(|cell| !cell.is_empty()));
+    rows
+}
+
+fn outside_of_quotes(line: &str) -> impl Iterator<Item = char> {
+    let mut quoted = false;
+    line.chars().filter(move |c| {
+        quoted ^= *c == '"';
+        !quoted
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(text: &str) -> Vec<Vec<String>> {
+        rows(text).iter().map(|row| row.iter().map(ToString::to_string).collect()).collect()
+    }
+
+    #[test]
+    fn tables_are_taken_apart() {
+        assert_eq!(shown("color.r,1\ncolor.g,0.5\n"), [["color.r", "1"], ["color.g", "0.5"]]);
+        assert_eq!(shown("a;b,c\td;e\n1;2;3"), [["a", "b,c\td", "e"], ["1", "2", "3"]]);
+        assert_eq!(shown("a b\nc d"), [["a", "b"], ["c", "d"]]);
+        assert_eq!(shown("\"a,\"\"b\"\"\";2\n\n\"c\nd\";5\" high\n"), [["a,\"b\"", "2"], ["c\nd", "5\" high"]]);
+        assert_eq!(shown("a,b\n,\nc"), [vec!["a", "b"], vec!["c"]]);
+        assert_eq!(shown("\n \n"), [[""; 0]; 0]);
+        assert_eq!(shown("\"open,\nto the end"), [["open,\nto the end"]]);
+    }
+
+    #[test]
+    fn a_table_is_rows_and_columns() {
+        let folder = std::env::temp_dir().join(format!("cga-table-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        // *readTable functions*, the beginning of its example.
+        std::fs::write(folder.join("floors.csv"), "Floor,Height\n0,10,Pomp\r\n1,7\n").expect("a file");
+        let assets = std::sync::Arc::new(crate::asset::Assets::below(&folder));
+        let settings = crate::settings::Settings { assets, ..crate::settings::Settings::default() };
+        let env = &mut Env::new(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "");
+        let table = read_string_table(env, "floors.csv".into());
+        assert_eq!((table.rows(), table.columns()), (3, 3));
+        assert_eq!(table.at(1, 2).map(Text::as_str), Some("Pomp"));
+        let _ = std::fs::remove_dir_all(&folder);
+        // Read once a run.
+        let numbers = read_float_table(env, "floors.csv".into());
+        assert!(numbers.at(0, 0).is_some_and(|number| number.is_nan()) && numbers.at(2, 1) == Some(&7.0));
+        assert_eq!(env.take_faults().0.len(), 0);
+        assert!(read_string_table(env, "other.csv".into()).is_empty());
+        assert_eq!(env.take_faults().0.len(), 1);
+    }
+}
