@@ -25,6 +25,17 @@ pub(super) fn find(root: &Path, name: &str) -> Result<PathBuf, AssetError> {
     }
 }
 
+/// The path of a file that can be read to its end: no folder, and none of the things that look like files and wait for
+/// somebody to write.
+pub(super) fn readable(root: &Path, name: &str) -> Result<PathBuf, AssetError> {
+    let path = find(root, name)?;
+    if path.is_file() {
+        return Ok(path);
+    }
+    let message = "it is no file".to_owned();
+    Err(AssetError::File { kind: std::io::ErrorKind::InvalidInput, message })
+}
+
 /// The path without links, if it exists and lies below the root.
 pub(super) fn inside(root: &Path, path: &Path) -> Result<PathBuf, AssetError> {
     let real = path.canonicalize()?;
@@ -138,6 +149,7 @@ mod tests {
         assert_eq!(find(&root, "a.txt"), Ok(root.join("assets/a.txt")));
         assert_eq!(find(&root, "./b.txt"), Ok(root.join("b.txt")));
         assert_eq!(find(&root, "assets/a.txt"), Ok(root.join("assets/a.txt")));
+        assert!(readable(&root, "deep").is_err_and(|error| error.to_string() == "it is no file"));
         assert!(matches!(find(&root, "c.txt"), Err(AssetError::File { kind: std::io::ErrorKind::NotFound, .. })));
     }
 

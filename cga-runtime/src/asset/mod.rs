@@ -84,7 +84,7 @@ impl Assets {
         let end = Path::new(name).extension().and_then(|end| end.to_str()).unwrap_or_default();
         let mesh = cfg!(feature = "obj").then_some("obj");
         let usable = USABLE.into_iter().chain(mesh).any(|known| known.eq_ignore_ascii_case(end));
-        usable && self.file(name).is_ok_and(|path| path.is_file())
+        usable && self.file(name).is_ok()
     }
 
     /// The beginning of a file, at most so many bytes, and whether that is all of it.
@@ -98,7 +98,7 @@ impl Assets {
 
     /// Where a file is.
     fn file(&self, name: &str) -> Result<PathBuf, AssetError> {
-        folder::find(self.root.as_deref().ok_or(AssetError::NoFolder)?, name)
+        folder::readable(self.root.as_deref().ok_or(AssetError::NoFolder)?, name)
     }
 
     /// The names that a query finds, sorted, and whether there were too many files to look at all of them.
@@ -115,10 +115,10 @@ fn read_mesh(root: &Path, name: &str) -> Result<Arc<Mesh>, AssetError> {
     if !Path::new(name).extension().is_some_and(|end| end.eq_ignore_ascii_case("obj")) {
         return Err(AssetError::Format("only OBJ files can be read"));
     }
-    let path = folder::find(root, name)?;
+    let path = folder::readable(root, name)?;
     let bytes = std::fs::read(&path)?;
     let mut material_file = |name: &str| {
-        let file = folder::inside(root, &path.parent()?.join(name)).ok()?;
+        let file = folder::inside(root, &path.parent()?.join(name)).ok().filter(|file| file.is_file())?;
         std::fs::read(file).ok()
     };
     let file = obj::read_obj(&bytes, &mut material_file).map_err(|error| AssetError::Broken(error.to_string()))?;
