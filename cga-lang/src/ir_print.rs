@@ -1,8 +1,8 @@
 //! A grammar as text, one line a step: for snapshots and traces.
 
 use crate::ir::{
-    Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Comp, CompMode, EachUnary, Expr, ExprKind, Global,
-    Grammar, Item, Param, Prefix, Presentation, Rule, Selector, Size, Split, Step, Target, Value,
+    Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Comp, CompMode, Const, EachUnary, Expr, ExprKind,
+    Function, Global, Grammar, Item, Param, Prefix, Presentation, Rule, Selector, Size, Split, Step, Target, Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
@@ -12,6 +12,35 @@ pub fn print(grammar: &Grammar) -> String {
     let mut out = Printer { grammar, params: &[], out: String::new(), depth: 0 };
     out.grammar();
     out.out
+}
+
+/// The text of each item of a grammar, by kind.
+pub(crate) struct Items {
+    pub(crate) attrs: Vec<String>,
+    pub(crate) consts: Vec<String>,
+    pub(crate) functions: Vec<String>,
+    pub(crate) rules: Vec<String>,
+}
+
+/// The text of each item of a grammar.
+pub(crate) fn items(grammar: &Grammar) -> Items {
+    let printer = || Printer { grammar, params: &[], out: String::new(), depth: 0 };
+    let function = |it| {
+        let mut out = printer();
+        out.function(it);
+        out.out
+    };
+    let rule = |it| {
+        let mut out = printer();
+        out.rule(it);
+        out.out
+    };
+    Items {
+        attrs: grammar.attrs.iter().map(|it| printer().attr(it)).collect(),
+        consts: grammar.consts.iter().map(|it| printer().constant(it)).collect(),
+        functions: grammar.functions.iter().map(function).collect(),
+        rules: grammar.rules.iter().map(rule).collect(),
+    }
 }
 
 struct Printer<'g> {
@@ -98,16 +127,11 @@ impl<'g> Printer<'g> {
             self.line(&text);
         }
         for own in &grammar.consts {
-            let text = format!("const {}: {} = {}", own.name, own.ty.word(), self.expr(&own.value));
+            let text = self.constant(own);
             self.line(&text);
         }
         for function in &grammar.functions {
-            self.params = &function.params;
-            let recursive = if function.recursive { ", recursive" } else { "" };
-            let head = format!("{}{}: {}", function.name, params(&function.params), function.ty.word());
-            let text = format!("function {head} = {}{recursive}", self.expr(&function.body));
-            self.locals(&function.params, &function.locals);
-            self.line(&text);
+            self.function(function);
         }
         let name = |global: &Global| match global {
             Global::Attr(id) => grammar.attrs[id.0 as usize].name.clone(),
@@ -129,6 +153,19 @@ impl<'g> Printer<'g> {
         for rule in &grammar.rules {
             self.rule(rule);
         }
+    }
+
+    fn constant(&self, own: &Const) -> String {
+        format!("const {}: {} = {}", own.name, own.ty.word(), self.expr(&own.value))
+    }
+
+    fn function(&mut self, function: &'g Function) {
+        self.params = &function.params;
+        let recursive = if function.recursive { ", recursive" } else { "" };
+        let head = format!("{}{}: {}", function.name, params(&function.params), function.ty.word());
+        let text = format!("function {head} = {}{recursive}", self.expr(&function.body));
+        self.line(&text);
+        self.locals(&function.params, &function.locals);
     }
 
     fn rule(&mut self, rule: &'g Rule) {

@@ -7,6 +7,7 @@ use crate::diag::Diags;
 use crate::ir::Type;
 use crate::link::InstanceId;
 use crate::ops::{self, Run};
+use crate::span::Span;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
@@ -45,6 +46,38 @@ pub(super) fn overloads(cx: &mut Cx) {
                 Entry::Vacant(entry) => _ = entry.insert(item.decl),
                 Entry::Occupied(entry) => duplicate(cx.diags, item.decl, what, entry.get()),
             }
+        }
+    }
+}
+
+/// A name means the same kind of thing in every style, and a value has one type in all of them (*CGA changelog 2018.0*).
+pub(super) fn styles(cx: &mut Cx) {
+    let roots = &cx.globals.program.roots;
+    if roots.len() < 2 {
+        return;
+    }
+    let kinds = [
+        (&cx.globals.attrs, "an attribute"),
+        (&cx.globals.consts, "a constant"),
+        (&cx.globals.functions, "a function"),
+        (&cx.globals.rules, "a rule"),
+    ];
+    let mut first: HashMap<(&str, usize), (&str, Option<Type>, Span)> = HashMap::new();
+    for (items, what) in kinds {
+        for item in items.iter().filter(|item| !item.origin && roots.contains(&item.instance)) {
+            let (name, ty) = (&item.decl.name, cx.tables.types.get(&item.decl.name.id()).copied());
+            let (kind, known, place) =
+                *first.entry((&name.text, item.decl.params.len())).or_insert((what, ty, name.span));
+            let message = if kind != what {
+                format!("`{}` is {what} in this style and {kind} in another", name.text)
+            } else if let (Some(own), Some(other)) = (ty, known)
+                && own != other
+            {
+                format!("`{}` is a {} in this style and a {} in another", name.text, own.word(), other.word())
+            } else {
+                continue;
+            };
+            cx.diags.report(Code::TypeMismatch, name.span, message).related("the other", place);
         }
     }
 }

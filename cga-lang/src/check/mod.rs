@@ -75,6 +75,8 @@ pub(crate) struct Tables {
     pub(crate) recursive: HashSet<u32>,
     /// Attributes that a dynamic call gives values to, by the token of the name there.
     pub(crate) targets: HashMap<u32, u32>,
+    /// Instances whose values start anew in a dynamic call.
+    pub(crate) renewed: HashSet<InstanceId>,
     /// Comps that cannot run yet, by the token of their name.
     pub(crate) later: HashSet<u32>,
     /// Default values of overridden attributes that somebody asks for, by index of the constant.
@@ -106,6 +108,7 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], diags: &
     types::infer(&mut cx);
     annotations::read(&mut cx);
     duplicates::overloads(&mut cx);
+    duplicates::styles(&mut cx);
     cycles::find(&mut cx);
     let Cx { globals, tables, levels, diags, .. } = cx;
     levels::apply(&levels, diags);

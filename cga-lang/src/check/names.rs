@@ -5,6 +5,7 @@ use super::globals::{Kind, builtins};
 use super::{Cx, Door, Init, Use};
 use crate::ast::{CompValue, Expr, ExprKind, Name};
 use crate::code::Code;
+use crate::diag::Diags;
 use crate::ir::Type;
 use crate::link::InstanceId;
 use crate::ops::{self, Function, ParamKind, Places, Run};
@@ -160,11 +161,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     pub(super) fn not_implemented(&mut self, span: Span, what: &str, about: Option<(&str, &str)>) {
-        let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
-        if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
-            diag.note(format!("`{name}` {about}"));
-        }
-        diag.note("it does nothing in a run, which says so among its faults");
+        not_implemented(self.cx.diags, span, what, about);
     }
 
     pub(super) fn deprecated(&mut self, name: &Name, old: Option<&str>) {
@@ -308,6 +305,15 @@ impl<'a> Scope<'_, 'a, '_> {
             }
         }
     }
+}
+
+/// Says that something known does nothing yet. `about` is its name and what it will do.
+pub(super) fn not_implemented(diags: &mut Diags, span: Span, what: &str, about: Option<(&str, &str)>) {
+    let diag = diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
+    if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
+        diag.note(format!("`{name}` {about}"));
+    }
+    diag.note("it does nothing in a run, which says so among its faults");
 }
 
 /// Whether every word of a call is one that the row knows.

@@ -5,13 +5,14 @@ mod childless;
 mod expr;
 mod globals;
 mod import;
+mod share;
 mod walk;
 
 use crate::ast::{Body, Decl, Name};
 use crate::check::{Checked, Use};
 use crate::fold::Known;
 use crate::graph::{components, is_cycle};
-use crate::ir::{Childless, Grammar, Host, HostId, Param, Rule, RuleId, Start, Step, Type};
+use crate::ir::{AttrId, Childless, ConstId, Grammar, Host, HostId, Param, Rule, RuleId, Start, Step, Type};
 use crate::ir_walk::called;
 use crate::link::InstanceId;
 use crate::span::Span;
@@ -33,11 +34,14 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         blocks: HashMap::new(),
         hosts: HashMap::new(),
         known: Known::default(),
+        renewed: HashMap::new(),
         out: Grammar::default(),
     };
     lower.hosts();
     lower.globals();
+    lower.renew_constants();
     lower.rules();
+    share::share(&mut lower.out);
     lower.cycles();
     lower.out
 }
@@ -59,6 +63,8 @@ struct Lower<'c> {
     hosts: HashMap<u32, HostId>,
     /// Constants and functions whose value is known.
     known: Known,
+    /// Constants of imports that start anew: they are attributes that nobody can set.
+    renewed: HashMap<ConstId, AttrId>,
     out: Grammar,
 }
 

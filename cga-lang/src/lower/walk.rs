@@ -2,6 +2,35 @@
 
 use crate::ir::{Arg, Expr, ExprKind, Selector, Step, Target};
 
+/// Every step of a body, those in brackets and branches included.
+pub(super) fn steps(list: &mut [Step], visit: &mut dyn FnMut(&mut Step)) {
+    for step in list {
+        visit(step);
+        match step {
+            Step::Push(inner) => steps(inner, visit),
+            Step::Case { arms, otherwise } => {
+                arms.iter_mut().for_each(|(_, inner)| steps(inner, visit));
+                steps(otherwise, visit);
+            }
+            Step::Chance { arms, otherwise } => {
+                arms.iter_mut().for_each(|(_, inner)| steps(inner, visit));
+                steps(otherwise, visit);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// What a step hands shapes to.
+pub(super) fn targets(step: &mut Step) -> Vec<&mut Target> {
+    match step {
+        Step::Give(target) => vec![target],
+        Step::Split(split) => split.slots.iter_mut().collect(),
+        Step::Comp(comp) => comp.arms.iter_mut().map(|arm| &mut arm.target).collect(),
+        _ => Vec::new(),
+    }
+}
+
 /// Every expression that stands in a body, without its parts.
 pub(super) fn exprs(steps: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
     for step in steps {

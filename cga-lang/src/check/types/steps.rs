@@ -3,6 +3,7 @@
 use super::open::Open;
 use super::{Infer, Type, Use, Var};
 use crate::ast::{Arg, BlockPart, Expr, ExprKind, Name, Op, OpKind, Override, SplitItem};
+use crate::check::names::not_implemented;
 use crate::check::selectors::is_condition;
 use crate::ops::{Operation, ParamKind};
 use crate::span::Span;
@@ -22,7 +23,10 @@ impl<'a> Infer<'_, 'a, '_> {
                 OpKind::Split(split) => self.items(&split.items),
                 OpKind::Comp(comp) => {
                     for arm in &comp.arms {
-                        self.selector(&arm.selector);
+                        let is_condition = self.selector(&arm.selector);
+                        if is_condition && self.cx.tables.later.insert(comp.name.id()) {
+                            not_implemented(self.cx.diags, arm.selector.span, "a condition as selector", None);
+                        }
                         self.ops(&arm.ops);
                     }
                 }
@@ -83,18 +87,21 @@ impl<'a> Infer<'_, 'a, '_> {
         }
     }
 
-    /// A word needs nothing, an index is a float, and a condition a bool.
-    pub(super) fn selector(&mut self, selector: &'a Expr) {
+    /// A word needs nothing, an index is a float, and a condition a bool. Whether it is a condition.
+    pub(super) fn selector(&mut self, selector: &'a Expr) -> bool {
         if self.is_word(selector) {
-            return;
+            return false;
         }
         if is_condition(selector) {
-            return self.condition(selector);
+            self.condition(selector);
+            return true;
         }
         let var = self.expr(selector);
-        if self.vars.known(var) != Some(Type::Bool) {
-            self.need_var(var, selector.span, Type::Float, "a selector that is no word");
+        if self.vars.known(var) == Some(Type::Bool) {
+            return true;
         }
+        self.need_var(var, selector.span, Type::Float, "a selector that is no word");
+        false
     }
 
     fn is_word(&self, selector: &Expr) -> bool {
@@ -170,7 +177,7 @@ impl<'a> Infer<'_, 'a, '_> {
         for (param, arg) in row.params.iter().zip(args) {
             match param.kind {
                 ParamKind::Word { .. } => {}
-                ParamKind::Selector => self.selector(&arg.value),
+                ParamKind::Selector => _ = self.selector(&arg.value),
                 _ => {
                     let var = self.expr(&arg.value);
                     self.builtin_argument(param, row.name, var, arg.value.span);
