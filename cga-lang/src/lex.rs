@@ -41,13 +41,11 @@ struct Lexer<'a> {
 
 impl<'a> Lexer<'a> {
     fn run(&mut self) {
-        if self.rest().starts_with('\u{feff}') {
-            self.at += '\u{feff}'.len_utf8();
-        }
         while let Some(c) = self.peek() {
             let start = self.at;
             match c {
-                c if c.is_whitespace() => self.at += c.len_utf8(),
+                // A byte order mark is in the middle where files were put together.
+                c if c.is_whitespace() || c == '\u{feff}' => self.at += c.len_utf8(),
                 '#' => _ = self.line(),
                 '/' if self.rest().starts_with("///") && !self.rest().starts_with("////") => self.doc(start),
                 '/' if self.rest().starts_with("//") => _ = self.line(),
@@ -188,8 +186,9 @@ impl<'a> Lexer<'a> {
                 meant = Some(Tok::Sym(Sym::Arrow));
                 help = "write `-->`".into();
             }
-        } else if let Some(end) = self.rest().find(['”', '“', '"', '\n']).filter(|_| matches!(c, '“' | '”' | '„'))
-            && !self.rest()[end..].starts_with('\n')
+        } else if matches!(c, '“' | '”' | '„')
+            && let Some(end) = self.rest().find(['”', '“', '"', '\n', '\r'])
+            && !self.rest()[end..].starts_with(['\n', '\r'])
         {
             meant = Some(Tok::Str(self.rest()[..end].to_owned()));
             self.at += end;
@@ -197,7 +196,7 @@ impl<'a> Lexer<'a> {
         } else if meant.is_none() {
             self.skip_while(|next| next == c);
         }
-        let shown = if c.is_control() { format!("U+{:04X}", c as u32) } else { format!("{c}") };
+        let shown = if is_invisible(c) { format!("U+{:04X}", c as u32) } else { format!("{c}") };
         let span = self.push(start, meant.unwrap_or(Tok::Bad));
         let diag = self.diags.report(Code::UnknownCharacter, span, format!("unknown character `{shown}`"));
         if !help.is_empty() {
@@ -246,6 +245,11 @@ fn lookalike(c: char) -> Option<(Option<Sym>, &'static str)> {
     })
 }
 
+fn is_invisible(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}')
+}
+
 fn starts_name(c: char) -> bool {
     c == '_' || is_letter(c)
 }
@@ -272,9 +276,13 @@ fn closing_quote(text: &str) -> Option<usize> {
     })
 }
 
-/// Whether a string has run into the rules of further lines because its own quote is missing.
+/// Whether a string has run into declarations of further lines because its own quote is missing.
 fn holds_rules(text: &str) -> bool {
-    text.split_once(['\n', '\r']).is_some_and(|(_, rest)| rest.contains("-->"))
+    let begins = |line: &str| {
+        let line = line.trim_start();
+        line.contains("-->") || ["attr ", "const ", "import "].iter().any(|word| line.starts_with(word))
+    };
+    text.split(['\n', '\r']).skip(1).any(begins)
 }
 
 /// Resolves escapes; also returns the first one that means nothing.

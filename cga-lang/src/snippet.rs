@@ -70,8 +70,10 @@ pub struct Position {
 /// The place of a byte of a text.
 pub fn position(text: &str, byte: usize) -> Position {
     let byte = border(text, byte);
-    let start = text[..byte].rfind('\n').map_or(0, |end| end + 1);
-    let line = text[..byte].matches('\n').count() + 1;
+    let start = line_start(text, byte);
+    let before = &text[..start];
+    // Old files end their lines with `\r` alone, or with both ways.
+    let line = 1 + before.matches('\n').count() + before.matches('\r').count() - before.matches("\r\n").count();
     let column = text[start..byte].trim_start_matches('\u{feff}').chars().count() + 1;
     Position { line, column }
 }
@@ -93,10 +95,14 @@ fn border(text: &str, byte: usize) -> usize {
 
 /// The line a byte stands in, without its end.
 fn line_at(text: &str, byte: usize) -> Range<usize> {
-    let start = text[..byte].rfind('\n').map_or(0, |end| end + 1);
+    let start = line_start(text, byte);
     let start = if text[start..].starts_with('\u{feff}') { start + '\u{feff}'.len_utf8() } else { start };
     let end = text[start..].find(['\n', '\r']).map_or(text.len(), |end| start + end);
     start..end
+}
+
+fn line_start(text: &str, byte: usize) -> usize {
+    text[..byte].rfind(['\n', '\r']).map_or(0, |end| end + 1)
 }
 
 /// What stands on the line before the bytes, what of them stands on the line, and what behind.
@@ -154,6 +160,18 @@ mod tests {
         assert_eq!(
             shown("\u{feff}A --> NIL\nA --> NIL"),
             "error[duplicate_name]: rule `A` is declared twice\n --> a.cga:2:1\n  |\n2 | A --> NIL\n  | ^\n  = note: \
+             first declared in line 1"
+        );
+    }
+
+    #[test]
+    fn lines_end_in_every_way() {
+        let text = "a\rb\r\nc\nd\n\re";
+        let places = ["a", "b", "c", "d", "e"].map(|name| super::position(text, text.find(name).unwrap()));
+        assert_eq!(places.map(|place| (place.line, place.column)), [(1, 1), (2, 1), (3, 1), (4, 1), (6, 1)]);
+        assert_eq!(
+            shown("A --> NIL\r\rA --> NIL\rB --> NIL"),
+            "error[duplicate_name]: rule `A` is declared twice\n --> a.cga:3:1\n  |\n3 | A --> NIL\n  | ^\n  = note: \
              first declared in line 1"
         );
     }

@@ -3,8 +3,10 @@
 mod common;
 
 use cga_lang::compile::{Door, compile, compile_text};
+use cga_lang::diag::Diags;
 use cga_lang::ir_print::print;
 use cga_lang::lex::lex;
+use cga_lang::parse::parse;
 use cga_lang::snippet::render;
 use cga_lang::token::{Sym, Tok, Tokens};
 use std::fs;
@@ -75,6 +77,16 @@ const NAMES: &[&str] = &[
     "StartRule",
     "material",
     "geometry",
+    "extends",
+    "extension",
+    "inline",
+    "union",
+    "setback",
+    "scatter",
+    "splitAndSetbackPerimeter",
+    "remainder",
+    "lib",
+    "Handle",
 ];
 
 fn token(random: &mut Random) -> Tok {
@@ -85,6 +97,7 @@ fn token(random: &mut Random) -> Tok {
         7 if random.below(3) == 0 => Tok::Host(random.below(9) as u32),
         8 if random.below(3) == 0 => Tok::Path("crate::f".into()),
         9 if random.below(5) == 0 => Tok::Doc("words".into()),
+        11 => Tok::Sym(*random.pick(&[Sym::LParen, Sym::RParen, Sym::LBrace, Sym::RBrace, Sym::Dot, Sym::Arrow])),
         10 if random.below(9) == 0 => Tok::Bad,
         _ => Tok::Sym(*random.pick(Sym::ALL)),
     }
@@ -207,9 +220,84 @@ fn deep_nesting_is_an_error_and_no_overflow() {
         ("@Range(", ")"),
         ("A(", ""),
         ("a b(c) = ", ""),
+        ("[", "]"),
+        ("a[", "]"),
+        ("a", "[0]"),
+        ("[1:", "]"),
+        (".-", ""),
+        ("1 .+ ", ""),
+        ("comp(f) { all : ", " }"),
+        ("comp(", ") { all : 1 }"),
+        ("inline ", ""),
+        ("inline { ", " }"),
+        ("union { A | ", " }"),
+        ("setback(1) { all : ", " }"),
+        ("unknown { ", " }"),
+        ("unknown { ~1 : ", " }"),
+        ("splitAndSetbackPerimeter(1) { 1 : 2 : ", " }"),
+        ("lib(R --> ", ").S"),
+        ("lib(h = (", ")).S"),
+        ("lib.", ""),
+        ("B with ( b := ", " )"),
+        ("style ", ""),
+        ("import lib : \"a\" (", ")"),
+        ("start ", ""),
     ] {
         for (head, inside) in [("A --> ", "X"), ("a = ", "1"), ("A --> s(", "1")] {
             try_text(&format!("{head}{}{inside}{}\nB --> X.", open.repeat(count), close.repeat(count)));
+        }
+    }
+}
+
+#[test]
+fn nothing_is_looked_at_again_and_again() {
+    // Each of these would take minutes if it were.
+    let count = 50_000;
+    for part in [
+        "(",
+        "[",
+        "{",
+        ") ",
+        "] ",
+        "} ",
+        "( ] ",
+        "A( ",
+        "A(b, ",
+        "lib.",
+        "a.",
+        "lib( ",
+        "lib(h = ",
+        "A with ( ",
+        "[ lib( ).X ",
+        "import lib : \"a\" ( ",
+        "import lib : \"a\" ( ) ",
+        "@Range( ",
+        "case ",
+        "case h + h = 3 ",
+        "h + h = ",
+        "A = X. ",
+        "A --> ",
+        "A. ",
+        "\"",
+        "\"x\n",
+        "/* ",
+        "? ",
+        "| A ",
+        "{ A | ",
+        "split(x) { ",
+        "1 : ",
+        "style S ",
+        "style S extends T ",
+        "a := ",
+        "inline ",
+        "30% : ",
+        "else ",
+    ] {
+        for head in ["", "import lib : \"a\"\nA --> ", "a = ", "A --> split(x) { ", "A with ( ", "A --> unknown { "] {
+            let lexed = lex(&format!("{head}{}", part.repeat(count / part.len())));
+            let mut diags = Diags::new();
+            parse(&lexed.tokens, &mut diags);
+            diags.finish();
         }
     }
 }

@@ -35,9 +35,8 @@ impl Parser<'_> {
             Braces::Ops | Braces::Inline | Braces::Sections | Braces::None => BlockPart::Ops(self.operands(&name, 1)?),
             Braces::Operands => BlockPart::Ops(self.operands(&name, 2)?),
         };
-        if !matches!(part, BlockPart::Slots(..)) && self.is(Sym::Star) {
-            self.syntax(self.at, format!("`{}` is not repeated", name.text)).help("leave out the `*`");
-            self.bump();
+        if !matches!(part, BlockPart::Slots(..)) {
+            self.not_repeated(&name.text);
         }
         Ok(OpKind::Block(Block { name, args, parts: vec![part] }))
     }
@@ -60,14 +59,16 @@ impl Parser<'_> {
     fn guess(&mut self) -> Parsed<Braces> {
         let close = self.closing()?;
         let (mut at, mut arms, mut size, mut bar) = (self.at + 1, false, false, false);
-        let mut first = true;
+        let (mut first, mut branch) = (true, false);
         while at < close {
             match self.layout.at(at) {
                 Some(Tok::Sym(Sym::Quote | Sym::Tilde)) if first => size = true,
                 Some(Tok::Sym(Sym::LBrace)) if first => size = true,
-                Some(Tok::Ident(word)) if first && word == "case" => break,
-                Some(Tok::Number(_)) if first && self.layout.at(at + 1).is_some_and(|t| t.is(Sym::Percent)) => break,
-                Some(Tok::Sym(Sym::Colon | Sym::Assign)) => arms = true,
+                Some(Tok::Ident(word)) if first => branch = word == "case",
+                Some(Tok::Number(_)) if first => {
+                    branch = self.layout.at(at + 1).is_some_and(|token| token.is(Sym::Percent));
+                }
+                Some(Tok::Sym(Sym::Colon | Sym::Assign)) => arms |= !branch,
                 Some(Tok::Sym(Sym::Bar)) => bar = true,
                 _ => {}
             }

@@ -10,6 +10,7 @@ impl Parser<'_> {
     pub(super) fn comp(&mut self, name: Name) -> Parsed<OpKind> {
         let args = self.comp_args("operations", Self::args)?;
         let arms = self.between_bars(Self::arm)?;
+        self.not_repeated("comp");
         Ok(OpKind::Comp(Comp { name, args, arms }))
     }
 
@@ -41,6 +42,14 @@ impl Parser<'_> {
             return Err(Reported);
         }
         Ok(args)
+    }
+
+    /// Takes away a `*` behind braces that make no parts of one kind after the other.
+    pub(super) fn not_repeated(&mut self, name: &str) {
+        if self.is(Sym::Star) {
+            self.syntax(self.at, format!("`{name}` is not repeated")).help("leave out the `*`");
+            self.bump();
+        }
     }
 
     /// `selector : operations`.

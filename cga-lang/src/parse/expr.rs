@@ -144,7 +144,7 @@ impl Parser<'_> {
 
     fn atom(&mut self) -> Parsed<Part> {
         if self.at_branch() {
-            return self.nested(Self::branch_value);
+            return self.branch_value();
         }
         let span = self.span();
         let kind = match self.peek() {

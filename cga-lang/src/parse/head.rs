@@ -93,10 +93,14 @@ impl<'a> Heads<'a> {
         self.pairs.get(position).filter(|&&close| close != u32::MAX).map(|&close| close as usize)
     }
 
+    pub(super) fn is_import(&self, position: usize) -> bool {
+        self.word(position).is_some_and(|name| self.imports.contains(name))
+    }
+
     /// The position behind a name that may have dots.
     pub(super) fn name_end(&self, position: usize) -> usize {
         let mut next = position + 1;
-        if self.word(position).is_some_and(|name| self.imports.contains(name)) {
+        if self.is_import(position) {
             while self.is(next, Sym::Dot) && self.word(next + 1).is_some() {
                 next += 2;
             }
@@ -110,14 +114,16 @@ impl<'a> Heads<'a> {
             return true;
         }
         let Some(close) = self.pair(position) else { return false };
-        let Some(name) = position.checked_sub(1).and_then(|before| self.word(before)) else { return false };
+        if position == 0 || self.word(position - 1).is_none() {
+            return false;
+        }
         if !self.is(close + 1, Sym::Dot) || self.word(close + 2).is_none() {
             return false;
         }
         // Of an import that was forgotten the rest is clear enough.
-        self.imports.contains(name)
+        self.is_import(position - 1)
             || (self.word(position + 1).is_some() && self.is(position + 2, Sym::Assign))
-            || self.head(position + 1) == Some(Head::Rule)
+            || self.override_head(position + 1) == Some(Head::Rule)
     }
 
     /// Whether a word stands there that only declarations have, and what it goes with.
@@ -134,6 +140,12 @@ impl<'a> Heads<'a> {
 
     /// How a declaration of the name at a position goes on, if there is one.
     pub(super) fn head(&self, position: usize) -> Option<Head> {
+        // `case h = 3 :` means `==`, and the parser says so.
+        self.override_head(position).filter(|head| head.is_sure() || !self.in_value(position))
+    }
+
+    /// The same between the parentheses of an import.
+    pub(super) fn override_head(&self, position: usize) -> Option<Head> {
         if self.word(position)? == "with" {
             return None;
         }
@@ -171,13 +183,10 @@ impl<'a> Heads<'a> {
             &[Sym::EqEq, Sym::Greater],
         ];
         let slip = slips.iter().find(|slip| slip.iter().enumerate().all(|(ahead, &sym)| self.is(next + ahead, sym)));
-        let head = match slip {
-            Some(slip) => Head::Slip(slip.len()),
-            None if self.is(next, Sym::Assign) => Head::Function,
-            None => return None,
-        };
-        // `case h = 3 :` means `==`, and the parser says so.
-        (!self.in_value(position)).then_some(head)
+        match slip {
+            Some(slip) => Some(Head::Slip(slip.len())),
+            None => self.is(next, Sym::Assign).then_some(Head::Function),
+        }
     }
 
     fn arrow_near(&self, position: usize) -> bool {
@@ -193,29 +202,50 @@ impl<'a> Heads<'a> {
             }
             position -= 2;
         }
-        let before = |back: usize| position.checked_sub(back).and_then(|at| self.at(at));
-        match before(1) {
+        match position.checked_sub(1).and_then(|before| self.at(before)) {
             Some(Tok::Ident(word)) => word == "case",
-            Some(Tok::Sym(Sym::Star)) => !before(2).is_some_and(|token| token.is(Sym::RBrace)),
-            Some(Tok::Sym(sym)) => matches!(
-                sym,
-                Sym::AndAnd
-                    | Sym::OrOr
-                    | Sym::Bang
-                    | Sym::EqEq
-                    | Sym::NotEq
-                    | Sym::Less
-                    | Sym::LessEq
-                    | Sym::Greater
-                    | Sym::GreaterEq
-                    | Sym::Plus
-                    | Sym::Minus
-                    | Sym::Slash
-                    | Sym::Percent
-                    | Sym::Quote
-                    | Sym::Tilde
-            ),
+            Some(Tok::Sym(sym)) => match sym {
+                Sym::LParen | Sym::LBracket | Sym::Comma => true,
+                Sym::AndAnd | Sym::OrOr | Sym::Bang | Sym::EqEq | Sym::NotEq => true,
+                sym if operand_follows(*sym) => self.in_condition(position),
+                _ => false,
+            },
             _ => false,
         }
     }
+
+    /// Whether a `case` stands before a position, with nothing but parts of a value between.
+    fn in_condition(&self, position: usize) -> bool {
+        let parts = |token: &&Tok| match token {
+            Tok::Ident(_) | Tok::Number(_) | Tok::Str(_) | Tok::Host(_) | Tok::Path(_) => true,
+            Tok::Sym(sym) => {
+                operand_follows(*sym)
+                    || matches!(sym, Sym::LParen | Sym::RParen | Sym::LBracket | Sym::RBracket | Sym::Comma | Sym::Dot)
+            }
+            _ => false,
+        };
+        let before = (position.saturating_sub(LONGEST_HEAD)..position).rev().filter_map(|before| self.at(before));
+        before.take_while(parts).any(|token| token.ident() == Some("case"))
+    }
+}
+
+/// Whether it is a sign that an operand follows.
+fn operand_follows(sym: Sym) -> bool {
+    matches!(
+        sym,
+        Sym::AndAnd
+            | Sym::OrOr
+            | Sym::Bang
+            | Sym::EqEq
+            | Sym::NotEq
+            | Sym::Less
+            | Sym::LessEq
+            | Sym::Greater
+            | Sym::GreaterEq
+            | Sym::Plus
+            | Sym::Minus
+            | Sym::Star
+            | Sym::Slash
+            | Sym::Percent
+    )
 }

@@ -15,7 +15,7 @@ impl Parser<'_> {
         self.no_dollar(&id, "an import");
         let styles = if self.is(Sym::LParen) { Some(self.import_styles()?) } else { None };
         if !self.eat(Sym::Colon) {
-            self.expected("`:`").help(format!("write `import {} : \"file.cga\"`", id.text));
+            self.expected_only("`:`").help(format!("write `import {} : \"file.cga\"`", id.text));
             return Err(Reported);
         }
         let Some(Tok::Str(path)) = self.peek() else { return self.fail("the path of a rule file in quotes") };
@@ -70,7 +70,7 @@ impl Parser<'_> {
     }
 
     fn one_override(&mut self, close: usize) -> Parsed<Override> {
-        let (start, head) = (self.at, self.layout.head(self.at));
+        let (start, head) = (self.at, self.layout.override_head(self.at));
         let Some(name) = self.take_dotted(self.layout.name_end(self.at)) else {
             return self.fail("an attribute or a rule");
         };

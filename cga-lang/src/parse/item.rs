@@ -5,10 +5,14 @@ use super::{Parsed, Parser, Reported};
 use crate::ast::{Annotation, Ast, Body, Decl, Expr, ExprKind, Name, Op, OpKind, Role};
 use crate::code::Code;
 use crate::ops;
+use crate::suggest::nearest;
 use crate::token::{Sym, Tok};
 
 /// Words that cannot be names.
 const KEYWORDS: &[&str] = &["attr", "const", "case", "else", "true", "false", "NIL", "split", "comp"];
+
+/// Words that begin a declaration.
+const DECLARATIONS: &[&str] = &["attr", "const", "import", "style", "version", "start", "extension"];
 
 /// The one attribute with a parameter (*changelog*, 2019.1).
 const STREET_WIDTH: &str = "streetWidth";
@@ -62,7 +66,12 @@ impl Parser<'_> {
                 }
             }
             "import" if next_is_name => {
-                ast.imports.push(self.import(annotations)?);
+                let id = self.nth(1).and_then(Tok::ident).map(str::to_owned);
+                ast.imports.push(self.import(annotations).inspect_err(|_| self.lost.extend(id))?);
+                if self.nth_is_name(0) && self.nth_is(1, Sym::Colon) && !self.at_border() {
+                    self.syntax(self.at, "every import begins with the word").help("write `import` before it");
+                    return Err(Reported);
+                }
                 return Ok(());
             }
             "style" if next_is_name && self.layout.head(self.at + 1).is_none() => {
@@ -176,13 +185,19 @@ impl Parser<'_> {
             // Annotations with nothing behind them.
             return self.fail("a declaration");
         }
-        let help = match self.peek().and_then(Tok::ident) {
+        let word = self.peek().and_then(Tok::ident);
+        let near = word.and_then(|word| nearest(word, DECLARATIONS.iter().copied()).filter(|near| *near != word));
+        let help = match word {
+            _ if near.is_some() => "",
             Some("style") => "a style has a name: write `style Name`",
             Some("import") => "write `import prefix : \"file.cga\"`",
             Some("version") => "write `version \"2025.1\"`",
             _ => "write `Name --> …`, `attr name = …`, `const name = …` or `name = …`",
         };
-        self.expected("a declaration").help(help);
+        let diag = self.expected("a declaration").suggest(near);
+        if near.is_none() {
+            diag.help(help);
+        }
         Err(Reported)
     }
 
@@ -193,7 +208,11 @@ impl Parser<'_> {
                 let start = self.at;
                 self.at += length;
                 let span = self.span_from(start);
-                self.syntax_over(start, span, "a rule's arrow has two dashes").help("write `-->`");
+                let message = match length {
+                    3 => "a rule's arrow is written in one piece",
+                    _ => "a rule's arrow has two dashes",
+                };
+                self.syntax_over(start, span, message).help("write `-->`");
             }
             Head::Leaf => {
                 let at = self.at;
@@ -256,7 +275,7 @@ impl Parser<'_> {
             if let Ok(steps) = steps
                 && wrong.is_empty()
                 && self.at_border()
-                && steps.iter().any(|step| is_step(&step.kind))
+                && any_step(&steps)
             {
                 self.lost.truncate(lost);
                 self.rule_name(name);
@@ -275,6 +294,7 @@ impl Parser<'_> {
 /// Whether it is the call of an operation, as far as the tables know.
 fn is_operation(value: &Expr) -> bool {
     match &value.kind {
+        ExprKind::Name(name) if name.text == "NIL" => true,
         ExprKind::Name(name) | ExprKind::Call(name, _) => {
             ops::operations(&name.text).next().is_some() && ops::functions(&name.text).next().is_none()
         }
@@ -282,11 +302,18 @@ fn is_operation(value: &Expr) -> bool {
     }
 }
 
+fn any_step(steps: &[Op]) -> bool {
+    steps.iter().any(|step| is_step(&step.kind))
+}
+
 /// Whether it can be nothing but a step of a rule.
 fn is_step(step: &OpKind) -> bool {
     match step {
         OpKind::Call(name, _) => ops::operations(&name.text).next().is_some(),
-        OpKind::Path(..) | OpKind::Case(..) | OpKind::Chance(..) | OpKind::Error => false,
+        OpKind::Push(steps) => any_step(steps),
+        OpKind::Case(arms, otherwise) => arms.iter().any(|(_, steps)| any_step(steps)) || any_step(otherwise),
+        OpKind::Chance(arms, otherwise) => arms.iter().any(|(_, steps)| any_step(steps)) || any_step(otherwise),
+        OpKind::Path(..) | OpKind::Error => false,
         _ => true,
     }
 }

@@ -79,7 +79,10 @@ impl<'a> Layout<'a> {
                 quiet = quiet.max(self.heads.pair(position).unwrap_or(0));
             }
             if let Tok::Sym(sym) = token {
-                open.pass(*sym, position, &mut self.close);
+                // One that is never closed hides no declarations; a brace does, because arms look like functions.
+                if !matches!(sym, Sym::LParen | Sym::LBracket) || self.heads.pair(position).is_some() {
+                    open.pass(*sym, position, &mut self.close);
+                }
             }
         }
     }
@@ -102,6 +105,16 @@ impl<'a> Layout<'a> {
     /// How a declaration of the name at a position goes on, if there is one.
     pub(super) fn head(&self, position: usize) -> Option<Head> {
         self.heads.head(position)
+    }
+
+    /// The same between the parentheses of an import.
+    pub(super) fn override_head(&self, position: usize) -> Option<Head> {
+        self.heads.override_head(position)
+    }
+
+    /// Whether the name at a position is that of an import.
+    pub(super) fn is_import(&self, position: usize) -> bool {
+        self.heads.is_import(position)
     }
 
     /// The position behind the name that begins at a position: behind `lib.Wall` where `lib` is an import.
@@ -185,10 +198,16 @@ fn kind(sym: Sym) -> usize {
     }
 }
 
-/// Which bracket closes which, wherever declarations begin.
+/// Which bracket closes which, without a notion of declarations but for the words that never stand in brackets.
 pub(super) fn pairs<'t>(tokens: impl Iterator<Item = &'t Tok>, length: usize) -> Vec<u32> {
     let (mut open, mut close) = (Open::default(), vec![NONE; length]);
+    let mut word = false;
     for (position, token) in tokens.enumerate() {
+        // Behind such a word its name.
+        if token.is(Sym::At) || (word && token.ident().is_some()) {
+            open = Open::default();
+        }
+        word = matches!(token.ident(), Some("attr" | "const" | "import"));
         if let Tok::Sym(sym) = token {
             open.pass(*sym, position, &mut close);
         }

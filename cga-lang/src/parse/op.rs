@@ -90,6 +90,13 @@ impl Parser<'_> {
         if self.is(Sym::LParen) && self.layout.holds_overrides(self.at) {
             return self.dynamic(name);
         }
+        if self.is(Sym::LParen) && !own && self.layout.is_import(self.at - 1) && !name.text.contains('.') {
+            let close = self.closing()?;
+            self.syntax(close, format!("`{}` is an import, its rules are called", name.text))
+                .help(format!("write `{}(…).Rule`", name.text));
+            self.at = close + 1;
+            return Ok(OpKind::Error);
+        }
         if self.eat(Sym::Dot) {
             return Ok(OpKind::Leaf(name));
         }

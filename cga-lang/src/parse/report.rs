@@ -22,14 +22,10 @@ impl Parser<'_> {
         list.report(Code::Syntax, span, message)
     }
 
-    /// Reports that something else was expected here.
+    /// Reports that something else was expected here, with what is usually meant.
     pub(super) fn expected(&mut self, what: &str) -> &mut Diag {
-        if self.at_border() && 0 < self.at {
-            let tail = if self.layout.len() <= self.at { "the end" } else { "the next declaration" };
-            return self.syntax(self.at - 1, format!("expected {what} after this, found {tail}"));
-        }
-        let found = self.peek().map_or("nothing".into(), Tok::describe);
         let help = match self.peek() {
+            _ if self.at_border() => None,
             Some(Tok::Sym(Sym::Assign)) => Some("two values are compared with `==`"),
             Some(Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_)) if what == STEP => {
                 Some("put `|` between the slots of a split")
@@ -37,11 +33,21 @@ impl Parser<'_> {
             Some(Tok::Sym(Sym::Star)) if what == STEP => Some("`*` stands behind the `}` of what it repeats"),
             _ => None,
         };
-        let diag = self.syntax(self.at, format!("expected {what}, found {found}"));
+        let diag = self.expected_only(what);
         match help {
             Some(help) => diag.help(help),
             None => diag,
         }
+    }
+
+    /// Reports that something else was expected here.
+    pub(super) fn expected_only(&mut self, what: &str) -> &mut Diag {
+        if self.at_border() && 0 < self.at {
+            let tail = if self.layout.len() <= self.at { "the end" } else { "the next declaration" };
+            return self.syntax(self.at - 1, format!("expected {what} after this, found {tail}"));
+        }
+        let found = self.peek().map_or("nothing".into(), Tok::describe);
+        self.syntax(self.at, format!("expected {what}, found {found}"))
     }
 
     pub(super) fn fail<T>(&mut self, what: &str) -> Parsed<T> {
