@@ -199,7 +199,7 @@ fn every_beginning_of_a_fixture_never_panics() {
 
 #[test]
 fn deep_nesting_is_an_error_and_no_overflow() {
-    let count = 3_000;
+    let count = 2_000;
     for (open, close) in [
         ("(", ")"),
         ("[ ", " ]"),

@@ -104,7 +104,13 @@ impl Reader {
         if end == 1 {
             let mut plain = text.strip_prefix("r#").map(str::to_owned).unwrap_or(text);
             end += dollars(list, &mut plain);
-            self.push(Tok::Ident(plain), list[0].span(), list[end - 1].span());
+            // Rust reads the end of a leaf `a$1.` as a number.
+            let leaf = plain.ends_with('.') && plain.pop().is_some();
+            let last = list[end - 1].span();
+            self.push(Tok::Ident(plain), list[0].span(), last);
+            if leaf {
+                self.push_one(Tok::Sym(Sym::Dot), last);
+            }
         } else {
             let at = self.push(Tok::Path(text), list[0].span(), list[end - 1].span());
             self.paths.push((at.first, list[..end].iter().cloned().collect()));
@@ -299,7 +305,8 @@ fn dollars(list: &[TokenTree], name: &mut String) -> usize {
         let goes_on = match token {
             TokenTree::Punct(sign) => sign.as_char() == '$',
             TokenTree::Ident(_) | TokenTree::Literal(_) => {
-                name.ends_with('$') && text.chars().all(|c| c == '_' || c.is_alphanumeric())
+                let digits = text.strip_suffix('.').unwrap_or(&text);
+                name.ends_with('$') && digits.chars().all(|c| c == '_' || c.is_alphanumeric())
             }
             TokenTree::Group(_) => false,
         };

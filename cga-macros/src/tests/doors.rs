@@ -83,7 +83,7 @@ fn dots_mean_the_same_wherever_they_stand() {
         "1.==1 1. ==1 1.+2 1. + 2 1.*2 1.%2 1.&&2 1.||2 1.!=2 1.<2 1.>=2 1..==1 1..+2 1.0.+2 1.5.==2",
         "X.5 X. 5 X .5 X. Y X.Y a.b.c 1.a 2.a.b",
         "x:=1 y := -2 front=:X front =: X a=-1 [0:2] [4:-1:2] [1:0.5:3] a[i] a[1,2] a==[1]",
-        "a$b a$1 a$ b a$$c$2d",
+        "a$b a$1 a$ b a$$c$2d a$1. a$b. a$b$2. B",
         "lib.start lib(h=3,Roof-->X).Lot(1) start(20)",
     ] {
         let source = read(text.parse().expect("Rust tokens"), Span::call_site());
