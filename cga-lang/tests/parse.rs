@@ -2,7 +2,6 @@
 
 mod common;
 
-use cga_lang::ast::Ast;
 use cga_lang::diag::{Diags, Level};
 use cga_lang::lex::lex;
 use cga_lang::parse::parse;
@@ -18,18 +17,6 @@ fn tokens_become_these_trees() {
         let ast = parse(&lexed.tokens, &mut diags);
         (diags.finish(), lexed, Some(print(&ast, Spelling::Text)))
     });
-}
-
-/// A tree without its places. Trees hold no text that looks like one.
-fn shape(ast: &Ast) -> String {
-    let mut out = String::new();
-    let text = format!("{:?}", (&ast.head, &ast.version, &ast.imports, &ast.styles, &ast.decls));
-    let mut rest = text.as_str();
-    while let Some(start) = rest.find("Span {") {
-        out.push_str(&rest[..start]);
-        rest = rest[start..].split_once('}').expect("a span ends").1;
-    }
-    out + rest
 }
 
 #[test]
@@ -51,7 +38,7 @@ fn a_printed_tree_reads_as_the_same_tree_in_either_spelling() {
                 let again = parse(&lex(&printed).tokens, &mut diags);
                 assert!(!diags.has_errors(), "{}: {:?}", path.display(), diags.finish());
                 diags.finish();
-                assert_eq!(shape(&again), shape(&first), "{}", path.display());
+                assert_eq!(common::shape(&again), common::shape(&first), "{}", path.display());
                 assert_eq!(print(&again, spelling), printed, "{}", path.display());
                 compared += 1;
             }

@@ -3,10 +3,11 @@
 mod common;
 
 use cga_lang::compile::{Door, compile, compile_text};
-use cga_lang::diag::Diags;
+use cga_lang::diag::{Diags, Level};
 use cga_lang::ir_print::print;
-use cga_lang::lex::lex;
+use cga_lang::lex::{decode, lex};
 use cga_lang::parse::parse;
+use cga_lang::print::{Spelling, print as print_tree};
 use cga_lang::snippet::render;
 use cga_lang::token::{Sym, Tok, Tokens};
 use std::fs;
@@ -181,8 +182,44 @@ fn mutated_fixtures_never_panic() {
                     }
                 }
             }
-            try_tokens(&list.into_iter().collect());
+            let tokens = list.into_iter().collect();
+            try_tokens(&tokens);
+            try_printed(&tokens);
         }
+    }
+}
+
+/// What could be read is printed as what reads the same.
+fn try_printed(tokens: &Tokens) {
+    let mut diags = Diags::new();
+    let ast = parse(tokens, &mut diags);
+    let odd = |token: &Tok| matches!(token, Tok::Host(_) | Tok::Bad | Tok::Doc(_));
+    if diags.finish().iter().any(|diag| diag.level == Level::Error) || tokens.as_slice().iter().any(odd) {
+        return;
+    }
+    let text = print_tree(&ast, Spelling::Text);
+    let (mut diags, lexed) = (Diags::new(), lex(&text));
+    diags.append(lexed.diags);
+    let again = parse(&lexed.tokens, &mut diags);
+    assert!(!diags.has_errors(), "{text}\n{:?}", diags.finish());
+    diags.finish();
+    assert!(common::shape(&again) == common::shape(&ast), "{text}\n{}", print_tree(&again, Spelling::Text));
+}
+
+#[test]
+fn bytes_in_any_encoding_never_panic() {
+    let mut random = Random(4);
+    for text in corpus() {
+        let mut bytes = match random.below(3) {
+            0 => text.into_bytes(),
+            1 => [vec![0xff, 0xfe], text.encode_utf16().flat_map(u16::to_le_bytes).collect()].concat(),
+            _ => [vec![0xfe, 0xff], text.encode_utf16().flat_map(u16::to_be_bytes).collect()].concat(),
+        };
+        for _ in 0..random.below(20) {
+            let at = random.below(bytes.len());
+            bytes.insert(at, random.below(256) as u8);
+        }
+        try_text(&decode(&bytes));
     }
 }
 

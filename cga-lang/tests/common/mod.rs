@@ -10,6 +10,7 @@
 //! A first line `// inline` asks for the strictness of rules among Rust. `CGA_BLESS=1` rewrites what is expected.
 #![allow(dead_code, reason = "each test file uses a part")]
 
+use cga_lang::ast::Ast;
 use cga_lang::compile::{Compiled, Door, compile_after};
 use cga_lang::diag::{Diag, Level};
 use cga_lang::lex::{Lexed, lex};
@@ -74,6 +75,18 @@ pub(crate) fn strip(text: &str) -> String {
         })
     };
     text.split_inclusive('\n').filter(|line| !is_expectation(line)).collect()
+}
+
+/// A tree without its places. Trees hold no text that looks like one.
+pub(crate) fn shape(ast: &Ast) -> String {
+    let mut out = String::new();
+    let text = format!("{:?}", (&ast.head, &ast.version, &ast.imports, &ast.styles, &ast.decls));
+    let mut rest = text.as_str();
+    while let Some(start) = rest.find("Span {") {
+        out.push_str(&rest[..start]);
+        rest = rest[start..].split_once('}').expect("a span ends").1;
+    }
+    out + rest
 }
 
 /// The strictness a fixture asks for.
