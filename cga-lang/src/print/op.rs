@@ -68,7 +68,9 @@ impl Printer {
 
     fn call(&mut self, name: &Name, args: &[Arg]) {
         self.word(&name.text);
-        if !args.is_empty() {
+        // Such a word and the name of the next rule would be a declaration.
+        let keyword = matches!(&*name.text, "start" | "extension" | "style" | "import" | "attr" | "const");
+        if !args.is_empty() || keyword {
             self.args(args);
         }
     }
