@@ -297,7 +297,8 @@ pub enum BlockPart {
     Sections(Vec<Section>, bool),
     /// `selector : operations | …`.
     Arms(Vec<CompArm>),
-    /// Operations; one for each side of `|`. None at all leave the shape as it is.
+    /// Operations; one sequence for each side of `|`. `inline Rule` has one, and so has `union Rule`, as it was written
+    /// before 2025: the other side is then the shape itself, on the left unless the argument is `swap`.
     Ops(Vec<Vec<Op>>),
 }
 

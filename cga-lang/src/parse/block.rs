@@ -4,24 +4,20 @@
 //! so that the rest of the rule can be read; whoever checks names says that there is no such operation.
 
 use super::{Parsed, Parser, Reported};
-use crate::ast::{Arg, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, Section};
+use crate::ast::{Arg, Block, BlockPart, Name, Op, OpKind, Section};
 use crate::ops::{self, Block as Braces};
 use crate::token::{Sym, Tok};
 
-/// Cuts the boundary of a face into sections; the one operation with two pairs of braces (*splitAndSetbackPerimeter*).
-const PERIMETER: &str = "splitAndSetbackPerimeter";
-
 /// What stands in braces behind an operation, as far as the table knows.
 fn block_of(name: &str) -> Option<Braces> {
-    ops::operations(name).map(|row| row.block).find(|block| *block != Braces::None)
+    let mut rows = ops::operations(name).map(|row| row.block).filter(|block| *block != Braces::None);
+    // Old rows of `union` and its like have none.
+    rows.clone().find(|block| *block != Braces::Inline).or_else(|| rows.next())
 }
 
 impl Parser<'_> {
     /// At the `{` behind a name and its arguments.
     pub(super) fn block(&mut self, name: Name, args: Vec<Arg>) -> Parsed<OpKind> {
-        if name.text == PERIMETER {
-            return self.perimeter(name, args);
-        }
         let braces = match block_of(&name.text) {
             Some(known) => known,
             None => self.guess()?,
@@ -31,8 +27,9 @@ impl Parser<'_> {
                 let (items, repeat) = self.items()?;
                 BlockPart::Slots(items, repeat)
             }
+            Braces::Sections => return self.perimeter(name, args),
             Braces::Arms => BlockPart::Arms(self.between_bars(Self::arm)?),
-            Braces::Ops | Braces::Inline | Braces::Sections | Braces::None => BlockPart::Ops(self.operands(&name, 1)?),
+            Braces::Ops | Braces::Inline | Braces::None => BlockPart::Ops(self.operands(&name, 1)?),
             Braces::Operands => BlockPart::Ops(self.operands(&name, 2)?),
         };
         if !matches!(part, BlockPart::Slots(..)) {
@@ -45,10 +42,11 @@ impl Parser<'_> {
     pub(super) fn missing_braces(&self, name: &str) -> Option<String> {
         let inside = match block_of(name)? {
             Braces::None => return None,
-            _ if name == PERIMETER => "{ length : depth : operations | … } { remainder : operations }",
+            Braces::Inline => return Some(format!("write `{name} Rule` or `{name} {{ operations }}`")),
+            Braces::Sections => "{ length : depth : operations | … } { remainder : operations }",
             Braces::Slots => "{ size : operations | … }",
             Braces::Arms => "{ selector : operations | … }",
-            Braces::Ops | Braces::Inline | Braces::Sections => "{ operations }",
+            Braces::Ops => "{ operations }",
             Braces::Operands => "{ operations | operations }",
         };
         let arguments = ops::operations(name).any(|row| !row.params.is_empty());
@@ -132,8 +130,7 @@ impl Parser<'_> {
 
     /// Whether `inline …`, or `union Rule` as it was written before 2025, goes on here behind its name.
     pub(super) fn at_inlined(&self, name: &str) -> bool {
-        let boolean = matches!(name, "union" | "subtract" | "intersect");
-        if name != "inline" && !boolean {
+        if !ops::operations(name).any(|row| row.block == Braces::Inline) {
             return false;
         }
         let next = match self.is(Sym::LParen).then(|| self.layout.close(self.at)) {
@@ -143,26 +140,16 @@ impl Parser<'_> {
         };
         let brace = self.layout.at(next).is_some_and(|token| token.is(Sym::LBrace));
         let step = matches!(self.layout.at(next), Some(Tok::Ident(word)) if !matches!(word.as_str(), "case" | "else"));
-        (step && !self.layout.is_border(next)) || (brace && name == "inline")
+        (step && !self.layout.is_border(next)) || (brace && block_of(name) == Some(Braces::Inline))
     }
 
     /// `inline(mode) Rule`, `inline comp(f) { … }`, `subtract(swap) Rule`, behind the name.
     pub(super) fn inlined(&mut self, name: Name) -> Parsed<OpKind> {
-        let mut args = if self.is(Sym::LParen) { self.args()? } else { Vec::new() };
+        let args = if self.is(Sym::LParen) { self.args()? } else { Vec::new() };
         if self.is(Sym::LBrace) {
             return self.block(name, args);
         }
-        let op = vec![self.nested(Self::op)?];
-        // The other operand was the shape itself (*changelog*, 2025.0), which is what no operations leave.
-        let swapped = matches!(args.first().map(|arg| &arg.value), Some(Expr { kind: ExprKind::Name(word), .. }) if word.text == "swap");
-        let operands = match name.text.as_str() {
-            "inline" => vec![op],
-            _ if swapped => {
-                args.remove(0);
-                vec![op, Vec::new()]
-            }
-            _ => vec![Vec::new(), op],
-        };
-        Ok(OpKind::Block(Block { name, args, parts: vec![BlockPart::Ops(operands)] }))
+        let op = self.nested(Self::op)?;
+        Ok(OpKind::Block(Block { name, args, parts: vec![BlockPart::Ops(vec![vec![op]])] }))
     }
 }

@@ -28,7 +28,8 @@ impl<'a> Layout<'a> {
     /// `view` are the indices of the tokens that count.
     pub(super) fn new(tokens: &'a [Tok], view: Vec<u32>) -> Self {
         let mut bad = Vec::with_capacity(view.len());
-        let (mut count, mut next) = (0, 0);
+        // What stands before them belongs to other files.
+        let (mut count, mut next) = (0, view.first().map_or(tokens.len(), |&first| first as usize));
         for &index in &view {
             count += tokens[next..index as usize].iter().filter(|token| matches!(token, Tok::Bad)).count() as u32;
             next = index as usize;

@@ -112,8 +112,9 @@ impl Parser<'_> {
             return self.block(name, args);
         }
         if !own && let Some(usage) = self.missing_braces(&name.text) {
+            let goes_on = self.at_border() || !matches!(self.peek(), Some(Tok::Number(_) | Tok::Str(_) | Tok::Host(_)));
             self.expected("`{`").help(usage);
-            return Err(Reported);
+            return if goes_on { Ok(OpKind::Error) } else { Err(Reported) };
         }
         Ok(OpKind::Call(name, args))
     }

@@ -154,6 +154,12 @@ impl Printer {
                     self.word(if *repeat { " }*" } else { " }" });
                 }
                 BlockPart::Arms(arms) => self.arms(arms),
+                // In braces these would have two sides.
+                BlockPart::Ops(operands)
+                    if operands.len() == 1 && matches!(&*block.name.text, "union" | "subtract" | "intersect") =>
+                {
+                    self.list(&operands[0], " ", Self::op);
+                }
                 BlockPart::Ops(operands) => {
                     self.word("{");
                     self.list(operands, " |", |own, ops| own.ops(ops));
