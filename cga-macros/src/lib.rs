@@ -37,6 +37,13 @@ use proc_macro2::TokenStream;
 ///
 /// # What works everywhere
 ///
+/// - Arrays are `cga::Array<T>` in fields and in Rust functions (`&Array<f64>`); a `#` value may be an array, a `Vec` or a
+///   slice. What a `#` value or the result of a Rust function must be follows from its use; where nothing tells, it is a
+///   number.
+/// - `import lib : "lib.cga"` looks beside the importing file, then in the folders above it, up to the package's. In rules
+///   inline or in a string paths count from the package's folder. An attribute `height` of the import is the field
+///   `lib_height`.
+/// - `style Modern` begins a style: its rules start as `Modern$Lot`.
 /// - `path::to::function(a, b)` calls a Rust function. It gets `f64`, `bool` and `&str`, and gives a number, a `bool` or
 ///   text. In the place of an operation it gets `&mut Shape` before its arguments, and gives `()` or
 ///   `Result<(), Fault>`. Paths count from where the macro is called; there is at least one `::` in them.
