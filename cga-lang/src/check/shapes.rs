@@ -23,6 +23,16 @@ pub(super) fn has_error(args: &[Arg]) -> bool {
     args.iter().any(|arg| matches!(arg.value.kind, ExprKind::Error))
 }
 
+/// Whether what stands in braces is what the row has there.
+fn has_braces(row: &Operation, block: &Block) -> bool {
+    match (row.block, block.parts.first()) {
+        (ops::Block::None, _) => false,
+        (ops::Block::Operands, Some(BlockPart::Ops(list))) => list.len() != 1,
+        (ops::Block::Inline, Some(BlockPart::Ops(list))) => list.len() == 1,
+        _ => true,
+    }
+}
+
 /// The rows whose words stand among the arguments: of those that fit, the ones with the most words.
 fn fitting(rows: &[&'static Operation], args: &[Arg]) -> Vec<&'static Operation> {
     let words: Vec<Option<&str>> = args.iter().map(word).collect();
@@ -241,7 +251,7 @@ impl<'a> Scope<'_, 'a, '_> {
     /// An operation with braces. None of them runs yet; what stands in them is checked all the same.
     fn block(&mut self, block: &'a Block) {
         let name = &block.name;
-        let all = || ops::operations(&name.text).filter(|row| row.block != ops::Block::None);
+        let all = || ops::operations(&name.text).filter(|row| has_braces(row, block));
         let rows: Vec<_> = all().filter(|row| row.takes(block.args.len())).collect();
         let fitting = fitting(&rows, &block.args);
         if !has_error(&block.args) {

@@ -148,6 +148,9 @@ impl Lower<'_> {
 }
 
 fn each(op: ast::Binary, left: Expr, right: Expr) -> (ExprKind, Type) {
+    if !left.ty.is_array() && !right.ty.is_array() {
+        return binary(op, left, right);
+    }
     let is_text = [left.ty, right.ty].iter().any(|ty| ty.element() == Type::Text);
     let (op, ty) = match operator(op) {
         Binary::Add if is_text => (Binary::Concat, Type::Texts),

@@ -187,6 +187,7 @@ impl Infer<'_, '_, '_> {
             Binary::Sub | Binary::Mul | Binary::Div | Binary::Rem => Type::Floats,
             _ => Type::Bools,
         };
+        let is_single = |state: State| known(state).is_some_and(|ty| !ty.is_array());
         let ordered = matches!(op, Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge);
         if ordered && element == Type::Bool {
             self.cx.diags.report(Code::TypeMismatch, at, "bools have no order").help("write `.==` or `.!=`");
@@ -205,13 +206,16 @@ impl Infer<'_, '_, '_> {
                 return true;
             }
         }
+        if is_single(l) && is_single(r) {
+            // `1.+2` reads so, and nothing else can be meant.
+            self.gives(result, gives.element(), at, &who);
+            return true;
+        }
+        if !force && ((is_single(l) && r == State::Free) || (is_single(r) && l == State::Free)) {
+            return false;
+        }
         self.gives(result, gives, at, &who);
         match (self.vars.known(left.0), self.vars.known(right.0)) {
-            (Some(a), Some(b)) if !a.is_array() && !b.is_array() => {
-                let diag = self.cx.diags.report(Code::TypeMismatch, at, format!("{who} works on arrays, here is none"));
-                diag.help(format!("write `{}`; a number before it needs a digit behind its point", op.text()));
-                true
-            }
             (Some(_), Some(_)) => true,
             // One side is no array, so the other is.
             (Some(a), None) if !a.is_array() => self.vars.bind(right.0, element.array(), at),
