@@ -3,6 +3,7 @@
 use crate::ast::{Body, Decl, Expr, Name, Override, Role};
 use crate::link::{Instance, InstanceId, Layer, Program};
 use crate::ops;
+use crate::suggest::nearest;
 use std::collections::{HashMap, HashSet};
 
 use super::Use;
@@ -307,7 +308,30 @@ impl<'a> Globals<'a> {
         self.rules.iter().chain(self.values())
     }
 
-    /// Names that may be meant in an instance, sorted.
+    /// The declared name that may be meant by another one: of an import where that one begins with an import's name, and
+    /// among `others` too where it does not.
+    pub(crate) fn meant<'o>(
+        &self,
+        from: InstanceId,
+        name: &str,
+        kind: Kind,
+        others: impl IntoIterator<Item = &'o str>,
+    ) -> Option<String> {
+        match self.way(from, name) {
+            Way::Missing => None,
+            Way::To(at, rest) if at != from => {
+                let near = nearest(rest, self.near(at, kind))?;
+                Some(format!("{}{near}", &name[..name.len() - rest.len()]))
+            }
+            Way::To(..) => {
+                let own = nearest(name, self.near(from, kind)).map(str::to_owned);
+                let other = nearest(name, others).map(str::to_owned);
+                nearest(name, own.iter().chain(&other).map(String::as_str)).map(str::to_owned)
+            }
+        }
+    }
+
+    /// Names that are declared in an instance, sorted.
     pub(crate) fn near(&self, from: InstanceId, kind: Kind) -> Vec<&'a str> {
         let names = &self.names[from];
         let mut list: Vec<&'a str> = match kind {

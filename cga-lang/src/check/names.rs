@@ -10,7 +10,6 @@ use crate::ir::Type;
 use crate::link::InstanceId;
 use crate::ops::{self, Function, ParamKind, Places, Run};
 use crate::span::Span;
-use crate::suggest::nearest;
 
 /// Resolves every use.
 pub(super) fn uses(cx: &mut Cx) {
@@ -182,8 +181,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         let is_rule = !globals.rules(at, text).is_empty();
         let inner = self.inner.iter().map(|inner| inner.text.as_str());
-        let names = inner.chain(globals.near(at, Kind::Values)).chain(ops::all_shape_attrs().map(|row| row.name));
-        let near = nearest(text, names).map(str::to_owned);
+        let near = globals.meant(at, text, Kind::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
         let (inline, dotted) = (self.door() == Door::Inline, text.contains('.'));
         let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
         if is_rule {
@@ -280,9 +278,8 @@ impl<'a> Scope<'_, 'a, '_> {
             self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write `{text}`"));
             return;
         }
-        let functions = self.cx.globals.near(self.at, Kind::Functions);
-        let names = functions.into_iter().chain(ops::all_functions().map(|row| row.name)).chain(["str"]);
-        let near = nearest(text, names).map(str::to_owned);
+        let others = ops::all_functions().map(|row| row.name).chain(["str"]);
+        let near = self.cx.globals.meant(self.at, text, Kind::Functions, others);
         let shape = ops::operations(text).next().is_some() || !self.cx.globals.rules(self.at, text).is_empty();
         let diag = self.cx.diags.report(Code::UnknownFunction, name.span, format!("unknown function `{text}`"));
         if shape {

@@ -3,6 +3,7 @@
 use super::{Cx, Use};
 use crate::ast::{Override, Role};
 use crate::code::Code;
+use crate::diag::Level;
 use crate::link::{InstanceId, Layer};
 use crate::suggest::nearest;
 
@@ -80,10 +81,10 @@ fn extension(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
     if let Some(rule) = named.first() {
         let message = format!("rule `{}` is no extension, it cannot be overridden", name.text);
         cx.diags
-            .report(Code::UndefinedRule, name.span, message)
+            .report_as(Code::UndefinedRule, Level::Error, name.span, message)
             .help(format!("write `extension {}` in the imported file", rule.decl.name.text));
     } else {
         let message = format!("the imported file has no rule `{}`", name.text);
-        cx.diags.report_as(Code::UndefinedRule, crate::diag::Level::Error, name.span, message).suggest(near);
+        cx.diags.report_as(Code::UndefinedRule, Level::Error, name.span, message).suggest(near);
     }
 }

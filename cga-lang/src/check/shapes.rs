@@ -176,9 +176,8 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         let inline = self.door() == Door::Inline;
         let (message, near) = if others.is_empty() {
-            let rules = globals.near(at, Kind::Rules).into_iter();
-            let names = rules.chain(ops::all_operations().map(|row| row.name)).chain(["split", "comp", "set", "NIL"]);
-            (format!("there is no rule `{text}`"), nearest(text, names).map(str::to_owned))
+            let others = ops::all_operations().map(|row| row.name).chain(["split", "comp", "set", "NIL"]);
+            (format!("there is no rule `{text}`"), globals.meant(at, text, Kind::Rules, others))
         } else {
             (format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied())), None)
         };
@@ -188,7 +187,7 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.note(format!("it becomes a leaf named `{text}`"));
         }
         diag.suggest(near);
-        if others.is_empty() && count == 0 {
+        if others.is_empty() && count == 0 && !text.contains('.') {
             diag.help(format!("write `{text}.` for a leaf"));
         }
         self.note(name, Use::Leaf);
@@ -396,9 +395,8 @@ impl<'a> Scope<'_, 'a, '_> {
         if globals.is_lost(self.at, text) {
             return;
         }
-        let own = globals.near(self.at, Kind::Attrs).into_iter();
-        let names = own.chain(ops::all_shape_attrs().filter(|row| row.set.is_some()).map(|row| row.name));
-        let near = nearest(text, names).map(str::to_owned);
+        let others = ops::all_shape_attrs().filter(|row| row.set.is_some()).map(|row| row.name);
+        let near = globals.meant(self.at, text, Kind::Attrs, others);
         let message = format!("there is no attribute `{text}`");
         self.cx.diags.report(Code::UnknownName, span, message).suggest(near);
     }

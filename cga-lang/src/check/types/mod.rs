@@ -41,14 +41,16 @@ pub(super) fn infer(cx: &mut Cx) {
             pass.enter(item.decl);
         }
         let ty = pass.expr(value);
-        // Fails only for a recursive function that was used as something else inside its own body, and for overrides.
+        if !item.is_own() {
+            // The declaration says what it is, and a wrong override is blamed.
+            let (callee, name) = (String::new(), item.decl.name.text.clone());
+            pass.calls.push(Argument { arg: ty, span: value.span, param: own, callee, name });
+            continue;
+        }
+        // Fails only for a recursive function that was used as something else inside its own body.
         if let Err((own, other)) = pass.vars.join(own, ty) {
             let name = &item.decl.name.text;
-            let needs = if item.is_own() {
-                format!("`{name}` is used as a {}, but this is", own.word())
-            } else {
-                format!("`{name}` is a {}, but this is", own.word())
-            };
+            let needs = format!("`{name}` is used as a {}, but this is", own.word());
             pass.mismatch(value.span, &needs, other);
         }
         if pass.vars.state(ty) == State::Poison {
