@@ -184,15 +184,19 @@ impl Tokens {
     pub fn text(&self, span: Span, limit: usize) -> String {
         let mut out = String::new();
         let mut before: Option<&Tok> = None;
+        // Whether the token before is the dot of an operator like `.+`.
+        let mut dotted = false;
         let from = (span.first as usize).min(self.list.len());
         let to = (span.last as usize + 1).clamp(from, self.list.len());
-        for token in &self.list[from..to] {
+        for (at, token) in self.list[from..to].iter().enumerate() {
             if matches!(token, Tok::Doc(_) | Tok::Bad) {
                 continue;
             }
-            if before.is_some_and(|before| spaced(before, token)) {
+            let begins = token.is(Sym::Dot) && self.list[..to].get(from + at + 1).is_some_and(is_operator);
+            if begins || (!dotted && before.is_some_and(|before| spaced(before, token))) {
                 out.push(' ');
             }
+            dotted = begins;
             if limit < out.len() {
                 out.push('…');
                 break;
@@ -208,6 +212,13 @@ impl FromIterator<Tok> for Tokens {
     fn from_iter<I: IntoIterator<Item = Tok>>(iter: I) -> Self {
         Tokens { list: iter.into_iter().collect() }
     }
+}
+
+/// Whether it is an operator that may have a dot in front.
+fn is_operator(token: &Tok) -> bool {
+    use Sym::{AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star};
+    let all = [AndAnd, Bang, EqEq, Greater, GreaterEq, Less, LessEq, Minus, NotEq, OrOr, Percent, Plus, Slash, Star];
+    matches!(token, Tok::Sym(sym) if all.contains(sym))
 }
 
 /// Whether a space looks right between two tokens.

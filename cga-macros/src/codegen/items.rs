@@ -8,7 +8,7 @@ use super::expr::Place;
 use super::fields::Field;
 use super::public::captured;
 use super::rule::given;
-use super::{Cx, fields, inner_type, local, table};
+use super::{Cx, fields, inner_type, local, table, types};
 use crate::header::Header;
 
 /// Attributes and constants of one run, and captured values.
@@ -51,8 +51,12 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     let start_names = starts.iter().map(|start| &start.name);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
     let start_styles = starts.iter().map(|start| Literal::u32_suffixed(start.style));
-    let start_arms = starts.iter().map(|start| {
-        let (number, rule) = (Literal::u32_suffixed(start.rule.0), cx.rule(start.rule, place));
+    // Styles may share a rule.
+    let mut start_rules: Vec<RuleId> = starts.iter().map(|start| start.rule).collect();
+    start_rules.sort_unstable();
+    start_rules.dedup();
+    let start_arms = start_rules.into_iter().map(|rule| {
+        let (number, rule) = (Literal::u32_suffixed(rule.0), cx.rule(rule, place));
         quote_spanned!(place=> #number => CgaRules::#rule(g, cx, &mut shape))
     });
     let resume_arms = waiting(cx).map(|(id, params)| {
@@ -182,24 +186,27 @@ fn values_by_style(cx: &Cx<'_>, fields: &[Field<'_>]) -> TokenStream {
 /// Evaluates one attribute or constant.
 fn init(cx: &Cx<'_>, fields: &[Field<'_>], global: Global) -> TokenStream {
     let place = Span::mixed_site();
-    let (target, name, computed, field) = match global {
+    let (target, name, computed, known, field) = match global {
         Global::Attr(id) => {
             let attr = &cx.grammar.attrs[id.0 as usize];
             let field = fields.iter().find(|field| attr.public && field.attr.name == attr.name);
-            (local("attr_", id.0 as usize), &attr.name, &attr.default, field)
+            (local("attr_", id.0 as usize), &attr.name, &attr.default, &attr.known, field)
         }
         Global::Const(id) => {
             let constant = &cx.grammar.consts[id.0 as usize];
-            (local("const_", id.0 as usize), &constant.name, &constant.value, None)
+            (local("const_", id.0 as usize), &constant.name, &constant.value, &constant.known, None)
         }
     };
     let number = Literal::u32_suffixed(stream(name));
     let code = cx.expr(computed, &Place::function());
-    let computed = quote_spanned! { place=> {
-        let shape = &mut cga_rt::global(initial, #number);
-        let g = &g;
-        #code
-    } };
+    let computed = match known {
+        Some(known) => types::value(known),
+        None => quote_spanned! { place=> {
+            let shape = &mut cga_rt::global(initial, #number);
+            let g = &g;
+            #code
+        } },
+    };
     match field {
         Some(field) if field.known.is_some() => {
             let given = field.plain();

@@ -1,0 +1,63 @@
+#[allow(non_snake_case, dead_code, unreachable_code, clippy::too_many_arguments)]
+impl CgaRules {
+    ///Lot --> set(a, [ a, 3 ]) t(total(a .* 2), case a [ [ 0, 1 ] ] == [ 1, 2 ] : 1 else : geometry.du(0, uvSpace), 0) roofHip(30)
+    fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        shape: &mut cga_rt::ShapeRef<'_>,
+    ) -> cga_rt::Flow {
+        cx.enter(0u32)?;
+        {
+            let a0 = {
+                let a0 = cga_rt::get::floats_attribute(shape, 0u32, &g.attr_0);
+                let a1 = 3f64;
+                cga_rt::func::array(
+                    &mut cx.env,
+                    &[&[cga_rt::func::Part::from(a0), cga_rt::func::Part::from(a1)]],
+                )
+            };
+            cga_rt::set::attribute(shape, 0u32, cga_rt::Value::Floats(a0));
+        }
+        {
+            let a0 = cga_rt::Length::Absolute({
+                let a0 = {
+                    let a0 = cga_rt::get::floats_attribute(shape, 0u32, &g.attr_0);
+                    let a1 = 2f64;
+                    cga_rt::func::each_multiply(&mut cx.env, a0, a1)
+                };
+                CgaRules::total(g, &mut cx.env, shape, a0)
+            });
+            let a1 = cga_rt::Length::Absolute(
+                (if {
+                    let a0 = {
+                        let a0 = cga_rt::get::floats_attribute(shape, 0u32, &g.attr_0);
+                        let a1 = cga_rt::array(2usize, [0f64, 1f64]);
+                        cga_rt::func::elements(&mut cx.env, a0, a1)
+                    };
+                    let a1 = cga_rt::array(2usize, [1f64, 2f64]);
+                    cga_rt::func::equal(a0, a1)
+                } {
+                    1f64
+                } else {
+                    cga_rt::later::float(&mut cx.env, "geometry.du")
+                }),
+            );
+            let a2 = cga_rt::Length::Absolute(0f64);
+            cga_rt::op::translate(&mut cx.env, shape, a0, a1, a2);
+        }
+        cga_rt::later::operation(&mut cx.env, "roofHip");
+        cx.leaf(shape, "Lot")?;
+        cx.leave()
+    }
+    fn total(
+        g: &CgaValues,
+        env: &mut cga_rt::Env,
+        shape: &mut cga_rt::ShapeRef<'_>,
+        p0: cga_rt::Array<::core::primitive::f64>,
+    ) -> ::core::primitive::f64 {
+        {
+            let p1 = cga_rt::func::sum(::core::clone::Clone::clone(&p0));
+            (p1 + cga_rt::func::element(env, ::core::clone::Clone::clone(&p0), 0f64))
+        }
+    }
+}

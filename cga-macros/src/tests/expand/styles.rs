@@ -1,0 +1,69 @@
+#[automatically_derived]
+impl cga_rt::Rules for Tower {
+    type Values = CgaValues;
+    type Call = CgaCall;
+    const NAMES: &'static [&'static ::core::primitive::str] = &[
+        "Lot",
+        "Roof",
+        "Tall$Lot",
+        "Lot/1",
+    ];
+    const STARTS: &'static [&'static ::core::primitive::str] = &[
+        "Lot",
+        "Roof",
+        "Tall$Lot",
+        "Tall$Roof",
+    ];
+    const START_RULES: &'static [::core::primitive::u32] = &[0u32, 1u32, 2u32, 1u32];
+    const START_STYLES: &'static [::core::primitive::u32] = &[0u32, 0u32, 1u32, 1u32];
+    fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
+        ::core::result::Result::Ok(())
+    }
+    fn values(
+        &self,
+        env: &mut cga_rt::Env,
+        initial: &cga_rt::Shape,
+        style: ::core::primitive::u32,
+    ) -> CgaValues {
+        let mut g = <CgaValues as ::core::default::Default>::default();
+        match style {
+            0u32 => {
+                g.attr_0 = match self.h {
+                    ::core::option::Option::Some(value) => value,
+                    ::core::option::Option::None => 1f64,
+                };
+                g.attr_1 = cga_rt::text(&self.label);
+            }
+            1u32 => {
+                g.attr_1 = cga_rt::text(&self.label);
+                g.attr_2 = match self.h {
+                    ::core::option::Option::Some(value) => value,
+                    ::core::option::Option::None => 5f64,
+                };
+            }
+            _ => {}
+        }
+        g
+    }
+    fn start<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        rule: ::core::primitive::u32,
+        mut shape: cga_rt::ShapeRef<'_>,
+    ) -> cga_rt::Flow {
+        match rule {
+            0u32 => CgaRules::Lot(g, cx, &mut shape),
+            1u32 => CgaRules::Roof(g, cx, &mut shape),
+            2u32 => CgaRules::Tall_Lot(g, cx, &mut shape),
+            _ => cga_rt::Flow::Continue(()),
+        }
+    }
+    fn resume<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        mut shape: cga_rt::ShapeRef<'_>,
+        call: CgaCall,
+    ) -> cga_rt::Flow {
+        match call {}
+    }
+}
