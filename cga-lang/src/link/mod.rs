@@ -26,6 +26,12 @@ pub(crate) use style::Styles;
 /// Most instances a program may have: files that import each other twice, level by level, would become millions.
 const MOST_INSTANCES: usize = 1000;
 
+/// Most tokens that all instances together may have.
+const MOST_TOKENS: usize = 20_000_000;
+
+/// How deep imports may be nested.
+const MOST_NESTED: usize = 64;
+
 /// A file of rules as tokens.
 #[derive(Clone, Debug)]
 pub struct Unit {
@@ -134,7 +140,11 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
     let origin = Origin { prefix: String::new(), parent: None, layers: Vec::new() };
     let first = link.instance(file, 0, 0, origin.clone());
     link.program.roots.push(first);
-    for style in 1..=link.program.instances[first].ast.styles.len() as u32 {
+    let styles: Vec<Span> = link.program.instances[first].ast.styles.iter().map(|style| style.name.span).collect();
+    for (style, span) in (1..).zip(styles) {
+        if link.full_up(span) {
+            break;
+        }
         let root = link.instance(file, style, style, origin.clone());
         link.program.roots.push(root);
     }
@@ -233,13 +243,21 @@ impl Link<'_> {
     }
 
     fn full_up(&mut self, span: Span) -> bool {
-        let full = MOST_INSTANCES <= self.program.instances.len();
-        if full && !self.full {
+        let what = if MOST_INSTANCES <= self.program.instances.len() {
+            format!("files that import others and styles come to more than {MOST_INSTANCES} readings of files")
+        } else if MOST_TOKENS <= self.program.tokens.len() {
+            format!("files that import others and styles come to more than {MOST_TOKENS} words and signs")
+        } else if MOST_NESTED <= self.under_way.len() {
+            self.diags.report(Code::CannotImport, span, format!("imports are nested more than {MOST_NESTED} deep"));
+            return true;
+        } else {
+            return false;
+        };
+        if !self.full {
             self.full = true;
-            let message = format!("more than {MOST_INSTANCES} imports of imports");
-            self.diags.report(Code::CannotImport, span, message);
+            self.diags.report(Code::CannotImport, span, what);
         }
-        full
+        true
     }
 
     fn import(&mut self, from: InstanceId, import: &Import) -> Option<InstanceId> {
