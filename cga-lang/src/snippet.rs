@@ -14,15 +14,24 @@ use crate::span::Span;
 use std::borrow::Cow;
 use std::ops::Range;
 
+mod program;
+
+pub use program::{Quote, render_in};
+
 /// A finding as text, without a line end behind. `ranges` are the tokens' places in `text`, in bytes.
 pub fn render(text: &str, ranges: &[Range<usize>], file: &str, diag: &Diag) -> String {
+    let related = |span| Some(format!("line {}", position(text, bytes(text, ranges, span).start).line));
+    let place = place(text, ranges, file, diag.span, diag, &related);
+    format!("{}\n{place}", headline(diag))
+}
+
+/// The first line of a finding.
+fn headline(diag: &Diag) -> String {
     let level = match diag.level {
         Level::Error => "error",
         Level::Warning | Level::Allow => "warning",
     };
-    let related = |span| Some(format!("line {}", position(text, bytes(text, ranges, span).start).line));
-    let place = place(text, ranges, file, diag.span, diag, &related);
-    format!("{level}[{}]: {}\n{place}", diag.code.name(), diag.message)
+    format!("{level}[{}]: {}", diag.code.name(), diag.message)
 }
 
 /// Where a finding is, and its notes and help: [`render`] without the first line. `span` is the finding's place in this
@@ -71,9 +80,12 @@ pub struct Position {
 pub fn position(text: &str, byte: usize) -> Position {
     let byte = border(text, byte);
     let start = line_start(text, byte);
-    let before = &text[..start];
-    // Old files end their lines with `\r` alone, or with both ways.
-    let line = 1 + before.matches('\n').count() + before.matches('\r').count() - before.matches("\r\n").count();
+    // Old files end their lines with `\r` alone, or with both ways. Bytes are counted many at a time, characters are
+    // not; no character has these bytes inside.
+    let before = &text.as_bytes()[..start];
+    let count = |end: u8| before.iter().filter(|&&byte| byte == end).count();
+    let both = before.windows(2).filter(|pair| pair == b"\r\n").count();
+    let line = 1 + count(b'\n') + count(b'\r') - both;
     let column = text[start..byte].trim_start_matches('\u{feff}').chars().count() + 1;
     Position { line, column }
 }

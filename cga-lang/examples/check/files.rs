@@ -1,0 +1,120 @@
+//! Rule files on disk: found, read once and remembered.
+
+use cga_lang::compile::Door;
+use cga_lang::lex::{Lexed, decode, lex};
+use cga_lang::link::{Files, Unit, candidates};
+use cga_lang::snippet::Quote;
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The rule files among some paths, in order, each once; and what could not be read.
+pub(crate) fn find(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<String>) {
+    let (mut list, mut unread) = (Vec::new(), Vec::new());
+    for path in paths {
+        if path.is_dir() { walk(path, &mut list, &mut unread) } else { list.push(path.clone()) }
+    }
+    let mut seen = std::collections::HashSet::new();
+    list.retain(|path| seen.insert(path.clone()));
+    (list, unread)
+}
+
+fn walk(top: &Path, list: &mut Vec<PathBuf>, unread: &mut Vec<String>) {
+    let mut folders = vec![top.to_owned()];
+    while let Some(folder) = folders.pop() {
+        let entries = match fs::read_dir(&folder).and_then(|entries| entries.collect::<Result<Vec<_>, _>>()) {
+            Ok(entries) => entries,
+            Err(why) => {
+                unread.push(format!("{}: {why}", folder.display()));
+                continue;
+            }
+        };
+        let mut inner = Vec::new();
+        let mut own = Vec::new();
+        for entry in entries {
+            let path = entry.path();
+            // A link to a folder is not followed: it may lead back.
+            if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                inner.push(path);
+            } else if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("cga")) && path.is_file() {
+                own.push(path);
+            }
+        }
+        own.sort();
+        inner.sort();
+        list.extend(own);
+        folders.extend(inner.into_iter().rev());
+    }
+}
+
+/// A file that was read.
+struct Entry {
+    /// As it is shown.
+    name: String,
+    text: String,
+    lexed: Lexed,
+}
+
+/// Every file so far.
+#[derive(Default)]
+pub(crate) struct Library {
+    entries: Vec<Entry>,
+    /// By name.
+    known: HashMap<String, usize>,
+}
+
+impl Library {
+    /// Reads a file, unless that was done.
+    pub(crate) fn load(&mut self, path: &Path) -> Result<usize, String> {
+        let name = written(path);
+        if let Some(&number) = self.known.get(&name) {
+            return Ok(number);
+        }
+        let bytes = fs::read(path).map_err(|why| why.to_string())?;
+        let text = decode(&bytes).into_owned();
+        let lexed = lex(&text);
+        self.entries.push(Entry { name: name.clone(), text, lexed });
+        self.known.insert(name, self.entries.len() - 1);
+        Ok(self.entries.len() - 1)
+    }
+
+    pub(crate) fn unit(&self, number: usize) -> Unit {
+        let entry = &self.entries[number];
+        Unit {
+            name: entry.name.clone(),
+            tokens: entry.lexed.tokens.clone(),
+            door: Door::Text,
+            found: entry.lexed.diags.clone(),
+        }
+    }
+
+    pub(crate) fn text(&self, number: usize) -> &str {
+        &self.entries[number].text
+    }
+
+    pub(crate) fn quote(&self, name: &str) -> Option<Quote<'_>> {
+        let entry = &self.entries[*self.known.get(name)?];
+        Some(Quote { name: &entry.name, text: &entry.text, ranges: &entry.lexed.ranges })
+    }
+}
+
+impl Files for Library {
+    fn open(&mut self, path: &str, from: &str) -> Result<Unit, String> {
+        // From the root, so that the folders above where we stand count too.
+        let from = std::path::absolute(from).map_err(|why| why.to_string())?;
+        let names = candidates(path, &from.to_string_lossy());
+        let found = names.iter().map(PathBuf::from).find(|path| path.is_file());
+        let found = found.ok_or("there is no such file beside this one or in a folder above")?;
+        let here = std::env::current_dir().unwrap_or_default();
+        let number = self.load(found.strip_prefix(here).unwrap_or(&found))?;
+        Ok(self.unit(number))
+    }
+}
+
+/// A path as messages show it: the same for one file, however it was reached, as long as no links are in the way.
+fn written(path: &Path) -> String {
+    let here = std::env::current_dir().unwrap_or_default();
+    let short = path.strip_prefix(here).unwrap_or(path);
+    let parts: PathBuf = short.components().collect();
+    parts.to_string_lossy().replace('\\', "/")
+}

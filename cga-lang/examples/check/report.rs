@@ -1,0 +1,132 @@
+//! What is printed.
+
+use crate::count::count;
+use crate::files::Library;
+use crate::options::Options;
+use cga_lang::code::Code;
+use cga_lang::compile::compile_files;
+use cga_lang::diag::{Diag, Diags, Level};
+use cga_lang::parse::parse;
+use cga_lang::snippet::render_in;
+use std::collections::{BTreeMap, HashSet};
+use std::io::{Result, Write};
+use std::time::Duration;
+
+/// Prints findings and summaries, and adds up.
+pub(crate) struct Report<'o> {
+    options: &'o Options,
+    /// What was shown. A file that many import has the same findings each time.
+    shown: HashSet<String>,
+    files: usize,
+    failed: usize,
+    lines: usize,
+    codes: BTreeMap<(Level, Code), usize>,
+    later: BTreeMap<String, usize>,
+}
+
+impl<'o> Report<'o> {
+    pub(crate) fn new(options: &'o Options) -> Self {
+        let (codes, later) = (BTreeMap::new(), BTreeMap::new());
+        Report { options, shown: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
+    }
+
+    pub(crate) fn has_errors(&self) -> bool {
+        0 < self.failed
+    }
+
+    /// Checks a file, prints what is new and a line that sums it up.
+    pub(crate) fn file(&mut self, library: &mut Library, number: usize, out: &mut dyn Write) -> Result<()> {
+        let root = library.unit(number);
+        let mut again = Diags::new();
+        let counts = count(&parse(&root.tokens, &mut again));
+        // The compiler says the same.
+        again.finish();
+        let compiled = compile_files(root, library, &[]);
+        let mut own = Own::default();
+        for diag in &compiled.diags {
+            let quote = |file: usize| library.quote(compiled.files.get(file)?);
+            let text = render_in(&compiled, &quote, diag);
+            let here = compiled.locate(diag.span.first).0 == 0;
+            own.add(diag, here);
+            if !self.shown.insert(text.clone()) {
+                continue;
+            }
+            *self.codes.entry((diag.level, diag.code)).or_default() += 1;
+            if let Some(name) = later(diag) {
+                *self.later.entry(name).or_default() += 1;
+            }
+            if !self.options.quiet && (self.options.warnings || diag.level == Level::Error) {
+                writeln!(out, "{text}\n")?;
+            }
+        }
+        self.files += 1;
+        self.failed += usize::from(0 < own.errors + own.imported);
+        self.lines += library.text(number).lines().count();
+        let name = &compiled.files[0];
+        write!(out, "{name}: {} rules, {} splits, {} comps; ", counts.rules, counts.splits, counts.comps)?;
+        write!(out, "{} errors, {} warnings", own.errors, own.warnings)?;
+        if 0 < own.imported {
+            write!(out, "; {} errors in imported files", own.imported)?;
+        }
+        if !own.later.is_empty() {
+            write!(out, "; not implemented: {}", list(&own.later))?;
+        }
+        writeln!(out)
+    }
+
+    /// The sum of all files.
+    pub(crate) fn totals(&self, time: Duration, out: &mut dyn Write) -> Result<()> {
+        writeln!(out, "\n{} files, {} lines, {} with errors, {time:.1?}", self.files, self.lines, self.failed)?;
+        for (level, word) in [(Level::Error, "errors"), (Level::Warning, "warnings")] {
+            let codes = self.codes.iter().filter(|((own, _), _)| *own == level);
+            let codes: BTreeMap<String, usize> =
+                codes.map(|((_, code), count)| (code.name().to_owned(), *count)).collect();
+            let sum: usize = codes.values().sum();
+            let colon = if sum == 0 { "" } else { ": " };
+            writeln!(out, "{sum} {word}{colon}{}", list(&codes))?;
+        }
+        if !self.later.is_empty() {
+            writeln!(out, "not implemented: {}", list(&self.later))?;
+        }
+        Ok(())
+    }
+}
+
+/// What was found for one file.
+#[derive(Default)]
+struct Own {
+    errors: usize,
+    warnings: usize,
+    /// Errors in what it imports.
+    imported: usize,
+    later: BTreeMap<String, usize>,
+}
+
+impl Own {
+    fn add(&mut self, diag: &Diag, here: bool) {
+        match (diag.level, here) {
+            (Level::Error, true) => self.errors += 1,
+            (Level::Error, false) => self.imported += 1,
+            (_, true) => self.warnings += 1,
+            (_, false) => {}
+        }
+        if let Some(name) = later(diag).filter(|_| here) {
+            *self.later.entry(name).or_default() += 1;
+        }
+    }
+}
+
+/// What is not implemented, if the finding says that.
+fn later(diag: &Diag) -> Option<String> {
+    let what = diag.message.strip_suffix(" is not implemented yet").filter(|_| diag.code == Code::NotImplemented)?;
+    let name = what.strip_prefix('`').and_then(|name| name.strip_suffix('`')).filter(|name| !name.contains('`'));
+    Some(name.unwrap_or(what).replace('`', ""))
+}
+
+/// Names with numbers, the most frequent first.
+fn list(counts: &BTreeMap<String, usize>) -> String {
+    let mut all: Vec<(&String, &usize)> = counts.iter().collect();
+    all.sort_by_key(|(name, count)| (std::cmp::Reverse(**count), *name));
+    let shown: Vec<String> = all.iter().map(|(name, count)| format!("{name} {count}")).collect();
+    shown.join(", ")
+}
