@@ -6,7 +6,7 @@ use cga_lang::link::{Files, Unit, candidates};
 use cga_lang::snippet::Quote;
 use std::collections::HashMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// The rule files among some paths, in order, each once; and what could not be read.
 pub(crate) fn find(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<String>) {
@@ -115,6 +115,6 @@ impl Files for Library {
 fn written(path: &Path) -> String {
     let here = std::env::current_dir().unwrap_or_default();
     let short = path.strip_prefix(here).unwrap_or(path);
-    let parts: PathBuf = short.components().collect();
+    let parts: PathBuf = short.components().filter(|part| *part != Component::CurDir).collect();
     parts.to_string_lossy().replace('\\', "/")
 }
