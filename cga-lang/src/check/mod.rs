@@ -14,6 +14,7 @@ mod overrides;
 mod selectors;
 mod shapes;
 mod types;
+mod words;
 
 use crate::code::Code;
 use crate::diag::{Diags, Level};
@@ -77,7 +78,7 @@ pub(crate) struct Tables {
     pub(crate) targets: HashMap<u32, u32>,
     /// Instances whose values start anew in a dynamic call.
     pub(crate) renewed: HashSet<InstanceId>,
-    /// Comps that cannot run yet, by the token of their name.
+    /// Comps and calls that cannot run yet though others of their name do, by the token of their name.
     pub(crate) later: HashSet<u32>,
     /// Default values of overridden attributes that somebody asks for, by index of the constant.
     pub(crate) origins: HashSet<u32>,

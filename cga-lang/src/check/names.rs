@@ -2,6 +2,7 @@
 
 use super::arity::wrong_count;
 use super::globals::{Kind, builtins};
+use super::selectors::bare;
 use super::{Cx, Door, Init, Use};
 use crate::ast::{CompValue, Expr, ExprKind, Name};
 use crate::code::Code;
@@ -220,16 +221,27 @@ impl<'a> Scope<'_, 'a, '_> {
             return self.unknown_call(name, args);
         }
         // Words are no names: they tell rows apart, and are not looked up.
-        let fitting: Vec<_> = rows.iter().copied().filter(|row| words_fit(row, args)).collect();
+        let mut fitting: Vec<_> = rows.iter().copied().filter(|row| words_fit(row, args, bare)).collect();
+        if fitting.is_empty() {
+            let said = if self.door() == Door::Text { Expr::word } else { not_text };
+            fitting = rows.iter().copied().filter(|row| words_fit(row, args, said)).collect();
+        }
         if candidates.is_empty() && fitting.is_empty() && !rows.is_empty() && conversion(text).is_none() {
-            return self.wrong_words(rows[0], args);
+            return self.other_words(name, &rows, args);
         }
         for (index, arg) in args.iter().enumerate() {
             let is_word =
                 |row: &&Function| matches!(row.params[index].kind, ParamKind::Word { .. } | ParamKind::Selector);
             if candidates.is_empty() && !fitting.is_empty() && fitting.iter().all(is_word) {
+                let words = |row: &&'static Function| match &row.params[index].kind {
+                    ParamKind::Word { words, .. } => *words,
+                    _ => &[],
+                };
+                let words: Vec<&str> = fitting.iter().flat_map(words).map(|(word, _)| *word).collect();
                 if fitting.iter().any(|row| row.params[index].kind == ParamKind::Selector) {
                     self.selector(arg, Places::FACES);
+                } else {
+                    self.word_expr(text, words.iter().copied(), arg);
                 }
                 continue;
             }
@@ -248,7 +260,16 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     /// A call whose words fit no row.
-    fn wrong_words(&mut self, row: &'static Function, args: &'a [Expr]) {
+    fn other_words(&mut self, name: &Name, rows: &[&'static Function], args: &'a [Expr]) {
+        let all: Vec<&Expr> = args.iter().collect();
+        if let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &all)) {
+            for (param, arg) in row.params.iter().zip(args) {
+                self.computed_word(&param.kind, arg);
+            }
+            self.cx.tables.later.insert(name.id());
+            return self.note(name, Use::Builtin(row));
+        }
+        let row = rows[0];
         for (param, arg) in row.params.iter().zip(args) {
             match &param.kind {
                 ParamKind::Word { words, .. } => self.word_expr(row.name, words.iter().map(|(word, _)| *word), arg),
@@ -313,16 +334,19 @@ pub(super) fn not_implemented(diags: &mut Diags, span: Span, what: &str, about: 
     diag.note("it does nothing in a run, which says so among its faults");
 }
 
-/// Whether every word of a call is one that the row knows.
-fn words_fit(row: &Function, args: &[Expr]) -> bool {
+/// Whether every word of a call is one that the row knows. `word` says what the word of an argument is.
+fn words_fit(row: &Function, args: &[Expr], word: fn(&Expr) -> Option<&str>) -> bool {
     row.params.iter().zip(args).all(|(param, arg)| match &param.kind {
-        ParamKind::Word { words, old, .. } => match &arg.kind {
-            ExprKind::Name(name) => words.iter().chain(*old).any(|(word, _)| *word == name.text),
-            ExprKind::Error => true,
-            _ => false,
-        },
+        ParamKind::Word { .. } if matches!(arg.kind, ExprKind::Error) => true,
+        ParamKind::Word { words, old, .. } => {
+            word(arg).is_some_and(|word| words.iter().chain(*old).any(|(own, _)| *own == word))
+        }
         _ => true,
     })
+}
+
+fn not_text(arg: &Expr) -> Option<&str> {
+    arg.word().filter(|_| !matches!(arg.kind, ExprKind::Text(_)))
 }
 
 /// The type a conversion function gives.

@@ -2,7 +2,7 @@
 
 use super::arity::wrong_count;
 use super::names::Scope;
-use super::{Use, shapes};
+use super::{Use, shapes, words};
 use crate::ast::{Arg, Binary, Comp, CompArm, Expr, ExprKind, Name, Split, SplitItem, Unary};
 use crate::code::Code;
 use crate::ir::Axis;
@@ -12,7 +12,7 @@ use crate::suggest::nearest;
 
 /// The axis of a split; `None` when it has none, an unknown one or one of the texture space.
 pub(crate) fn split_axis(split: &Split) -> Option<Axis> {
-    match shapes::word(split.args.first()?)? {
+    match words::word(split.args.first()?)? {
         "x" => Some(Axis::X),
         "y" => Some(Axis::Y),
         "z" => Some(Axis::Z),
@@ -22,7 +22,7 @@ pub(crate) fn split_axis(split: &Split) -> Option<Axis> {
 
 /// Whether the parts of a split shrink to their geometry: yes, if nothing else is said.
 pub(crate) fn split_adjust(split: &Split) -> bool {
-    split.args.get(1).and_then(shapes::word) != Some("noAdjust")
+    split.args.get(1).and_then(words::word) != Some("noAdjust")
 }
 
 /// Whether a selector is a condition by its form.
@@ -54,7 +54,7 @@ impl<'a> Scope<'_, 'a, '_> {
             self.cx.diags.report(Code::UnknownAxis, split.name.span, message);
             return;
         };
-        if let Some("u" | "v") = shapes::word(axis) {
+        if let Some("u" | "v") = words::word(axis) {
             self.not_implemented(axis.span, "a split in texture space", None);
             if let Some(space) = split.args.get(1) {
                 self.word("split", ["uvSpace", "unitSpace"].into_iter(), space);
@@ -68,7 +68,7 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         if split_axis(split).is_none() {
-            let shown = shapes::word(axis).map_or("this".into(), |word| format!("`{word}`"));
+            let shown = words::word(axis).map_or("this".into(), |word| format!("`{word}`"));
             let diag = self.cx.diags.report(Code::UnknownAxis, axis.span, format!("{shown} is not an axis"));
             diag.help("write `x`, `y` or `z`");
         }
@@ -212,7 +212,7 @@ impl<'a> Scope<'_, 'a, '_> {
 }
 
 /// An expression that is a bare word.
-fn bare(expr: &Expr) -> Option<&str> {
+pub(super) fn bare(expr: &Expr) -> Option<&str> {
     match &expr.kind {
         ExprKind::Name(name) => Some(&name.text),
         _ => None,

@@ -3,6 +3,7 @@
 use super::arity::{counts, usage, wrong_count};
 use super::globals::Kind;
 use super::names::Scope;
+use super::words::{fitting, word};
 use super::{Door, Use, overrides};
 use crate::ast::{Arg, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
 use crate::code::Code;
@@ -10,14 +11,6 @@ use crate::diag::Level;
 use crate::ops::{self, Operation, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
-
-/// An argument that is a bare word.
-pub(super) fn word(arg: &Arg) -> Option<&str> {
-    match &arg.value.kind {
-        ExprKind::Name(name) if arg.prefix.is_none() => Some(&name.text),
-        _ => None,
-    }
-}
 
 pub(super) fn has_error(args: &[Arg]) -> bool {
     args.iter().any(|arg| matches!(arg.value.kind, ExprKind::Error))
@@ -31,13 +24,6 @@ fn has_braces(row: &Operation, block: &Block) -> bool {
         (ops::Block::Inline, Some(BlockPart::Ops(list))) => list.len() == 1,
         _ => true,
     }
-}
-
-/// The rows whose words stand among the arguments: of those that fit, the ones with the most words.
-fn fitting(rows: &[&'static Operation], args: &[Arg]) -> Vec<&'static Operation> {
-    let words: Vec<Option<&str>> = args.iter().map(word).collect();
-    let most = rows.iter().filter_map(|row| row.words(&words)).max();
-    rows.iter().copied().filter(|row| most.is_some() && row.words(&words) == most).collect()
 }
 
 impl<'a> Scope<'_, 'a, '_> {
@@ -110,7 +96,7 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let rows: Vec<_> = ops::operations(&name.text).filter(|row| row.takes(args.len())).collect();
-        let fitting = fitting(&rows, args);
+        let fitting = fitting(&rows, args, self.door());
         let rules = self.rules(name, args.len());
         // A rule with the name of what does not run yet is older than that.
         if !rules.is_empty() && fitting.iter().all(|row| row.run == Run::Later) {
@@ -126,7 +112,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 }
                 self.undefined(name, args.len());
             }
-            ([], Some(row)) => self.operation(&[row], args),
+            ([], Some(_)) => self.wrong_words(name, &rows, args),
             ([row, ..], _) => {
                 self.operation(&fitting, args);
                 self.about_later(name, Use::Operation(row));
@@ -134,6 +120,19 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.note_open(name, fitting.into_iter().map(Use::Operation).collect());
             }
         }
+    }
+
+    /// A call whose words fit no row: they are computed, or they are wrong.
+    fn wrong_words(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) {
+        let values: Vec<&'a Expr> = args.iter().map(|arg| &arg.value).collect();
+        let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &values)) else {
+            return self.operation(&rows[..1], args);
+        };
+        for (param, value) in row.params.iter().zip(values) {
+            self.computed_word(&param.kind, value);
+        }
+        self.cx.tables.later.insert(name.id());
+        self.note(name, Use::Operation(row));
     }
 
     fn needs_braces(&mut self, name: &Name, row: &Operation) {
@@ -221,38 +220,12 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// An argument that must be one of some words.
-    pub(super) fn word(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, arg: &Arg) {
-        let found = word(arg).unwrap_or_default();
-        self.known_word(name, list, found, arg.span);
-    }
-
-    /// The same in an expression.
-    pub(super) fn word_expr(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, arg: &Expr) {
-        let found = if let ExprKind::Name(word) = &arg.kind { word.text.as_str() } else { "" };
-        self.known_word(name, list, found, arg.span);
-    }
-
-    fn known_word(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, found: &str, span: Span) {
-        let all = list.clone().collect::<Vec<_>>();
-        if all.contains(&found) {
-            return;
-        }
-        let shown = if found.is_empty() { "this".into() } else { format!("`{found}`") };
-        let all = all.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
-        self.cx
-            .diags
-            .report(Code::UnknownWord, span, format!("{shown} is not a word of `{name}`"))
-            .note(format!("it knows {all}"))
-            .suggest(nearest(found, list));
-    }
-
     /// An operation with braces. None of them runs yet; what stands in them is checked all the same.
     fn block(&mut self, block: &'a Block) {
         let name = &block.name;
         let all = || ops::operations(&name.text).filter(|row| has_braces(row, block));
         let rows: Vec<_> = all().filter(|row| row.takes(block.args.len())).collect();
-        let fitting = fitting(&rows, &block.args);
+        let fitting = fitting(&rows, &block.args, self.door());
         if !has_error(&block.args) {
             if let Some(row) = fitting.first().or(rows.first()).copied() {
                 self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, &block.args);

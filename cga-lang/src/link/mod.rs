@@ -151,6 +151,14 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
     link.program
 }
 
+impl Program {
+    /// How strict to be with a token.
+    pub(crate) fn door(&self, token: u32) -> Door {
+        let at = self.pieces.partition_point(|piece| piece.tokens.start <= token).saturating_sub(1);
+        self.instances.get(at).map_or(Door::Text, |instance| instance.door)
+    }
+}
+
 /// Where an instance comes from.
 #[derive(Clone)]
 struct Origin {

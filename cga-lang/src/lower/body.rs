@@ -80,6 +80,7 @@ impl<'c> Lower<'c> {
 
     fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Step> {
         Some(match self.used(name)? {
+            Use::Operation(_) if self.checked.tables.later.contains(&name.id()) => Step::Later(name.text.clone(), span),
             Use::Operation(row) if row.run == Run::Later => Step::Later(name.text.clone(), span),
             Use::Operation(row) => {
                 let left_out = row.params.iter().skip(args.len()).filter_map(|param| default(param, span));
@@ -242,9 +243,6 @@ fn block_span(ops: &[ast::Op], owner: Span) -> Span {
 }
 
 fn word(arg: &ast::Arg, words: &'static [(&'static str, &'static str)]) -> &'static str {
-    let text = match &arg.value.kind {
-        ast::ExprKind::Name(name) => name.text.as_str(),
-        _ => "",
-    };
+    let text = arg.value.word().unwrap_or_default();
     words.iter().map(|(word, _)| *word).find(|word| *word == text).unwrap_or_default()
 }

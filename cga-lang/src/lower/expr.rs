@@ -20,6 +20,10 @@ impl Lower<'_> {
             ast::ExprKind::Call(name, args) => {
                 let found = self.used(name);
                 let args = match found {
+                    Some(Use::Builtin(row)) if self.checked.tables.later.contains(&name.id()) => {
+                        let kind = ExprKind::Later(row.name.into());
+                        return Expr { kind, ty: row.ty, span: expr.span };
+                    }
                     Some(Use::Builtin(row)) => self.builtin_args(row, args),
                     _ => self.exprs(args),
                 };
@@ -93,9 +97,9 @@ impl Lower<'_> {
 
     /// Words among the arguments are text from here on.
     fn builtin_args(&mut self, row: &'static ops::Function, args: &[ast::Expr]) -> Vec<Expr> {
-        let own = args.iter().zip(row.params).map(|(arg, param)| match (&arg.kind, &param.kind) {
-            (ast::ExprKind::Name(name), ops::ParamKind::Word { .. } | ops::ParamKind::Selector) => {
-                Expr { kind: ExprKind::Value(Value::Text(name.text.clone())), ty: Type::Text, span: arg.span }
+        let own = args.iter().zip(row.params).map(|(arg, param)| match (arg.word(), &param.kind) {
+            (Some(word), ops::ParamKind::Word { .. } | ops::ParamKind::Selector) => {
+                Expr { kind: ExprKind::Value(Value::Text(word.to_owned())), ty: Type::Text, span: arg.span }
             }
             _ => self.expr(arg),
         });

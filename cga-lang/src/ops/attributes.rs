@@ -44,8 +44,15 @@ static SHAPE: &[ShapeAttr] = &[
     both("trim.vertical", "trim_vertical", B),
     both("trim.horizontal", "trim_horizontal", B),
     both("seedian", "seedian", F),
+    // Old rules tell shapes apart by it; *getTreeKey* came in its place.
+    ShapeAttr { get: Run::Later, old: Some("write `getTreeKey()`, which is text"), ..get("uid", "") },
     ShapeAttr { ty: T, ..initial("initialShape.name", "initial_shape_name") },
     ShapeAttr { ty: T, ..initial("initialShape.startRule", "initial_shape_start_rule") },
+    ShapeAttr {
+        ty: T,
+        old: Some("write `initialShape.startRule`"),
+        ..initial("initialShape.symbol", "initial_shape_start_rule")
+    },
     initial("initialShape.origin.px", "initial_shape_origin_px"),
     initial("initialShape.origin.py", "initial_shape_origin_py"),
     initial("initialShape.origin.pz", "initial_shape_origin_pz"),

@@ -118,7 +118,7 @@ impl<'a> Infer<'_, 'a, '_> {
             Some(Use::Function(index)) => {
                 let decl = self.cx.globals.functions[index as usize].decl;
                 for ((arg, span), param) in args.into_iter().zip(&decl.params) {
-                    self.argument(decl, param, arg, span);
+                    self.argument(decl, param, arg, span, None);
                 }
                 self.slot(decl.name.id())
             }

@@ -9,7 +9,7 @@ mod open;
 mod steps;
 mod unify;
 
-use super::{Cx, Init, Use};
+use super::{Cx, Door, Init, Use};
 use crate::ast::{Body, Decl, Expr, Name};
 use crate::code::Code;
 use crate::diag::Diag;
@@ -44,7 +44,7 @@ pub(super) fn infer(cx: &mut Cx) {
         if !item.is_own() {
             // The declaration says what it is, and a wrong override is blamed.
             let (callee, name) = (String::new(), item.decl.name.text.clone());
-            pass.calls.push(Argument { arg: ty, span: value.span, param: own, callee, name });
+            pass.calls.push(Argument { arg: ty, span: value.span, param: own, callee, name, rule: None });
             continue;
         }
         // Fails only for a recursive function that was used as something else inside its own body.
@@ -75,6 +75,8 @@ struct Argument {
     param: Var,
     callee: String,
     name: String,
+    /// The name in the call of a rule.
+    rule: Option<Span>,
 }
 
 struct Infer<'p, 'a, 'd> {
@@ -133,7 +135,7 @@ impl<'a> Infer<'_, 'a, '_> {
         let from = self.cx.globals.attrs[outer as usize].decl;
         let var = self.slot(from.name.id());
         let (callee, name) = (String::new(), decl.name.text.clone());
-        self.calls.push(Argument { arg: var, span: from.name.span, param: own, callee, name });
+        self.calls.push(Argument { arg: var, span: from.name.span, param: own, callee, name, rule: None });
     }
 
     fn mismatch(&mut self, span: Span, needs: &str, got: Type) -> &mut Diag {
@@ -168,10 +170,25 @@ impl<'a> Infer<'_, 'a, '_> {
         }
     }
 
-    fn argument(&mut self, decl: &Decl, param: &Name, arg: Var, span: Span) {
+    fn argument(&mut self, decl: &Decl, param: &Name, arg: Var, span: Span, rule: Option<Span>) {
         let param_var = self.slot(param.id());
         let (callee, name) = (decl.name.text.clone(), param.text.clone());
-        self.calls.push(Argument { arg, span, param: param_var, callee, name });
+        self.calls.push(Argument { arg, span, param: param_var, callee, name, rule });
+    }
+
+    /// A call whose arguments are of types that no rule of that name takes. It matches none, then: in text a leaf, like a
+    /// call with as many arguments as none takes.
+    fn no_rule(&mut self, name: Span, callee: &str, span: Span, message: String) -> Option<&mut Diag> {
+        let door = self.cx.globals.program.door(name.first);
+        if door == Door::Inline {
+            return Some(self.cx.diags.report(Code::TypeMismatch, span, message));
+        }
+        // One finding a call.
+        if self.cx.tables.uses.insert(name.first, Use::Leaf) == Some(Use::Leaf) {
+            return None;
+        }
+        let diag = self.cx.diags.report(Code::UndefinedRule, span, message);
+        Some(diag.note(format!("no rule takes that, it becomes a leaf named `{callee}`")))
     }
 
     fn solve(&mut self) {
@@ -190,16 +207,20 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     fn join_argument(&mut self, index: usize) {
-        let Argument { arg, span, param, ref callee, ref name } = self.calls[index];
+        let Argument { arg, span, param, rule, ref callee, ref name } = self.calls[index];
         let Err((got, needs)) = self.vars.join(arg, param) else { return };
         let message = match callee.as_str() {
             "" => format!("`{name}` of the imported file is a {}, this is a {}", needs.word(), got.word()),
             "set" => format!("`{name}` is a {}, got a {}", needs.word(), got.word()),
             _ => format!("`{name}` of `{callee}` is a {}, got a {}", needs.word(), got.word()),
         };
-        let why = self.vars.why(param);
-        let diag = self.cx.diags.report(Code::TypeMismatch, span, message);
-        if let Some(why) = why.filter(|why| *why != span) {
+        let why = self.vars.why(param).filter(|why| *why != span);
+        let callee = callee.clone();
+        let diag = match rule {
+            Some(call) => self.no_rule(call, &callee, span, message),
+            None => Some(self.cx.diags.report(Code::TypeMismatch, span, message)),
+        };
+        if let (Some(diag), Some(why)) = (diag, why) {
             diag.related(format!("found to be a {}", needs.word()), why);
         }
     }

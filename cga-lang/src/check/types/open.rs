@@ -399,6 +399,13 @@ impl Infer<'_, '_, '_> {
         }
         forms.dedup();
         let message = format!("`{}` cannot take ({})", name.text, got.join(", "));
-        self.cx.diags.report(Code::TypeMismatch, span, message).note(format!("there is {}", forms.join(", ")));
+        let diag = if candidates.iter().all(|candidate| matches!(candidate.found, Use::Rule(_))) {
+            self.no_rule(name.span, &name.text, span, message)
+        } else {
+            Some(self.cx.diags.report(Code::TypeMismatch, span, message))
+        };
+        if let Some(diag) = diag {
+            diag.note(format!("there is {}", forms.join(", ")));
+        }
     }
 }

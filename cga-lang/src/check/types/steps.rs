@@ -137,6 +137,7 @@ impl<'a> Infer<'_, 'a, '_> {
                     param: slot,
                     callee,
                     name: name.text.clone(),
+                    rule: None,
                 });
             }
         }
@@ -149,7 +150,7 @@ impl<'a> Infer<'_, 'a, '_> {
                 let decl = self.cx.globals.rules[index as usize].decl;
                 let types: Vec<(Var, Span)> = args.iter().map(|arg| (self.expr(&arg.value), arg.value.span)).collect();
                 for ((arg, span), param) in types.into_iter().zip(&decl.params) {
-                    self.argument(decl, param, arg, span);
+                    self.argument(decl, param, arg, span, Some(name.span));
                 }
             }
             Some(Use::SetAttr(index)) => {
@@ -157,7 +158,7 @@ impl<'a> Infer<'_, 'a, '_> {
                 let (own, Some(value)) = (self.slot(decl.name.id()), args.get(1)) else { return };
                 let arg = self.expr(&value.value);
                 let (callee, name) = ("set".into(), decl.name.text.clone());
-                self.calls.push(super::Argument { arg, span: value.value.span, param: own, callee, name });
+                self.calls.push(super::Argument { arg, span: value.value.span, param: own, callee, name, rule: None });
             }
             Some(Use::SetShape(row)) => {
                 if let Some(value) = args.get(1) {
