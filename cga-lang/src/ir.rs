@@ -61,7 +61,7 @@ pub struct Start {
 }
 
 /// One value that is computed once for an initial shape.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Global {
     /// An attribute.
     Attr(AttrId),
@@ -150,6 +150,8 @@ pub struct Const {
     pub value: Expr,
     /// The value when it is known while compiling.
     pub known: Option<Value>,
+    /// Whether an import that starts anew gives it another value: only then do reads look at the shape first.
+    pub is_set: bool,
     /// The name in its declaration.
     pub span: Span,
 }
@@ -241,6 +243,8 @@ pub enum Step {
     Comp(Comp),
     /// `[ … ]`: works on a copy.
     Push(Vec<Step>),
+    /// `import( … ).Rule`: a copy on which the attributes and constants of an import start anew.
+    Anew(Anew),
     /// `case … else`.
     Case {
         /// Condition and body, tried in order.
@@ -257,6 +261,19 @@ pub enum Step {
     },
     /// `NIL`: removes the current shape; nothing after it counts. Inside `[ ]` it ends the copy.
     Nil(Span),
+}
+
+/// A rule of an import whose attributes start anew (*import*).
+#[derive(Clone, Debug)]
+pub struct Anew {
+    /// The values given in the call. They and the rule's arguments are evaluated before anything changes.
+    pub given: Vec<(AttrId, Expr)>,
+    /// The other attributes and the constants, in an order in which each is ready before it is used; evaluated on the copy.
+    pub computed: Vec<(Global, Expr)>,
+    /// The rule that goes on with the copy.
+    pub target: Target,
+    /// The call.
+    pub span: Span,
 }
 
 /// What a child shape becomes.

@@ -1,7 +1,7 @@
 //! A grammar as text, one line a step: for snapshots and traces.
 
 use crate::ir::{
-    Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Comp, CompMode, Const, EachUnary, Expr, ExprKind,
+    Anew, Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Comp, CompMode, Const, EachUnary, Expr, ExprKind,
     Function, Global, Grammar, Item, Param, Prefix, Presentation, Rule, Selector, Size, Split, Step, Target, Value,
 };
 use crate::token::push_quoted;
@@ -156,7 +156,8 @@ impl<'g> Printer<'g> {
     }
 
     fn constant(&self, own: &Const) -> String {
-        format!("const {}: {} = {}", own.name, own.ty.word(), self.expr(&own.value))
+        let set = if own.is_set { ", set" } else { "" };
+        format!("const {}: {} = {}{set}", own.name, own.ty.word(), self.expr(&own.value))
     }
 
     fn function(&mut self, function: &'g Function) {
@@ -227,6 +228,7 @@ impl<'g> Printer<'g> {
             Step::Split(split) => self.split(split),
             Step::Comp(comp) => self.comp(comp),
             Step::Push(steps) => self.block("push", steps),
+            Step::Anew(anew) => self.anew(anew),
             Step::Case { arms, otherwise } => {
                 for (condition, steps) in arms {
                     let head = format!("case {}", self.expr(condition));
@@ -243,6 +245,26 @@ impl<'g> Printer<'g> {
             Step::Nil(_) => self.line("nil"),
             Step::Later(what, _) => self.line(&format!("later {what}")),
         }
+    }
+
+    fn anew(&mut self, anew: &'g Anew) {
+        self.line("anew");
+        self.depth += 1;
+        for (id, value) in &anew.given {
+            let text = format!("given {} = {}", self.grammar.attrs[id.0 as usize].name, self.expr(value));
+            self.line(&text);
+        }
+        for (global, value) in &anew.computed {
+            let name = match global {
+                Global::Attr(id) => &self.grammar.attrs[id.0 as usize].name,
+                Global::Const(id) => &self.grammar.consts[id.0 as usize].name,
+            };
+            let text = format!("{name} = {}", self.expr(value));
+            self.line(&text);
+        }
+        let text = format!("give {}", self.target(&anew.target));
+        self.line(&text);
+        self.depth -= 1;
     }
 
     fn split(&mut self, split: &'g Split) {

@@ -1,6 +1,6 @@
 //! Over the steps and expressions of a grammar.
 
-use crate::ir::{Arg, Expr, ExprKind, Grammar, RuleId, Selector, Step, Target};
+use crate::ir::{Anew, Arg, Expr, ExprKind, Grammar, RuleId, Selector, Step, Target};
 
 /// Every step of a body, those in brackets and branches included.
 pub fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
@@ -24,7 +24,7 @@ pub fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
 /// What a step hands shapes to.
 pub fn targets(step: &Step) -> Vec<&Target> {
     match step {
-        Step::Give(target) => vec![target],
+        Step::Give(target) | Step::Anew(Anew { target, .. }) => vec![target],
         Step::Split(split) => split.slots.iter().collect(),
         Step::Comp(comp) => comp.arms.iter().map(|arm| &arm.target).collect(),
         _ => Vec::new(),
@@ -79,6 +79,10 @@ fn in_step(step: &Step) -> Vec<&Expr> {
             .collect(),
         Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
         Step::Rust(_, args, _) => args.iter().collect(),
+        Step::Anew(anew) => {
+            let given = anew.given.iter().map(|(_, value)| value);
+            given.chain(anew.computed.iter().map(|(_, value)| value)).collect()
+        }
         Step::Split(split) => split.sizes.iter().map(|size| &size.value).collect(),
         Step::Comp(comp) => comp
             .arms

@@ -3,7 +3,7 @@
 mod common;
 
 use cga_lang::compile::{Door, compile};
-use cga_lang::ir::{Item, RuleId, Step, Target, Type};
+use cga_lang::ir::{Anew, Item, RuleId, Step, Target, Type};
 use cga_lang::ir_print::print;
 use cga_lang::lex::lex;
 use cga_lang::token::{Tok, Tokens};
@@ -38,7 +38,7 @@ fn a_target_passes_as_many_arguments_as_its_rule_has_parameters() {
 fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
     for step in steps {
         match step {
-            Step::Give(target) => visit(target),
+            Step::Give(target) | Step::Anew(Anew { target, .. }) => visit(target),
             Step::Split(split) => {
                 assert_eq!(split.sizes.len(), split.slots.len());
                 assert_eq!(slots(&split.pattern), (0..split.slots.len() as u32).collect::<Vec<_>>());

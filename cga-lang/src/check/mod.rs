@@ -76,8 +76,6 @@ pub(crate) struct Tables {
     pub(crate) recursive: HashSet<u32>,
     /// Attributes that a dynamic call gives values to, by the token of the name there.
     pub(crate) targets: HashMap<u32, u32>,
-    /// Instances whose values start anew in a dynamic call.
-    pub(crate) renewed: HashSet<InstanceId>,
     /// Comps and calls that cannot run yet though others of their name do, by the token of their name.
     pub(crate) later: HashSet<u32>,
     /// Default values of overridden attributes that somebody asks for, by index of the constant.

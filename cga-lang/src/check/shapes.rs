@@ -295,7 +295,6 @@ impl<'a> Scope<'_, 'a, '_> {
                 return;
             }
         };
-        self.cx.tables.renewed.insert(target);
         for own in list {
             if let Override::Value(name, _) = own
                 && let Some(Use::Attr(attr)) = self.cx.globals.value(target, &name.text)

@@ -58,7 +58,8 @@ impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn computes_words(&mut self, params: &[Param], args: &[&Expr]) -> bool {
         let mut computed = false;
         for (param, arg) in params.iter().zip(args) {
-            if !matches!(param.kind, ParamKind::Word { .. }) || arg.word().is_some_and(|word| param.kind.has_word(word)) {
+            if !matches!(param.kind, ParamKind::Word { .. }) || arg.word().is_some_and(|word| param.kind.has_word(word))
+            {
                 continue;
             }
             if !self.is_computed(arg) {

@@ -43,30 +43,6 @@ pub struct Attr {
     pub span: Span,
 }
 
-impl Attr {
-    /// One that only rules know.
-    pub(crate) fn hidden(name: String, default: Expr, span: Span) -> Self {
-        Attr {
-            name,
-            ty: default.ty,
-            default,
-            known: None,
-            range: None,
-            choices: None,
-            presentation: Presentation::Plain,
-            display_name: None,
-            group: Vec::new(),
-            group_order: None,
-            doc: String::new(),
-            order: None,
-            hidden: true,
-            is_set: false,
-            public: false,
-            span,
-        }
-    }
-}
-
 /// `@Range(min=…, max=…, stepsize=…, restricted=…)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {

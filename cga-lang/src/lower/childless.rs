@@ -36,7 +36,7 @@ fn walk(steps: &[Step], start: Paths, ended: &mut Paths) -> Paths {
     for step in steps {
         paths = match step {
             Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Later(..) => paths,
-            Step::Give(_) | Step::Comp(_) => paths.child(),
+            Step::Give(_) | Step::Anew(_) | Step::Comp(_) => paths.child(),
             // It may not divide: the scope can be empty, every slot dropped.
             Step::Split(_) => paths.or(paths.child()),
             Step::Push(steps) => {

@@ -129,11 +129,7 @@ impl Lower<'_> {
                 (ExprKind::Attr(AttrId(index)), self.ty(globals.attrs[index as usize].decl.name.id()))
             }
             Some(Use::Const(index)) => {
-                let kind = match self.renewed.get(&ConstId(index)) {
-                    Some(&attr) => ExprKind::Attr(attr),
-                    None => ExprKind::Const(ConstId(index)),
-                };
-                (kind, self.ty(globals.consts[index as usize].decl.name.id()))
+                (ExprKind::Const(ConstId(index)), self.ty(globals.consts[index as usize].decl.name.id()))
             }
             Some(Use::Function(index)) => {
                 (ExprKind::Call(FunctionId(index), args), self.ty(globals.functions[index as usize].decl.name.id()))

@@ -39,7 +39,7 @@ impl<'c> Lower<'c> {
         for item in &globals.consts {
             let value = self.value(item);
             let (name, span) = (item.name.clone(), item.decl.name.span);
-            self.out.consts.push(Const { name, ty: value.ty, value, known: None, span });
+            self.out.consts.push(Const { name, ty: value.ty, value, known: None, is_set: false, span });
         }
         self.fold_values();
     }
@@ -83,6 +83,12 @@ impl<'c> Lower<'c> {
         }
     }
 
+    /// Whether somebody may ask for a constant. What an overridden attribute would have been matters only where somebody
+    /// does.
+    pub(super) fn is_needed(&self, index: usize) -> bool {
+        !self.checked.globals.consts[index].origin || self.checked.tables.origins.contains(&(index as u32))
+    }
+
     fn fold_values(&mut self) {
         let globals = &self.checked.globals;
         let (attrs, consts) = (self.out.attrs.len(), self.out.consts.len());
@@ -97,8 +103,7 @@ impl<'c> Lower<'c> {
                 let index = node - attrs;
                 own.known = fold(&mut own.value, &known);
                 known.consts[index].clone_from(&own.known);
-                // What an overridden attribute would have been matters only where somebody asks.
-                if !globals.consts[index].origin || self.checked.tables.origins.contains(&(index as u32)) {
+                if self.is_needed(index) {
                     self.out.init[style(&globals.consts[index])].push(Global::Const(ConstId(index as u32)));
                 }
             } else if let Some(function) = self.out.functions.get_mut(node - attrs - consts) {

@@ -12,7 +12,7 @@ use crate::ast::{Body, Decl, Name};
 use crate::check::{Checked, Use};
 use crate::fold::Known;
 use crate::graph::{components, is_cycle};
-use crate::ir::{AttrId, Childless, ConstId, Grammar, Host, HostId, Param, Rule, RuleId, Start, Step, Type};
+use crate::ir::{Childless, Grammar, Host, HostId, Param, Rule, RuleId, Start, Step, Type};
 use crate::ir_walk::called;
 use crate::link::InstanceId;
 use crate::span::Span;
@@ -34,12 +34,10 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         blocks: HashMap::new(),
         hosts: HashMap::new(),
         known: Known::default(),
-        renewed: HashMap::new(),
         out: Grammar::default(),
     };
     lower.hosts();
     lower.globals();
-    lower.renew_constants();
     lower.rules();
     share::share(&mut lower.out);
     lower.cycles();
@@ -63,8 +61,6 @@ struct Lower<'c> {
     hosts: HashMap<u32, HostId>,
     /// Constants and functions whose value is known.
     known: Known,
-    /// Constants of imports that start anew: they are attributes that nobody can set.
-    renewed: HashMap<ConstId, AttrId>,
     out: Grammar,
 }
 

@@ -4,7 +4,7 @@
 //! become one: all of a kind and a name are held to be the same until their text, with names of such groups in it, says
 //! otherwise.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::ir::{AttrId, ConstId, Expr, ExprKind, FunctionId, Global, Grammar, HostId, RuleId, Step, Target};
 use crate::ir_print;
@@ -42,11 +42,20 @@ pub(super) fn share(grammar: &mut Grammar) {
         ExprKind::Call(id, _) => *id = FunctionId(functions[id.0 as usize].0),
         _ => {}
     };
+    let global = |global| match global {
+        Global::Attr(id) => Global::Attr(AttrId(attrs[id.0 as usize].0)),
+        Global::Const(id) => Global::Const(ConstId(consts[id.0 as usize].0)),
+    };
     exprs(grammar, &expr);
     for rule in &mut grammar.rules {
         walk::steps(&mut rule.body, &mut |step| {
-            if let Step::SetAttr(id, ..) = step {
-                *id = AttrId(attrs[id.0 as usize].0);
+            match step {
+                Step::SetAttr(id, ..) => *id = AttrId(attrs[id.0 as usize].0),
+                Step::Anew(anew) => {
+                    anew.given.iter_mut().for_each(|(id, _)| *id = AttrId(attrs[id.0 as usize].0));
+                    anew.computed.iter_mut().for_each(|(own, _)| *own = global(*own));
+                }
+                _ => {}
             }
             for target in walk::targets(step) {
                 if let Target::Rule { rule, .. } = target {
@@ -59,17 +68,8 @@ pub(super) fn share(grammar: &mut Grammar) {
         start.rule = RuleId(rules[start.rule.0 as usize].0);
     }
     for list in &mut grammar.init {
-        let mut seen = Vec::new();
-        for global in list.drain(..) {
-            let global = match global {
-                Global::Attr(id) => Global::Attr(AttrId(attrs[id.0 as usize].0)),
-                Global::Const(id) => Global::Const(ConstId(consts[id.0 as usize].0)),
-            };
-            if !seen.contains(&global) {
-                seen.push(global);
-            }
-        }
-        *list = seen;
+        let mut seen = HashSet::new();
+        *list = list.iter().map(|own| global(*own)).filter(|own| seen.insert(*own)).collect();
     }
 }
 

@@ -25,6 +25,7 @@ pub(super) fn steps(list: &mut [Step], visit: &mut dyn FnMut(&mut Step)) {
 pub(super) fn targets(step: &mut Step) -> Vec<&mut Target> {
     match step {
         Step::Give(target) => vec![target],
+        Step::Anew(anew) => vec![&mut anew.target],
         Step::Split(split) => split.slots.iter_mut().collect(),
         Step::Comp(comp) => comp.arms.iter_mut().map(|arm| &mut arm.target).collect(),
         _ => Vec::new(),
@@ -56,6 +57,11 @@ pub(super) fn exprs(steps: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
                 }
             }
             Step::Push(steps) => exprs(steps, visit),
+            Step::Anew(anew) => {
+                anew.given.iter_mut().for_each(|(_, value)| visit(value));
+                anew.computed.iter_mut().for_each(|(_, value)| visit(value));
+                target_exprs(&mut anew.target, visit);
+            }
             Step::Case { arms, otherwise } => {
                 for (condition, steps) in arms {
                     visit(condition);

@@ -54,7 +54,8 @@ mod tests {
 
     #[test]
     fn each_file_is_quoted_in_its_findings() {
-        let texts = ["# own\nimport lib : \"lib.cga\" (h = \"x\")\nLot --> lib.Roof Wal", "attr h = 1\nRoof --> size(h)"];
+        let texts =
+            ["# own\nimport lib : \"lib.cga\" (h = \"x\")\nLot --> lib.Roof Wal", "attr h = 1\nRoof --> size(h)"];
         let lexed = texts.map(lex);
         let root = Unit { name: "a.cga".into(), tokens: lexed[0].tokens.clone(), door: Door::Text, found: Vec::new() };
         let compiled = compile_files(root, &mut Library(texts[1]), &[]);

@@ -1,9 +1,9 @@
 //! Expressions. What needs the current shape gets it mutably, because random draws use up its numbers; arguments are
 //! evaluated first and one by one, so that the borrows never overlap.
 
-use cga_lang::ir::{Binary, EachUnary, Expr, ExprKind, Type, Value};
+use cga_lang::ir::{Binary, EachUnary, Expr, ExprKind, Global, Type, Value};
 use cga_lang::ops::{Function, Needs, Param, ParamKind};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::public::captured;
@@ -61,15 +61,7 @@ impl Cx<'_> {
             }
             ExprKind::Attr(id) => {
                 let (attr, name) = (&self.grammar.attrs[id.0 as usize], local("attr_", id.0 as usize));
-                if !attr.is_set {
-                    return cloned(attr.ty, quote_spanned!(place=> g.#name));
-                }
-                let (shape, number) = (&at.shape, Literal::u32_suffixed(id.0));
-                let get = types::function(attr.ty, "attribute");
-                match attr.ty {
-                    Type::Float | Type::Bool => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, g.#name)),
-                    _ => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, &g.#name)),
-                }
+                self.global(Global::Attr(*id), attr.ty, attr.is_set, &name, at)
             }
             ExprKind::Const(id) => {
                 let constant = &self.grammar.consts[id.0 as usize];
@@ -77,7 +69,7 @@ impl Cx<'_> {
                     Some(known) => value(known),
                     None => {
                         let name = local("const_", id.0 as usize);
-                        cloned(constant.ty, quote_spanned!(place=> g.#name))
+                        self.global(Global::Const(*id), constant.ty, constant.is_set, &name, at)
                     }
                 }
             }

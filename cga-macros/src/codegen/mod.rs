@@ -14,6 +14,7 @@ mod public;
 mod rule;
 mod split;
 mod stack;
+mod state;
 mod table;
 mod types;
 

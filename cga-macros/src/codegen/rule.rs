@@ -1,6 +1,6 @@
 //! One function a rule, one function a function.
 
-use cga_lang::ir::{Arg, Childless, Expr, Function, Param, Prefix, Rule, RuleId, Step, Target};
+use cga_lang::ir::{Arg, Childless, Expr, Function, Global, Param, Prefix, Rule, RuleId, Step, Target};
 use cga_lang::ops::{Operation, ParamKind, Run};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
@@ -8,7 +8,6 @@ use syn::Lifetime;
 
 use super::expr::{Place, draws, word_variant};
 use super::stack::call_depth;
-use super::types;
 use super::{Cx, inner_type, local};
 
 pub(super) fn rules(cx: &Cx<'_>) -> TokenStream {
@@ -121,13 +120,8 @@ impl Cx<'_> {
             Step::Do(operation, args, _) => self.operation(operation, args),
             Step::Later(what, _) => quote_spanned!(place=> cga_rt::later::operation(&mut cx.env, #what);),
             Step::SetAttr(id, expr, _) => {
-                let number = Literal::u32_suffixed(id.0);
-                let kind = types::variant(expr.ty);
-                let value = self.expr(expr, &at);
-                quote_spanned!(place=> {
-                    let a0 = #value;
-                    cga_rt::set::attribute(shape, #number, cga_rt::Value::#kind(a0));
-                })
+                let (value, set) = (self.expr(expr, &at), self.set(Global::Attr(*id), expr.ty, &local("a", 0)));
+                quote_spanned!(place=> { let a0 = #value; #set })
             }
             Step::SetShape(attr, expr, _) => {
                 let Some(set) = attr.set.and_then(Run::now) else { return TokenStream::new() };
@@ -146,21 +140,13 @@ impl Cx<'_> {
                 quote_spanned!(place=> #call;)
             }
             Step::Give(target) => {
-                let code = match target {
-                    Target::Leaf(name, _) => quote_spanned!(place=> cx.symbol(shape, #name)?;),
-                    Target::Nil => TokenStream::new(),
-                    Target::Rule { rule, args, span } => {
-                        let call = self.call(body.id, *rule, args.len(), self.source.token(span.first));
-                        let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                        let values = args.iter().map(|arg| self.expr(arg, &at));
-                        quote_spanned!(place=> {
-                            #(let #names = #values;)*
-                            let part = &mut cga_rt::successor(shape);
-                            #call?;
-                        })
-                    }
-                };
+                let code = self.give(target, body.id, &TokenStream::new());
                 quote_spanned!(place=> #code #made)
+            }
+            Step::Anew(anew) => {
+                let (given, copy) = self.anew(anew);
+                let code = self.give(&anew.target, body.id, &copy);
+                quote_spanned!(place=> { #given #code } #made)
             }
             Step::Split(split) => {
                 let code = self.split(split, body.id);
@@ -202,6 +188,26 @@ impl Cx<'_> {
             Step::Nil(_) => {
                 let label = label(body.depth);
                 quote_spanned!(place=> break #label;)
+            }
+        }
+    }
+
+    /// Hands the current shape to a successor. `copy` stands behind the arguments, which are those of the shape before it.
+    fn give(&self, target: &Target, from: RuleId, copy: &TokenStream) -> TokenStream {
+        let place = Span::mixed_site();
+        match target {
+            Target::Leaf(name, _) => quote_spanned!(place=> #copy cx.symbol(shape, #name)?;),
+            Target::Nil => TokenStream::new(),
+            Target::Rule { rule, args, span } => {
+                let call = self.call(from, *rule, args.len(), self.source.token(span.first));
+                let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
+                let values = args.iter().map(|arg| self.expr(arg, &Place::rule()));
+                quote_spanned!(place=> {
+                    #(let #names = #values;)*
+                    #copy
+                    let part = &mut cga_rt::successor(shape);
+                    #call?;
+                })
             }
         }
     }

@@ -127,6 +127,7 @@ fn share(rule: &Rule) -> u32 {
             Step::Split(split) => 3000 + 500 * split.slots.len(),
             Step::Comp(comp) => 4000 + 500 * comp.arms.len(),
             Step::Push(_) => 400,
+            Step::Anew(anew) => 1100 + 200 * (anew.given.len() + anew.computed.len()),
             _ => 100,
         }
     });
