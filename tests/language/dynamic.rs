@@ -1,0 +1,123 @@
+//! Imports that start anew with other values: `imp(h = 3).Rule`.
+
+use cga::cga;
+
+use crate::{leaves, lines, model, sum};
+
+#[test]
+fn fact_74_a_dynamic_import_begins_with_what_the_static_one_says() {
+    cga! { grammar Anew = r#"
+        import imp : "tests/rules/import/height.cga" (height = 20, Roof --> Mine.)
+        Lot --> imp(height = 30).Lot imp( ).Lot"#; }
+    let made = model(&Anew::default());
+    assert_eq!((sum(&made, "height"), sum(&made, "double")), (Some(50.0), Some(100.0)));
+    assert_eq!(leaves(&made), ["Mine", "Mine"]);
+    cga! { grammar Lost = r#"import imp : "tests/rules/import/height.cga"  Lot --> set(imp.height, 20) imp( ).Lot"#; }
+    assert_eq!(sum(&model(&Lost::default()), "height"), Some(10.0));
+    cga! { grammar Flows = r#"import imp : "tests/rules/import/height.cga"  attr height = 4  Lot --> imp( ).Lot"#; }
+    assert_eq!(sum(&model(&Flows::default()), "height"), Some(4.0));
+}
+
+#[test]
+fn values_are_computed_where_the_call_stands() {
+    cga! {
+        grammar Called = r#"
+            import imp : "tests/rules/import/inner.cga"
+            Lot --> split(x) { ~1 : Part(split.index + 5) | ~1 : Part(6) }
+            Part(n) --> s(n, 1, 1) imp(h = n + scope.sx, name = "p" + split.index).Say
+        "#;
+    }
+    assert_eq!(lines(&model(&Called::default())), ["p010 (2)[10,100]", "p112 (2)[12,120]"]);
+}
+
+#[test]
+fn everything_that_depends_on_it_is_computed_anew() {
+    cga! {
+        grammar Depends = r#"
+            import imp : "tests/rules/import/inner.cga"
+            Lot --> imp(h = 7).Lot imp(k = 1).Say imp.Say print(imp.c)
+        "#;
+    }
+    let made = model(&Depends::default());
+    // Constants of the file are no exception.
+    assert_eq!(sum(&made, "c"), Some(71.0));
+    assert_eq!((sum(&made, "h"), sum(&made, "k"), sum(&made, "roof")), (Some(7.0), Some(70.0), Some(7.0)));
+    assert_eq!(lines(&made), ["inner5 (2)[5,1]", "inner5 (2)[5,50]", "51"]);
+}
+
+#[test]
+fn what_it_is_given_may_depend_on_the_value_so_far() {
+    cga! {
+        grammar Sofar = r#"
+            import imp : "tests/rules/import/inner.cga"
+            Lot --> set(imp.h, 1) imp(h = imp.h + 1).Say imp(h = imp.h * 3, k = imp.h).Say imp(h = 8).Lot(imp.h)
+        "#;
+    }
+    // All of the call is evaluated before anything changes, in whatever order it is written.
+    let made = model(&Sofar::default());
+    assert_eq!(lines(&made), ["inner2 (2)[2,20]", "inner3 (2)[3,1]"]);
+    assert_eq!((sum(&made, "x"), sum(&made, "h")), (Some(1.0), Some(8.0)));
+}
+
+#[test]
+fn rules_that_call_themselves_keep_the_values() {
+    cga! {
+        grammar Recursive = r#"
+            import imp : "tests/rules/import/inner.cga"
+            Lot --> imp(h = 9).Deep(2) imp.Deep(0)
+        "#;
+    }
+    let mut said = lines(&model(&Recursive::default()));
+    said.sort();
+    assert_eq!(said, ["5", "9", "9", "9"]);
+}
+
+#[test]
+fn extensions_are_replaced_for_one_call() {
+    cga! {
+        grammar Once = r#"
+            import imp : "tests/rules/import/inner.cga" (h = 1, Roof(n) --> First.)
+            Lot --> imp(Roof(n) --> print(n + mine) Second.).Lot imp.Lot imp(h = 3, Roof(x) --> Other(x)).Lot(2)
+            attr mine = 40
+            Other(x) --> print(x) Third.
+        "#;
+    }
+    let made = model(&Once::default());
+    assert_eq!(
+        (lines(&made), leaves(&made)),
+        (vec!["41".to_owned(), "3".to_owned()], vec!["Second", "First", "Third"])
+    );
+    assert_eq!((sum(&made, "h"), sum(&made, "x")), (Some(5.0), Some(2.0)));
+}
+
+#[test]
+fn imports_of_the_import_start_anew_too() {
+    cga! {
+        grammar Nested = r#"
+            import a : "tests/rules/import/outer.cga"
+            Lot --> set(a.b.h, 50) a(h = 3).Lot a.b.Say
+        "#;
+    }
+    let made = model(&Nested::default());
+    assert_eq!((sum(&made, "outer"), sum(&made, "h"), sum(&made, "own")), (Some(3.0), Some(3.0), Some(31.0)));
+    assert_eq!(lines(&made), ["inner50 (2)[2,20]"]);
+}
+
+#[test]
+fn the_shape_goes_on_as_it_was() {
+    cga! {
+        grammar After = r#"
+            import imp : "tests/rules/import/inner.cga"
+            Lot --> imp(h = 9).Say print(imp.h) t(1, 0, 0) imp.Say
+        "#;
+    }
+    assert_eq!(lines(&model(&After::default())), ["inner9 (2)[9,90]", "5", "inner5 (2)[5,50]"]);
+}
+
+#[test]
+fn given_values_count_in_any_case() {
+    cga! { grammar Given = r#"import imp : "tests/rules/import/inner.cga"  Lot --> imp(h = 3).Say imp.Say"#; }
+    // What the host program gives stands for the static import only.
+    let rules = Given { imp_h: 8.0, ..Given::default() };
+    assert_eq!(lines(&model(&rules)), ["inner3 (2)[3,30]", "inner8 (2)[8,80]"]);
+}

@@ -1,0 +1,224 @@
+//! Imports: what is found behind the name, which values attributes have, extensions, leaves that are continued.
+
+use cga::{Grammar, cga};
+
+use crate::{leaves, lines, model, model_of, sum};
+
+#[test]
+fn fact_74_attributes_flow_into_an_import() {
+    cga! { grammar Flows = r#"import imp : "tests/rules/import/height.cga" attr height = 20  Lot --> imp.Lot"#; }
+    cga! { grammar Keeps = r#"import imp : "tests/rules/import/height.cga" (height) attr height = 20  Lot --> imp.Lot"#; }
+    cga! { grammar KeepsAll = r#"import imp : "tests/rules/import/height.cga" () attr height = 20  Lot --> imp.start"#; }
+    cga! { grammar Gives = r#"import imp : "tests/rules/import/height.cga" (height = 20)  Lot --> imp.Lot"#; }
+    let doubled: [(&dyn Grammar, f64); 4] =
+        [(&Flows::default(), 20.0), (&Keeps::default(), 10.0), (&KeepsAll::default(), 10.0), (&Gives::default(), 20.0)];
+    for (rules, height) in doubled {
+        let made = model(rules);
+        assert_eq!((sum(&made, "height"), sum(&made, "double")), (Some(height), Some(2.0 * height)));
+    }
+    // What the host program gives flows in turn, and what it gives the import itself counts more.
+    assert_eq!(sum(&model(&Flows { height: 7.0, ..Flows::default() }), "double"), Some(14.0));
+    assert_eq!(sum(&model(&Flows { imp_height: Some(3.0), ..Flows::default() }), "double"), Some(6.0));
+    assert_eq!(sum(&model(&Keeps { imp_double: Some(3.0), ..Keeps::default() }), "double"), Some(3.0));
+}
+
+#[test]
+fn an_override_is_evaluated_where_it_is_written() {
+    cga! {
+        grammar Written = r#"
+            import imp : "tests/rules/import/inner.cga" (h = base + drawn * 0, name = "mine" + imp.h)
+            attr base = 30
+            attr drawn = rand()
+            const h = 1000
+            Lot --> imp.Lot imp.Say
+        "#;
+    }
+    let made = model(&Written::default());
+    assert_eq!((sum(&made, "h"), sum(&made, "k"), sum(&made, "c")), (Some(30.0), Some(300.0), Some(301.0)));
+    assert_eq!(lines(&made), ["mine3030 (2)[30,300]"]);
+}
+
+#[test]
+fn an_override_may_refer_to_what_it_overrides() {
+    cga! { grammar Itself = r#"
+        import imp : "tests/rules/import/inner.cga" (h = imp.h + 1, k = imp.k + imp.h)
+        Lot --> imp.Lot"#; }
+    let made = model(&Itself::default());
+    // `h` is 5 + 1; `k` would have been 6 * 10, and 6 more.
+    assert_eq!((sum(&made, "h"), sum(&made, "k")), (Some(6.0), Some(66.0)));
+}
+
+#[test]
+fn functions_constants_and_rules_of_an_import_are_at_hand() {
+    cga! {
+        grammar Uses = r#"
+            import imp : "tests/rules/import/inner.cga"
+            attr h = 7
+            own = imp.twice(imp.h) + imp.c
+            Lot --> print(own) print(imp.twice("a")) print(imp.tall) print(imp.list[1]) s(1, 1, 1) print(imp.width) imp.Lot(4)
+        "#;
+    }
+    let made = model(&Uses::default());
+    assert_eq!(lines(&made), ["85", "aa", "true", "70", "1"]);
+    assert_eq!((sum(&made, "x"), sum(&made, "h"), sum(&made, "roof")), (Some(4.0), Some(7.0), Some(7.0)));
+    assert_eq!(leaves(&made), ["Flat"]);
+}
+
+#[test]
+fn start_stands_for_the_rules_that_are_marked_so() {
+    cga! { grammar Starts = r#"import imp : "tests/rules/import/inner.cga"
+        start Begin --> imp.start start(9)
+        start Begin(n) --> imp.start(n)"#; }
+    let made = model(&Starts::default());
+    assert_eq!((sum(&made, "x"), sum(&made, "h")), (Some(9.0), Some(10.0)));
+    assert_eq!(Starts::default().start_rules(), ["Begin"]);
+}
+
+#[test]
+fn one_file_imported_twice_has_attributes_of_its_own() {
+    cga! {
+        grammar Twice = r#"
+            import one : "tests/rules/import/inner.cga" (h = 1)
+            import two : "tests/rules/import/inner.cga" (h = 2, Roof(n) --> report("two", n) Two.)
+            Lot --> set(one.name, "changed") one.Say two.Say one.Lot two.Lot
+        "#;
+    }
+    let made = model(&Twice::default());
+    assert_eq!(lines(&made), ["changed1 (2)[1,10]", "inner2 (2)[2,20]"]);
+    assert_eq!((sum(&made, "h"), sum(&made, "roof"), sum(&made, "two")), (Some(3.0), Some(1.0), Some(2.0)));
+    assert_eq!(leaves(&made), ["X", "X", "Flat", "Two"]);
+    let rules = Twice { one_h: 4.0, ..Twice::default() };
+    assert_eq!(lines(&model(&rules)), ["changed4 (2)[4,40]", "inner2 (2)[2,20]"]);
+}
+
+#[test]
+fn imports_of_imports() {
+    cga! { grammar Flows = r#"
+        import a : "tests/rules/import/outer.cga"
+        attr h = 7
+        Lot --> print(a.b.h) print(a.b.twice(a.h)) a.Lot a.b.Say"#; }
+    let made = model(&Flows::default());
+    assert_eq!(lines(&made), ["7", "14", "inner7 (2)[7,70]"]);
+    assert_eq!((sum(&made, "outer"), sum(&made, "h"), sum(&made, "own")), (Some(7.0), Some(7.0), Some(71.0)));
+    let inner = Flows { a_b_h: Some(1.0), ..Flows::default() };
+    let made = model(&inner);
+    assert_eq!((sum(&made, "outer"), sum(&made, "h"), sum(&made, "own")), (Some(7.0), Some(1.0), Some(11.0)));
+
+    cga! { grammar Keeps = r#"
+        import a : "tests/rules/import/outer.cga" ()
+        attr h = 7
+        Lot --> a.Lot"#; }
+    let made = model(&Keeps::default());
+    assert_eq!((sum(&made, "outer"), sum(&made, "h")), (Some(2.0), Some(2.0)));
+
+    cga! { grammar Gives = r#"
+        import a : "tests/rules/import/outer.cga" (h = 30, own = 4)
+        Lot --> a.Lot"#; }
+    let made = model(&Gives::default());
+    assert_eq!((sum(&made, "outer"), sum(&made, "h"), sum(&made, "own")), (Some(30.0), Some(30.0), Some(4.0)));
+}
+
+#[test]
+fn an_extension_is_replaced_by_what_the_importing_file_says() {
+    cga! {
+        grammar Replaced = r##"
+            import imp : "tests/rules/import/inner.cga" (Roof(x) --> color(tint) report("mine", x + h) Mine(x))
+            attr h = 100
+            attr tint = "#ff0000"
+            Mine(x) --> print(x) Top.
+            Lot --> imp.Lot
+            Plain --> imp.Roof(3)
+        "##;
+    }
+    let made = model(&Replaced::default());
+    // Names in the replacement are those of the importing file; `h` flowed into the import.
+    assert_eq!((sum(&made, "mine"), sum(&made, "roof")), (Some(200.0), None));
+    assert_eq!((leaves(&made), lines(&made)), (vec!["Top"], vec!["100".to_owned()]));
+    assert_eq!(made.leaves().next().expect("a leaf").material().color().r, 1.0);
+    // Called from outside it is the file's own.
+    let made = model_of(&Replaced::default(), "Plain");
+    assert_eq!((sum(&made, "roof"), leaves(&made)), (Some(3.0), vec!["Flat"]));
+}
+
+#[test]
+fn an_extension_may_forward_to_the_one_it_replaces() {
+    cga! {
+        grammar Forwards = r#"
+            import imp : "tests/rules/import/inner.cga" (Roof(n) --> MyRoof(n + 1))
+            extension MyRoof(n) --> imp.Roof(n)
+            Lot --> imp.Lot
+        "#;
+    }
+    let made = model(&Forwards::default());
+    assert_eq!((sum(&made, "roof"), leaves(&made)), (Some(6.0), vec!["Flat"]));
+    cga! {
+        grammar Through = r#"
+            import a : "tests/rules/import/outer.cga" (Cover(n) --> report("cover", n) Mine.)
+            import c : "tests/rules/import/outer.cga"
+            Lot --> a.Over c.Over
+        "#;
+    }
+    let made = model(&Through::default());
+    assert_eq!((sum(&made, "cover"), sum(&made, "roof"), leaves(&made)), (Some(2.0), Some(2.0), vec!["Mine", "Flat"]));
+}
+
+#[test]
+fn a_rule_marked_as_start_can_replace_an_extension() {
+    cga! {
+        grammar Started = r#"
+            import roof : "tests/rules/import/height.cga"
+            import imp : "tests/rules/import/inner.cga" (h = 8, Roof(n) --> s(n, 1, n) roof.start)
+            Lot --> imp.start
+        "#;
+    }
+    let made = model(&Started::default());
+    assert_eq!((sum(&made, "height"), leaves(&made)), (Some(10.0), vec!["Flat"]));
+    assert_eq!(made.leaves().next().expect("a leaf").size().x, 8.0);
+}
+
+#[test]
+fn leaves_of_an_import_are_continued() {
+    cga! {
+        grammar Continued = r#"
+            import imp : "tests/rules/import/inner.cga"
+            attr mine = 2
+            Lot --> imp.Open(4)
+            imp.Missing --> print("none") None.
+            imp.Missing(n) --> print(n * mine) One.
+        "#;
+    }
+    let made = model(&Continued::default());
+    assert_eq!((lines(&made), leaves(&made)), (vec!["8".to_owned(), "none".to_owned()], vec!["One", "None"]));
+    cga! { @Allow(undefined_rule) grammar Left = r#"import imp : "tests/rules/import/inner.cga"  Lot --> imp.Open(4) imp.Nowhere"#; }
+    assert_eq!(leaves(&model(&Left::default())), ["Missing", "Missing", "imp.Nowhere"]);
+}
+
+#[test]
+fn set_changes_an_attribute_of_an_import_for_what_follows() {
+    cga! {
+        grammar Sets = r#"
+            import imp : "tests/rules/import/inner.cga"
+            Lot --> [ set(imp.h, 1) imp.Set imp.Say ] set(imp.list, [imp.h]) imp.Say imp.Set
+        "#;
+    }
+    // Nothing else is computed again.
+    assert_eq!(lines(&model(&Sets::default())), ["2", "50", "inner1 (2)[5,50]", "inner5 (1)[5]", "6", "50"]);
+}
+
+#[test]
+fn inline_rules_import_too() {
+    cga! {
+        grammar Inline;
+        import imp : "tests/rules/import/inner.cga" (h = 4, Roof(n) --> Mine(n))
+        Lot --> imp.Lot imp(h = 6).Say
+        Mine(n) --> print(n) Top.
+    }
+    let made = model(&Inline::default());
+    assert_eq!((lines(&made), leaves(&made)), (vec!["4".to_owned(), "inner6 (2)[6,60]".to_owned()], vec!["Top", "X"]));
+    let height = 9;
+    let rules = cga! {
+        import imp : "tests/rules/import/inner.cga" (h = #height)
+        Lot --> imp.Lot
+    };
+    assert_eq!(sum(&model(&rules), "k"), Some(90.0));
+}

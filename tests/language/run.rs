@@ -1,0 +1,82 @@
+//! What a rule leaves behind: leaves, reports, prints.
+
+use cga::{FaultKind, Value, cga};
+
+use crate::{leaves, lines, lot, model, sum};
+
+#[test]
+fn fact_75_reports_count_and_add_up() {
+    cga! { grammar Reported = r#"import imp : "tests/rules/import/height.cga" (height = 10)  Lot --> imp.Lot"#; }
+    let model = model(&Reported::default());
+    let summary = model.reported("height").expect("reported").summary();
+    assert_eq!((summary.count, summary.sum), (1, 10.0));
+}
+
+#[test]
+fn fact_97_only_operations_make_a_leaf_and_a_division_makes_none() {
+    cga! {
+        grammar Leaves = r##"
+            @StartRule
+            Lot --> Painted Divided Parts Pushed Two Gone
+            Painted --> color("#ff0000") s(1, 1, 1)
+            Divided --> split(x) { ~1 : color("#00ff00") | ~1 : NIL }
+            Parts --> extrude(1) comp(f) { top : t(0, 0, 1) | side = s('1, '1, 1) }
+            Pushed --> [ s(1, 1, 1) ] t(1, 0, 0)
+            Two --> A. s(1, 1, 1) B. color("#0000ff")
+            Gone --> [ C. ] NIL
+            Split --> split(x) { ~1 : A. } t(1, 0, 0) B
+            B --> s(1, 1, 1)
+        "##;
+    }
+    let made = model(&Leaves::default());
+    assert_eq!(leaves(&made), ["Painted", "Divided", "Parts", "Parts", "Pushed", "A", "B", "C"]);
+    assert_eq!(leaves(&crate::model_of(&Leaves::default(), "Split")), ["A", "B"]);
+}
+
+#[test]
+fn fact_99_values_of_one_key_are_kept_apart_by_type() {
+    cga! {
+        grammar Mixed = r#"
+            Lot --> report("k.a", 1) report("k.a", true) report("k.a", "x") report("k.b", scope.sx) report("k.a", 2)
+        "#;
+    }
+    let model = model(&Mixed::default());
+    assert_eq!((sum(&model, "k.a"), sum(&model, "k.b")), (Some(3.0), Some(2.0)));
+    assert_eq!(model.reports().iter().len(), 4);
+    assert_eq!(model.reports().group("k").count, 5);
+}
+
+#[test]
+fn fact_100_angles_of_faces() {
+    cga! {
+        grammar Angles = r#"
+            Lot --> extrude(1) comp(f) { all : print(geometry.angle(zenith) == 90 - geometry.angle(maxSlope)) X. }
+        "#;
+    }
+    let all = lines(&model(&Angles::default()));
+    assert!(all.len() == 6 && all.iter().all(|line| line == "true"), "{all:?}");
+}
+
+#[test]
+fn what_is_printed_keeps_its_value_and_the_rule() {
+    cga! { grammar Printing = r#"attr a = print(scope.sx)  Lot --> print(print(1) + 1) B  B --> print("b") X."#; }
+    let model = model(&Printing::default());
+    let said: Vec<(&str, Value)> = model.prints().iter().map(|line| (line.rule, line.value.clone())).collect();
+    assert_eq!(said, [("", 2.0.into()), ("Lot", 1.0.into()), ("Lot", 2.0.into()), ("B", "b".into())]);
+}
+
+#[test]
+fn what_does_not_run_yet_leaves_one_fault_and_a_value_of_its_type() {
+    cga! {
+        @Allow(not_implemented)
+        grammar Later = r#"
+            Lot --> print(contextCount(intra, "a")) print(getTreeKey) print(touches) print(geometry.tags) print(contextCount(all, "a")) roofHip(30) X.
+        "#;
+    }
+    let model = Later::default().generate(&lot()).expect("faults end no run");
+    assert_eq!(lines(&model), ["0", "", "false", "(0)[]", "0"]);
+    let names: Vec<&str> = model.faults().iter().map(|fault| fault.message.as_str()).collect();
+    assert!(model.faults().iter().all(|fault| fault.kind == FaultKind::NotImplemented));
+    assert_eq!(names.len(), 5, "{names:?}");
+    assert_eq!(leaves(&model), ["X"]);
+}

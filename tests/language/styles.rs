@@ -1,0 +1,103 @@
+//! Styles: rules, attributes, constants and functions that take the place of others.
+
+use cga::{Grammar, cga};
+
+use crate::{leaves, lines, model, model_of, sum};
+
+cga! { grammar Styled in "tests/rules/import/styles.cga"; }
+
+#[test]
+fn a_style_takes_the_place_of_what_it_builds_on() {
+    let rules = Styled::default();
+    assert_eq!(rules.start_rules()[0], "Lot");
+    for (start, size, printed, leaf) in [
+        ("Lot", 1.0, "plain2", "Plain"),
+        ("Default$Lot", 1.0, "plain2", "Plain"),
+        ("Large$Lot", 10.0, "plain11", "Large"),
+        ("Huge$Lot", 100.0, "huge100", "Large"),
+    ] {
+        let made = model_of(&rules, start);
+        assert_eq!((sum(&made, "size"), sum(&made, "edge")), (Some(size), Some(size / 10.0)), "{start}");
+        assert_eq!((lines(&made), leaves(&made)), (vec![printed.to_owned()], vec![leaf]), "{start}");
+    }
+    assert_eq!(
+        (lines(&model_of(&rules, "Huge$Extra")), leaves(&model_of(&rules, "Huge$Top"))),
+        (vec!["huge".to_owned()], vec!["Large"])
+    );
+    assert!(rules.generate_from("Large$Extra", &crate::lot()).is_err(), "it belongs to another style");
+}
+
+#[test]
+fn one_field_sets_an_attribute_in_every_style() {
+    // Its default differs from style to style, so it is `None` until somebody sets it.
+    let rules = Styled { size: Some(4.0), kind: Some("mine".into()) };
+    for (start, printed) in [("Lot", "mine5"), ("Large$Lot", "mine5"), ("Huge$Lot", "mine4")] {
+        let made = model_of(&rules, start);
+        assert_eq!((sum(&made, "size"), lines(&made)), (Some(4.0), vec![printed.to_owned()]), "{start}");
+    }
+    assert_eq!(rules.attributes().len(), 2);
+}
+
+#[test]
+fn styles_have_start_rules_and_imports() {
+    cga! {
+        grammar Own = r#"
+            import imp : "tests/rules/import/inner.cga"
+            attr h = 3
+            draw = rand()
+            @StartRule
+            Lot --> imp.Say Next
+            Next --> A.
+            style Tall
+            attr h = 30
+            Next --> print(h) Next2
+            Next2 --> B.
+            style Odd extends Tall
+            @StartRule
+            Begin --> Lot
+            draw = 7
+            Next2 --> print(draw) C.
+        "#;
+    }
+    let rules = Own::default();
+    assert_eq!(lines(&model(&rules)), ["inner3 (2)[3,30]"]);
+    assert_eq!(lines(&model_of(&rules, "Tall$Lot")), ["inner30 (2)[30,300]", "30"]);
+    assert_eq!(lines(&model_of(&rules, "Odd$Begin")), ["inner30 (2)[30,300]", "30", "7"]);
+    assert_eq!(leaves(&model_of(&rules, "Odd$Lot")), ["X", "C"]);
+}
+
+#[test]
+fn an_import_may_ask_for_a_style() {
+    cga! { grammar Plain = r#"import imp : "tests/rules/import/styles.cga"  Lot --> imp.Lot"#; }
+    cga! { grammar Large = r#"import imp(Large) : "tests/rules/import/styles.cga"  Lot --> imp.Lot"#; }
+    cga! { grammar Huge = r#"import imp(Huge, Large) : "tests/rules/import/styles.cga"  Lot --> imp.Lot print(imp.grown(3))"#; }
+    cga! { grammar Both = r#"
+        import one(Large) : "tests/rules/import/styles.cga"
+        import two : "tests/rules/import/styles.cga" (size = 3)
+        Lot --> one.Lot two.Lot"#; }
+    assert_eq!((sum(&model(&Plain::default()), "size"), leaves(&model(&Plain::default()))), (Some(1.0), vec!["Plain"]));
+    assert_eq!(
+        (sum(&model(&Large::default()), "size"), leaves(&model(&Large::default()))),
+        (Some(10.0), vec!["Large"])
+    );
+    assert_eq!(lines(&model(&Huge::default())), ["huge100", "300"]);
+    let both = model(&Both::default());
+    assert_eq!((sum(&both, "size"), leaves(&both)), (Some(13.0), vec!["Large", "Plain"]));
+}
+
+#[test]
+fn only_the_style_default_is_overridden_by_an_import() {
+    cga! { grammar Over = r#"
+        import imp(Large) : "tests/rules/import/styles.cga" (kind = "given")
+        attr size = 5
+        Lot --> imp.Lot"#; }
+    let made = model(&Over::default());
+    // `size` is that of the style, which nothing flows into; `kind` is that of `Default`.
+    assert_eq!((sum(&made, "size"), lines(&made)), (Some(10.0), vec!["given11".to_owned()]));
+}
+
+#[test]
+fn the_same_seed_gives_the_same_numbers_in_every_style() {
+    cga! { grammar Drawn = "attr a = rand()  Lot --> print(a) print(rand()) X.  style S  Other --> Y."; }
+    assert_eq!(lines(&model(&Drawn::default())), lines(&model_of(&Drawn::default(), "S$Lot")));
+}
