@@ -1,7 +1,7 @@
 //! Strongly connected components of a directed graph.
 
 /// The components, each after those it can reach. Nodes of a component are in ascending order.
-pub(crate) fn components(edges: &[Vec<usize>]) -> Vec<Vec<usize>> {
+pub fn components(edges: &[Vec<usize>]) -> Vec<Vec<usize>> {
     const UNSEEN: usize = usize::MAX;
     let mut order = vec![UNSEEN; edges.len()];
     let mut low = vec![0; edges.len()];

@@ -1,6 +1,6 @@
 //! Over the steps and expressions of a grammar.
 
-use crate::ir::{Anew, Arg, Expr, ExprKind, Grammar, RuleId, Selector, Step, Target};
+use crate::ir::{Anew, Arg, Expr, ExprKind, Grammar, Rule, RuleId, Selector, Step, Target};
 
 /// Every step of a body, those in brackets and branches included.
 pub fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
@@ -53,17 +53,20 @@ pub fn exprs<'g>(grammar: &'g Grammar, visit: &mut dyn FnMut(&'g Expr)) {
         function.locals.iter().for_each(|local| parts(local, visit));
         parts(&function.body, visit);
     }
-    for rule in &grammar.rules {
-        rule.locals.iter().for_each(|local| parts(local, visit));
-        steps(&rule.body, &mut |step| {
-            in_step(step).into_iter().for_each(|expr| parts(expr, visit));
-            for target in targets(step) {
-                if let Target::Rule { args, .. } = target {
-                    args.iter().for_each(|arg| parts(arg, visit));
-                }
+    grammar.rules.iter().for_each(|rule| in_rule(rule, visit));
+}
+
+/// Every expression of a rule, with its parts.
+pub fn in_rule<'g>(rule: &'g Rule, visit: &mut dyn FnMut(&'g Expr)) {
+    rule.locals.iter().for_each(|local| parts(local, visit));
+    steps(&rule.body, &mut |step| {
+        in_step(step).into_iter().for_each(|expr| parts(expr, visit));
+        for target in targets(step) {
+            if let Target::Rule { args, .. } = target {
+                args.iter().for_each(|arg| parts(arg, visit));
             }
-        });
-    }
+        }
+    });
 }
 
 /// The expressions of a step itself.

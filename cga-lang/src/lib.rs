@@ -29,7 +29,7 @@ pub mod code;
 pub mod compile;
 pub mod diag;
 mod fold;
-mod graph;
+pub mod graph;
 pub mod ir;
 pub mod ir_print;
 pub mod ir_walk;

@@ -11,6 +11,7 @@
 
 use std::collections::HashMap;
 
+use cga_lang::graph::components;
 use cga_lang::ir::{Function, Grammar, Rule, RuleId, Step};
 use cga_lang::ir_walk::{self, called};
 
@@ -43,13 +44,16 @@ impl Plan {
         let mut plan = Plan { asks: HashMap::new(), may_wait: vec![false; rules.len()] };
         // The rules of a cycle have one reach.
         let mut reach: Vec<u32> = own.clone();
-        for group in callers_first(rules, &calls) {
-            let most = group.iter().map(|rule| reach[rule.0 as usize]).max().unwrap_or(0);
-            group.iter().for_each(|rule| reach[rule.0 as usize] = most);
+        let edges: Vec<Vec<usize>> =
+            calls.iter().map(|list| list.iter().map(|rule| rule.0 as usize).collect()).collect();
+        // Every group after all that call it.
+        for group in components(&edges).into_iter().rev() {
+            let most = group.iter().map(|&rule| reach[rule]).max().unwrap_or(0);
+            group.iter().for_each(|&rule| reach[rule] = most);
             for from in group {
-                for &to in &calls[from.0 as usize] {
+                for &to in &calls[from] {
                     let share = own[to.0 as usize];
-                    let cycle = rules[from.0 as usize].cycle;
+                    let (cycle, from) = (rules[from].cycle, RuleId(from as u32));
                     if cycle.is_some() && cycle == rules[to.0 as usize].cycle {
                         let levels = u32::from(!is_block(&rules[to.0 as usize]));
                         plan.ask(from, to, Ask { levels, stack: share });
@@ -81,42 +85,6 @@ impl Plan {
     }
 }
 
-/// Cycles as one group each and other rules alone, every group after all that call it.
-fn callers_first(rules: &[Rule], calls: &[Vec<RuleId>]) -> Vec<Vec<RuleId>> {
-    let mut groups: Vec<Vec<RuleId>> = Vec::new();
-    let mut of_cycle: HashMap<u32, usize> = HashMap::new();
-    let mut group_of = Vec::with_capacity(rules.len());
-    for (at, rule) in rules.iter().enumerate() {
-        let known = rule.cycle.and_then(|cycle| of_cycle.get(&cycle).copied());
-        let group = known.unwrap_or(groups.len());
-        if group == groups.len() {
-            groups.push(Vec::new());
-            of_cycle.extend(rule.cycle.map(|cycle| (cycle, group)));
-        }
-        groups[group].push(RuleId(at as u32));
-        group_of.push(group);
-    }
-    let mut callers = vec![0; groups.len()];
-    let edges = |group: &Vec<RuleId>| -> Vec<usize> {
-        let own = group_of[group[0].0 as usize];
-        let calls = group.iter().flat_map(|rule| &calls[rule.0 as usize]);
-        calls.map(|to| group_of[to.0 as usize]).filter(|to| *to != own).collect()
-    };
-    groups.iter().flat_map(edges).for_each(|to| callers[to] += 1);
-    let mut ready: Vec<usize> = (0..groups.len()).filter(|group| callers[*group] == 0).collect();
-    let mut sorted = Vec::with_capacity(groups.len());
-    while let Some(group) = ready.pop() {
-        for to in edges(&groups[group]) {
-            callers[to] -= 1;
-            if callers[to] == 0 {
-                ready.push(to);
-            }
-        }
-        sorted.push(std::mem::take(&mut groups[group]));
-    }
-    sorted
-}
-
 /// About how many kilobytes of stack a rule takes in a build without optimisation, where every value has a place of its
 /// own. Measured with 1.95; `tests/deep.rs` of the facade holds it.
 fn share(rule: &Rule) -> u32 {
@@ -131,6 +99,8 @@ fn share(rule: &Rule) -> u32 {
             _ => 100,
         }
     });
+    // What is computed on the way has its place too.
+    ir_walk::in_rule(rule, &mut |expr| bytes += stack_bytes(expr.ty));
     bytes.div_ceil(1024) as u32
 }
 
@@ -139,7 +109,9 @@ fn share(rule: &Rule) -> u32 {
 pub(super) fn call_depth(function: &Function) -> u32 {
     const DOCUMENTED: usize = 1024;
     let mut frame = 100;
-    ir_walk::parts(&function.body, &mut |expr| frame += stack_bytes(expr.ty));
+    for value in function.locals.iter().chain([&function.body]) {
+        ir_walk::parts(value, &mut |expr| frame += stack_bytes(expr.ty));
+    }
     DOCUMENTED.min(512 * 1024 / frame).max(1) as u32
 }
 
