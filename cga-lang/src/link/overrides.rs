@@ -1,16 +1,28 @@
 //! Dynamic calls that replace rules: each needs an instance of its own.
 
-use crate::ast::{Ast, Block, BlockPart, Body, Name, Op, OpKind, Override, SplitItem};
+use crate::ast::{Ast, Block, BlockPart, Body, Decl, Name, Op, OpKind, Override, SplitItem};
 
 /// Calls `id( Rule --> … ).Name` in a tree, with the import's name.
 pub(crate) fn dynamic_calls(ast: &Ast) -> Vec<(Name, Vec<Override>)> {
     let mut found = Vec::new();
-    for decl in &ast.decls {
-        if let Body::Rule(body) = &decl.body {
-            ops(body, &mut found);
+    ast.decls.iter().for_each(|decl| rule(decl, &mut found));
+    ast.imports.iter().flat_map(|import| &import.overrides).for_each(|list| rules(list, &mut found));
+    found
+}
+
+/// The rules that overrides put in the place of others are bodies too.
+fn rules(list: &[Override], found: &mut Vec<(Name, Vec<Override>)>) {
+    for own in list {
+        if let Override::Rule(decl) = own {
+            rule(decl, found);
         }
     }
-    found
+}
+
+fn rule(decl: &Decl, found: &mut Vec<(Name, Vec<Override>)>) {
+    if let Body::Rule(body) = &decl.body {
+        ops(body, found);
+    }
 }
 
 fn ops(list: &[Op], found: &mut Vec<(Name, Vec<Override>)>) {
@@ -19,6 +31,7 @@ fn ops(list: &[Op], found: &mut Vec<(Name, Vec<Override>)>) {
             OpKind::Dynamic { import, overrides, .. } => {
                 if overrides.iter().any(|own| matches!(own, Override::Rule(_))) {
                     found.push((import.clone(), overrides.clone()));
+                    rules(overrides, found);
                 }
             }
             OpKind::Push(inner) => ops(inner, found),
