@@ -145,16 +145,17 @@ pub fn compile_text_with(text: &str, levels: &[(Code, Level)]) -> Source {
 fn skeleton(program: &Program, attrs: &[(Item, Option<Type>)], grammar: Option<&Grammar>) -> Skeleton {
     let mut list: Vec<SkeletonAttr> = Vec::new();
     let mut seen = HashSet::new();
-    for (index, (item, ty)) in attrs.iter().enumerate() {
+    for (item, ty) in attrs {
         if !seen.insert(item.name.as_str()) {
             continue;
         }
+        let lowered = grammar.and_then(|grammar| grammar.attrs.iter().find(|attr| attr.name == item.name));
         let own = item.decl.value().filter(|_| item.is_own());
-        let known = match grammar {
-            Some(grammar) => grammar.attrs[index].known.clone(),
+        let known = match lowered {
+            Some(attr) => attr.known.clone(),
             None => own.and_then(literal),
         };
-        let computed = match grammar {
+        let computed = match lowered {
             Some(_) => known.is_none(),
             None => own.is_none_or(|value| computed(value, &program.instances[item.home].ast, 0)),
         };
