@@ -12,7 +12,7 @@ pub use cga_runtime::derive::Report;
 pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
 /// The vector types in meshes and sinks.
 pub use cga_runtime::glam;
-pub use cga_runtime::grammar::Grammar;
+pub use cga_runtime::grammar::{Grammar, StartRule};
 pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
 pub use cga_runtime::mesh::{Mesh, MeshBuilder, MeshError};
 pub use cga_runtime::model::{Geometry, LeafView, Model};

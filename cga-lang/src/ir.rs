@@ -58,6 +58,12 @@ pub struct Start {
     pub style: u32,
     /// The rule; it has no parameters.
     pub rule: RuleId,
+    /// `@Description`, else doc comments, joined by line ends.
+    pub doc: String,
+    /// `@StartRule`, or marked with `start`.
+    pub marked: bool,
+    /// `@Hidden`: user interfaces leave it out.
+    pub hidden: bool,
 }
 
 /// One value that is computed once for an initial shape.

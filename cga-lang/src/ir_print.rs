@@ -2,7 +2,8 @@
 
 use crate::ir::{
     Anew, Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Comp, CompMode, Const, EachUnary, Expr, ExprKind,
-    Function, Global, Grammar, Item, Param, Prefix, Presentation, Rule, Selector, Size, Split, Step, Target, Value,
+    Function, Global, Grammar, Item, Param, Prefix, Presentation, Rule, Selector, Size, Split, Start, Step, Target,
+    Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
@@ -147,7 +148,7 @@ impl<'g> Printer<'g> {
             self.line(&text);
         }
         if !grammar.starts.is_empty() {
-            let names: Vec<&str> = grammar.starts.iter().map(|start| start.name.as_str()).collect();
+            let names: Vec<String> = grammar.starts.iter().map(start).collect();
             self.line(&format!("start {}", names.join(", ")));
         }
         for rule in &grammar.rules {
@@ -434,4 +435,17 @@ fn sign(op: Binary) -> &'static str {
         Binary::And => "&&",
         Binary::Or => "||",
     }
+}
+
+fn start(start: &Start) -> String {
+    let mut text = start.name.clone();
+    for (flag, word) in [(start.marked, " (marked)"), (start.hidden, " (hidden)")] {
+        if flag {
+            text.push_str(word);
+        }
+    }
+    if !start.doc.is_empty() {
+        let _ = write!(text, " {:?}", start.doc);
+    }
+    text
 }

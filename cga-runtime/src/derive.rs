@@ -208,9 +208,13 @@ fn start_rule<R: Rules>(name: Option<&str>) -> Result<(u32, u32, &'static str), 
         None => Some(0),
         Some(name) => {
             let plain = name.strip_prefix("Default$").unwrap_or(name);
-            R::STARTS.iter().position(|start| *start == name || *start == plain)
+            R::STARTS.iter().position(|start| start.name == name || start.name == plain)
         }
     };
-    at.and_then(|at| Some((*R::START_RULES.get(at)?, *R::START_STYLES.get(at)?, *R::STARTS.get(at)?)))
-        .ok_or_else(|| Error::StartRule { name: name.unwrap_or_default().to_owned(), known: R::STARTS })
+    at.and_then(|at| Some((*R::START_RULES.get(at)?, *R::START_STYLES.get(at)?, R::STARTS.get(at)?.name))).ok_or_else(
+        || {
+            let known = R::STARTS.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
+            Error::StartRule { name: name.unwrap_or_default().to_owned(), known }
+        },
+    )
 }

@@ -106,8 +106,8 @@ pub enum Error {
     StartRule {
         /// The name asked for.
         name: String,
-        /// The names there are.
-        known: &'static [&'static str],
+        /// The names there are, without those of hidden rules.
+        known: Vec<&'static str>,
     },
     /// The initial shape cannot be used.
     Shape(String),
@@ -122,7 +122,10 @@ impl fmt::Display for Error {
             }
             Error::Attribute { name, message } => write!(f, "attribute `{name}`: {message}"),
             Error::StartRule { name, known } => {
-                write!(f, "no rule `{name}` to start with; there is {}", known.join(", "))
+                const NAMED: usize = 12;
+                let more = if NAMED < known.len() { ", …" } else { "" };
+                let known = &known[..known.len().min(NAMED)];
+                write!(f, "no rule `{name}` to start with; there is {}{more}", known.join(", "))
             }
             Error::Shape(message) => f.write_str(message),
         }

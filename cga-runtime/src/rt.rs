@@ -5,13 +5,13 @@ pub use std::ops::ControlFlow;
 pub use std::string::String;
 
 pub use crate::array::{Array, Element};
-pub use crate::attribute::{Attribute, AttributeKind, ChoiceValues, Choices, Default, Range};
+pub use crate::attribute::{Attribute, AttributeKind, ChoiceValues, Choices, Default, Range, check};
 pub use crate::comp::select::Select;
 pub use crate::comp::{Arm, Mode, comp};
 pub use crate::derive::{Cx, Report, run};
 pub use crate::env::Env;
 pub use crate::fault::{Error, Fault};
-pub use crate::grammar::{Field, Grammar, Rules, generate};
+pub use crate::grammar::{Field, Grammar, Rules, StartRule, generate};
 pub use crate::model::Model;
 pub use crate::op::Length;
 pub use crate::scope::Axis;

@@ -71,7 +71,7 @@ fn start_stands_for_the_rules_that_are_marked_so() {
         start Begin(n) --> imp.start(n)"#; }
     let made = model(&Starts::default());
     assert_eq!((sum(&made, "x"), sum(&made, "h")), (Some(9.0), Some(10.0)));
-    assert_eq!(Starts::default().start_rules(), ["Begin"]);
+    assert_eq!(Starts::default().start_rules(), [cga::StartRule::new("Begin").marked()]);
 }
 
 #[test]

@@ -9,7 +9,7 @@ cga! { grammar Styled in "tests/rules/import/styles.cga"; }
 #[test]
 fn a_style_takes_the_place_of_what_it_builds_on() {
     let rules = Styled::default();
-    assert_eq!(rules.start_rules()[0], "Lot");
+    assert_eq!(rules.start_rules()[0].name, "Lot");
     for (start, size, printed, leaf) in [
         ("Lot", 1.0, "plain2", "Plain"),
         ("Default$Lot", 1.0, "plain2", "Plain"),

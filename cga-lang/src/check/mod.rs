@@ -24,7 +24,7 @@ use crate::ops::{Function, Operation, ShapeAttr};
 use std::collections::{HashMap, HashSet};
 
 pub use crate::compile::Door;
-pub(crate) use annotations::{AttrInfo, ImportInfo};
+pub(crate) use annotations::{AttrInfo, ImportInfo, RuleInfo};
 pub(crate) use globals::{Globals, Init, Item};
 pub(crate) use selectors::{split_adjust, split_axis};
 
@@ -65,6 +65,8 @@ pub(crate) struct Tables {
     pub(crate) attrs: Vec<AttrInfo>,
     /// By style of the root: the index of the rule that a run begins with.
     pub(crate) starts: Vec<Option<u32>>,
+    /// By the token of a rule's name.
+    pub(crate) rules: HashMap<u32, RuleInfo>,
     /// By the token of an import's name.
     pub(crate) imports: HashMap<u32, ImportInfo>,
     /// `@RuleFileDescription`.

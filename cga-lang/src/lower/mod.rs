@@ -9,7 +9,7 @@ mod share;
 mod walk;
 
 use crate::ast::{Body, Decl, Name};
-use crate::check::{Checked, Use};
+use crate::check::{Checked, RuleInfo, Use};
 use crate::fold::Known;
 use crate::graph::{components, is_cycle};
 use crate::ir::{Childless, Grammar, Host, HostId, Param, Rule, RuleId, Start, Step, Type};
@@ -148,7 +148,10 @@ impl<'c> Lower<'c> {
             own.sort_by_key(|&index| (Some(index) != default, index));
             for index in own {
                 let name = self.out.rules[index as usize].name.clone();
-                self.out.starts.push(Start { name, style: style as u32, rule: RuleId(index) });
+                let token = globals.rules[index as usize].decl.name.id();
+                let RuleInfo { doc, marked, hidden } =
+                    self.checked.tables.rules.get(&token).cloned().unwrap_or_default();
+                self.out.starts.push(Start { name, style: style as u32, rule: RuleId(index), doc, marked, hidden });
             }
         }
     }

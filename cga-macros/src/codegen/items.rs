@@ -48,7 +48,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     let place = Span::mixed_site();
     let names = cx.grammar.rules.iter().map(|rule| &rule.name);
     let starts = &cx.grammar.starts;
-    let start_names = starts.iter().map(|start| &start.name);
+    let start_rows = starts.iter().map(table::start);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
     let start_styles = starts.iter().map(|start| Literal::u32_suffixed(start.style));
     // Styles may share a rule.
@@ -70,25 +70,36 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
         quote_spanned!(place=> match call {})
     };
     let fields = fields::of(cx.grammar, cx.source);
-    let checks = fields.iter().flat_map(table::checks);
+    let check = if fields.iter().any(table::is_restricted) {
+        quote_spanned!(place=> cga_rt::check(self))
+    } else {
+        quote_spanned!(place=> ::core::result::Result::Ok(()))
+    };
     let globals = values_by_style(cx, &fields);
     let (get_arms, set_arms) = fields::arms(&fields);
     let captured = (0..cx.grammar.hosts.len()).filter(|_| cx.captured).map(captured);
     let captured = captured.map(|name| quote_spanned!(place=> g.#name = ::core::clone::Clone::clone(&self.#name);));
-    let table = fields.iter().map(table::attribute);
+    let table = fields.iter().map(|field| table::attribute(field, cx.grammar));
+    let about = &cx.grammar.about;
+    let about = (!about.is_empty()).then(|| {
+        quote_spanned! { place=>
+            fn about(&self) -> &'static ::core::primitive::str {
+                #about
+            }
+        }
+    });
     quote_spanned! { place=>
         #[automatically_derived]
         impl cga_rt::Rules for #name {
             type Values = CgaValues;
             type Call = CgaCall;
             const NAMES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
-            const STARTS: &'static [&'static ::core::primitive::str] = &[#(#start_names),*];
+            const STARTS: &'static [cga_rt::StartRule] = &[#(#start_rows),*];
             const START_RULES: &'static [::core::primitive::u32] = &[#(#start_numbers),*];
             const START_STYLES: &'static [::core::primitive::u32] = &[#(#start_styles),*];
 
             fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
-                #(#checks)*
-                ::core::result::Result::Ok(())
+                #check
             }
 
             fn values(
@@ -131,6 +142,8 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
                 #label
             }
 
+            #about
+
             fn attributes(&self) -> &'static [cga_rt::Attribute] {
                 const { &[#(#table),*] }
             }
@@ -149,7 +162,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
                 }
             }
 
-            fn start_rules(&self) -> &'static [&'static ::core::primitive::str] {
+            fn start_rules(&self) -> &'static [cga_rt::StartRule] {
                 <Self as cga_rt::Rules>::STARTS
             }
 

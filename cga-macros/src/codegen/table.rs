@@ -1,46 +1,20 @@
-//! The table of attributes, and the checks of their ranges.
+//! The table of attributes and the list of start rules: everything annotations say, for user interfaces.
 
-use cga_lang::ir::{Range, Type, Value};
+use cga_lang::ir::{Attr, ChoiceValues, Choices, Grammar, Presentation, Range, Start, Value};
 use proc_macro2::{Span, TokenStream};
 use quote::quote_spanned;
 
 use super::fields::Field;
 use super::types::{self, value};
 
-/// The checks of what annotations restrict.
-pub(super) fn checks(field: &Field<'_>) -> Vec<TokenStream> {
-    range_check(field).into_iter().collect()
-}
-
-/// The check of a restricted range.
-fn range_check(field: &Field<'_>) -> Option<TokenStream> {
-    let place = Span::mixed_site();
-    let (attr, own) = (field.attr, &field.name);
-    let allowed = attr.range.filter(|range| range.restricted && attr.ty == Type::Float)?;
-    let (range, name) = (range_tokens(allowed), &attr.name);
-    Some(match field.known {
-        // Old files have defaults outside of their ranges: as long as nobody changes it, such a one is no mistake.
-        Some(Value::Float(known)) if !(allowed.min <= *known && *known <= allowed.max) => {
-            let known = value(&Value::Float(*known));
-            quote_spanned!(place=> if self.#own != #known { #range.check(#name, self.#own)?; })
-        }
-        Some(_) => quote_spanned!(place=> #range.check(#name, self.#own)?;),
-        None => quote_spanned! { place=>
-            if let ::core::option::Option::Some(value) = self.#own {
-                #range.check(#name, value)?;
-            }
-        },
-    })
-}
-
-fn range_tokens(range: Range) -> TokenStream {
-    let number = |number| value(&Value::Float(number));
-    let (min, max, step, restricted) = (number(range.min), number(range.max), number(range.step), range.restricted);
-    quote_spanned!(Span::mixed_site()=> cga_rt::Range::new(#min, #max, #step, #restricted))
+/// Whether a run has to check what the field holds.
+pub(super) fn is_restricted(field: &Field<'_>) -> bool {
+    let choices = field.attr.choices.as_ref();
+    field.attr.range.is_some_and(|range| range.restricted) || choices.is_some_and(|choices| choices.restricted)
 }
 
 /// A row of the attribute table.
-pub(super) fn attribute(field: &Field<'_>) -> TokenStream {
+pub(super) fn attribute(field: &Field<'_>, grammar: &Grammar) -> TokenStream {
     let place = Span::mixed_site();
     let attr = field.attr;
     let (name, kind) = (&attr.name, types::variant(attr.ty));
@@ -52,24 +26,89 @@ pub(super) fn attribute(field: &Field<'_>) -> TokenStream {
         }
     };
     let mut row = quote_spanned!(place=> cga_rt::Attribute::new(#name, cga_rt::Default::#kind(#default)));
+    if let Some(name) = &attr.display_name {
+        row.extend(quote_spanned!(place=> .display_name(#name)));
+    }
     if let Some(range) = attr.range {
         let range = range_tokens(range);
         row.extend(quote_spanned!(place=> .range(#range)));
     }
+    if let Some(choices) = &attr.choices {
+        let choices = choices_tokens(choices, grammar);
+        row.extend(quote_spanned!(place=> .choices(#choices)));
+    }
+    row.extend(presentation(attr));
     if !attr.group.is_empty() {
         let group = &attr.group;
         row.extend(quote_spanned!(place=> .group(&[#(#group),*])));
+    }
+    if let Some(order) = attr.group_order {
+        let order = number(order);
+        row.extend(quote_spanned!(place=> .group_order(#order)));
     }
     if !attr.doc.is_empty() {
         let about = &attr.doc;
         row.extend(quote_spanned!(place=> .about(#about)));
     }
     if let Some(order) = attr.order {
-        let order = value(&Value::Float(order));
+        let order = number(order);
         row.extend(quote_spanned!(place=> .order(#order)));
     }
     if attr.hidden {
         row.extend(quote_spanned!(place=> .hidden()));
     }
     row
+}
+
+fn number(number: f64) -> TokenStream {
+    value(&Value::Float(number))
+}
+
+fn range_tokens(range: Range) -> TokenStream {
+    let (min, max, step, restricted) = (number(range.min), number(range.max), number(range.step), range.restricted);
+    quote_spanned!(Span::mixed_site()=> cga_rt::Range::new(#min, #max, #step, #restricted))
+}
+
+fn choices_tokens(choices: &Choices, grammar: &Grammar) -> TokenStream {
+    let place = Span::mixed_site();
+    let values = match &choices.values {
+        ChoiceValues::Floats(list) => {
+            let list = list.iter().copied().map(number);
+            quote_spanned!(place=> cga_rt::ChoiceValues::Floats(&[#(#list),*]))
+        }
+        ChoiceValues::Texts(list) => quote_spanned!(place=> cga_rt::ChoiceValues::Texts(&[#(#list),*])),
+        ChoiceValues::Attr(id) => {
+            let name = &grammar.attrs[id.0 as usize].name;
+            quote_spanned!(place=> cga_rt::ChoiceValues::Attribute(#name))
+        }
+    };
+    let (restricted, labels) = (choices.restricted, &choices.labels);
+    let labels = (!labels.is_empty()).then(|| quote_spanned!(place=> .labels(&[#(#labels),*])));
+    quote_spanned!(place=> cga_rt::Choices::new(#values, #restricted) #labels)
+}
+
+/// As what an attribute is shown.
+fn presentation(attr: &Attr) -> Option<TokenStream> {
+    let place = Span::mixed_site();
+    let kind = match &attr.presentation {
+        Presentation::Plain => return None,
+        Presentation::Angle => quote_spanned!(place=> Angle),
+        Presentation::Percent => quote_spanned!(place=> Percent),
+        Presentation::Distance => quote_spanned!(place=> Distance),
+        Presentation::Color => quote_spanned!(place=> Color),
+        Presentation::File(endings) => quote_spanned!(place=> File(&[#(#endings),*])),
+        Presentation::Directory => quote_spanned!(place=> Directory),
+        Presentation::MaterialFile => quote_spanned!(place=> MaterialFile),
+    };
+    Some(quote_spanned!(place=> .kind(cga_rt::AttributeKind::#kind)))
+}
+
+/// An entry of the list of start rules.
+pub(super) fn start(start: &Start) -> TokenStream {
+    let place = Span::mixed_site();
+    let (name, about) = (&start.name, &start.doc);
+    let about = (!about.is_empty()).then(|| quote_spanned!(place=> .about(#about)));
+    let marked = start.marked.then(|| quote_spanned!(place=> .marked()));
+    let hidden = start.hidden.then(|| quote_spanned!(place=> .hidden()));
+    quote_spanned!(place=> cga_rt::StartRule::new(#name) #about #marked #hidden)
 }

@@ -30,6 +30,14 @@ pub(crate) struct AttrInfo {
     pub(crate) hidden: bool,
 }
 
+/// What annotations and comments say about a rule.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct RuleInfo {
+    pub(crate) doc: String,
+    pub(crate) marked: bool,
+    pub(crate) hidden: bool,
+}
+
 /// The group that attributes belong to, from one `@Group` to the next, across imports.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Group {
@@ -165,7 +173,15 @@ fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&m
                     let info = notes.attribute(cx, decl, &group);
                     keep(cx, decl, info);
                 }
-                Body::Rule(_) => starts.rule(cx, decl, notes.start),
+                Body::Rule(_) => {
+                    starts.rule(cx, decl, notes.start);
+                    let info = RuleInfo {
+                        doc: notes.doc(decl),
+                        marked: notes.start.is_some() || decl.role == Role::Start,
+                        hidden: notes.hidden == Hidden::All,
+                    };
+                    cx.tables.rules.insert(decl.name.id(), info);
+                }
                 _ => {}
             },
             Place::Head(_) | Place::Style(_) => {}
@@ -175,11 +191,17 @@ fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&m
 }
 
 impl Notes {
+    /// The description, else the doc comments.
+    fn doc(&self, decl: &Decl) -> String {
+        if self.descriptions.is_empty() { decl.docs.join("\n") } else { self.descriptions.join("\n") }
+    }
+
     /// What they say about an attribute, as far as it suits the type.
     fn attribute(self, cx: &mut Cx, decl: &Decl, group: &Group) -> AttrInfo {
-        let Notes { mut info, limits, presented, descriptions, hidden, .. } = self;
+        let doc = self.doc(decl);
+        let Notes { mut info, limits, presented, hidden, .. } = self;
         info.group.clone_from(group);
-        info.doc = if descriptions.is_empty() { decl.docs.join("\n") } else { descriptions.join("\n") };
+        info.doc = doc;
         info.hidden = hidden == Hidden::All;
         let ty = cx.tables.types.get(&decl.name.id()).copied();
         if let (Some(ty), Some(span)) = (ty, presented) {

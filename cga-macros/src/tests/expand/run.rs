@@ -3,12 +3,11 @@ impl cga_rt::Rules for Tower {
     type Values = CgaValues;
     type Call = CgaCall;
     const NAMES: &'static [&'static ::core::primitive::str] = &["Lot", "Again"];
-    const STARTS: &'static [&'static ::core::primitive::str] = &["Lot"];
+    const STARTS: &'static [cga_rt::StartRule] = &[cga_rt::StartRule::new("Lot")];
     const START_RULES: &'static [::core::primitive::u32] = &[0u32];
     const START_STYLES: &'static [::core::primitive::u32] = &[0u32];
     fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
-        cga_rt::Range::new(0f64, 1f64, 0f64, true).check("share", self.share)?;
-        ::core::result::Result::Ok(())
+        cga_rt::check(self)
     }
     fn values(
         &self,

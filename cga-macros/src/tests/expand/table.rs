@@ -20,6 +20,32 @@ impl cga_rt::Grammar for Tower {
                     )
                     .group(&["Size", "Main"])
                     .hidden(),
+                cga_rt::Attribute::new(
+                        "wall",
+                        cga_rt::Default::Text(::core::option::Option::Some("brick")),
+                    )
+                    .display_name("Outer wall")
+                    .choices(
+                        cga_rt::Choices::new(
+                            cga_rt::ChoiceValues::Texts(&["brick", "glass"]),
+                            true,
+                        ),
+                    )
+                    .group(&["Look"])
+                    .group_order(2f64),
+                cga_rt::Attribute::new(
+                        "image",
+                        cga_rt::Default::Text(::core::option::Option::None),
+                    )
+                    .choices(
+                        cga_rt::Choices::new(
+                            cga_rt::ChoiceValues::Attribute("wall"),
+                            false,
+                        ),
+                    )
+                    .kind(cga_rt::AttributeKind::File(&["png", "jpg"]))
+                    .group(&["Look"])
+                    .group_order(2f64),
             ]
         }
     }
@@ -30,6 +56,8 @@ impl cga_rt::Grammar for Tower {
         match index {
             0 => cga_rt::Field::get(&self.share),
             1 => cga_rt::Field::get(&self.drawn),
+            2 => cga_rt::Field::get(&self.wall),
+            3 => cga_rt::Field::get(&self.image),
             _ => ::core::option::Option::None,
         }
     }
@@ -37,10 +65,12 @@ impl cga_rt::Grammar for Tower {
         match index {
             0 => cga_rt::Field::set(&mut self.share, value),
             1 => cga_rt::Field::set(&mut self.drawn, value),
+            2 => cga_rt::Field::set(&mut self.wall, value),
+            3 => cga_rt::Field::set(&mut self.image, value),
             _ => {}
         }
     }
-    fn start_rules(&self) -> &'static [&'static ::core::primitive::str] {
+    fn start_rules(&self) -> &'static [cga_rt::StartRule] {
         <Self as cga_rt::Rules>::STARTS
     }
     fn derive(

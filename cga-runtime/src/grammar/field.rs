@@ -1,0 +1,77 @@
+//! Attributes as fields of the generated struct.
+
+use crate::array::Array;
+use crate::text::Text;
+use crate::value::Value;
+
+/// A field that holds an attribute. Used by generated code.
+pub trait Field {
+    /// Its value; `None` while it is to be computed.
+    fn get(&self) -> Option<Value>;
+    /// Takes a value of its type; others change nothing.
+    fn set(&mut self, value: Value);
+}
+
+impl Field for f64 {
+    fn get(&self) -> Option<Value> {
+        Some(Value::Float(*self))
+    }
+
+    fn set(&mut self, value: Value) {
+        if let Value::Float(number) = value {
+            *self = number;
+        }
+    }
+}
+
+impl Field for bool {
+    fn get(&self) -> Option<Value> {
+        Some(Value::Bool(*self))
+    }
+
+    fn set(&mut self, value: Value) {
+        if let Value::Bool(truth) = value {
+            *self = truth;
+        }
+    }
+}
+
+impl Field for String {
+    fn get(&self) -> Option<Value> {
+        Some(Value::from(self.as_str()))
+    }
+
+    fn set(&mut self, value: Value) {
+        if let Value::Text(text) = value {
+            text.as_str().clone_into(self);
+        }
+    }
+}
+
+macro_rules! arrays {
+    ($($item:ty => $variant:ident,)*) => {$(
+        impl Field for Array<$item> {
+            fn get(&self) -> Option<Value> {
+                Some(Value::$variant(self.clone()))
+            }
+
+            fn set(&mut self, value: Value) {
+                if let Value::$variant(array) = value {
+                    *self = array;
+                }
+            }
+        }
+    )*};
+}
+
+arrays! { f64 => Floats, bool => Bools, Text => Texts, }
+
+impl<F: Field + std::default::Default> Field for Option<F> {
+    fn get(&self) -> Option<Value> {
+        self.as_ref()?.get()
+    }
+
+    fn set(&mut self, value: Value) {
+        self.get_or_insert_default().set(value);
+    }
+}

@@ -1,0 +1,148 @@
+//! What every grammar is: a set of attributes and rules that can be run on a shape.
+
+mod field;
+mod start;
+
+pub use field::Field;
+pub use start::StartRule;
+
+use crate::attribute::{self, Attribute, AttributeError};
+use crate::derive::{Cx, Report};
+use crate::env::Env;
+use crate::fault::Error;
+use crate::model::Model;
+use crate::settings::Settings;
+use crate::shape::{Shape, ShapeRef};
+use crate::sink::{Flow, Sink};
+use crate::value::Value;
+
+/// A grammar, for programs that choose among several at run time. `cga!` implements it for the struct it makes.
+pub trait Grammar {
+    /// The grammar's name; empty for one without a header.
+    fn name(&self) -> &'static str;
+
+    /// Its attributes, in source order, for building a user interface.
+    fn attributes(&self) -> &'static [Attribute];
+
+    /// What it makes, in Markdown (`@RuleFileDescription`); empty when nothing is said.
+    fn about(&self) -> &'static str {
+        ""
+    }
+
+    /// The rules a run can start with, all of them; the first is the default.
+    fn start_rules(&self) -> &'static [StartRule];
+
+    /// The value of an attribute by its number in [`attributes`](Grammar::attributes); `None` while it is to be computed for
+    /// each initial shape, and for other numbers. [`get`](Grammar::get) is the same by name.
+    fn attribute_get(&self, index: usize) -> Option<Value>;
+
+    /// Sets an attribute by its number, unchecked; a value of another type changes nothing. [`set`](Grammar::set) is the same
+    /// by name.
+    fn attribute_set(&mut self, index: usize, value: Value);
+
+    /// Runs the grammar and hands the leaves to a sink.
+    ///
+    /// # Errors
+    /// See [`Error`].
+    fn derive(&self, shape: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error>;
+
+    /// The value of an attribute by its name.
+    ///
+    /// # Errors
+    /// There is no such attribute, or its default is computed for each initial shape and it is not set.
+    fn get(&self, name: &str) -> Result<Value, AttributeError> {
+        let (index, attribute) = attribute::find(self.attributes(), name)?;
+        self.attribute_get(index).ok_or(AttributeError::Computed { name: attribute.name })
+    }
+
+    /// Sets an attribute by its name.
+    ///
+    /// # Errors
+    /// There is no such attribute, or the value is of another type, outside of a restricted range or none of restricted
+    /// choices. A default is never refused.
+    fn set(&mut self, name: &str, value: Value) -> Result<(), AttributeError> {
+        let (index, attribute) = attribute::find(self.attributes(), name)?;
+        attribute.allows(&value, self)?;
+        self.attribute_set(index, value);
+        Ok(())
+    }
+
+    /// Sets an attribute by its name to what a text says: see [`Value::parse`].
+    ///
+    /// # Errors
+    /// As for [`set`](Grammar::set); and the text is no value of the attribute's type.
+    fn set_text(&mut self, name: &str, text: &str) -> Result<(), AttributeError> {
+        let (_, attribute) = attribute::find(self.attributes(), name)?;
+        let value = Value::parse(text, attribute.ty()).ok_or_else(|| attribute.no_value(text))?;
+        self.set(name, value)
+    }
+
+    /// Runs the default start rule with default settings.
+    ///
+    /// # Errors
+    /// See [`Error`].
+    fn generate(&self, shape: &Shape) -> Result<Model, Error> {
+        self.generate_with(shape, &Settings::default())
+    }
+
+    /// Runs the grammar with settings: start rule, limits, assets.
+    ///
+    /// # Errors
+    /// See [`Error`].
+    fn generate_with(&self, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
+        let mut model = Model::new();
+        let report = self.derive(shape, settings, &mut model)?;
+        Ok(model.with_report(report))
+    }
+}
+
+/// What generated code provides. Not for writing by hand.
+pub trait Rules {
+    /// Attributes and constants, evaluated for one initial shape.
+    type Values;
+    /// Calls that may wait on the work list: rules in cycles with their arguments.
+    type Call;
+    /// Rule names by number, for trails.
+    const NAMES: &'static [&'static str];
+    /// Rules a run can start with; the default first.
+    const STARTS: &'static [StartRule];
+    /// Their numbers.
+    const START_RULES: &'static [u32];
+    /// The styles they put in force, by number.
+    const START_STYLES: &'static [u32];
+
+    /// Checks the attributes against their ranges.
+    ///
+    /// # Errors
+    /// [`Error::Attribute`].
+    fn check(&self) -> Result<(), Error>;
+    /// Evaluates attributes and constants, as the style in force has them.
+    fn values(&self, env: &mut Env, shape: &Shape, style: u32) -> Self::Values;
+    /// Runs a start rule.
+    fn start<S: Sink + ?Sized>(
+        values: &Self::Values,
+        cx: &mut Cx<'_, S, Self::Call>,
+        rule: u32,
+        shape: ShapeRef<'_>,
+    ) -> Flow;
+    /// Runs a call that waited.
+    fn resume<S: Sink + ?Sized>(
+        values: &Self::Values,
+        cx: &mut Cx<'_, S, Self::Call>,
+        shape: ShapeRef<'_>,
+        call: Self::Call,
+    ) -> Flow;
+}
+
+/// Runs a grammar and collects a model. Used by generated code.
+///
+/// # Errors
+/// See [`Error`].
+pub fn generate<R: Rules>(rules: &R, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
+    let mut model = Model::new();
+    let report = crate::derive::run(rules, shape, settings, &mut model)?;
+    Ok(model.with_report(report))
+}
+
+#[cfg(test)]
+mod tests;

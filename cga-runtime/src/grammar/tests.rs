@@ -1,0 +1,191 @@
+//! Attributes by name.
+
+use super::*;
+use crate::array::Array;
+use crate::attribute::{ChoiceValues, Choices, Default, Range};
+use crate::text::Text;
+
+/// What `cga!` writes for a grammar, by hand.
+struct Tower {
+    height: f64,
+    lit: bool,
+    style: String,
+    storeys: Option<f64>,
+    name: Option<String>,
+    odd: f64,
+    storeys_each: Array<f64>,
+    uses: Array<Text>,
+    its_use: String,
+}
+
+impl Tower {
+    fn new() -> Self {
+        Tower {
+            height: 12.0,
+            lit: false,
+            style: "plain".into(),
+            storeys: None,
+            name: None,
+            odd: -1.0,
+            storeys_each: [99.0].into(),
+            uses: ["shop", "flat"].map(Text::fixed).into(),
+            its_use: "shop".into(),
+        }
+    }
+}
+
+static ATTRIBUTES: [Attribute; 9] = [
+    Attribute::new("height", Default::Float(Some(12.0))).range(Range::new(3.0, 60.0, 0.0, true)),
+    Attribute::new("lit", Default::Bool(Some(false))),
+    Attribute::new("style", Default::Text(Some("plain")))
+        .choices(Choices::new(ChoiceValues::Texts(&["plain", "ornate"]), true)),
+    Attribute::new("storeys", Default::Float(None)).choices(Choices::new(ChoiceValues::Attribute("height"), true)),
+    Attribute::new("name", Default::Text(None)).choices(Choices::new(ChoiceValues::Texts(&["a"]), false)),
+    Attribute::new("odd", Default::Float(Some(-1.0))).range(Range::new(0.0, 1.0, 0.0, true)),
+    Attribute::new("storeys_each", Default::Floats(Some(&[&[99.0]]))).range(Range::new(3.0, 6.0, 0.0, true)),
+    Attribute::new("uses", Default::Texts(None)).choices(Choices::new(ChoiceValues::Texts(&["shop", "flat"]), true)),
+    Attribute::new("use", Default::Text(None)).choices(Choices::new(ChoiceValues::Attribute("uses"), true)),
+];
+
+impl Grammar for Tower {
+    fn name(&self) -> &'static str {
+        "Tower"
+    }
+
+    fn attributes(&self) -> &'static [Attribute] {
+        &ATTRIBUTES
+    }
+
+    fn start_rules(&self) -> &'static [StartRule] {
+        const { &[StartRule::new("Lot")] }
+    }
+
+    fn attribute_get(&self, index: usize) -> Option<Value> {
+        match index {
+            0 => Field::get(&self.height),
+            1 => Field::get(&self.lit),
+            2 => Field::get(&self.style),
+            3 => Field::get(&self.storeys),
+            4 => Field::get(&self.name),
+            5 => Field::get(&self.odd),
+            6 => Field::get(&self.storeys_each),
+            7 => Field::get(&self.uses),
+            8 => Field::get(&self.its_use),
+            _ => None,
+        }
+    }
+
+    fn attribute_set(&mut self, index: usize, value: Value) {
+        match index {
+            0 => Field::set(&mut self.height, value),
+            1 => Field::set(&mut self.lit, value),
+            2 => Field::set(&mut self.style, value),
+            3 => Field::set(&mut self.storeys, value),
+            4 => Field::set(&mut self.name, value),
+            5 => Field::set(&mut self.odd, value),
+            6 => Field::set(&mut self.storeys_each, value),
+            7 => Field::set(&mut self.uses, value),
+            8 => Field::set(&mut self.its_use, value),
+            _ => {}
+        }
+    }
+
+    fn derive(&self, _: &Shape, _: &Settings, _: &mut dyn Sink) -> Result<Report, Error> {
+        Ok(Report::default())
+    }
+}
+
+fn tower() -> Box<dyn Grammar> {
+    Box::new(Tower::new())
+}
+
+#[test]
+fn attributes_are_read_and_set_by_name() {
+    let mut tower = tower();
+    assert_eq!(tower.get("height"), Ok(12.0.into()));
+    assert_eq!(tower.get("storeys"), Err(AttributeError::Computed { name: "storeys" }));
+    assert_eq!(tower.set("height", 60.0.into()), Ok(()));
+    assert_eq!((tower.set_text("lit", "true"), tower.set_text("style", "ornate")), (Ok(()), Ok(())));
+    assert_eq!((tower.set_text("name", "any"), tower.set("storeys", 60.0.into())), (Ok(()), Ok(())));
+    let values: Vec<String> = ATTRIBUTES.iter().map(|it| tower.get(it.name).expect("set").to_string()).collect();
+    assert_eq!(values, ["60", "true", "ornate", "60", "any", "-1", "(1)[99]", "(2)[shop,flat]", "shop"]);
+}
+
+#[test]
+fn what_is_refused_is_taught() {
+    let mut tower = tower();
+    let said: Vec<String> = [
+        tower.set("hight", 3.0.into()),
+        tower.set("colour", 3.0.into()),
+        tower.set("height", true.into()),
+        tower.set_text("height", "12 m"),
+        tower.set_text("lit", "yes"),
+        tower.set("height", f64::NAN.into()),
+        tower.set_text("height", "61"),
+        tower.set_text("style", "plian"),
+        tower.set_text("storeys", "4"),
+        tower.set_text("odd", "-2"),
+    ]
+    .map(|result| result.expect_err("refused").to_string())
+    .to_vec();
+    assert_eq!(
+        said,
+        [
+            "there is no attribute `hight`; did you mean `height`?",
+            "there is no attribute `colour`",
+            "attribute `height` is a number, and the value is true or false",
+            "attribute `height` is a number, and `12 m` is not",
+            "attribute `lit` is true or false, and `yes` is not",
+            "attribute `height`: NaN is outside of 3 to 60",
+            "attribute `height`: 61 is outside of 3 to 60",
+            "attribute `style`: `plian` is none of plain, ornate",
+            "attribute `storeys`: `4` is none of 12",
+            "attribute `odd`: -2 is outside of 0 to 1",
+        ]
+    );
+    assert_eq!(tower.set_text("odd", "-1"), Ok(()), "a default is never refused");
+    assert_eq!(tower.get("height"), Ok(12.0.into()), "what is refused changes nothing");
+    let long = "é".repeat(10_000);
+    assert!(tower.set_text("height", &long).expect_err("no number").to_string().len() < 300);
+    assert!(tower.get(&long).expect_err("no name").to_string().len() < 300);
+}
+
+#[test]
+fn elements_of_arrays_are_checked_one_by_one() {
+    let mut tower = tower();
+    let said = |result: Result<(), AttributeError>| result.map_err(|error| error.to_string());
+    assert_eq!(said(tower.set_text("storeys_each", "[3, 4; 5, 6]")), Ok(()));
+    assert_eq!(said(tower.set_text("storeys_each", "[]")), Ok(()));
+    let refused = Err("attribute `storeys_each`: 7 is outside of 3 to 6".to_owned());
+    assert_eq!(said(tower.set_text("storeys_each", "[3, 7, 8]")), refused);
+    assert_eq!(said(tower.set_text("storeys_each", "[99]")), Ok(()), "a default is never refused");
+    assert!(said(tower.set_text("storeys_each", "[99; 99]")).is_err());
+    assert_eq!(said(tower.set_text("uses", r#"["shop", "flat"]"#)), Ok(()));
+    let refused = Err("attribute `uses`: `barn` is none of shop, flat".to_owned());
+    assert_eq!(said(tower.set_text("uses", r#"["shop"; "barn"]"#)), refused);
+    assert_eq!(said(tower.set_text("use", "flat")), Ok(()), "the elements of another attribute");
+    assert_eq!(said(tower.set_text("uses", r#"["shop"]"#)), Ok(()));
+    let refused = Err("attribute `use`: `flat` is none of shop".to_owned());
+    assert_eq!(said(tower.set_text("use", "flat")), refused);
+    assert_eq!(said(tower.set_text("uses", "[]")), Ok(()));
+    let refused = Err("attribute `use`: `shop` is not to be had, there is nothing to choose from".to_owned());
+    assert_eq!(said(tower.set_text("use", "shop")), refused);
+}
+
+#[test]
+fn a_run_checks_what_fields_hold() {
+    let mut rules = Tower::new();
+    assert_eq!(attribute::check(&rules), Ok(()));
+    rules.odd = 2.0;
+    let error = attribute::check(&rules).expect_err("out of range");
+    assert_eq!(error.to_string(), "attribute `odd`: 2 is outside of 0 to 1");
+    rules.odd = 0.5;
+    rules.style = "gothic".into();
+    let error = attribute::check(&rules).expect_err("none of them");
+    assert_eq!(error.to_string(), "attribute `style`: `gothic` is none of plain, ornate");
+    rules.style = "ornate".into();
+    rules.name = Some("anything".into());
+    rules.storeys = Some(3.0);
+    let error = attribute::check(&rules).expect_err("not the height");
+    assert_eq!(error.to_string(), "attribute `storeys`: `3` is none of 12");
+}
