@@ -147,3 +147,79 @@ mod paths_in_text {
         }
     }
 }
+
+mod values {
+    use super::*;
+
+    cga! {
+        grammar ValuesInline;
+        import roof : "tests/rules/import/inner.cga" (h = low[1] * 2, Roof(n) --> Top(n, low))
+        attr low = [1, 2; 3, 4]
+        attr names = ["a", "b"; "c", "d"]
+        attr open = [true, false]
+        const steps = [0 : 0.5 : size(low)]
+        both(a, b) with ( sum := a .+ b  half := sum ./ 2 ) = half[sum .> 3 .&& sum .< 100]
+        pick(list, i) = case i >= size(list) : "none" else : list[i]
+
+        @StartRule
+        Lot with ( widths := both(low[0, 0:1], [3, 4])  n := size(widths) ) -->
+            extrude(n + 1) report("width", sum(widths)) print(names .+ "!") print(steps[-1 : 1] .- .-[1, 2, 3])
+            split(y) { ^0.5 : Floor(widths, 0) | { ~widths[0] : Floor(low[1, 0:1], split.index) }* }
+        Floor(list, i) --> set(low, [low; i, i]) print(pick(names, i)) print(list == [1, 2] || open[0])
+            [ case size(list) > i : s(^1, list[i], ^1) center(y) Slab. else : color("#ff0000") Thin. ] roof.Lot roof(h = i + 1).Say
+        Top(n, list) --> print(n * list[1, 0]) Roof.
+
+        style Odd extends Even
+        attr names = ["x"]
+        pick(list, i) = list[i] + "?"
+        style Even
+        Floor(list, i) --> 50% : Slab. else : NIL
+    }
+
+    cga! {
+        grammar ValuesText = r##"
+            import roof : "tests/rules/import/inner.cga" (h = low[1] * 2, Roof(n) --> Top(n, low))
+            attr low = [1, 2; 3, 4]
+            attr names = ["a", "b"; "c", "d"]
+            attr open = [true, false]
+            const steps = [0 : 0.5 : size(low)]
+            both(a, b) with ( sum := a .+ b  half := sum ./ 2 ) = half[sum .> 3 .&& sum .< 100]
+            pick(list, i) = case i >= size(list) : "none" else : list[i]
+
+            @StartRule
+            Lot with ( widths := both(low[0, 0:1], [3, 4])  n := size(widths) ) -->
+                extrude(n + 1) report("width", sum(widths)) print(names .+ "!") print(steps[-1 : 1] .- .-[1, 2, 3])
+                split(y) { '0.5 : Floor(widths, 0) | { ~widths[0] : Floor(low[1, 0:1], split.index) }* }
+            Floor(list, i) --> set(low, [low; i, i]) print(pick(names, i)) print(list == [1, 2] || open[0])
+                [ case size(list) > i : s('1, list[i], '1) center(y) Slab. else : color("#ff0000") Thin. ] roof.Lot roof(h = i + 1).Say
+            Top(n, list) --> print(n * list[1, 0]) Roof.
+
+            style Odd extends Even
+            attr names = ["x"]
+            pick(list, i) = list[i] + "?"
+            style Even
+            Floor(list, i) --> 50% : Slab. else : NIL
+        "##;
+    }
+
+    cga! { grammar ValuesFile in "tests/rules/values.cga"; }
+
+    #[test]
+    fn three_doors_agree_on_arrays_locals_styles_and_imports() {
+        let doors: [&dyn Grammar; 3] = [&ValuesInline::default(), &ValuesText::default(), &ValuesFile::default()];
+        assert_eq!(doors[0].attributes(), doors[1].attributes());
+        assert_eq!(doors[0].attributes(), doors[2].attributes());
+        assert!(doors[0].start_rules().iter().any(|start| start.name == "Odd$Lot"));
+        for start in doors[0].start_rules() {
+            let settings = cga::Settings { start: Some(start.name.into()), ..cga::Settings::default() };
+            let models = doors.map(|door| door.generate_with(&lot(3), &settings).expect("no limit"));
+            let [one, two, three] = models.each_ref().map(|model| {
+                assert_eq!(model.faults(), []);
+                format!("{}{:?}{:?}", print(model), model.prints(), model.reports())
+            });
+            assert!(one == two && two == three, "{}", start.name);
+        }
+        let model = doors[0].generate(&lot(3)).expect("no limit");
+        assert!(5 < model.len() && 5 < model.prints().len(), "{:?}", model.counts());
+    }
+}

@@ -3,10 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cga_lang::compile::{Door, compile};
+use cga_lang::compile::{Door, compile_files};
 use cga_lang::diag::Diags;
 use cga_lang::ir_print;
 use cga_lang::lex::lex;
+use cga_lang::link::{Files, Unit, candidates};
 use cga_lang::parse::parse;
 use cga_lang::print::{Spelling, print};
 use cga_lang::token::Tokens;
@@ -16,7 +17,7 @@ use crate::door::tokens::read;
 
 /// Every rule file of the language's tests and of the facade's.
 fn corpus() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let root = root();
     let mut folders = vec![root.join("tests/rules"), root.join("cga-lang/tests/data")];
     let mut files = Vec::new();
     while let Some(folder) = folders.pop() {
@@ -33,9 +34,28 @@ fn corpus() -> Vec<PathBuf> {
     files
 }
 
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// Imported files of the corpus.
+struct Below;
+
+impl Files for Below {
+    fn open(&mut self, path: &str, from: &str) -> Result<Unit, String> {
+        let found = candidates(path, from).into_iter().find(|name| root().join(name).is_file());
+        let name = found.ok_or_else(|| format!("no file `{path}`"))?;
+        let text = fs::read_to_string(root().join(&name)).map_err(|error| error.to_string())?;
+        let lexed = lex(&text);
+        Ok(Unit { name, tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+    }
+}
+
 /// Both doors' idea of some tokens: the grammar, or else the findings.
-fn meaning(tokens: &Tokens) -> String {
-    let compiled = compile(tokens, Door::Text);
+fn meaning(tokens: &Tokens, path: &Path) -> String {
+    let name = path.strip_prefix(root()).expect("below the root").to_string_lossy().replace('\\', "/");
+    let unit = Unit { name, tokens: tokens.clone(), door: Door::Text, found: Vec::new() };
+    let compiled = compile_files(unit, &mut Below, &[]);
     match &compiled.grammar {
         Some(grammar) => ir_print::print(grammar),
         None => compiled.diags.iter().map(|diag| format!("{}: {}\n", diag.code.name(), diag.message)).collect(),
@@ -58,7 +78,7 @@ fn both_doors_mean_the_same_over_a_corpus() {
             inline.parse().unwrap_or_else(|error| panic!("{}: {error}\n{inline}", path.display()));
         let source = read(stream, Span::call_site());
         assert_eq!(source.findings(), [], "{}", path.display());
-        let (text, tokens) = (meaning(&lex(&verbatim).tokens), meaning(source.tokens()));
+        let (text, tokens) = (meaning(&lex(&verbatim).tokens, &path), meaning(source.tokens(), &path));
         assert!(text == tokens, "{}\n{inline}\n--- text\n{text}\n--- tokens\n{tokens}", path.display());
         compared += 1;
     }
