@@ -228,3 +228,102 @@ mod closures {
         Ok(())
     }
 }
+
+mod arrays {
+    use super::*;
+    use cga::{Array, Text};
+
+    const WIDTHS: [f64; 3] = [1.0, 2.0, 3.0];
+    static NAMES: &[&str] = &["brick", "glass"];
+
+    /// What a rule hands over: `&Array`, of text `&Array<Text>`.
+    fn halves(list: &Array<f64>, by: f64) -> Vec<f64> {
+        list.as_slice().iter().map(|number| number / by).collect()
+    }
+
+    fn doors(list: &Array<bool>, names: &Array<Text>) -> [String; 2] {
+        let open = list.as_slice().iter().filter(|door| **door).count();
+        [format!("{open} open"), names.as_slice().iter().map(Text::as_str).collect::<Vec<_>>().join("+")]
+    }
+
+    fn rows(list: &Array<f64>) -> Array<f64> {
+        list.iter_rows().map(|row| row.iter().sum::<f64>()).collect()
+    }
+
+    fn is_odd(list: &Array<f64>) -> Vec<bool> {
+        list.into_iter().map(|number| number % 2.0 == 1.0).collect()
+    }
+
+    fn place(shape: &mut Shape, at: &Array<f64>, names: &Array<Text>) -> Result<(), Fault> {
+        let [x, y] = at.as_slice() else { return Err(Fault::new(format!("{} numbers", at.len()))) };
+        let mut scope = *shape.scope();
+        (scope.origin.x, scope.origin.y) = (*x, *y);
+        shape.set_scope(scope);
+        let name = names.get(0).map_or("", Text::as_str);
+        shape.change_material(|material| material.name = Some(name.into()));
+        Ok(())
+    }
+
+    fn lines(model: &Model) -> Vec<String> {
+        model.prints().iter().map(|line| line.to_string()).collect()
+    }
+
+    cga! {
+        grammar Arrays;
+        attr widths = [floatArray(#WIDTHS), 4]
+        kinds = [stringArray(#NAMES), "stone"]
+        total(list) = sum(self::halves(list, 2))
+        Lot --> print(widths) print(kinds[2]) print(total(widths)) print(stringArray(self::doors([true, false, true], kinds)))
+                print(self::rows([1, 2; 3, 4]) .+ 0) print(widths[boolArray(self::is_odd(widths))]) print("" + self::halves([9], 2)[0])
+                self::place([3, 4], kinds) Placed.
+        Broken --> self::place([3], kinds) X.
+    }
+
+    #[test]
+    fn items_are_arrays_in_rules_and_rust_gets_and_gives_arrays() {
+        let model = Arrays::default().generate(&lot()).expect("no limit");
+        assert_eq!(
+            lines(&model),
+            ["(4)[1,2,3,4]", "stone", "5", "(2)[2 open,brick+glass+stone]", "(2)[3,7]", "(2)[1,3]", "4.5"]
+        );
+        let leaf = model.leaves().next().expect("a leaf");
+        assert_eq!((leaf.scope().origin.x, leaf.scope().origin.y), (3.0, 4.0));
+        assert_eq!(leaf.material().name.as_deref(), Some("brick"));
+        assert_eq!(model.faults(), []);
+        let model = Arrays::default().generate_from("Broken", &lot()).expect("faults end no run");
+        assert_eq!(model.faults()[0].message, "1 numbers");
+        let given = Arrays { widths: Some([5.0].into()) };
+        assert_eq!(lines(&given.generate(&lot()).expect("no limit"))[0], "(1)[5]");
+    }
+
+    #[test]
+    fn arrays_of_every_useful_type_are_captured() {
+        let (vector, slice, names): (Vec<i32>, &[f32], &[&str]) = (vec![1, 2], &[0.5], &["a", "b"]);
+        let (owned, truths, yes, own) =
+            (vec![String::from("c")], [true, false], true, Array::from(vec![vec![1.0], vec![2.0]]));
+        let rules = cga! {
+            attr list = [floatArray(#vector), floatArray(#slice)]
+            Lot --> print(list) print([stringArray(#names); stringArray(#owned), "d"]) print(.!#truths) print(#own[1, 0]) print(sum(#(vec![1.0, 2.0])))
+                    print(size(stringArray(#names))) print(sum(#(&vector))) print(#vector .* 2) print(floatArray(#own)) print(float(#(3u8))) print(bool(#yes)) print(str(#yes))
+        };
+        assert_eq!((vector.len(), owned.len()), (2, 1), "they were copied");
+        let model = rules.generate(&lot()).expect("no limit");
+        assert_eq!(
+            lines(&model),
+            [
+                "(3)[1,2,0.5]",
+                "(2x2)\n   a   b\n   c   d",
+                "(2)[false,true]",
+                "2",
+                "3",
+                "2",
+                "3",
+                "(2)[2,4]",
+                "(2x1)\n   1\n   2",
+                "3",
+                "true",
+                "true",
+            ]
+        );
+    }
+}

@@ -33,7 +33,8 @@ use proc_macro2::TokenStream;
 ///   its own beside ours; `'(a + b)` it reads as a character without its end, before the macro is asked. `'name` works.
 /// - Comments begin with `//`.
 /// - A call that matches no rule is an error, not a leaf: write `Name.` for a leaf.
-/// - `#name` and `#(expression)` put a Rust value into a rule: a number, a `bool` or text.
+/// - `#name` and `#(expression)` put a Rust value into a rule: a number, a `bool`, text, or an array of these (slices,
+///   vectors, Rust arrays, `cga::Array`).
 ///
 /// # What works everywhere
 ///
@@ -44,9 +45,13 @@ use proc_macro2::TokenStream;
 ///   inline or in a string paths count from the package's folder. An attribute `height` of the import is the field
 ///   `lib_height`.
 /// - `style Modern` begins a style: its rules start as `Modern$Lot`.
-/// - `path::to::function(a, b)` calls a Rust function. It gets `f64`, `bool` and `&str`, and gives a number, a `bool` or
-///   text. In the place of an operation it gets `&mut Shape` before its arguments, and gives `()` or
+/// - `path::to::function(a, b)` calls a Rust function. It gets `f64`, `bool` and `&str`, of arrays `&cga::Array<f64>`,
+///   `&cga::Array<bool>` and `&cga::Array<cga::Text>`. It gives a number, a `bool`, text, or an array of these as `#name`
+///   would. In the place of an operation it gets `&mut Shape` before its arguments, and gives `()` or
 ///   `Result<(), Fault>`. Paths count from where the macro is called; there is at least one `::` in them.
+/// - The rules say which type a Rust value has, `#name` or what a function gives. Where they leave it open, as in
+///   `print(#name)`, it is a number, and in `[#name, 2]` one element; `float`, `bool`, `str`, `floatArray`, `boolArray` and
+///   `stringArray` say it: `print(stringArray(#names))`.
 /// - `@Allow(code)`, `@Warn(code)` and `@Deny(code)` before a rule or the header set the level of findings. Warnings
 ///   are shown by way of rustc's lint `deprecated`.
 /// - `#[cga(crate = path)]` before the header says where the crate `cga` is when it has another name. Other attributes

@@ -355,6 +355,9 @@ fn conversion(name: &str) -> Option<Type> {
         "float" => Some(Type::Float),
         "bool" => Some(Type::Bool),
         "str" => Some(Type::Text),
+        "floatArray" => Some(Type::Floats),
+        "boolArray" => Some(Type::Bools),
+        "stringArray" => Some(Type::Texts),
         _ => None,
     }
 }

@@ -6,8 +6,8 @@ use super::{
 };
 use crate::ir::Type;
 
-/// Every function. `str`, `float` and `bool` of a value that has the type already is the value itself, and `str` of a
-/// float or bool is [`ToText`](crate::ir::ExprKind::ToText): these need no row.
+/// Every function. `str`, `floatArray` and their like of a value that has the type already are the value itself, and `str`
+/// of a float or bool is [`ToText`](crate::ir::ExprKind::ToText): these need no row.
 pub static FUNCTIONS: &[&[Function]] = &[
     values::CHANCE,
     values::MATH,
