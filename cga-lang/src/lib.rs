@@ -30,6 +30,7 @@ pub mod compile;
 pub mod diag;
 mod fold;
 pub mod graph;
+mod hash;
 pub mod ir;
 pub mod ir_print;
 pub mod ir_walk;

@@ -165,6 +165,20 @@ impl Tokens {
         self.list.extend_from_slice(&other.list);
     }
 
+    /// Appends other tokens without copying them, as far as possible.
+    pub(crate) fn append(&mut self, mut other: Tokens) {
+        if self.list.is_empty() {
+            self.list = other.list;
+        } else {
+            self.list.append(&mut other.list);
+        }
+    }
+
+    /// Appends a copy of some of the tokens.
+    pub(crate) fn repeat(&mut self, part: std::ops::Range<u32>) {
+        self.list.extend_from_within(part.start as usize..part.end as usize);
+    }
+
     /// How many there are.
     pub fn len(&self) -> usize {
         self.list.len()

@@ -1,7 +1,7 @@
 //! What is declared, in every instance of every file, and how names find it.
 
 use crate::ast::{Body, Decl, Expr, Name, Override, Role};
-use crate::link::{Instance, InstanceId, Layer, Program};
+use crate::link::{InstanceId, Layer, Program};
 use crate::ops;
 use crate::suggest::nearest;
 use std::collections::{HashMap, HashSet};
@@ -95,9 +95,14 @@ impl<'a> Globals<'a> {
             globals.collect(instance);
         }
         // Importing files come before the imported ones.
+        let attrs = globals.attrs.iter().enumerate();
+        // Of attributes of one name the first.
+        let by_name: HashMap<_, _> =
+            attrs.rev().map(|(index, item)| ((item.instance, item.decl.name.text.as_str()), index as u32)).collect();
+        let mut replacing = HashMap::new();
         for instance in 0..program.instances.len() {
-            globals.override_attrs(instance);
-            globals.override_rules(instance);
+            globals.override_attrs(instance, &by_name);
+            globals.override_rules(instance, &mut replacing);
         }
         globals
     }
@@ -106,9 +111,17 @@ impl<'a> Globals<'a> {
     fn collect(&mut self, id: InstanceId) {
         let instance = &self.program.instances[id];
         self.names[id].lost = instance.ast.lost.iter().map(String::as_str).collect();
+        // A declaration takes the place of another that belongs to a style further down.
+        let key = |decl: &'a Decl| (decl.name.text.as_str(), decl.params.len());
+        let mut nearest: HashMap<(&str, usize), usize> = HashMap::new();
+        for decl in instance.ast.decls.iter().filter(|_| !instance.ast.styles.is_empty()) {
+            if let Some(rank) = instance.styles.rank(decl.style) {
+                nearest.entry(key(decl)).and_modify(|least| *least = rank.min(*least)).or_insert(rank);
+            }
+        }
         for decl in &instance.ast.decls {
             let Some(rank) = instance.styles.rank(decl.style) else { continue };
-            if instance.ast.decls.iter().any(|other| hides(instance, other, decl, rank)) {
+            if nearest.get(&key(decl)).is_some_and(|least| *least < rank) {
                 continue;
             }
             let own = instance.prefix.as_str();
@@ -130,27 +143,27 @@ impl<'a> Globals<'a> {
     }
 
     /// Attributes of an imported file that get their values from the importing one.
-    fn override_attrs(&mut self, id: InstanceId) {
+    fn override_attrs(&mut self, id: InstanceId, by_name: &HashMap<(InstanceId, &str), u32>) {
         let instance = &self.program.instances[id];
         let Some(layer) = instance.layers.first() else { return };
-        for index in self.own(&self.attrs, id) {
+        let written = written(layer);
+        // They stand in the order of their instances.
+        let first = self.attrs.partition_point(|item| item.instance < id);
+        for index in first..self.attrs.partition_point(|item| item.instance <= id) {
             let item = &self.attrs[index];
             // Only what belongs to the style `Default` is overridden.
             if item.decl.style != 0 {
                 continue;
             }
             let name = item.decl.name.text.as_str();
-            let init = match written(layer, name) {
+            let init = match written.get(name) {
                 Some(Override::Value(_, value)) => Init::Override(value, layer.home),
                 Some(_) => continue,
                 None if layer.list.as_ref().is_some_and(Vec::is_empty) => continue,
-                None => {
-                    let outer = |other: &Item| other.instance == layer.home && other.decl.name.text == name;
-                    match self.attrs.iter().position(outer) {
-                        Some(outer) => Init::Flows(outer as u32),
-                        None => continue,
-                    }
-                }
+                None => match by_name.get(&(layer.home, name)) {
+                    Some(outer) => Init::Flows(*outer),
+                    None => continue,
+                },
             };
             let mut origin = item.clone();
             origin.origin = true;
@@ -161,15 +174,14 @@ impl<'a> Globals<'a> {
     }
 
     /// Rules that an importing file puts in the place of extensions.
-    fn override_rules(&mut self, id: InstanceId) {
+    fn override_rules(&mut self, id: InstanceId, replacing: &mut HashMap<u32, u32>) {
         let instance = &self.program.instances[id];
         for layer in &instance.layers {
             for decl in layer.list.iter().flatten().filter_map(|own| match own {
                 Override::Rule(decl) => Some(decl),
                 _ => None,
             }) {
-                let known = self.rules.iter().position(|item| item.decl.name.id() == decl.name.id());
-                let index = known.unwrap_or_else(|| {
+                let index = *replacing.entry(decl.name.id()).or_insert_with(|| {
                     let name = format!("{}{}", instance.prefix, decl.name.text);
                     self.rules.push(Item {
                         decl,
@@ -179,16 +191,11 @@ impl<'a> Globals<'a> {
                         init: Init::Own,
                         origin: false,
                     });
-                    self.rules.len() - 1
+                    self.rules.len() as u32 - 1
                 });
-                self.names[id].replaced.insert(&decl.name.text, index as u32);
+                self.names[id].replaced.insert(&decl.name.text, index);
             }
         }
-    }
-
-    /// Items of an instance, by index.
-    fn own(&self, items: &[Item<'a>], id: InstanceId) -> Vec<usize> {
-        items.iter().enumerate().filter(|(_, item)| item.instance == id).map(|(index, _)| index).collect()
     }
 
     /// Fills the tables of names. A name that an earlier declaration has already goes to `twice`.
@@ -298,6 +305,11 @@ impl<'a> Globals<'a> {
         }
     }
 
+    /// The rules of that name as the instance has them, whatever takes their place.
+    pub(crate) fn plain_rules(&self, id: InstanceId, name: &str) -> &[u32] {
+        self.names[id].rules.get(name).map(Vec::as_slice).unwrap_or_default()
+    }
+
     /// Everything with a value: attributes, constants, functions.
     pub(crate) fn values(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
         self.attrs.iter().chain(&self.consts).chain(&self.functions)
@@ -357,20 +369,15 @@ pub(crate) enum Kind {
     Rules,
 }
 
-/// Whether a declaration takes the place of another that belongs to a style further down.
-fn hides(instance: &Instance, other: &Decl, decl: &Decl, rank: usize) -> bool {
-    0 < rank
-        && other.name.text == decl.name.text
-        && other.params.len() == decl.params.len()
-        && instance.styles.rank(other.style).is_some_and(|own| own < rank)
-}
-
-/// What a layer says about an attribute.
-fn written<'a>(layer: &'a Layer, name: &str) -> Option<&'a Override> {
-    layer.list.iter().flatten().find(|own| match own {
-        Override::Keep(own) | Override::Value(own, _) => own.text == name,
-        Override::Rule(_) => false,
-    })
+/// What a layer says about attributes; of several the first.
+fn written(layer: &Layer) -> HashMap<&str, &Override> {
+    let mut found = HashMap::new();
+    for own in layer.list.iter().flatten() {
+        if let Override::Keep(name) | Override::Value(name, _) = own {
+            found.entry(name.text.as_str()).or_insert(own);
+        }
+    }
+    found
 }
 
 impl Decl {

@@ -18,6 +18,7 @@ mod words;
 
 use crate::code::Code;
 use crate::diag::{Diags, Level};
+use crate::hash::FastMap;
 use crate::ir::Type;
 use crate::link::{InstanceId, Program};
 use crate::ops::{Function, Operation, ShapeAttr};
@@ -55,12 +56,12 @@ pub(crate) enum Use {
 #[derive(Default)]
 pub(crate) struct Tables {
     /// By [`Name::id`](crate::ast::Name::id).
-    pub(crate) uses: HashMap<u32, Use>,
+    pub(crate) uses: FastMap<u32, Use>,
     /// What calls may stand for until the types are known.
     pub(crate) open: Vec<Vec<Use>>,
     /// Types of attributes, constants, functions, parameters and locals by [`Name::id`](crate::ast::Name::id) of the
     /// declaration; of Rust values and Rust calls by their first token. No entry: it could not be told.
-    pub(crate) types: HashMap<u32, Type>,
+    pub(crate) types: FastMap<u32, Type>,
     /// By index of the attribute.
     pub(crate) attrs: Vec<AttrInfo>,
     /// By style of the root: the index of the rule that a run begins with.

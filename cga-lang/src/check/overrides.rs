@@ -6,6 +6,7 @@ use crate::code::Code;
 use crate::diag::Level;
 use crate::link::{InstanceId, Layer};
 use crate::suggest::nearest;
+use std::collections::HashSet;
 
 pub(super) fn check(cx: &mut Cx) {
     let program = cx.globals.program;
@@ -26,16 +27,13 @@ fn layer_of(cx: &mut Cx, id: InstanceId, layer: &Layer) {
 
 /// Checks overrides of an instance.
 pub(super) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
-    for (index, own) in list.iter().enumerate() {
+    let mut seen = HashSet::new();
+    for own in list {
         let name = match own {
             Override::Keep(name) | Override::Value(name, _) => name,
             Override::Rule(decl) => &decl.name,
         };
-        let same = |other: &&Override| match other {
-            Override::Keep(other) | Override::Value(other, _) => other.text == name.text,
-            Override::Rule(other) => other.name.text == name.text,
-        };
-        if list[..index].iter().any(|other| same(&other)) {
+        if !seen.insert(name.text.as_str()) {
             let message = format!("`{}` is overridden twice", name.text);
             cx.diags.report(Code::DuplicateName, name.span, message);
             continue;
@@ -71,11 +69,12 @@ fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
 }
 
 fn extension(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
-    let own = cx.globals.rules.iter().filter(|item| item.instance == id && item.home == id);
-    let named: Vec<_> = own.clone().filter(|item| item.decl.name.text == name.text).collect();
+    let rule = |index: &u32| &cx.globals.rules[*index as usize];
+    let named: Vec<_> = cx.globals.plain_rules(id, &name.text).iter().map(rule).filter(|item| item.home == id).collect();
     if named.iter().any(|item| item.decl.role == Role::Extension) {
         return;
     }
+    let own = cx.globals.rules.iter().filter(|item| item.instance == id && item.home == id);
     let extensions = own.filter(|item| item.decl.role == Role::Extension).map(|item| item.decl.name.text.as_str());
     let near = nearest(&name.text, extensions).map(str::to_owned);
     if let Some(rule) = named.first() {

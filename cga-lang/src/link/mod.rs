@@ -26,8 +26,9 @@ pub(crate) use style::Styles;
 /// Most instances a program may have: files that import each other twice, level by level, would become millions.
 const MOST_INSTANCES: usize = 1000;
 
-/// Most tokens that all instances together may have.
-const MOST_TOKENS: usize = 20_000_000;
+/// Most tokens that all instances together may have, whatever the compiled file itself has: 1,000 of a large file would
+/// not fit in memory.
+const MOST_TOKENS: usize = 4_000_000;
 
 /// How deep imports may be nested.
 const MOST_NESTED: usize = 64;
@@ -124,6 +125,7 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
         files,
         diags,
         units: Vec::new(),
+        placed: Vec::new(),
         by_name: HashMap::new(),
         under_way: Vec::new(),
         full: false,
@@ -142,7 +144,7 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
     link.program.roots.push(first);
     let styles: Vec<Span> = link.program.instances[first].ast.styles.iter().map(|style| style.name.span).collect();
     for (style, span) in (1..).zip(styles) {
-        if link.full_up(span) {
+        if link.full_up(file, span) {
             break;
         }
         let root = link.instance(file, style, style, origin.clone());
@@ -171,6 +173,8 @@ struct Link<'l> {
     files: &'l mut dyn Files,
     diags: &'l mut Diags,
     units: Vec<Unit>,
+    /// By file: its tokens in the program, if it was read there. Its unit has none any more then.
+    placed: Vec<Option<Range<u32>>>,
     by_name: HashMap<String, usize>,
     /// Files that are being imported, outermost first.
     under_way: Vec<usize>,
@@ -188,17 +192,29 @@ impl Link<'_> {
         self.by_name.insert(unit.name.clone(), file);
         self.program.files.push(unit.name.clone());
         self.units.push(unit);
+        self.placed.push(None);
         file
+    }
+
+    /// Puts the tokens of a file behind those so far.
+    fn place(&mut self, file: usize) -> Range<u32> {
+        let start = self.program.tokens.len() as u32;
+        match &self.placed[file] {
+            Some(first) => self.program.tokens.repeat(first.clone()),
+            None => self.program.tokens.append(std::mem::take(&mut self.units[file].tokens)),
+        }
+        let tokens = start..self.program.tokens.len() as u32;
+        self.placed[file].get_or_insert(tokens.clone());
+        tokens
     }
 
     /// Reads a file with a style in force, and what it imports.
     fn instance(&mut self, file: usize, style: u32, root_style: u32, origin: Origin) -> InstanceId {
         let id = self.program.instances.len();
+        let tokens = self.place(file);
         let unit = &self.units[file];
-        let start = self.program.tokens.len() as u32;
-        self.program.tokens.extend(&unit.tokens);
-        let tokens = start..self.program.tokens.len() as u32;
-        self.diags.append(unit.found.iter().map(|diag| diag.clone().moved(|span| span.behind(start))).collect());
+        let found = unit.found.iter().map(|diag| diag.clone().moved(|span| span.behind(tokens.start)));
+        self.diags.append(found.collect());
         let ast = parse_part(&self.program.tokens, tokens.clone(), self.diags);
         self.program.pieces.push(Piece { file, tokens });
         let styles = Styles::new(&ast, style, self.diags);
@@ -229,7 +245,7 @@ impl Link<'_> {
         }
         for (import, overrides) in calls {
             let Some(&Some(target)) = self.program.instances[id].imports.get(&import.text) else { continue };
-            if self.full_up(import.span) {
+            if self.full_up(self.program.instances[target].file, import.span) {
                 break;
             }
             let target = &self.program.instances[target];
@@ -250,26 +266,38 @@ impl Link<'_> {
         id
     }
 
-    fn full_up(&mut self, span: Span) -> bool {
-        let what = if MOST_INSTANCES <= self.program.instances.len() {
-            format!("files that import others and styles come to more than {MOST_INSTANCES} readings of files")
-        } else if MOST_TOKENS <= self.program.tokens.len() {
-            format!("files that import others and styles come to more than {MOST_TOKENS} words and signs")
+    /// Whether there is no room for a file, which is said once.
+    fn full_up(&mut self, file: usize, span: Span) -> bool {
+        let length = self.placed[file].as_ref().map_or(self.units[file].tokens.len(), Range::len);
+        let full = if MOST_INSTANCES <= self.program.instances.len() {
+            format!("more than {MOST_INSTANCES} files")
         } else if MOST_NESTED <= self.under_way.len() {
             self.diags.report(Code::CannotImport, span, format!("imports are nested more than {MOST_NESTED} deep"));
             return true;
+        } else if MOST_TOKENS < self.program.tokens.len() + length {
+            format!("more than {MOST_TOKENS} tokens in all files")
         } else {
             return false;
         };
         if !self.full {
             self.full = true;
-            self.diags.report(Code::CannotImport, span, what);
+            let diag = self.diags.report(Code::CannotImport, span, full);
+            diag.note("a file counts once for each place and style it is used in");
         }
         true
     }
 
+    /// The number of a file's style.
+    fn style(&self, file: usize, name: &str) -> Option<u32> {
+        match self.program.instances.iter().find(|instance| instance.file == file) {
+            Some(instance) => style::position(&instance.ast, name),
+            None => style::number(&self.units[file].tokens, name),
+        }
+    }
+
     fn import(&mut self, from: InstanceId, import: &Import) -> Option<InstanceId> {
-        if self.full_up(import.id.span) {
+        // Nobody opens files for nothing.
+        if self.full {
             return None;
         }
         let (root_style, prefix, file) = {
@@ -291,13 +319,16 @@ impl Link<'_> {
             self.diags.report(Code::CannotImport, import.path_span, message);
             return None;
         }
+        if self.full_up(opened, import.id.span) {
+            return None;
+        }
         let layer = Layer { home: from, list: import.overrides.clone() };
         let origin = Origin { prefix, parent: Some(from), layers: vec![layer] };
         let wanted = import.styles.as_ref().and_then(|styles| styles.first()).cloned();
         // Which number a style has only the tree can tell.
         let style = match wanted.filter(|name| name.text != style::DEFAULT) {
             None => 0,
-            Some(name) => match style::number(&self.units[opened].tokens, &name.text) {
+            Some(name) => match self.style(opened, &name.text) {
                 Some(style) => style,
                 None => {
                     let message = format!("`{}` has no style `{}`", self.units[opened].name, name.text);

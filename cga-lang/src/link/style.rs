@@ -1,6 +1,6 @@
 //! Styles of a file.
 
-use crate::ast::{Ast, Name};
+use crate::ast::Ast;
 use crate::code::Code;
 use crate::diag::Diags;
 use crate::parse::parse_part;
@@ -26,7 +26,7 @@ impl Styles {
         while let Some(own) = at.checked_sub(1).and_then(|index| ast.styles.get(index as usize)) {
             chain.push(at);
             let Some(base) = own.base.as_ref().filter(|base| base.text != DEFAULT) else { break };
-            match position(ast, base) {
+            match position(ast, &base.text) {
                 Some(next) if chain.contains(&next) => {
                     let message = format!("style `{}` builds on itself", own.name.text);
                     diags.report(Code::UnknownStyle, base.span, message);
@@ -58,8 +58,9 @@ impl Styles {
     }
 }
 
-fn position(ast: &Ast, name: &Name) -> Option<u32> {
-    ast.styles.iter().position(|style| style.name.text == name.text).map(|index| index as u32 + 1)
+/// The number of a style.
+pub(super) fn position(ast: &Ast, name: &str) -> Option<u32> {
+    ast.styles.iter().position(|style| style.name.text == name).map(|index| index as u32 + 1)
 }
 
 /// The number that a style has in a file that is not read yet.
@@ -67,5 +68,5 @@ pub(super) fn number(tokens: &Tokens, name: &str) -> Option<u32> {
     let mut unheard = Diags::new();
     let ast = parse_part(tokens, 0..tokens.len() as u32, &mut unheard);
     unheard.finish();
-    ast.styles.iter().position(|style| style.name.text == name).map(|index| index as u32 + 1)
+    position(&ast, name)
 }

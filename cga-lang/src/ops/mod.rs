@@ -15,7 +15,7 @@ mod syntax;
 mod values;
 
 use crate::ir::Type;
-use std::collections::HashMap;
+use crate::hash::FastMap;
 use std::sync::LazyLock;
 
 pub use attributes::SHAPE_ATTRS;
@@ -247,10 +247,10 @@ pub fn required(params: &[Param]) -> usize {
     params.iter().take_while(|param| param.default.is_none()).count()
 }
 
-type Rows<T> = HashMap<&'static str, Vec<&'static T>>;
+type Rows<T> = FastMap<&'static str, Vec<&'static T>>;
 
 fn by_name<T>(rows: impl Iterator<Item = &'static T>, name: fn(&T) -> &'static str) -> Rows<T> {
-    let mut map = Rows::new();
+    let mut map = Rows::default();
     for row in rows {
         map.entry(name(row)).or_default().push(row);
     }

@@ -13,17 +13,17 @@ use super::{Cx, Door, Init, Use};
 use crate::ast::{Body, Decl, Expr, Name};
 use crate::code::Code;
 use crate::diag::Diag;
+use crate::hash::FastMap;
 use crate::ir::Type;
 use crate::span::Span;
 use open::Open;
-use std::collections::HashMap;
 use unify::{State, Var, Vars};
 
 pub(super) fn infer(cx: &mut Cx) {
     let mut pass = Infer {
         cx,
         vars: Vars::default(),
-        slots: HashMap::new(),
+        slots: FastMap::default(),
         open: Vec::new(),
         calls: Vec::new(),
         ordered: Vec::new(),
@@ -83,7 +83,7 @@ struct Infer<'p, 'a, 'd> {
     cx: &'p mut Cx<'a, 'd>,
     vars: Vars,
     /// By the token a declaration, parameter, local, Rust value or Rust call begins with.
-    slots: HashMap<u32, Var>,
+    slots: FastMap<u32, Var>,
     open: Vec<Open>,
     calls: Vec<Argument>,
     /// Operands of `<` and its like, which bools have not.
