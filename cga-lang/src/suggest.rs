@@ -4,10 +4,25 @@
 pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word: Vec<char> = word.chars().flat_map(char::to_lowercase).take(LONGEST).collect();
     let limit = (word.len() / 3).max(1);
+    let letters = word.iter().fold(0, |set, c| set | letter(*c));
     // Of equally near ones the one that is as long.
     let mut best: Option<((usize, usize), &str)> = None;
+    let mut other: Vec<char> = Vec::new();
     for name in names {
-        let other: Vec<char> = name.chars().flat_map(char::to_lowercase).take(LONGEST).collect();
+        // Most names can be told to be far by their letters alone: an edit brings in or takes away one of them, or both.
+        let set = if name.is_ascii() {
+            if name.len() < LONGEST && limit < word.len().abs_diff(name.len()) {
+                continue;
+            }
+            name.bytes().take(LONGEST).fold(0, |set, byte| set | letter(char::from(byte.to_ascii_lowercase())))
+        } else {
+            name.chars().flat_map(char::to_lowercase).take(LONGEST).fold(0, |set, c| set | letter(c))
+        };
+        if limit < (letters & !set).count_ones().max((set & !letters).count_ones()) as usize {
+            continue;
+        }
+        other.clear();
+        other.extend(name.chars().flat_map(char::to_lowercase).take(LONGEST));
         if limit < word.len().abs_diff(other.len()) {
             continue;
         }
@@ -19,6 +34,11 @@ pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) 
         }
     }
     best.map(|(_, name)| name)
+}
+
+/// A bit for a letter; several may share one.
+fn letter(c: char) -> u64 {
+    1 << (c as u32 % 64)
 }
 
 const LONGEST: usize = 64;

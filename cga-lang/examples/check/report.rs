@@ -12,11 +12,17 @@ use std::collections::{BTreeMap, HashSet};
 use std::io::{Result, Write};
 use std::time::Duration;
 
+/// Most findings of a file that are shown: nobody reads more, and each is looked for in the text.
+const MOST_SHOWN: usize = 1000;
+
+/// A finding: file, first and last token there, code, message.
+type Place = (String, u32, u32, Code, String);
+
 /// Prints findings and summaries, and adds up.
 pub(crate) struct Report<'o> {
     options: &'o Options,
-    /// What was shown. A file that many import has the same findings each time.
-    shown: HashSet<String>,
+    /// What was found so far. A file that many import has the same findings each time.
+    seen: HashSet<Place>,
     files: usize,
     failed: usize,
     lines: usize,
@@ -27,7 +33,7 @@ pub(crate) struct Report<'o> {
 impl<'o> Report<'o> {
     pub(crate) fn new(options: &'o Options) -> Self {
         let (codes, later) = (BTreeMap::new(), BTreeMap::new());
-        Report { options, shown: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
+        Report { options, seen: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
     }
 
     pub(crate) fn has_errors(&self) -> bool {
@@ -43,21 +49,31 @@ impl<'o> Report<'o> {
         again.finish();
         let compiled = compile_files(root, library, &[]);
         let mut own = Own::default();
+        let mut more = 0;
         for diag in &compiled.diags {
-            let quote = |file: usize| library.quote(compiled.files.get(file)?);
-            let text = render_in(&compiled, &quote, diag);
-            let here = compiled.locate(diag.span.first).0 == 0;
-            own.add(diag, here);
-            if !self.shown.insert(text.clone()) {
+            let (file, first) = compiled.locate(diag.span.first);
+            own.add(diag, file == 0);
+            let last = compiled.locate(diag.span.last).1;
+            if !self.seen.insert((compiled.files[file].clone(), first, last, diag.code, diag.message.clone())) {
                 continue;
             }
             *self.codes.entry((diag.level, diag.code)).or_default() += 1;
             if let Some(name) = later(diag) {
                 *self.later.entry(name).or_default() += 1;
             }
-            if !self.options.quiet && (self.options.warnings || diag.level == Level::Error) {
-                writeln!(out, "{text}\n")?;
+            if self.options.quiet || !(self.options.warnings || diag.level == Level::Error) {
+                continue;
             }
+            if own.shown == MOST_SHOWN {
+                more += 1;
+                continue;
+            }
+            own.shown += 1;
+            let quote = |file: usize| library.quote(compiled.files.get(file)?);
+            writeln!(out, "{}\n", render_in(&compiled, &quote, diag))?;
+        }
+        if 0 < more {
+            writeln!(out, "… and {more} more\n")?;
         }
         self.files += 1;
         self.failed += usize::from(0 < own.errors + own.imported);
@@ -97,6 +113,7 @@ impl<'o> Report<'o> {
 struct Own {
     errors: usize,
     warnings: usize,
+    shown: usize,
     /// Errors in what it imports.
     imported: usize,
     later: BTreeMap<String, usize>,

@@ -4,6 +4,7 @@ use crate::ast::{Body, Decl, Expr, Name, Override, Role};
 use crate::link::{InstanceId, Layer, Program};
 use crate::ops;
 use crate::suggest::nearest;
+use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
 use super::Use;
@@ -16,7 +17,16 @@ pub(crate) struct Globals<'a> {
     pub(crate) functions: Vec<Item<'a>>,
     pub(crate) rules: Vec<Item<'a>>,
     names: Vec<Names<'a>>,
+    /// How many more suggestions there may be.
+    hints: Cell<u32>,
 }
+
+/// Most findings that suggest a name of the grammar: a large file with a mistake in each line would take for ever.
+const MOST_HINTS: u32 = 100;
+
+/// Most overloads of a name with as many parameters that calls know of. There are hardly as many types, and each call
+/// looks at all.
+const MOST_OVERLOADS: usize = 64;
 
 /// A declaration in its place.
 #[derive(Clone)]
@@ -89,8 +99,16 @@ impl<'a> Item<'a> {
 impl<'a> Globals<'a> {
     pub(super) fn new(program: &'a Program) -> Self {
         let names = program.instances.iter().map(|_| Names::default()).collect();
-        let mut globals =
-            Globals { program, attrs: Vec::new(), consts: Vec::new(), functions: Vec::new(), rules: Vec::new(), names };
+        let hints = Cell::new(MOST_HINTS);
+        let mut globals = Globals {
+            program,
+            attrs: Vec::new(),
+            consts: Vec::new(),
+            functions: Vec::new(),
+            rules: Vec::new(),
+            names,
+            hints,
+        };
         for instance in 0..program.instances.len() {
             globals.collect(instance);
         }
@@ -212,7 +230,7 @@ impl<'a> Globals<'a> {
         for (item, what, own) in found {
             let (name, names) = (item.decl.name.text.as_str(), &mut self.names[item.instance]);
             if let Use::Function(index) = own {
-                names.functions.entry(name).or_default().push(index);
+                overload(names.functions.entry(name).or_default(), index, &self.functions);
                 if !item.decl.params.is_empty() {
                     continue;
                 }
@@ -233,7 +251,7 @@ impl<'a> Globals<'a> {
             }
             let name = item.decl.name.text.as_str();
             let names = &mut self.names[item.instance];
-            names.rules.entry(name).or_default().push(index as u32);
+            overload(names.rules.entry(name).or_default(), index as u32, &self.rules);
             if item.decl.role == Role::Start {
                 names.start.push(index as u32);
             }
@@ -343,9 +361,11 @@ impl<'a> Globals<'a> {
         }
     }
 
-    /// Names that are declared in an instance, sorted.
+    /// Names that are declared in an instance, sorted; none when there were enough suggestions.
     pub(crate) fn near(&self, from: InstanceId, kind: Kind) -> Vec<&'a str> {
         let names = &self.names[from];
+        let Some(left) = self.hints.get().checked_sub(1) else { return Vec::new() };
+        self.hints.set(left);
         let mut list: Vec<&'a str> = match kind {
             Kind::Values => names.values.keys().copied().collect(),
             Kind::Attrs => {
@@ -354,6 +374,14 @@ impl<'a> Globals<'a> {
             }
             Kind::Functions => names.functions.keys().copied().collect(),
             Kind::Rules => names.rules.keys().copied().collect(),
+            Kind::Extensions => {
+                let items = names.rules.values().flatten().map(|index| &self.rules[*index as usize]);
+                items
+                    .filter(|item| item.decl.role == Role::Extension)
+                    .map(|item| item.decl.name.text.as_str())
+                    .collect()
+            }
+            Kind::Imports => self.program.instances[from].imports.keys().map(String::as_str).collect(),
         };
         list.sort_unstable();
         list
@@ -367,6 +395,18 @@ pub(crate) enum Kind {
     Attrs,
     Functions,
     Rules,
+    Extensions,
+    Imports,
+}
+
+/// Adds to the declarations of a name.
+fn overload(list: &mut Vec<u32>, index: u32, items: &[Item]) {
+    let params = |index: u32| items[index as usize].decl.params.len();
+    // The last ones are looked at first, for whoever declares one thing ten thousand times.
+    if list.iter().rev().filter(|other| params(**other) == params(index)).take(MOST_OVERLOADS).count() < MOST_OVERLOADS
+    {
+        list.push(index);
+    }
 }
 
 /// What a layer says about attributes; of several the first.

@@ -1,5 +1,6 @@
 //! What stands in parentheses behind an import: whether it names attributes and extensions of the imported file.
 
+use super::globals::Kind;
 use super::{Cx, Use};
 use crate::ast::{Override, Role};
 use crate::code::Code;
@@ -58,7 +59,7 @@ fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
     match cx.globals.value(id, &name.text) {
         Some(Use::Attr(_)) => {}
         found => {
-            let near = nearest(&name.text, cx.globals.near(id, super::globals::Kind::Attrs)).map(str::to_owned);
+            let near = nearest(&name.text, cx.globals.near(id, Kind::Attrs)).map(str::to_owned);
             let message = match found {
                 Some(_) => format!("`{}` is a constant, only attributes can be overridden", name.text),
                 None => format!("the imported file has no attribute `{}`", name.text),
@@ -70,13 +71,12 @@ fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
 
 fn extension(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
     let rule = |index: &u32| &cx.globals.rules[*index as usize];
-    let named: Vec<_> = cx.globals.plain_rules(id, &name.text).iter().map(rule).filter(|item| item.home == id).collect();
+    let named: Vec<_> =
+        cx.globals.plain_rules(id, &name.text).iter().map(rule).filter(|item| item.home == id).collect();
     if named.iter().any(|item| item.decl.role == Role::Extension) {
         return;
     }
-    let own = cx.globals.rules.iter().filter(|item| item.instance == id && item.home == id);
-    let extensions = own.filter(|item| item.decl.role == Role::Extension).map(|item| item.decl.name.text.as_str());
-    let near = nearest(&name.text, extensions).map(str::to_owned);
+    let near = nearest(&name.text, cx.globals.near(id, Kind::Extensions)).map(str::to_owned);
     if let Some(rule) = named.first() {
         let message = format!("rule `{}` is no extension, it cannot be overridden", name.text);
         cx.diags

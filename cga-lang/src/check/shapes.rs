@@ -289,7 +289,7 @@ impl<'a> Scope<'_, 'a, '_> {
             }
             (None, Some(None)) => return,
             (None, None) => {
-                let near = nearest(&import.text, own.imports.keys().map(String::as_str)).map(str::to_owned);
+                let near = nearest(&import.text, self.cx.globals.near(self.at, Kind::Imports)).map(str::to_owned);
                 let message = format!("there is no import `{}`", import.text);
                 self.cx.diags.report(Code::UnknownName, import.span, message).suggest(near);
                 return;

@@ -6,14 +6,18 @@ use crate::diag::Diags;
 use crate::parse::parse_part;
 use crate::suggest::nearest;
 use crate::token::Tokens;
+use std::collections::HashMap;
 
 /// The style that every file has.
 pub(crate) const DEFAULT: &str = "Default";
 
 /// The style in force and those it builds on.
 pub(crate) struct Styles {
-    /// By number as in [`Decl::style`](crate::ast::Decl::style), the one in force first, `Default` last.
-    chain: Vec<u32>,
+    /// The number of the style in force, as in [`Decl::style`](crate::ast::Decl::style).
+    in_force: u32,
+    /// By number: how near it is to the one in force, 0 being the nearest; `None` when it does not count. `Default` is
+    /// the farthest.
+    ranks: Vec<Option<usize>>,
     /// Its name; `None` for `Default`.
     pub(crate) name: Option<String>,
 }
@@ -21,18 +25,23 @@ pub(crate) struct Styles {
 impl Styles {
     /// Follows the styles from one to `Default`. Reports bases that do not exist or form a ring.
     pub(crate) fn new(ast: &Ast, style: u32, diags: &mut Diags) -> Self {
-        let mut chain = Vec::new();
-        let mut at = style;
-        while let Some(own) = at.checked_sub(1).and_then(|index| ast.styles.get(index as usize)) {
-            chain.push(at);
+        let mut ranks = vec![None; ast.styles.len() + 1];
+        let first = style.checked_sub(1).and_then(|index| ast.styles.get(index as usize));
+        // The first of a name counts.
+        let numbers: HashMap<&str, usize> =
+            ast.styles.iter().enumerate().rev().map(|(index, own)| (own.name.text.as_str(), index + 1)).collect();
+        let (mut at, mut rank) = (style as usize, 0);
+        while let Some(own) = at.checked_sub(1).and_then(|index| ast.styles.get(index)) {
+            ranks[at] = Some(rank);
+            rank += 1;
             let Some(base) = own.base.as_ref().filter(|base| base.text != DEFAULT) else { break };
-            match position(ast, &base.text) {
-                Some(next) if chain.contains(&next) => {
+            match numbers.get(base.text.as_str()) {
+                Some(&next) if ranks[next].is_some() => {
                     let message = format!("style `{}` builds on itself", own.name.text);
                     diags.report(Code::UnknownStyle, base.span, message);
                     break;
                 }
-                Some(next) => at = next,
+                Some(&next) => at = next,
                 None => {
                     let names = ast.styles.iter().map(|style| style.name.text.as_str()).chain([DEFAULT]);
                     let near = nearest(&base.text, names).map(str::to_owned);
@@ -42,19 +51,19 @@ impl Styles {
                 }
             }
         }
-        chain.push(0);
-        let name = style.checked_sub(1).and_then(|index| ast.styles.get(index as usize));
-        Styles { chain, name: name.map(|style| style.name.text.clone()) }
+        ranks[0] = Some(rank);
+        let in_force = if first.is_some() { style } else { 0 };
+        Styles { in_force, ranks, name: first.map(|style| style.name.text.clone()) }
     }
 
     /// The number of the style in force.
     pub(crate) fn in_force(&self) -> u32 {
-        self.chain.first().copied().unwrap_or(0)
+        self.in_force
     }
 
     /// How near a style is to the one in force, 0 being the nearest; `None` when it does not count.
     pub(crate) fn rank(&self, style: u32) -> Option<usize> {
-        self.chain.iter().position(|own| *own == style)
+        self.ranks.get(style as usize).copied().flatten()
     }
 }
 

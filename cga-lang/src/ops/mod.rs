@@ -14,8 +14,8 @@ mod set_elements;
 mod syntax;
 mod values;
 
-use crate::ir::Type;
 use crate::hash::FastMap;
+use crate::ir::Type;
 use std::sync::LazyLock;
 
 pub use attributes::SHAPE_ATTRS;
