@@ -8,11 +8,11 @@ impl cga_rt::Rules for Tower {
         "Tall$Lot",
         "Lot/1",
     ];
-    const STARTS: &'static [&'static ::core::primitive::str] = &[
-        "Lot",
-        "Roof",
-        "Tall$Lot",
-        "Tall$Roof",
+    const STARTS: &'static [cga_rt::StartRule] = &[
+        cga_rt::StartRule::new("Lot"),
+        cga_rt::StartRule::new("Roof"),
+        cga_rt::StartRule::new("Tall$Lot"),
+        cga_rt::StartRule::new("Tall$Roof"),
     ];
     const START_RULES: &'static [::core::primitive::u32] = &[0u32, 1u32, 2u32, 1u32];
     const START_STYLES: &'static [::core::primitive::u32] = &[0u32, 0u32, 1u32, 1u32];
