@@ -1,5 +1,6 @@
 //! Two declarations of one name.
 
+use super::globals::Item;
 use super::{Cx, arity};
 use crate::ast::Decl;
 use crate::code::Code;
@@ -7,7 +8,6 @@ use crate::diag::Diags;
 use crate::ir::Type;
 use crate::link::InstanceId;
 use crate::ops::{self, Run};
-use crate::span::Span;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
@@ -56,28 +56,35 @@ pub(super) fn styles(cx: &mut Cx) {
     if roots.len() < 2 {
         return;
     }
+    // Rules have their names to themselves, and cannot be anything else.
     let kinds = [
         (&cx.globals.attrs, "an attribute"),
         (&cx.globals.consts, "a constant"),
         (&cx.globals.functions, "a function"),
-        (&cx.globals.rules, "a rule"),
     ];
-    let mut first: HashMap<(&str, usize), (&str, Option<Type>, Span)> = HashMap::new();
+    let mut groups: HashMap<(&str, usize), Vec<(&Item, &str)>> = HashMap::new();
     for (items, what) in kinds {
         for item in items.iter().filter(|item| !item.origin && roots.contains(&item.instance)) {
-            let (name, ty) = (&item.decl.name, cx.tables.types.get(&item.decl.name.id()).copied());
-            let (kind, known, place) =
-                *first.entry((&name.text, item.decl.params.len())).or_insert((what, ty, name.span));
+            groups.entry((&item.decl.name.text, item.decl.params.len())).or_default().push((item, what));
+        }
+    }
+    for group in groups.into_values() {
+        // Overloads may differ.
+        let overloads = group.windows(2).any(|pair| pair[0].0.instance == pair[1].0.instance);
+        let Some(((first, kind), others)) = group.split_first().filter(|_| !overloads) else { continue };
+        let ty = |item: &Item| cx.tables.types.get(&item.decl.name.id()).copied();
+        for (item, what) in others {
+            let name = &item.decl.name;
             let message = if kind != what {
                 format!("`{}` is {what} in this style and {kind} in another", name.text)
-            } else if let (Some(own), Some(other)) = (ty, known)
+            } else if let (Some(own), Some(other)) = (ty(item), ty(first))
                 && own != other
             {
                 format!("`{}` is a {} in this style and a {} in another", name.text, own.word(), other.word())
             } else {
                 continue;
             };
-            cx.diags.report(Code::TypeMismatch, name.span, message).related("the other", place);
+            cx.diags.report(Code::TypeMismatch, name.span, message).related("the other", first.decl.name.span);
         }
     }
 }

@@ -327,6 +327,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 _ => {
                     words.iter().for_each(|word| self.expr(word));
                     self.not_implemented(name.span, "`set` of an attribute whose name is computed", None);
+                    self.cx.tables.later.insert(name.id());
                 }
             },
             _ if has_error(args) => {}

@@ -305,6 +305,12 @@ impl Link<'_> {
             (own.root_style, format!("{}{}.", own.prefix, import.id.text), own.file)
         };
         let from_name = self.units[file].name.clone();
+        // *CGA changelog 2023.0*; and nobody reads other files this way.
+        if !import.path.ends_with(".cga") {
+            let message = format!("cannot import `{}`: only files that end in `.cga` can be imported", import.path);
+            self.diags.report(Code::CannotImport, import.path_span, message);
+            return None;
+        }
         let opened = match self.files.open(&import.path, &from_name) {
             Ok(unit) => self.unit(unit),
             Err(why) => {

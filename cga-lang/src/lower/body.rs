@@ -79,8 +79,10 @@ impl<'c> Lower<'c> {
     }
 
     fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Step> {
+        if self.checked.tables.later.contains(&name.id()) {
+            return Some(Step::Later(name.text.clone(), span));
+        }
         Some(match self.used(name)? {
-            Use::Operation(_) if self.checked.tables.later.contains(&name.id()) => Step::Later(name.text.clone(), span),
             Use::Operation(row) if row.run == Run::Later => Step::Later(name.text.clone(), span),
             Use::Operation(row) => {
                 let left_out = row.params.iter().skip(args.len()).filter_map(|param| default(param, span));

@@ -99,7 +99,10 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
         let taken = (0..public.captures.len()).map(capture);
         quote_spanned!(place=> #name { #(#defaults,)* #(#captured: #taken,)* })
     });
-    let hidden = &public.hidden;
+    let hidden = match &public.hidden {
+        Some(hidden) => hidden.clone(),
+        None => unrunnable(&name, &header.label()),
+    };
     quote_spanned! { place=>
         #attributes
         #doc
@@ -119,6 +122,41 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
             #hidden
         };
         #value
+    }
+}
+
+/// The runtime's `Grammar` of one that has errors, for code that needs the trait.
+fn unrunnable(name: &Ident, label: &str) -> TokenStream {
+    quote_spanned! { Span::mixed_site()=>
+        #[automatically_derived]
+        impl cga_rt::Grammar for #name {
+            fn name(&self) -> &'static ::core::primitive::str {
+                #label
+            }
+
+            fn attributes(&self) -> &'static [cga_rt::Attribute] {
+                &[]
+            }
+
+            fn attribute_get(&self, _: ::core::primitive::usize) -> ::core::option::Option<cga_rt::Value> {
+                ::core::option::Option::None
+            }
+
+            fn attribute_set(&mut self, _: ::core::primitive::usize, _: cga_rt::Value) {}
+
+            fn start_rules(&self) -> &'static [cga_rt::StartRule] {
+                &[]
+            }
+
+            fn derive(
+                &self,
+                _: &cga_rt::Shape,
+                _: &cga_rt::Settings,
+                _: &mut dyn cga_rt::Sink,
+            ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
+                ::core::unreachable!("the rules have errors")
+            }
+        }
     }
 }
 

@@ -17,6 +17,7 @@ use crate::hash::FastMap;
 use crate::ir::Type;
 use crate::span::Span;
 use open::Open;
+use std::collections::HashMap;
 use unify::{State, Var, Vars};
 
 pub(super) fn infer(cx: &mut Cx) {
@@ -196,6 +197,7 @@ impl<'a> Infer<'_, 'a, '_> {
         for index in 0..self.calls.len() {
             self.join_argument(index);
         }
+        self.join_styles();
         self.propagate();
         self.settle();
         for (var, span) in std::mem::take(&mut self.ordered) {
@@ -203,6 +205,33 @@ impl<'a> Infer<'_, 'a, '_> {
                 let message = format!("{} have no order", if ty == Type::Bool { "bools" } else { "arrays of bools" });
                 self.cx.diags.report(Code::TypeMismatch, span, message).help("write `==` or `!=`");
             }
+        }
+    }
+
+    /// A value has one type in every style, and so have parameters. Who differs is reported by `duplicates`.
+    fn join_styles(&mut self) {
+        if self.cx.globals.program.roots.len() < 2 {
+            return;
+        }
+        let mut groups: HashMap<(String, usize), Vec<(u32, Vec<u32>)>> = HashMap::new();
+        for item in self.cx.globals.values().filter(|item| !item.origin) {
+            let style = self.cx.globals.program.instances[item.instance].root_style;
+            let tokens = [&item.decl.name].into_iter().chain(&item.decl.params).map(Name::id).collect();
+            groups.entry((item.name.clone(), item.decl.params.len())).or_default().push((style, tokens));
+        }
+        let mut pairs = Vec::new();
+        for group in groups.into_values() {
+            // Of overloads nobody knows yet which is which.
+            let overloads = group.windows(2).any(|pair| pair[0].0 == pair[1].0);
+            let Some(((_, first), others)) = group.split_first().filter(|_| !overloads) else { continue };
+            for (_, other) in others {
+                pairs.extend(first.iter().copied().zip(other.iter().copied()));
+            }
+        }
+        pairs.sort_unstable();
+        for (first, other) in pairs {
+            let (first, other) = (self.slot(first), self.slot(other));
+            _ = self.vars.join(first, other);
         }
     }
 

@@ -70,4 +70,31 @@ const _: () = {
             ::core::unreachable!("the rules have errors")
         }
     }
+    #[automatically_derived]
+    impl cga_rt::Grammar for Tower {
+        fn name(&self) -> &'static ::core::primitive::str {
+            "Tower"
+        }
+        fn attributes(&self) -> &'static [cga_rt::Attribute] {
+            &[]
+        }
+        fn attribute_get(
+            &self,
+            _: ::core::primitive::usize,
+        ) -> ::core::option::Option<cga_rt::Value> {
+            ::core::option::Option::None
+        }
+        fn attribute_set(&mut self, _: ::core::primitive::usize, _: cga_rt::Value) {}
+        fn start_rules(&self) -> &'static [cga_rt::StartRule] {
+            &[]
+        }
+        fn derive(
+            &self,
+            _: &cga_rt::Shape,
+            _: &cga_rt::Settings,
+            _: &mut dyn cga_rt::Sink,
+        ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
+            ::core::unreachable!("the rules have errors")
+        }
+    }
 };
