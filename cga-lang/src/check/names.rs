@@ -11,6 +11,7 @@ use crate::ir::Type;
 use crate::link::InstanceId;
 use crate::ops::{self, Function, ParamKind, Places, Run};
 use crate::span::Span;
+use crate::token::Tok;
 
 /// Resolves every use.
 pub(super) fn uses(cx: &mut Cx) {
@@ -77,6 +78,7 @@ impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn expr(&mut self, expr: &'a Expr) {
         match &expr.kind {
             ExprKind::Name(name) => return self.expr_name(name),
+            ExprKind::Call(..) if self.has_unread(expr.span) => {}
             ExprKind::Call(name, args) => return self.call(name, args),
             ExprKind::Comp(comp) => return self.comp_value(comp),
             ExprKind::Chance(arms, _) => self.percentages(arms.iter().map(|(percent, _)| percent)),
@@ -85,6 +87,13 @@ impl<'a> Scope<'_, 'a, '_> {
         for part in expr.parts() {
             self.expr(part);
         }
+    }
+
+    /// Whether there is something in a span that could not be read and was reported.
+    pub(super) fn has_unread(&self, span: Span) -> bool {
+        let tokens = self.cx.globals.program.tokens.as_slice();
+        let list = tokens.get(span.first as usize..=span.last as usize).unwrap_or_default();
+        list.iter().any(|token| matches!(token, Tok::Bad))
     }
 
     /// `comp(f) { selector : value }`.

@@ -45,6 +45,8 @@ impl<'a> Scope<'_, 'a, '_> {
     fn op(&mut self, op: &'a Op) {
         match &op.kind {
             OpKind::Leaf(_) | OpKind::Nil | OpKind::Error => {}
+            // What could not be read may be an argument: nothing is known about their number.
+            OpKind::Call(_, args) if self.has_unread(op.span) => args.iter().for_each(|arg| self.expr(&arg.value)),
             OpKind::Call(name, args) if name.text == "set" => self.set(name, args),
             OpKind::Call(name, args) => self.shape_call(name, args),
             OpKind::Dynamic { import, overrides, rule, args } => self.dynamic(import, overrides, rule, args),
