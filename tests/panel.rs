@@ -60,7 +60,7 @@ cga! {
 }
 
 /// Attributes as a user interface shows them: by order, those without one last, in the order of the rules.
-fn by_order<'a>(mut list: Vec<&'a Attribute>) -> Vec<&'a Attribute> {
+fn by_order(mut list: Vec<&Attribute>) -> Vec<&Attribute> {
     let number = |attribute: &Attribute| attribute.order.unwrap_or(f64::INFINITY);
     list.sort_by(|a, b| number(a).total_cmp(&number(b)));
     list
@@ -217,7 +217,8 @@ fn a_run_checks_what_the_fields_hold() {
     // A default outside of its own range, which old files have, is no mistake.
     assert_eq!(run(|_| {}), Ok(3));
     assert_eq!(run(|house| house.r#use = Some("shops".into())), Ok(3));
-    let refused: [(fn(&mut House), &str, &str); 6] = [
+    type Change = fn(&mut House);
+    let refused: [(Change, &str, &str); 6] = [
         (|house| house.old = 98.0, "old", "98 is outside of 0 to 10"),
         (|house| house.floorHeights = [3.0, f64::NAN].into(), "floorHeights", "NaN is outside of 2.5 to 7"),
         (|house| house.style = String::new(), "style", "`` is none of plain, ornate, ruined"),

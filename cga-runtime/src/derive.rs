@@ -22,6 +22,7 @@ pub const STACK: u32 = 640;
 
 /// What a run says besides what it gave the sink.
 #[derive(Clone, Debug, Default)]
+#[non_exhaustive]
 pub struct Report {
     /// Shapes derived, leaves included.
     pub shapes: u64,

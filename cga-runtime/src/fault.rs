@@ -22,6 +22,7 @@ pub enum FaultKind {
 
 /// Something that went wrong with one shape. The run goes on; the model lists its faults.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Fault {
     /// What kind.
     pub kind: FaultKind,

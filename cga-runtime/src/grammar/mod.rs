@@ -17,6 +17,10 @@ use crate::sink::{Flow, Sink};
 use crate::value::Value;
 
 /// A grammar, for programs that choose among several at run time. `cga!` implements it for the struct it makes.
+///
+/// What user interfaces need is here: [`attributes`](Grammar::attributes) with names, groups, ranges, values to choose
+/// from and defaults; [`start_rules`](Grammar::start_rules); values by name, from text where a person typed them. None of
+/// it changes what rules make.
 pub trait Grammar {
     /// The grammar's name; empty for one without a header.
     fn name(&self) -> &'static str;
