@@ -67,6 +67,16 @@ pub fn global(shape: &Shape, number: u32) -> Shape {
     own
 }
 
+/// The same for an attribute or constant of an import that starts anew: evaluated on the current shape, which draws nothing
+/// of its own for it.
+pub fn anew<T>(shape: &mut ShapeRef<'_>, number: u32, value: impl FnOnce(&mut ShapeRef<'_>) -> T) -> T {
+    let seed = shape.seed;
+    shape.seed = Seed::child(seed.value(), Tag::Global, number);
+    let value = value(shape);
+    shape.seed = seed;
+    value
+}
+
 /// One branch of a stochastic rule: a draw with the probability that is left (`30% : … 5% : …` draws 0.30, then
 /// 0.05 / 0.70; see the digest's fact 95).
 #[inline]

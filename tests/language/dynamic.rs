@@ -117,7 +117,52 @@ fn the_shape_goes_on_as_it_was() {
 #[test]
 fn given_values_count_in_any_case() {
     cga! { grammar Given = r#"import imp : "tests/rules/import/inner.cga"  Lot --> imp(h = 3).Say imp.Say"#; }
-    // What the host program gives stands for the static import only.
     let rules = Given { imp_h: 8.0, ..Given::default() };
     assert_eq!(lines(&model(&rules)), ["inner3 (2)[3,30]", "inner8 (2)[8,80]"]);
+    // What the host program gives is where the others start from.
+    let rules = Given { imp_k: Some(7.0), imp_name: "host".into(), ..Given::default() };
+    assert_eq!(lines(&model(&rules)), ["host3 (2)[3,7]", "host5 (2)[5,7]"]);
+    cga! { grammar Own = r#"
+        import imp : "tests/rules/import/inner.cga"
+        attr name = "outer"
+        Lot --> set(imp.k, 1) imp(h = 3, Roof(n) --> X.).Say imp( ).Say"#; }
+    assert_eq!(lines(&model(&Own::default())), ["outer3 (2)[3,30]", "outer5 (2)[5,50]"]);
+    let rules = Own { imp_k: Some(7.0), imp_name: Some("host".into()), ..Own::default() };
+    assert_eq!(lines(&model(&rules)), ["host3 (2)[3,7]", "host5 (2)[5,7]"]);
+}
+
+#[test]
+fn dynamic_imports_stand_wherever_rules_do() {
+    cga! {
+        @Allow(undefined_rule)
+        grammar Anywhere = r#"
+            import imp : "tests/rules/import/inner.cga"
+            Lot --> Part(2) Chosen Leaf
+            Part(n) --> extrude(1) split(x) { ~1 : imp(h = n + split.index).Say | ~1 : comp(f) { top : imp(h = comp.total * 10 + n).Say } }
+            Chosen --> case imp.h == 5 : imp(name = "case").Say else : imp(name = "else").Say
+            Leaf --> imp(h = 1).Nowhere [ imp(h = 2).Lot(9) ] t(0, 0, 0)
+        "#;
+    }
+    let made = model(&Anywhere::default());
+    assert_eq!(lines(&made), ["inner2 (2)[2,20]", "inner12 (2)[12,120]", "case5 (2)[5,50]"]);
+    assert_eq!(leaves(&made), ["X", "X", "X", "imp.Nowhere", "Flat"]);
+    assert_eq!((sum(&made, "x"), sum(&made, "h")), (Some(9.0), Some(2.0)));
+}
+
+#[test]
+fn what_is_drawn_anew_is_drawn_for_each_call_and_from_streams_of_its_own() {
+    cga! { grammar Few = r#"import imp : "tests/rules/import/drawn.cga"
+    Lot --> imp( ).Show imp( ).Show imp(b = 1).Show print(rand())"#; }
+    cga! { grammar More = r#"import imp : "tests/rules/import/drawn.cga" (c = 1)
+    Lot --> imp( ).Show imp( ).Show imp(b = 1).Show print(rand())"#; }
+    let (few, more) = (lines(&model(&Few::default())), lines(&model(&More::default())));
+    let (first, second) = (&few[..3], &few[3..6]);
+    assert!(first.iter().zip(second).all(|(one, other)| one != other), "{few:?}");
+    // `c` is given, or `b`: the others draw what they drew.
+    for at in [0, 1, 3, 4, 6, 9] {
+        assert_eq!(few[at], more[at], "{at}");
+    }
+    assert_eq!((few[7].as_str(), more[2].as_str()), ("1", "1"));
+    let rest: f64 = few[9].parse().expect("a number");
+    assert!((0.0..1.0).contains(&rest));
 }

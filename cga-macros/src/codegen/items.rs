@@ -8,6 +8,7 @@ use super::expr::Place;
 use super::fields::Field;
 use super::public::captured;
 use super::rule::given;
+use super::state::stream;
 use super::{Cx, fields, inner_type, local, table, types};
 use crate::header::Header;
 
@@ -17,7 +18,7 @@ pub(super) fn values(cx: &Cx<'_>) -> TokenStream {
     let consts = cx.grammar.consts.iter().enumerate().map(|(at, it)| (local("const_", at), inner_type(it.ty)));
     let hosts = cx.hosts.iter().enumerate().filter(|_| cx.captured);
     let hosts = hosts.map(|(at, ty)| (captured(at), inner_type(ty.inside())));
-    let (names, types): (Vec<_>, Vec<_>) = attrs.chain(consts).chain(hosts).unzip();
+    let (names, types): (Vec<_>, Vec<_>) = attrs.chain(consts).chain(hosts).chain(cx.held_fields()).unzip();
     quote_spanned! { Span::mixed_site()=>
         #[derive(::core::default::Default)]
         pub struct CgaValues { #(#names: #types,)* }
@@ -75,7 +76,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     } else {
         quote_spanned!(place=> ::core::result::Result::Ok(()))
     };
-    let globals = values_by_style(cx, &fields);
+    let (held, globals) = (cx.hold_fields(&fields), values_by_style(cx, &fields));
     let (get_arms, set_arms) = fields::arms(&fields);
     let captured = (0..cx.grammar.hosts.len()).filter(|_| cx.captured).map(captured);
     let captured = captured.map(|name| quote_spanned!(place=> g.#name = ::core::clone::Clone::clone(&self.#name);));
@@ -110,6 +111,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
             ) -> CgaValues {
                 let mut g = <CgaValues as ::core::default::Default>::default();
                 #(#captured)*
+                #held
                 #globals
                 g
             }
@@ -178,12 +180,6 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     }
 }
 
-/// The number of an attribute's or constant's random stream: from its name (FNV-1a), so that adding another one changes
-/// nothing.
-fn stream(name: &str) -> u32 {
-    name.bytes().fold(0x811c_9dc5, |hash: u32, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
-}
-
 /// Evaluates attributes and constants, those of the style in force.
 fn values_by_style(cx: &Cx<'_>, fields: &[Field<'_>]) -> TokenStream {
     let place = Span::mixed_site();
@@ -210,7 +206,7 @@ fn init(cx: &Cx<'_>, fields: &[Field<'_>], global: Global) -> TokenStream {
             (local("const_", id.0 as usize), &constant.name, &constant.value, &constant.known, None)
         }
     };
-    let number = Literal::u32_suffixed(stream(name));
+    let number = stream(name);
     let code = cx.expr(computed, &Place::function());
     let computed = match known {
         Some(known) => types::value(known),

@@ -37,12 +37,15 @@ struct Cx<'a> {
     captured: bool,
     /// What each `#` value must be.
     hosts: Vec<HostType>,
+    /// Attributes of imports that start anew, by name.
+    renewed: Vec<String>,
 }
 
 /// Writes a grammar.
 pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Output {
     let (names, plan) = (names::Names::new(grammar), stack::Plan::new(grammar));
-    let cx = Cx { grammar, source, names, plan, captured: header.name.is_none(), hosts: host_types(grammar) };
+    let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
+    let cx = Cx { grammar, source, names, plan, captured: header.name.is_none(), hosts, renewed };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
     let implementation = items::rules_impl(&cx, header);

@@ -1,12 +1,16 @@
 //! Attributes and constants that shapes hold: those that some rule sets, and those of imports that start anew.
 
-use cga_lang::ir::{Anew, Global, Type};
+use std::collections::{BTreeSet, HashSet};
+
+use cga_lang::ir::{Anew, Expr, ExprKind, Global, Grammar, Step, Type};
+use cga_lang::ir_walk;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
 use super::expr::Place;
+use super::fields::Field;
 use super::types::{self, cloned};
-use super::{Cx, local};
+use super::{Cx, inner_type, local};
 
 impl Cx<'_> {
     /// The value of an attribute or constant that the run holds as `name`. Where it may be set the shape is asked first.
@@ -45,9 +49,93 @@ impl Cx<'_> {
         let set = anew.given.iter().zip(&names).map(|((id, value), name)| self.set(Global::Attr(*id), value.ty, name));
         let value = &local("value_", 0);
         let computed = anew.computed.iter().map(|(global, computed)| {
-            let (code, set) = (self.expr(computed, &at), self.set(*global, computed.ty, value));
+            let (code, set) = (self.started_anew(*global, computed), self.set(*global, computed.ty, value));
             quote_spanned!(place=> let #value = #code; #set)
         });
         (given, quote_spanned!(place=> let shape = &mut cga_rt::push(shape); #(#set)* #(#computed)*))
     }
+
+    /// What an attribute or constant is when it starts anew: what the host program gave, else it is computed, with random
+    /// numbers of its own.
+    fn started_anew(&self, global: Global, computed: &Expr) -> TokenStream {
+        let place = Span::mixed_site();
+        let code = self.expr(computed, &Place::rule());
+        let (name, field) = match global {
+            Global::Attr(id) => {
+                let name = &self.grammar.attrs[id.0 as usize].name;
+                (name, self.renewed.iter().position(|own| own == name))
+            }
+            Global::Const(id) => (&self.grammar.consts[id.0 as usize].name, None),
+        };
+        let code = match computed.kind {
+            ExprKind::Value(_) => code,
+            _ => {
+                let number = stream(name);
+                quote_spanned!(place=> cga_rt::anew(shape, #number, |shape| #code))
+            }
+        };
+        let Some(field) = field else { return code };
+        let field = local("field_", field);
+        let (held, given) = match computed.ty {
+            Type::Float | Type::Bool => (quote_spanned!(place=> g.#field), quote_spanned!(place=> given)),
+            _ => (quote_spanned!(place=> &g.#field), quote_spanned!(place=> ::core::clone::Clone::clone(given))),
+        };
+        quote_spanned! { place=>
+            match #held {
+                ::core::option::Option::Some(given) => #given,
+                ::core::option::Option::None => #code,
+            }
+        }
+    }
+
+    /// What the host program gave those attributes that start anew somewhere: names and types of values of the run.
+    pub(super) fn held_fields(&self) -> Vec<(Ident, TokenStream)> {
+        let attr = |name: &String| self.grammar.attrs.iter().find(|attr| attr.name == *name);
+        let held = self.renewed.iter().enumerate().filter_map(|(number, name)| Some((number, attr(name)?)));
+        held.map(|(number, attr)| {
+            let ty = inner_type(attr.ty);
+            (local("field_", number), quote_spanned!(Span::mixed_site()=> ::core::option::Option<#ty>))
+        })
+        .collect()
+    }
+
+    /// Fills them.
+    pub(super) fn hold_fields(&self, fields: &[Field<'_>]) -> TokenStream {
+        let place = Span::mixed_site();
+        let held = self.renewed.iter().enumerate().filter_map(|(number, name)| {
+            let (own, field) = (local("field_", number), fields.iter().find(|field| field.attr.name == *name)?);
+            let value = match field.known {
+                Some(_) => {
+                    let value = field.plain();
+                    quote_spanned!(place=> ::core::option::Option::Some(#value))
+                }
+                None => field.optional(),
+            };
+            Some(quote_spanned!(place=> g.#own = #value;))
+        });
+        held.collect()
+    }
+}
+
+/// The names of attributes that start anew somewhere and have a field.
+pub(super) fn renewed(grammar: &Grammar) -> Vec<String> {
+    let mut names = BTreeSet::new();
+    for rule in &grammar.rules {
+        ir_walk::steps(&rule.body, &mut |step| {
+            let Step::Anew(anew) = step else { return };
+            names.extend(anew.computed.iter().filter_map(|(global, _)| match global {
+                Global::Attr(id) => Some(grammar.attrs[id.0 as usize].name.clone()),
+                Global::Const(_) => None,
+            }));
+        });
+    }
+    let public: HashSet<&String> = grammar.attrs.iter().filter(|attr| attr.public).map(|attr| &attr.name).collect();
+    names.into_iter().filter(|name| public.contains(name)).collect()
+}
+
+/// The number of an attribute's or constant's random stream: from its name (FNV-1a), so that adding another one changes
+/// nothing.
+pub(super) fn stream(name: &str) -> Literal {
+    let hash = |hash: u32, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
+    Literal::u32_suffixed(name.bytes().fold(0x811c_9dc5, hash))
 }
