@@ -1,8 +1,10 @@
 //! The language beyond splits and comps, fact by fact: numbers of facts are those of the digest that the project keeps of
 //! the reference. Rules come as text unless a test says otherwise; `tests/doors.rs` holds the doors against each other.
 //!
-//! Of the facts about the language these need what does not run yet: 73 (`getTreeKey`), 98 (`label`, context queries), of
-//! 100 what looks at edges (`comp(e)`), of 89 to 92 nothing. 99 is proven where the table of reports is made.
+//! Facts 73 to 100 are here, but for two that need what does not run yet: 73 (`getTreeKey`) and 98 (`label` and context
+//! queries). The table of reports that 99 shows is tested where it is made, in the runtime. Examples of the reference's
+//! pages that call one function with values of several types (`cumsum` of *sum function*) need functions that are made once
+//! for each type; ours have one type each, so they are called by several names here.
 
 mod arrays;
 mod attributes;
