@@ -120,7 +120,7 @@ impl Diags {
     pub fn finish(mut self) -> Vec<Diag> {
         self.finished = true;
         let mut list = std::mem::take(&mut self.list);
-        list.sort_by_key(|diag| (diag.span, diag.code));
+        list.sort_by(|a, b| (a.span, a.code, &a.message).cmp(&(b.span, b.code, &b.message)));
         list.dedup();
         list
     }

@@ -23,6 +23,13 @@ pub(crate) struct Items {
     pub(crate) rules: Vec<String>,
 }
 
+impl Items {
+    /// Characters in all.
+    pub(crate) fn len(&self) -> usize {
+        [&self.attrs, &self.consts, &self.functions, &self.rules].into_iter().flatten().map(String::len).sum()
+    }
+}
+
 /// The text of each item of a grammar.
 pub(crate) fn items(grammar: &Grammar) -> Items {
     let printer = || Printer { grammar, params: &[], out: String::new(), depth: 0 };
@@ -290,7 +297,7 @@ impl<'g> Printer<'g> {
         for arm in &comp.arms {
             let selector = match &arm.selector {
                 Selector::Word(word) => (*word).to_owned(),
-                Selector::Index(index) => format!("index {}", self.expr(index)),
+                Selector::Index(index) => format!("index {} as {:?}", self.expr(index), arm.text),
             };
             let mode = match arm.mode {
                 CompMode::Each => "->",

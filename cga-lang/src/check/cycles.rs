@@ -35,12 +35,12 @@ pub(super) fn find(cx: &mut Cx) {
             let others: Vec<String> = component
                 .iter()
                 .filter(|&&other| other != node)
-                .map(|&other| format!("`{}`", items[other].name))
+                .map(|&other| format!("`{}`", items[other].decl.name.text))
                 .collect();
             let message = if others.is_empty() {
-                format!("`{}` needs its own value", item.name)
+                format!("`{}` needs its own value", item.decl.name.text)
             } else {
-                format!("`{}` needs its own value, by way of {}", item.name, others.join(", "))
+                format!("`{}` needs its own value, by way of {}", item.decl.name.text, others.join(", "))
             };
             cx.diags.report(Code::InitCycle, item.decl.name.span, message);
         } else if let (true, Some(&node)) = (cyclic, component.iter().find(|&&node| !ends[node])) {

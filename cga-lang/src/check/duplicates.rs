@@ -2,7 +2,7 @@
 
 use super::globals::Item;
 use super::{Cx, arity};
-use crate::ast::Decl;
+use crate::ast::{Decl, Role};
 use crate::code::Code;
 use crate::diag::Diags;
 use crate::ir::Type;
@@ -26,6 +26,29 @@ pub(super) fn values(cx: &mut Cx) {
             }
         }
     }
+    // *start*, *extension*: both belong to the style `Default`, and an extension has one form (*changelog 2024.0*).
+    let mut extensions: HashMap<(InstanceId, &str), &Decl> = HashMap::new();
+    for item in &cx.globals.rules {
+        let (decl, name) = (item.decl, &item.decl.name);
+        let word = match decl.role {
+            Role::Plain => continue,
+            Role::Start => "start",
+            Role::Extension => "extension",
+        };
+        if decl.style != 0 {
+            let message = format!("`{word}` cannot stand in a style");
+            cx.diags.report(Code::Syntax, name.span, message).help("move the rule before the first `style`");
+        } else if decl.role == Role::Extension && item.home == item.instance {
+            match extensions.entry((item.instance, &name.text)) {
+                Entry::Vacant(entry) => _ = entry.insert(decl),
+                Entry::Occupied(entry) => {
+                    let message = format!("extension `{}` is declared twice, an extension has one form", name.text);
+                    let first = entry.get().name.span;
+                    cx.diags.report(Code::DuplicateName, name.span, message).related("first declared", first);
+                }
+            }
+        }
+    }
     // What runs today cannot be called any more. A rule with the name of what does not run yet is called instead.
     for item in &cx.globals.rules {
         let rows = ops::operations(&item.decl.name.text).filter(|row| row.run != Run::Later);
@@ -36,13 +59,16 @@ pub(super) fn values(cx: &mut Cx) {
     }
 }
 
+/// Instance, style, name and types of parameters.
+type Signature<'a> = (InstanceId, u32, &'a str, Vec<Option<Type>>);
+
 /// Rules and functions of one name must differ in number or types of parameters.
 pub(super) fn overloads(cx: &mut Cx) {
     for (items, what) in [(&cx.globals.rules, "rule"), (&cx.globals.functions, "function")] {
-        let mut first: HashMap<(InstanceId, &str, Vec<Option<Type>>), &Decl> = HashMap::new();
+        let mut first: HashMap<Signature<'_>, &Decl> = HashMap::new();
         for item in items.iter().filter(|item| item.home == item.instance) {
             let types = item.decl.params.iter().map(|param| cx.tables.types.get(&param.id()).copied()).collect();
-            match first.entry((item.instance, &item.decl.name.text, types)) {
+            match first.entry((item.instance, item.decl.style, &item.decl.name.text, types)) {
                 Entry::Vacant(entry) => _ = entry.insert(item.decl),
                 Entry::Occupied(entry) => duplicate(cx.diags, item.decl, what, entry.get()),
             }

@@ -40,6 +40,8 @@ pub(crate) struct Item<'a> {
     pub(crate) name: String,
     /// Where its value comes from.
     pub(crate) init: Init<'a>,
+    /// How near its style is to the one in force.
+    pub(crate) rank: usize,
     /// Whether it is what an overridden attribute would be without the override.
     pub(crate) origin: bool,
 }
@@ -132,14 +134,19 @@ impl<'a> Globals<'a> {
         // A declaration takes the place of another that belongs to a style further down.
         let key = |decl: &'a Decl| (decl.name.text.as_str(), decl.params.len());
         let mut nearest: HashMap<(&str, usize), usize> = HashMap::new();
+        let mut counts: HashMap<(&str, usize, usize), usize> = HashMap::new();
         for decl in instance.ast.decls.iter().filter(|_| !instance.ast.styles.is_empty()) {
             if let Some(rank) = instance.styles.rank(decl.style) {
                 nearest.entry(key(decl)).and_modify(|least| *least = rank.min(*least)).or_insert(rank);
+                *counts.entry((&decl.name.text, decl.params.len(), rank)).or_default() += 1;
             }
         }
         for decl in &instance.ast.decls {
             let Some(rank) = instance.styles.rank(decl.style) else { continue };
-            if nearest.get(&key(decl)).is_some_and(|least| *least < rank) {
+            // Which of several overloads is meant only the types can tell: then all stay, and the nearest is tried first.
+            let overloads =
+                counts.get(&(decl.name.text.as_str(), decl.params.len(), rank)).is_some_and(|count| 1 < *count);
+            if !overloads && nearest.get(&key(decl)).is_some_and(|least| *least < rank) {
                 continue;
             }
             let own = instance.prefix.as_str();
@@ -149,6 +156,7 @@ impl<'a> Globals<'a> {
                 home: id,
                 name: format!("{own}{}", decl.name.text),
                 init: Init::Own,
+                rank,
                 origin: false,
             };
             match decl.body {
@@ -194,9 +202,23 @@ impl<'a> Globals<'a> {
     /// Rules that an importing file puts in the place of extensions.
     fn override_rules(&mut self, id: InstanceId, replacing: &mut HashMap<u32, u32>) {
         let instance = &self.program.instances[id];
+        // Only what belongs to the style `Default` is overridden (*import*).
+        let in_style = |name: &str| {
+            let named = instance.ast.decls.iter().filter(|decl| decl.name.text == name && decl.style != 0);
+            named.into_iter().any(|decl| instance.styles.rank(decl.style).is_some())
+        };
+        let kept: HashSet<&str> = instance
+            .layers
+            .iter()
+            .flat_map(|layer| layer.list.iter().flatten())
+            .filter_map(|own| match own {
+                Override::Rule(decl) if in_style(&decl.name.text) => Some(decl.name.text.as_str()),
+                _ => None,
+            })
+            .collect();
         for layer in &instance.layers {
             for decl in layer.list.iter().flatten().filter_map(|own| match own {
-                Override::Rule(decl) => Some(decl),
+                Override::Rule(decl) if !kept.contains(decl.name.text.as_str()) => Some(decl),
                 _ => None,
             }) {
                 let index = *replacing.entry(decl.name.id()).or_insert_with(|| {
@@ -207,6 +229,7 @@ impl<'a> Globals<'a> {
                         home: layer.home,
                         name,
                         init: Init::Own,
+                        rank: 0,
                         origin: false,
                     });
                     self.rules.len() as u32 - 1
@@ -244,6 +267,13 @@ impl<'a> Globals<'a> {
                 _ => _ = names.values.insert(name, own),
             }
         }
+        // What dynamic calls start anew is an instance of its own.
+        let mut renewed: HashMap<(InstanceId, &str), Vec<InstanceId>> = HashMap::new();
+        for (id, instance) in self.program.instances.iter().enumerate() {
+            if let (Some(parent), true) = (instance.parent, 1 < instance.layers.len()) {
+                renewed.entry((parent, &instance.prefix)).or_default().push(id);
+            }
+        }
         for (index, item) in self.rules.iter().enumerate() {
             // A rule in the place of an extension is found from inside only.
             if item.home != item.instance {
@@ -259,7 +289,11 @@ impl<'a> Globals<'a> {
             if let Some((import, rest)) = name.split_once('.')
                 && let Some(Some(target)) = self.program.instances[item.instance].imports.get(import)
             {
-                self.names[*target].rules.entry(rest).or_default().insert(0, index as u32);
+                let prefix = self.program.instances[*target].prefix.as_str();
+                let others = renewed.get(&(item.instance, prefix)).into_iter().flatten();
+                for target in [target].into_iter().chain(others) {
+                    self.names[*target].rules.entry(rest).or_default().insert(0, index as u32);
+                }
             }
         }
     }
@@ -405,7 +439,10 @@ fn overload(list: &mut Vec<u32>, index: u32, items: &[Item]) {
     // The last ones are looked at first, for whoever declares one thing ten thousand times.
     if list.iter().rev().filter(|other| params(**other) == params(index)).take(MOST_OVERLOADS).count() < MOST_OVERLOADS
     {
-        list.push(index);
+        // The nearest style first: of equals the first is taken.
+        let style = |index: u32| items[index as usize].rank;
+        let at = list.partition_point(|other| style(*other) <= style(index));
+        list.insert(at, index);
     }
 }
 

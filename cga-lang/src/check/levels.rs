@@ -19,7 +19,7 @@ pub(super) fn collect(cx: &mut Cx, levels: &[(Code, Level)]) {
     let program = cx.globals.program;
     for (instance, piece) in program.instances.iter().zip(&program.pieces) {
         // What stands before `version` counts for all of its file.
-        let whole = Span { first: piece.tokens.start, last: piece.tokens.end };
+        let whole = Span { first: piece.tokens.start, last: piece.tokens.end.saturating_sub(1) };
         for annotation in &instance.ast.head {
             read(cx, annotation, Some(whole).filter(|_| piece.file != 0));
         }

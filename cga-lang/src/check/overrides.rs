@@ -2,7 +2,7 @@
 
 use super::globals::Kind;
 use super::{Cx, Use};
-use crate::ast::{Override, Role};
+use crate::ast::{Decl, Override, Role};
 use crate::code::Code;
 use crate::diag::Level;
 use crate::link::{InstanceId, Layer};
@@ -44,7 +44,7 @@ pub(super) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
         }
         match own {
             Override::Keep(_) | Override::Value(..) => attribute(cx, id, name),
-            Override::Rule(_) => extension(cx, id, name),
+            Override::Rule(decl) => extension(cx, id, decl),
         }
     }
 }
@@ -69,13 +69,25 @@ fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
     }
 }
 
-fn extension(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
+fn extension(cx: &mut Cx, id: InstanceId, own: &Decl) {
+    let (name, program) = (&own.name, cx.globals.program);
+    // Also where the style in force has one of its own, which stays.
+    let decls = || program.instances[id].ast.decls.iter().filter(|decl| decl.name.text == name.text);
+    if let Some(extension) = decls().find(|decl| decl.role == Role::Extension) {
+        if extension.params.len() != own.params.len() {
+            let message = format!(
+                "extension `{}` has {}, this has {}",
+                name.text,
+                parameters(extension.params.len()),
+                own.params.len()
+            );
+            cx.diags.report(Code::ArgumentCount, name.span, message).related("declared", extension.name.span);
+        }
+        return;
+    }
     let rule = |index: &u32| &cx.globals.rules[*index as usize];
     let named: Vec<_> =
         cx.globals.plain_rules(id, &name.text).iter().map(rule).filter(|item| item.home == id).collect();
-    if named.iter().any(|item| item.decl.role == Role::Extension) {
-        return;
-    }
     let near = nearest(&name.text, cx.globals.near(id, Kind::Extensions)).map(str::to_owned);
     if let Some(rule) = named.first() {
         let message = format!("rule `{}` is no extension, it cannot be overridden", name.text);
@@ -85,5 +97,13 @@ fn extension(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
     } else {
         let message = format!("the imported file has no rule `{}`", name.text);
         cx.diags.report_as(Code::UndefinedRule, Level::Error, name.span, message).suggest(near);
+    }
+}
+
+fn parameters(count: usize) -> String {
+    match count {
+        0 => "no parameters".into(),
+        1 => "1 parameter".into(),
+        count => format!("{count} parameters"),
     }
 }

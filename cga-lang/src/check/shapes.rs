@@ -30,6 +30,10 @@ impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn ops(&mut self, ops: &'a [Op]) {
         for (index, op) in ops.iter().enumerate() {
             self.op(op);
+            if let (OpKind::Leaf(leaf), Some(OpKind::Call(next, _))) = (&op.kind, ops.get(index + 1).map(|op| &op.kind))
+            {
+                self.misspelt_import(leaf, next);
+            }
             if let (OpKind::Nil, Some(next)) = (&op.kind, ops.get(index + 1)) {
                 let span = next.span.to(ops[ops.len() - 1].span);
                 self.cx.diags.report(Code::AfterNil, span, "`NIL` has removed the shape, nothing happens here");
@@ -39,6 +43,16 @@ impl<'a> Scope<'_, 'a, '_> {
                 }
                 return;
             }
+        }
+    }
+
+    /// `lbi.Lot` is a leaf and a call where `lib` is the import.
+    fn misspelt_import(&mut self, leaf: &Name, next: &Name) {
+        let imports = self.cx.globals.program.instances[self.at].imports.keys().map(String::as_str);
+        if let Some(near) = nearest(&leaf.text, imports) {
+            let message = format!("`{}.` is a leaf here, and `{}` is called on its own", leaf.text, next.text);
+            let diag = self.cx.diags.report_as(Code::UndefinedRule, Level::Warning, leaf.span, message);
+            diag.help(format!("did you mean `{near}.{}`?", next.text));
         }
     }
 

@@ -9,7 +9,7 @@ mod overrides;
 mod paths;
 mod style;
 
-use crate::ast::{Ast, Import, Override};
+use crate::ast::{Ast, Import, Name, Override};
 use crate::code::Code;
 use crate::compile::Door;
 use crate::diag::{Diag, Diags};
@@ -295,6 +295,20 @@ impl Link<'_> {
         }
     }
 
+    /// The number of a style that an import names.
+    fn wanted_style(&mut self, file: usize, name: &Name) -> u32 {
+        // Which number a style has only the tree can tell.
+        match self.style(file, &name.text) {
+            Some(style) => style,
+            None if name.text == style::DEFAULT => 0,
+            None => {
+                let message = format!("`{}` has no style `{}`", self.units[file].name, name.text);
+                self.diags.report(Code::UnknownStyle, name.span, message);
+                0
+            }
+        }
+    }
+
     fn import(&mut self, from: InstanceId, import: &Import) -> Option<InstanceId> {
         // Nobody opens files for nothing.
         if self.full {
@@ -330,19 +344,9 @@ impl Link<'_> {
         }
         let layer = Layer { home: from, list: import.overrides.clone() };
         let origin = Origin { prefix, parent: Some(from), layers: vec![layer] };
-        let wanted = import.styles.as_ref().and_then(|styles| styles.first()).cloned();
-        // Which number a style has only the tree can tell.
-        let style = match wanted.filter(|name| name.text != style::DEFAULT) {
-            None => 0,
-            Some(name) => match self.style(opened, &name.text) {
-                Some(style) => style,
-                None => {
-                    let message = format!("`{}` has no style `{}`", self.units[opened].name, name.text);
-                    self.diags.report(Code::UnknownStyle, name.span, message);
-                    0
-                }
-            },
-        };
+        // The first is in force; the others are for whoever chooses among them.
+        let mut wanted = import.styles.iter().flatten().map(|name| self.wanted_style(opened, name)).collect::<Vec<_>>();
+        let style = if wanted.is_empty() { 0 } else { wanted.swap_remove(0) };
         Some(self.under(opened, style, root_style, origin))
     }
 }

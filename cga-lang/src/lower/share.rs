@@ -11,8 +11,9 @@ use crate::ir_print;
 
 use super::walk;
 
-/// Rounds after which nothing is shared: each one finds differences one call further away.
-const MOST_ROUNDS: usize = 64;
+/// Characters of text after which nothing is shared: each round, which writes all items, finds differences one call
+/// further away.
+const MOST_TEXT: usize = 400_000_000;
 
 /// The group of each item, by kind.
 #[derive(Default, PartialEq)]
@@ -105,8 +106,10 @@ fn groups(grammar: &Grammar) -> Option<Groups> {
         rule.name.clone_from(&rule.label);
     }
     let attrs: Vec<String> = grammar.attrs.iter().map(|attr| format!("{} {}", attr.name, attr.public)).collect();
-    for _ in 0..MOST_ROUNDS {
+    let mut written = 0;
+    while written < MOST_TEXT {
         let texts = ir_print::items(&named);
+        written += texts.len();
         let own = |names: Vec<&String>, texts: Vec<String>| -> Vec<usize> {
             let mut numbers: HashMap<(&String, String), usize> = HashMap::new();
             names

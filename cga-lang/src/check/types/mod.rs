@@ -69,6 +69,9 @@ pub(super) fn infer(cx: &mut Cx) {
     pass.store();
 }
 
+/// A declaration in a style: the tokens of its name and parameters.
+type InStyle = (u32, Vec<u32>);
+
 /// An argument of a rule or function of the grammar: joined with the parameter when all bodies are read.
 struct Argument {
     arg: Var,
@@ -213,7 +216,7 @@ impl<'a> Infer<'_, 'a, '_> {
         if self.cx.globals.program.roots.len() < 2 {
             return;
         }
-        let mut groups: HashMap<(String, usize), Vec<(u32, Vec<u32>)>> = HashMap::new();
+        let mut groups: HashMap<(String, usize), Vec<InStyle>> = HashMap::new();
         for item in self.cx.globals.values().filter(|item| !item.origin) {
             let style = self.cx.globals.program.instances[item.instance].root_style;
             let tokens = [&item.decl.name].into_iter().chain(&item.decl.params).map(Name::id).collect();

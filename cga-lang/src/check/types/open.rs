@@ -6,6 +6,9 @@ use crate::ast::{Binary, Name};
 use crate::code::Code;
 use crate::span::Span;
 
+/// Rounds after which the rest is settled by what is likeliest.
+const MOST_ROUNDS: usize = 64;
+
 /// A type and where it is needed.
 type Place = (Var, Span);
 
@@ -87,9 +90,10 @@ impl Infer<'_, '_, '_> {
 
     /// Decides all that can be decided. The number of rounds is bounded: what is open then is settled by what is likeliest.
     pub(super) fn propagate(&mut self) {
-        for _ in 0..32 {
+        for _ in 0..MOST_ROUNDS {
             let mut changed = false;
-            for index in 0..self.open.len() {
+            // Forwards, then backwards: chains of functions stand in either order.
+            for index in (0..self.open.len()).chain((0..self.open.len()).rev()) {
                 changed |= self.decide(index, false);
             }
             if !changed {
