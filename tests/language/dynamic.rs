@@ -166,3 +166,17 @@ fn what_is_drawn_anew_is_drawn_for_each_call_and_from_streams_of_its_own() {
     let rest: f64 = few[9].parse().expect("a number");
     assert!((0.0..1.0).contains(&rest));
 }
+
+#[test]
+fn what_goes_on_with_a_leaf_goes_on_with_it_in_every_call() {
+    cga! {
+        grammar Continued = r#"
+            import imp : "tests/rules/import/height.cga" ( Roof --> imp2( Roof --> Inner. ).Lot )
+            import imp2 : "tests/rules/import/height.cga"
+            Lot --> imp.Lot imp( Roof --> Other. ).Lot imp2( Roof --> Third. ).Tall(3)
+            imp2.Missing --> Found.
+        "#;
+    }
+    // The override of an override is an import of its own, and so is what a call replaces.
+    assert_eq!(leaves(&model(&Continued::default())), ["Inner", "Other", "Found"]);
+}

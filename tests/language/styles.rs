@@ -101,3 +101,35 @@ fn the_same_seed_gives_the_same_numbers_in_every_style() {
     cga! { grammar Drawn = "attr a = rand()  Lot --> print(a) print(rand()) X.  style S  Other --> Y."; }
     assert_eq!(lines(&model(&Drawn::default())), lines(&model_of(&Drawn::default(), "S$Lot")));
 }
+
+#[test]
+fn a_style_takes_the_place_of_one_overload() {
+    cga! {
+        grammar Overloaded = r#"
+            attr b = 2
+            f(x) = x * 1
+            f(s) = len(s)
+            Lot --> print(f(2)) print(f("abc")) print(b)
+            style S
+            attr c = 3
+            f(x) = x * c
+        "#;
+    }
+    let rules = Overloaded::default();
+    assert_eq!(lines(&model_of(&rules, "Lot")), ["2", "3", "2"]);
+    assert_eq!(lines(&model_of(&rules, "S$Lot")), ["6", "3", "2"]);
+}
+
+#[test]
+fn the_selectors_of_styles_keep_their_text() {
+    cga! {
+        grammar Selected = r#"
+            Lot --> comp(f) { 0 + 0 : print(comp.sel) }
+            style S
+            Lot --> comp(f) { 0 : print(comp.sel) }
+        "#;
+    }
+    let rules = Selected::default();
+    assert_eq!(lines(&model_of(&rules, "Lot")), ["0 + 0"]);
+    assert_eq!(lines(&model_of(&rules, "S$Lot")), ["0"]);
+}

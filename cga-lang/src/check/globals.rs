@@ -207,12 +207,17 @@ impl<'a> Globals<'a> {
             let named = instance.ast.decls.iter().filter(|decl| decl.name.text == name && decl.style != 0);
             named.into_iter().any(|decl| instance.styles.rank(decl.style).is_some())
         };
+        // What does not fit is reported, and would only lead to more findings.
+        let fits = |own: &Decl| {
+            let mut named = instance.ast.decls.iter().filter(|decl| decl.name.text == own.name.text);
+            named.all(|decl| decl.role != Role::Extension || decl.params.len() == own.params.len())
+        };
         let kept: HashSet<&str> = instance
             .layers
             .iter()
             .flat_map(|layer| layer.list.iter().flatten())
             .filter_map(|own| match own {
-                Override::Rule(decl) if in_style(&decl.name.text) => Some(decl.name.text.as_str()),
+                Override::Rule(decl) if in_style(&decl.name.text) || !fits(decl) => Some(decl.name.text.as_str()),
                 _ => None,
             })
             .collect();
