@@ -116,7 +116,11 @@ fn once(diags: Vec<Diag>, pieces: &[Piece]) -> Vec<Diag> {
             .map(|diag| diag.moved(|span| Span { first: token(span.first), last: token(span.last) }))
             .collect(),
     );
-    all.finish()
+    let mut all = all.finish();
+    // What differs in a second place only is said once.
+    let mut seen = HashSet::new();
+    all.retain(|diag| seen.insert((diag.span, diag.code, diag.message.clone())));
+    all
 }
 
 /// A compiled text.

@@ -202,44 +202,41 @@ impl<'a> Globals<'a> {
     /// Rules that an importing file puts in the place of extensions.
     fn override_rules(&mut self, id: InstanceId, replacing: &mut HashMap<u32, u32>) {
         let instance = &self.program.instances[id];
-        // Only what belongs to the style `Default` is overridden (*import*).
-        let in_style = |name: &str| {
-            let named = instance.ast.decls.iter().filter(|decl| decl.name.text == name && decl.style != 0);
-            named.into_iter().any(|decl| instance.styles.rank(decl.style).is_some())
-        };
-        // What does not fit is reported, and would only lead to more findings.
-        let fits = |own: &Decl| {
-            let mut named = instance.ast.decls.iter().filter(|decl| decl.name.text == own.name.text);
-            named.all(|decl| decl.role != Role::Extension || decl.params.len() == own.params.len())
-        };
-        let kept: HashSet<&str> = instance
-            .layers
-            .iter()
-            .flat_map(|layer| layer.list.iter().flatten())
-            .filter_map(|own| match own {
-                Override::Rule(decl) if in_style(&decl.name.text) || !fits(decl) => Some(decl.name.text.as_str()),
-                _ => None,
-            })
-            .collect();
+        if instance.layers.is_empty() {
+            return;
+        }
+        // Only what belongs to the style `Default` is overridden (*import*): what the style in force has of its own stays.
+        let (mut extensions, mut in_style) = (HashSet::new(), HashSet::new());
+        for decl in &instance.ast.decls {
+            if decl.role == Role::Extension {
+                extensions.insert((decl.name.text.as_str(), decl.params.len()));
+            }
+            if decl.style != 0 && instance.styles.rank(decl.style).is_some() {
+                in_style.insert(decl.name.text.as_str());
+            }
+        }
         for layer in &instance.layers {
             for decl in layer.list.iter().flatten().filter_map(|own| match own {
-                Override::Rule(decl) if !kept.contains(decl.name.text.as_str()) => Some(decl),
+                Override::Rule(decl) => Some(decl),
                 _ => None,
             }) {
+                let name = decl.name.text.as_str();
                 let index = *replacing.entry(decl.name.id()).or_insert_with(|| {
-                    let name = format!("{}{}", instance.prefix, decl.name.text);
                     self.rules.push(Item {
                         decl,
                         instance: id,
                         home: layer.home,
-                        name,
+                        name: format!("{}{name}", instance.prefix),
                         init: Init::Own,
                         rank: 0,
                         origin: false,
                     });
                     self.rules.len() as u32 - 1
                 });
-                self.names[id].replaced.insert(&decl.name.text, index);
+                // What fits none is an error, and calls go where they went.
+                if extensions.contains(&(name, decl.params.len())) && !in_style.contains(name) {
+                    self.names[id].replaced.insert(name, index);
+                }
             }
         }
     }

@@ -28,7 +28,7 @@ const MOST_INSTANCES: usize = 1000;
 
 /// Most tokens that all instances together may have, whatever the compiled file itself has: 1,000 of a large file would
 /// not fit in memory.
-const MOST_TOKENS: usize = 2_000_000;
+const MOST_TOKENS: usize = 1_000_000;
 
 /// How deep imports may be nested.
 const MOST_NESTED: usize = 64;

@@ -37,8 +37,15 @@ impl Styles {
             let Some(base) = own.base.as_ref().filter(|base| base.text != DEFAULT) else { break };
             match numbers.get(base.text.as_str()) {
                 Some(&next) if ranks[next].is_some() => {
-                    let message = format!("style `{}` builds on itself", own.name.text);
-                    diags.report(Code::UnknownStyle, base.span, message);
+                    // Said of the ring's first style, whichever of them is in force: it is one mistake.
+                    let ring = |(index, rank): (usize, &Option<usize>)| {
+                        rank.filter(|own| ranks[next] <= Some(*own)).map(|_| index)
+                    };
+                    let first = ranks.iter().enumerate().find_map(ring).unwrap_or(at);
+                    if let Some((own, Some(base))) = ast.styles.get(first - 1).map(|own| (own, &own.base)) {
+                        let message = format!("style `{}` builds on itself", own.name.text);
+                        diags.report(Code::UnknownStyle, base.span, message);
+                    }
                     break;
                 }
                 Some(&next) => at = next,

@@ -7,16 +7,22 @@
 //! ```
 //!
 //! Carets in the first two columns cannot stand under the slashes; then the column stands behind them: `//0^^^`.
-//! A first line `// inline` asks for the strictness of rules among Rust. `CGA_BLESS=1` rewrites what is expected.
+//! A first line `// inline` asks for the strictness of rules among Rust. A line `// file: name.cga` begins a file that
+//! others may import; what stands before the first one is what is compiled. `CGA_BLESS=1` rewrites what is expected.
 #![allow(dead_code, reason = "each test file uses a part")]
+
+pub(crate) mod parts;
+pub(crate) mod random;
 
 use cga_lang::ast::Ast;
 use cga_lang::compile::{Compiled, Door, compile_after};
 use cga_lang::diag::{Diag, Level};
 use cga_lang::lex::{Lexed, lex};
 use cga_lang::snippet::{bytes, position};
+use cga_lang::span::Span;
 use std::fmt::Write;
 use std::fs;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// Every fixture of a folder, in order.
@@ -41,7 +47,8 @@ pub(crate) fn walk(folder: &str, make: impl Fn(&str) -> (Vec<Diag>, Lexed, Optio
         let stored = fs::read_to_string(&path).expect("readable fixture");
         let text = strip(&stored);
         let (diags, lexed, beside) = make(&text);
-        compare(&path, &stored, &annotate(&text, &lexed, &diags), bless, &mut wrong);
+        let range = |span: Span| bytes(&text, &lexed.ranges, span);
+        compare(&path, &stored, &annotate(&text, &range, &diags), bless, &mut wrong);
         if let Some(beside) = beside {
             let path = path.with_extension("out");
             let stored = fs::read_to_string(&path).unwrap_or_default();
@@ -101,12 +108,13 @@ pub(crate) fn compiled(text: &str) -> (Compiled, Lexed) {
     (compiled, lexed)
 }
 
-fn annotate(text: &str, lexed: &Lexed, diags: &[Diag]) -> String {
+/// The text with its findings. `range` says which bytes belong to a span.
+fn annotate(text: &str, range: &dyn Fn(Span) -> Range<usize>, diags: &[Diag]) -> String {
     let mut list: Vec<(usize, usize, &Diag)> = diags
         .iter()
         .map(|diag| {
-            let range = bytes(text, &lexed.ranges, diag.span);
-            (position(text, range.start).line, range.start, diag)
+            let start = range(diag.span).start;
+            (position(text, start).line, start, diag)
         })
         .collect();
     list.sort_by_key(|(line, start, _)| (*line, *start));
@@ -119,15 +127,14 @@ fn annotate(text: &str, lexed: &Lexed, diags: &[Diag]) -> String {
             if !out.ends_with('\n') {
                 out.push('\n');
             }
-            let range = bytes(text, &lexed.ranges, diag.span);
-            let marked = text[range.clone()].lines().next().unwrap_or_default().chars().count().max(1);
+            let marked = text[range(diag.span)].lines().next().unwrap_or_default().chars().count().max(1);
             let column = position(text, start).column - 1;
             let level = if diag.level == Level::Error { "error" } else { "warning" };
             let margin = if column < 2 { format!("//{column}") } else { format!("//{}", " ".repeat(column - 2)) };
             let _ = writeln!(out, "{margin}{} {level}[{}]: {}", "^".repeat(marked), diag.code.name(), diag.message);
             let margin = format!("//{}", " ".repeat(column.max(3) - 2));
             for note in &diag.notes {
-                let place = note.related.map(|span| position(text, bytes(text, &lexed.ranges, span).start).line);
+                let place = note.related.map(|span| position(text, range(span).start).line);
                 let place = place.map(|line| format!(" in line {line}")).unwrap_or_default();
                 let _ = writeln!(out, "{margin}note: {}{place}", note.text);
             }
