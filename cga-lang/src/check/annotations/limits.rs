@@ -26,7 +26,9 @@ impl Limits {
         let is_text = |arg: &AnnotationArg| arg.name.is_none() && matches!(arg.value.kind, ExprKind::Text(_));
         let names: Option<Vec<&str>> = args.iter().map(|arg| Some(arg.name.as_ref()?.text.as_str())).collect();
         let labels = names.is_some_and(|names| !names.is_empty() && !are_bounds(&names));
-        if labels || args.iter().any(is_text) {
+        // Bounds are three numbers at most.
+        let numbers = 3 < args.len() && args.iter().all(|arg| arg.name.is_none() && number(&arg.value).is_some());
+        if labels || numbers || args.iter().any(is_text) {
             let (lists, restricted) = (args.iter().collect::<Vec<_>>(), true);
             if let Some(values) = values(cx, "Range", &lists) {
                 let label = |arg: &AnnotationArg| arg.name.as_ref().map(|name| name.text.clone());
