@@ -35,7 +35,11 @@ pub(super) fn find(cx: &mut Cx) {
             let others: Vec<String> = component
                 .iter()
                 .filter(|&&other| other != node)
-                .map(|&other| format!("`{}`", items[other].decl.name.text))
+                .map(|&other| {
+                    // As the blamed one's file would write it, or as the main file does.
+                    let (other, near) = (items[other], items[other].instance == item.instance);
+                    format!("`{}`", if near { &other.decl.name.text } else { &other.name })
+                })
                 .collect();
             let message = if others.is_empty() {
                 format!("`{}` needs its own value", item.decl.name.text)
