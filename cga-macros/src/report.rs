@@ -7,6 +7,9 @@ use quote::quote_spanned;
 
 use crate::door::Source;
 
+/// Most errors that are shown, and most warnings: nobody reads more, and rustc takes long over them.
+const MOST_SHOWN: usize = 100;
+
 /// Findings as tokens.
 pub(crate) struct Findings {
     pub(crate) tokens: TokenStream,
@@ -15,21 +18,32 @@ pub(crate) struct Findings {
 
 /// Turns findings into tokens, in the order of the source.
 pub(crate) fn findings(list: &[Diag], source: &Source) -> Findings {
-    let mut list: Vec<&Diag> = list.iter().collect();
+    let mut list: Vec<&Diag> = list.iter().filter(|diag| diag.level != Level::Allow).collect();
     list.sort_by_key(|diag| diag.span);
-    let has_errors = list.iter().any(|diag| diag.level == Level::Error);
-    let tokens = list.into_iter().map(|diag| finding(diag, source)).collect();
-    Findings { tokens, has_errors }
-}
-
-fn finding(diag: &Diag, source: &Source) -> TokenStream {
-    let (first, last) = source.span(diag.span);
-    let message = message(diag, source);
-    match diag.level {
-        Level::Allow => TokenStream::new(),
-        Level::Error => error(first, last, &message),
-        Level::Warning => warning(first, diag.code.name(), &message),
-    }
+    let count = |level: Level| list.iter().filter(|diag| diag.level == level).count();
+    let (errors, warnings) = (count(Level::Error), count(Level::Warning));
+    let (mut errors_shown, mut warnings_shown) = (0, 0);
+    let finding = |diag: &Diag| {
+        let (shown, all) = match diag.level {
+            Level::Error => (&mut errors_shown, errors),
+            _ => (&mut warnings_shown, warnings),
+        };
+        *shown += 1;
+        if MOST_SHOWN < *shown {
+            return TokenStream::new();
+        }
+        let mut message = message(diag, source);
+        if *shown == MOST_SHOWN && *shown < all {
+            message.push_str(&format!("\nnote: {} more are not shown", all - *shown));
+        }
+        let (first, last) = source.span(diag.span);
+        match diag.level {
+            Level::Error => error(first, last, &message),
+            _ => warning(first, diag.code.name(), &message),
+        }
+    };
+    let tokens = list.iter().copied().map(finding).collect();
+    Findings { tokens, has_errors: 0 < errors }
 }
 
 /// The lines of a finding; behind a text door with the text it speaks of.

@@ -70,6 +70,10 @@ impl Library {
         if let Some(&number) = self.known.get(&name) {
             return Ok(number);
         }
+        // A device never ends.
+        if !fs::metadata(path).map_err(|why| why.to_string())?.is_file() {
+            return Err("it is no regular file".into());
+        }
         let bytes = fs::read(path).map_err(|why| why.to_string())?;
         let text = decode(&bytes).into_owned();
         let lexed = lex(&text);

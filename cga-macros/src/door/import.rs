@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use cga_lang::compile::Door;
-use cga_lang::lex::{decode, lex};
+use cga_lang::lex::lex;
 use cga_lang::link::{Files, Unit, candidates};
 use proc_macro2::{Literal, TokenStream};
 
 use super::TextPlace;
-use super::file::tracking;
+use super::file::{text, tracking};
 
 /// Opens imported files and remembers them: findings quote from them, and the build follows them.
 pub(crate) struct Imports {
@@ -40,8 +40,7 @@ impl Files for Imports {
             let first = names.first().map_or(path, String::as_str);
             return Err(format!("there is no file `{first}` in the package"));
         };
-        let bytes = std::fs::read(self.root.join(name)).map_err(|error| error.to_string())?;
-        let text = decode(&bytes).into_owned();
+        let text = text(&self.root.join(name)).map_err(|error| error.to_string())?;
         let lexed = lex(&text);
         if !self.opened.iter().any(|place| place.name == *name) {
             self.opened.push(TextPlace { name: name.clone(), written: text, ranges: lexed.ranges });

@@ -40,6 +40,7 @@ fn a_broken_header_says_how_it_is_written() {
         ("@Range(1) grammar A = \"Lot --> X.\";", "`@Range` is no level of a finding\nhelp: before a grammar in text"),
         ("@Allow(no_such) grammar A = \"Lot --> X.\";", "`@Allow` is no level of a finding"),
         ("grammar A in \"/etc/rules.cga\";", "`/etc/rules.cga` is no path inside the package"),
+        ("grammar A in \"src/../../rules.cga\";", "`src/../../rules.cga` is no path inside the package"),
         ("grammar A in \"src\";", "`src` is a folder"),
         ("grammar A in \"no/such.cga\";", "there is no file `no/such.cga`\nhelp: paths count from the folder"),
     ] {
@@ -92,4 +93,12 @@ fn another_path_to_the_runtime_replaces_the_usual_one() {
         let output = expanded(&format!("#[cga(crate = my::shapes)] {door}"));
         assert!(output.contains("my :: shapes :: __rt") && !output.contains(":: cga ::"), "{output}");
     }
+}
+
+#[test]
+fn a_flood_of_findings_ends_with_how_many_there_are() {
+    let rules = "Lot --> frobnicate(1) ".repeat(250);
+    let list = errors(&format!("grammar A; {rules}"));
+    assert_eq!(list.len(), 100);
+    assert!(list[99].contains("more are not shown"), "{}", list[99]);
 }
