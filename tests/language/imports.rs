@@ -49,6 +49,18 @@ fn an_override_may_refer_to_what_it_overrides() {
 }
 
 #[test]
+fn an_override_reaches_attributes_further_down() {
+    cga! { grammar Deep = r#"
+        import imp : "tests/rules/import/outer.cga" (b.h = base + imp.b.h)
+        attr base = 30
+        Lot --> imp.Lot imp(b.h = 8).Lot"#; }
+    let made = model(&Deep::default());
+    // The inner file writes 5.
+    assert_eq!((sum(&made, "h"), sum(&made, "own")), (Some(35.0 + 8.0), Some(351.0 + 81.0)));
+    assert_eq!(sum(&made, "outer"), Some(4.0));
+}
+
+#[test]
 fn functions_constants_and_rules_of_an_import_are_at_hand() {
     cga! {
         grammar Uses = r#"

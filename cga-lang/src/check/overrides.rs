@@ -44,18 +44,14 @@ pub(super) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
         }
         match own {
             Override::Keep(_) | Override::Value(..) => attribute(cx, id, name),
+            // With a dot it was reported when it was read.
+            Override::Rule(decl) if decl.name.text.contains('.') => {}
             Override::Rule(decl) => extension(cx, id, decl),
         }
     }
 }
 
 fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
-    if name.text.contains('.') {
-        let message =
-            format!("`{}` belongs to an import of the imported file, it cannot be overridden here", name.text);
-        cx.diags.report(Code::UnknownName, name.span, message);
-        return;
-    }
     match cx.globals.value(id, &name.text) {
         Some(Use::Attr(_)) => {}
         found => {

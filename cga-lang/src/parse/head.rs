@@ -99,11 +99,14 @@ impl<'a> Heads<'a> {
 
     /// The position behind a name that may have dots.
     pub(super) fn name_end(&self, position: usize) -> usize {
+        if self.is_import(position) { self.path_end(position) } else { position + 1 }
+    }
+
+    /// The position behind words with dots between them.
+    pub(super) fn path_end(&self, position: usize) -> usize {
         let mut next = position + 1;
-        if self.is_import(position) {
-            while self.is(next, Sym::Dot) && self.word(next + 1).is_some() {
-                next += 2;
-            }
+        while self.is(next, Sym::Dot) && self.word(next + 1).is_some() {
+            next += 2;
         }
         next
     }
@@ -122,7 +125,7 @@ impl<'a> Heads<'a> {
         }
         // Of an import that was forgotten the rest is clear enough.
         self.is_import(position - 1)
-            || (self.word(position + 1).is_some() && self.is(position + 2, Sym::Assign))
+            || (self.word(position + 1).is_some() && self.is(self.path_end(position + 1), Sym::Assign))
             || self.override_head(position + 1) == Some(Head::Rule)
     }
 
@@ -141,15 +144,20 @@ impl<'a> Heads<'a> {
     /// How a declaration of the name at a position goes on, if there is one.
     pub(super) fn head(&self, position: usize) -> Option<Head> {
         // `case h = 3 :` means `==`, and the parser says so.
-        self.override_head(position).filter(|head| head.is_sure() || !self.in_value(position))
+        self.head_behind(position, self.name_end(position)).filter(|head| head.is_sure() || !self.in_value(position))
     }
 
     /// The same between the parentheses of an import.
     pub(super) fn override_head(&self, position: usize) -> Option<Head> {
+        self.head_behind(position, self.path_end(position))
+    }
+
+    /// What follows a name that goes from one position to another.
+    fn head_behind(&self, position: usize, end: usize) -> Option<Head> {
         if self.word(position)? == "with" {
             return None;
         }
-        let mut next = self.name_end(position);
+        let mut next = end;
         let mut names = true;
         if self.is(next, Sym::LParen) {
             next += 1;

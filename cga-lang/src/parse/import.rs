@@ -71,15 +71,15 @@ impl Parser<'_> {
 
     fn one_override(&mut self, close: usize) -> Parsed<Override> {
         let (start, head) = (self.at, self.layout.override_head(self.at));
-        let Some(name) = self.take_dotted(self.layout.name_end(self.at)) else {
+        let Some(name) = self.take_dotted(self.layout.path_end(self.at)) else {
             return self.fail("an attribute or a rule");
         };
-        if name.text.contains('.') {
-            let message = "what the imported file imports itself cannot be replaced here";
-            self.diags.report(Code::Syntax, name.span, message).help("replace it where it is imported");
-        }
         match head {
             Some(head) if head != Head::Function => {
+                if name.text.contains('.') {
+                    let message = "rules of what the imported file imports itself cannot be replaced here";
+                    self.diags.report(Code::Syntax, name.span, message).help("replace it where it is imported");
+                }
                 let params = self.params()?;
                 let locals = self.locals()?;
                 self.arrow(head);

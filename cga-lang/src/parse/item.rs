@@ -109,9 +109,13 @@ impl Parser<'_> {
         let locals = self.locals().inspect_err(|_| lose(self))?;
         let body = match head.filter(|_| !keyword) {
             None => {
-                self.value_name(&name, if word == "attr" { "an attribute" } else { "a constant" }, &params);
+                let known = self.value_name(&name, if word == "attr" { "an attribute" } else { "a constant" }, &params);
                 self.expect(Sym::Assign).inspect_err(|_| lose(self))?;
                 let value = self.body_expr();
+                if !known {
+                    lose(self);
+                    return Err(Reported);
+                }
                 if word == "attr" { Body::Attr(value) } else { Body::Const(value) }
             }
             Some(Head::Function) => {
@@ -143,8 +147,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The name of an attribute or constant.
-    fn value_name(&mut self, name: &Name, what: &str, params: &[Name]) {
+    /// The name of an attribute or constant. Says whether it is clear how the name is used.
+    fn value_name(&mut self, name: &Name, what: &str, params: &[Name]) -> bool {
         self.no_dollar(name, what);
         self.no_dot(name);
         if let (Some(first), Some(last)) = (params.first(), params.last())
@@ -154,7 +158,9 @@ impl Parser<'_> {
             self.diags
                 .report(Code::Syntax, first.span.to(last.span), format!("{what} has no parameters"))
                 .help(format!("leave out `{word}`: then it is a function"));
+            return false;
         }
+        true
     }
 
     fn no_dot(&mut self, name: &Name) {

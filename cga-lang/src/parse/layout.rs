@@ -123,6 +123,11 @@ impl<'a> Layout<'a> {
         self.heads.name_end(position)
     }
 
+    /// The position behind words with dots between them.
+    pub(super) fn path_end(&self, position: usize) -> usize {
+        self.heads.path_end(position)
+    }
+
     /// Whether the parentheses that begin at a position replace attributes and rules of an import.
     pub(super) fn holds_overrides(&self, position: usize) -> bool {
         self.heads.holds_overrides(position)

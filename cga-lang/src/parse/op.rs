@@ -98,6 +98,7 @@ impl Parser<'_> {
             return Ok(OpKind::Error);
         }
         if self.eat(Sym::Dot) {
+            self.leaf_arguments()?;
             return Ok(OpKind::Leaf(name));
         }
         let args = if self.is(Sym::LParen) { Some(self.args()?) } else { None };
@@ -117,6 +118,19 @@ impl Parser<'_> {
             return if goes_on { Ok(OpKind::Error) } else { Err(Reported) };
         }
         Ok(OpKind::Call(name, args))
+    }
+
+    /// Old files have arguments behind a leaf. They do nothing.
+    fn leaf_arguments(&mut self) -> Parsed<()> {
+        if self.is(Sym::LParen) {
+            let start = self.at;
+            self.args()?;
+            let span = self.span_from(start);
+            self.diags
+                .report(Code::OldSpelling, span, "a leaf has no arguments, these do nothing")
+                .help("leave them out");
+        }
+        Ok(())
     }
 
     fn rust(&mut self) -> Parsed<OpKind> {

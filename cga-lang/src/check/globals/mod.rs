@@ -1,13 +1,14 @@
 //! What is declared, in every instance of every file, and how names find it.
 
-use crate::ast::{Body, Decl, Expr, Name, Override, Role};
-use crate::link::{InstanceId, Layer, Program};
+mod overrides;
+
+use super::Use;
+use crate::ast::{Body, Decl, Expr, Name, Role};
+use crate::link::{InstanceId, Program};
 use crate::ops;
 use crate::suggest::nearest;
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
-
-use super::Use;
 
 /// Everything that is declared. Indices count the items of a kind: instance by instance, in source order.
 pub(crate) struct Globals<'a> {
@@ -114,16 +115,7 @@ impl<'a> Globals<'a> {
         for instance in 0..program.instances.len() {
             globals.collect(instance);
         }
-        // Importing files come before the imported ones.
-        let attrs = globals.attrs.iter().enumerate();
-        // Of attributes of one name the first.
-        let by_name: HashMap<_, _> =
-            attrs.rev().map(|(index, item)| ((item.instance, item.decl.name.text.as_str()), index as u32)).collect();
-        let mut replacing = HashMap::new();
-        for instance in 0..program.instances.len() {
-            globals.override_attrs(instance, &by_name);
-            globals.override_rules(instance, &mut replacing);
-        }
+        globals.take_overrides();
         globals
     }
 
@@ -164,79 +156,6 @@ impl<'a> Globals<'a> {
                 Body::Const(_) => self.consts.push(item),
                 Body::Function(_) => self.functions.push(item),
                 Body::Rule(_) => self.rules.push(item),
-            }
-        }
-    }
-
-    /// Attributes of an imported file that get their values from the importing one.
-    fn override_attrs(&mut self, id: InstanceId, by_name: &HashMap<(InstanceId, &str), u32>) {
-        let instance = &self.program.instances[id];
-        let Some(layer) = instance.layers.first() else { return };
-        let written = written(layer);
-        // They stand in the order of their instances.
-        let first = self.attrs.partition_point(|item| item.instance < id);
-        for index in first..self.attrs.partition_point(|item| item.instance <= id) {
-            let item = &self.attrs[index];
-            // Only what belongs to the style `Default` is overridden.
-            if item.decl.style != 0 {
-                continue;
-            }
-            let name = item.decl.name.text.as_str();
-            let init = match written.get(name) {
-                Some(Override::Value(_, value)) => Init::Override(value, layer.home),
-                Some(_) => continue,
-                None if layer.list.as_ref().is_some_and(Vec::is_empty) => continue,
-                None => match by_name.get(&(layer.home, name)) {
-                    Some(outer) => Init::Flows(*outer),
-                    None => continue,
-                },
-            };
-            let mut origin = item.clone();
-            origin.origin = true;
-            self.attrs[index].init = init;
-            self.names[id].origins.insert(name, self.consts.len() as u32);
-            self.consts.push(origin);
-        }
-    }
-
-    /// Rules that an importing file puts in the place of extensions.
-    fn override_rules(&mut self, id: InstanceId, replacing: &mut HashMap<u32, u32>) {
-        let instance = &self.program.instances[id];
-        if instance.layers.is_empty() {
-            return;
-        }
-        // Only what belongs to the style `Default` is overridden (*import*): what the style in force has of its own stays.
-        let (mut extensions, mut in_style) = (HashSet::new(), HashSet::new());
-        for decl in &instance.ast.decls {
-            if decl.role == Role::Extension {
-                extensions.insert((decl.name.text.as_str(), decl.params.len()));
-            }
-            if decl.style != 0 && instance.styles.rank(decl.style).is_some() {
-                in_style.insert(decl.name.text.as_str());
-            }
-        }
-        for layer in &instance.layers {
-            for decl in layer.list.iter().flatten().filter_map(|own| match own {
-                Override::Rule(decl) => Some(decl),
-                _ => None,
-            }) {
-                let name = decl.name.text.as_str();
-                let index = *replacing.entry(decl.name.id()).or_insert_with(|| {
-                    self.rules.push(Item {
-                        decl,
-                        instance: id,
-                        home: layer.home,
-                        name: format!("{}{name}", instance.prefix),
-                        init: Init::Own,
-                        rank: 0,
-                        origin: false,
-                    });
-                    self.rules.len() as u32 - 1
-                });
-                // What fits none is an error, and calls go where they went.
-                if extensions.contains(&(name, decl.params.len())) && !in_style.contains(name) {
-                    self.names[id].replaced.insert(name, index);
-                }
             }
         }
     }
@@ -446,17 +365,6 @@ fn overload(list: &mut Vec<u32>, index: u32, items: &[Item]) {
         let at = list.partition_point(|other| style(*other) <= style(index));
         list.insert(at, index);
     }
-}
-
-/// What a layer says about attributes; of several the first.
-fn written(layer: &Layer) -> HashMap<&str, &Override> {
-    let mut found = HashMap::new();
-    for own in layer.list.iter().flatten() {
-        if let Override::Keep(name) | Override::Value(name, _) = own {
-            found.entry(name.text.as_str()).or_insert(own);
-        }
-    }
-    found
 }
 
 impl Decl {

@@ -1,0 +1,130 @@
+//! What imported files get from the files that import them.
+
+use super::{Globals, Init, Item};
+use crate::ast::{Expr, Override, Role};
+use crate::link::{InstanceId, Layer, Program};
+use std::collections::{HashMap, HashSet};
+
+/// Values of attributes further down than the file that an import names: by instance and name, with where they stand.
+type Deep<'a> = HashMap<(InstanceId, &'a str), (&'a Expr, InstanceId)>;
+
+impl<'a> Globals<'a> {
+    /// Once all declarations are known.
+    pub(super) fn take_overrides(&mut self) {
+        let attrs = self.attrs.iter().enumerate();
+        // Of attributes of one name the first.
+        let by_name: HashMap<_, _> =
+            attrs.rev().map(|(index, item)| ((item.instance, item.decl.name.text.as_str()), index as u32)).collect();
+        let deep = deep(self.program);
+        let mut replacing = HashMap::new();
+        // Importing files come before the imported ones.
+        for instance in 0..self.program.instances.len() {
+            self.override_attrs(instance, &by_name, &deep);
+            self.override_rules(instance, &mut replacing);
+        }
+    }
+
+    /// Attributes of an imported file that get their values from the importing one.
+    fn override_attrs(&mut self, id: InstanceId, by_name: &HashMap<(InstanceId, &str), u32>, deep: &Deep<'a>) {
+        let instance = &self.program.instances[id];
+        let Some(layer) = instance.layers.first() else { return };
+        let written = written(layer);
+        // They stand in the order of their instances.
+        let first = self.attrs.partition_point(|item| item.instance < id);
+        for index in first..self.attrs.partition_point(|item| item.instance <= id) {
+            let item = &self.attrs[index];
+            // Only what belongs to the style `Default` is overridden.
+            if item.decl.style != 0 {
+                continue;
+            }
+            let name = item.decl.name.text.as_str();
+            let init = match written.get(name) {
+                _ if deep.contains_key(&(id, name)) => {
+                    let (value, home) = deep[&(id, name)];
+                    Init::Override(value, home)
+                }
+                Some(Override::Value(_, value)) => Init::Override(value, layer.home),
+                Some(_) => continue,
+                None if layer.list.as_ref().is_some_and(Vec::is_empty) => continue,
+                None => match by_name.get(&(layer.home, name)) {
+                    Some(outer) => Init::Flows(*outer),
+                    None => continue,
+                },
+            };
+            let mut origin = item.clone();
+            origin.origin = true;
+            self.attrs[index].init = init;
+            self.names[id].origins.insert(name, self.consts.len() as u32);
+            self.consts.push(origin);
+        }
+    }
+
+    /// Rules that an importing file puts in the place of extensions.
+    fn override_rules(&mut self, id: InstanceId, replacing: &mut HashMap<u32, u32>) {
+        let instance = &self.program.instances[id];
+        if instance.layers.is_empty() {
+            return;
+        }
+        // Only what belongs to the style `Default` is overridden (*import*): what the style in force has of its own stays.
+        let (mut extensions, mut in_style) = (HashSet::new(), HashSet::new());
+        for decl in &instance.ast.decls {
+            if decl.role == Role::Extension {
+                extensions.insert((decl.name.text.as_str(), decl.params.len()));
+            }
+            if decl.style != 0 && instance.styles.rank(decl.style).is_some() {
+                in_style.insert(decl.name.text.as_str());
+            }
+        }
+        for layer in &instance.layers {
+            for decl in layer.list.iter().flatten().filter_map(|own| match own {
+                Override::Rule(decl) => Some(decl),
+                _ => None,
+            }) {
+                let name = decl.name.text.as_str();
+                let index = *replacing.entry(decl.name.id()).or_insert_with(|| {
+                    self.rules.push(Item {
+                        decl,
+                        instance: id,
+                        home: layer.home,
+                        name: format!("{}{name}", instance.prefix),
+                        init: Init::Own,
+                        rank: 0,
+                        origin: false,
+                    });
+                    self.rules.len() as u32 - 1
+                });
+                // What fits none is an error, and calls go where they went.
+                if extensions.contains(&(name, decl.params.len())) && !in_style.contains(name) {
+                    self.names[id].replaced.insert(name, index);
+                }
+            }
+        }
+    }
+}
+
+/// What a layer says about attributes; of several the first.
+fn written(layer: &Layer) -> HashMap<&str, &Override> {
+    let mut found = HashMap::new();
+    for own in layer.list.iter().flatten() {
+        if let Override::Keep(name) | Override::Value(name, _) = own {
+            found.entry(name.text.as_str()).or_insert(own);
+        }
+    }
+    found
+}
+
+/// `id : "file" (inner.name = value)`: of several for one attribute the outermost counts.
+fn deep(program: &Program) -> Deep<'_> {
+    let mut found = HashMap::new();
+    for (id, instance) in program.instances.iter().enumerate() {
+        for own in instance.layers.first().iter().flat_map(|layer| layer.list.iter().flatten()) {
+            let Override::Value(path, value) = own else { continue };
+            let Some((imports, name)) = path.text.rsplit_once('.') else { continue };
+            let target = imports.split('.').try_fold(id, |at, import| *program.instances[at].imports.get(import)?);
+            if let Some(target) = target {
+                found.entry((target, name)).or_insert((value, instance.layers[0].home));
+            }
+        }
+    }
+    found
+}
