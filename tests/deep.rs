@@ -139,3 +139,75 @@ fn functions_with_much_on_the_stack_nest_less_deep() {
     let error = run(1e9).expect_err("too deep");
     assert!(matches!(error, Error::Limit { what: LimitKind::Calls, limit: 100..1024, .. }), "{error}");
 }
+
+cga! { grammar Wide in "tests/rules/wide.cga"; }
+
+/// Runs with functions that go down so far, in as many rules as it takes.
+fn wide(start: &'static str, depth: f64) -> Result<Model, Error> {
+    on_a_small_stack(move || {
+        let settings = Settings { start: Some(start.into()), ..deep() };
+        Wide { depth, ..Wide::default() }.generate_with(&lot(), &settings)
+    })
+}
+
+/// How deep functions nest there: told by the error.
+fn deepest(start: &'static str) -> f64 {
+    match wide(start, 1e9) {
+        Err(Error::Limit { what: LimitKind::Calls, limit, .. }) => limit as f64,
+        other => panic!("{:?}", other.map(|_| ())),
+    }
+}
+
+#[test]
+fn functions_with_many_locals_nest_as_deep_as_fits() {
+    for (start, least) in [("Arrays", 30.0), ("Texts", 15.0)] {
+        let deepest = deepest(start);
+        assert!(least < deepest && deepest < 1024.0, "{start}: {deepest}");
+        // The call with 0 is one too.
+        assert!(wide(start, deepest - 1.0).is_ok(), "{start}");
+        assert!(wide(start, deepest).is_err(), "{start}");
+    }
+}
+
+#[test]
+fn small_functions_above_big_ones_leave_less_for_them() {
+    let (alone, below) = (deepest("Arrays"), deepest("Mixed") - 501.0);
+    assert!(10.0 < below && below < alone, "{alone} {below}");
+    assert!(wide("Mixed", below - 1.0).is_ok());
+}
+
+#[test]
+fn rules_with_many_locals_and_arrays_are_counted_as_what_they_are() {
+    for start in ["Locals", "Steps"] {
+        assert_eq!(names(&wide(start, 0.0).expect("no limit")), ["End"], "{start}");
+    }
+}
+
+#[test]
+fn functions_that_go_down_inside_of_rules_that_go_down_fit_together() {
+    let model = wide("Both", deepest("Both") - 1.0).expect("no limit");
+    assert_eq!(model.count("End"), 1);
+}
+
+cga! { grammar Calls in "tests/rules/functions.cga"; }
+
+#[test]
+fn a_chain_of_3000_functions_without_a_cycle_fits() {
+    let model = on_a_small_stack(|| Calls::default().generate(&lot())).expect("no limit");
+    assert_eq!(model.leaves().next().expect("a leaf").size().x, 3009.0);
+}
+
+cga! {
+    grammar Doubling;
+    f0(n) = f1(n) + f1(n) f1(n) = f2(n) + f2(n) f2(n) = f3(n) + f3(n) f3(n) = f4(n) + f4(n) f4(n) = f5(n) + f5(n)
+    f5(n) = g0(n) + g0(n) g0(n) = g1(n) + g1(n) g1(n) = g2(n) + g2(n) g2(n) = g3(n) + g3(n) g3(n) = g4(n) + g4(n)
+    g4(n) = g5(n) + g5(n) g5(n) = h0(n) + h0(n) h0(n) = h1(n) + h1(n) h1(n) = h2(n) + h2(n) h2(n) = h3(n) + h3(n)
+    h3(n) = h4(n) + h4(n) h4(n) = h5(n) + h5(n) h5(n) = n + scope.sx
+    Lot --> s(f0(1), 1, 1) X.
+}
+
+#[test]
+fn doubling_17_times_is_no_recursion() {
+    let model = Doubling::default().generate(&lot()).expect("no limit");
+    assert_eq!(model.leaves().next().expect("a leaf").size().x, 131_072.0 * 9.0);
+}

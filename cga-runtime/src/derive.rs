@@ -17,7 +17,8 @@ use crate::shape::{Geometry, Shape, ShapeRef};
 use crate::sink::{Flow, Leaf, Sink};
 
 /// How much of the stack direct calls may use, in the units of generated code: about a kilobyte each in a build without
-/// optimisation, much less with it. Threads have two megabytes, of which sinks and Rust operations need their share.
+/// optimisation, much less with it. Threads have two megabytes, of which functions (`FUNCTIONS` in
+/// `env.rs`), sinks and Rust operations need their share.
 pub const STACK: u32 = 640;
 
 /// What a run says besides what it gave the sink.

@@ -24,7 +24,15 @@ const FAULTS_KEPT: usize = 1000;
 /// Rules that a trail names; of longer ones the middle is left out, so that memory stays bounded.
 const LONGEST_TRAIL: usize = 2048;
 
-/// Calls in a run of functions that can reach themselves: those that branch would else run for ever within their depth.
+/// How deep functions that ask may nest, as CGA documents (*CGA changelog 2014.1*).
+const DEEPEST_CALLS: u32 = 1024;
+
+/// How much of the stack functions may use, in bytes of a build without optimisation, by the estimate of the code
+/// generator. A function that takes more than that runs where no other does. Threads have two megabytes, and rules have
+/// their share: see `STACK` in `derive.rs`.
+const FUNCTIONS: u32 = 640 * 1024;
+
+/// Calls in a run of functions that ask: those that branch would else run for ever within their depth.
 const MOST_CALLS: u64 = 20_000_000;
 
 /// Queries for files whose answers are kept: rules ask the same ones for every shape.
@@ -53,7 +61,10 @@ pub struct Env {
     pub(crate) shapes: u64,
     pub(crate) leaves: u64,
     vertices: u64,
+    /// Functions under way that asked.
     calls: u32,
+    /// What they take of [`FUNCTIONS`].
+    call_stack: u32,
     calls_made: u64,
     faults: Vec<Fault>,
     faults_left_out: u64,
@@ -120,6 +131,7 @@ impl Env {
             leaves: 0,
             vertices: 0,
             calls: 0,
+            call_stack: 0,
             calls_made: 0,
             faults: Vec::new(),
             faults_left_out: 0,
@@ -189,25 +201,30 @@ impl Env {
         self.trail.pop();
     }
 
-    /// Enters a function that can reach itself, unless so many are under way already (*CGA changelog 2014.1*: function
-    /// call depth). If it says yes, [`Env::called`] follows.
+    /// Enters a function that asks, for so many bytes of [`FUNCTIONS`]. The answer is no at the depth of calls that CGA has
+    /// (*CGA changelog 2014.1*: function call depth), and where the stack ends before that. If it is yes,
+    /// [`Env::called`] follows.
     #[inline]
-    pub fn call(&mut self, depth: u32) -> bool {
-        if depth <= self.calls {
-            let _: Flow = self.limit(LimitKind::Calls, u64::from(depth));
-        }
+    pub fn call(&mut self, stack: u32) -> bool {
         self.calls_made += 1;
-        if MOST_CALLS < self.calls_made {
+        let stack = self.call_stack + stack.min(FUNCTIONS);
+        if FUNCTIONS < stack || self.calls == DEEPEST_CALLS {
+            let _: Flow = self.limit(LimitKind::Calls, u64::from(self.calls));
+        } else if MOST_CALLS < self.calls_made {
             let _: Flow = self.limit(LimitKind::Calls, MOST_CALLS);
         }
         let may = self.error.is_none();
-        self.calls += u32::from(may);
+        if may {
+            (self.calls, self.call_stack) = (self.calls + 1, stack);
+        }
         may
     }
 
-    /// Leaves a function that can reach itself.
-    pub fn called(&mut self) {
+    /// Leaves a function that asked for so many bytes.
+    #[inline]
+    pub fn called(&mut self, stack: u32) {
         self.calls -= 1;
+        self.call_stack -= stack.min(FUNCTIONS);
     }
 
     /// The trail so far, to be shared by deferred calls.

@@ -1,13 +1,15 @@
-//! A checked grammar → Rust. No errors here, and no decisions but which calls ask for stack (`stack.rs`): `cga_lang::lower`
+//! A checked grammar → Rust. No errors here, and no decisions but which calls ask for stack (`stack.rs`, `calls.rs`): `cga_lang::lower`
 //! has made the others.
 //!
 //! The output is the public struct and one anonymous const with everything else in it: the evaluated attributes, the
 //! calls that may wait, and one function a rule, generic over the sink. Local names are hygienic; rule functions carry
 //! the span of their definition so that editors find them.
 
+mod calls;
 mod comp;
 mod expr;
 mod fields;
+mod frame;
 mod items;
 mod names;
 mod public;
@@ -33,6 +35,7 @@ struct Cx<'a> {
     source: &'a Source,
     names: names::Names,
     plan: stack::Plan,
+    calls: calls::Calls,
     /// Whether `#` values were captured, as in the expression form.
     captured: bool,
     /// What each `#` value must be.
@@ -44,8 +47,9 @@ struct Cx<'a> {
 /// Writes a grammar.
 pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Output {
     let (names, plan) = (names::Names::new(grammar), stack::Plan::new(grammar));
+    let calls = calls::Calls::new(&grammar.functions);
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
-    let cx = Cx { grammar, source, names, plan, captured: header.name.is_none(), hosts, renewed };
+    let cx = Cx { grammar, source, names, plan, calls, captured: header.name.is_none(), hosts, renewed };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
     let implementation = items::rules_impl(&cx, header);

@@ -7,7 +7,6 @@ use quote::{quote, quote_spanned};
 use syn::Lifetime;
 
 use super::expr::{Place, draws, word_variant};
-use super::stack::call_depth;
 use super::{Cx, inner_type, local};
 
 pub(super) fn rules(cx: &Cx<'_>) -> TokenStream {
@@ -78,14 +77,14 @@ impl Cx<'_> {
         let locals = self.locals(&function.params, &function.locals, &Place::function());
         let body = self.expr(&function.body, &Place::function());
         let body = quote_spanned!(place=> { #locals #body });
-        let body = if function.recursive {
-            let depth = Literal::u32_unsuffixed(call_depth(function));
+        let body = if let Some(stack) = self.calls.stack(id) {
+            let stack = Literal::u32_unsuffixed(stack);
             quote_spanned! { place=>
-                if !env.call(#depth) {
+                if !env.call(#stack) {
                     return ::core::default::Default::default();
                 }
                 let value = #body;
-                env.called();
+                env.called(#stack);
                 value
             }
         } else {

@@ -1,4 +1,4 @@
-//! How much of the stack rules need, and which calls therefore have to ask.
+//! Which calls of rules ask whether the stack suffices, and for how much of it.
 //!
 //! Rules call each other directly. Where that could go on and on, calls ask the runtime whether the stack suffices, and
 //! wait on its list if not:
@@ -12,11 +12,11 @@
 use std::collections::HashMap;
 
 use cga_lang::graph::components;
-use cga_lang::ir::{Function, Grammar, Rule, RuleId, Step};
-use cga_lang::ir_walk::{self, called};
+use cga_lang::ir::{Grammar, RuleId};
+use cga_lang::ir_walk::called;
 
+use super::frame;
 use super::rule::is_block;
-use super::types::stack_bytes;
 
 /// Kilobytes, in a build without optimisation, that a chain of calls may take without asking.
 const UNASKED: u32 = 256;
@@ -40,7 +40,7 @@ impl Plan {
     pub(super) fn new(grammar: &Grammar) -> Self {
         let rules = &grammar.rules;
         let calls: Vec<Vec<RuleId>> = rules.iter().map(|rule| called(&rule.body)).collect();
-        let own: Vec<u32> = rules.iter().map(share).collect();
+        let own: Vec<u32> = rules.iter().map(frame::rule).collect();
         let mut plan = Plan { asks: HashMap::new(), may_wait: vec![false; rules.len()] };
         // The rules of a cycle have one reach.
         let mut reach: Vec<u32> = own.clone();
@@ -83,36 +83,6 @@ impl Plan {
     pub(super) fn may_wait(&self, rule: RuleId) -> bool {
         self.may_wait[rule.0 as usize]
     }
-}
-
-/// About how many kilobytes of stack a rule takes in a build without optimisation, where every value has a place of its
-/// own. Measured with 1.95; `tests/deep.rs` of the facade holds it.
-fn share(rule: &Rule) -> u32 {
-    let mut bytes = 1000;
-    ir_walk::steps(&rule.body, &mut |step| {
-        bytes += match step {
-            Step::Give(_) => 700,
-            Step::Split(split) => 3000 + 500 * split.slots.len(),
-            Step::Comp(comp) => 4000 + 500 * comp.arms.len(),
-            Step::Push(_) => 400,
-            Step::Anew(anew) => 1100 + 200 * (anew.given.len() + anew.computed.len()),
-            _ => 100,
-        }
-    });
-    // What is computed on the way has its place too.
-    ir_walk::in_rule(rule, &mut |expr| bytes += stack_bytes(expr.ty));
-    bytes.div_ceil(1024) as u32
-}
-
-/// How deeply a function that can reach itself may nest: 1024 calls as CGA documents, fewer where they would take more
-/// than half a megabyte.
-pub(super) fn call_depth(function: &Function) -> u32 {
-    const DOCUMENTED: usize = 1024;
-    let mut frame = 100;
-    for value in function.locals.iter().chain([&function.body]) {
-        ir_walk::parts(value, &mut |expr| frame += stack_bytes(expr.ty));
-    }
-    DOCUMENTED.min(512 * 1024 / frame).max(1) as u32
 }
 
 #[cfg(test)]
@@ -160,16 +130,5 @@ mod tests {
         let chain: String = (0..1000).map(rule).collect();
         let list = asks(&(chain + "A1000 --> s(1, 1, 1)"));
         assert!(1000 + 3 * 1000 / UNASKED as usize <= list.len() + 1, "{}", list.len());
-    }
-
-    #[test]
-    fn big_functions_nest_less() {
-        let depth = |text: &str| {
-            let grammar = compile_text(text).compiled.grammar.expect("good rules");
-            call_depth(&grammar.functions[0])
-        };
-        assert_eq!(depth("f(n) = case n > 0 : f(n - 1) else : 0  A --> t(f(1), 0, 0)"), 1024);
-        let sum = "+ f(n - 1)".repeat(100);
-        assert!(depth(&format!("f(n) = case n > 0 : 1 {sum} else : 0  A --> t(f(1), 0, 0)")) < 200);
     }
 }

@@ -57,14 +57,6 @@ pub(super) fn cloned(ty: Type, place: TokenStream) -> TokenStream {
     }
 }
 
-/// What a value takes on the stack, in bytes, with the copies of it that a debug build makes.
-pub(super) fn stack_bytes(ty: Type) -> usize {
-    match ty {
-        Type::Float | Type::Bool => 8,
-        _ => 64,
-    }
-}
-
 /// A constant.
 pub(super) fn value(value: &Value) -> TokenStream {
     let place = Span::mixed_site();

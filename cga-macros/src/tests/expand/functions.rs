@@ -43,7 +43,7 @@ impl CgaRules {
         shape: &mut cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> ::core::primitive::f64 {
-        if !env.call(1024) {
+        if !env.call(240) {
             return ::core::default::Default::default();
         }
         let value = {
@@ -53,7 +53,7 @@ impl CgaRules {
                 (p0 * CgaRules::fac(g, env, shape, (p0 - 1f64)))
             })
         };
-        env.called();
+        env.called(240);
         value
     }
     fn fac_2(

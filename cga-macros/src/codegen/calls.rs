@@ -1,0 +1,138 @@
+//! Which functions ask before they run, and for how much.
+//!
+//! Functions call each other directly, while an expression is evaluated, and nothing of that can wait: where they ask and
+//! there is no room left, the run ends with an error. Those that ask:
+//!
+//! - a function that can reach itself, for its own share;
+//! - one on a chain that may have grown by [`UNASKED`] since the last question, for all of that;
+//! - one that makes very many calls without any recursion (`f(n) = g(n) + g(n)`, and `g` the same, and so on): they are
+//!   counted.
+//!
+//! Invariant: when a function runs, the stack in use by functions is at most what was asked for plus its *reach*, the
+//! longest way to it from the last question.
+
+use cga_lang::graph::components;
+use cga_lang::ir::{ExprKind, Function, FunctionId};
+use cga_lang::ir_walk;
+
+use super::frame;
+
+/// Bytes, in a build without optimisation, that a chain of functions may take without asking.
+const UNASKED: u32 = 64 * 1024;
+
+/// Calls that a function may make without being counted.
+const UNCOUNTED: u64 = 10_000;
+
+/// The functions that ask.
+pub(super) struct Calls {
+    /// For how many bytes each asks, if it does.
+    asks: Vec<Option<u32>>,
+}
+
+impl Calls {
+    pub(super) fn new(functions: &[Function]) -> Self {
+        let own: Vec<u32> = functions.iter().map(frame::function).collect();
+        let calls: Vec<Vec<usize>> = functions.iter().map(called).collect();
+        let groups = components(&calls);
+        let mut asks = vec![None; functions.len()];
+        // The calls that come of one; what is asked for counts as one itself. Every group before all that call it.
+        let mut made: Vec<u64> = vec![1; functions.len()];
+        for group in &groups {
+            for &at in group.iter().filter(|&&at| !functions[at].recursive) {
+                made[at] = calls[at].iter().fold(1, |sum: u64, &to| sum.saturating_add(made[to]));
+                if UNCOUNTED < made[at] {
+                    (asks[at], made[at]) = (Some(own[at]), 1);
+                }
+            }
+        }
+        // The longest way to a function, without the function itself. Every group after all that call it.
+        let mut before: Vec<u32> = vec![0; functions.len()];
+        for group in groups.into_iter().rev() {
+            let most = group.iter().map(|&at| before[at]).max().unwrap_or(0);
+            for &at in &group {
+                let with = most.saturating_add(own[at]);
+                let reach = if functions[at].recursive {
+                    asks[at] = Some(own[at]);
+                    most
+                } else if asks[at].is_some() || UNASKED < with {
+                    asks[at] = Some(with);
+                    0
+                } else {
+                    with
+                };
+                // Inside a cycle this comes too late for some, who have the same reach anyway.
+                for &to in &calls[at] {
+                    before[to] = before[to].max(reach);
+                }
+            }
+        }
+        Calls { asks }
+    }
+
+    /// How many bytes of the stack for functions one asks for before it runs, if it asks.
+    pub(super) fn stack(&self, function: FunctionId) -> Option<u32> {
+        self.asks[function.0 as usize]
+    }
+}
+
+/// The functions that one calls, each as often as it does.
+fn called(function: &Function) -> Vec<usize> {
+    let mut list = Vec::new();
+    for value in function.locals.iter().chain([&function.body]) {
+        ir_walk::parts(value, &mut |expr| {
+            if let ExprKind::Call(id, _) = expr.kind {
+                list.push(id.0 as usize);
+            }
+        });
+    }
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cga_lang::compile::compile_text;
+
+    fn asks(rules: &str) -> Vec<Option<u32>> {
+        Calls::new(&compile_text(rules).compiled.grammar.expect("good rules").functions).asks
+    }
+
+    #[test]
+    fn functions_that_end_by_themselves_do_not_ask() {
+        assert_eq!(asks("f(n) = g(n) + g(2 * n)  g(n) = n * scope.sx  A --> t(f(1), 0, 0)"), [None, None]);
+    }
+
+    #[test]
+    fn those_that_reach_themselves_ask_for_their_own() {
+        let list = asks("f(n) = case n > 0 : g(n - 1) else : 0  g(n) = f(n)  h(n) = f(n)  A --> t(h(1), 0, 0)");
+        assert!(matches!(list[..], [Some(..300), Some(..300), None]), "{list:?}");
+    }
+
+    #[test]
+    fn a_long_chain_asks_now_and_then() {
+        let chain: String = (0..3000).map(|at| format!("f{at}(n) = f{}(n) + 1\n", at + 1)).collect();
+        let list = asks(&(chain + "f3000(n) = n * scope.sx  A --> t(f0(1), 0, 0)"));
+        let own = 144 + 8 + 4 * 8;
+        let expected = 3000 * own / UNASKED as usize;
+        let asked = list.iter().flatten().count();
+        assert!((expected - 1..=expected + 1).contains(&asked), "{asked}");
+        assert!(list.iter().flatten().all(|stack| UNASKED < *stack), "{list:?}");
+    }
+
+    #[test]
+    fn doubling_without_recursion_is_counted() {
+        let chain: String = (0..60).map(|at| format!("f{at}(n) = f{0}(n) + f{0}(n)\n", at + 1)).collect();
+        let list = asks(&(chain + "f60(n) = n * scope.sx  A --> t(f0(1), 0, 0)"));
+        assert_eq!(list.iter().flatten().count(), 60 / 13);
+    }
+
+    #[test]
+    fn big_functions_ask_for_more() {
+        let stack = |text: &str| asks(text)[0].expect("a recursion");
+        let small = stack("f(n) = case n > 0 : f(n - 1) else : 0  A --> t(f(1), 0, 0)");
+        let locals: String = (0..40).map(|at| format!("v{at} := [n, {at}] ")).collect();
+        let big =
+            stack(&format!("f(n) with ( {locals}) = case n > 0 : f(n - 1) + v0[0] else : 0  A --> t(f(1), 0, 0)"));
+        assert!(40 * 176 < big - small && big - small < 40 * 400, "{small} {big}");
+    }
+}

@@ -1,0 +1,53 @@
+//! How much of the stack rules and functions take in a build without optimisation, where every value has a place of its
+//! own: estimates from above, measured with 1.95 on 64 bits; `tests/deep.rs` of the facade holds them.
+//!
+//! They follow from the rules alone, so that a run is the same in every build.
+
+use cga_lang::ir::{Expr, ExprKind, Function, Rule, Step, Type, Value};
+use cga_lang::ir_walk;
+
+/// Kilobytes that a rule takes, with what the runtime's operations that call it back take.
+pub(super) fn rule(rule: &Rule) -> u32 {
+    let mut bytes: usize = 1000;
+    ir_walk::steps(&rule.body, &mut |step| {
+        bytes += match step {
+            Step::Give(_) => 700,
+            Step::Split(split) => 3000 + 500 * split.slots.len(),
+            Step::Comp(comp) => 4000 + 500 * comp.arms.len(),
+            Step::Push(_) => 400,
+            Step::Anew(anew) => 1100 + 200 * (anew.given.len() + anew.computed.len()),
+            _ => 100,
+        }
+    });
+    // What is computed on the way has its place too.
+    ir_walk::in_rule(rule, &mut |expr| bytes += own(expr));
+    u32::try_from(bytes.div_ceil(1024)).unwrap_or(u32::MAX)
+}
+
+/// Bytes that a function takes.
+pub(super) fn function(function: &Function) -> u32 {
+    let mut bytes: usize = 144 + 8 * function.params.len();
+    for value in function.locals.iter().chain([&function.body]) {
+        ir_walk::parts(value, &mut |expr| bytes += own(expr));
+    }
+    u32::try_from(bytes).unwrap_or(u32::MAX)
+}
+
+/// Bytes of an expression itself, without its parts.
+fn own(expr: &Expr) -> usize {
+    let place = match expr.ty {
+        Type::Float | Type::Bool => 8,
+        _ => 64,
+    };
+    place
+        + match &expr.kind {
+            // Each entry becomes a `Part` before it gets into the slice.
+            ExprKind::Array(rows) => rows.iter().map(|row| 16 + 64 * row.len()).sum::<usize>() + 32,
+            // The elements stand side by side; texts once more where they are made.
+            ExprKind::Value(Value::Array(rows)) => {
+                let element = if expr.ty == Type::Texts { 48 } else { 8 };
+                rows.iter().map(|row| element * row.len()).sum()
+            }
+            _ => 0,
+        }
+}
