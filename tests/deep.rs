@@ -128,7 +128,7 @@ fn functions_nest_as_deep_as_documented() {
     assert_eq!(names(&run("Even", 1001.0).expect("no limit")), ["Odd"]);
     for (start, trail) in [("Sum", "Sum"), ("Even", "Even")] {
         let error = run(start, 1e9).expect_err("too deep");
-        assert_eq!(error, Error::Limit { what: LimitKind::Calls, limit: 1024, trail: vec![trail] });
+        assert_eq!(error, Error::Limit { what: LimitKind::Nesting, limit: 1024, trail: vec![trail] });
     }
 }
 
@@ -137,7 +137,7 @@ fn functions_with_much_on_the_stack_nest_less_deep() {
     let run = |depth: f64| on_a_small_stack(move || Functions { depth }.generate_from("Text", &lot()));
     assert!(run(100.0).is_ok());
     let error = run(1e9).expect_err("too deep");
-    assert!(matches!(error, Error::Limit { what: LimitKind::Calls, limit: 100..1024, .. }), "{error}");
+    assert!(matches!(error, Error::Limit { what: LimitKind::Nesting, limit: 100..1024, .. }), "{error}");
 }
 
 cga! { grammar Wide in "tests/rules/wide.cga"; }
@@ -153,7 +153,7 @@ fn wide(start: &'static str, depth: f64) -> Result<Model, Error> {
 /// How deep functions nest there: told by the error.
 fn deepest(start: &'static str) -> f64 {
     match wide(start, 1e9) {
-        Err(Error::Limit { what: LimitKind::Calls, limit, .. }) => limit as f64,
+        Err(Error::Limit { what: LimitKind::Nesting, limit, .. }) => limit as f64,
         other => panic!("{:?}", other.map(|_| ())),
     }
 }

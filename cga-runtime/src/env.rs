@@ -32,9 +32,6 @@ const DEEPEST_CALLS: u32 = 1024;
 /// their share: see `STACK` in `derive.rs`.
 const FUNCTIONS: u32 = 640 * 1024;
 
-/// Calls in a run of functions that ask: those that branch would else run for ever within their depth.
-const MOST_CALLS: u64 = 20_000_000;
-
 /// Queries for files whose answers are kept: rules ask the same ones for every shape.
 const SEARCHES_KEPT: usize = 32;
 
@@ -209,9 +206,9 @@ impl Env {
         self.calls_made += 1;
         let stack = self.call_stack + stack.min(FUNCTIONS);
         if FUNCTIONS < stack || self.calls == DEEPEST_CALLS {
-            let _: Flow = self.limit(LimitKind::Calls, u64::from(self.calls));
-        } else if MOST_CALLS < self.calls_made {
-            let _: Flow = self.limit(LimitKind::Calls, MOST_CALLS);
+            let _: Flow = self.limit(LimitKind::Nesting, u64::from(self.calls));
+        } else if self.settings.limits.calls < self.calls_made {
+            let _: Flow = self.limit(LimitKind::Calls, self.settings.limits.calls);
         }
         let may = self.error.is_none();
         if may {

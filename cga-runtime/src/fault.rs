@@ -58,9 +58,10 @@ pub enum LimitKind {
     Depth,
     /// Vertices in meshes that operations make.
     Vertices,
-    /// Calls of functions that can reach themselves: how deep they nest (fixed, and lower for functions with large frames)
-    /// or how many there are.
+    /// Calls of functions that can reach themselves.
     Calls,
+    /// How deep calls of functions nest: fixed, and lower for functions that need much of the stack.
+    Nesting,
     /// Calls of rules that wait.
     Waiting,
     /// Elements of an array.
@@ -75,7 +76,8 @@ impl fmt::Display for LimitKind {
             LimitKind::Shapes => "shapes",
             LimitKind::Depth => "depth",
             LimitKind::Vertices => "vertices",
-            LimitKind::Calls => "nested function calls",
+            LimitKind::Calls => "function calls",
+            LimitKind::Nesting => "nested function calls",
             LimitKind::Waiting => "waiting calls",
             LimitKind::Array => "elements in an array",
             LimitKind::Text => "bytes of text",
@@ -122,6 +124,9 @@ impl fmt::Display for Error {
                 write_trail(f, trail)
             }
             Error::Attribute { name, message } => write!(f, "attribute `{name}`: {message}"),
+            Error::StartRule { known, .. } if known.is_empty() => {
+                f.write_str("there is no rule that a run can start with: one without parameters that is not hidden")
+            }
             Error::StartRule { name, known } => {
                 const NAMED: usize = 12;
                 let more = if NAMED < known.len() { ", …" } else { "" };

@@ -17,6 +17,8 @@ pub struct Limits {
     pub vertices: u64,
     /// Calls of rules that wait because recursion is too deep for the stack. Each holds a shape.
     pub waiting: u64,
+    /// Calls in a run of functions that can reach themselves, or that lead to very many others.
+    pub calls: u64,
     /// Keys that are reported under, and different texts reported. What is beyond is left out, with a fault.
     pub reports: u64,
     /// Lines printed. What is beyond is left out, with a fault.
@@ -34,6 +36,7 @@ impl Default for Limits {
             depth: 1024,
             vertices: 20_000_000,
             waiting: 500_000,
+            calls: 100_000_000,
             reports: 100_000,
             prints: 100_000,
             array: 100_000,
