@@ -349,7 +349,10 @@ impl<'a> Scope<'_, 'a, '_> {
             _ if has_error(args) => {}
             _ => {
                 let message = "`set` needs the name of an attribute";
-                self.cx.diags.report(Code::NotSettable, target.span, message);
+                let diag = self.cx.diags.report(Code::NotSettable, target.span, message);
+                if let ExprKind::Text(text) = &target.value.kind {
+                    diag.help(format!("write `set({text}, …)`"));
+                }
             }
         }
     }

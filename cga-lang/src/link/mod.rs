@@ -287,8 +287,8 @@ impl Link<'_> {
         true
     }
 
-    /// The number of a file's style.
-    fn style(&self, file: usize, name: &str) -> Option<u32> {
+    /// The number of a file's style, or else a name like it.
+    fn style(&self, file: usize, name: &str) -> Result<u32, Option<String>> {
         match self.program.instances.iter().find(|instance| instance.file == file) {
             Some(instance) => style::position(&instance.ast, name),
             None => style::number(&self.units[file].tokens, name),
@@ -299,11 +299,10 @@ impl Link<'_> {
     fn wanted_style(&mut self, file: usize, name: &Name) -> u32 {
         // Which number a style has only the tree can tell.
         match self.style(file, &name.text) {
-            Some(style) => style,
-            None if name.text == style::DEFAULT => 0,
-            None => {
+            Ok(style) => style,
+            Err(near) => {
                 let message = format!("`{}` has no style `{}`", self.units[file].name, name.text);
-                self.diags.report(Code::UnknownStyle, name.span, message);
+                self.diags.report(Code::UnknownStyle, name.span, message).suggest(near);
                 0
             }
         }
@@ -322,7 +321,10 @@ impl Link<'_> {
         // *CGA changelog 2023.0*; and nobody reads other files this way.
         if !import.path.ends_with(".cga") {
             let message = format!("cannot import `{}`: only files that end in `.cga` can be imported", import.path);
-            self.diags.report(Code::CannotImport, import.path_span, message);
+            let diag = self.diags.report(Code::CannotImport, import.path_span, message);
+            if !import.path.rsplit('/').next().unwrap_or_default().contains('.') {
+                diag.help(format!("write `\"{}.cga\"`", import.path));
+            }
             return None;
         }
         let opened = match self.files.open(&import.path, &from_name) {

@@ -74,13 +74,18 @@ impl Styles {
     }
 }
 
-/// The number of a style.
-pub(super) fn position(ast: &Ast, name: &str) -> Option<u32> {
-    ast.styles.iter().position(|style| style.name.text == name).map(|index| index as u32 + 1)
+/// The number that a style has in a file, or else a name like it.
+pub(super) fn position(ast: &Ast, name: &str) -> Result<u32, Option<String>> {
+    let names = || ast.styles.iter().map(|style| style.name.text.as_str());
+    match names().position(|own| own == name) {
+        Some(index) => Ok(index as u32 + 1),
+        None if name == DEFAULT => Ok(0),
+        None => Err(nearest(name, names()).map(str::to_owned)),
+    }
 }
 
-/// The number that a style has in a file that is not read yet.
-pub(super) fn number(tokens: &Tokens, name: &str) -> Option<u32> {
+/// The same for a file that is not read yet.
+pub(super) fn number(tokens: &Tokens, name: &str) -> Result<u32, Option<String>> {
     let mut unheard = Diags::new();
     let ast = parse_part(tokens, 0..tokens.len() as u32, &mut unheard);
     unheard.finish();

@@ -18,7 +18,11 @@ impl Parser<'_> {
             self.expected_only("`:`").help(format!("write `import {} : \"file.cga\"`", id.text));
             return Err(Reported);
         }
-        let Some(Tok::Str(path)) = self.peek() else { return self.fail("the path of a rule file in quotes") };
+        let Some(Tok::Str(path)) = self.peek() else {
+            self.expected("the path of a rule file in quotes")
+                .help(format!("write `import {} : \"file.cga\"`", id.text));
+            return Err(Reported);
+        };
         let path_span = self.span();
         self.bump();
         let overrides = if self.is(Sym::LParen) { Some(self.overrides()?) } else { None };

@@ -30,6 +30,10 @@ impl Parser<'_> {
             Some(Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_)) if what == STEP => {
                 Some("put `|` between the slots of a split")
             }
+            Some(Tok::Sym(Sym::Colon)) if what == STEP => Some("put `|` between the parts of a split or comp"),
+            Some(Tok::Sym(Sym::Quote)) => {
+                Some("`'` and `^` stand before a relative size; a power is `pow(base, exponent)`")
+            }
             Some(Tok::Sym(Sym::Star)) if what == STEP => Some("`*` stands behind the `}` of what it repeats"),
             _ => None,
         };

@@ -194,7 +194,7 @@ fn bounds(cx: &mut Cx, span: Span, args: &[AnnotationArg]) -> Option<Range> {
             return None;
         }
         let Some(value) = number(&arg.value) else {
-            wrong(cx, arg.value.span, format!("`{name}` must be a number"));
+            wrong(cx, arg.value.span, format!("`{name}` must be written as a number"));
             return None;
         };
         match name {
