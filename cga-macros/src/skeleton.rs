@@ -1,18 +1,16 @@
 //! The public names of a grammar with errors, so that one mistake does not become thirty in the user's code.
 
-use std::collections::HashSet;
-
 use cga_lang::compile::Compiled;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::codegen::{Public, PublicAttr, public};
+use crate::codegen::{Public, PublicAttr, Taken, public};
 use crate::door::{Problem, Source};
 use crate::header::{Header, Output};
 
 /// The struct with its fields and methods; nothing in it runs. The `#` values count as used.
 pub(crate) fn grammar(compiled: &Compiled, header: &Header, source: &Source) -> Output {
-    let mut taken = HashSet::new();
+    let mut taken = Taken::default();
     let attrs = compiled.names.attrs.iter().map(|attr| PublicAttr::known_so_far(attr, source, &mut taken)).collect();
     let captures = (0..source.hosts().len() as u32).map(|handle| (handle, None)).collect();
     Output { code: public(&Public { attrs, captures: Vec::new(), hidden: None }, header), captures }

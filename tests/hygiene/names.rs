@@ -9,6 +9,7 @@ cga! {
     attr match = 2
     attr self = 3
     attr Self = 4
+    attr self_ = 9
     attr gen = 5
     attr r#struct = 6
     attr f64 = 7
@@ -17,7 +18,7 @@ cga! {
     attr bool = true
     attr clone = rand(1, 2)
 
-    const const_0 = type + match + self + Self + gen + struct + f64 + camelCase
+    const const_0 = type + match + self + self_ + Self + gen + struct + f64 + camelCase
     fn(shape) = shape + const_0
     drop(cx) = case bool : cx else : clone
 
@@ -59,7 +60,7 @@ cga! {
 
 #[test]
 fn words_of_rust_are_names_like_others() {
-    let names = Names { r#type: 10.0, r#match: 20.0, self_: 1.0, r#gen: 2.0, r#struct: 3.0, ..Names::default() };
+    let names = Names { r#type: 10.0, r#match: 20.0, self_: 1.0, self__: 9.0, r#gen: 2.0, r#struct: 3.0, ..Names::default() };
     let model = names.generate(&Shape::cuboid(1.0, 1.0, 1.0)).expect("no limit");
     assert_eq!(model.count("A"), 13, "{:?}", model.counts());
     assert_eq!(names.generate_from("type", &Shape::cuboid(1.0, 1.0, 1.0)).expect("a rule").len(), 1);

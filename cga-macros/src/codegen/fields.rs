@@ -1,12 +1,12 @@
 //! The attributes as fields of the public struct: one for each name, whatever the style.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 use cga_lang::ir::{Attr, Grammar, Type, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::names::ident;
+use super::names::{Taken, ident};
 use crate::door::Source;
 
 /// A public field.
@@ -21,26 +21,24 @@ pub(super) struct Field<'g> {
 
 /// The fields of a grammar, in the order of its attributes.
 pub(super) fn of<'g>(grammar: &'g Grammar, source: &Source) -> Vec<Field<'g>> {
-    let mut taken = HashSet::new();
+    let (mut taken, mut numbers) = (Taken::default(), HashMap::new());
     let mut fields: Vec<Field<'g>> = Vec::new();
     for attr in grammar.attrs.iter().filter(|attr| attr.public) {
-        if let Some(field) = fields.iter_mut().find(|field| field.attr.name == attr.name) {
+        if let Some(&number) = numbers.get(&attr.name) {
+            let field: &mut Field<'g> = &mut fields[number];
             field.known = field.known.filter(|known| attr.known.as_ref() == Some(*known));
             continue;
         }
-        let name = ident(&unique(&attr.name, &mut taken), source.token(attr.span.first));
+        numbers.insert(&attr.name, fields.len());
+        let name = ident(&taken.field(&attr.name), source.token(attr.span.first));
         fields.push(Field { attr, name, known: attr.known.as_ref() });
     }
     fields
 }
 
-/// `imp.height` is the field `imp_height`.
-pub(super) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
-    let mut plain = name.replace(['.', '$'], "_");
-    while !taken.insert(plain.clone()) {
-        plain.push('_');
-    }
-    plain
+/// The fields by the names of their attributes.
+pub(super) fn by_name<'f, 'g>(fields: &'f [Field<'g>]) -> HashMap<&'g str, &'f Field<'g>> {
+    fields.iter().map(|field| (field.attr.name.as_str(), field)).collect()
 }
 
 impl Field<'_> {

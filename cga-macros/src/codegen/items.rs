@@ -1,5 +1,7 @@
 //! The items behind the public struct: evaluated attributes, calls that may wait, and the trait implementations.
 
+use std::collections::HashMap;
+
 use cga_lang::ir::{Global, RuleId};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
@@ -76,7 +78,8 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     } else {
         quote_spanned!(place=> ::core::result::Result::Ok(()))
     };
-    let (held, globals) = (cx.hold_fields(&fields), values_by_style(cx, &fields));
+    let by_name = fields::by_name(&fields);
+    let (held, globals) = (cx.hold_fields(&by_name), values_by_style(cx, &by_name));
     let (get_arms, set_arms) = fields::arms(&fields);
     let captured = (0..cx.grammar.hosts.len()).filter(|_| cx.captured).map(captured);
     let captured = captured.map(|name| quote_spanned!(place=> g.#name = ::core::clone::Clone::clone(&self.#name);));
@@ -181,7 +184,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
 }
 
 /// Evaluates attributes and constants, those of the style in force.
-fn values_by_style(cx: &Cx<'_>, fields: &[Field<'_>]) -> TokenStream {
+fn values_by_style(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
     let place = Span::mixed_site();
     let mut styles: Vec<TokenStream> =
         cx.grammar.init.iter().map(|list| list.iter().map(|global| init(cx, fields, *global)).collect()).collect();
@@ -193,12 +196,12 @@ fn values_by_style(cx: &Cx<'_>, fields: &[Field<'_>]) -> TokenStream {
 }
 
 /// Evaluates one attribute or constant.
-fn init(cx: &Cx<'_>, fields: &[Field<'_>], global: Global) -> TokenStream {
+fn init(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>, global: Global) -> TokenStream {
     let place = Span::mixed_site();
     let (target, name, computed, known, field) = match global {
         Global::Attr(id) => {
             let attr = &cx.grammar.attrs[id.0 as usize];
-            let field = fields.iter().find(|field| attr.public && field.attr.name == attr.name);
+            let field = fields.get(attr.name.as_str()).filter(|_| attr.public);
             (local("attr_", id.0 as usize), &attr.name, &attr.default, &attr.known, field)
         }
         Global::Const(id) => {

@@ -27,6 +27,7 @@ use quote::quote_spanned;
 use crate::door::Source;
 use crate::header::{Header, HostType, Output};
 
+pub(crate) use names::Taken;
 pub(crate) use public::{Public, PublicAttr, public};
 
 /// What every part of the generator looks things up in.

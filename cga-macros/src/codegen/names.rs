@@ -1,6 +1,6 @@
 //! Names of the generated functions and fields: as in the rules where that is possible, unique in any case.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use cga_lang::ir::{FunctionId, Grammar, RuleId};
 use proc_macro2::{Ident, Span};
@@ -13,10 +13,10 @@ pub(super) struct Names {
 
 impl Names {
     pub(super) fn new(grammar: &Grammar) -> Self {
-        let mut taken = HashSet::new();
+        let mut taken = Taken::default();
         // Written rules first: they keep their names, and overloads and blocks give way.
-        let rules = grammar.rules.iter().map(|rule| unique(&rule.name, &mut taken)).collect();
-        let functions = grammar.functions.iter().map(|function| unique(&function.name, &mut taken)).collect();
+        let rules = grammar.rules.iter().map(|rule| taken.numbered(&rule.name)).collect();
+        let functions = grammar.functions.iter().map(|function| taken.numbered(&function.name)).collect();
         Names { rules, functions }
     }
 
@@ -31,23 +31,50 @@ impl Names {
     }
 }
 
-fn unique(name: &str, taken: &mut HashSet<String>) -> String {
-    // `Facade/2` is `Facade_2`.
-    let plain: String = name.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '_' }).collect();
-    let plain = if NEVER.contains(&plain.as_str()) { plain + "_" } else { plain };
-    let mut candidate = plain.clone();
-    let mut number = 1;
-    while !taken.insert(candidate.clone()) {
-        number += 1;
-        candidate = format!("{plain}_{number}");
+/// Names that are taken already.
+#[derive(Default)]
+pub(crate) struct Taken {
+    all: HashSet<String>,
+    /// By name, the last number that was tried: none before it is free.
+    numbers: HashMap<String, u32>,
+    /// The same for fields: the last candidate.
+    last: HashMap<String, String>,
+}
+
+impl Taken {
+    /// For rules and functions: `Facade/2` is `Facade_2`, and `Facade_2_2` if there is one already.
+    fn numbered(&mut self, name: &str) -> String {
+        let plain = escaped(name.chars().map(|c| if c.is_alphanumeric() || c == '_' { c } else { '_' }).collect());
+        let number = self.numbers.entry(plain.clone()).or_insert(0);
+        loop {
+            *number += 1;
+            let candidate = if *number == 1 { plain.clone() } else { format!("{plain}_{number}") };
+            if self.all.insert(candidate.clone()) {
+                return candidate;
+            }
+        }
     }
-    candidate
+
+    /// For fields: `imp.height` is `imp_height`, and `imp_height_` if there is one already.
+    pub(super) fn field(&mut self, name: &str) -> String {
+        let plain = escaped(name.replace(['.', '$'], "_"));
+        let last = self.last.entry(plain.clone()).or_insert(plain);
+        while !self.all.insert(last.clone()) {
+            last.push('_');
+        }
+        last.clone()
+    }
+}
+
+/// `self_` for the words that cannot be raw: what [`ident`] makes of them.
+fn escaped(name: String) -> String {
+    if NEVER.contains(&name.as_str()) { name + "_" } else { name }
 }
 
 /// A name as Rust takes it, as little changed as possible: `r#type`, and `self_` for the words that cannot be raw.
 pub(super) fn ident(name: &str, place: Span) -> Ident {
     if NEVER.contains(&name) {
-        Ident::new(&format!("{name}_"), place)
+        Ident::new(&escaped(name.into()), place)
     } else if RESERVED.contains(&name) {
         Ident::new_raw(name, place)
     } else {
@@ -81,8 +108,22 @@ mod tests {
 
     #[test]
     fn overloads_and_blocks_get_names_of_their_own() {
-        let mut taken = HashSet::new();
-        let names = ["A", "A", "A_2", "A/1", "A_1", "self", "self_"].map(|name| unique(name, &mut taken));
-        assert_eq!(names, ["A", "A_2", "A_2_2", "A_1", "A_1_2", "self_", "self__2"]);
+        let mut taken = Taken::default();
+        let names = ["A", "A", "A_2", "A/1", "A_1", "self", "self_", "A"].map(|name| taken.numbered(name));
+        assert_eq!(names, ["A", "A_2", "A_2_2", "A_1", "A_1_2", "self_", "self__2", "A_3"]);
+    }
+
+    #[test]
+    fn fields_are_told_apart() {
+        let mut taken = Taken::default();
+        let names = ["self_", "self", "a.b", "a_b_", "a_b", "a$b", "type"].map(|name| taken.field(name));
+        assert_eq!(names, ["self_", "self__", "a_b", "a_b_", "a_b__", "a_b___", "type"]);
+    }
+
+    #[test]
+    fn a_name_that_thousands_have_is_numbered_at_once() {
+        let mut taken = Taken::default();
+        let last = (0..100_000).map(|_| taken.numbered("A")).last();
+        assert_eq!(last.as_deref(), Some("A_100000"));
     }
 }

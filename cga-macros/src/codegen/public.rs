@@ -1,14 +1,12 @@
 //! The public struct: its fields, defaults and methods.
 
-use std::collections::HashSet;
-
 use cga_lang::compile::SkeletonAttr;
 use cga_lang::ir::{Type, Value};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::fields::{self, Field};
-use super::names::ident;
+use super::fields::Field;
+use super::names::{Taken, ident};
 use super::{local, types};
 use crate::door::Source;
 use crate::header::{Header, HostType, capture};
@@ -49,10 +47,10 @@ impl PublicAttr {
 
 impl PublicAttr {
     /// Of a grammar with errors: a number, where nothing better is known.
-    pub(crate) fn known_so_far(attr: &SkeletonAttr, source: &Source, taken: &mut HashSet<String>) -> Self {
+    pub(crate) fn known_so_far(attr: &SkeletonAttr, source: &Source, taken: &mut Taken) -> Self {
         let known = attr.known.clone().unwrap_or_else(|| types::nothing(attr.ty));
         PublicAttr {
-            name: ident(&fields::unique(&attr.name, taken), source.token(attr.span.first)),
+            name: ident(&taken.field(&attr.name), source.token(attr.span.first)),
             ty: attr.ty.unwrap_or(Type::Float),
             known: (!attr.computed).then_some(known),
             doc: format!("The attribute `{}`.", attr.name),

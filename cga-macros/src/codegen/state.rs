@@ -1,6 +1,6 @@
 //! Attributes and constants that shapes hold: those that some rule sets, and those of imports that start anew.
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use cga_lang::ir::{Anew, Expr, ExprKind, Global, Grammar, Step, Type};
 use cga_lang::ir_walk;
@@ -63,7 +63,7 @@ impl Cx<'_> {
         let (name, field) = match global {
             Global::Attr(id) => {
                 let name = &self.grammar.attrs[id.0 as usize].name;
-                (name, self.renewed.iter().position(|own| own == name))
+                (name, self.renewed.binary_search(name).ok())
             }
             Global::Const(id) => (&self.grammar.consts[id.0 as usize].name, None),
         };
@@ -90,20 +90,20 @@ impl Cx<'_> {
 
     /// What the host program gave those attributes that start anew somewhere: names and types of values of the run.
     pub(super) fn held_fields(&self) -> Vec<(Ident, TokenStream)> {
-        let attr = |name: &String| self.grammar.attrs.iter().find(|attr| attr.name == *name);
-        let held = self.renewed.iter().enumerate().filter_map(|(number, name)| Some((number, attr(name)?)));
-        held.map(|(number, attr)| {
-            let ty = inner_type(attr.ty);
+        let types: HashMap<&String, Type> = self.grammar.attrs.iter().map(|attr| (&attr.name, attr.ty)).collect();
+        let held = self.renewed.iter().enumerate().filter_map(|(number, name)| Some((number, *types.get(name)?)));
+        held.map(|(number, ty)| {
+            let ty = inner_type(ty);
             (local("field_", number), quote_spanned!(Span::mixed_site()=> ::core::option::Option<#ty>))
         })
         .collect()
     }
 
     /// Fills them.
-    pub(super) fn hold_fields(&self, fields: &[Field<'_>]) -> TokenStream {
+    pub(super) fn hold_fields(&self, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
         let place = Span::mixed_site();
         let held = self.renewed.iter().enumerate().filter_map(|(number, name)| {
-            let (own, field) = (local("field_", number), fields.iter().find(|field| field.attr.name == *name)?);
+            let (own, field) = (local("field_", number), fields.get(name.as_str())?);
             let value = match field.known {
                 Some(_) => {
                     let value = field.plain();
