@@ -1,14 +1,13 @@
 //! The whole way from tokens to a grammar, in one call.
 
-use crate::ast::{Ast, Body, Expr, ExprKind, Unary};
-use crate::check::{Item, check};
+use crate::check::check;
 use crate::code::Code;
 use crate::diag::{Diag, Diags, Level};
-use crate::ir::{Grammar, Type, Value};
+use crate::ir::Grammar;
 use crate::lex::lex;
 use crate::link::{Files, NoFiles, Piece, Program, Unit, link};
 use crate::lower::lower;
-use crate::ops::{functions, shape_attr};
+use crate::skeleton::Skeleton;
 use crate::span::Span;
 use crate::token::Tokens;
 use std::collections::HashSet;
@@ -49,28 +48,6 @@ impl Compiled {
     }
 }
 
-/// The public names of a grammar, known even when it has errors.
-#[derive(Clone, Debug, Default)]
-pub struct Skeleton {
-    /// Attributes, in source order, each name once.
-    pub attrs: Vec<SkeletonAttr>,
-}
-
-/// An attribute of a grammar that may have errors.
-#[derive(Clone, Debug)]
-pub struct SkeletonAttr {
-    /// As written.
-    pub name: String,
-    /// Its type, as far as it could be told.
-    pub ty: Option<Type>,
-    /// The default. Without errors the same as in [`ir::Attr`](crate::ir::Attr), else only if it is a literal.
-    pub known: Option<Value>,
-    /// Whether the default is computed for each initial shape. With errors a good guess.
-    pub computed: bool,
-    /// The name in its declaration.
-    pub span: Span,
-}
-
 /// Compiles tokens.
 pub fn compile(tokens: &Tokens, door: Door) -> Compiled {
     compile_with(tokens, door, &[])
@@ -93,7 +70,7 @@ pub fn compile_files(root: Unit, files: &mut dyn Files, levels: &[(Code, Level)]
     let program = link(root, files, &mut diags);
     let outcome = check(&program, levels, &mut diags);
     let grammar = outcome.checked.map(|checked| lower(&checked));
-    let names = skeleton(&program, &outcome.attrs, grammar.as_ref());
+    let names = Skeleton::new(&program, &outcome.attrs, grammar.as_ref());
     let Program { pieces, files, .. } = program;
     let diags = once(diags.finish(), &pieces);
     Compiled { grammar, diags, names, files, pieces }
@@ -144,62 +121,4 @@ pub fn compile_text_with(text: &str, levels: &[(Code, Level)]) -> Source {
     let lexed = lex(text);
     let compiled = compile_after(&lexed.tokens, Door::Text, levels, lexed.diags);
     Source { tokens: lexed.tokens, ranges: lexed.ranges, compiled }
-}
-
-fn skeleton(program: &Program, attrs: &[(Item, Option<Type>)], grammar: Option<&Grammar>) -> Skeleton {
-    let mut list: Vec<SkeletonAttr> = Vec::new();
-    let mut seen = HashSet::new();
-    for (item, ty) in attrs {
-        if !seen.insert(item.name.as_str()) {
-            continue;
-        }
-        let lowered = grammar.and_then(|grammar| grammar.attrs.iter().find(|attr| attr.name == item.name));
-        let own = item.decl.value().filter(|_| item.is_own());
-        let known = match lowered {
-            Some(attr) => attr.known.clone(),
-            None => own.and_then(literal),
-        };
-        let computed = match lowered {
-            Some(_) => known.is_none(),
-            None => own.is_none_or(|value| computed(value, &program.instances[item.home].ast, 0)),
-        };
-        list.push(SkeletonAttr { name: item.name.clone(), ty: *ty, known, computed, span: item.decl.name.span });
-    }
-    Skeleton { attrs: list }
-}
-
-/// Whether a value depends on more than constants, as far as can be told without checks.
-fn computed(value: &Expr, ast: &Ast, depth: u32) -> bool {
-    let part = |value: &Expr| computed(value, ast, depth);
-    match &value.kind {
-        ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Error => false,
-        ExprKind::Name(name) => {
-            let decl = ast.decls.iter().find(|decl| decl.name.text == name.text && decl.value().is_some());
-            match decl {
-                Some(decl) if matches!(decl.body, Body::Attr(_)) || DEEPEST < depth => true,
-                Some(decl) => decl.value().is_some_and(|value| computed(value, ast, depth + 1)),
-                // One that is not declared is another finding; the rest are attributes of the shape and draws.
-                None => shape_attr(&name.text).is_some() || functions(&name.text).any(|row| !row.pure),
-            }
-        }
-        ExprKind::Call(name, args) => !functions(&name.text).any(|row| row.pure) || args.iter().any(part),
-        ExprKind::Host(_) | ExprKind::Path(..) | ExprKind::Chance(..) => true,
-        _ => value.parts().into_iter().any(part),
-    }
-}
-
-/// How far constants are followed.
-const DEEPEST: u32 = 32;
-
-fn literal(value: &Expr) -> Option<Value> {
-    match &value.kind {
-        ExprKind::Number(value) => Some(Value::Float(*value)),
-        ExprKind::Bool(value) => Some(Value::Bool(*value)),
-        ExprKind::Text(text) => Some(Value::Text(text.clone())),
-        ExprKind::Unary(Unary::Minus, inner) => match literal(inner)? {
-            Value::Float(value) => Some(Value::Float(-value)),
-            _ => None,
-        },
-        _ => None,
-    }
 }

@@ -40,6 +40,7 @@ mod lower;
 pub mod ops;
 pub mod parse;
 pub mod print;
+pub mod skeleton;
 pub mod snippet;
 pub mod span;
 mod suggest;

@@ -60,7 +60,8 @@ cga! {
 
 #[test]
 fn words_of_rust_are_names_like_others() {
-    let names = Names { r#type: 10.0, r#match: 20.0, self_: 1.0, self__: 9.0, r#gen: 2.0, r#struct: 3.0, ..Names::default() };
+    let names =
+        Names { r#type: 10.0, r#match: 20.0, self_: 1.0, self__: 9.0, r#gen: 2.0, r#struct: 3.0, ..Names::default() };
     let model = names.generate(&Shape::cuboid(1.0, 1.0, 1.0)).expect("no limit");
     assert_eq!(model.count("A"), 13, "{:?}", model.counts());
     assert_eq!(names.generate_from("type", &Shape::cuboid(1.0, 1.0, 1.0)).expect("a rule").len(), 1);

@@ -40,7 +40,7 @@ impl<'c> Lower<'c> {
             }
             OpKind::Split(split) => Step::Split(self.split(split)),
             OpKind::Comp(comp) if self.checked.tables.later.contains(&comp.name.id()) => {
-                Step::Later(format!("comp {}", self.tokens.text(comp.name.span.to(op.span), LONGEST_NAME)), op.span)
+                Step::Later(self.tokens.text(comp.name.span.to(op.span), LONGEST_NAME), op.span)
             }
             OpKind::Comp(comp) => Step::Comp(self.comp(comp)),
             OpKind::Block(block) => Step::Later(block.name.text.clone(), op.span),

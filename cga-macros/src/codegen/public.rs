@@ -1,7 +1,7 @@
 //! The public struct: its fields, defaults and methods.
 
-use cga_lang::compile::SkeletonAttr;
 use cga_lang::ir::{Type, Value};
+use cga_lang::skeleton;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -47,7 +47,7 @@ impl PublicAttr {
 
 impl PublicAttr {
     /// Of a grammar with errors: a number, where nothing better is known.
-    pub(crate) fn known_so_far(attr: &SkeletonAttr, source: &Source, taken: &mut Taken) -> Self {
+    pub(crate) fn known_so_far(attr: &skeleton::Attr, source: &Source, taken: &mut Taken) -> Self {
         let known = attr.known.clone().unwrap_or_else(|| types::nothing(attr.ty));
         PublicAttr {
             name: ident(&taken.field(&attr.name), source.token(attr.span.first)),
