@@ -6,7 +6,7 @@ pub use cga_macros::cga;
 pub use cga_runtime::array::Array;
 pub use cga_runtime::asset::{AssetError, Assets};
 pub use cga_runtime::attribute::{
-    Attribute, AttributeError, AttributeKind, ChoiceValues, Choices, Default as AttributeDefault, Range,
+    Attribute, AttributeDefault, AttributeError, AttributeKind, ChoiceValues, Choices, Range,
 };
 pub use cga_runtime::derive::Report;
 pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};

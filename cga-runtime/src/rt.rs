@@ -5,7 +5,7 @@ pub use std::ops::ControlFlow;
 pub use std::string::String;
 
 pub use crate::array::{Array, Element};
-pub use crate::attribute::{Attribute, AttributeKind, ChoiceValues, Choices, Default, Range, check};
+pub use crate::attribute::{Attribute, AttributeDefault, AttributeKind, ChoiceValues, Choices, Range, check};
 pub use crate::comp::select::Select;
 pub use crate::comp::{Arm, Mode, comp};
 pub use crate::derive::{Cx, Report, run};

@@ -25,7 +25,7 @@ pub(super) fn attribute(field: &Field<'_>, grammar: &Grammar) -> TokenStream {
             quote_spanned!(place=> ::core::option::Option::Some(#known))
         }
     };
-    let mut row = quote_spanned!(place=> cga_rt::Attribute::new(#name, cga_rt::Default::#kind(#default)));
+    let mut row = quote_spanned!(place=> cga_rt::Attribute::new(#name, cga_rt::AttributeDefault::#kind(#default)));
     if let Some(name) = &attr.display_name {
         row.extend(quote_spanned!(place=> .display_name(#name)));
     }

@@ -26,7 +26,7 @@ pub(super) fn outer(ty: Type, runtime: &TokenStream) -> TokenStream {
     }
 }
 
-/// The variant of that type in the runtime's `Value` and `Default`.
+/// The variant of that type in the runtime's `Value` and `AttributeDefault`.
 pub(super) fn variant(ty: Type) -> Ident {
     let name = match ty {
         Type::Float => "Float",

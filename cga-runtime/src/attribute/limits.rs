@@ -1,6 +1,6 @@
 //! Which values an attribute may have.
 
-use super::{Attribute, AttributeError, Default};
+use super::{Attribute, AttributeDefault, AttributeError};
 use crate::array::Array;
 use crate::fault::Error;
 use crate::grammar::Grammar;
@@ -97,10 +97,14 @@ impl Attribute {
                 && fixed.zip(array.as_slice()).all(|(one, other)| equal(one, other))
         }
         match (self.default, value) {
-            (Default::Float(Some(default)), Value::Float(value)) => default == *value,
-            (Default::Text(Some(default)), Value::Text(value)) => default == value.as_str(),
-            (Default::Floats(Some(rows)), Value::Floats(array)) => same(rows, array, |one, other| one == other),
-            (Default::Texts(Some(rows)), Value::Texts(array)) => same(rows, array, |one, other| *one == other.as_str()),
+            (AttributeDefault::Float(Some(default)), Value::Float(value)) => default == *value,
+            (AttributeDefault::Text(Some(default)), Value::Text(value)) => default == value.as_str(),
+            (AttributeDefault::Floats(Some(rows)), Value::Floats(array)) => {
+                same(rows, array, |one, other| one == other)
+            }
+            (AttributeDefault::Texts(Some(rows)), Value::Texts(array)) => {
+                same(rows, array, |one, other| *one == other.as_str())
+            }
             _ => false,
         }
     }

@@ -19,7 +19,7 @@ pub struct Attribute {
     /// `@DisplayName`: what user interfaces show instead, if that is not empty.
     pub display_name: &'static str,
     /// Type and default.
-    pub default: Default,
+    pub default: AttributeDefault,
     /// `@Range`; what `@Angle` and `@Percent` offer without one.
     pub range: Option<Range>,
     /// `@Enum`, or the list of values that `@Range` has in old files.
@@ -42,7 +42,7 @@ pub struct Attribute {
 /// The type of an attribute, and its default when that is a constant; of arrays row by row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Default {
+pub enum AttributeDefault {
     /// A number; `None` when it is computed for each initial shape.
     Float(Option<f64>),
     /// A truth value.
@@ -81,7 +81,7 @@ pub enum AttributeKind {
 
 impl Attribute {
     /// An attribute about which nothing else is known.
-    pub const fn new(name: &'static str, default: Default) -> Self {
+    pub const fn new(name: &'static str, default: AttributeDefault) -> Self {
         Attribute {
             name,
             display_name: "",
@@ -154,12 +154,12 @@ impl Attribute {
     /// The type of its value.
     pub const fn ty(&self) -> ValueType {
         match self.default {
-            Default::Float(_) => ValueType::Float,
-            Default::Bool(_) => ValueType::Bool,
-            Default::Text(_) => ValueType::Text,
-            Default::Floats(_) => ValueType::Floats,
-            Default::Bools(_) => ValueType::Bools,
-            Default::Texts(_) => ValueType::Texts,
+            AttributeDefault::Float(_) => ValueType::Float,
+            AttributeDefault::Bool(_) => ValueType::Bool,
+            AttributeDefault::Text(_) => ValueType::Text,
+            AttributeDefault::Floats(_) => ValueType::Floats,
+            AttributeDefault::Bools(_) => ValueType::Bools,
+            AttributeDefault::Texts(_) => ValueType::Texts,
         }
     }
 

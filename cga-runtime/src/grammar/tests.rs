@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::array::Array;
-use crate::attribute::{ChoiceValues, Choices, Default, Range};
+use crate::attribute::{AttributeDefault, ChoiceValues, Choices, Range};
 use crate::text::Text;
 
 /// What `cga!` writes for a grammar, by hand.
@@ -35,16 +35,18 @@ impl Tower {
 }
 
 static ATTRIBUTES: [Attribute; 9] = [
-    Attribute::new("height", Default::Float(Some(12.0))).range(Range::new(3.0, 60.0, 0.0, true)),
-    Attribute::new("lit", Default::Bool(Some(false))),
-    Attribute::new("style", Default::Text(Some("plain")))
+    Attribute::new("height", AttributeDefault::Float(Some(12.0))).range(Range::new(3.0, 60.0, 0.0, true)),
+    Attribute::new("lit", AttributeDefault::Bool(Some(false))),
+    Attribute::new("style", AttributeDefault::Text(Some("plain")))
         .choices(Choices::new(ChoiceValues::Texts(&["plain", "ornate"]), true)),
-    Attribute::new("storeys", Default::Float(None)).choices(Choices::new(ChoiceValues::Attribute("height"), true)),
-    Attribute::new("name", Default::Text(None)).choices(Choices::new(ChoiceValues::Texts(&["a"]), false)),
-    Attribute::new("odd", Default::Float(Some(-1.0))).range(Range::new(0.0, 1.0, 0.0, true)),
-    Attribute::new("storeys_each", Default::Floats(Some(&[&[99.0]]))).range(Range::new(3.0, 6.0, 0.0, true)),
-    Attribute::new("uses", Default::Texts(None)).choices(Choices::new(ChoiceValues::Texts(&["shop", "flat"]), true)),
-    Attribute::new("use", Default::Text(None)).choices(Choices::new(ChoiceValues::Attribute("uses"), true)),
+    Attribute::new("storeys", AttributeDefault::Float(None))
+        .choices(Choices::new(ChoiceValues::Attribute("height"), true)),
+    Attribute::new("name", AttributeDefault::Text(None)).choices(Choices::new(ChoiceValues::Texts(&["a"]), false)),
+    Attribute::new("odd", AttributeDefault::Float(Some(-1.0))).range(Range::new(0.0, 1.0, 0.0, true)),
+    Attribute::new("storeys_each", AttributeDefault::Floats(Some(&[&[99.0]]))).range(Range::new(3.0, 6.0, 0.0, true)),
+    Attribute::new("uses", AttributeDefault::Texts(None))
+        .choices(Choices::new(ChoiceValues::Texts(&["shop", "flat"]), true)),
+    Attribute::new("use", AttributeDefault::Text(None)).choices(Choices::new(ChoiceValues::Attribute("uses"), true)),
 ];
 
 impl Grammar for Tower {
