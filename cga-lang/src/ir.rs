@@ -24,6 +24,9 @@ pub struct ConstId(pub u32);
 /// Index into [`Grammar::functions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FunctionId(pub u32);
+/// Index into [`Grammar::renewals`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RenewalId(pub u32);
 /// Index into [`Grammar::hosts`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct HostId(pub u32);
@@ -45,6 +48,8 @@ pub struct Grammar {
     pub starts: Vec<Start>,
     /// By style: attributes and constants in an order in which each is ready before it is used. `Default` is first.
     pub init: Vec<Vec<Global>>,
+    /// Imports that start anew somewhere.
+    pub renewals: Vec<Renewal>,
     /// Rust values used in the rules, one entry a use, in source order.
     pub hosts: Vec<Host>,
 }
@@ -274,12 +279,22 @@ pub enum Step {
 pub struct Anew {
     /// The values given in the call. They and the rule's arguments are evaluated before anything changes.
     pub given: Vec<(AttrId, Expr)>,
-    /// The other attributes and the constants, in an order in which each is ready before it is used; evaluated on the copy.
-    pub computed: Vec<(Global, Expr)>,
+    /// What starts anew, but for what is given.
+    pub renewal: RenewalId,
     /// The rule that goes on with the copy.
     pub target: Target,
     /// The call.
     pub span: Span,
+}
+
+/// What an import has that starts anew.
+#[derive(Clone, Debug)]
+pub struct Renewal {
+    /// What the import is called, where it is called first.
+    pub import: String,
+    /// Its attributes and constants and those of what it imports, in an order in which each is ready before it is used.
+    /// They are evaluated on the copy.
+    pub globals: Vec<Global>,
 }
 
 /// What a child shape becomes.

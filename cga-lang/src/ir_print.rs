@@ -2,8 +2,8 @@
 
 use crate::ir::{
     Anew, Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Comp, CompMode, Const, EachUnary, Expr, ExprKind,
-    Function, Global, Grammar, Item, Param, Prefix, Presentation, Rule, Selector, Size, Split, Start, Step, Target,
-    Value,
+    Function, Global, Grammar, Item, Param, Prefix, Presentation, Renewal, Rule, Selector, Size, Split, Start, Step,
+    Target, Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
@@ -20,6 +20,7 @@ pub(crate) struct Items {
     pub(crate) attrs: Vec<String>,
     pub(crate) consts: Vec<String>,
     pub(crate) functions: Vec<String>,
+    pub(crate) renewals: Vec<String>,
     pub(crate) rules: Vec<String>,
 }
 
@@ -47,6 +48,7 @@ pub(crate) fn items(grammar: &Grammar) -> Items {
         attrs: grammar.attrs.iter().map(|it| printer().attr(it)).collect(),
         consts: grammar.consts.iter().map(|it| printer().constant(it)).collect(),
         functions: grammar.functions.iter().map(function).collect(),
+        renewals: grammar.renewals.iter().map(|it| printer().renewal(it)).collect(),
         rules: grammar.rules.iter().map(rule).collect(),
     }
 }
@@ -140,6 +142,10 @@ impl<'g> Printer<'g> {
         }
         for function in &grammar.functions {
             self.function(function);
+        }
+        for renewal in &grammar.renewals {
+            let text = self.renewal(renewal);
+            self.line(&text);
         }
         let name = |global: &Global| match global {
             Global::Attr(id) => grammar.attrs[id.0 as usize].name.clone(),
@@ -255,19 +261,24 @@ impl<'g> Printer<'g> {
         }
     }
 
-    fn anew(&mut self, anew: &'g Anew) {
-        self.line("anew");
-        self.depth += 1;
-        for (id, value) in &anew.given {
-            let text = format!("given {} = {}", self.grammar.attrs[id.0 as usize].name, self.expr(value));
-            self.line(&text);
-        }
-        for (global, value) in &anew.computed {
+    /// Their defaults and values are shown elsewhere.
+    fn renewal(&self, renewal: &Renewal) -> String {
+        let mut text = format!("renewal {}:", renewal.import);
+        for global in &renewal.globals {
             let name = match global {
                 Global::Attr(id) => &self.grammar.attrs[id.0 as usize].name,
                 Global::Const(id) => &self.grammar.consts[id.0 as usize].name,
             };
-            let text = format!("{name} = {}", self.expr(value));
+            let _ = write!(text, " {name}");
+        }
+        text
+    }
+
+    fn anew(&mut self, anew: &'g Anew) {
+        self.line(&format!("anew {}", self.grammar.renewals[anew.renewal.0 as usize].import));
+        self.depth += 1;
+        for (id, value) in &anew.given {
+            let text = format!("given {} = {}", self.grammar.attrs[id.0 as usize].name, self.expr(value));
             self.line(&text);
         }
         let text = format!("give {}", self.target(&anew.target));

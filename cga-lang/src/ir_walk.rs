@@ -82,10 +82,7 @@ fn in_step(step: &Step) -> Vec<&Expr> {
             .collect(),
         Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
         Step::Rust(_, args, _) => args.iter().collect(),
-        Step::Anew(anew) => {
-            let given = anew.given.iter().map(|(_, value)| value);
-            given.chain(anew.computed.iter().map(|(_, value)| value)).collect()
-        }
+        Step::Anew(anew) => anew.given.iter().map(|(_, value)| value).collect(),
         Step::Split(split) => split.sizes.iter().map(|size| &size.value).collect(),
         Step::Comp(comp) => comp
             .arms

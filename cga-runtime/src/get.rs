@@ -192,7 +192,8 @@ fn rotation(shape: &ShapeRef<'_>) -> DVec3 {
 #[inline]
 fn attribute<'s>(shape: &'s ShapeRef<'_>, number: u32) -> Option<&'s Value> {
     let state = shape.state.get()?;
-    state.attributes.iter().find(|(id, _)| *id == number).map(|(_, value)| value)
+    let at = state.attributes.binary_search_by_key(&number, |(id, _)| *id).ok()?;
+    Some(&state.attributes[at].1)
 }
 
 macro_rules! array_attributes {

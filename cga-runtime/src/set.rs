@@ -189,9 +189,13 @@ fn move_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, position: DVec3, rotation
 /// An attribute of the grammar, for this shape and its descendants.
 pub fn attribute(shape: &mut ShapeRef<'_>, number: u32, value: Value) {
     let attributes = &mut shape.state.change().attributes;
-    match attributes.iter_mut().find(|(id, _)| *id == number) {
-        Some((_, old)) => *old = value,
-        None => attributes.push((number, value)),
+    // Mostly they come in order.
+    if attributes.last().is_none_or(|(last, _)| *last < number) {
+        return attributes.push((number, value));
+    }
+    match attributes.binary_search_by_key(&number, |(id, _)| *id) {
+        Ok(at) => attributes[at].1 = value,
+        Err(at) => attributes.insert(at, (number, value)),
     }
 }
 
@@ -254,6 +258,17 @@ mod tests {
         assert_ne!(odd.1, drawn(env, 0.25).1);
         assert_eq!(drawn(env, f64::NAN).0, 0.0);
         assert_eq!(env.take_faults().0.len(), 1);
+    }
+
+    #[test]
+    fn attributes_are_found_in_whatever_order_they_were_set() {
+        let shape = &mut Shape::cuboid(1.0, 1.0, 1.0);
+        for number in [5, 2, 9, 0, 7, 2, 5] {
+            attribute(shape, number, Value::Float(f64::from(number) + 0.5));
+            attribute(shape, number, Value::Float(f64::from(number)));
+        }
+        let read: Vec<f64> = (0..11).map(|number| get::float_attribute(shape, number, -1.0)).collect();
+        assert_eq!(read, [0.0, -1.0, 2.0, -1.0, -1.0, 5.0, -1.0, 7.0, -1.0, 9.0, -1.0]);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::value::Value;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct State {
     pub(crate) material: Arc<Material>,
-    /// Attributes by number, those that `set` changed.
+    /// Those that `set` changed, sorted by number: an import that starts anew has many.
     pub(crate) attributes: Vec<(u32, Value)>,
     pub(crate) trim: Trim,
     /// `initialShape.name`.

@@ -1,6 +1,6 @@
 //! Imports that start anew with other values: `imp(h = 3).Rule`.
 
-use cga::cga;
+use cga::{Shape, cga};
 
 use crate::{leaves, lines, model, sum};
 
@@ -179,4 +179,23 @@ fn what_goes_on_with_a_leaf_goes_on_with_it_in_every_call() {
     }
     // The override of an override is an import of its own, and so is what a call replaces.
     assert_eq!(leaves(&model(&Continued::default())), ["Inner", "Other", "Found"]);
+}
+
+#[test]
+fn each_style_starts_its_own_values_anew() {
+    cga! { grammar Styled = r#"
+        import imp : "tests/rules/import/inner.cga"
+        attr n = 7
+        Lot --> imp(h = n).Say imp( ).Say imp(k = 1, h = 2).Say
+        style Same
+        attr other = 1
+        style Big
+        attr n = 9"#; }
+    let said = |start: &str| {
+        let made = Styled::default().generate_from(start, &Shape::cuboid(1.0, 1.0, 1.0)).expect("no limit");
+        lines(&made)
+    };
+    assert_eq!(said("Lot"), ["inner7 (2)[7,70]", "inner5 (2)[5,50]", "inner2 (2)[2,1]"]);
+    assert_eq!(said("Same$Lot"), said("Lot"));
+    assert_eq!(said("Big$Lot")[0], "inner9 (2)[9,90]");
 }

@@ -2,8 +2,8 @@
 
 use super::Lower;
 use crate::ast::{Arg, Name, Override};
-use crate::check::Use;
-use crate::ir::{Anew, AttrId, ConstId, Global, Step, Target};
+use crate::check::{Checked, Use};
+use crate::ir::{Anew, AttrId, ConstId, Global, Renewal, RenewalId, Step, Target};
 use crate::link::InstanceId;
 use crate::span::Span;
 
@@ -27,46 +27,75 @@ impl<'c> Lower<'c> {
                 self.out.attrs[attr as usize].is_set = true;
             }
         }
-        let mut computed = Vec::new();
-        let attrs = self.out.attrs.len();
-        for &node in &self.checked.tables.order {
-            let globals = &self.checked.globals;
-            if let Some(item) = globals.attrs.get(node) {
-                let id = AttrId(node as u32);
-                if self.is_below(item.instance, target) && given.iter().all(|(own, _)| *own != id) {
-                    let own = &mut self.out.attrs[node];
-                    own.is_set = true;
-                    computed.push((Global::Attr(id), own.default.clone()));
-                }
-            } else if let Some(index) = node.checked_sub(attrs)
-                && let Some(item) = globals.consts.get(index)
-                && self.is_below(item.instance, target)
-                && self.is_needed(index)
-            {
-                let own = &mut self.out.consts[index];
-                if own.known.is_none() {
-                    own.is_set = true;
-                    computed.push((Global::Const(ConstId(index as u32)), own.value.clone()));
-                }
-            }
-        }
+        let renewal = self.renewal(target, &import.text);
         let target = match self.used(rule)? {
             Use::Leaf => Target::Leaf(format!("{}.{}", import.text, rule.text), rule.span),
             _ => self.successor(rule, args)?,
         };
-        Some(Step::Anew(Anew { given, computed, target, span }))
+        Some(Step::Anew(Anew { given, renewal, target, span }))
     }
 
-    /// Whether an instance is another one or imported by it.
-    fn is_below(&self, mut instance: InstanceId, of: InstanceId) -> bool {
-        loop {
-            if instance == of {
-                return true;
-            }
-            match self.checked.globals.program.instances[instance].parent {
-                Some(parent) => instance = parent,
-                None => return false,
+    /// What starts anew with an instance; the same for all calls.
+    fn renewal(&mut self, target: InstanceId, import: &str) -> RenewalId {
+        if let Some(&known) = self.renewals.get(&target) {
+            return known;
+        }
+        let below = self.below.take().unwrap_or_else(|| Below::new(self.checked));
+        let constant = |index| self.is_needed(index) && self.out.consts[index].known.is_none();
+        let globals = below.globals(target, constant);
+        self.below = Some(below);
+        for global in &globals {
+            match *global {
+                Global::Attr(id) => self.out.attrs[id.0 as usize].is_set = true,
+                Global::Const(id) => self.out.consts[id.0 as usize].is_set = true,
             }
         }
+        let id = RenewalId(self.out.renewals.len() as u32);
+        self.out.renewals.push(Renewal { import: import.into(), globals });
+        self.renewals.insert(target, id);
+        id
+    }
+}
+
+/// What each instance has and imports.
+pub(super) struct Below {
+    /// Its attributes and constants, with their places in the order of the program.
+    own: Vec<Vec<(usize, Global)>>,
+    imported: Vec<Vec<InstanceId>>,
+}
+
+impl Below {
+    fn new(checked: &Checked) -> Self {
+        let globals = &checked.globals;
+        let instances = &globals.program.instances;
+        let mut below = Below { own: vec![Vec::new(); instances.len()], imported: vec![Vec::new(); instances.len()] };
+        for (id, instance) in instances.iter().enumerate() {
+            if let Some(parent) = instance.parent {
+                below.imported[parent].push(id);
+            }
+        }
+        for (place, &node) in checked.tables.order.iter().enumerate() {
+            if let Some(item) = globals.attrs.get(node) {
+                below.own[item.instance].push((place, Global::Attr(AttrId(node as u32))));
+            } else if let Some(item) = globals.consts.get(node - globals.attrs.len()) {
+                let id = ConstId((node - globals.attrs.len()) as u32);
+                below.own[item.instance].push((place, Global::Const(id)));
+            }
+        }
+        below
+    }
+
+    /// The attributes of an instance and of what it imports, and such constants.
+    fn globals(&self, target: InstanceId, constant: impl Fn(usize) -> bool) -> Vec<Global> {
+        let (mut found, mut open) = (Vec::new(), vec![target]);
+        while let Some(instance) = open.pop() {
+            found.extend(self.own[instance].iter().filter(|(_, global)| match global {
+                Global::Attr(_) => true,
+                Global::Const(id) => constant(id.0 as usize),
+            }));
+            open.extend(&self.imported[instance]);
+        }
+        found.sort_unstable_by_key(|(place, _)| *place);
+        found.into_iter().map(|(_, global)| global).collect()
     }
 }

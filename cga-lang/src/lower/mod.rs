@@ -12,7 +12,7 @@ use crate::ast::{Body, Decl, Name};
 use crate::check::{Checked, RuleInfo, Use};
 use crate::fold::Known;
 use crate::graph::{components, is_cycle};
-use crate::ir::{Childless, Grammar, Host, HostId, Param, Rule, RuleId, Start, Step, Type};
+use crate::ir::{Childless, Grammar, Host, HostId, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::ir_walk::called;
 use crate::link::InstanceId;
 use crate::span::Span;
@@ -33,6 +33,8 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         name: String::new(),
         blocks: HashMap::new(),
         hosts: HashMap::new(),
+        renewals: HashMap::new(),
+        below: None,
         known: Known::default(),
         out: Grammar::default(),
     };
@@ -59,6 +61,10 @@ struct Lower<'c> {
     blocks: HashMap<String, u32>,
     /// By token.
     hosts: HashMap<u32, HostId>,
+    /// By instance.
+    renewals: HashMap<InstanceId, RenewalId>,
+    /// Made when an import starts anew.
+    below: Option<import::Below>,
     /// Constants and functions whose value is known.
     known: Known,
     out: Grammar,

@@ -6,7 +6,9 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::ir::{AttrId, ConstId, Expr, ExprKind, FunctionId, Global, Grammar, HostId, RuleId, Step, Target};
+use crate::ir::{
+    AttrId, ConstId, Expr, ExprKind, FunctionId, Global, Grammar, HostId, RenewalId, RuleId, Step, Target,
+};
 use crate::ir_print;
 
 use super::walk;
@@ -21,6 +23,7 @@ struct Groups {
     attrs: Vec<usize>,
     consts: Vec<usize>,
     functions: Vec<usize>,
+    renewals: Vec<usize>,
     rules: Vec<usize>,
 }
 
@@ -36,7 +39,9 @@ pub(super) fn share(grammar: &mut Grammar) {
     retain(&mut grammar.attrs, &attrs);
     retain(&mut grammar.consts, &consts);
     retain(&mut grammar.functions, &functions);
+    let renewals = kept(&groups.renewals);
     retain(&mut grammar.rules, &rules);
+    retain(&mut grammar.renewals, &renewals);
     let expr = |expr: &mut Expr| match &mut expr.kind {
         ExprKind::Attr(id) => *id = AttrId(attrs[id.0 as usize].0),
         ExprKind::Const(id) => *id = ConstId(consts[id.0 as usize].0),
@@ -48,13 +53,16 @@ pub(super) fn share(grammar: &mut Grammar) {
         Global::Const(id) => Global::Const(ConstId(consts[id.0 as usize].0)),
     };
     exprs(grammar, &expr);
+    for renewal in &mut grammar.renewals {
+        renewal.globals.iter_mut().for_each(|own| *own = global(*own));
+    }
     for rule in &mut grammar.rules {
         walk::steps(&mut rule.body, &mut |step| {
             match step {
                 Step::SetAttr(id, ..) => *id = AttrId(attrs[id.0 as usize].0),
                 Step::Anew(anew) => {
                     anew.given.iter_mut().for_each(|(id, _)| *id = AttrId(attrs[id.0 as usize].0));
-                    anew.computed.iter_mut().for_each(|(own, _)| *own = global(*own));
+                    anew.renewal = RenewalId(renewals[anew.renewal.0 as usize].0);
                 }
                 _ => {}
             }
@@ -125,6 +133,7 @@ fn groups(grammar: &Grammar) -> Option<Groups> {
             attrs: own(attrs.iter().collect(), texts.attrs),
             consts: own(grammar.consts.iter().map(|it| &it.name).collect(), texts.consts),
             functions: own(grammar.functions.iter().map(|it| &it.name).collect(), texts.functions),
+            renewals: own(grammar.renewals.iter().map(|it| &it.import).collect(), texts.renewals),
             rules: own(grammar.rules.iter().map(|it| &it.label).collect(), texts.rules),
         };
         if found == groups {
@@ -138,6 +147,9 @@ fn groups(grammar: &Grammar) -> Option<Groups> {
         }
         for (at, it) in named.functions.iter_mut().enumerate() {
             it.name = format!("function {}", found.functions[at]);
+        }
+        for (at, it) in named.renewals.iter_mut().enumerate() {
+            it.import = format!("renewal {}", found.renewals[at]);
         }
         for (at, it) in named.rules.iter_mut().enumerate() {
             it.name = format!("rule {}", found.rules[at]);

@@ -59,7 +59,6 @@ pub(super) fn exprs(steps: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
             Step::Push(steps) => exprs(steps, visit),
             Step::Anew(anew) => {
                 anew.given.iter_mut().for_each(|(_, value)| visit(value));
-                anew.computed.iter_mut().for_each(|(_, value)| visit(value));
                 target_exprs(&mut anew.target, visit);
             }
             Step::Case { arms, otherwise } => {

@@ -15,7 +15,7 @@ pub(super) fn rule(rule: &Rule) -> u32 {
             Step::Split(split) => 3000 + 500 * split.slots.len(),
             Step::Comp(comp) => 4000 + 500 * comp.arms.len(),
             Step::Push(_) => 400,
-            Step::Anew(anew) => 1100 + 200 * (anew.given.len() + anew.computed.len()),
+            Step::Anew(anew) => 1100 + 200 * anew.given.len(),
             _ => 100,
         }
     });

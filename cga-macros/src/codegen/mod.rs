@@ -53,10 +53,13 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let cx = Cx { grammar, source, names, plan, calls, captured: header.name.is_none(), hosts, renewed };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
+    let renewals = cx.renewals();
+    let renewals = (!renewals.is_empty()).then(|| quote_spanned!(Span::mixed_site()=> impl CgaValues { #renewals }));
     let implementation = items::rules_impl(&cx, header);
     let place = Span::mixed_site();
     let hidden = quote_spanned! { place=>
         #values
+        #renewals
         #call
         /// The rules and functions, one function each.
         struct CgaRules;

@@ -2,8 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-use cga_lang::ir::{Anew, Expr, ExprKind, Global, Grammar, Step, Type};
-use cga_lang::ir_walk;
+use cga_lang::ir::{Anew, AttrId, Expr, ExprKind, Global, Grammar, Type};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -11,6 +10,9 @@ use super::expr::Place;
 use super::fields::Field;
 use super::types::{self, cloned};
 use super::{Cx, inner_type, local};
+
+/// Attributes and constants that one function starts anew.
+const PIECE: usize = 32;
 
 impl Cx<'_> {
     /// The value of an attribute or constant that the run holds as `name`. Where it may be set the shape is asked first.
@@ -47,19 +49,85 @@ impl Cx<'_> {
         let values = anew.given.iter().map(|(_, value)| self.expr(value, &at));
         let given = quote_spanned!(place=> #(let #names = #values;)*);
         let set = anew.given.iter().zip(&names).map(|((id, value), name)| self.set(Global::Attr(*id), value.ty, name));
+        let mut ids: Vec<AttrId> = anew.given.iter().map(|(id, _)| *id).collect();
+        ids.sort_unstable();
+        let numbers = ids.into_iter().map(|id| self.number(Global::Attr(id)));
+        let renew = local("renew_", anew.renewal.0 as usize);
+        (
+            given,
+            quote_spanned! { place=>
+                let shape = &mut cga_rt::push(shape);
+                #(#set)*
+                CgaValues::#renew(g, &mut cx.env, shape, &[#(#numbers),*]);
+            },
+        )
+    }
+
+    /// One function for each import that starts anew: it sets everything but what is given, on the copy.
+    pub(super) fn renewals(&self) -> TokenStream {
+        let place = Span::mixed_site();
+        self.grammar
+            .renewals
+            .iter()
+            .enumerate()
+            .map(|(number, renewal)| {
+                let name = local("renew_", number);
+                // In pieces, because compilers take long over long functions, and without optimisation they take much of
+                // the stack.
+                let pieces = renewal.globals.chunks(PIECE).enumerate().map(|(piece, globals)| {
+                    let name = local(&format!("renew_{number}_"), piece);
+                    let steps = globals.iter().map(|global| self.renewed_global(*global));
+                    quote_spanned! { place=>
+                        fn #name(
+                            g: &CgaValues,
+                            env: &mut cga_rt::Env,
+                            shape: &mut cga_rt::ShapeRef<'_>,
+                            given: &[::core::primitive::u32],
+                        ) {
+                            #(#steps)*
+                        }
+                    }
+                });
+                let names = (0..pieces.len()).map(|piece| local(&format!("renew_{number}_"), piece));
+                quote_spanned! { place=>
+                    fn #name(
+                        g: &CgaValues,
+                        env: &mut cga_rt::Env,
+                        shape: &mut cga_rt::ShapeRef<'_>,
+                        given: &[::core::primitive::u32],
+                    ) {
+                        #(CgaValues::#names(g, env, shape, given);)*
+                    }
+                    #(#pieces)*
+                }
+            })
+            .collect()
+    }
+
+    /// Sets one attribute or constant anew. The numbers in `given` are sorted; constants cannot be given.
+    fn renewed_global(&self, global: Global) -> TokenStream {
+        let place = Span::mixed_site();
+        let (computed, is_given) = match global {
+            Global::Attr(id) => {
+                let number = self.number(global);
+                let is_given = quote_spanned!(place=> given.binary_search(&#number).is_ok());
+                (&self.grammar.attrs[id.0 as usize].default, Some(is_given))
+            }
+            Global::Const(id) => (&self.grammar.consts[id.0 as usize].value, None),
+        };
         let value = &local("value_", 0);
-        let computed = anew.computed.iter().map(|(global, computed)| {
-            let (code, set) = (self.started_anew(*global, computed), self.set(*global, computed.ty, value));
-            quote_spanned!(place=> let #value = #code; #set)
-        });
-        (given, quote_spanned!(place=> let shape = &mut cga_rt::push(shape); #(#set)* #(#computed)*))
+        let (code, set) = (self.started_anew(global, computed), self.set(global, computed.ty, value));
+        match is_given {
+            Some(is_given) => quote_spanned!(place=> if !#is_given { let #value = #code; #set }),
+            None => quote_spanned!(place=> let #value = #code; #set),
+        }
     }
 
     /// What an attribute or constant is when it starts anew: what the host program gave, else it is computed, with random
     /// numbers of its own.
     fn started_anew(&self, global: Global, computed: &Expr) -> TokenStream {
         let place = Span::mixed_site();
-        let code = self.expr(computed, &Place::rule());
+        let code = self.expr(computed, &Place::function());
         let (name, field) = match global {
             Global::Attr(id) => {
                 let name = &self.grammar.attrs[id.0 as usize].name;
@@ -119,18 +187,15 @@ impl Cx<'_> {
 
 /// The names of attributes that start anew somewhere and have a field.
 pub(super) fn renewed(grammar: &Grammar) -> Vec<String> {
-    let mut names = BTreeSet::new();
-    for rule in &grammar.rules {
-        ir_walk::steps(&rule.body, &mut |step| {
-            let Step::Anew(anew) = step else { return };
-            names.extend(anew.computed.iter().filter_map(|(global, _)| match global {
-                Global::Attr(id) => Some(grammar.attrs[id.0 as usize].name.clone()),
-                Global::Const(_) => None,
-            }));
-        });
-    }
+    let globals = grammar.renewals.iter().flat_map(|renewal| &renewal.globals);
+    let names: BTreeSet<&String> = globals
+        .filter_map(|global| match global {
+            Global::Attr(id) => Some(&grammar.attrs[id.0 as usize].name),
+            Global::Const(_) => None,
+        })
+        .collect();
     let public: HashSet<&String> = grammar.attrs.iter().filter(|attr| attr.public).map(|attr| &attr.name).collect();
-    names.into_iter().filter(|name| public.contains(name)).collect()
+    names.into_iter().filter(|name| public.contains(name)).cloned().collect()
 }
 
 /// The number of an attribute's or constant's random stream: from its name (FNV-1a), so that adding another one changes
