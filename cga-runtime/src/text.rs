@@ -90,3 +90,12 @@ impl fmt::Display for Text {
         f.write_str(self)
     }
 }
+
+/// Short enough for a message.
+pub(crate) fn shortened(text: &str) -> String {
+    const LONGEST: usize = 80;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}

@@ -4,6 +4,7 @@
 //! `Name=`, `Ext=`, `Path=`, `Project=`. A pattern holds for all of a text; `*` stands for any characters and `?` for one.
 //! One that begins with `$` is a regular expression. Space between single quotes is part of a term.
 
+use crate::text::shortened;
 use std::cell::Cell;
 
 use crate::func::Whole;
@@ -57,7 +58,7 @@ impl Query {
                 None => Pattern::Plain(pattern.chars().collect()),
                 Some(Ok(expression)) => Pattern::Regular(expression),
                 Some(Err(error)) => {
-                    query.wrong.get_or_insert(format!("the pattern `{pattern}` has {error}"));
+                    query.wrong.get_or_insert(format!("the pattern `{}`: {error}", shortened(pattern)));
                     Pattern::Nothing
                 }
             };
@@ -201,7 +202,7 @@ mod tests {
     #[test]
     fn what_cannot_be_read_or_takes_too_long_finds_nothing_and_says_so() {
         let query = Query::new("$(");
-        assert!(!query.finds("", "(") && query.trouble().is_some_and(|why| why.starts_with("the pattern `$(` has ")));
+        assert!(!query.finds("", "(") && query.trouble().is_some_and(|why| why.starts_with("the pattern `$(`: ")));
         let slow = Query::new(&format!("*{}b", "a".repeat(5_000)));
         slow.steps.set(100_000);
         let path = "a".repeat(10_000);

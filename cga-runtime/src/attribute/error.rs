@@ -1,5 +1,6 @@
 //! Why an attribute cannot be read or set.
 
+use crate::text::shortened;
 use std::fmt;
 
 use super::Range;
@@ -107,13 +108,4 @@ fn not_among(value: &Value, choices: &[Value]) -> String {
     let names: Vec<String> = choices.iter().take(NAMED).map(|choice| shortened(&choice.to_string())).collect();
     let more = if NAMED < choices.len() { ", …" } else { "" };
     format!("`{}` is none of {}{more}", shortened(&value.to_string()), names.join(", "))
-}
-
-/// Short enough for a message.
-pub(super) fn shortened(text: &str) -> String {
-    const LONGEST: usize = 80;
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
 }

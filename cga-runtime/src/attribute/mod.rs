@@ -7,8 +7,8 @@ pub use error::AttributeError;
 pub use limits::{ChoiceValues, Choices, Range, check};
 
 use crate::nearest::nearest;
+use crate::text::shortened;
 use crate::value::ValueType;
-use error::shortened;
 
 /// An attribute of a grammar. Generated code makes them; programs read them.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use super::pattern::{Pattern, Search, TooLong};
 use crate::array::Array;
 use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::text::Text;
+use crate::text::{Text, shortened};
 
 /// The parts of a text between delimiters, in one row; a delimiter that begins with `$` is a regular expression
 /// (*splitString function*).
@@ -25,12 +25,16 @@ pub fn split_string(env: &mut Env, text: Text, delimiter: Text) -> Array<Text> {
     let pattern = match Pattern::new(pattern) {
         Ok(pattern) => pattern,
         Err(error) => {
-            env.fault(FaultKind::Value, format!("the pattern `{pattern}` has {error}; the text is not split"));
+            env.fault(
+                FaultKind::Value,
+                format!("the pattern `{}`: {error}; the text is not split", shortened(pattern)),
+            );
             return Array::from([text]);
         }
     };
     split_by_pattern(env, &pattern, &text).unwrap_or_else(|TooLong| {
-        env.fault(FaultKind::Value, format!("the pattern `{}` takes too long; the text is not split", &delimiter[1..]));
+        let pattern = shortened(&delimiter[1..]);
+        env.fault(FaultKind::Value, format!("the pattern `{pattern}`: it takes too long; the text is not split"));
         Array::from([text])
     })
 }

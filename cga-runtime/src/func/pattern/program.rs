@@ -59,7 +59,7 @@ impl Pattern {
 
     fn push(&mut self, step: Step) -> Result<usize, String> {
         if self.steps.len() == MOST_STEPS {
-            return Err("too large".to_owned());
+            return Err("it is too large".to_owned());
         }
         self.steps.push(step);
         Ok(self.steps.len() - 1)
