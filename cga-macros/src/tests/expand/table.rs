@@ -8,7 +8,9 @@ impl cga_rt::Grammar for Tower {
             &[
                 cga_rt::Attribute::new(
                         "share",
-                        cga_rt::Default::Float(::core::option::Option::Some(0.5f64)),
+                        cga_rt::AttributeDefault::Float(
+                            ::core::option::Option::Some(0.5f64),
+                        ),
                     )
                     .range(cga_rt::Range::new(0f64, 1f64, 0f64, false))
                     .group(&["Size", "Main"])
@@ -16,13 +18,15 @@ impl cga_rt::Grammar for Tower {
                     .order(3f64),
                 cga_rt::Attribute::new(
                         "drawn",
-                        cga_rt::Default::Float(::core::option::Option::None),
+                        cga_rt::AttributeDefault::Float(::core::option::Option::None),
                     )
                     .group(&["Size", "Main"])
                     .hidden(),
                 cga_rt::Attribute::new(
                         "wall",
-                        cga_rt::Default::Text(::core::option::Option::Some("brick")),
+                        cga_rt::AttributeDefault::Text(
+                            ::core::option::Option::Some("brick"),
+                        ),
                     )
                     .display_name("Outer wall")
                     .choices(
@@ -35,7 +39,7 @@ impl cga_rt::Grammar for Tower {
                     .group_order(2f64),
                 cga_rt::Attribute::new(
                         "image",
-                        cga_rt::Default::Text(::core::option::Option::None),
+                        cga_rt::AttributeDefault::Text(::core::option::Option::None),
                     )
                     .choices(
                         cga_rt::Choices::new(
