@@ -198,7 +198,7 @@ impl Env {
         self.trail.pop();
     }
 
-    /// Enters a function that asks, for so many bytes of [`FUNCTIONS`]. The answer is no at the depth of calls that CGA has
+    /// Enters a function that asks, for so many bytes of `FUNCTIONS`. The answer is no at the depth of calls that CGA has
     /// (*CGA changelog 2014.1*: function call depth), and where the stack ends before that. If it is yes,
     /// [`Env::called`] follows.
     #[inline]
