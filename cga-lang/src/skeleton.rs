@@ -22,7 +22,7 @@ pub struct Attr {
     pub name: String,
     /// Its type, as far as it could be told.
     pub ty: Option<Type>,
-    /// The default. Without errors the same as in [`ir::Attr`](ir::Attr), else only if it is a literal.
+    /// The default. Without errors the same as in [`ir::Attr`], else only if it is a literal.
     pub known: Option<Value>,
     /// Whether the default is computed for each initial shape. With errors a good guess.
     pub computed: bool,
