@@ -50,7 +50,7 @@ fn an_override_may_refer_to_what_it_overrides() {
 
 #[test]
 fn an_override_reaches_attributes_further_down() {
-    cga! { grammar Deep = r#"
+    cga! { @Allow(old_spelling) grammar Deep = r#"
         import imp : "tests/rules/import/outer.cga" (b.h = base + imp.b.h)
         attr base = 30
         Lot --> imp.Lot imp(b.h = 8).Lot"#; }

@@ -53,6 +53,13 @@ pub(super) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
 
 fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
     match cx.globals.value(id, &name.text) {
+        // *CGA changelog 2023.0*: not allowed any more. Files older than that are read, and mean what they meant.
+        Some(Use::Attr(_)) if name.text.contains('.') => {
+            let message = format!("`{}` belongs to an import of the imported file", name.text);
+            cx.diags
+                .report(Code::OldSpelling, name.span, message)
+                .help("since CGA 2023.0 only that file gives it a value");
+        }
         Some(Use::Attr(_)) => {}
         found => {
             let near = nearest(&name.text, cx.globals.near(id, Kind::Attrs)).map(str::to_owned);
