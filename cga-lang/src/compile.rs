@@ -1,6 +1,6 @@
 //! The whole way from tokens to a grammar, in one call.
 
-use crate::check::check;
+use crate::check::{Outcome, check};
 use crate::code::Code;
 use crate::diag::{Diag, Diags, Level};
 use crate::ir::Grammar;
@@ -12,6 +12,16 @@ use crate::span::Span;
 use crate::token::Tokens;
 use std::collections::HashSet;
 use std::ops::Range;
+
+/// How often a program may be checked for copies of declarations with other types: what calls in copies want is known only
+/// when these are there.
+const MOST_ROUNDS: usize = 200;
+
+/// How often at least, however large it is.
+const LEAST_ROUNDS: usize = 16;
+
+/// Tokens that may be checked so.
+const MOST_CHECKED: usize = 4_000_000;
 
 /// How strict to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +52,7 @@ impl Compiled {
     pub fn locate(&self, token: u32) -> (usize, u32) {
         let at = self.pieces.partition_point(|piece| piece.tokens.start <= token);
         match at.checked_sub(1).map(|at| &self.pieces[at]) {
-            Some(piece) => (piece.file, token - piece.tokens.start),
+            Some(piece) => (piece.file, token - piece.tokens.start + piece.from),
             None => (0, token),
         }
     }
@@ -67,13 +77,47 @@ pub fn compile_after(tokens: &Tokens, door: Door, levels: &[(Code, Level)], foun
 /// Compiles a file and what it imports.
 pub fn compile_files(root: Unit, files: &mut dyn Files, levels: &[(Code, Level)]) -> Compiled {
     let mut diags = Diags::new();
-    let program = link(root, files, &mut diags);
-    let outcome = check(&program, levels, &mut diags);
+    let mut program = link(root, files, &mut diags);
+    let read = diags.finish();
+    let outcome = checked(&program, levels, &read);
+    if !outcome.1.misfit {
+        return finish(&program, outcome);
+    }
+    copy(&mut program, levels, &read);
+    let outcome = checked(&program, levels, &read);
+    finish(&program, outcome)
+}
+
+fn checked<'p>(program: &'p Program, levels: &[(Code, Level)], read: &[Diag]) -> (Vec<Diag>, Outcome<'p>) {
+    let mut diags = Diags::new();
+    diags.append(read.to_vec());
+    let outcome = check(program, levels, &mut diags);
+    (diags.finish(), outcome)
+}
+
+fn finish(program: &Program, (diags, outcome): (Vec<Diag>, Outcome)) -> Compiled {
     let grammar = outcome.checked.map(|checked| lower(&checked));
-    let names = Skeleton::new(&program, &outcome.attrs, grammar.as_ref());
-    let Program { pieces, files, .. } = program;
-    let diags = once(diags.finish(), &pieces);
-    Compiled { grammar, diags, names, files, pieces }
+    let names = Skeleton::new(program, &outcome.attrs, grammar.as_ref());
+    let (pieces, files) = (program.pieces.clone(), program.files.clone());
+    Compiled { grammar, diags: once(diags, &pieces), names, files, pieces }
+}
+
+/// Makes copies of declarations that calls use with several types, until there is one for each or enough was tried.
+fn copy(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
+    (program.copies.on, program.copies.wanting) = (true, true);
+    let mut checks = 0;
+    while checks < (MOST_CHECKED / program.tokens.len().max(1)).clamp(LEAST_ROUNDS, MOST_ROUNDS) {
+        checks += 1;
+        let (_, Outcome { wanted, unsuited, .. }) = checked(program, levels, read);
+        if wanted.is_empty() && unsuited.is_empty() {
+            break;
+        }
+        program.take_back(&unsuited);
+        wanted.into_iter().for_each(|wanted| program.copy(wanted));
+    }
+    program.copies.wanting = false;
+    // What has one type only is said as if there were no others.
+    program.copies.on = !program.copies.is_empty();
 }
 
 /// Moves findings about a file that was read several times to its first reading, and leaves out the copies.
@@ -84,7 +128,7 @@ fn once(diags: Vec<Diag>, pieces: &[Piece]) -> Vec<Diag> {
     let token = |token: u32| {
         let at = pieces.partition_point(|piece| piece.tokens.start <= token).saturating_sub(1);
         let first = pieces.iter().find(|piece| piece.file == pieces[at].file).unwrap_or(&pieces[at]);
-        token - pieces[at].tokens.start + first.tokens.start
+        token - pieces[at].tokens.start + pieces[at].from + first.tokens.start
     };
     let mut all = Diags::new();
     all.append(

@@ -111,6 +111,16 @@ impl Diags {
         self.list.iter().any(|diag| diag.level == Level::Error)
     }
 
+    /// What was found since there were as many.
+    pub(crate) fn since(&self, count: usize) -> &[Diag] {
+        self.list.get(count..).unwrap_or_default()
+    }
+
+    /// How many there are.
+    pub(crate) fn count(&self) -> usize {
+        self.list.len()
+    }
+
     /// Changes what has been collected so far.
     pub(crate) fn retain_mut(&mut self, keep: impl FnMut(&mut Diag) -> bool) {
         self.list.retain_mut(keep);

@@ -24,6 +24,7 @@
 #![forbid(unsafe_code)]
 
 pub mod ast;
+mod ast_moved;
 pub mod check;
 pub mod code;
 pub mod compile;

@@ -2,9 +2,7 @@
 //! the reference. Rules come as text unless a test says otherwise; `tests/doors.rs` holds the doors against each other.
 //!
 //! Facts 73 to 100 are here, but for two that need what does not run yet: 73 (`getTreeKey`) and 98 (`label` and context
-//! queries). The table of reports that 99 shows is tested where it is made, in the runtime. Examples of the reference's
-//! pages that call one function with values of several types (`cumsum` of *sum function*) need functions that are made once
-//! for each type; ours have one type each, so they are called by several names here.
+//! queries). The table of reports that 99 shows is tested where it is made, in the runtime.
 
 mod arrays;
 mod attributes;

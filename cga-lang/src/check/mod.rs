@@ -20,8 +20,9 @@ use crate::code::Code;
 use crate::diag::{Diags, Level};
 use crate::hash::FastMap;
 use crate::ir::Type;
-use crate::link::{InstanceId, Program};
+use crate::link::{InstanceId, Program, Wanted};
 use crate::ops::{Function, Operation, ShapeAttr};
+use crate::span::Span;
 use std::collections::{HashMap, HashSet};
 
 pub use crate::compile::Door;
@@ -98,6 +99,12 @@ pub(crate) struct Outcome<'a> {
     pub(crate) checked: Option<Checked<'a>>,
     /// The attributes with their types, as far as they could be told.
     pub(crate) attrs: Vec<(Item<'a>, Option<Type>)>,
+    /// Whether something is of another type than is needed.
+    pub(crate) misfit: bool,
+    /// Declarations that calls want with other types. When there are some, only that was found out.
+    pub(crate) wanted: Vec<Wanted>,
+    /// Places in copies that are wrong there only.
+    pub(crate) unsuited: Vec<Span>,
 }
 
 /// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.
@@ -107,17 +114,42 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], diags: &
     duplicates::values(&mut cx);
     overrides::check(&mut cx);
     names::uses(&mut cx);
-    types::infer(&mut cx);
+    let types::Found { misfit, wanted } = types::infer(&mut cx);
+    if !wanted.is_empty() {
+        return Outcome { checked: None, attrs: Vec::new(), misfit, wanted, unsuited: Vec::new() };
+    }
     annotations::read(&mut cx);
     duplicates::overloads(&mut cx);
     duplicates::styles(&mut cx);
     cycles::find(&mut cx);
     let Cx { globals, tables, levels, diags, .. } = cx;
+    let unsuited = copied(program, diags);
     levels::apply(&levels, diags);
     let ty = |item: &Item| tables.types.get(&item.decl.name.id()).copied();
     let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
     let checked = (!diags.has_errors()).then_some(Checked { globals, tables, _private: () });
-    Outcome { checked, attrs }
+    Outcome { checked, attrs, misfit, wanted, unsuited }
+}
+
+/// Moves what was found in copies to where it was written; gives the places of types that are wrong in the copy alone.
+fn copied(program: &Program, diags: &mut Diags) -> Vec<Span> {
+    let copies = &program.copies;
+    if !copies.on {
+        return Vec::new();
+    }
+    let (mut written, mut in_copies) = (HashSet::new(), Vec::new());
+    diags.retain_mut(|diag| {
+        if diag.code == Code::TypeMismatch {
+            match copies.is_copied(diag.span) {
+                false => _ = written.insert((diag.span, diag.message.clone())),
+                true => in_copies.push((diag.span, diag.message.clone())),
+            }
+        }
+        *diag = diag.clone().moved(|span| copies.written(span));
+        true
+    });
+    in_copies.retain(|(span, message)| !written.contains(&(copies.written(*span), message.clone())));
+    in_copies.into_iter().map(|(span, _)| span).collect()
 }
 
 /// What every pass is given.

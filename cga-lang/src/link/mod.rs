@@ -5,6 +5,7 @@
 //! imports of one file share nothing, as CGA wants it; what styles have in common is found again after lowering
 //! (`share.rs`).
 
+mod copies;
 mod overrides;
 mod paths;
 mod style;
@@ -19,6 +20,7 @@ use crate::token::Tokens;
 use std::collections::HashMap;
 use std::ops::Range;
 
+pub(crate) use copies::{Copies, Types, Wanted};
 pub(crate) use overrides::dynamic_calls;
 pub use paths::candidates;
 pub(crate) use style::Styles;
@@ -72,6 +74,8 @@ pub struct Piece {
     pub file: usize,
     /// Its tokens in the program.
     pub tokens: Range<u32>,
+    /// Which of the file's tokens is the first of these: 0, but for a declaration that was read again with other types.
+    pub from: u32,
 }
 
 /// Index into [`Program::instances`].
@@ -87,6 +91,7 @@ pub(crate) struct Program {
     pub(crate) instances: Vec<Instance>,
     /// The root's instances by style: `Default`, then the others in source order.
     pub(crate) roots: Vec<InstanceId>,
+    pub(crate) copies: Copies,
 }
 
 /// A file with a style in force, in one place.
@@ -135,6 +140,7 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
             files: Vec::new(),
             instances: Vec::new(),
             roots: Vec::new(),
+            copies: Copies::default(),
         },
     };
     let file = link.unit(root);
@@ -157,7 +163,7 @@ impl Program {
     /// How strict to be with a token.
     pub(crate) fn door(&self, token: u32) -> Door {
         let at = self.pieces.partition_point(|piece| piece.tokens.start <= token).saturating_sub(1);
-        self.instances.get(at).map_or(Door::Text, |instance| instance.door)
+        self.instances.get(self.copies.instance(token).unwrap_or(at)).map_or(Door::Text, |instance| instance.door)
     }
 }
 
@@ -216,7 +222,7 @@ impl Link<'_> {
         let found = unit.found.iter().map(|diag| diag.clone().moved(|span| span.behind(tokens.start)));
         self.diags.append(found.collect());
         let ast = parse_part(&self.program.tokens, tokens.clone(), self.diags);
-        self.program.pieces.push(Piece { file, tokens });
+        self.program.pieces.push(Piece { file, tokens, from: 0 });
         let styles = Styles::new(&ast, style, self.diags);
         let imports = ast.imports.clone();
         let calls = dynamic_calls(&ast);

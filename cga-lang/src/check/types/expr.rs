@@ -115,6 +115,12 @@ impl<'a> Infer<'_, 'a, '_> {
             }
             Some(Use::Attr(index)) => self.slot(self.cx.globals.attrs[index as usize].decl.name.id()),
             Some(Use::Const(index)) => self.slot(self.cx.globals.consts[index as usize].decl.name.id()),
+            Some(own @ Use::Function(_)) if self.is_generic(own) => {
+                let candidates = vec![self.candidate(own)];
+                let result = self.free();
+                self.wait(Open::Call { name: name.clone(), candidates, args, result: Some(result) });
+                result
+            }
             Some(Use::Function(index)) => {
                 let decl = self.cx.globals.functions[index as usize].decl;
                 for ((arg, span), param) in args.into_iter().zip(&decl.params) {
@@ -156,7 +162,7 @@ impl<'a> Infer<'_, 'a, '_> {
         list.into_iter().map(|found| self.candidate(found)).collect()
     }
 
-    fn candidate(&mut self, found: Use) -> Candidate {
+    pub(super) fn candidate(&mut self, found: Use) -> Candidate {
         let builtin = |params: &[Param]| -> Vec<Takes> {
             let takes = |param: &Param| match param.kind {
                 ParamKind::Value(ty) => Takes::Type(ty),

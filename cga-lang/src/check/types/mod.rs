@@ -2,9 +2,11 @@
 //!
 //! There are no type annotations: every declaration and parameter has one type, found from its uses and from the calls.
 //! Bodies come first and calls last, so that a wrong argument is blamed at the call. What is not clear when it is read
-//! (`+`, overloaded calls, arrays) waits in `open` until more is known.
+//! (`+`, overloaded calls, arrays) waits in `open` until more is known. Where one type is not enough, `generic` asks for
+//! declarations with other ones.
 
 mod expr;
+mod generic;
 mod open;
 mod steps;
 mod unify;
@@ -15,12 +17,23 @@ use crate::code::Code;
 use crate::diag::Diag;
 use crate::hash::FastMap;
 use crate::ir::Type;
+use crate::link::Wanted;
 use crate::span::Span;
+use generic::Stage;
 use open::Open;
 use std::collections::HashMap;
 use unify::{State, Var, Vars};
 
-pub(super) fn infer(cx: &mut Cx) {
+/// What `infer` has found.
+pub(super) struct Found {
+    /// Whether something is of another type than is needed.
+    pub(super) misfit: bool,
+    /// Declarations that calls want with other types. When there are some, the rest is not settled.
+    pub(super) wanted: Vec<Wanted>,
+}
+
+pub(super) fn infer(cx: &mut Cx) -> Found {
+    let before = cx.diags.count();
     let mut pass = Infer {
         cx,
         vars: Vars::default(),
@@ -29,6 +42,9 @@ pub(super) fn infer(cx: &mut Cx) {
         calls: Vec::new(),
         ordered: Vec::new(),
         inner: Vec::new(),
+        stage: Stage::Bodies,
+        moved: false,
+        wanted: Vec::new(),
     };
     let values: Vec<_> = pass.cx.globals.values().cloned().collect();
     for item in &values {
@@ -67,6 +83,9 @@ pub(super) fn infer(cx: &mut Cx) {
     }
     pass.solve();
     pass.store();
+    let wanted = pass.wanted;
+    let misfit = |diag: &Diag| matches!(diag.code, Code::TypeMismatch | Code::UndefinedRule);
+    Found { misfit: cx.diags.since(before).iter().any(misfit), wanted }
 }
 
 /// A declaration in a style: the tokens of its name and parameters.
@@ -94,6 +113,10 @@ struct Infer<'p, 'a, 'd> {
     ordered: Vec<(Var, Span)>,
     /// Parameters and locals of the declaration at hand.
     inner: Vec<&'a Name>,
+    stage: Stage,
+    /// Whether something became known without anything being decided.
+    moved: bool,
+    wanted: Vec<Wanted>,
 }
 
 impl<'a> Infer<'_, 'a, '_> {
@@ -101,7 +124,8 @@ impl<'a> Infer<'_, 'a, '_> {
         if let Some(&var) = self.slots.get(&token) {
             return var;
         }
-        let var = self.vars.add(State::Free, None);
+        let given = self.cx.globals.program.copies.given(token);
+        let var = self.vars.add(given.map_or(State::Free, State::Is), None);
         self.slots.insert(token, var);
         var
     }
@@ -197,11 +221,22 @@ impl<'a> Infer<'_, 'a, '_> {
 
     fn solve(&mut self) {
         self.propagate();
+        self.stage = Stage::Calls;
+        if self.cx.globals.program.copies.on {
+            self.propagate();
+        }
         for index in 0..self.calls.len() {
             self.join_argument(index);
         }
         self.join_styles();
         self.propagate();
+        if self.cx.globals.program.copies.on {
+            self.stage = Stage::Wanting;
+            self.propagate();
+            if !self.wanted.is_empty() {
+                return;
+            }
+        }
         self.settle();
         for (var, span) in std::mem::take(&mut self.ordered) {
             if let Some(ty @ (Type::Bool | Type::Bools)) = self.vars.known(var) {
@@ -239,8 +274,14 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     fn join_argument(&mut self, index: usize) {
-        let Argument { arg, span, param, rule, ref callee, ref name } = self.calls[index];
-        let Err((got, needs)) = self.vars.join(arg, param) else { return };
+        let Argument { arg, param, .. } = self.calls[index];
+        if let Err((got, needs)) = self.vars.join(arg, param) {
+            self.wrong_argument(index, got, needs);
+        }
+    }
+
+    fn wrong_argument(&mut self, index: usize, got: Type, needs: Type) {
+        let Argument { span, param, rule, ref callee, ref name, .. } = self.calls[index];
         let message = match callee.as_str() {
             "" => format!("`{name}` of the imported file is a {}, this is a {}", needs.word(), got.word()),
             "set" => format!("`{name}` is a {}, got a {}", needs.word(), got.word()),

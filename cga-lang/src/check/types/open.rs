@@ -10,7 +10,7 @@ use crate::span::Span;
 const MOST_ROUNDS: usize = 64;
 
 /// A type and where it is needed.
-type Place = (Var, Span);
+pub(super) type Place = (Var, Span);
 
 pub(super) enum Open {
     /// `a + b`: a sum, or text.
@@ -96,6 +96,7 @@ impl Infer<'_, '_, '_> {
             for index in (0..self.open.len()).chain((0..self.open.len()).rev()) {
                 changed |= self.decide(index, false);
             }
+            changed |= std::mem::take(&mut self.moved);
             if !changed {
                 break;
             }
@@ -316,6 +317,9 @@ impl Infer<'_, '_, '_> {
         result: Option<Var>,
         force: bool,
     ) -> bool {
+        if self.has_generic(candidates) {
+            return self.choose_generic(name, candidates, args, result, force);
+        }
         let fits: Vec<bool> = candidates.iter().map(|candidate| self.fits(candidate, args)).collect();
         if !fits.contains(&true) {
             self.fits_none(name, candidates, args);
@@ -335,6 +339,11 @@ impl Infer<'_, '_, '_> {
             return false;
         }
         let chosen = candidates.swap_remove(0);
+        self.choose_this(name, &chosen, args, result);
+        true
+    }
+
+    pub(super) fn choose_this(&mut self, name: &Name, chosen: &Candidate, args: &[Place], result: Option<Var>) {
         self.cx.tables.uses.insert(name.id(), chosen.found);
         for (takes, &(var, span)) in chosen.takes.iter().zip(args) {
             match takes {
@@ -352,10 +361,9 @@ impl Infer<'_, '_, '_> {
             }
             _ => {}
         }
-        true
     }
 
-    fn fits(&mut self, candidate: &Candidate, args: &[Place]) -> bool {
+    pub(super) fn fits(&mut self, candidate: &Candidate, args: &[Place]) -> bool {
         candidate.takes.iter().zip(args).all(|(takes, &(var, _))| {
             let Some(got) = self.vars.known(var) else { return true };
             match takes {
@@ -384,7 +392,7 @@ impl Infer<'_, '_, '_> {
         types.all(|ty| ty == Some(first)).then_some(first)
     }
 
-    fn fits_none(&mut self, name: &Name, candidates: &[Candidate], args: &[Place]) {
+    pub(super) fn fits_none(&mut self, name: &Name, candidates: &[Candidate], args: &[Place]) {
         let shown = |ty: Option<Type>| ty.map_or("…", Type::word);
         let got: Vec<&str> = args.iter().map(|&(var, _)| shown(self.vars.known(var))).collect();
         let span = args.first().map_or(name.span, |first| first.1.to(args[args.len() - 1].1));

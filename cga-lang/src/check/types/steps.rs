@@ -146,6 +146,11 @@ impl<'a> Infer<'_, 'a, '_> {
     fn call(&mut self, name: &'a Name, args: &'a [Arg]) {
         match self.cx.tables.of(name) {
             Some(Use::Operation(row)) => self.operation(row, args),
+            Some(own @ Use::Rule(_)) if self.is_generic(own) => {
+                let args = args.iter().map(|arg| (self.expr(&arg.value), arg.value.span)).collect();
+                let candidates = vec![self.candidate(own)];
+                self.wait_for(Open::Call { name: name.clone(), candidates, args, result: None });
+            }
             Some(Use::Rule(index)) => {
                 let decl = self.cx.globals.rules[index as usize].decl;
                 let types: Vec<(Var, Span)> = args.iter().map(|arg| (self.expr(&arg.value), arg.value.span)).collect();

@@ -1,0 +1,206 @@
+//! Parameters that may be of another type in each call.
+//!
+//! Only in programs in which something does not fit when every parameter has one type. A call then waits for the types of
+//! its arguments, and wants the declaration with these if there is none yet; `link/copies.rs` makes it.
+
+use super::open::{Candidate, Place, Takes};
+use super::{Argument, Infer, State, Use, Var};
+use crate::ast::{Name, Role};
+use crate::link::{Types, Wanted};
+
+/// What calls may do.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stage {
+    /// Wait: not all bodies are read.
+    Bodies,
+    /// Choose among what is there.
+    Calls,
+    /// Want declarations with other types.
+    Wanting,
+}
+
+/// What a call does not fit but might with other types.
+struct Wish {
+    wanted: Wanted,
+    /// Whether something about its arguments was reported already.
+    poison: bool,
+}
+
+impl Infer<'_, '_, '_> {
+    /// Whether it may be read again with other types.
+    pub(super) fn is_generic(&self, found: Use) -> bool {
+        let program = self.cx.globals.program;
+        let item = match found {
+            _ if !program.copies.on => return false,
+            Use::Function(index) => &self.cx.globals.functions[index as usize],
+            Use::Rule(index) => &self.cx.globals.rules[index as usize],
+            _ => return false,
+        };
+        let span = item.decl.span;
+        // An import can have one form of an extension; and what a dynamic call starts anew belongs to the one call.
+        let anew = || program.instances[item.home].dynamic.keys().any(|token| (span.first..=span.last).contains(token));
+        !item.decl.params.is_empty() && item.home == item.instance && item.decl.role != Role::Extension && !anew()
+    }
+
+    pub(super) fn has_generic(&self, candidates: &[Candidate]) -> bool {
+        self.cx.globals.program.copies.on && candidates.iter().any(|candidate| self.is_generic(candidate.found))
+    }
+
+    /// Which of a candidate's parameters may be of another type: those that nothing but calls has something to say about.
+    fn loose(&mut self, candidate: &Candidate) -> Vec<bool> {
+        let decl = match candidate.found {
+            _ if !self.is_generic(candidate.found) => return vec![false; candidate.takes.len()],
+            Use::Function(index) => self.cx.globals.functions[index as usize].decl,
+            Use::Rule(index) => self.cx.globals.rules[index as usize].decl,
+            _ => return vec![false; candidate.takes.len()],
+        };
+        let copies = &self.cx.globals.program.copies;
+        let given: Vec<bool> = decl.params.iter().map(|param| copies.given(param.id()).is_some()).collect();
+        let free = |takes: &Takes| matches!(takes, Takes::Var(var) if self.vars.state(*var) == State::Free);
+        candidate.takes.iter().map(free).zip(given).map(|(free, given)| free || given).collect()
+    }
+
+    /// As `choose`, where some of the candidates may be had with other types.
+    pub(super) fn choose_generic(
+        &mut self,
+        name: &Name,
+        candidates: &[Candidate],
+        args: &[Place],
+        result: Option<Var>,
+        force: bool,
+    ) -> bool {
+        if self.stage == Stage::Bodies && !force {
+            return false;
+        }
+        let all: Vec<(&Candidate, Vec<bool>)> = candidates.iter().map(|own| (own, self.loose(own))).collect();
+        let fitting: Vec<_> = all.iter().filter(|(candidate, _)| self.fits(candidate, args)).collect();
+        if args.iter().any(|&(var, _)| self.is_free(var)) && !fitting.is_empty() {
+            if force {
+                // The likeliest is one that is there already, and gives what is needed.
+                let likely = fitting.iter().find(|(candidate, _)| self.may_give(candidate, result));
+                self.choose_this(name, likely.unwrap_or(&fitting[0]).0, args, result);
+            } else {
+                self.learn(&fitting, args);
+            }
+            return force;
+        }
+        let is_exact = |this: &mut Self, own: &Candidate| own.takes.iter().all(|takes| !this.is_loose(takes));
+        if let Some((found, _)) = fitting.iter().find(|(candidate, _)| is_exact(self, candidate)) {
+            self.choose_this(name, found, args, result);
+            return true;
+        }
+        if self.stage != Stage::Wanting && !force {
+            return false;
+        }
+        for (candidate, loose) in &all {
+            let Some(Wish { wanted, poison }) = self.wish(candidate, loose, args) else { continue };
+            if poison || self.cx.globals.program.copies.may_be(wanted.original, &wanted.types) {
+                if !poison {
+                    self.wanted.push(wanted);
+                }
+                // It is known when the copy is there.
+                if let Some(result) = result {
+                    self.vars.poison(result);
+                }
+                return true;
+            }
+        }
+        match fitting.first() {
+            Some((found, _)) => self.choose_this(name, found, args, result),
+            None => self.none_fits(name, candidates, args, result),
+        }
+        true
+    }
+
+    fn may_give(&mut self, candidate: &Candidate, result: Option<Var>) -> bool {
+        let gives = match candidate.gives {
+            Takes::Any => None,
+            Takes::Type(ty) => Some(ty),
+            Takes::Var(var) => self.vars.known(var),
+        };
+        let Some(needs) = result.and_then(|result| self.vars.known(result)) else { return true };
+        gives.is_none_or(|gives| gives == needs)
+    }
+
+    fn is_loose(&mut self, takes: &Takes) -> bool {
+        matches!(takes, Takes::Var(var) if self.is_free(*var))
+    }
+
+    /// What all candidates that fit need of an argument is known, if no other types can be had.
+    fn learn(&mut self, fitting: &[&(&Candidate, Vec<bool>)], args: &[Place]) {
+        for (index, &(var, span)) in args.iter().enumerate() {
+            if !self.is_free(var) {
+                continue;
+            }
+            let mut common = None;
+            for (candidate, loose) in fitting {
+                let ty = match candidate.takes[index] {
+                    Takes::Type(ty) => Some(ty),
+                    Takes::Var(param) if !loose[index] => self.vars.known(param),
+                    _ => None,
+                };
+                if ty.is_none() || common.is_some_and(|common| common != ty) {
+                    common = None;
+                    break;
+                }
+                common = Some(ty);
+            }
+            if let Some(Some(ty)) = common {
+                self.vars.bind(var, ty, span);
+                self.moved = true;
+            }
+        }
+    }
+
+    /// The types that a declaration would have to have.
+    fn wish(&mut self, candidate: &Candidate, loose: &[bool], args: &[Place]) -> Option<Wish> {
+        let item = match candidate.found {
+            _ if !loose.contains(&true) => return None,
+            Use::Function(index) => &self.cx.globals.functions[index as usize],
+            Use::Rule(index) => &self.cx.globals.rules[index as usize],
+            _ => return None,
+        };
+        let (instance, own) = (item.instance, item.decl.name.id());
+        let (mut types, mut poison) = (Types::new(), false);
+        for ((takes, loose), &(var, _)) in candidate.takes.iter().zip(loose).zip(args) {
+            let got = self.vars.known(var);
+            types.push(got.filter(|_| *loose));
+            poison |= *loose && got.is_none();
+            let needs = match takes {
+                Takes::Var(param) if !loose => self.vars.known(*param),
+                _ => None,
+            };
+            if let (Some(needs), Some(got)) = (needs, got)
+                && needs != got
+            {
+                return None;
+            }
+        }
+        let original = self.cx.globals.program.copies.original(own);
+        Some(Wish { wanted: Wanted { instance, original, types }, poison })
+    }
+
+    /// Where there is one only, what is wrong is the argument.
+    fn none_fits(&mut self, name: &Name, candidates: &[Candidate], args: &[Place], result: Option<Var>) {
+        let (decl, rule) = match candidates {
+            [Candidate { found: Use::Function(index), .. }] => (self.cx.globals.functions[*index as usize].decl, None),
+            [Candidate { found: Use::Rule(index), .. }] => {
+                (self.cx.globals.rules[*index as usize].decl, Some(name.span))
+            }
+            _ => {
+                self.fits_none(name, candidates, args);
+                return result.into_iter().for_each(|result| self.vars.poison(result));
+            }
+        };
+        self.cx.tables.uses.insert(name.id(), candidates[0].found);
+        for (param, &(arg, span)) in decl.params.iter().zip(args) {
+            let param_var = self.slot(param.id());
+            let (callee, name) = (decl.name.text.clone(), param.text.clone());
+            self.calls.push(Argument { arg, span, param: param_var, callee, name, rule });
+            self.join_argument(self.calls.len() - 1);
+        }
+        if let (Some(result), Takes::Var(own)) = (result, candidates[0].gives) {
+            _ = self.vars.join(result, own);
+        }
+    }
+}
