@@ -104,10 +104,15 @@ fn finish(program: &Program, (diags, outcome): (Vec<Diag>, Outcome)) -> Compiled
 
 /// Makes copies of declarations that calls use with several types, until there is one for each or enough was tried.
 fn copy(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
-    (program.copies.on, program.copies.wanting) = (true, true);
-    let mut checks = 0;
-    while checks < (MOST_CHECKED / program.tokens.len().max(1)).clamp(LEAST_ROUNDS, MOST_ROUNDS) {
-        checks += 1;
+    program.begin_copies();
+    let rounds = (MOST_CHECKED / program.tokens.len().max(1)).clamp(LEAST_ROUNDS, MOST_ROUNDS);
+    for round in 0..=rounds {
+        if round == rounds {
+            // Half of a chain of calls would be blamed in the middle.
+            program.copies.on = false;
+            program.take_back_all();
+            return;
+        }
         let (_, Outcome { wanted, unsuited, .. }) = checked(program, levels, read);
         if wanted.is_empty() && unsuited.is_empty() {
             break;

@@ -103,3 +103,18 @@ fn public_names_are_known_despite_errors() {
     let wanted = [("a", Some(Type::Float)), ("b", None), ("c", Some(Type::Text)), ("d", Some(Type::Bool)), ("e", None)];
     assert_eq!(names, wanted);
 }
+
+#[test]
+fn a_declaration_with_a_rust_value_has_one_type() {
+    // The value is computed once and is of one type, so nothing is read again.
+    let with_value = |body: Tok| {
+        let mut tokens: Vec<Tok> = lex("f(x) = x +").tokens.as_slice().to_vec();
+        tokens.push(body);
+        tokens.extend_from_slice(lex("Lot --> print(f(1)) print(f(\"a\"))").tokens.as_slice());
+        compile(&tokens.into_iter().collect::<Tokens>(), Door::Inline).diags
+    };
+    assert_eq!(with_value(Tok::Number(2.0)), []);
+    let found = with_value(Tok::Host(0));
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].message, "`x` of `f` is a float, got a string");
+}

@@ -2,6 +2,7 @@
 
 mod common;
 
+use cga_lang::code::Code;
 use cga_lang::compile::{Door, compile, compile_text};
 use cga_lang::diag::{Diags, Level};
 use cga_lang::ir_print::print;
@@ -351,4 +352,40 @@ fn long_grammars_take_time_in_proportion() {
     // Text that doubles from line to line must not be folded for ever.
     let double: String = (0..200).map(|number| format!("const t{} = t{number} + t{number}\n", number + 1)).collect();
     assert_eq!(compile_text(&format!("const t0 = \"ab\"\n{double}")).compiled.diags, []);
+}
+
+/// How many findings there are, which all say the same kind of thing.
+fn misfits(text: &str) -> usize {
+    let source = compile_text(text);
+    let found = &source.compiled.diags;
+    assert!(found.iter().all(|diag| diag.code == Code::TypeMismatch), "{:?}", found[0]);
+    assert_eq!(source.compiled.grammar.is_some(), found.is_empty());
+    found.len()
+}
+
+#[test]
+fn declarations_for_many_types_are_bounded() {
+    let chain = |length: usize| -> String {
+        let links: String = (0..length).map(|number| format!("f{number}(x) = f{}(x) + x\n", number + 1)).collect();
+        format!("{links}f{length}(x) = x\nLot --> print(f0(1)) print(f0(\"a\"))")
+    };
+    assert_eq!(misfits(&chain(60)), 0);
+    // It is the call that is blamed, not something on the way.
+    let long = chain(1000);
+    let source = compile_text(&long);
+    assert_eq!(source.compiled.diags.len(), 1);
+    assert!(long[source.ranges[source.compiled.diags[0].span.first as usize].start..].starts_with("\"a\""));
+    // 216 tuples of types, of which 16 are made.
+    let values = ["1", "true", "\"a\"", "[1]", "[true]", "[\"a\"]"];
+    let calls: String =
+        (0..216).map(|n| format!("print(p({}, {}, {}))\n", values[n % 6], values[n / 6 % 6], values[n / 36])).collect();
+    assert_eq!(misfits(&format!("p(a, b, c) = str(a) + str(b) + str(c)\nLot --> {calls}")), 200);
+    // 1,000 copies in all.
+    let two: String = (0..1100)
+        .map(|number| format!("id{number}(x) = x\nLot{number} --> print(id{number}(1)) print(id{number}(\"a\"))\n"))
+        .collect();
+    assert_eq!(misfits(&two), 100);
+    // Whatever is called again is there already.
+    let calls = "print(f(1)) print(f(\"a\")) print(f(f(true)))\n".repeat(3000);
+    assert_eq!(misfits(&format!("f(x) = x\nLot --> {calls}")), 0);
 }

@@ -167,3 +167,37 @@ fn functions_and_rules_of_an_import_have_types_of_each_call() {
     }
     assert_eq!(lines(&model(&Imports::default())), ["a", "true", "r 3", "2 5", "(1)[1] 5", "anew 7", "1 8"]);
 }
+
+#[test]
+fn generic_and_other_overloads_share_a_name() {
+    cga! {
+        grammar Mixed = r#"
+            attr a = what(1)
+            const b = what("t") + what(true)
+            what(x) = "any " + str(x)
+            what(x) = "text" + len(x)
+            both(x, y) = case x == y : what(x) else : what(y)
+            first(l) = l[0]
+            wrap(x) = [x, x]
+            Lot --> print(a) print(b) print(both("a", "b")) print(both(1, 2)) print(first(wrap("w"))) print(first(wrap(3)) - 1)
+        "#;
+    }
+    let rules = Mixed::default();
+    assert_eq!(lines(&model(&rules)), ["any 1", "text1any true", "text1", "any 2", "w", "2"]);
+}
+
+#[test]
+fn a_rust_value_beside_generic_functions_is_computed_once() {
+    let count = std::cell::Cell::new(0);
+    let next = || {
+        count.set(count.get() + 1);
+        count.get()
+    };
+    let rules = cga! {
+        f(x) = x + #(next())
+        g(x) = x
+        Lot --> print(f(g(10))) print(g("a")) print(f(20)) X.
+    };
+    assert_eq!(lines(&model(&rules)), ["11", "a", "21"]);
+    assert_eq!(count.get(), 1);
+}

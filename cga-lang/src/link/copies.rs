@@ -9,6 +9,7 @@ use crate::ast::Decl;
 use crate::hash::FastMap;
 use crate::ir::Type;
 use crate::span::Span;
+use crate::token::Tok;
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
@@ -37,6 +38,9 @@ pub(crate) struct Copies {
     pub(crate) wanting: bool,
     /// Whether parameters may be of several types at all.
     pub(crate) on: bool,
+    /// Tokens of what has one meaning in one place, in order: Rust values, which are computed once, and imports that dynamic
+    /// calls replace rules of.
+    single: Vec<u32>,
     /// In the order of their tokens.
     list: Vec<Copied>,
     /// Types of parameters, by their token.
@@ -59,6 +63,12 @@ impl Copies {
     /// The type that a parameter has in a copy, or in an original of which there are copies.
     pub(crate) fn given(&self, param: u32) -> Option<Type> {
         self.types.get(&param).copied().filter(|_| self.on)
+    }
+
+    /// Whether a declaration may be read again.
+    pub(crate) fn may_copy(&self, decl: &Decl) -> bool {
+        let at = self.single.partition_point(|token| *token < decl.span.first);
+        self.single.get(at).is_none_or(|token| decl.span.last < *token)
     }
 
     fn copy(&self, token: u32) -> Option<usize> {
@@ -100,6 +110,15 @@ impl Copies {
 }
 
 impl Program {
+    /// Lets calls want copies.
+    pub(crate) fn begin_copies(&mut self) {
+        (self.copies.on, self.copies.wanting) = (true, true);
+        let hosts = (0..).zip(self.tokens.as_slice()).filter(|(_, token)| matches!(token, Tok::Host(_)));
+        let dynamic = self.instances.iter().flat_map(|instance| instance.dynamic.keys().copied());
+        self.copies.single = hosts.map(|(at, _)| at).chain(dynamic).collect();
+        self.copies.single.sort_unstable();
+    }
+
     /// Says the types of an original, or reads it again with others.
     pub(crate) fn copy(&mut self, wanted: Wanted) {
         let Wanted { instance: id, original, types } = wanted;
@@ -134,6 +153,12 @@ impl Program {
         });
         self.pieces.push(Piece { file, tokens, from });
         self.instances[id].ast.decls.push(copy);
+    }
+
+    /// Takes every copy back.
+    pub(crate) fn take_back_all(&mut self) {
+        let all: Vec<Span> = self.copies.list.iter().map(|copy| Span::one(copy.tokens.start)).collect();
+        self.take_back(&all);
     }
 
     /// Takes the copies back that have these places: their types do not suit them.

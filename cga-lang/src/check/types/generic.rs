@@ -36,10 +36,9 @@ impl Infer<'_, '_, '_> {
             Use::Rule(index) => &self.cx.globals.rules[index as usize],
             _ => return false,
         };
-        let span = item.decl.span;
-        // An import can have one form of an extension; and what a dynamic call starts anew belongs to the one call.
-        let anew = || program.instances[item.home].dynamic.keys().any(|token| (span.first..=span.last).contains(token));
-        !item.decl.params.is_empty() && item.home == item.instance && item.decl.role != Role::Extension && !anew()
+        // An import can have one form of an extension.
+        let is_plain = item.home == item.instance && item.decl.role != Role::Extension;
+        is_plain && !item.decl.params.is_empty() && program.copies.may_copy(item.decl)
     }
 
     pub(super) fn has_generic(&self, candidates: &[Candidate]) -> bool {
