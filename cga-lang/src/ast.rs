@@ -436,34 +436,3 @@ impl Binary {
         }
     }
 }
-
-impl Expr {
-    /// The expressions it is made of, in the order of evaluation.
-    pub fn parts(&self) -> Vec<&Expr> {
-        match &self.kind {
-            ExprKind::Number(_)
-            | ExprKind::Bool(_)
-            | ExprKind::Text(_)
-            | ExprKind::Name(_)
-            | ExprKind::Host(_)
-            | ExprKind::Error => Vec::new(),
-            ExprKind::Call(_, args) | ExprKind::Path(_, args) => args.iter().collect(),
-            ExprKind::Unary(_, a) | ExprKind::EachUnary(_, a) => vec![a],
-            ExprKind::Binary(_, _, a, b) | ExprKind::Each(_, _, a, b) => vec![a, b],
-            ExprKind::Case(arms, otherwise) => {
-                let arms = arms.iter().flat_map(|(condition, value)| [condition, value]);
-                arms.chain([&**otherwise]).collect()
-            }
-            ExprKind::Chance(arms, otherwise) => arms.iter().map(|(_, value)| value).chain([&**otherwise]).collect(),
-            ExprKind::Array(rows) => rows.iter().flatten().collect(),
-            ExprKind::Range(base, step, limit) => {
-                [Some(base), step.as_ref(), Some(limit)].into_iter().flatten().map(|part| &**part).collect()
-            }
-            ExprKind::Index(array, indices) => [&**array].into_iter().chain(indices).collect(),
-            ExprKind::Comp(comp) => {
-                let arms = comp.arms.iter().flat_map(|(selector, _, value)| [selector, value]);
-                comp.args.iter().chain(arms).collect()
-            }
-        }
-    }
-}

@@ -25,6 +25,7 @@
 
 pub mod ast;
 mod ast_moved;
+pub mod ast_walk;
 pub mod check;
 pub mod code;
 pub mod compile;

@@ -309,16 +309,14 @@ fn is_operation(value: &Expr) -> bool {
 }
 
 fn any_step(steps: &[Op]) -> bool {
-    steps.iter().any(|step| is_step(&step.kind))
+    steps.iter().any(is_step)
 }
 
 /// Whether it can be nothing but a step of a rule.
-fn is_step(step: &OpKind) -> bool {
-    match step {
+fn is_step(step: &Op) -> bool {
+    match &step.kind {
         OpKind::Call(name, _) => ops::operations(&name.text).next().is_some(),
-        OpKind::Push(steps) => any_step(steps),
-        OpKind::Case(arms, otherwise) => arms.iter().any(|(_, steps)| any_step(steps)) || any_step(otherwise),
-        OpKind::Chance(arms, otherwise) => arms.iter().any(|(_, steps)| any_step(steps)) || any_step(otherwise),
+        OpKind::Push(_) | OpKind::Case(..) | OpKind::Chance(..) => step.bodies().into_iter().any(any_step),
         OpKind::Path(..) | OpKind::Error => false,
         _ => true,
     }
