@@ -42,8 +42,7 @@ pub mod sink {
 
 /// The split solver on its own: sizes and an extent → pieces.
 pub mod split {
-    pub use cga_runtime::split::solve::{Solution, solve};
-    pub use cga_runtime::split::{Item, Piece, Prefix, Size};
+    pub use cga_runtime::split::{Item, Piece, Prefix, Size, Solution, solve};
 }
 
 /// What generated code uses. No promise is made about it.

@@ -222,10 +222,10 @@ pub enum Prefix {
     Floating,
 }
 
-/// `split(args) { … }`, with or without `*`.
+/// `split(args) { … }` or `splitArea(args) { … }`, with or without `*`.
 #[derive(Clone, Debug)]
 pub struct Split {
-    /// The word `split`.
+    /// Which of the two.
     pub name: Name,
     /// Axis and so on.
     pub args: Vec<Arg>,
@@ -233,6 +233,13 @@ pub struct Split {
     pub items: Vec<SplitItem>,
     /// Whether a `*` follows.
     pub repeat: bool,
+}
+
+impl Split {
+    /// Whether its sizes are areas.
+    pub fn is_by_area(&self) -> bool {
+        self.name.text == "splitArea"
+    }
 }
 
 /// What stands between two `|` of a split.

@@ -9,6 +9,8 @@ mod expr;
 use crate::ops::{Operation, ShapeAttr};
 use crate::span::Span;
 
+pub use cga_split::{Item, Piece, Prefix};
+
 pub use attr::{Attr, ChoiceValues, Choices, Presentation, Range};
 pub use expr::{Binary, EachUnary, Expr, ExprKind};
 
@@ -321,6 +323,8 @@ pub enum Target {
 pub struct Split {
     /// Across which scope axis.
     pub axis: Axis,
+    /// What its sizes measure.
+    pub measure: Measure,
     /// Whether parts shrink to their geometry.
     pub adjust: bool,
     /// One a written slot, evaluated once, in order, on the whole shape.
@@ -329,8 +333,28 @@ pub struct Split {
     pub pattern: Vec<Item>,
     /// One a written slot.
     pub slots: Vec<Target>,
+    /// The solution, where the extent and the sizes are known.
+    pub solved: Option<Solved>,
     /// The operation's name.
     pub span: Span,
+}
+
+/// What the sizes of a split measure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// `split`: lengths along the axis.
+    Length,
+    /// `splitArea`: areas of the geometry.
+    Area,
+}
+
+/// A split that was solved while compiling.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// The extent along the axis, never negative.
+    pub extent: f64,
+    /// All pieces, from the low end to the high end.
+    pub pieces: Vec<Piece>,
 }
 
 /// A scope axis.
@@ -351,26 +375,6 @@ pub struct Size {
     pub prefix: Prefix,
     /// The number.
     pub value: Expr,
-}
-
-/// How a size is to be read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Prefix {
-    /// In metres.
-    Absolute,
-    /// `'`: as a share of the scope.
-    Relative,
-    /// `~`: as a weight in what is left.
-    Floating,
-}
-
-/// A node of a split's pattern.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Item {
-    /// Slot by index.
-    Slot(u32),
-    /// `{ … }*`.
-    Repeat(Vec<Item>),
 }
 
 /// `comp(f) { … }`.

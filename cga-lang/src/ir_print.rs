@@ -2,8 +2,8 @@
 
 use crate::ir::{
     Anew, Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Comp, CompMode, Const, EachUnary, Expr, ExprKind,
-    Function, Global, Grammar, Item, Param, Prefix, Presentation, Renewal, Rule, Selector, Size, Split, Start, Step,
-    Target, Value,
+    Function, Global, Grammar, Item, Measure, Param, Prefix, Presentation, Renewal, Rule, Selector, Size, Split, Start,
+    Step, Target, Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
@@ -293,8 +293,18 @@ impl<'g> Printer<'g> {
             Axis::Z => "z",
         };
         let adjust = if split.adjust { "" } else { " noAdjust" };
-        self.line(&format!("split {axis}{adjust} {}", pattern(&split.pattern)));
+        let name = match split.measure {
+            Measure::Length => "split",
+            Measure::Area => "splitArea",
+        };
+        self.line(&format!("{name} {axis}{adjust} {}", pattern(&split.pattern)));
         self.depth += 1;
+        if let Some(solved) = &split.solved {
+            let pieces = solved.pieces.iter().map(|piece| format!("{}: {}..{}", piece.slot, piece.start, piece.end));
+            let pieces = pieces.collect::<Vec<_>>().join(", ");
+            let text = format!("in {}: {}", solved.extent, if pieces.is_empty() { "nothing" } else { &pieces });
+            self.line(&text);
+        }
         for (index, (own, target)) in split.sizes.iter().zip(&split.slots).enumerate() {
             let text = format!("{index}: {} -> {}", self.size(own), self.target(target));
             self.line(&text);
@@ -425,15 +435,29 @@ fn params(params: &[Param]) -> String {
     format!("({})", list.join(", "))
 }
 
+/// Slots by number: `{0 {1 2}*}`.
 fn pattern(items: &[Item]) -> String {
-    let list: Vec<String> = items
-        .iter()
-        .map(|item| match item {
-            Item::Slot(index) => index.to_string(),
-            Item::Repeat(items) => format!("{}*", pattern(items)),
-        })
-        .collect();
-    format!("{{{}}}", list.join(" "))
+    let (mut text, mut ends, mut slot) = (String::from("{"), Vec::new(), 0);
+    for (at, item) in items.iter().enumerate() {
+        while ends.pop_if(|end| *end <= at).is_some() {
+            text.push_str("}*");
+        }
+        if !text.ends_with('{') {
+            text.push(' ');
+        }
+        match item {
+            Item::Slot => {
+                let _ = write!(text, "{slot}");
+                slot += 1;
+            }
+            Item::Repeat(len) => {
+                text.push('{');
+                ends.push(at + 1 + *len as usize);
+            }
+        }
+    }
+    ends.iter().for_each(|_| text.push_str("}*"));
+    text + "}"
 }
 
 fn sign(op: Binary) -> &'static str {

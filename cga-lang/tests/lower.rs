@@ -41,7 +41,7 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
             Step::Give(target) | Step::Anew(Anew { target, .. }) => visit(target),
             Step::Split(split) => {
                 assert_eq!(split.sizes.len(), split.slots.len());
-                assert_eq!(slots(&split.pattern), (0..split.slots.len() as u32).collect::<Vec<_>>());
+                assert_eq!(slots(&split.pattern), split.slots.len());
                 split.slots.iter().for_each(&mut *visit);
             }
             Step::Comp(comp) => comp.arms.iter().for_each(|arm| visit(&arm.target)),
@@ -60,12 +60,18 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
     }
 }
 
-fn slots(pattern: &[Item]) -> Vec<u32> {
-    let one = |item: &Item| match item {
-        Item::Slot(index) => vec![*index],
-        Item::Repeat(items) => slots(items),
-    };
-    pattern.iter().flat_map(one).collect()
+/// How many slots a pattern has. Groups end in it, and inner ones end in outer ones.
+fn slots(pattern: &[Item]) -> usize {
+    let mut ends = vec![pattern.len()];
+    for (at, item) in pattern.iter().enumerate() {
+        ends.retain(|end| at < *end);
+        if let Item::Repeat(len) = item {
+            let end = at + 1 + *len as usize;
+            assert!(ends.iter().all(|outer| end <= *outer));
+            ends.push(end);
+        }
+    }
+    pattern.iter().filter(|item| matches!(item, Item::Slot)).count()
 }
 
 /// Tokens of a text in which names that begin with `HOST` stand for Rust values.

@@ -131,18 +131,18 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
         Flow::Continue(())
     }
 
-    /// Hands a leaf to the sink. A shape without geometry leaves nothing.
+    /// Hands a leaf to the sink. A shape without faces leaves nothing.
     #[inline]
     pub fn leaf(&mut self, shape: &ShapeRef<'_>, rule: &'static str) -> Flow {
         if self.env.ended() {
             return Flow::Break(());
         }
-        self.env.leaves += u64::from(!matches!(shape.geometry, Geometry::Empty));
+        self.env.leaves += u64::from(shape.geometry.has_surface());
         let leaf = Leaf { rule, material: shape.state.material(), scope: &shape.scope };
         match &shape.geometry {
             Geometry::Rect(axis) => self.sink.quad(&leaf, &place::rect(&shape.scope, *axis)),
             Geometry::Box => self.sink.cuboid(&leaf, &place::cuboid(&shape.scope)),
-            Geometry::Empty => Flow::Continue(()),
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge => Flow::Continue(()),
             Geometry::Mesh(placed) => {
                 let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);
                 if placed.whole {

@@ -53,14 +53,25 @@ impl Counter {
 /// What fills a scope.
 #[derive(Clone, Debug)]
 pub(crate) enum Geometry {
-    /// Nothing: points, empty slots.
+    /// Nothing: empty slots, what could not be made.
     Empty,
+    /// A point, at the scope's origin.
+    Vertex,
+    /// A line from the scope's origin to the end of its x axis.
+    Edge,
     /// A rectangle in the scope's low plane across an axis, looking along that axis.
     Rect(Axis),
     /// The scope itself, closed.
     Box,
     /// Any mesh.
     Mesh(Arc<Placed>),
+}
+
+impl Geometry {
+    /// Whether there are faces, or may be.
+    pub(crate) fn has_surface(&self) -> bool {
+        matches!(self, Geometry::Rect(_) | Geometry::Box | Geometry::Mesh(_))
+    }
 }
 
 /// A mesh and the box in its own coordinates that the scope stretches it from.
@@ -106,6 +117,31 @@ impl Shape {
     /// A box of that size, its corner at the origin.
     pub fn cuboid(width: f64, height: f64, depth: f64) -> Self {
         Shape::with(Scope::new(DVec3::new(width, height, depth)), Geometry::Box)
+    }
+
+    /// A straight line in the world, in metres: its scope's x axis runs along it, the y axis is as upright as that lets it
+    /// be, and the scope has no height and no depth. Rules see an edge shape.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when it has no length or a number is not finite.
+    pub fn line(from: impl Into<[f64; 3]>, to: impl Into<[f64; 3]>) -> Result<Self, Error> {
+        let (from, to) = (DVec3::from_array(from.into()), DVec3::from_array(to.into()));
+        let x = crate::mesh::unit(to - from);
+        if !(from.is_finite() && to.is_finite()) || x == DVec3::ZERO {
+            return Err(Error::Shape("a line needs two ends that are finite numbers and not the same".into()));
+        }
+        // An upright line has no side that faces up; its y axis points away from the viewer in front.
+        let up = if x.x == 0.0 && x.z == 0.0 { DVec3::NEG_Z } else { DVec3::Y };
+        let z = crate::mesh::unit(x.cross(up));
+        let axes = DMat3::from_cols(x, z.cross(x), z);
+        let scope = Scope { origin: from, axes, size: DVec3::new((to - from).length(), 0.0, 0.0) };
+        Ok(Shape::with(scope, Geometry::Edge))
+    }
+
+    /// A point in the world, in metres: its scope has no size. Rules see a vertex shape.
+    pub fn point(at: impl Into<[f64; 3]>) -> Self {
+        let scope = Scope { origin: DVec3::from_array(at.into()), ..Scope::new(DVec3::ZERO) };
+        Shape::with(scope, Geometry::Vertex)
     }
 
     /// A footprint on the ground: corners as (x, z) in metres, the first edge being the front, with holes. Outlines may
@@ -251,7 +287,7 @@ impl<'a> ShapeRef<'a> {
     /// The geometry as a mesh in scope coordinates: metres from the scope's origin corner, along its axes.
     pub fn to_mesh(&self) -> Arc<Mesh> {
         match &self.geometry {
-            Geometry::Empty => Arc::default(),
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge => Arc::default(),
             Geometry::Rect(axis) => {
                 let local = Scope::new(self.scope.size);
                 Arc::new(Mesh::from_quad(&crate::place::rect(&local, *axis)))
@@ -277,7 +313,7 @@ impl<'a> ShapeRef<'a> {
         let grows = |axis: usize| match &self.geometry {
             Geometry::Rect(normal) => normal.index() != axis,
             Geometry::Box => true,
-            Geometry::Empty | Geometry::Mesh(_) => false,
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Mesh(_) => false,
         };
         if (0..3).any(|axis| size[axis] == 0.0 && self.scope.size[axis] != 0.0 && grows(axis)) {
             // What fills its scope would come back with it; a mesh does not.

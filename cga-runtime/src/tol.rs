@@ -17,3 +17,9 @@ pub(crate) const TOUCH_EPSILON: f64 = 1e-7;
 
 /// Edges whose directions have a sine below this between them go straight on.
 pub(crate) const STRAIGHT_EPSILON: f64 = 1e-7;
+
+/// Areas that differ by less than this, relative to all of the geometry's area, are the same.
+pub(crate) const AREA_EPSILON: f64 = 1e-12;
+
+/// A face whose normal leaves an axis by a sine below this lies across it.
+pub(crate) const ACROSS_EPSILON: f64 = 1e-6;

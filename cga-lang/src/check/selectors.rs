@@ -50,11 +50,14 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let Some(axis) = split.args.first() else {
-            let message = "a split needs an axis: `split(x)`, `split(y)` or `split(z)`";
+            let name = &split.name.text;
+            let message = format!("a split needs an axis: `{name}(x)`, `{name}(y)` or `{name}(z)`");
             self.cx.diags.report(Code::UnknownAxis, split.name.span, message);
             return;
         };
-        if let Some("u" | "v") = words::word(axis) {
+        if let Some("u" | "v") = words::word(axis)
+            && !split.is_by_area()
+        {
             self.not_implemented(axis.span, "a split in texture space", None);
             if let Some(space) = split.args.get(1) {
                 self.word("split", ["uvSpace", "unitSpace"].into_iter(), space);
@@ -73,7 +76,7 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.help("write `x`, `y` or `z`");
         }
         if let Some(adjust) = split.args.get(1) {
-            self.word("split", ["adjust", "noAdjust"].into_iter(), adjust);
+            self.word(&split.name.text, ["adjust", "noAdjust"].into_iter(), adjust);
         }
         if 2 < split.args.len() {
             wrong_count(self.cx, "operation", &split.name, vec![1, 2], split.args.len());

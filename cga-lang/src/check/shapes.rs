@@ -191,7 +191,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         let inline = self.door() == Door::Inline;
         let (message, near) = if others.is_empty() {
-            let others = ops::all_operations().map(|row| row.name).chain(["split", "comp", "set", "NIL"]);
+            let others = ops::all_operations().map(|row| row.name).chain(["split", "splitArea", "comp", "set", "NIL"]);
             (format!("there is no rule `{text}`"), globals.meant(at, text, Kind::Rules, others))
         } else {
             (format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied())), None)

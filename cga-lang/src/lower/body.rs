@@ -5,8 +5,8 @@ use crate::ast::{self, OpKind, SplitItem};
 use crate::check::{Use, split_adjust, split_axis};
 use crate::fold::fold;
 use crate::ir::{
-    Arg, AttrId, Axis, Childless, Comp, CompArm, CompKind, CompMode, Expr, ExprKind, Item, Param, Prefix, Rule, RuleId,
-    Selector, Size, Split, Step, Target, Type, Value,
+    Arg, AttrId, Axis, Childless, Comp, CompArm, CompKind, CompMode, Expr, ExprKind, Item, Measure, Param, Prefix,
+    Rule, RuleId, Selector, Size, Split, Step, Target, Type, Value,
 };
 use crate::ops::{self, ParamKind, Run};
 use crate::span::Span;
@@ -116,33 +116,38 @@ impl<'c> Lower<'c> {
     fn split(&mut self, split: &'c ast::Split) -> Split {
         let mut out = Split {
             axis: split_axis(split).unwrap_or(Axis::X),
+            measure: if split.is_by_area() { Measure::Area } else { Measure::Length },
             adjust: split_adjust(split),
             sizes: Vec::new(),
             pattern: Vec::new(),
             slots: Vec::new(),
+            solved: None,
             span: split.name.span,
         };
-        let pattern = self.items(&split.items, &mut out);
-        out.pattern = if split.repeat { vec![Item::Repeat(pattern)] } else { pattern };
+        self.group(&split.items, split.repeat, &mut out);
         out
     }
 
-    fn items(&mut self, items: &'c [SplitItem], out: &mut Split) -> Vec<Item> {
-        let mut pattern = Vec::with_capacity(items.len());
+    fn group(&mut self, items: &'c [SplitItem], repeat: bool, out: &mut Split) {
+        let start = out.pattern.len();
+        if repeat {
+            out.pattern.push(Item::Repeat(0));
+        }
         for item in items {
             match item {
                 SplitItem::Slot(size, ops) => {
-                    pattern.push(Item::Slot(out.slots.len() as u32));
+                    out.pattern.push(Item::Slot);
                     let size = self.size(size);
                     out.sizes.push(size);
                     let target = self.block(ops, block_span(ops, out.span));
                     out.slots.push(target);
                 }
-                SplitItem::Group(items, true) => pattern.push(Item::Repeat(self.items(items, out))),
-                SplitItem::Group(items, false) => pattern.append(&mut self.items(items, out)),
+                SplitItem::Group(items, repeat) => self.group(items, *repeat, out),
             }
         }
-        pattern
+        if repeat {
+            out.pattern[start] = Item::Repeat((out.pattern.len() - start - 1) as u32);
+        }
     }
 
     fn comp(&mut self, comp: &'c ast::Comp) -> Comp {

@@ -3,6 +3,7 @@
 mod body;
 mod childless;
 mod expr;
+mod extent;
 mod globals;
 mod import;
 mod share;
@@ -42,6 +43,7 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
     lower.globals();
     lower.rules();
     share::share(&mut lower.out);
+    extent::solve_known(&mut lower.out);
     lower.cycles();
     lower.out
 }

@@ -44,12 +44,29 @@ pub struct Operation {
     pub params: &'static [Param],
     /// What stands in braces behind it.
     pub block: Block,
+    /// What it does to the scope's size.
+    pub scope: Effect,
     /// Whether it looks at the state at the start of the rule, bracket or part (`center`).
     pub uses_base: bool,
     /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
     pub old: Option<&'static str>,
     /// What it does, in a line.
     pub about: &'static str,
+}
+
+/// What an operation does to the size of the scope, as far as it is known while compiling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// Anything.
+    Any,
+    /// Nothing; the geometry stays in its place in the scope too.
+    Keeps,
+    /// Sets it: `s`.
+    Sizes,
+    /// Puts a box into a scope that has a size along all axes, and leaves that as it is.
+    FillsWithBox,
+    /// The same with something else.
+    Fills,
 }
 
 /// What stands in braces behind an operation.

@@ -16,6 +16,7 @@ const fn row(name: &'static str, about: &'static str) -> Syntax {
 /// Everything in a rule's body that is neither an operation of the table nor a successor.
 pub static SYNTAX: &[Syntax] = &[
     row("split", "divides the shape along an axis or in texture space"),
+    row("splitArea", "divides the shape along an axis into parts of given areas"),
     row("comp", "divides the shape into faces, edges, vertices or other components"),
     row("set", "sets an attribute of the shape"),
     row("NIL", "removes the shape"),

@@ -4,7 +4,7 @@
 //! so that the rest of the rule can be read; whoever checks names says that there is no such operation.
 
 use super::{Parsed, Parser, Reported};
-use crate::ast::{Arg, Block, BlockPart, Name, Op, OpKind, Section};
+use crate::ast::{Arg, Block, BlockPart, Name, Op, OpKind, Section, Split};
 use crate::ops::{self, Block as Braces};
 use crate::token::{Sym, Tok};
 
@@ -25,6 +25,10 @@ impl Parser<'_> {
         let part = match braces {
             Braces::Slots => {
                 let (items, repeat) = self.items()?;
+                if name.text == "splitArea" {
+                    // A file has a rule of that name too.
+                    return Ok(OpKind::Split(Split { name, args, items, repeat }));
+                }
                 BlockPart::Slots(items, repeat)
             }
             Braces::Sections => return self.perimeter(name, args),

@@ -75,6 +75,7 @@ impl Parser<'_> {
         match name.text.as_str() {
             "NIL" => return Ok(OpKind::Nil),
             "split" => return self.split(name),
+            "splitArea" if !self.layout.has_rule(&name.text) => return self.split(name),
             "comp" => return self.comp(name),
             "else" | "case" => {
                 self.at -= 1;

@@ -1,4 +1,4 @@
-//! `split(axis) { size : operations | … }*`.
+//! `split(axis) { size : operations | … }*`, and `splitArea` alike.
 
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Name, OpKind, Split, SplitItem};
@@ -6,15 +6,15 @@ use crate::code::Code;
 use crate::token::{Sym, Tok};
 
 impl Parser<'_> {
-    /// Behind the word `split`.
+    /// Behind the name of the operation.
     pub(super) fn split(&mut self, name: Name) -> Parsed<OpKind> {
         if !self.is(Sym::LParen) {
-            self.expected("`(`").help("write `split(x) { … }`");
+            self.expected("`(`").help(format!("write `{}(x) {{ … }}`", name.text));
             return Err(Reported);
         }
         let args = self.args()?;
         if !self.is(Sym::LBrace) {
-            self.expected("`{`").help("write `split(x) { size : operations | … }`");
+            self.expected("`{`").help(format!("write `{}(x) {{ size : operations | … }}`", name.text));
             return Err(Reported);
         }
         let (items, repeat) = self.items()?;

@@ -92,7 +92,7 @@ impl Printer {
     }
 
     fn split(&mut self, split: &Split) {
-        self.word("split");
+        self.word(&split.name.text);
         self.args(&split.args);
         self.word(" ");
         self.items(&split.items, split.repeat);

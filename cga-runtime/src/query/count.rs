@@ -10,6 +10,8 @@ use crate::text::Text;
 pub fn geometry_n_vertices(shape: &ShapeRef<'_>) -> f64 {
     match &shape.geometry {
         Geometry::Empty => 0.0,
+        Geometry::Vertex => 1.0,
+        Geometry::Edge => 2.0,
         Geometry::Rect(_) => 4.0,
         Geometry::Box => 8.0,
         Geometry::Mesh(placed) => placed.mesh.points().len() as f64,
@@ -19,7 +21,7 @@ pub fn geometry_n_vertices(shape: &ShapeRef<'_>) -> f64 {
 /// `geometry.nFaces()` (*geometry.nFaces function*).
 pub fn geometry_n_faces(shape: &ShapeRef<'_>) -> f64 {
     match &shape.geometry {
-        Geometry::Empty => 0.0,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge => 0.0,
         Geometry::Rect(_) => 1.0,
         Geometry::Box => 6.0,
         Geometry::Mesh(placed) => placed.mesh.face_count() as f64,
@@ -29,7 +31,8 @@ pub fn geometry_n_faces(shape: &ShapeRef<'_>) -> f64 {
 /// `geometry.nEdges()` (*geometry.nEdges function*): those that faces share count once.
 pub fn geometry_n_edges(shape: &ShapeRef<'_>) -> f64 {
     match &shape.geometry {
-        Geometry::Empty => 0.0,
+        Geometry::Empty | Geometry::Vertex => 0.0,
+        Geometry::Edge => 1.0,
         Geometry::Rect(_) => 4.0,
         Geometry::Box => 12.0,
         Geometry::Mesh(placed) => {
@@ -66,7 +69,7 @@ fn names(
     name: fn(&crate::mesh::Mesh, usize) -> Option<Text>,
 ) -> Array<Text> {
     match &shape.geometry {
-        Geometry::Empty => Array::default(),
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge => Array::default(),
         Geometry::Rect(_) | Geometry::Box => Array::from([Text::default()]),
         Geometry::Mesh(placed) => {
             let mut used: Vec<u32> = placed.mesh.tags.runs().iter().map(|(_, tag)| id(tag)).collect();

@@ -103,7 +103,7 @@ pub(super) fn selected(env: &Env, shape: &ShapeRef<'_>, selector: FaceSelector, 
 pub(super) fn area_vectors(shape: &ShapeRef<'_>, mut each: impl FnMut(DVec3)) {
     let local = crate::scope::Scope::new(shape.scope.size);
     match &shape.geometry {
-        Geometry::Empty => {}
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge => {}
         Geometry::Rect(axis) => {
             let quad = place::rect(&local, *axis);
             each(quad.u.cross(quad.v));

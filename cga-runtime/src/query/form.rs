@@ -27,7 +27,7 @@ pub fn geometry_is_rectangular(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f
     let tolerance = env.finite(tolerance, "the tolerance");
     let long = |axis: usize| shape.scope.size[axis] != 0.0;
     match &shape.geometry {
-        Geometry::Empty => false,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge => false,
         Geometry::Rect(axis) => 0.0 <= tolerance && (0..3).all(|other| other == axis.index() || long(other)),
         Geometry::Box => 0.0 <= tolerance && (0..3).all(long),
         Geometry::Mesh(placed) => {
@@ -48,7 +48,7 @@ pub fn geometry_is_rectangular(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f
 pub fn geometry_is_planar(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f64) -> bool {
     let tolerance = env.finite(tolerance, "the tolerance");
     match &shape.geometry {
-        Geometry::Empty => false,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge => false,
         Geometry::Rect(_) | Geometry::Box => 0.0 <= tolerance,
         Geometry::Mesh(placed) => 0.0 <= tolerance && is_planar(placed, shape.scope.size, tolerance),
     }
@@ -79,7 +79,7 @@ pub fn geometry_is_oriented(env: &Env, shape: &ShapeRef<'_>, selector: FaceSelec
 /// `geometry.isClosedSurface()`: whether there are faces, and two of them at every edge (*geometry.isClosedSurface function*).
 pub fn geometry_is_closed_surface(shape: &ShapeRef<'_>) -> bool {
     match &shape.geometry {
-        Geometry::Empty | Geometry::Rect(_) => false,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Rect(_) => false,
         Geometry::Box => true,
         Geometry::Mesh(placed) => {
             let mut closed = !placed.mesh.is_empty();

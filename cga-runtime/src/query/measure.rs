@@ -34,7 +34,7 @@ pub fn geometry_area(env: &Env, shape: &ShapeRef<'_>, selector: FaceSelector) ->
 pub fn geometry_volume(shape: &ShapeRef<'_>) -> f64 {
     let size = shape.scope.size;
     match &shape.geometry {
-        Geometry::Empty | Geometry::Rect(_) => 0.0,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Rect(_) => 0.0,
         _ if size.x == 0.0 || size.y == 0.0 || size.z == 0.0 => 0.0,
         Geometry::Box => (size.x * size.y * size.z).abs(),
         Geometry::Mesh(placed) => {
@@ -49,7 +49,8 @@ pub fn geometry_height(shape: &ShapeRef<'_>) -> f64 {
     let (size, axes) = (shape.scope.size, shape.scope.axes);
     let rise = DVec3::new(axes.x_axis.y, axes.y_axis.y, axes.z_axis.y);
     match &shape.geometry {
-        Geometry::Empty => 0.0,
+        Geometry::Empty | Geometry::Vertex => 0.0,
+        Geometry::Edge => (rise.x * size.x).abs(),
         Geometry::Rect(axis) => {
             let mut rises = (rise * size).abs();
             rises[axis.index()] = 0.0;
@@ -70,7 +71,8 @@ pub fn geometry_height(shape: &ShapeRef<'_>) -> f64 {
 pub fn geometry_boundary_length(shape: &ShapeRef<'_>) -> f64 {
     let size = shape.scope.size;
     match &shape.geometry {
-        Geometry::Empty | Geometry::Box => 0.0,
+        Geometry::Empty | Geometry::Vertex | Geometry::Box => 0.0,
+        Geometry::Edge => size.x.abs(),
         Geometry::Rect(axis) => {
             let mut size = size.abs();
             size[axis.index()] = 0.0;

@@ -1,69 +1,16 @@
-//! The split operation: which slots become pieces, how long they are, and the shapes they make.
-//!
-//! [`solve`] is pure arithmetic over sizes and an extent; [`divide`] applies a solution to a shape.
+//! The split operation on a shape: which slots get room is arithmetic and found in `cga-split`; here pieces become shapes.
 
-mod counts;
+mod area;
 pub mod divide;
-mod groups;
-pub mod solve;
+mod parts;
 
-/// How a size is to be read (*split operation*).
+pub use cga_split::{Item, Piece, Prefix, Size, Solution, solve};
+
+/// Whether parts shrink to what is in them (*split operation*, adjustSelector).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Prefix {
-    /// No prefix: metres.
-    Absolute,
-    /// `'`: a share of the whole scope, inside groups too.
-    Relative,
-    /// `~`: a weight in the space that is left over.
-    Floating,
-}
-
-/// The size of a slot as the rule gives it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Size {
-    /// How to read the value.
-    pub prefix: Prefix,
-    /// The number.
-    pub value: f64,
-}
-
-impl Size {
-    /// Metres.
-    pub const fn absolute(value: f64) -> Self {
-        Size { prefix: Prefix::Absolute, value }
-    }
-
-    /// A share of the scope.
-    pub const fn relative(value: f64) -> Self {
-        Size { prefix: Prefix::Relative, value }
-    }
-
-    /// A weight.
-    pub const fn floating(value: f64) -> Self {
-        Size { prefix: Prefix::Floating, value }
-    }
-}
-
-/// A node of a split's pattern, flattened: slots count through the pattern in writing order.
-///
-/// `{ 1 | { ~2 | 3 }* | 4 }` is `[Slot, Repeat(2), Slot, Slot, Slot]`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Item {
-    /// The next written slot.
-    Slot,
-    /// `{ … }*`: the group holds this many of the following items, nested ones included.
-    Repeat(u32),
-}
-
-/// A slot that gets room, and where.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Piece {
-    /// Which written slot.
-    pub slot: u32,
-    /// Distance of its low end from the scope's low end.
-    pub start: f64,
-    /// Distance of its high end; the next piece starts there.
-    pub end: f64,
-    /// Its length: the size asked for, bit for bit, where it was neither stretched nor cut.
-    pub length: f64,
+pub enum Adjust {
+    /// `adjust`, the default: the scope is the bounding box of the part's geometry.
+    Adjust,
+    /// `noAdjust`: the scope fills its slot.
+    NoAdjust,
 }

@@ -1,7 +1,7 @@
 //! Geometry creation: extrusion, assets, primitives, envelopes.
 
-use super::super::{Default, FS, Operation, Param, ParamKind, float, length, of, or, text, word};
-use super::{later, old, op};
+use super::super::{Default, Effect, FS, Operation, Param, ParamKind, float, length, of, or, text, word};
+use super::{later, old, op, with};
 
 const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
     rust: "ExtrudeAlong",
@@ -93,7 +93,7 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     later("primitiveDisk", &[or(float("nVertices"), SIXTEEN)], "replaces the geometry by a disk that fills the scope"),
     later("primitiveDisk", &[float("nVertices"), float("radius")], "replaces the geometry by a disk of that size"),
-    op("primitiveCube", "cube", &[], "replaces the geometry by a box that fills the scope"),
+    with(Effect::FillsWithBox, op("primitiveCube", "cube", &[], "replaces the geometry by a box that fills the scope")),
     op(
         "primitiveCube",
         "cube_sized",
@@ -111,7 +111,10 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("sides"), float("divisions"), float("radius")],
         "replaces the geometry by a sphere of that size",
     ),
-    op("primitiveCylinder", "cylinder", &[], "replaces the geometry by a cylinder that fills the scope"),
+    with(
+        Effect::Fills,
+        op("primitiveCylinder", "cylinder", &[], "replaces the geometry by a cylinder that fills the scope"),
+    ),
     op(
         "primitiveCylinder",
         "cylinder_sides",

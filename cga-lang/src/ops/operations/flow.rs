@@ -1,7 +1,7 @@
 //! Colours and materials, labels, reports. `set` has a syntax of its own.
 
 use super::super::{B, Default, F, Operation, Param, ParamKind, T, TS, float, of, or, param, text, word};
-use super::op;
+use super::{keeps, op};
 
 const TARGET: Param = or(
     word("target", "MaterialTarget", &[("shape", "Shape"), ("geometry", "Geometry"), ("all", "All")]),
@@ -11,24 +11,34 @@ const TARGET: Param = or(
 const REPORT: &str = "adds a value to a collection of the run";
 
 pub(super) static ROWS: &[Operation] = &[
-    op("color", "color_hex", &[text("hexValue")], "sets the colour, as in \"#ff8000\""),
-    op("color", "color_rgb", &[float("red"), float("green"), float("blue")], "sets the colour, each from 0 to 1"),
-    op(
+    keeps(op("color", "color_hex", &[text("hexValue")], "sets the colour, as in \"#ff8000\"")),
+    keeps(op(
+        "color",
+        "color_rgb",
+        &[float("red"), float("green"), float("blue")],
+        "sets the colour, each from 0 to 1",
+    )),
+    keeps(op(
         "color",
         "color_rgba",
         &[float("red"), float("green"), float("blue"), float("opacity")],
         "sets colour and opacity, each from 0 to 1",
-    ),
-    op(
+    )),
+    keeps(op(
         "setMaterial",
         "set_material",
         &[of("material", TS)],
         "sets several attributes of the material, by names and values",
-    ),
-    op("resetMaterial", "reset_material", &[TARGET], "gives the attributes of the material their defaults again"),
-    op("label", "label", &[text("label")], "leaves a labelled copy of the shape for queries"),
-    op("report", "report", &[text("key"), of("value", F)], REPORT),
-    op("report", "report", &[text("key"), of("value", B)], REPORT),
-    op("report", "report", &[text("key"), of("value", T)], REPORT),
-    op("print", "print", &[param("value", ParamKind::Any)], "shows a value"),
+    )),
+    keeps(op(
+        "resetMaterial",
+        "reset_material",
+        &[TARGET],
+        "gives the attributes of the material their defaults again",
+    )),
+    keeps(op("label", "label", &[text("label")], "leaves a labelled copy of the shape for queries")),
+    keeps(op("report", "report", &[text("key"), of("value", F)], REPORT)),
+    keeps(op("report", "report", &[text("key"), of("value", B)], REPORT)),
+    keeps(op("report", "report", &[text("key"), of("value", T)], REPORT)),
+    keeps(op("print", "print", &[param("value", ParamKind::Any)], "shows a value")),
 ];

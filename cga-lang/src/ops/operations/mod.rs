@@ -10,7 +10,7 @@ mod subdivision;
 mod texturing;
 mod transform;
 
-use super::{Block, Operation, Param, Run};
+use super::{Block, Effect, Operation, Param, Run};
 
 /// Every operation.
 pub static OPERATIONS: &[&[Operation]] = &[
@@ -31,7 +31,26 @@ const fn op(name: &'static str, call: &'static str, params: &'static [Param], ab
 
 /// A row that does not run yet.
 const fn later(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
-    Operation { name, run: Run::Later, params, block: Block::None, uses_base: false, old: None, about }
+    Operation {
+        name,
+        run: Run::Later,
+        params,
+        block: Block::None,
+        scope: Effect::Any,
+        uses_base: false,
+        old: None,
+        about,
+    }
+}
+
+/// The same row, of an operation with that effect.
+const fn with(scope: Effect, row: Operation) -> Operation {
+    Operation { scope, ..row }
+}
+
+/// The same row, of an operation that leaves the scope's size and what is in it alone.
+const fn keeps(row: Operation) -> Operation {
+    with(Effect::Keeps, row)
 }
 
 /// A row that does not run yet and has braces.

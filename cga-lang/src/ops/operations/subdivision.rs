@@ -1,4 +1,4 @@
-//! Geometry subdivision. `split` and `comp` have a syntax of their own.
+//! Geometry subdivision. `split`, `splitArea` and `comp` have a syntax of their own.
 
 use super::super::{BS, Block, Default, FS, Operation, Param, ParamKind, float, length, of, or, param, word};
 use super::{block, later, old};
@@ -20,11 +20,6 @@ pub(super) const COMPONENT: Param = word(
 
 const SCOPE_ALIGNMENT: Param =
     or(word("scopeAlignment", "CompAlign", &[("zUp", "ZUp"), ("noAlign", "NoAlign")]), Default::Word("zUp"));
-
-const AXIS: Param = word("axis", "SplitAxis", &[("x", "X"), ("y", "Y"), ("z", "Z")]);
-
-const ADJUST: Param =
-    or(word("adjustMode", "Adjust", &[("adjust", "Adjust"), ("noAdjust", "NoAdjust")]), Default::Word("adjust"));
 
 const ALIGNMENT: Param = word("alignment", "RectangleAlign", &[("scope", "Scope"), ("edge", "Edge")]);
 
@@ -55,7 +50,6 @@ const UV_SET: Param = or(float("uvSet"), Default::Float(0.0));
 const TO_AREA: &str = "sets edges back until the remainder has that area";
 
 pub(super) static ROWS: &[Operation] = &[
-    block("splitArea", Block::Slots, &[AXIS, ADJUST], "divides along an axis into parts of given areas"),
     block(
         "splitAndSetbackPerimeter",
         Block::Sections,

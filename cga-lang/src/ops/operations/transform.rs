@@ -1,7 +1,7 @@
 //! Moving, turning and sizing.
 
-use super::super::{Operation, Param, float, length, word};
-use super::{later, op};
+use super::super::{Effect, Operation, Param, float, length, word};
+use super::{keeps, later, op, with};
 
 const CENTER_AXES: Param = word(
     "axes",
@@ -24,20 +24,23 @@ const Y_ANGLE: Param = float("yAngle");
 const Z_ANGLE: Param = float("zAngle");
 
 pub(super) static ROWS: &[Operation] = &[
-    op("s", "size", &[length("xSize"), length("ySize"), length("zSize")], "sets the size of the scope"),
-    op("t", "translate", &[length("tx"), length("ty"), length("tz")], "moves along the axes of the scope"),
+    with(
+        Effect::Sizes,
+        op("s", "size", &[length("xSize"), length("ySize"), length("zSize")], "sets the size of the scope"),
+    ),
+    keeps(op("t", "translate", &[length("tx"), length("ty"), length("tz")], "moves along the axes of the scope")),
     later(
         "translate",
         &[MODE, SYSTEM, float("x"), float("y"), float("z")],
         "moves to a place or by an amount in a coordinate system",
     ),
-    op("r", "rotate", &[X_ANGLE, Y_ANGLE, Z_ANGLE], "rotates about the origin of the scope, in degrees"),
-    op(
+    keeps(op("r", "rotate", &[X_ANGLE, Y_ANGLE, Z_ANGLE], "rotates about the origin of the scope, in degrees")),
+    keeps(op(
         "r",
         "rotate_about",
         &[CENTER, X_ANGLE, Y_ANGLE, Z_ANGLE],
         "rotates about the origin or the centre of the scope, in degrees",
-    ),
+    )),
     later(
         "rotate",
         &[MODE, SYSTEM, X_ANGLE, Y_ANGLE, Z_ANGLE],
@@ -45,6 +48,6 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     Operation {
         uses_base: true,
-        ..op("center", "center", &[CENTER_AXES], "moves the centre of the scope to the centre it had before")
+        ..keeps(op("center", "center", &[CENTER_AXES], "moves the centre of the scope to the centre it had before"))
     },
 ];

@@ -17,19 +17,18 @@ impl CgaRules {
                     cga_rt::Item::Slot,
                     cga_rt::Item::Slot,
                 ];
-                let mut sizes: [cga_rt::Size; 4usize] = [
+                const SIZES: [cga_rt::Size; 4usize] = [
                     cga_rt::Size::absolute(0.5f64),
                     cga_rt::Size::floating(2f64),
                     cga_rt::Size::relative(0.1f64),
                     cga_rt::Size::absolute(1f64),
                 ];
-                let how = (cga_rt::Axis::X, cga_rt::Adjust::Adjust);
                 cga_rt::split(
                     cx,
                     shape,
-                    how,
+                    (cga_rt::Axis::X, cga_rt::Adjust::Adjust),
                     PATTERN,
-                    &mut sizes,
+                    SIZES,
                     |cx, slot, part| match slot {
                         0 => cx.symbol(part, "Wall"),
                         1 => {

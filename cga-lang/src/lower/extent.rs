@@ -1,0 +1,182 @@
+//! Splits whose extent and sizes are known are solved here, so that nothing is left to compute while rules run.
+//!
+//! What is known of the scope's size follows the shape through the steps of a rule and on to the rules it is handed to. A
+//! rule that is reached in several ways knows what all of them agree on, and one that the host program may start with knows
+//! nothing.
+
+use crate::ir::{Anew, Arg, Grammar, Measure, Prefix, RuleId, Size, Solved, Split, Step, Target, Value};
+use crate::ops::Effect;
+use cga_split::solve;
+
+/// Splits with more pieces are solved while rules run: the pieces would take more room than the arithmetic takes time.
+const MOST_PIECES: u64 = 64;
+
+/// What is known of a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Known {
+    /// The scope's size along each axis.
+    size: [Option<f64>; 3],
+    /// The geometry is a box that fills the scope, so parts of it fill their slots.
+    solid: bool,
+}
+
+const NOTHING: Known = Known { size: [None; 3], solid: false };
+
+impl Known {
+    /// What holds on both ways.
+    fn and(self, other: Known) -> Known {
+        let both = |axis: usize| self.size[axis].filter(|size| other.size[axis] == Some(*size));
+        Known { size: [both(0), both(1), both(2)], solid: self.solid && other.solid }
+    }
+
+    /// Whether it certainly extends along all axes.
+    fn has_room(self) -> bool {
+        self.size.iter().all(|size| size.is_some_and(|size| size != 0.0))
+    }
+
+    fn resize(self, args: &[Arg]) -> Known {
+        let mut sizes = args.iter().zip(self.size).map(|(arg, old)| match arg {
+            Arg::Length(size) => new_size(size, old),
+            Arg::Value(_) | Arg::Word(_) => None,
+        });
+        let (Some(x), Some(y), Some(z)) = (sizes.next().flatten(), sizes.next().flatten(), sizes.next().flatten())
+        else {
+            return NOTHING;
+        };
+        let sized = Known { size: [x, y, z], ..self };
+        // A box without an extent is flat for good.
+        Known { solid: self.solid && sized.has_room(), ..sized }
+    }
+}
+
+/// What a length makes of a size: itself unknown, or known to be finite. `None` when it may be no number, as then `s` does
+/// nothing at all.
+#[allow(clippy::option_option, reason = "unknown and refused are different answers")]
+fn new_size(size: &Size, old: Option<f64>) -> Option<Option<f64>> {
+    match (size.prefix, constant(size), old) {
+        (Prefix::Absolute, Some(metres), _) => Some(Some(if metres.is_finite() { metres } else { 0.0 })),
+        (Prefix::Absolute, None, _) => Some(None),
+        (_, Some(share), Some(old)) => Some(share * old).filter(|size| size.is_finite()).map(Some),
+        (_, Some(share), None) if share.abs() <= 1.0 => Some(None),
+        _ => None,
+    }
+}
+
+fn constant(size: &Size) -> Option<f64> {
+    match &size.value.kind {
+        crate::ir::ExprKind::Value(Value::Float(value)) => Some(*value),
+        _ => None,
+    }
+}
+
+/// Solves what can be solved.
+pub(super) fn solve_known(grammar: &mut Grammar) {
+    let mut entries: Vec<Option<Known>> = vec![None; grammar.rules.len()];
+    let mut changed: Vec<RuleId> = Vec::new();
+    for start in &grammar.starts {
+        entries[start.rule.0 as usize] = Some(NOTHING);
+        changed.push(start.rule);
+    }
+    // What a rule knows only shrinks, so this ends.
+    while let Some(rule) = changed.pop() {
+        let index = rule.0 as usize;
+        let Some(known) = entries[index] else { continue };
+        follow(&mut grammar.rules[index].body, known, &mut |target, known| {
+            let Target::Rule { rule, .. } = target else { return };
+            let entry = &mut entries[rule.0 as usize];
+            let both = entry.map_or(known, |before| before.and(known));
+            if *entry != Some(both) {
+                *entry = Some(both);
+                changed.push(*rule);
+            }
+        });
+    }
+}
+
+/// Follows a shape through steps and solves the splits on the way; calls `hand_on` with what is known of the shapes that
+/// leave them. A rule is followed again when less is known of it, so the last solution stands.
+fn follow(steps: &mut [Step], mut known: Known, hand_on: &mut dyn FnMut(&Target, Known)) -> Known {
+    for step in steps {
+        match step {
+            Step::Give(target) | Step::Anew(Anew { target, .. }) => hand_on(target, known),
+            Step::Comp(comp) => comp.arms.iter().for_each(|arm| hand_on(&arm.target, NOTHING)),
+            Step::Split(split) => {
+                split.solved = solved(split, known);
+                for (slot, target) in split.slots.iter().enumerate() {
+                    hand_on(target, part(split, slot, known));
+                }
+            }
+            Step::Push(inner) => {
+                follow(inner, known, hand_on);
+            }
+            Step::Case { arms, otherwise } => {
+                let arms = arms.iter_mut().map(|(_, inner)| inner);
+                known = branches(arms.chain([otherwise]), known, hand_on);
+            }
+            Step::Chance { arms, otherwise } => {
+                let arms = arms.iter_mut().map(|(_, inner)| inner);
+                known = branches(arms.chain([otherwise]), known, hand_on);
+            }
+            step => known = after(step, known),
+        }
+    }
+    known
+}
+
+fn branches<'g>(
+    arms: impl Iterator<Item = &'g mut Vec<Step>>,
+    known: Known,
+    hand_on: &mut dyn FnMut(&Target, Known),
+) -> Known {
+    arms.map(|inner| follow(inner, known, hand_on)).reduce(Known::and).unwrap_or(known)
+}
+
+/// What a step that hands nothing on leaves of what was known.
+fn after(step: &Step, known: Known) -> Known {
+    match step {
+        Step::Do(row, args, _) => match row.scope {
+            Effect::Keeps => known,
+            Effect::Sizes => known.resize(args),
+            Effect::FillsWithBox if known.has_room() => Known { solid: true, ..known },
+            Effect::Fills if known.has_room() => Known { solid: false, ..known },
+            Effect::Any | Effect::FillsWithBox | Effect::Fills => NOTHING,
+        },
+        Step::SetShape(row, ..) if row.name.starts_with("scope.") => NOTHING,
+        Step::Rust(..) => NOTHING,
+        _ => known,
+    }
+}
+
+/// What is known of the parts in a slot.
+fn part(split: &Split, slot: usize, known: Known) -> Known {
+    if split.adjust && !known.solid {
+        return NOTHING;
+    }
+    let mut part = known;
+    let axis = split.axis as usize;
+    let pieces = split.solved.as_ref().map_or(&[][..], |solved| &solved.pieces);
+    let mut lengths = pieces.iter().filter(|piece| piece.slot as usize == slot).map(|piece| piece.length);
+    let first = lengths.next().filter(|first| lengths.all(|length| length == *first));
+    part.size[axis] = first.zip(known.size[axis]).map(|(length, size)| length.copysign(size));
+    part
+}
+
+/// The solution of a split, where it can be known.
+fn solved(split: &Split, known: Known) -> Option<Solved> {
+    let extent = known.size[split.axis as usize]?.abs();
+    if split.measure == Measure::Area {
+        return None;
+    }
+    let sizes = split.sizes.iter().map(|size| {
+        let value = constant(size)?;
+        Some(cga_split::Size { prefix: size.prefix, value })
+    });
+    let sizes: Vec<cga_split::Size> = sizes.collect::<Option<_>>()?;
+    // The run finds fault with sizes that are no numbers.
+    if sizes.iter().any(|size| !size.value.is_finite()) {
+        return None;
+    }
+    let mut lengths = vec![0.0; sizes.len()];
+    let solution = solve(&split.pattern, &sizes, &mut lengths, extent);
+    (solution.at_most() <= MOST_PIECES).then(|| Solved { extent, pieces: solution.pieces() })
+}

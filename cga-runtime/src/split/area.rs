@@ -1,0 +1,153 @@
+//! How the area of a shape is spread along an axis: where to cut for parts of given areas.
+
+use glam::DVec3;
+
+use crate::mesh::{FaceRef, unit};
+use crate::scope::Axis;
+use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::tol::{ACROSS_EPSILON, AREA_EPSILON};
+
+/// The area up to a distance from the scope's low end, as a function of the distance.
+#[derive(Debug)]
+pub(super) enum Profile {
+    /// That much in all, the same everywhere.
+    Even(f64),
+    /// In pieces between which it grows quadratically; the last one ends the geometry.
+    Sections(Vec<Section>),
+}
+
+/// The stretch between two vertices that follow each other along the axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Section {
+    /// Where it starts.
+    at: f64,
+    /// The area before it.
+    before: f64,
+    /// How wide the geometry is where it starts.
+    width: f64,
+    /// By how much the width grows a metre.
+    growth: f64,
+}
+
+impl Profile {
+    pub(super) fn new(shape: &ShapeRef<'_>, axis: Axis) -> Self {
+        let size = shape.scope.size.abs();
+        let (other, third) = match axis {
+            Axis::X => (size.y, size.z),
+            Axis::Y => (size.x, size.z),
+            Axis::Z => (size.x, size.y),
+        };
+        let along = size[axis.index()];
+        match &shape.geometry {
+            Geometry::Empty | Geometry::Edge | Geometry::Vertex => Profile::Even(0.0),
+            Geometry::Box => Profile::Even(2.0 * along * (other + third)),
+            Geometry::Rect(normal) if *normal == axis => Profile::Even(0.0),
+            Geometry::Rect(normal) => {
+                let mut sides = size;
+                sides[normal.index()] = 1.0;
+                Profile::Even(sides.element_product())
+            }
+            Geometry::Mesh(placed) => Profile::Sections(sections(placed, shape.scope.size, axis)),
+        }
+    }
+
+    /// All of the area.
+    pub(super) fn total(&self) -> f64 {
+        match self {
+            Profile::Even(area) => *area,
+            Profile::Sections(list) => list.last().map_or(0.0, |end| end.before),
+        }
+    }
+
+    /// How far from the low end so much of the area lies below. Of a gap in the geometry the low end.
+    pub(super) fn distance(&self, area: f64) -> f64 {
+        let Profile::Sections(list) = self else { return 0.0 };
+        let rounding = self.total() * AREA_EPSILON;
+        // The first border that is not below.
+        let next = list.partition_point(|section| section.before < area - rounding);
+        let Some(border) = list.get(next) else { return list.last().map_or(0.0, |end| end.at) };
+        let section = match next.checked_sub(1) {
+            Some(index) if area + rounding < border.before => list[index],
+            _ => return border.at,
+        };
+        // width · h + growth / 2 · h² = rest, in the form that does not cancel.
+        let rest = area - section.before;
+        let root = (section.width * section.width + 2.0 * section.growth * rest).max(0.0).sqrt();
+        (section.at + 2.0 * rest / (section.width + root)).clamp(section.at, border.at)
+    }
+}
+
+/// How an edge adds to the width, between two places.
+#[derive(Clone, Copy)]
+struct Event {
+    at: f64,
+    width: f64,
+    growth: f64,
+}
+
+fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<Section> {
+    let stretch = placed.stretch(size).abs();
+    let mut events = Vec::new();
+    for face in placed.mesh.faces() {
+        add_face(placed.mesh.points(), &face, |point| (point - placed.low) * stretch, axis, &mut events);
+    }
+    events.sort_by(|a, b| a.at.total_cmp(&b.at));
+    let mut list: Vec<Section> = Vec::new();
+    let (mut width, mut growth, mut area) = (0.0, 0.0, 0.0);
+    for (index, event) in events.iter().enumerate() {
+        // The width at the place of the event, and the area between it and the one before.
+        if let Some(before) = index.checked_sub(1).map(|index| events[index]) {
+            let step = event.at - before.at;
+            area += ((width + 0.5 * growth * step) * step).max(0.0);
+            width += growth * step;
+        }
+        width += event.width;
+        growth += event.growth;
+        let section = Section { at: event.at, before: area, width: width.max(0.0), growth };
+        match list.last_mut() {
+            Some(last) if last.at == event.at => *last = section,
+            _ => list.push(section),
+        }
+    }
+    list
+}
+
+/// The edges of a face as events. The area below a place is the sum of those below the edges, with signs, as far as they
+/// go: what closes the face there runs across the axis and adds nothing.
+fn add_face(points: &[DVec3], face: &FaceRef<'_>, place: impl Fn(DVec3) -> DVec3, axis: Axis, events: &mut Vec<Event>) {
+    let at = axis.index();
+    let normal = {
+        let origin = face.outer().first().map_or(DVec3::ZERO, |&point| place(points[point as usize]));
+        let loops = face.loops().map(|corners| {
+            let pairs = corners.iter().zip(corners.iter().cycle().skip(1));
+            let local = |&point: &u32| place(points[point as usize]) - origin;
+            pairs.map(|(a, b)| local(a).cross(local(b))).sum::<DVec3>()
+        });
+        unit(loops.sum())
+    };
+    // Along the axis within the face: a metre there is `slant` along the axis.
+    let mut axis_vector = DVec3::ZERO;
+    axis_vector[at] = 1.0;
+    let within = axis_vector - normal * normal[at];
+    let slant = within.length();
+    if normal == DVec3::ZERO || slant <= ACROSS_EPSILON {
+        return;
+    }
+    let across = normal.cross(within / slant);
+    let origin = face.outer().first().map_or(DVec3::ZERO, |&point| place(points[point as usize]));
+    for corners in face.loops() {
+        for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            let (a, b) = (place(points[*a as usize]), place(points[*b as usize]));
+            let (low, high, sign) = if a[at] < b[at] { (a, b, -1.0) } else { (b, a, 1.0) };
+            let length = high[at] - low[at];
+            if length == 0.0 {
+                continue;
+            }
+            let width = |point: DVec3| sign * across.dot(point - origin) / slant;
+            let (first, last) = (width(low), width(high));
+            let growth = (last - first) / length;
+            events.push(Event { at: low[at], width: first, growth });
+            events.push(Event { at: high[at], width: -last, growth: -growth });
+        }
+    }
+}

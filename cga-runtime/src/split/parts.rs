@@ -1,0 +1,246 @@
+//! Pieces become shapes.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Adjust, Piece, Solution};
+use crate::cut;
+use crate::env::Env;
+use crate::fault::{FaultKind, LimitKind};
+use crate::mesh::Mesh;
+use crate::scope::{Axis, Scope};
+use crate::seed::{Seed, Tag};
+use crate::shape::{Counter, Geometry, Placed, ShapeRef};
+use crate::sink::Flow;
+
+/// Pieces in a row, however they are known.
+pub(super) trait Row {
+    /// No fewer than there are.
+    fn at_most(&self) -> u64;
+    /// How many there are.
+    fn total(&self) -> u64;
+    /// Calls `visit` for each, from the low end to the high end, until it says stop.
+    fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B>;
+}
+
+impl Row for Solution<'_> {
+    #[inline]
+    fn at_most(&self) -> u64 {
+        Solution::at_most(self)
+    }
+
+    #[inline]
+    fn total(&self) -> u64 {
+        Solution::total(self)
+    }
+
+    #[inline]
+    fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
+        Solution::each(self, visit)
+    }
+}
+
+impl Row for [Piece] {
+    #[inline]
+    fn at_most(&self) -> u64 {
+        self.len() as u64
+    }
+
+    #[inline]
+    fn total(&self) -> u64 {
+        self.len() as u64
+    }
+
+    #[inline]
+    fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
+        self.iter().copied().try_for_each(visit)
+    }
+}
+
+/// What is handed out: the parts of a shape, in order.
+#[derive(Debug)]
+pub(super) struct Parts<'s> {
+    parent: &'s ShapeRef<'s>,
+    axis: Axis,
+    adjust: Adjust,
+    /// Along the axis, the way the scope runs from its origin.
+    along: DVec3,
+    sign: f64,
+    index: usize,
+    total: usize,
+    seed: u64,
+    ordinal: u32,
+    /// One a piece, when the geometry is a mesh.
+    slabs: Vec<Option<Arc<Mesh>>>,
+}
+
+impl<'s> Parts<'s> {
+    /// Counts the pieces and cuts the geometry. `Break` when a limit was reached.
+    #[inline]
+    pub(super) fn new(
+        env: &mut Env,
+        shape: &'s mut ShapeRef<'_>,
+        axis: Axis,
+        adjust: Adjust,
+        row: &(impl Row + ?Sized),
+    ) -> ControlFlow<(), Self> {
+        let limit = env.settings.limits.shapes;
+        // Before anything is laid out: a bound on the work to come.
+        let bound = row.at_most();
+        if limit < env.shapes.saturating_add(bound) {
+            // The bound counts slots that get no room, so ask exactly when it is small enough to count.
+            let exact = if bound <= limit.saturating_mul(4) { row.total() } else { bound };
+            if limit < env.shapes.saturating_add(exact) {
+                return env.limit(LimitKind::Shapes, limit);
+            }
+        }
+        let total = row.total() as usize;
+        let ordinal = shape.seed.reserve(total.min(u32::MAX as usize) as u32);
+        let seed = shape.seed.value();
+        let slabs = match &shape.geometry {
+            Geometry::Mesh(placed) if 0 < total => {
+                let borders = Borders { axis, low: placed.low, size: shape.scope.size, placed };
+                borders.cut(env, row, total)?
+            }
+            _ => Vec::new(),
+        };
+        // A negative size runs the other way from the origin.
+        let sign = if shape.scope.size[axis.index()] < 0.0 { -1.0 } else { 1.0 };
+        let along = shape.scope.axes.col(axis.index()) * sign;
+        ControlFlow::Continue(Parts { parent: shape, axis, adjust, along, sign, index: 0, total, seed, ordinal, slabs })
+    }
+
+    pub(super) fn total(&self) -> usize {
+        self.total
+    }
+
+    /// The shape of the next piece.
+    #[inline]
+    pub(super) fn next(&mut self, piece: Piece) -> ShapeRef<'s> {
+        let parent = self.parent;
+        let index = self.index;
+        self.index += 1;
+        let mut scope = Scope {
+            origin: parent.scope.origin + self.along * piece.start,
+            axes: parent.scope.axes,
+            size: with(parent.scope.size, self.axis, self.sign * piece.length),
+        };
+        let geometry = self.geometry(index, piece, &mut scope);
+        ShapeRef {
+            scope,
+            pivot: parent.pivot,
+            geometry,
+            seed: Seed::child(self.seed, Tag::Split, self.ordinal.wrapping_add(index as u32)),
+            split: Counter::new(index, self.total),
+            comp: parent.comp,
+            selector: parent.selector,
+            state: parent.state.lend(),
+        }
+    }
+
+    /// What fills a part; shrinks its scope when asked to.
+    #[inline]
+    fn geometry(&self, index: usize, piece: Piece, scope: &mut Scope) -> Geometry {
+        match &self.parent.geometry {
+            Geometry::Empty => Geometry::Empty,
+            Geometry::Box => Geometry::Box,
+            Geometry::Rect(normal) if *normal != self.axis => Geometry::Rect(*normal),
+            Geometry::Edge if self.axis == Axis::X => Geometry::Edge,
+            Geometry::Mesh(whole) => {
+                let slab = self.slabs.get(index).and_then(Option::as_ref);
+                slab.map_or(Geometry::Empty, |mesh| self.part(whole, mesh, piece, scope))
+            }
+            // What is flat along the axis in a thick scope stands at the low end.
+            flat if piece.start == 0.0 => {
+                if self.adjust == Adjust::Adjust {
+                    scope.size[self.axis.index()] = 0.0;
+                }
+                flat.clone()
+            }
+            Geometry::Rect(_) | Geometry::Edge | Geometry::Vertex => Geometry::Empty,
+        }
+    }
+
+    fn part(&self, whole: &Placed, mesh: &Arc<Mesh>, piece: Piece, scope: &mut Scope) -> Geometry {
+        let at = self.axis.index();
+        let size = self.parent.scope.size;
+        let stretch = whole.stretch(size);
+        let (mut low, mut fit) = (whole.low, whole.size);
+        low[at] += piece.start / stretch[at].abs();
+        fit[at] = piece.length / stretch[at].abs();
+        if self.adjust == Adjust::Adjust {
+            let bounds = mesh.bounds();
+            if !bounds.low.is_finite() {
+                return Geometry::Empty;
+            }
+            let moved: DVec3 = (bounds.low - low) * stretch;
+            scope.origin += scope.axes * moved;
+            scope.size = bounds.size() * stretch;
+            (low, fit) = (bounds.low, bounds.size());
+        }
+        Geometry::Mesh(Arc::new(Placed { mesh: mesh.clone(), low, size: fit, whole: false }))
+    }
+}
+
+/// A size with another extent along an axis. Not by index: that would go through memory and stall there.
+#[inline]
+fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
+    match axis {
+        Axis::X => DVec3::new(extent, size.y, size.z),
+        Axis::Y => DVec3::new(size.x, extent, size.z),
+        Axis::Z => DVec3::new(size.x, size.y, extent),
+    }
+}
+
+/// Where a mesh is cut.
+struct Borders<'p> {
+    axis: Axis,
+    low: DVec3,
+    size: DVec3,
+    placed: &'p Placed,
+}
+
+impl Borders<'_> {
+    /// Cuts the mesh at the borders of all pieces in one pass; one slab a piece. `Break` when that is too much.
+    fn cut(&self, env: &mut Env, row: &(impl Row + ?Sized), pieces: usize) -> ControlFlow<(), Vec<Option<Arc<Mesh>>>> {
+        let at = self.axis.index();
+        let extent = self.size[at].abs();
+        // Planes in mesh coordinates, so that no vertex moves.
+        let stretch = self.placed.stretch(self.size)[at].abs();
+        let plane = |distance: f64| self.low[at] + distance / stretch;
+        let high = plane(extent);
+        let mut offsets: Vec<f64> = Vec::new();
+        // The slab each piece is in: pieces touch, so after the first border every piece ends one.
+        let _ = row.each(|piece| {
+            let end = plane(piece.end);
+            // The scope's own end is no cut; rounding must not leave a sliver there.
+            if piece.end < extent && end < high {
+                offsets.push(end);
+            }
+            Flow::Continue(())
+        });
+        let mut rising = offsets.clone();
+        rising.dedup();
+        let cut = cut::slabs(&self.placed.mesh, self.axis, &rising);
+        // *split operation*: surfaces get no caps. An asset that was meant to be a solid is worth a word, a face is not.
+        if !cut.open.is_empty() && self.placed.whole && 1 < self.placed.mesh.face_count() {
+            env.fault(
+                FaultKind::Geometry,
+                "the inserted mesh is not closed where `split` cuts it; the cut stays open there",
+            );
+        }
+        let mut parts = cut.parts.into_iter();
+        let mut list = Vec::with_capacity(pieces);
+        for piece in 0..pieces {
+            // Borders that rounding has made equal leave nothing between them.
+            let empty = 0 < piece && piece < offsets.len() && offsets[piece] == offsets[piece - 1];
+            list.push(if empty { None } else { parts.next().flatten() });
+        }
+        for mesh in list.iter().flatten() {
+            env.count_vertices(mesh)?;
+        }
+        ControlFlow::Continue(list)
+    }
+}

@@ -1,0 +1,127 @@
+//! What solving costs beside writing the pieces down, and beside the same arithmetic by hand.
+//!
+//! `cargo bench -p cga-split`. Both ways run in turn in the same process, best of many.
+
+use std::hint::black_box;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+use cga_split::{Item, Piece, Size, solve};
+
+/// Best times of two ways that are run in turn, in nanoseconds a round.
+fn compare(rounds: usize, mut a: impl FnMut(), mut b: impl FnMut()) -> [f64; 2] {
+    let mut best = [f64::INFINITY; 2];
+    for _ in 0..200 {
+        for (way, best) in [&mut a as &mut dyn FnMut(), &mut b].into_iter().zip(&mut best) {
+            let start = Instant::now();
+            for _ in 0..rounds {
+                way();
+            }
+            *best = best.min(start.elapsed().as_secs_f64() * 1e9 / rounds as f64);
+        }
+    }
+    best
+}
+
+const REPEAT: [Item; 3] = [Item::Repeat(2), Item::Slot, Item::Slot];
+const WINDOWS: [Size; 2] = [Size::floating(2.5), Size::absolute(0.3)];
+
+/// `{ ~2.5 | 0.3 }*` where it repeats so often.
+fn repeat(pieces: usize) {
+    let turns = pieces / 2;
+    let extent = turns as f64 * 2.8 + 0.7;
+    let blank = Piece { slot: 0, start: 0.0, end: 0.0, length: 0.0 };
+    let (mut written, mut solved) = (vec![blank; pieces], vec![blank; pieces]);
+    let mut count = 0;
+    let [writing, solving] = compare(
+        (20_000 / pieces).max(1),
+        || {
+            // The same numbers, with the repetitions known and nothing looked at.
+            let mut places = written.iter_mut();
+            let mut write = |piece| places.next().map(|place| *place = piece);
+            let extent = black_box(extent);
+            let long = (extent - turns as f64 * 0.3) / turns as f64;
+            for turn in 0..turns {
+                let start = turn as f64 * (long + 0.3);
+                let middle = start + long;
+                let end = (turn + 1) as f64 * (long + 0.3);
+                write(Piece { slot: 0, start, end: middle, length: long });
+                write(Piece { slot: 1, start: middle, end, length: 0.3 });
+            }
+            black_box(&written);
+        },
+        || {
+            let mut places = solved.iter_mut();
+            count = 0;
+            let mut lengths = [0.0; 2];
+            let solution = solve(&REPEAT, &WINDOWS, &mut lengths, black_box(extent));
+            let _ = solution.each(|piece| {
+                count += 1;
+                match places.next() {
+                    Some(place) => *place = piece,
+                    None => return ControlFlow::Break(()),
+                }
+                ControlFlow::Continue(())
+            });
+            black_box(&solved);
+        },
+    );
+    assert_eq!(count, pieces);
+    for (a, b) in written.iter().zip(&solved) {
+        assert!(a.slot == b.slot && (a.start - b.start).abs() < 1e-9 * extent, "{a:?} {b:?}");
+    }
+    let each = |nanoseconds: f64| nanoseconds / pieces as f64;
+    println!(
+        "repeat     {pieces:>7} pieces   writing {:>6.2} ns   solving and writing {:>6.2} ns   more {:>5.2} ns a piece",
+        each(writing),
+        each(solving),
+        each(solving - writing)
+    );
+}
+
+const FLAT: [Item; 4] = [Item::Slot; 4];
+const FRAME: [Size; 4] = [Size::absolute(0.5), Size::floating(1.0), Size::relative(0.1), Size::floating(2.0)];
+
+/// `0.5 | ~1 | '0.1 | ~2`, folded into a number.
+fn four_slots() {
+    let (mut by_hand, mut by_solver) = (0.0, 0.0);
+    let fold = |sum: &mut f64, slot: u32, start: f64, length: f64| *sum += start * f64::from(slot + 1) + length;
+    let [hand, solver] = compare(
+        10_000,
+        || {
+            let extent: f64 = black_box(10.0);
+            let tenth = extent * 0.1;
+            let stretch = ((extent - (0.5 + tenth)) / 3.0).max(0.0);
+            let mut from = 0.0;
+            for (slot, length) in [0.5, stretch, tenth, 2.0 * stretch].into_iter().enumerate() {
+                let rest = extent - from;
+                if 0.0 < length && extent * 1e-12 < rest {
+                    let to = from + length;
+                    let end = if extent - extent * 1e-12 <= to { extent } else { to };
+                    fold(&mut by_hand, slot as u32, from, if to <= extent + extent * 1e-12 { length } else { rest });
+                    from = end;
+                }
+            }
+        },
+        || {
+            let mut lengths = [0.0; 4];
+            let solution = solve(&FLAT, &FRAME, &mut lengths, black_box(10.0));
+            let _ = solution.each(|piece| {
+                fold(&mut by_solver, piece.slot, piece.start, piece.length);
+                ControlFlow::<()>::Continue(())
+            });
+        },
+    );
+    assert_eq!(by_hand, by_solver);
+    println!(
+        "four slots                  by hand {hand:>6.2} ns   solver {solver:>6.2} ns   ratio {:.2}",
+        solver / hand
+    );
+}
+
+fn main() {
+    for pieces in [10, 1_000, 100_000] {
+        repeat(pieces);
+    }
+    four_slots();
+}

@@ -1,0 +1,68 @@
+//! What the reference leaves open, one function a choice, each with its reason and source.
+//!
+//! The pages: *split operation* and *Subdivision split*.
+
+/// Which sizes make a piece: positive, finite ones.
+///
+/// *Subdivision split*: negative and zero sizes make none and take no room. Numbers that are none (0/0, 1/0) are replaced by
+/// zero where operations take them (*CGA changelog 2013.1*), so they make none either.
+#[inline]
+pub fn is_size(value: f64) -> bool {
+    0.0 < value && value < f64::INFINITY
+}
+
+/// The smallest piece: what is left at the end of the scope and not longer than this makes none, a piece that ends this close
+/// to the end ends there, and room for floats that is not longer than this is no room.
+///
+/// The pages count ten times 0.1 as one metre, and sums of sizes are off by some last bits: a share of the extent that no
+/// sum of sizes that a rule would write is off by, and that no picture shows.
+#[inline]
+pub(crate) fn smallest_piece(extent: f64) -> f64 {
+    extent * 1e-12
+}
+
+/// Whether the stretch of the larger of two neighbouring counts, `more`, is as near to 1 as that of the smaller, `fewer`.
+///
+/// "Best number of repetitions and least stretching" (*split operation*). That the difference decides and not the ratio, and
+/// that the larger count wins when both are equal, follows from the examples: `{ 1 | ~2.7 }* | 1` in 10 repeats three times,
+/// and of `{ 2 }* | ~1` in 10, where four and five repetitions are both off by 1, five are made and no float. Of two that
+/// both shrink the floats the smaller count is nearer, however little a difference rounding leaves.
+#[inline]
+pub(crate) fn as_near(fewer: f64, more: f64) -> bool {
+    if fewer <= 1.0 { more == fewer } else { (more - 1.0).abs() <= (fewer - 1.0).abs() }
+}
+
+/// How many repetitions there are at least, of `groups` that can repeat, one by one.
+///
+/// When something outside all groups floats, none is needed: `{ ~w | 0.25 }* | ~w` in `w` makes one piece. Else every group
+/// is there once, as all documented repeats are, and shrinks or is cut.
+#[inline]
+pub(crate) fn least_turns(floats_outside: bool, groups: u64) -> u64 {
+    if floats_outside { 0 } else { groups }
+}
+
+/// How often group number `group` of `groups` repeats when so many repetitions are dealt out.
+///
+/// *Subdivision split*, "Repeat split—Parallel", shows groups beside each other sharing the space, and gives no numbers. They
+/// are dealt out one by one, in writing order, and over again, so that groups repeat equally often, and the first ones once
+/// more when it doesn't come out even. A group inside a group is dealt its repetitions in the same way: it repeats as often in
+/// each repetition of the outer one as that one repeats, or once less.
+#[inline]
+pub(crate) fn share(turns: u64, groups: u64, group: u64) -> u64 {
+    turns / groups + u64::from(group < turns % groups)
+}
+
+/// The group that the last of so many repetitions goes to: without floats it is the one that is cut.
+#[inline]
+pub(crate) fn last_group(turns: u64, groups: u64) -> u64 {
+    (turns + groups - 1) % groups
+}
+
+/// The room for groups without any floats: what the sizes outside leave, wherever they stand.
+///
+/// *Subdivision split* evaluates absolute repeats "first" only against floats. Against absolutes outside there are no
+/// numbers; those come first, as `1 | { 2 }* | 1` would else never get its last piece.
+#[inline]
+pub(crate) fn room_for_groups(extent: f64, absolute_outside: f64) -> f64 {
+    extent - absolute_outside
+}

@@ -1,0 +1,195 @@
+//! The repeat groups of a pattern, beside or inside each other, and how often they repeat.
+
+use std::ops::Range;
+
+use crate::choices::{last_group, least_turns, room_for_groups, share};
+use crate::runs::Turns;
+use crate::search::{Search, Sum};
+use crate::{Item, Size};
+
+/// The slots of the one group in a pattern with so many slots.
+#[inline(always)]
+pub(crate) fn slots_of_one(pattern: &[Item], slots: usize) -> Range<usize> {
+    let group = pattern.iter().enumerate().find_map(|(at, item)| match item {
+        Item::Repeat(len) => Some(at..at.saturating_add(*len as usize).min(slots)),
+        Item::Slot => None,
+    });
+    group.unwrap_or_default()
+}
+
+/// What stands outside the one group and in it; `lengths` are those of the slots, floats not yet stretched.
+#[inline(always)]
+pub(crate) fn sums_of_one(own: &Range<usize>, sizes: &[Size], lengths: &[f64]) -> (Sum, Sum) {
+    let (mut outside, mut inside) = (Sum::default(), Sum::default());
+    for (slot, (size, length)) in sizes.iter().zip(lengths).enumerate() {
+        let sum = if own.contains(&slot) { &mut inside } else { &mut outside };
+        sum.add(size, *length);
+    }
+    (outside, inside)
+}
+
+/// A pattern with one group: what nearly all splits with repeats are. Gives the stretch of the floats too.
+#[inline(never)]
+pub(crate) fn one(outside: Sum, own: Sum, extent: f64) -> (f64, Turns) {
+    let one_each = own.nominal();
+    if one_each <= 0.0 {
+        return (outside.stretch(extent), Turns::NONE);
+    }
+    let total = |turns: u64| outside.plus(own, turns as i64 as f64);
+    let mut search = Search { extent, outside, groups: 1, one_each, total };
+    if 0.0 < outside.floating || 0.0 < own.floating {
+        let (count, stretch) = search.least_stretch(least_turns(0.0 < outside.floating, 1));
+        (stretch, Turns { count, length: own.absolute + stretch * own.floating, room: f64::INFINITY })
+    } else {
+        let room = room_for_groups(extent, outside.absolute);
+        (0.0, Turns { count: search.fill(room).0, length: own.absolute, room })
+    }
+}
+
+/// A repeat group.
+#[derive(Clone, Copy, Debug)]
+struct Group {
+    /// Its own slots, without those of groups inside.
+    own: Sum,
+    /// The group around it.
+    parent: Option<usize>,
+    /// The group around it, or itself, that is in none.
+    top: usize,
+    /// Where its items end in the pattern.
+    end: usize,
+    /// It, or a group inside, has a slot with a length: then its number among those, else it is never made.
+    live: Option<u64>,
+    /// How often it repeats in the whole split.
+    times: f64,
+}
+
+/// The groups of a pattern in the order in which they open, and what stands outside all of them.
+struct Groups {
+    outside: Sum,
+    list: Vec<Group>,
+    turns: Vec<Turns>,
+    /// How many can repeat.
+    live: u64,
+}
+
+/// Any pattern: as [`one`], for all groups in the order in which they open.
+pub(crate) fn several(pattern: &[Item], sizes: &[Size], lengths: &[f64], extent: f64) -> (f64, Vec<Turns>) {
+    let mut groups = Groups::new(pattern, sizes, lengths);
+    let stretch = groups.choose(extent);
+    (stretch, groups.turns)
+}
+
+impl Groups {
+    fn new(pattern: &[Item], sizes: &[Size], lengths: &[f64]) -> Self {
+        let mut groups = Groups { outside: Sum::default(), list: Vec::new(), turns: Vec::new(), live: 0 };
+        let mut slots = sizes.iter().zip(lengths);
+        let mut inside = None;
+        for (at, item) in pattern.iter().enumerate() {
+            while let Some(group) = inside.filter(|&group: &usize| groups.list[group].end <= at) {
+                inside = groups.list[group].parent;
+            }
+            match item {
+                Item::Repeat(len) => {
+                    let limit = inside.map_or(pattern.len(), |group| groups.list[group].end);
+                    let index = groups.list.len();
+                    groups.list.push(Group {
+                        own: Sum::default(),
+                        parent: inside,
+                        top: inside.map_or(index, |group| groups.list[group].top),
+                        end: (at + 1).saturating_add(*len as usize).min(limit),
+                        live: None,
+                        times: 0.0,
+                    });
+                    inside = Some(index);
+                }
+                Item::Slot => {
+                    let own = inside.map(|group| &mut groups.list[group].own);
+                    let sum = own.unwrap_or(&mut groups.outside);
+                    if let Some((size, length)) = slots.next() {
+                        sum.add(size, *length);
+                    }
+                }
+            }
+        }
+        groups.turns = vec![Turns::NONE; groups.list.len()];
+        groups.number();
+        groups
+    }
+
+    /// Numbers the groups that hold anything. A group stands before those inside it.
+    fn number(&mut self) {
+        for index in (0..self.list.len()).rev() {
+            let group = &mut self.list[index];
+            if group.live.is_some() || 0.0 < group.own.nominal() {
+                group.live = Some(0);
+                if let Some(parent) = group.parent {
+                    self.list[parent].live = Some(0);
+                }
+            }
+        }
+        for number in self.list.iter_mut().filter_map(|group| group.live.as_mut()) {
+            *number = self.live;
+            self.live += 1;
+        }
+    }
+
+    /// Chooses the counts for that extent; gives the stretch of the floats.
+    fn choose(&mut self, extent: f64) -> f64 {
+        if self.live == 0 {
+            return self.outside.stretch(extent);
+        }
+        let (outside, groups) = (self.outside, self.live);
+        let one_each = self.deal(groups);
+        let floats = 0.0 < one_each.floating;
+        let one_each = one_each.nominal() - outside.nominal();
+        let mut search = Search { extent, outside, groups, one_each, total: |turns| self.deal(turns) };
+        let (turns, stretch) = if floats {
+            search.least_stretch(least_turns(0.0 < outside.floating, groups))
+        } else {
+            let room = room_for_groups(extent, outside.absolute);
+            let (turns, cut) = search.fill(room);
+            if cut {
+                self.cut_last(turns, room);
+            }
+            (turns, 0.0)
+        };
+        self.deal(turns);
+        self.measure(stretch);
+        stretch
+    }
+
+    /// Deals out so many repetitions; gives the sums with the groups expanded.
+    fn deal(&mut self, turns: u64) -> Sum {
+        let mut sum = self.outside;
+        for index in 0..self.list.len() {
+            let around = self.list[index].parent.map_or(1.0, |parent| self.list[parent].times);
+            let group = &mut self.list[index];
+            let count = group.live.map_or(0, |number| share(turns, self.live, number));
+            group.times = around * count as f64;
+            self.turns[index].count = count;
+            sum = sum.plus(group.own, group.times);
+        }
+        sum
+    }
+
+    /// Gives the group that got the last of so many repetitions the room that the others leave.
+    fn cut_last(&mut self, turns: u64, room: f64) {
+        self.deal(turns);
+        let last = Some(last_group(turns, self.live));
+        let Some(top) = self.list.iter().find(|group| group.live == last).map(|group| group.top) else { return };
+        let others = self.list.iter().filter(|group| group.top != top);
+        self.turns[top].room = room - others.map(|group| group.times * group.own.absolute).sum::<f64>();
+    }
+
+    /// Computes the final length of one repetition of each group.
+    fn measure(&mut self, stretch: f64) {
+        for (index, group) in self.list.iter().enumerate().rev() {
+            let turns = &mut self.turns[index];
+            turns.length += group.own.absolute + stretch * group.own.floating;
+            let all = turns.length * turns.count as f64;
+            if let Some(parent) = group.parent {
+                self.turns[parent].length += all;
+            }
+        }
+    }
+}

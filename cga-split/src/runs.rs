@@ -1,0 +1,197 @@
+//! A pattern with groups, unrolled: runs of slots beside each other, from the low end to the high end.
+
+use std::ops::Range;
+
+use crate::Item;
+use crate::choices::smallest_piece;
+
+/// How a group repeats.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turns {
+    /// How often in each repetition of the group around it.
+    pub(crate) count: u64,
+    /// The final length of one repetition.
+    pub(crate) length: f64,
+    /// The room that all have at most: the last one may be cut.
+    pub(crate) room: f64,
+}
+
+impl Turns {
+    pub(crate) const NONE: Turns = Turns { count: 0, length: 0.0, room: f64::INFINITY };
+
+    /// Where the room of a group that begins there ends.
+    #[inline]
+    fn limit(&self, start: f64, limit: f64, smallest: f64) -> f64 {
+        let end = start + self.room;
+        if limit - smallest <= end { limit } else { end }
+    }
+
+    /// The end of a repetition, counted from 1, of a group that begins there.
+    ///
+    /// Borders are measured from the group's start: a million repetitions don't drift, and none has to wait for the one
+    /// before it.
+    #[inline]
+    fn border(&self, number: u64, start: f64, limit: f64, smallest: f64) -> f64 {
+        // Counts are far below 2^63, and signed numbers convert faster.
+        let border = start + number as i64 as f64 * self.length;
+        if limit - smallest <= border { limit } else { border }
+    }
+}
+
+/// Slots to be laid out one after the other.
+#[derive(Clone, Debug)]
+pub(crate) struct Run {
+    pub(crate) slots: Range<usize>,
+    pub(crate) start: f64,
+    /// What no piece may cross.
+    pub(crate) limit: f64,
+}
+
+/// The runs of a pattern with one group: the slots before it, its own so many times, the slots behind it.
+#[derive(Clone, Debug)]
+pub(crate) struct OneGroup {
+    own: Range<usize>,
+    slots: usize,
+    turns: Turns,
+    extent: f64,
+    smallest: f64,
+    /// How many runs there were.
+    number: u64,
+    /// Where the group starts, and where its room ends.
+    start: f64,
+    limit: f64,
+    /// Where the last repetition ended.
+    border: f64,
+}
+
+impl OneGroup {
+    #[inline]
+    pub(crate) fn new(own: Range<usize>, slots: usize, turns: Turns, extent: f64) -> Self {
+        let smallest = smallest_piece(extent);
+        OneGroup { own, slots, turns, extent, smallest, number: 0, start: 0.0, limit: 0.0, border: 0.0 }
+    }
+
+    /// The next run; the last one ended there.
+    #[inline]
+    pub(crate) fn next(&mut self, end: f64) -> Option<Run> {
+        let number = self.number;
+        self.number += 1;
+        if number == 0 {
+            return Some(Run { slots: 0..self.own.start, start: 0.0, limit: self.extent });
+        }
+        if number == 1 {
+            (self.start, self.border) = (end, end);
+            self.limit = self.turns.limit(end, self.extent, self.smallest);
+        }
+        let behind = self.turns.count + 1;
+        if number < behind && self.border < self.limit {
+            // A repetition fills its room, whatever rounding says.
+            let start = self.border;
+            self.border = self.turns.border(number, self.start, self.limit, self.smallest);
+            return Some(Run { slots: self.own.clone(), start, limit: self.border });
+        }
+        self.number = behind + 1;
+        (number <= behind).then_some(Run { slots: self.own.end..self.slots, start: self.border, limit: self.extent })
+    }
+}
+
+/// The runs of any pattern.
+#[derive(Debug)]
+pub(crate) struct AnyGroups<'s> {
+    pattern: &'s [Item],
+    turns: &'s [Turns],
+    smallest: f64,
+    /// What comes next, and where the items of the current group and its room end.
+    next: Place,
+    stop: usize,
+    limit: f64,
+    /// The groups whose repetitions are under way.
+    open: Vec<Open>,
+}
+
+/// A place in a pattern: so many items, slots and groups stand before it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Place {
+    item: usize,
+    slot: usize,
+    group: usize,
+}
+
+/// A group while its repetitions are laid out.
+#[derive(Clone, Copy, Debug)]
+struct Open {
+    first: Place,
+    turns: Turns,
+    /// Repetitions begun.
+    number: u64,
+    start: f64,
+    /// Where its room ends.
+    limit: f64,
+    /// What counted before it opened.
+    outer_stop: usize,
+    outer_limit: f64,
+}
+
+impl<'s> AnyGroups<'s> {
+    pub(crate) fn new(pattern: &'s [Item], turns: &'s [Turns], extent: f64) -> Self {
+        let smallest = smallest_piece(extent);
+        AnyGroups {
+            pattern,
+            turns,
+            smallest,
+            next: Place::default(),
+            stop: pattern.len(),
+            limit: extent,
+            open: Vec::new(),
+        }
+    }
+
+    /// The next run; the last one ended there.
+    pub(crate) fn next(&mut self, mut end: f64) -> Option<Run> {
+        loop {
+            if self.next.item == self.stop {
+                let open = self.open.last_mut()?;
+                // A repetition fills its room, whatever rounding says.
+                end = self.limit;
+                if open.number < open.turns.count && end < open.limit {
+                    self.next = open.first;
+                    open.number += 1;
+                    self.limit = open.turns.border(open.number, open.start, open.limit, self.smallest);
+                } else {
+                    (self.stop, self.limit) = (open.outer_stop, open.outer_limit);
+                    self.open.pop();
+                }
+            } else if let Item::Repeat(len) = self.pattern[self.next.item] {
+                self.open(len, end);
+            } else {
+                let items = &self.pattern[self.next.item..self.stop];
+                let slot = self.next.slot;
+                let slots = items.iter().take_while(|item| matches!(item, Item::Slot)).count();
+                self.next.item += slots;
+                self.next.slot += slots;
+                return Some(Run { slots: slot..slot + slots, start: end, limit: self.limit });
+            }
+        }
+    }
+
+    /// Enters the group whose item is next, of so many items, at `start`.
+    fn open(&mut self, len: u32, start: f64) {
+        let item = self.next.item + 1;
+        let stop = item.saturating_add(len as usize).min(self.stop);
+        let turns = self.turns.get(self.next.group).copied().unwrap_or(Turns::NONE);
+        let limit = turns.limit(start, self.limit, self.smallest);
+        if turns.count == 0 || limit - start <= self.smallest {
+            let items = &self.pattern[item..stop];
+            let slots = items.iter().filter(|item| matches!(item, Item::Slot)).count();
+            let groups = 1 + items.len() - slots;
+            self.next = Place { item: stop, slot: self.next.slot + slots, group: self.next.group + groups };
+            return;
+        }
+        let first = Place { item, slot: self.next.slot, group: self.next.group + 1 };
+        let (outer_stop, outer_limit) = (self.stop, self.limit);
+        self.open.push(Open { first, turns, number: 1, start, limit, outer_stop, outer_limit });
+        self.next = first;
+        self.stop = stop;
+        self.limit = turns.border(1, start, limit, self.smallest);
+    }
+}

@@ -1,0 +1,202 @@
+//! The documented examples, extent → lengths, by the number of the conformance fact and with the page they come from.
+
+mod support;
+
+use support::Pattern;
+
+#[track_caller]
+fn check(extent: f64, text: &str, expected: &[f64]) {
+    let found = Pattern::read(text).solve(extent);
+    let lengths: Vec<f64> = found.iter().map(|piece| piece.length).collect();
+    assert_eq!(lengths.len(), expected.len(), "{text} in {extent}: {lengths:?}");
+    for (found, expected) in lengths.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-9, "{text} in {extent}: {lengths:?}, not {expected:?}");
+    }
+    for pair in found.windows(2) {
+        assert_eq!(pair[0].end, pair[1].start, "{text} in {extent}: pieces touch");
+    }
+    assert!(found.last().is_none_or(|last| last.end <= extent), "{text} in {extent}: inside");
+}
+
+fn times(count: usize, pattern: &[f64]) -> Vec<f64> {
+    pattern.repeat(count)
+}
+
+fn framed(low: &[f64], middle: &[f64], high: &[f64]) -> Vec<f64> {
+    [low, middle, high].concat()
+}
+
+/// *split operation*.
+#[test]
+fn facts_1_to_9_and_31() {
+    check(10.0, "'0.5 | '0.1 | '0.2", &[5.0, 1.0, 2.0]); // 1
+    check(10.0, "~0.5 | ~0.1 | ~0.2", &[6.25, 1.25, 2.5]); // 2
+    check(10.0, "3.3 | ~3 | 5", &[3.3, 1.7, 5.0]); // 3
+    check(10.0, "'0.5 | '0.6 | 3", &[5.0, 5.0]); // 4
+    check(10.0, "{ 2 | 1 }*", &[2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 1.0]); // 5
+    check(10.0, "{ ~2 | ~1 }*", &times(3, &[20.0 / 9.0, 10.0 / 9.0])); // 6
+    check(10.0, "1 | { ~1 | 0.2 | ~1 }* | 1", &framed(&[1.0], &times(4, &[0.9, 0.2, 0.9]), &[1.0])); // 7
+    check(10.0, "{ 1 | ~2.7 }* | 1", &[1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0]); // 8
+    check(10.0, "{ 1 | ~3 }* | 1", &[1.0, 3.5, 1.0, 3.5, 1.0]); // 9
+    check(10.0, "{ '0.1 | '0.1 }*", &[1.0; 10]); // 31
+    check(10.0, "{ ~.75 | ~1 }* | ~.5", &framed(&times(5, &[30.0 / 37.0, 40.0 / 37.0]), &[20.0 / 37.0], &[]));
+}
+
+/// *Subdivision split*, Absolute, Relative and Floating split.
+#[test]
+fn facts_10_to_19() {
+    check(5.0, "3", &[3.0]); // 10
+    check(5.0, "3 | 1", &[3.0, 1.0]); // 11
+    check(5.0, "2 | 1 | 1 | 2 | 1", &[2.0, 1.0, 1.0, 1.0]); // 12
+    check(5.0, "1.5 | -2 | 1.5 | 1.5 | 0 | 1.5", &[1.5, 1.5, 1.5, 0.5]); // 13
+    check(5.0, "'0.382 | '0.618", &[1.91, 3.09]); // 14
+    check(1.91, "'0.382 | '0.618", &[0.72962, 1.18038]); // 14, A
+    check(3.09, "'0.382 | '0.618", &[1.18038, 1.90962]); // 14, B
+    check(5.0, "3 | ~1", &[3.0, 2.0]); // 15
+    check(5.0, "1 | ~2 | 1", &[1.0, 3.0, 1.0]); // 16
+    check(5.0, "3 | ~1.5 | ~1.5", &[3.0, 1.0, 1.0]); // 17
+    check(5.0, "3 | ~2 | ~2 | ~2", &[3.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]); // 18
+    check(5.0, "5 | ~1", &[5.0]); // 19
+}
+
+/// *Subdivision split*, Repeat split. 25 is inferred: the page only says that floats may stand there.
+#[test]
+fn facts_20_to_26() {
+    check(10.0, "{ 2 }*", &[2.0; 5]); // 20
+    check(10.0, "{ ~2.1 }*", &[2.0; 5]); // 21
+    check(10.0, "1 | { ~2.5 }* | 1", &framed(&[1.0], &[8.0 / 3.0; 3], &[1.0])); // 22
+    check(10.0, "{ 2 }* | ~1", &[2.0; 5]); // 23
+    check(10.0, "~1 | { 2 }*", &[2.0; 5]); // 24
+    check(10.0, "~1 | { 2 }* | ~1", &[1.0, 2.0, 2.0, 2.0, 2.0, 1.0]); // 25
+    check(10.0, "~2 | { 1 | ~2 }*", &[1.75, 1.0, 1.75, 1.0, 1.75, 1.0, 1.75]); // 26
+}
+
+/// *Subdivision split*, Patterns and Parallel. 27, 29 and 30 are inferred: the page has pictures without numbers.
+#[test]
+fn facts_27_to_30() {
+    check(10.0, "{ ~1 | 0.25 | ~1 }*", &times(5, &[0.875, 0.25, 0.875])); // 27
+    check(10.0, "1 | { ~1 | 0.2 | ~1 }* | 1", &framed(&[1.0], &times(4, &[0.9, 0.2, 0.9]), &[1.0])); // 28
+    check(10.0, "~1 | { ~1 }* | ~1 | { ~1 }* | ~1", &[1.0; 10]); // 29
+    let slots: Vec<u32> =
+        Pattern::read("~1 | { ~1 }* | ~1 | { ~1 }* | ~1").solve(10.0).iter().map(|piece| piece.slot).collect();
+    assert_eq!(slots, [0, 1, 1, 1, 1, 2, 3, 3, 3, 4], "29: four and three");
+    check(10.0, "1 | { 2 }* | { 1 }* | 1", &[1.0, 2.0, 2.0, 2.0, 1.0, 1.0, 1.0]); // 30
+}
+
+/// *split attribute* (32), *report* (33), *r operation* (34); 35 and 36 are inferred from a published building rule.
+#[test]
+fn facts_32_to_36() {
+    check(20.0, "{ 2 }*", &[2.0; 10]); // 32
+    check(30.0, "{ ~5 | ~0.5 }*", &times(5, &[60.0 / 11.0, 6.0 / 11.0])); // 33
+    check(18.0, "{ 2 }*", &[2.0; 9]); // 34
+    let (w, third) = (2.15, 2.15 / 3.0);
+    check(w, &format!("{{ ~{third} | 0.25 }}* | ~{third}"), &[0.55, 0.25, 0.55, 0.25, 0.55]); // 35
+    check(w, &format!("{{ ~{w} | 0.25 }}* | ~{w}"), &[w]); // 36
+}
+
+/// What a published building and the pictures of *report* need besides: counts by the least stretch, not by rounding.
+#[test]
+fn counts_of_real_facades() {
+    check(12.2, "4.4 | .3 | { ~3 | .3 }*", &[4.4, 0.3, 3.45, 0.3, 3.45, 0.3]);
+    check(40.0, "{ ~2.7 | .3 }*", &times(13, &[36.1 / 13.0, 0.3]));
+    check(20.0, "{ ~2.7 | .3 }*", &times(7, &[17.9 / 7.0, 0.3]));
+}
+
+#[test]
+fn absolute_sizes_come_out_bit_for_bit() {
+    let found = Pattern::read("3.3 | ~3 | 5").solve(10.0);
+    assert_eq!((found[0].length, found[2].length), (3.3, 5.0));
+    assert_eq!(found[2].end, 10.0);
+    // Ten times 0.1 is a little less than 1, and there is no eleventh.
+    let found = Pattern::read("{ 0.1 }*").solve(1.0);
+    assert!(found.len() == 10 && found.iter().all(|piece| piece.length == 0.1) && found[9].end == 1.0);
+}
+
+#[test]
+fn absolutes_outside_a_group_without_floats_are_reserved_first() {
+    check(9.0, "1 | { 2 }* | 1", &[1.0, 2.0, 2.0, 2.0, 1.0, 1.0]);
+    check(9.0, "{ 2 }* | 1.5 | 1", &[2.0, 2.0, 2.0, 0.5, 1.5, 1.0]);
+    check(10.0, "5 | { 2 }* | 5", &[5.0, 5.0]);
+    check(10.0, "6 | { 2 }* | 6", &[6.0, 4.0]);
+    // Two groups: the one whose turn it is gets cut.
+    check(9.5, "{ 2 }* | { 1 }*", &[2.0, 2.0, 2.0, 0.5, 1.0, 1.0, 1.0]);
+    check(8.5, "{ 2 }* | { 1 }*", &[2.0, 2.0, 2.0, 1.0, 1.0, 0.5]);
+}
+
+#[test]
+fn a_group_is_made_once_at_least_unless_something_outside_floats() {
+    check(2.0, "{ ~5 }*", &[2.0]);
+    check(2.0, "{ 3 | ~1 }*", &[2.0]);
+    check(2.0, "1 | { ~5 | 0.5 }*", &[1.0, 0.5, 0.5]);
+    check(2.0, "~2 | { ~5 }*", &[2.0]);
+    check(2.0, "~2 | { 1.9 }*", &[2.0]);
+    // Both are off by 1, so the larger count wins.
+    check(2.0, "~1 | { 2 }*", &[2.0]);
+}
+
+#[test]
+fn a_group_in_brackets_only_is_no_group() {
+    check(10.0, "1 | { ~1 | { 0.2 } | ~1 } | 1", &[1.0, 3.9, 0.2, 3.9, 1.0]);
+    check(10.0, "{ { 2 } | { { 1 } } }*", &[2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 1.0]);
+}
+
+#[test]
+fn sizes_that_are_no_sizes_make_nothing() {
+    for bad in ["NaN", "inf", "-inf", "0", "-1"] {
+        check(5.0, &format!("1 | {bad} | 2"), &[1.0, 2.0]);
+        check(5.0, &format!("1 | ~{bad} | 2"), &[1.0, 2.0]);
+        check(5.0, &format!("1 | '{bad} | 2"), &[1.0, 2.0]);
+        check(5.0, &format!("1 | {{ {bad} }}* | 2"), &[1.0, 2.0]);
+        check(5.0, &format!("1 | {{ ~{bad} | 1 }}* | 2"), &[1.0, 1.0, 1.0, 2.0]);
+        check(5.0, &format!("~1 | {{ {{ {bad} }}* }}* | 2"), &[3.0, 2.0]);
+    }
+    for extent in [0.0, -0.0, -5.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for text in ["1 | ~1", "{ 1 }*", "'1 | { ~1 }*", "{ ~1 | { 2 }* }*"] {
+            check(extent, text, &[]);
+        }
+    }
+}
+
+#[test]
+fn sums_too_large_for_a_number_keep_their_ratios() {
+    check(6.0, "~1e308 | ~1e308 | ~1e308", &[2.0; 3]);
+    check(6.0, "1 | { ~1e308 | ~1e308 }*", &[1.0, 2.5, 2.5]);
+    check(6.0, "1e308 | ~1 | 1e308 | 1e308", &[6.0]);
+    check(6.0, "{ ~1e20 }*", &[6.0]);
+    check(1e300, "~1 | { 1e299 }*", &[1e299; 10]);
+}
+
+/// The reference allows any depth and shows none: repetitions are dealt out evenly, see `choices.rs`.
+#[test]
+fn a_repeat_inside_a_repeat() {
+    // Three times the outer one, twice the inner one in each: 6 of 1, and 6 floats of 2/3.
+    check(10.0, "{ 1 | { ~1 }* | 1 }*", &times(3, &[1.0, 2.0 / 3.0, 2.0 / 3.0, 1.0]));
+    check(8.0, "{ 1 | { ~1 }* | 1 }*", &times(2, &[1.0, 1.0, 1.0, 1.0]));
+    // Without floats the outer one is cut, in the middle of its second time.
+    check(10.0, "{ 1 | { 2 }* | 1 }*", &[1.0, 2.0, 2.0, 1.0, 1.0, 2.0, 1.0]);
+    check(10.0, "{ { { 2 }* }* }*", &times(5, &[2.0]));
+    // Beside each other inside one: all three twice.
+    let (float, half) = (8.0 / 9.0, 0.5);
+    let turn = [float, float, half, float, float, half];
+    check(10.0, "{ { ~1 }* | 0.5 | { ~1 }* | 0.5 }* | ~1", &framed(&turn, &turn, &[float]));
+}
+
+#[test]
+fn a_million_pieces_neither_drift_nor_gape() {
+    let found = Pattern::read("{ ~.001 }*").solve(1000.0);
+    assert_eq!(found.len(), 1_000_000);
+    assert!(found.windows(2).all(|pair| pair[0].end == pair[1].start));
+    assert_eq!(found.last().unwrap().end, 1000.0);
+    assert!((found[700_000].start - 700.0).abs() < 1e-9);
+}
+
+/// A group that is lost in rounding beside what stands outside must not be counted up for ever.
+#[test]
+fn groups_that_vanish_beside_the_rest_are_no_endless_search() {
+    for text in ["9 | { 1e-300 }*", "9 | { 1e-20 }* | { 5e-17 }*", "~9 | { 1e-300 }*", "{ { 1e-300 }* | 9 }*"] {
+        let pattern = Pattern::read(text);
+        let mut lengths = vec![0.0; pattern.sizes.len()];
+        let solution = cga_split::solve(&pattern.items, &pattern.sizes, &mut lengths, 10.0);
+        assert!(1 <= solution.at_most(), "{text}");
+    }
+}
