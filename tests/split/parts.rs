@@ -147,8 +147,7 @@ fn a_face_in_a_thick_scope_is_in_the_first_part() {
     assert_eq!(scopes(&model), [("A", [0.0; 3], [3.0, 1.0, 2.0])], "as thick as its slot");
 }
 
-/// The reference does not say whether a slot without geometry is a part. It is one, with the slot as its scope, so that
-/// what is inserted there has its place, and `split.index` counts slots.
+/// Inferred: see `Parts::geometry`.
 #[test]
 fn a_slot_without_geometry_is_a_part_without_geometry() {
     for rule in ["Gap", "GapOpen"] {

@@ -141,6 +141,9 @@ impl<'s> Parts<'s> {
     }
 
     /// What fills a part; shrinks its scope when asked to.
+    ///
+    /// The reference does not say whether a slot without geometry is a part. It is one, with the slot as its scope, so that
+    /// what is inserted there has its place and `split.index` counts slots.
     #[inline]
     fn geometry(&self, index: usize, piece: Piece, scope: &mut Scope) -> Geometry {
         match &self.parent.geometry {
