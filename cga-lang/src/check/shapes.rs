@@ -252,7 +252,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 wrong_count(self.cx, "operation", name, takes, block.args.len());
             } else if !self.cx.globals.is_lost(self.at, &name.text) {
                 let names = ops::all_operations().filter(|row| row.block != ops::Block::None).map(|row| row.name);
-                let near = nearest(&name.text, names.chain(["split", "comp"])).map(str::to_owned);
+                let near = nearest(&name.text, names.chain(["split", "splitArea", "comp"])).map(str::to_owned);
                 let message = format!("`{}` is no operation with braces", name.text);
                 self.cx.diags.report(Code::NotAnOperation, name.span, message).suggest(near);
             }
