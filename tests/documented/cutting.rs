@@ -1,4 +1,4 @@
-//! *split operation*, Cutting Geometry, and what the page says of hollow meshes and of scopes.
+//! *split operation*, Cutting Geometry, and what the page says of hollow meshes.
 
 use cga::{Model, Shape};
 
@@ -106,36 +106,5 @@ fn a_hollow_cylinder_is_cut_like_a_full_one() {
     for leaf in model.leaves() {
         assert!(leaf.mesh().0.is_closed());
         near(leaf.volume(), leaf.size().x * (section(SIDES, RADIUS) - section(SIDES, 0.5 * RADIUS)));
-    }
-}
-
-cga::cga! {
-    @Allow(undefined_rule)
-    grammar Scopes = r#"
-    # split operation, adjustSelector
-    @StartRule
-    Adjusted --> split(x) { ~1 : P }*
-    @StartRule
-    Adjust --> split(x, adjust) { ~1 : P }*
-    @StartRule
-    Unadjusted --> split(x, noAdjust) { ~1 : P }*
-    "#;
-}
-
-/// A U of 6 × 4 with walls of 1 that opens to the front: its middle is lower than its arms.
-#[test]
-fn scopes_shrink_to_the_geometry_or_fill_the_parent() {
-    let u = [[0.0, 4.0], [1.0, 4.0], [1.0, 1.0], [5.0, 1.0], [5.0, 4.0], [6.0, 4.0], [6.0, 0.0], [0.0, 0.0]];
-    let lot = Shape::footprint(&u, &[]).unwrap();
-    for (rule, depth) in [("Adjusted", 1.0), ("Adjust", 1.0), ("Unadjusted", 4.0)] {
-        let model = Scopes::default().generate_from(rule, &lot).unwrap();
-        assert_eq!(model.counts(), [("P", 6)], "{rule}");
-        for (at, leaf) in model.leaves().enumerate() {
-            near(leaf.scope().origin.x, at as f64);
-            near(leaf.scope().origin.z, 0.0);
-            near(leaf.size().x, 1.0);
-            near(leaf.size().z, if at == 0 || at == 5 { 4.0 } else { depth });
-            near(leaf.area(), if at == 0 || at == 5 { 4.0 } else { 1.0 });
-        }
     }
 }
