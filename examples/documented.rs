@@ -1,8 +1,15 @@
 //! Draws the worked examples of the documents as sheets, `out/documented-*.png`: a picture each, its rules and the pieces
 //! that come out. The rules are those that `tests/documented.rs` checks.
 //!
+//! The pages are *split operation*, *split attribute*, *splitArea operation*, *Subdivision split* and *comp operation*. The
+//! examples that split in texture space, `split(u …)` and `split(v …)`, are left out: they are not implemented yet.
+//!
 //! `cargo run --release --example documented` also cuts a ball; `-- mesh.obj` cuts that mesh instead.
 
+#[path = "documented/borders.rs"]
+mod borders;
+#[path = "documented/captions.rs"]
+mod captions;
 #[path = "../tests/documented/pages/mod.rs"]
 mod pages;
 #[path = "documented/real_mesh.rs"]
@@ -17,8 +24,11 @@ use cga::mesh::Bounds;
 use cga::sink::picture::{Camera, Image};
 use cga::{Model, Settings, Shape};
 
+use captions::{areas, counts, heights, lengths, numbered};
 use pages::example::Example;
-use pages::{comp, cutting, meshes, split_operation, subdivision_once, subdivision_repeat};
+use pages::{
+    comp, cutting, meshes, split_area, split_attribute, split_operation, subdivision_once, subdivision_repeat,
+};
 use sheet::Cell;
 
 /// One view for all pictures of a sheet, so that they can be compared: x runs to the right and away, as on the pages.
@@ -31,6 +41,11 @@ fn row(length: f64, height: f64, depth: f64) -> Camera {
     camera(Shape::cuboid(length, height, depth).to_mesh().bounds())
 }
 
+/// From above, x to the right and z down.
+fn plan(bounds: Bounds) -> Camera {
+    Camera::auto(bounds).looking_from(0.0, 90.0).orthographic()
+}
+
 fn cell(example: &Example, settings: &Settings, camera: Camera, measured: fn(&Model) -> String) -> Cell {
     let model = example.model(settings);
     let rules = example.rules.split("\n\n").next().unwrap_or_default().trim_end();
@@ -38,33 +53,10 @@ fn cell(example: &Example, settings: &Settings, camera: Camera, measured: fn(&Mo
     Cell { model, camera, borders: true, caption }
 }
 
-/// `2 x X 3 | Y 0.5`, the pieces from the low end on: how many, the rule, the length. Of very many only how many.
-fn lengths(model: &Model) -> String {
-    if 30 < model.len() {
-        return counts(model);
-    }
-    let mut runs: Vec<(usize, String)> = Vec::new();
-    for leaf in model.leaves() {
-        let piece = format!("{} {}", leaf.rule(), short(leaf.size().x));
-        match runs.last_mut() {
-            Some((count, last)) if *last == piece => *count += 1,
-            _ => runs.push((1, piece)),
-        }
-    }
-    let shown = runs.iter().map(|(count, piece)| match count {
-        1 => piece.clone(),
-        _ => format!("{count} x {piece}"),
-    });
-    shown.collect::<Vec<_>>().join(" | ")
-}
-
-fn counts(model: &Model) -> String {
-    model.counts().iter().map(|(rule, count)| format!("{count} {rule}")).collect::<Vec<_>>().join(", ")
-}
-
-fn short(number: f64) -> String {
-    let text = format!("{number:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+fn area_cell(example: &Example, settings: &Settings) -> Cell {
+    let bounds = example.model(settings).bounds();
+    let cell = cell(example, settings, plan(bounds), areas);
+    Cell { model: borders::with_scopes(&cell.model, 0.003 * bounds.size().x), ..cell }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -84,9 +76,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     save("subdivision-once", sheet(subdivision_once::ALL, row(5.0, 2.0, 1.0)))?;
     save("subdivision-repeat", sheet(subdivision_repeat::ALL, row(10.0, 3.0, 1.0)))?;
 
+    let measures: [fn(&Model) -> String; 2] = [numbered, heights];
+    let cells = split_attribute::ALL.iter().zip(measures).map(|(example, measured)| {
+        let bounds = example.model(&plain).bounds();
+        cell(example, &plain, camera(bounds), measured)
+    });
+    save("split-attribute", sheet::draw(&cells.collect::<Vec<_>>(), 2))?;
+
+    let cells: Vec<Cell> = split_area::ALL.iter().map(|example| area_cell(example, &plain)).collect();
+    save("split-area", sheet::draw(&cells, 3))?;
+
     // The cylinder, and the same rules on a hollow one.
     let tube = cutting::settings_with(meshes::lying_tube(cutting::SIDES, [0.3, 0.5], 4.0));
-    let view = row(10.0, 3.0, 2.0);
+    let view = camera(cutting::cylinder::EXAMPLE.model(&cutting::settings()).bounds());
     let mut cells: Vec<Cell> =
         cutting::ALL.iter().map(|example| cell(example, &cutting::settings(), view, lengths)).collect();
     cells.push(cell(&cutting::cylinder_cut::EXAMPLE, &tube, view, lengths));

@@ -1,14 +1,21 @@
 //! The worked examples of the documents that this project started from, word for word, to the documented numbers.
 //!
-//! The pages: *split operation*, *Subdivision split*, *comp operation*, and those of the operations they use. What a page
-//! shows only in a picture is taken from the picture. The program `examples/documented.rs` draws the same examples.
+//! The pages: *split operation*, *split attribute*, *splitArea operation*, *Subdivision split*, *comp operation*, and those
+//! of the operations they use. What a page shows only in a picture is taken from the picture. The program
+//! `examples/documented.rs` draws the same examples.
 
+#[path = "documented/adjusting.rs"]
+mod adjusting;
+#[path = "documented/areas.rs"]
+mod areas;
 #[path = "documented/attributes.rs"]
 mod attributes;
 #[path = "documented/cutting.rs"]
 mod cutting;
 #[path = "documented/faces.rs"]
 mod faces;
+#[path = "documented/outlines.rs"]
+mod outlines;
 #[path = "documented/pages/mod.rs"]
 mod pages;
 #[path = "documented/pieces.rs"]
@@ -23,8 +30,16 @@ mod thirty;
 /// Every example runs, leaves something and has nothing to complain about, and they can be told apart.
 #[test]
 fn all_examples_run() {
-    use pages::{comp, cutting, split_operation, subdivision_once, subdivision_repeat};
-    let pages = [split_operation::ALL, subdivision_once::ALL, subdivision_repeat::ALL, cutting::ALL, comp::ALL];
+    use pages::{comp, cutting, split_area, split_attribute, split_operation, subdivision_once, subdivision_repeat};
+    let pages = [
+        split_operation::ALL,
+        split_attribute::ALL,
+        split_area::ALL,
+        subdivision_once::ALL,
+        subdivision_repeat::ALL,
+        cutting::ALL,
+        comp::ALL,
+    ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {
         let model = example.model(&cutting::settings());
@@ -33,5 +48,5 @@ fn all_examples_run() {
     }
     titles.sort_unstable();
     titles.dedup();
-    assert_eq!(titles.len(), 9 + 12 + 11 + 2 + 4);
+    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 4);
 }

@@ -9,11 +9,12 @@ pub(crate) struct Cell {
     pub(crate) camera: Camera,
     /// The borders between pieces that lie in one plane are drawn as well, and all lines strongly.
     pub(crate) borders: bool,
-    /// Lines; what is too long is broken at ` | ` or a space.
+    /// Lines; what is too long is broken at ` | ` or a space and goes on a little further in.
     pub(crate) caption: String,
 }
 
-const WIDTH: usize = 620;
+/// So many that the longest line of most examples fits.
+const WIDTH: usize = 660;
 const HEIGHT: usize = 330;
 const SPACE: usize = 16;
 /// Pixels a dot of a character.
@@ -48,14 +49,19 @@ fn broken(text: &str) -> String {
     let most = WIDTH / Image::text_size(SCALE, "mm").0.saturating_sub(Image::text_size(SCALE, "m").0).max(1);
     let mut out = Vec::new();
     for line in text.lines() {
-        let mut rest = line;
+        let indent = line.len() - line.trim_start().len();
+        let mut rest = line.to_owned();
         while most < rest.chars().count() {
             let fits = rest.char_indices().nth(most).map_or(rest.len(), |(at, _)| at);
-            let at = rest[..fits].rfind(" | ").or(rest[..fits].rfind(' ')).filter(|at| 0 < *at).unwrap_or(fits);
+            // Not in the white space that the line begins with.
+            let start = rest.len() - rest.trim_start().len();
+            let last = |what: &str| rest[..fits].rfind(what).filter(|at| start < *at);
+            let at = last(" | ").or(last(" ")).unwrap_or(fits);
+            let next = format!("{:indent$}  {}", "", rest[at..].trim_start());
             out.push(rest[..at].to_owned());
-            rest = rest[at..].trim_start();
+            rest = next;
         }
-        out.push(rest.to_owned());
+        out.push(rest);
     }
     out.join("\n")
 }

@@ -1,31 +1,13 @@
 //! *split attribute*, *comp attribute*, *r operation*, *report operation*: what rules learn about their place in a split.
 
-use cga::{Model, Shape, cga};
+use cga::{Model, Settings, Shape, cga};
 
+use crate::pages::split_attribute::{interleaved, slices};
 use crate::pieces::near;
 
 cga! {
     @Allow(undefined_rule)
     grammar Index = r##"
-    # split operation, Shape attributes
-    @StartRule
-    Tenths --> primitiveCube()
-               split(x) { '0.1 : A | '0.1 : B }*
-    A --> set(material.name, split.index + " of " + split.total) A.
-    B --> set(material.name, split.index + " of " + split.total) B.
-
-    # split attribute, Examples
-    @StartRule
-    Lot --> extrude(20) Slices
-    Slices --> split(y){2 : Slice}*
-    Slice -->
-        case split.index == 0:
-            color("#ff0000") X
-        case split.index == split.total-1:
-            color("#0000ff") X
-        else:
-            X.
-
     # Nested groups count on, a split inside a split counts for itself.
     @StartRule
     Nested --> split(x) { 1 : P | { 2 : P | 1 : split(z) { '0.5 : P }* }* }
@@ -85,15 +67,15 @@ fn index_of(rule: &str, shape: &Shape) -> Model {
 }
 
 #[test]
-fn index_and_total_run_over_the_whole_split() {
-    let model = index_of("Tenths", &Shape::rectangle(10.0, 2.0));
+fn fact_31_index_and_total_run_over_the_whole_split() {
+    let model = interleaved::EXAMPLE.model(&Settings::default());
     let expected: Vec<_> = (0..10).map(|at| (["A", "B"][at % 2], format!("{at} of 10"))).collect();
     assert_eq!(names(&model), expected);
 }
 
 #[test]
-fn the_first_slice_is_the_lowest() {
-    let model = index_of("Lot", &Shape::rectangle(8.0, 8.0));
+fn fact_32_the_first_slice_is_the_lowest() {
+    let model = slices::EXAMPLE.model(&Settings::default());
     assert_eq!(model.len(), 10);
     for (at, leaf) in model.leaves().enumerate() {
         assert!(near(leaf.scope().origin.y, 2.0 * at as f64) && near(leaf.size().y, 2.0));

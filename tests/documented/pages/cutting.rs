@@ -23,8 +23,10 @@ pub(crate) fn settings_with(mesh: Mesh) -> Settings {
     Settings { assets: Arc::new(Assets::new().with("cylinder.hor.obj", mesh)), ..Settings::default() }
 }
 
+/// On the page's pictures the cylinder lies on the ground, its middle above the x axis: the initial shape is 10 metres long
+/// and has no height and no depth, so that the model keeps its proportions and its place about the axis.
 fn initial() -> Shape {
-    Shape::cuboid(10.0, 2.0, 2.0)
+    Shape::line([0.0, 0.0, 0.0], [10.0, 0.0, 0.0]).expect("a line")
 }
 
 example! {

@@ -4,6 +4,8 @@ pub(crate) mod comp;
 pub(crate) mod cutting;
 pub(crate) mod example;
 pub(crate) mod meshes;
+pub(crate) mod split_area;
+pub(crate) mod split_attribute;
 pub(crate) mod split_operation;
 pub(crate) mod subdivision_once;
 pub(crate) mod subdivision_repeat;

@@ -10,6 +10,7 @@ use crate::pieces::{joined, times};
 
 /// All of them, in the page's order.
 pub(crate) const ALL: &[Example] = &[
+    setup::EXAMPLE,
     relative_sizes::EXAMPLE,
     floating_sizes_only::EXAMPLE,
     absolute_and_floating_sizes::EXAMPLE,
@@ -23,6 +24,15 @@ pub(crate) const ALL: &[Example] = &[
 
 fn initial() -> Shape {
     Shape::cuboid(10.0, 1.0, 1.0)
+}
+
+example! {
+    /// "This is the initial shape before the split." The page gives no rule for that picture.
+    setup, "split operation, Setup", initial(),
+    r##"A-->
+  Initial.
+"##,
+    [("Initial", 10.0, 1.0)]
 }
 
 example! {
@@ -145,7 +155,7 @@ Z(h)--> s('1,'h,'1) color("#00ff00")
 
 example! {
     /// The picture shows three repetitions; from 2018.0 on the page prints the size that gives them.
-    rhythm, "split operation, Rhythm (2018.0)", initial(),
+    rhythm, "split operation, Rhythm, as printed from 2018 on", initial(),
     r##"A-->
 split(x){ { 1 : X(3) |
          ~2.7 : Y(1) }* |
@@ -159,7 +169,7 @@ Y(h)--> s('1,'h,'1) color("#ffff00")
 
 example! {
     /// Up to 2017 the page prints `~3` above the same picture: that size gives two repetitions.
-    rhythm_as_first_printed, "split operation, Rhythm (up to 2017)", initial(),
+    rhythm_as_first_printed, "split operation, Rhythm, as printed up to 2017", initial(),
     r##"A-->
 split(x){ { 1 : X(3) |
            ~3 : Y(1) }* |

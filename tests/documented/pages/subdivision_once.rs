@@ -56,7 +56,7 @@ Blue(height) --> s('1, 'height, '1)
 
 example! {
     /// "After the split, the total resulting length is 3+1=4."
-    two_absolute, "Subdivision split, two absolute split values", lot(),
+    two_absolute, "Subdivision split, Absolute split: two values", lot(),
     r##"Lot --> s(5, 1, 1)
         primitiveCube()
         split(x) { 3 : Green(1)
@@ -71,7 +71,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "The resulting shape Yellow has a length of 1 instead of 2", and the rightmost Blue "will not be generated".
-    limited_scope, "Subdivision split, absolute values within a limited scope", lot(),
+    limited_scope, "Subdivision split, Absolute split: values within a limited scope", lot(),
     r##"Lot --> s(5, 1, 1)
         primitiveCube()
 split(x) { 2 : Green(1)  |
@@ -90,7 +90,7 @@ Yellow(height) --> s('1, 'height, '1) color("#FCE070")
 
 example! {
     /// "Both Yellow shapes are not generated. Blue starts at 1.5. The last Green shape stops at the total length of 5."
-    no_size, "Subdivision split, negative or zero-sized values", lot(),
+    no_size, "Subdivision split, Absolute split: negative or zero-sized values", lot(),
     r##"Lot --> s(5, 1, 1)
         primitiveCube()
 split(x) { 1.5 : Green(1)  |
@@ -110,7 +110,7 @@ Yellow(height) --> s('1, 'height, '1) color("#FCE070")
 
 example! {
     /// "This example cuts the scope using the Golden Ratio."
-    golden_ratio, "Subdivision split, Golden Ratio", lot(),
+    golden_ratio, "Subdivision split, Relative split: Golden Ratio", lot(),
     r##"Lot --> s(5, 1, 1)
         primitiveCube()
         split(x) { '0.382 : A | '0.618 : B }
@@ -147,7 +147,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "The floating value 2 fills the space (3 units in yellow) between two absolute values."
-    floating_between, "Subdivision split, floating value fills the space", lot(),
+    floating_between, "Subdivision split, Floating split: filling the space", lot(),
     r##"Lot --> s(5, 1, 1)
         primitiveCube()
 split(x) { 1 : Blue(1.5) |
@@ -163,7 +163,7 @@ Yellow(height) --> s('1, 'height, '1) color("#FCE070")
 
 example! {
     /// "Distributed evenly over the remaining scope space (2 units)."
-    two_floating, "Subdivision split, multiple floating splits", lot(),
+    two_floating, "Subdivision split, Floating split: two of them", lot(),
     r##"Lot --> s(5, 1, 1)
         primitiveCube()
 split(x) {   3 : Green(1)  |
@@ -179,7 +179,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "Three floating splits are distributed evenly."
-    three_floating, "Subdivision split, three floating splits", lot(),
+    three_floating, "Subdivision split, Floating split: three of them", lot(),
     r##"Lot --> s(5, 1, 1)
         primitiveCube()
 split(x) { 3 : Green(1)  |
@@ -196,7 +196,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "If there is no space left for a floating split, the corresponding shape is not generated."
-    floating_without_space, "Subdivision split, floating split without space", lot(),
+    floating_without_space, "Subdivision split, Floating split: without space", lot(),
     r##"Lot --> s(5, 1, 1)
         primitiveCube()
 split(x) { 5 : Green(1) |
@@ -211,7 +211,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "The recursion stops when the geometry gets too small for a further split."
-    golden_ratio_recursive, "Subdivision split, recursive split with Golden Ratio", lot(),
+    golden_ratio_recursive, "Subdivision split, Relative split: recursive, with Golden Ratio", lot(),
     r##"Lot --> s(5, 1, 1)
         primitiveCube()
         split(x) { '0.382 : A | '0.618 : B }

@@ -30,7 +30,7 @@ fn lot() -> Shape {
 
 example! {
     /// "Exactly 5 cubes of length 2 fit in the scope."
-    absolute, "Subdivision split, Repeat split, absolute", lot(),
+    absolute, "Subdivision split, Repeat split: absolute", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
         split(x) { 2 : Green(1) }*
@@ -42,7 +42,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "A split to 5 successor shapes (with a length of 2 each) still approximates the target length of 2.1 best."
-    floating, "Subdivision split, Repeat split, floating", lot(),
+    floating, "Subdivision split, Repeat split: floating", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
 split(x) { ~2.1 : Green(1) }*
@@ -54,7 +54,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "The resulting length of the floating splits is (10-2)/3, the best approximation for the target value 2.5."
-    bordered, "Subdivision split, Repeat split bordered by two absolute splits", lot(),
+    bordered, "Subdivision split, Repeat split: bordered by two absolute splits", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
 split(x) {    1 : Blue(2)     |
@@ -70,7 +70,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "The floating splits do not get any space to be generated."
-    absolute_then_float, "Subdivision split, Repeat split without space for floating splits, at the end", lot(),
+    absolute_then_float, "Subdivision split, Repeat split: no space for a floating split at the end", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
 split(x) {  { 2 : Green(1) }* |
@@ -85,7 +85,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "Evaluated first independently on whichever side of the split the repetition is denoted."
-    float_then_absolute, "Subdivision split, Repeat split without space for floating splits, at the start", lot(),
+    float_then_absolute, "Subdivision split, Repeat split: no space for a floating split at the start", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
 split(x) {   ~1 : Blue(2)     |
@@ -101,7 +101,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 example! {
     /// "A repeat split with absolute values can be bordered by two neighboring floating splits." The lengths are those of
     /// least stretch; the page gives none.
-    between_floats, "Subdivision split, Repeat split bordered by two floating splits", lot(),
+    between_floats, "Subdivision split, Repeat split: bordered by two floating splits", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
 split(x) { ~1 : Green(1)     |
@@ -117,7 +117,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "Equally distributed 4 times (blue) to the resulting length of (10-3)/4=1.75."
-    same_size, "Subdivision split, Repeat split with floating and repeat split same size", lot(),
+    same_size, "Subdivision split, Repeat split: floating and repeat split of the same size", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
 split(x) { ~2 : Blue(1)    |
@@ -133,7 +133,7 @@ Green(height) --> s('1, 'height, '1) color("#9BD770")
 
 example! {
     /// "A pattern is created and repeated." Four and five repetitions stretch it equally; the larger count is taken.
-    pattern, "Subdivision split, Patterns", lot(),
+    pattern, "Subdivision split, Repeat split, Patterns", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
 split(x) {  ~1 : Yellow(2) |
@@ -148,7 +148,7 @@ Yellow(height) --> s('1, 'height, '1) color("#FCE070")
 
 example! {
     /// "Repeating patterns can be inserted within other geometries."
-    pattern_inside, "Subdivision split, Patterns within other geometries", lot(),
+    pattern_inside, "Subdivision split, Repeat split, Patterns: within other geometries", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
 split(x) {  1 : Blue(3)      |
@@ -171,7 +171,7 @@ Yellow(height) --> s('1, 'height, '1) color("#FCE070")
 
 example! {
     /// "Two repeat splits (yellow and blue) are bordered by floating splits (green)." Ten parts of 1, dealt out in turn.
-    parallel_floating, "Subdivision split, Parallel, bordered by floating splits", lot(),
+    parallel_floating, "Subdivision split, Repeat split, Parallel: bordered by floating splits", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
 split(x) { ~1 : Green(1)     |
@@ -197,7 +197,7 @@ Yellow(height) --> s('1, 'height, '1) color("#FCE070")
 example! {
     /// "Two successive repeat splits (green and yellow) are bordered by absolute splits (blue)." Repetitions are dealt out in
     /// turn; the page gives no numbers.
-    parallel_absolute, "Subdivision split, Parallel, bordered by absolute splits", lot(),
+    parallel_absolute, "Subdivision split, Repeat split, Parallel: bordered by absolute splits", lot(),
     r##"Lot --> s(10, 1, 1)
         primitiveCube()
 split(x) { 1 : Blue(2)      |

@@ -1,0 +1,33 @@
+//! The borders of scopes, which the page draws with edges.
+
+use std::sync::Arc;
+
+use cga::{Color, Geometry, Leaf, Material, Model, Quad, Scope, Sink};
+
+use crate::captions::SCOPE;
+
+/// Metres above the scopes that are drawn.
+const LIFT: f64 = 0.02;
+
+/// The same model with black strips of that width inside the borders of the scopes that it draws (*splitArea operation*,
+/// adjust vs. noAdjust: `comp(e) { all : color(0, 0, 0) Edge. }`).
+pub(crate) fn with_scopes(model: &Model, width: f64) -> Model {
+    let mut out = Model::new();
+    let _ = model.replay(&mut out);
+    let mut black = Material::default();
+    black.color = Some(Color::new(0.0, 0.0, 0.0));
+    let material = Arc::new(black);
+    for leaf in model.leaves_of(SCOPE) {
+        let Geometry::Quad(rectangle) = leaf.geometry() else { continue };
+        let corners = rectangle.corners();
+        let lift = rectangle.u.cross(rectangle.v).normalize_or_zero() * LIFT;
+        for at in 0..4 {
+            let [from, to, next] = [0, 1, 2].map(|step| corners[(at + step) % 4]);
+            let inwards = (next - to).normalize_or_zero() * width;
+            let strip = Quad { origin: from + lift, u: to - from, v: inwards };
+            let scope = Scope { origin: strip.origin, ..*leaf.scope() };
+            let _ = out.quad(&Leaf { rule: "Edge", material: &material, scope: &scope }, &strip);
+        }
+    }
+    out
+}
