@@ -39,7 +39,7 @@ const SEARCHES_KEPT: usize = 32;
 const TABLES_KEPT: usize = 16;
 
 /// A share of the initial shape's largest extent below which a shape is not split any further, and the most that this
-/// may be, in metres: on a large site small things are as good as elsewhere.
+/// may be, in metres: on a large site small things are as good as elsewhere, and a run may start from a point.
 const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
 
 /// The run's state that does not depend on the sink.
@@ -120,7 +120,7 @@ impl Env {
                 limits: Limits { shapes: settings.limits.shapes.min(u64::MAX - 1), ..settings.limits },
                 ..settings.clone()
             },
-            too_small: (extent * TOO_SMALL.0).min(TOO_SMALL.1),
+            too_small: if extent == 0.0 { TOO_SMALL.1 } else { (extent * TOO_SMALL.0).min(TOO_SMALL.1) },
             names,
             trail: Vec::new(),
             before: None,

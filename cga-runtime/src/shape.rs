@@ -123,22 +123,23 @@ impl Shape {
     /// be, and the scope has no height and no depth. Rules see an edge shape.
     ///
     /// # Errors
-    /// [`Error::Shape`] when it has no length or a number is not finite.
+    /// [`Error::Shape`] when its length is no finite number above 0, or an end is no finite number.
     pub fn line(from: impl Into<[f64; 3]>, to: impl Into<[f64; 3]>) -> Result<Self, Error> {
         let (from, to) = (DVec3::from_array(from.into()), DVec3::from_array(to.into()));
-        let x = crate::mesh::unit(to - from);
-        if !(from.is_finite() && to.is_finite()) || x == DVec3::ZERO {
+        let (x, length) = (crate::mesh::unit(to - from), (to - from).length());
+        if !(from.is_finite() && length.is_finite() && 0.0 < length) {
             return Err(Error::Shape("a line needs two ends that are finite numbers and not the same".into()));
         }
         // An upright line has no side that faces up; its y axis points away from the viewer in front.
         let up = if x.x == 0.0 && x.z == 0.0 { DVec3::NEG_Z } else { DVec3::Y };
         let z = crate::mesh::unit(x.cross(up));
         let axes = DMat3::from_cols(x, z.cross(x), z);
-        let scope = Scope { origin: from, axes, size: DVec3::new((to - from).length(), 0.0, 0.0) };
+        let scope = Scope { origin: from, axes, size: DVec3::new(length, 0.0, 0.0) };
         Ok(Shape::with(scope, Geometry::Edge))
     }
 
-    /// A point in the world, in metres: its scope has no size. Rules see a vertex shape.
+    /// A point in the world, in metres: its scope has no size. Rules see a vertex shape. A run from a point that is no finite
+    /// number is an error.
     pub fn point(at: impl Into<[f64; 3]>) -> Self {
         let scope = Scope { origin: DVec3::from_array(at.into()), ..Scope::new(DVec3::ZERO) };
         Shape::with(scope, Geometry::Vertex)

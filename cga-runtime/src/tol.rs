@@ -23,3 +23,7 @@ pub(crate) const AREA_EPSILON: f64 = 1e-12;
 
 /// A face whose normal leaves an axis by a sine below this lies across it.
 pub(crate) const ACROSS_EPSILON: f64 = 1e-6;
+
+/// An edge that extends along an axis by less than this, relative to the extent of the shape, lies across it: the rounding of
+/// its ends is as large.
+pub(crate) const EDGE_EPSILON: f64 = 1e-15;

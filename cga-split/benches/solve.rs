@@ -90,15 +90,27 @@ fn four_slots() {
         10_000,
         || {
             let extent: f64 = black_box(10.0);
-            let tenth = extent * 0.1;
-            let stretch = ((extent - (0.5 + tenth)) / 3.0).max(0.0);
+            let extent = if 0.0 < extent && extent <= 1e150 { extent } else { 0.0 };
+            let smallest = extent * 1e-12;
+            // No size is too short for a piece, or it takes no room.
+            let tenth = if smallest < extent * 0.1 { extent * 0.1 } else { 0.0 };
+            let half = if smallest < 0.5 { 0.5 } else { 0.0 };
+            let room = extent - (half + tenth);
+            let stretch = if smallest < room { room / 3.0 } else { 0.0 };
+            let stretch = if smallest < stretch || 2.0 * stretch <= smallest { stretch } else { f64::NAN };
             let mut from = 0.0;
-            for (slot, length) in [0.5, stretch, tenth, 2.0 * stretch].into_iter().enumerate() {
-                let rest = extent - from;
-                if 0.0 < length && extent * 1e-12 < rest {
+            for (slot, length) in [half, stretch, tenth, 2.0 * stretch].into_iter().enumerate() {
+                let near = extent - smallest;
+                if 0.0 < length && from < near {
                     let to = from + length;
-                    let end = if extent - extent * 1e-12 <= to { extent } else { to };
-                    fold(&mut by_hand, slot as u32, from, if to <= extent + extent * 1e-12 { length } else { rest });
+                    let (end, length) = if to < near {
+                        (to, length)
+                    } else if to <= extent + smallest {
+                        (extent, length)
+                    } else {
+                        (extent, extent - from)
+                    };
+                    fold(&mut by_hand, slot as u32, from, length);
                     from = end;
                 }
             }

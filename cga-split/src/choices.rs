@@ -11,11 +11,18 @@ pub fn is_size(value: f64) -> bool {
     0.0 < value && value < f64::INFINITY
 }
 
-/// The smallest piece: what is left at the end of the scope and not longer than this makes none, a piece that ends this close
-/// to the end ends there, and room for floats that is not longer than this is no room.
+/// Extents that are split: sizes up to a length whose square is still a number, as areas need it.
+#[inline]
+pub(crate) fn is_extent(value: f64) -> bool {
+    0.0 < value && value <= 1e150
+}
+
+/// The smallest piece: a length that is not above this is no piece and takes no room, wherever it stands, unless it floats
+/// and nothing else does; what is left at the end of the scope and is not longer makes none, a piece that ends this close to
+/// the end ends there, and room for floats that is not longer is no room.
 ///
-/// The pages count ten times 0.1 as one metre, and sums of sizes are off by some last bits: a share of the extent that no
-/// sum of sizes that a rule would write is off by, and that no picture shows.
+/// Sums of sizes are off by some last bits: ten times 0.1 is a little less than 1. This is a share of the extent that no sum
+/// of sizes that a rule would write is off by, and that no picture shows.
 #[inline]
 pub(crate) fn smallest_piece(extent: f64) -> f64 {
     extent * 1e-12
@@ -23,13 +30,16 @@ pub(crate) fn smallest_piece(extent: f64) -> f64 {
 
 /// Whether the stretch of the larger of two neighbouring counts, `more`, is as near to 1 as that of the smaller, `fewer`.
 ///
-/// "Best number of repetitions and least stretching" (*split operation*). That the difference decides and not the ratio, and
-/// that the larger count wins when both are equal, follows from the examples: `{ 1 | ~2.7 }* | 1` in 10 repeats three times,
-/// and of `{ 2 }* | ~1` in 10, where four and five repetitions are both off by 1, five are made and no float. Of two that
-/// both shrink the floats the smaller count is nearer, however little a difference rounding leaves.
+/// "Best number of repetitions and least stretching" (*split operation*). That the difference decides and not the ratio
+/// follows from `{ 1 | ~2.7 }* | 1` in 10, which repeats three times. Of two counts that both shrink the floats the smaller
+/// one is nearer. When both are off by the same, the larger one wins: `{ 2 }* | ~1` in 10 makes five pieces and no float,
+/// though four and five are both off by 1, as absolute repeats come "first" (*Subdivision split*); that holds whatever
+/// rounding does, and so in every unit. Other ties are ties only if they are in `f64`, where the last bit may decide:
+/// `{ ~5 | ~0.5 }*` in 30 makes five repetitions, as the *report operation* shows, though six are off by as much.
 #[inline]
 pub(crate) fn as_near(fewer: f64, more: f64) -> bool {
-    if fewer <= 1.0 { more == fewer } else { (more - 1.0).abs() <= (fewer - 1.0).abs() }
+    const ROUNDING: f64 = 1e-12;
+    if more == 0.0 { 2.0 - ROUNDING <= fewer } else { 1.0 < fewer && (more - 1.0).abs() <= (fewer - 1.0).abs() }
 }
 
 /// How many repetitions there are at least, of `groups` that can repeat, one by one.

@@ -25,7 +25,7 @@ pub(crate) fn sums_of_one(own: &Range<usize>, sizes: &[Size], lengths: &[f64]) -
         let sum = if own.contains(&slot) { &mut inside } else { &mut outside };
         sum.add(size, *length);
     }
-    (outside, inside)
+    (outside, inside.finite())
 }
 
 /// A pattern with one group: what nearly all splits with repeats are. Gives the stretch of the floats too.
@@ -42,7 +42,8 @@ pub(crate) fn one(outside: Sum, own: Sum, extent: f64) -> (f64, Turns) {
         (stretch, Turns { count, length: own.absolute + stretch * own.floating, room: f64::INFINITY })
     } else {
         let room = room_for_groups(extent, outside.absolute);
-        (0.0, Turns { count: search.fill(room).0, length: own.absolute, room })
+        let (count, cut) = search.fill(room);
+        (0.0, Turns { count, length: own.absolute, room: if cut { room } else { f64::INFINITY } })
     }
 }
 
@@ -57,8 +58,10 @@ struct Group {
     top: usize,
     /// Where its items end in the pattern.
     end: usize,
-    /// It, or a group inside, has a slot with a length: then its number among those, else it is never made.
-    live: Option<u64>,
+    /// It, or a group inside, has a slot with a length. If not, it is never made.
+    live: bool,
+    /// How many live groups stand before it.
+    number: u64,
     /// How often it repeats in the whole split.
     times: f64,
 }
@@ -97,7 +100,8 @@ impl Groups {
                         parent: inside,
                         top: inside.map_or(index, |group| groups.list[group].top),
                         end: (at + 1).saturating_add(*len as usize).min(limit),
-                        live: None,
+                        live: false,
+                        number: 0,
                         times: 0.0,
                     });
                     inside = Some(index);
@@ -116,19 +120,18 @@ impl Groups {
         groups
     }
 
-    /// Numbers the groups that hold anything. A group stands before those inside it.
+    /// Finds the groups that hold anything, and numbers them. A group stands before those inside it.
     fn number(&mut self) {
         for index in (0..self.list.len()).rev() {
             let group = &mut self.list[index];
-            if group.live.is_some() || 0.0 < group.own.nominal() {
-                group.live = Some(0);
-                if let Some(parent) = group.parent {
-                    self.list[parent].live = Some(0);
-                }
+            group.own = group.own.finite();
+            group.live |= 0.0 < group.own.nominal();
+            if let Group { live: true, parent: Some(parent), .. } = *group {
+                self.list[parent].live = true;
             }
         }
-        for number in self.list.iter_mut().filter_map(|group| group.live.as_mut()) {
-            *number = self.live;
+        for group in self.list.iter_mut().filter(|group| group.live) {
+            group.number = self.live;
             self.live += 1;
         }
     }
@@ -164,7 +167,7 @@ impl Groups {
         for index in 0..self.list.len() {
             let around = self.list[index].parent.map_or(1.0, |parent| self.list[parent].times);
             let group = &mut self.list[index];
-            let count = group.live.map_or(0, |number| share(turns, self.live, number));
+            let count = if group.live { share(turns, self.live, group.number) } else { 0 };
             group.times = around * count as f64;
             self.turns[index].count = count;
             sum = sum.plus(group.own, group.times);
@@ -175,8 +178,9 @@ impl Groups {
     /// Gives the group that got the last of so many repetitions the room that the others leave.
     fn cut_last(&mut self, turns: u64, room: f64) {
         self.deal(turns);
-        let last = Some(last_group(turns, self.live));
-        let Some(top) = self.list.iter().find(|group| group.live == last).map(|group| group.top) else { return };
+        let last = last_group(turns, self.live);
+        let Some(group) = self.list.iter().find(|group| group.live && group.number == last) else { return };
+        let top = group.top;
         let others = self.list.iter().filter(|group| group.top != top);
         self.turns[top].room = room - others.map(|group| group.times * group.own.absolute).sum::<f64>();
     }

@@ -55,43 +55,59 @@ pub(crate) struct OneGroup {
     turns: Turns,
     extent: f64,
     smallest: f64,
-    /// How many runs there were.
-    number: u64,
-    /// Where the group starts, and where its room ends.
+    /// Where we are: before the first run, at a repetition, or behind the last run.
+    at: At,
+    /// Where the group starts, where its room ends, and where its last repetition ended.
     start: f64,
     limit: f64,
-    /// Where the last repetition ended.
     border: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum At {
+    Start,
+    /// So many repetitions have been.
+    Turn(u64),
+    End,
 }
 
 impl OneGroup {
     #[inline]
     pub(crate) fn new(own: Range<usize>, slots: usize, turns: Turns, extent: f64) -> Self {
         let smallest = smallest_piece(extent);
-        OneGroup { own, slots, turns, extent, smallest, number: 0, start: 0.0, limit: 0.0, border: 0.0 }
+        let at = if own.start == 0 { At::Turn(0) } else { At::Start };
+        OneGroup { own, slots, turns, extent, smallest, at, start: 0.0, limit: 0.0, border: 0.0 }
     }
 
     /// The next run; the last one ended there.
     #[inline]
     pub(crate) fn next(&mut self, end: f64) -> Option<Run> {
-        let number = self.number;
-        self.number += 1;
-        if number == 0 {
-            return Some(Run { slots: 0..self.own.start, start: 0.0, limit: self.extent });
-        }
-        if number == 1 {
-            (self.start, self.border) = (end, end);
-            self.limit = self.turns.limit(end, self.extent, self.smallest);
-        }
-        let behind = self.turns.count + 1;
-        if number < behind && self.border < self.limit {
+        let number = match self.at {
+            At::Start => {
+                self.at = At::Turn(0);
+                return Some(Run { slots: 0..self.own.start, start: 0.0, limit: self.extent });
+            }
+            At::Turn(0) => {
+                (self.start, self.border) = (end, end);
+                self.limit = self.turns.limit(end, self.extent, self.smallest);
+                1
+            }
+            At::Turn(number) => number + 1,
+            At::End => return None,
+        };
+        if number <= self.turns.count && self.border < self.limit {
+            self.at = At::Turn(number);
             // A repetition fills its room, whatever rounding says.
             let start = self.border;
             self.border = self.turns.border(number, self.start, self.limit, self.smallest);
             return Some(Run { slots: self.own.clone(), start, limit: self.border });
         }
-        self.number = behind + 1;
-        (number <= behind).then_some(Run { slots: self.own.end..self.slots, start: self.border, limit: self.extent })
+        self.at = At::End;
+        (self.own.end < self.slots).then_some(Run {
+            slots: self.own.end..self.slots,
+            start: self.border,
+            limit: self.extent,
+        })
     }
 }
 

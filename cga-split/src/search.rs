@@ -28,6 +28,12 @@ impl Sum {
         Sum { absolute: self.absolute + times * other.absolute, floating: self.floating + times * other.floating }
     }
 
+    /// The same, or the largest number where it is too large for one: so that none of it is nothing.
+    #[inline]
+    pub(crate) fn finite(self) -> Sum {
+        Sum { absolute: self.absolute.min(f64::MAX), floating: self.floating.min(f64::MAX) }
+    }
+
     /// The length before anything is stretched.
     #[inline]
     pub(crate) fn nominal(self) -> f64 {

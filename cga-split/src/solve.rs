@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::choices::{is_size, smallest_piece};
+use crate::choices::{is_extent, is_size, smallest_piece};
 use crate::groups;
 use crate::runs::{AnyGroups, OneGroup, Run, Turns};
 use crate::search::Sum;
@@ -20,7 +20,7 @@ pub struct Solution<'a> {
     several: Vec<Turns>,
 }
 
-/// How many groups a pattern has. Known while compiling where the pattern is, so that only one way is left in the code.
+/// How many groups a pattern has. Where the pattern is a constant and calls are inlined, only one way is left in the code.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Grouping {
     None,
@@ -45,39 +45,25 @@ impl Grouping {
 ///
 /// *split operation*, *Subdivision split*: absolute and relative sizes are taken as they are, floating ones share what is
 /// left; repetitions are chosen for the least stretch; what does not fit is cut or not made. An extent that is no
-/// positive, finite number has no pieces. Nothing is allocated for patterns with one group or none.
+/// positive number up to 1e150 has no pieces. Nothing is allocated for patterns with one group or none.
 ///
 /// # Panics
-/// When there is not one length a size, or an item less than sizes.
+/// When there is not one length a size, or an item less than sizes. Lists that don't belong together otherwise have some
+/// solution or none.
 #[inline(always)]
 pub fn solve<'a>(pattern: &'a [Item], sizes: &[Size], lengths: &'a mut [f64], extent: f64) -> Solution<'a> {
     assert!(sizes.len() == lengths.len() && sizes.len() <= pattern.len(), "one size and one length a slot");
-    let extent = if is_size(extent) { extent } else { 0.0 };
-    let (mut one, mut several) = (Turns::NONE, Vec::new());
-    match Grouping::of(pattern, sizes.len()) {
-        Grouping::None => {
-            let sum = measure(sizes, lengths, extent);
-            stretch(sizes, lengths, sum.stretch(extent));
-        }
-        Grouping::One => {
-            measure(sizes, lengths, extent);
-            let own = groups::slots_of_one(pattern, sizes.len());
-            let (outside, inside) = groups::sums_of_one(&own, sizes, lengths);
-            let by;
-            (by, one) = groups::one(outside, inside, extent);
-            stretch(sizes, lengths, by);
-        }
-        Grouping::Several => several = solve_several(pattern, sizes, lengths, extent),
+    let extent = if is_extent(extent) { extent } else { 0.0 };
+    let sum = measure(sizes, lengths, extent);
+    let (mut by, mut one, mut several) = choose(pattern, sizes, lengths, sum, extent);
+    if has_slivers(sizes, lengths, by, extent) {
+        let others;
+        (by, one, several, others) = without_slivers(pattern, sizes, extent);
+        // Not in place: lengths whose address nobody knows stay in registers.
+        lengths.iter_mut().zip(others).for_each(|(length, other)| *length = other);
     }
+    floats(sizes, lengths).for_each(|length| *length *= by);
     Solution { pattern, lengths, extent, one, several }
-}
-
-#[inline(never)]
-fn solve_several(pattern: &[Item], sizes: &[Size], lengths: &mut [f64], extent: f64) -> Vec<Turns> {
-    measure(sizes, lengths, extent);
-    let (by, turns) = groups::several(pattern, sizes, lengths, extent);
-    stretch(sizes, lengths, by);
-    turns
 }
 
 /// Sets lengths, floats not yet stretched; gives their sum.
@@ -85,23 +71,81 @@ fn solve_several(pattern: &[Item], sizes: &[Size], lengths: &mut [f64], extent: 
 fn measure(sizes: &[Size], lengths: &mut [f64], extent: f64) -> Sum {
     let mut sum = Sum::default();
     for (length, size) in lengths.iter_mut().zip(sizes) {
-        let metres = if size.prefix == Prefix::Relative { size.value * extent } else { size.value };
-        *length = if is_size(metres) { metres } else { 0.0 };
+        *length = own_length(size, extent);
         sum.add(size, *length);
     }
-    if sum.floating == f64::INFINITY {
-        sum = weigh_less(sizes, lengths);
+    if sum.floating == f64::INFINITY { weigh_less(sizes, lengths) } else { sum }
+}
+
+/// The length of a slot before anything is stretched.
+#[inline(always)]
+fn own_length(size: &Size, extent: f64) -> f64 {
+    let (metres, least) = match size.prefix {
+        Prefix::Absolute => (size.value, smallest_piece(extent)),
+        Prefix::Relative => (size.value * extent, smallest_piece(extent)),
+        Prefix::Floating => (size.value, 0.0),
+    };
+    if is_size(metres) && least < metres { metres } else { 0.0 }
+}
+
+/// Chooses the stretch of the floats and how groups repeat.
+#[inline(always)]
+fn choose(pattern: &[Item], sizes: &[Size], lengths: &[f64], sum: Sum, extent: f64) -> (f64, Turns, Vec<Turns>) {
+    match Grouping::of(pattern, sizes.len()) {
+        Grouping::None => (sum.stretch(extent), Turns::NONE, Vec::new()),
+        Grouping::One => {
+            let own = groups::slots_of_one(pattern, sizes.len());
+            let (outside, inside) = groups::sums_of_one(&own, sizes, lengths);
+            let (by, one) = groups::one(outside, inside, extent);
+            (by, one, Vec::new())
+        }
+        Grouping::Several => {
+            let (by, several) = groups::several(pattern, sizes, lengths, extent);
+            (by, Turns::NONE, several)
+        }
     }
-    sum
 }
 
 #[inline(always)]
-fn stretch(sizes: &[Size], lengths: &mut [f64], by: f64) {
-    for (length, size) in lengths.iter_mut().zip(sizes) {
-        if size.prefix == Prefix::Floating {
-            *length *= by;
-        }
+fn floats<'l>(sizes: &[Size], lengths: &'l mut [f64]) -> impl Iterator<Item = &'l mut f64> {
+    lengths.iter_mut().zip(sizes).filter(|(_, size)| size.prefix == Prefix::Floating).map(|(length, _)| length)
+}
+
+/// Whether there are floats that get room by that stretch, but too little for a piece, beside others that get enough.
+#[inline(always)]
+fn has_slivers(sizes: &[Size], lengths: &mut [f64], by: f64, extent: f64) -> bool {
+    let smallest = smallest_piece(extent);
+    // Known while compiling where the sizes are.
+    let (mut least, mut most) = (f64::MAX, 0.0);
+    for &mut weight in floats(sizes, lengths) {
+        least = if 0.0 < weight && weight < least { weight } else { least };
+        most = if most < weight { weight } else { most };
     }
+    least * by <= smallest && smallest < most * by
+}
+
+/// Solves without the floats that get too little room: the others get it, and another count may be better. Gives the lengths
+/// too, floats not yet stretched.
+#[cold]
+#[inline(never)]
+fn without_slivers(pattern: &[Item], sizes: &[Size], extent: f64) -> (f64, Turns, Vec<Turns>, Vec<f64>) {
+    let smallest = smallest_piece(extent);
+    let mut lengths = vec![0.0; sizes.len()];
+    let mut sum = measure(sizes, &mut lengths, extent);
+    loop {
+        let (by, one, several) = choose(pattern, sizes, &lengths, sum, extent);
+        if !has_slivers(sizes, &mut lengths, by, extent) {
+            return (by, one, several, lengths);
+        }
+        floats(sizes, &mut lengths).filter(|length| **length * by <= smallest).for_each(|length| *length = 0.0);
+        sum = total(sizes, &lengths);
+    }
+}
+
+fn total(sizes: &[Size], lengths: &[f64]) -> Sum {
+    let mut sum = Sum::default();
+    sizes.iter().zip(lengths).for_each(|(size, length)| sum.add(size, *length));
+    sum
 }
 
 /// Makes any sum of weights finite, and no weight that counts beside the others zero: a power of two.
@@ -110,14 +154,8 @@ const LIGHTER: f64 = 1.0 / (1u128 << 100) as f64;
 /// Weights whose sum is too large for a number keep their ratios.
 #[cold]
 fn weigh_less(sizes: &[Size], lengths: &mut [f64]) -> Sum {
-    let mut sum = Sum::default();
-    for (length, size) in lengths.iter_mut().zip(sizes) {
-        if size.prefix == Prefix::Floating {
-            *length *= LIGHTER;
-        }
-        sum.add(size, *length);
-    }
-    sum
+    floats(sizes, lengths).for_each(|length| *length *= LIGHTER);
+    total(sizes, lengths)
 }
 
 impl Solution<'_> {
@@ -135,7 +173,7 @@ impl Solution<'_> {
         }
     }
 
-    /// An upper bound of the number of pieces, in constant time an item.
+    /// An upper bound of the number of pieces, in constant time per item.
     #[inline]
     pub fn at_most(&self) -> u64 {
         let slots = self.lengths.len();
@@ -151,7 +189,7 @@ impl Solution<'_> {
 
     /// Slots with the groups expanded.
     fn slots_made(&self) -> u64 {
-        // How often what is inside the groups that are open is made, and where they end.
+        // Of the groups that are open: how often what is around them is made, and where they end.
         let mut open: Vec<(u64, usize)> = Vec::new();
         let (mut sum, mut times, mut group) = (0u64, 1u64, 0);
         for (at, item) in self.pattern.iter().enumerate() {
@@ -161,7 +199,8 @@ impl Solution<'_> {
             match item {
                 Item::Slot => sum = sum.saturating_add(times),
                 Item::Repeat(len) => {
-                    open.push((times, (at + 1).saturating_add(*len as usize)));
+                    let around = open.last().map_or(self.pattern.len(), |(_, end)| *end);
+                    open.push((times, (at + 1).saturating_add(*len as usize).min(around)));
                     times = times.saturating_mul(self.count(group));
                     group += 1;
                 }
@@ -213,7 +252,8 @@ impl Solution<'_> {
         ControlFlow::Continue(())
     }
 
-    /// The number of pieces.
+    /// The number of pieces. Takes as long as there are pieces, and so do [`Solution::each`] and [`Solution::pieces`]: sizes that
+    /// are tiny beside the extent make more than fit anywhere, so ask [`Solution::at_most`] first.
     #[inline]
     pub fn total(&self) -> u64 {
         let mut total = 0;

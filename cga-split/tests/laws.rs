@@ -103,9 +103,10 @@ fn cut(pattern: &Pattern, pieces: &[Piece], piece: &Piece) -> bool {
     !pattern.floats() && last == Some(*piece)
 }
 
+/// The length of a slot before anything is stretched. What is too short for a piece has none.
 fn metres(size: &Size, extent: f64) -> f64 {
     let value = if size.prefix == Prefix::Relative { size.value * extent } else { size.value };
-    if cga_split::is_size(value) { value } else { 0.0 }
+    if cga_split::is_size(value) && extent * 1e-12 < value { value } else { 0.0 }
 }
 
 /// The stretch that `counts` repetitions of the groups give, from scratch; `None` when absolute sizes don't fit.
@@ -192,7 +193,7 @@ fn no_other_number_of_repetitions_dealt_out_is_nearer() {
             }
         }
     });
-    assert!(2_000 < seen, "{seen} patterns with several groups and floats");
+    assert!(1_500 < seen, "{seen} patterns with several groups and floats");
 }
 
 /// Bit for bit: a power of two changes no digit.
@@ -224,6 +225,22 @@ fn the_total_is_the_number_made_and_the_bound_is_one() {
             let solution = solve(&pattern.items, &pattern.sizes, &mut lengths, extent);
             assert_eq!(solution.total(), pieces.len() as u64, "{}", pattern.text());
             assert!(solution.total() <= solution.at_most(), "{}", pattern.text());
+        });
+    }
+}
+
+/// Groups that are never made change no bit: patterns without groups, with one and with several are laid out in ways of
+/// their own.
+#[test]
+fn dead_groups_change_nothing() {
+    for depth in 0..3 {
+        each(8_000, depth, |pattern, extent, pieces| {
+            let mut longer = pattern.clone();
+            for _ in 0..2 {
+                longer.items.extend([Item::Repeat(1), Item::Slot]);
+                longer.sizes.push(Size::absolute(0.0));
+            }
+            assert_eq!(longer.solve(extent), pieces, "{} in {extent}", pattern.text());
         });
     }
 }

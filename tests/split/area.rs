@@ -11,6 +11,10 @@ cga! {
     @StartRule Z --> splitArea(z, noAdjust) { first : A. | '0.25 : B. | second : A. | ~1 : C. }
     @StartRule Stretched --> s('3, '1, '0.5) splitArea(x) { { ~first : A. | ~2 : B. }* }
     @StartRule Many --> splitArea(z) { ~first : splitArea(x) { ~1 : A. | ~1 : A. } }*
+    @StartRule Fifths --> splitArea(z) { '0.2 : A. }*
+    @StartRule Halves --> splitArea(x, noAdjust) { '0.5 : A. | '0.5 : A. }
+    @StartRule Slot --> split(x, noAdjust) { 5 : NIL | ~1 : splitArea(z, noAdjust) { ~1 : A. }* }
+    @StartRule Tiny --> splitArea(x) { 0.00000000001 : A. | ~1 : B. }
     @StartRule Mirrored --> s('-1, '1, '1) splitArea(x) { '0.25 : A. | ~1 : B. }
     "#;
 }
@@ -74,6 +78,47 @@ fn fact_44_parts_have_the_areas_that_were_asked_for() {
             }
         }
     }
+}
+
+/// Sides that lie across the axis only but for rounding, as turned lots have: a steep edge must not drown the others.
+#[test]
+fn fact_44_turning_a_lot_changes_no_area() {
+    let lots: [&[[f64; 2]]; 3] = [
+        &[[0.0, 0.0], [20.0, 0.0], [17.0, 12.0], [3.0, 12.0]],
+        &[[0.0, 0.0], [20.0, 0.0], [20.0, 9.0], [17.0, 12.0], [0.0, 12.0]],
+        &[[0.0, 0.0], [20.0, 0.0], [20.0, 12.0], [12.0, 14.0], [12.0, 6.0], [0.0, 6.0]],
+    ];
+    for lot in lots {
+        for step in 0..720 {
+            let angle = (f64::from(step) / 2.0).to_radians();
+            let (c, s) = (libm::cos(angle), libm::sin(angle));
+            let outline: Vec<[f64; 2]> = lot.iter().map(|[x, z]| [x * c - z * s, x * s + z * c]).collect();
+            let shape = Shape::footprint(&outline, &[]).unwrap();
+            let whole = shape.to_mesh().area();
+            for (rule, share) in [("Fifths", 0.2), ("Halves", 0.5)] {
+                let model = run(rule, [1.0; 2], &shape);
+                let areas: Vec<f64> = model.leaves().map(|leaf| leaf.area()).collect();
+                let off = areas.iter().map(|area| (area - share * whole).abs()).fold(0.0, f64::max);
+                assert!(off < 1e-9 * whole && areas.len() as f64 * share == 1.0, "{rule} at {step}: {areas:?}");
+            }
+        }
+    }
+}
+
+/// Fact 46: without adjusting, the last part ends with the scope and not with the geometry.
+#[test]
+fn fact_46_scopes_without_adjusting_fill_the_scope() {
+    let triangle = Mesh::from_polygon(&[[0.0; 3], [0.0, 0.0, 10.0], [10.0, 0.0, 0.0]].map(DVec3::from), &[]).unwrap();
+    let model = run("Slot", [1.0; 2], &Shape::mesh(triangle));
+    let depths: Vec<f64> = model.leaves().map(|leaf| leaf.size().z).collect();
+    assert!(1 < depths.len() && (depths.iter().sum::<f64>() - 10.0).abs() < 1e-12, "{depths:?}");
+}
+
+/// An area that is too small to be told from none makes no part.
+#[test]
+fn areas_without_a_width_are_not_made() {
+    let shape = star(&mut Random(3), DMat3::IDENTITY);
+    assert_eq!(run("Tiny", [1.0; 2], &shape).counts(), [("B", 1)]);
 }
 
 #[test]

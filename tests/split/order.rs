@@ -33,6 +33,8 @@ cga! {
     @StartRule After --> color("#ff0000") split(x) { 1 : color("#00ff00") t(0, 5, 0) A. }* print("index " + split.index) s('0.5, '1, '1) B.
     @StartRule Nothing --> split(x) { 0 : A. | -1 : B. }
     @StartRule Only --> split(x) { ~1 : NIL }
+    @StartRule Room --> split(x) { { '0.1 : A. | 0 : B. | 0 : B. | 0 : B. | 0 : B. }* }
+    @StartRule RoomByArea --> splitArea(x) { { '0.1 : A. | 0 : B. | 0 : B. | 0 : B. | 0 : B. }* }
     @StartRule Seeds --> split(x) { ~1 : print("drawn " + rand(1)) A. }*
     "##;
 }
@@ -155,4 +157,16 @@ fn every_part_has_a_seed_of_its_own_that_does_not_depend_on_the_others() {
     sorted.sort_by(f64::total_cmp);
     sorted.dedup();
     assert_eq!(sorted.len(), 6);
+}
+
+/// The limit counts what is made, and not slots that get no room.
+#[test]
+fn slots_without_room_count_for_no_limit() {
+    let outline = [[0.0, 4.0], [6.0, 4.0], [6.0, 0.0], [0.0, 1.0]];
+    for rule in ["Room", "RoomByArea"] {
+        let limits = cga::Limits { shapes: 25, ..cga::Limits::default() };
+        let settings = cga::Settings { start: Some(rule.into()), limits, ..cga::Settings::default() };
+        let shape = Shape::footprint(&outline, &[]).unwrap();
+        assert_eq!(Order::default().generate_with(&shape, &settings).unwrap().count("A"), 10, "{rule}");
+    }
 }

@@ -178,7 +178,11 @@ fn edge_and_vertex_shapes_are_split() {
     let model = run("Dot", &Shape::point([1.0, 2.0, 3.0]));
     assert_eq!((values(&model, "ends"), values(&model, "edges")), (vec![1.0, 0.0, 0.0], vec![0.0; 3]));
     assert_eq!(values(&model, "long"), [0.0, 1.0, 1.0]);
-    assert!(Shape::line([1.0; 3], [1.0; 3]).is_err() && Shape::line([f64::NAN; 3], [1.0; 3]).is_err());
+    for to in [[1.0, 2.0, 3.0], [f64::NAN; 3], [1e200, 1e200, 0.0], [1.0, 2.0, f64::INFINITY]] {
+        assert!(Shape::line([1.0, 2.0, 3.0], to).is_err(), "{to:?}");
+    }
+    assert!(Shape::line([0.0; 3], [1e-200, 0.0, 0.0]).is_err(), "as long as nothing");
+    assert!(Parts::default().generate_from("Dot", &Shape::point([f64::NAN; 3])).is_err());
 }
 
 #[test]

@@ -13,6 +13,7 @@ cga! {
     @StartRule Halves --> split(x) { ~1 : Halves | ~1 : NIL }
     @StartRule Both --> split(x) { '0.03 : Both | ~1 : NIL } split(y) { '0.03 : Both | ~1 : NIL }
     @StartRule Full --> split(x) { ~1 : split(y) { ~1 : split(z) { ~1 : Full | ~1 : Full } } }
+    @StartRule Grown --> s(5, 1, 1) primitiveCube() Halves
     @StartRule Same --> split(x) { ~1 : Same }
     @StartRule Thin --> split(x) { scope.sx - 0.0001 : Thin }
     "#;
@@ -38,6 +39,14 @@ fn recursion_ends_when_a_piece_is_too_small_to_be_split() {
     let (green, yellow) = (model.count("Green"), model.count("Yellow"));
     assert_eq!((green, yellow, model.len()), (27, 27, 57), "{:?}", model.counts());
     assert!((model.volume() - 5.0).abs() < 1e-9, "nothing is lost");
+}
+
+/// A run may start from a point, and make everything itself.
+#[test]
+fn a_run_from_a_point_ends_at_a_tenth_of_a_millimetre() {
+    let model = run("Grown", &Shape::point([1.0, 2.0, 3.0]));
+    let last = model.leaves().next().unwrap().size().x;
+    assert!(last <= 1e-4 && 1e-4 < 2.0 * last, "ends at {last}");
 }
 
 #[test]

@@ -64,7 +64,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         /// The rules and functions, one function each.
         struct CgaRules;
         // Named and used by the rules, at the user's own tokens; and `NIL` may stand before the end.
-        #[allow(non_snake_case, dead_code, unreachable_code, clippy::too_many_arguments)]
+        #[allow(non_snake_case, dead_code, unreachable_code, clippy::all)]
         impl CgaRules {
             #rules
             #functions

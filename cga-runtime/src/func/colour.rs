@@ -96,7 +96,7 @@ fn print_with_opacity(rgb: Rgb, opacity: f64) -> Text {
 }
 
 /// Red, green and blue of a hue, saturation and value. Hues come again every 360 degrees.
-pub(super) fn from_hsv(hue: f64, saturation: f64, value: f64) -> Rgb {
+fn from_hsv(hue: f64, saturation: f64, value: f64) -> Rgb {
     let (saturation, value) = (saturation.clamp(0.0, 1.0), value.clamp(0.0, 1.0));
     // The largest channel in each sixth of the circle is the value, the smallest the "floor" below; the third goes up or
     // down between them.

@@ -1,8 +1,9 @@
 //! `colorRamp`.
 //!
-//! The names are those of the reference; the colours are ours: each ramp goes evenly through a few colours in 36 steps.
+//! The names are those of the reference; the colours are ours: each ramp goes evenly through a few colours in 36 steps. Those
+//! of `spectrum` are read off the pictures of the *splitArea operation*, as far as they show them.
 
-use super::colour::{from_hsv, print};
+use super::colour::print;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::text::Text;
@@ -33,24 +34,42 @@ const RAMPS: [(&str, &[Rgb]); 6] = [
     ("brownToBlue", &[BROWN, PALE, BLUE]),
 ];
 
+/// Steps and their colours in 0..=255: violet, blue, green, yellow, orange, red.
+const SPECTRUM: [(f64, [u8; 3]); 7] = [
+    (0.0, [203, 90, 180]),
+    (8.0, [64, 162, 229]),
+    (11.0, [80, 210, 200]),
+    (19.5, [255, 255, 40]),
+    (22.0, [255, 204, 37]),
+    (27.0, [255, 96, 36]),
+    (35.0, [255, 43, 42]),
+];
+
 /// The colour of a ramp at a value in 0..=1, as `#RRGGBB` (*colorRamp*). A ramp has 36 colours; below 0 it is the first,
 /// from 1 up the last. For a name that is none the colour is white, with a fault.
 pub fn color_ramp(env: &mut Env, name: Text, value: f64) -> Text {
     let step = (env.finite(value, "the value on a colour ramp") * STEPS).floor().clamp(0.0, STEPS - 1.0);
-    let share = step / (STEPS - 1.0);
     if name.as_str() == "spectrum" {
-        // From violet to red.
-        return print(from_hsv(280.0 * (1.0 - share), 1.0, 1.0));
+        let next = SPECTRUM.partition_point(|(at, _)| *at <= step).min(SPECTRUM.len() - 1);
+        let [(low, from), (high, to)] = [SPECTRUM[next - 1], SPECTRUM[next]];
+        return print(between(
+            from.map(|c| f64::from(c) / 255.0),
+            to.map(|c| f64::from(c) / 255.0),
+            (step - low) / (high - low),
+        ));
     }
     let Some((_, colours)) = RAMPS.iter().find(|(known, _)| *known == name.as_str()) else {
         let known: Vec<&str> = RAMPS.iter().map(|(known, _)| *known).chain(["spectrum"]).collect();
         env.fault(FaultKind::Value, format!("`{name}` is no colour ramp; there is {}", known.join(", ")));
         return print(WHITE);
     };
-    let place = share * (colours.len() - 1) as f64;
+    let place = step / (STEPS - 1.0) * (colours.len() - 1) as f64;
     let first = (place as usize).min(colours.len() - 2);
-    let (from, to, part) = (colours[first], colours[first + 1], place - first as f64);
-    print([0, 1, 2].map(|channel| from[channel] + (to[channel] - from[channel]) * part))
+    print(between(colours[first], colours[first + 1], place - first as f64))
+}
+
+fn between(from: Rgb, to: Rgb, part: f64) -> Rgb {
+    [0, 1, 2].map(|channel| from[channel] + (to[channel] - from[channel]) * part)
 }
 
 #[cfg(test)]
@@ -74,7 +93,8 @@ mod tests {
         }
         assert_eq!(color_ramp(env, text("whiteToBlack"), 0.0).as_str(), "#FFFFFF");
         assert_eq!(color_ramp(env, text("whiteToBlack"), 1.0).as_str(), "#000000");
-        assert_eq!(color_ramp(env, text("spectrum"), 1.0).as_str(), "#FF0000");
+        assert_eq!(color_ramp(env, text("spectrum"), 1.0).as_str(), "#FF2B2A");
+        assert_eq!(color_ramp(env, text("spectrum"), 0.24).as_str(), "#40A2E5");
         assert_eq!(faults(env), 0);
         assert_eq!(color_ramp(env, text("pinkToBlack"), 0.5).as_str(), "#FFFFFF");
         color_ramp(env, text("spectrum"), f64::NAN);

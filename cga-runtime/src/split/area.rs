@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::mesh::{FaceRef, unit};
 use crate::scope::Axis;
 use crate::shape::{Geometry, Placed, ShapeRef};
-use crate::tol::{ACROSS_EPSILON, AREA_EPSILON};
+use crate::tol::{ACROSS_EPSILON, AREA_EPSILON, EDGE_EPSILON};
 
 /// The area up to a distance from the scope's low end, as a function of the distance.
 #[derive(Debug)]
@@ -59,10 +59,14 @@ impl Profile {
         }
     }
 
-    /// How far from the low end so much of the area lies below. Of a gap in the geometry the low end.
-    pub(super) fn distance(&self, area: f64) -> f64 {
+    /// How far from the low end so much of the area lies below: of a gap in the geometry the low end, and for all of the
+    /// area the scope's own end, so that parts fill the scope.
+    pub(super) fn distance(&self, area: f64, extent: f64) -> f64 {
         let Profile::Sections(list) = self else { return 0.0 };
         let rounding = self.total() * AREA_EPSILON;
+        if self.total() <= area + rounding {
+            return extent;
+        }
         // The first border that is not below.
         let next = list.partition_point(|section| section.before < area - rounding);
         let Some(border) = list.get(next) else { return list.last().map_or(0.0, |end| end.at) };
@@ -87,23 +91,27 @@ struct Event {
 
 fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<Section> {
     let stretch = placed.stretch(size).abs();
+    // Edges that don't extend along the axis but for rounding.
+    let across = size[axis.index()].abs() * EDGE_EPSILON;
     let mut events = Vec::new();
     for face in placed.mesh.faces() {
-        add_face(placed.mesh.points(), &face, |point| (point - placed.low) * stretch, axis, &mut events);
+        add_face(placed.mesh.points(), &face, |point| (point - placed.low) * stretch, (axis, across), &mut events);
     }
     events.sort_by(|a, b| a.at.total_cmp(&b.at));
     let mut list: Vec<Section> = Vec::new();
-    let (mut width, mut growth, mut area) = (0.0, 0.0, 0.0);
+    let (mut width, mut growth, mut area) = (Sum::default(), Sum::default(), Sum::default());
     for (index, event) in events.iter().enumerate() {
         // The width at the place of the event, and the area between it and the one before.
         if let Some(before) = index.checked_sub(1).map(|index| events[index]) {
             let step = event.at - before.at;
-            area += ((width + 0.5 * growth * step) * step).max(0.0);
-            width += growth * step;
+            let more = growth.value() * step;
+            area.add(((width.value() + 0.5 * more) * step).max(0.0));
+            width.add(more);
         }
-        width += event.width;
-        growth += event.growth;
-        let section = Section { at: event.at, before: area, width: width.max(0.0), growth };
+        width.add(event.width);
+        growth.add(event.growth);
+        let section =
+            Section { at: event.at, before: area.value(), width: width.value().max(0.0), growth: growth.value() };
         match list.last_mut() {
             Some(last) if last.at == event.at => *last = section,
             _ => list.push(section),
@@ -112,9 +120,38 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<Section> {
     list
 }
 
-/// The edges of a face as events. The area below a place is the sum of those below the edges, with signs, as far as they
+/// A running sum with twice the digits: what a steep edge adds and later takes away leaves the others as they were.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    high: f64,
+    low: f64,
+}
+
+impl Sum {
+    fn add(&mut self, value: f64) {
+        let sum = self.high + value;
+        let part = sum - self.high;
+        // What rounding has lost of the sum (Knuth).
+        let lost = (self.high - (sum - part)) + (value - part);
+        let low = self.low + lost;
+        self.high = sum + low;
+        self.low = low - (self.high - sum);
+    }
+
+    fn value(self) -> f64 {
+        self.high
+    }
+}
+
+/// The edges of a face that are not shorter than `least` along the axis, as events. The area below a place is the sum of those below the edges, with signs, as far as they
 /// go: what closes the face there runs across the axis and adds nothing.
-fn add_face(points: &[DVec3], face: &FaceRef<'_>, place: impl Fn(DVec3) -> DVec3, axis: Axis, events: &mut Vec<Event>) {
+fn add_face(
+    points: &[DVec3],
+    face: &FaceRef<'_>,
+    place: impl Fn(DVec3) -> DVec3,
+    (axis, least): (Axis, f64),
+    events: &mut Vec<Event>,
+) {
     let at = axis.index();
     let normal = {
         let origin = face.outer().first().map_or(DVec3::ZERO, |&point| place(points[point as usize]));
@@ -140,7 +177,7 @@ fn add_face(points: &[DVec3], face: &FaceRef<'_>, place: impl Fn(DVec3) -> DVec3
             let (a, b) = (place(points[*a as usize]), place(points[*b as usize]));
             let (low, high, sign) = if a[at] < b[at] { (a, b, -1.0) } else { (b, a, 1.0) };
             let length = high[at] - low[at];
-            if length == 0.0 {
+            if length <= least {
                 continue;
             }
             let width = |point: DVec3| sign * across.dot(point - origin) / slant;

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::area::Profile;
-use super::parts::{Parts, Row};
+use super::parts::{Parts, Row, within_limit};
 use super::{Adjust, Item, Piece, Prefix, Size, solve};
 use crate::derive::Cx;
 use crate::env::Env;
@@ -45,7 +45,8 @@ pub fn split_solved<S: Sink + ?Sized, C>(
 }
 
 /// Splits a shape into parts of given areas (*splitArea operation*). What lies across the axis has no extent along it and
-/// does not count. Otherwise as [`split`].
+/// does not count, so of a box, which the reference does not speak of, shares are those of its four sides along the axis.
+/// Caps that a cut makes do not count either. Otherwise as [`split`].
 pub fn split_area<S: Sink + ?Sized, C, const N: usize>(
     cx: &mut Cx<'_, S, C>,
     shape: &mut ShapeRef<'_>,
@@ -70,16 +71,16 @@ pub fn split_area<S: Sink + ?Sized, C, const N: usize>(
         return hand_out(cx, shape, how, &solution, visit);
     }
     let solution = solve(pattern, &sizes, &mut lengths, profile.total());
-    if cx.env.settings.limits.shapes < solution.at_most() {
-        // Too many even to be listed.
-        return cx.env.count_shapes(solution.at_most()).map_continue(|()| false);
-    }
+    within_limit(&mut cx.env, &solution)?;
     let mut pieces = Vec::new();
     let mut start = 0.0;
     let _ = solution.each(|piece| {
-        let end = profile.distance(piece.end);
-        pieces.push(Piece { slot: piece.slot, start, end, length: end - start });
-        start = end;
+        let end = profile.distance(piece.end, extent);
+        // An area may be too small to be told from none.
+        if start < end {
+            pieces.push(Piece { slot: piece.slot, start, end, length: end - start });
+            start = end;
+        }
         Flow::Continue(())
     });
     hand_out(cx, shape, how, pieces.as_slice(), visit)

@@ -86,23 +86,13 @@ impl<'s> Parts<'s> {
         adjust: Adjust,
         row: &(impl Row + ?Sized),
     ) -> ControlFlow<(), Self> {
-        let limit = env.settings.limits.shapes;
-        // Before anything is laid out: a bound on the work to come.
-        let bound = row.at_most();
-        if limit < env.shapes.saturating_add(bound) {
-            // The bound counts slots that get no room, so ask exactly when it is small enough to count.
-            let exact = if bound <= limit.saturating_mul(4) { row.total() } else { bound };
-            if limit < env.shapes.saturating_add(exact) {
-                return env.limit(LimitKind::Shapes, limit);
-            }
-        }
+        within_limit(env, row)?;
         let total = row.total() as usize;
         let ordinal = shape.seed.reserve(total.min(u32::MAX as usize) as u32);
         let seed = shape.seed.value();
         let slabs = match &shape.geometry {
             Geometry::Mesh(placed) if 0 < total => {
-                let borders = Borders { axis, low: placed.low, size: shape.scope.size, placed };
-                borders.cut(env, row, total)?
+                Borders { axis, size: shape.scope.size, placed }.cut(env, row, total)?
             }
             _ => Vec::new(),
         };
@@ -197,10 +187,24 @@ fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
     }
 }
 
+/// Whether there may be so many shapes, before anything is laid out. `Break` when not.
+#[inline]
+pub(super) fn within_limit(env: &mut Env, row: &(impl Row + ?Sized)) -> Flow {
+    let limit = env.settings.limits.shapes;
+    let bound = row.at_most();
+    if limit < env.shapes.saturating_add(bound) {
+        // The bound counts slots that get no room, so ask exactly when it is small enough to count.
+        let exact = if bound <= limit.saturating_mul(4) { row.total() } else { bound };
+        if limit < env.shapes.saturating_add(exact) {
+            return env.limit(LimitKind::Shapes, limit);
+        }
+    }
+    Flow::Continue(())
+}
+
 /// Where a mesh is cut.
 struct Borders<'p> {
     axis: Axis,
-    low: DVec3,
     size: DVec3,
     placed: &'p Placed,
 }
@@ -212,35 +216,30 @@ impl Borders<'_> {
         let extent = self.size[at].abs();
         // Planes in mesh coordinates, so that no vertex moves.
         let stretch = self.placed.stretch(self.size)[at].abs();
-        let plane = |distance: f64| self.low[at] + distance / stretch;
+        let plane = |distance: f64| self.placed.low[at] + distance / stretch;
         let high = plane(extent);
-        let mut offsets: Vec<f64> = Vec::new();
-        // The slab each piece is in: pieces touch, so after the first border every piece ends one.
+        // Pieces touch, so after the first border every piece ends a slab, but for those that rounding leaves nothing.
+        let (mut rising, mut flat): (Vec<f64>, Vec<bool>) = (Vec::new(), Vec::with_capacity(pieces));
         let _ = row.each(|piece| {
             let end = plane(piece.end);
             // The scope's own end is no cut; rounding must not leave a sliver there.
-            if piece.end < extent && end < high {
-                offsets.push(end);
+            let inside = piece.end < extent && end < high;
+            flat.push(inside && rising.last() == Some(&end));
+            if inside && rising.last() != Some(&end) {
+                rising.push(end);
             }
             Flow::Continue(())
         });
-        let mut rising = offsets.clone();
-        rising.dedup();
         let cut = cut::slabs(&self.placed.mesh, self.axis, &rising);
         // *split operation*: surfaces get no caps. An asset that was meant to be a solid is worth a word, a face is not.
         if !cut.open.is_empty() && self.placed.whole && 1 < self.placed.mesh.face_count() {
             env.fault(
                 FaultKind::Geometry,
-                "the inserted mesh is not closed where `split` cuts it; the cut stays open there",
+                "the inserted mesh is not closed where it is split; the cut stays open there",
             );
         }
         let mut parts = cut.parts.into_iter();
-        let mut list = Vec::with_capacity(pieces);
-        for piece in 0..pieces {
-            // Borders that rounding has made equal leave nothing between them.
-            let empty = 0 < piece && piece < offsets.len() && offsets[piece] == offsets[piece - 1];
-            list.push(if empty { None } else { parts.next().flatten() });
-        }
+        let list: Vec<_> = flat.into_iter().map(|flat| if flat { None } else { parts.next().flatten() }).collect();
         for mesh in list.iter().flatten() {
             env.count_vertices(mesh)?;
         }

@@ -107,7 +107,8 @@ impl Random {
 
     /// A size that suits an extent: small integers as often as others, now and then one that makes nothing.
     pub(crate) fn size(&mut self, extent: f64) -> Size {
-        let value = match self.below(12) {
+        let value = match self.below(13) {
+            12 => extent * self.one_of(&[1e-11, 1e-13, 1e-20]),
             0 => self.one_of(&[0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0]),
             1..=4 => self.below(6) as f64 * extent / 12.0,
             5 => extent * self.one_of(&[1.0, 0.1, 1.0 / 3.0, 2.0]),

@@ -266,8 +266,7 @@ Pink --> color(1, 0.5, 0.5, 0.3)
 }
 
 example! {
-    /// Halves of halves of halves across the longer side have one area and one colour. On the page they are yellow, here they
-    /// are green: the steps of our "spectrum" are not those of the page.
+    /// Halves of halves of halves across the longer side have one area and one colour.
     block_by_area, "splitArea operation, Divide a Block into Equal Parts", block(),
     r##"Lot -->
    SplitArea(3)

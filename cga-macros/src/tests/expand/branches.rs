@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, unreachable_code, clippy::too_many_arguments)]
+#[allow(non_snake_case, dead_code, unreachable_code, clippy::all)]
 impl CgaRules {
     ///Lot --> case height > 2 && p(0.5) : [ s('1, '2, 3) center(xz) NIL ] A.case height == 1 : 30 % : A. else : NIL else : set(height, 2) set(material.opacity, 0.5)
     fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(

@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, unreachable_code, clippy::too_many_arguments)]
+#[allow(non_snake_case, dead_code, unreachable_code, clippy::all)]
 impl CgaRules {
     ///A(n) --> case n > 1 : B(n) B(n - 1) else : NIL
     fn A<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
