@@ -93,7 +93,7 @@ fn four_slots() {
             let extent = if 0.0 < extent && extent <= 1e150 { extent } else { 0.0 };
             let smallest = extent * 1e-12;
             // No size is too short for a piece, or it takes no room.
-            let tenth = if smallest < extent * 0.1 { extent * 0.1 } else { 0.0 };
+            let tenth = extent * 0.1;
             let half = if smallest < 0.5 { 0.5 } else { 0.0 };
             let room = extent - (half + tenth);
             let stretch = if smallest < room { room / 3.0 } else { 0.0 };

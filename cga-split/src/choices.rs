@@ -11,7 +11,7 @@ pub fn is_size(value: f64) -> bool {
     0.0 < value && value < f64::INFINITY
 }
 
-/// Extents that are split: sizes up to a length whose square is still a number, as areas need it.
+/// Extents that are split, and shares of them: up to a number whose square is still one, as areas need it.
 #[inline]
 pub(crate) fn is_extent(value: f64) -> bool {
     0.0 < value && value <= 1e150

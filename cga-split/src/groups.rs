@@ -25,7 +25,7 @@ pub(crate) fn sums_of_one(own: &Range<usize>, sizes: &[Size], lengths: &[f64]) -
         let sum = if own.contains(&slot) { &mut inside } else { &mut outside };
         sum.add(size, *length);
     }
-    (outside, inside.finite())
+    (outside, inside)
 }
 
 /// A pattern with one group: what nearly all splits with repeats are. Gives the stretch of the floats too.
@@ -35,15 +35,15 @@ pub(crate) fn one(outside: Sum, own: Sum, extent: f64) -> (f64, Turns) {
     if one_each <= 0.0 {
         return (outside.stretch(extent), Turns::NONE);
     }
-    let total = |turns: u64| outside.plus(own, turns as i64 as f64);
-    let mut search = Search { extent, outside, groups: 1, one_each, total };
+    let total = |turns: f64| outside.plus(own, turns);
+    let mut search = Search { extent, outside, groups: 1.0, one_each, total };
     if 0.0 < outside.floating || 0.0 < own.floating {
-        let (count, stretch) = search.least_stretch(least_turns(0.0 < outside.floating, 1));
-        (stretch, Turns { count, length: own.absolute + stretch * own.floating, room: f64::INFINITY })
+        let (count, stretch) = search.least_stretch(least_turns(0.0 < outside.floating, 1) as f64);
+        (stretch, Turns { count: count as u64, length: own.absolute + stretch * own.floating, room: f64::INFINITY })
     } else {
         let room = room_for_groups(extent, outside.absolute);
         let (count, cut) = search.fill(room);
-        (0.0, Turns { count, length: own.absolute, room: if cut { room } else { f64::INFINITY } })
+        (0.0, Turns { count: count as u64, length: own.absolute, room: if cut { room } else { f64::INFINITY } })
     }
 }
 
@@ -124,7 +124,6 @@ impl Groups {
     fn number(&mut self) {
         for index in (0..self.list.len()).rev() {
             let group = &mut self.list[index];
-            group.own = group.own.finite();
             group.live |= 0.0 < group.own.nominal();
             if let Group { live: true, parent: Some(parent), .. } = *group {
                 self.list[parent].live = true;
@@ -145,18 +144,19 @@ impl Groups {
         let one_each = self.deal(groups);
         let floats = 0.0 < one_each.floating;
         let one_each = one_each.nominal() - outside.nominal();
-        let mut search = Search { extent, outside, groups, one_each, total: |turns| self.deal(turns) };
+        let total = |turns: f64| self.deal(turns as u64);
+        let mut search = Search { extent, outside, groups: groups as f64, one_each, total };
         let (turns, stretch) = if floats {
-            search.least_stretch(least_turns(0.0 < outside.floating, groups))
+            search.least_stretch(least_turns(0.0 < outside.floating, groups) as f64)
         } else {
             let room = room_for_groups(extent, outside.absolute);
             let (turns, cut) = search.fill(room);
             if cut {
-                self.cut_last(turns, room);
+                self.cut_last(turns as u64, room);
             }
             (turns, 0.0)
         };
-        self.deal(turns);
+        self.deal(turns as u64);
         self.measure(stretch);
         stretch
     }

@@ -4,7 +4,7 @@ use crate::choices::{as_near, smallest_piece};
 use crate::{Prefix, Size};
 
 /// No pattern is repeated more often; whoever lays pieces out has a lower limit of their own.
-const MOST: u64 = 1 << 48;
+const MOST: f64 = (1u64 << 48) as f64;
 
 /// Absolute and floating sums of lengths.
 #[derive(Clone, Copy, Debug, Default)]
@@ -28,12 +28,6 @@ impl Sum {
         Sum { absolute: self.absolute + times * other.absolute, floating: self.floating + times * other.floating }
     }
 
-    /// The same, or the largest number where it is too large for one: so that none of it is nothing.
-    #[inline]
-    pub(crate) fn finite(self) -> Sum {
-        Sum { absolute: self.absolute.min(f64::MAX), floating: self.floating.min(f64::MAX) }
-    }
-
     /// The length before anything is stretched.
     #[inline]
     pub(crate) fn nominal(self) -> f64 {
@@ -55,38 +49,41 @@ impl Sum {
 }
 
 /// A number of repetitions is looked for; `total` knows the sums with so many of them.
+///
+/// Numbers are whole ones in `f64`, which holds all of them and need not be converted.
 pub(crate) struct Search<F> {
     pub(crate) extent: f64,
     /// What stands outside all groups.
     pub(crate) outside: Sum,
     /// How many groups can repeat.
-    pub(crate) groups: u64,
+    pub(crate) groups: f64,
     /// How long one repetition of each is, nothing stretched.
     pub(crate) one_each: f64,
     pub(crate) total: F,
 }
 
-impl<F: FnMut(u64) -> Sum> Search<F> {
+impl<F: FnMut(f64) -> Sum> Search<F> {
     /// The largest number whose nominal lengths fit into `extent`, but at least `least`. They grow with the number, evenly
     /// where no group is nested, so the search starts where that would put it.
     #[inline]
-    fn last_that_fits(&mut self, least: u64, extent: f64) -> u64 {
-        let guess = (extent - self.outside.nominal()) / self.one_each * self.groups as f64;
-        let mut fits = |turns: u64| turns <= MOST && (self.total)(turns).nominal() <= extent;
-        let mut good = (guess.clamp(0.0, MOST as f64) as i64 as u64).max(least);
+    fn last_that_fits(&mut self, least: f64, extent: f64) -> f64 {
+        let guess = (extent - self.outside.nominal()) / self.one_each * self.groups;
+        let mut fits = |turns: f64| turns <= MOST && (self.total)(turns).nominal() <= extent;
+        // Whatever is no number becomes zero.
+        let mut good = (guess.min(MOST) as i64 as f64).max(least);
         // Down to one that fits, in growing steps, then up again, in growing and in shrinking ones.
-        let mut step = 1;
+        let mut step = 1.0;
         while least < good && !fits(good) {
-            good = good.saturating_sub(step).max(least);
-            step *= 2;
+            good = (good - step).max(least);
+            step *= 2.0;
         }
-        let mut step = 1;
+        let mut step = 1.0;
         while fits(good + step) {
             good += step;
-            step *= 2;
+            step *= 2.0;
         }
-        while 1 < step {
-            step /= 2;
+        while 1.0 < step {
+            step *= 0.5;
             if fits(good + step) {
                 good += step;
             }
@@ -97,22 +94,22 @@ impl<F: FnMut(u64) -> Sum> Search<F> {
     /// With floats somewhere: the number whose common stretch is nearest to 1, and that stretch. It falls as they grow, so
     /// only the last number with a stretch of 1 or more and the next one can win.
     #[inline]
-    pub(crate) fn least_stretch(&mut self, least: u64) -> (u64, f64) {
+    pub(crate) fn least_stretch(&mut self, least: f64) -> (f64, f64) {
         let fewer = self.last_that_fits(least, self.extent);
-        let (sum, one_more) = ((self.total)(fewer), (self.total)(fewer + 1));
+        let (sum, one_more) = ((self.total)(fewer), (self.total)(fewer + 1.0));
         let (stretch, less) = (sum.stretch(self.extent), one_more.stretch(self.extent));
-        if as_near(stretch, less) && one_more.fits(self.extent) { (fewer + 1, less) } else { (fewer, stretch) }
+        if as_near(stretch, less) && one_more.fits(self.extent) { (fewer + 1.0, less) } else { (fewer, stretch) }
     }
 
     /// Without floats: repetitions until `room` is full. Whether the last one has to be cut.
     #[inline]
-    pub(crate) fn fill(&mut self, room: f64) -> (u64, bool) {
+    pub(crate) fn fill(&mut self, room: f64) -> (f64, bool) {
         let rest = smallest_piece(self.extent);
         if room <= rest {
-            return (0, false);
+            return (0.0, false);
         }
-        let full = self.last_that_fits(0, self.extent + rest);
+        let full = self.last_that_fits(0.0, self.extent + rest);
         let used = (self.total)(full).absolute - self.outside.absolute;
-        if room - used <= rest { (full, false) } else { (full + 1, true) }
+        if room - used <= rest { (full, false) } else { (full + 1.0, true) }
     }
 }

@@ -80,12 +80,15 @@ fn measure(sizes: &[Size], lengths: &mut [f64], extent: f64) -> Sum {
 /// The length of a slot before anything is stretched.
 #[inline(always)]
 fn own_length(size: &Size, extent: f64) -> f64 {
-    let (metres, least) = match size.prefix {
-        Prefix::Absolute => (size.value, smallest_piece(extent)),
-        Prefix::Relative => (size.value * extent, smallest_piece(extent)),
-        Prefix::Floating => (size.value, 0.0),
-    };
-    if is_size(metres) && least < metres { metres } else { 0.0 }
+    let value = size.value;
+    match size.prefix {
+        // Longer ones than any extent are cut: so no sum of them is too large for a number.
+        Prefix::Absolute if is_size(value) && smallest_piece(extent) < value => value.min(LONGEST),
+        // Both sides of the comparison are shares of the extent.
+        Prefix::Relative if is_extent(value) && smallest_piece(1.0) < value => value * extent,
+        Prefix::Floating if is_size(value) => value,
+        _ => 0.0,
+    }
 }
 
 /// Chooses the stretch of the floats and how groups repeat.
@@ -147,6 +150,9 @@ fn total(sizes: &[Size], lengths: &[f64]) -> Sum {
     sizes.iter().zip(lengths).for_each(|(size, length)| sum.add(size, *length));
     sum
 }
+
+/// Longer than what is split.
+const LONGEST: f64 = 1e160;
 
 /// Makes any sum of weights finite, and no weight that counts beside the others zero: a power of two.
 const LIGHTER: f64 = 1.0 / (1u128 << 100) as f64;
