@@ -18,6 +18,7 @@ mod general;
 mod nest;
 mod part;
 mod pieces;
+mod plane;
 mod points;
 mod rim;
 mod simple;
@@ -30,6 +31,8 @@ use glam::DVec3;
 
 use crate::mesh::Mesh;
 use crate::scope::Axis;
+
+pub use plane::{Plane, halves};
 
 use caps::Caps;
 use general::General;
@@ -72,13 +75,7 @@ pub struct OpenChain {
 /// assert!(slabs.parts[2].is_none() && slabs.open.is_empty());
 /// ```
 pub fn slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
-    thread_local! {
-        static CUTTER: RefCell<Cutter> = RefCell::default();
-    }
-    CUTTER.with(|cutter| match cutter.try_borrow_mut() {
-        Ok(mut cutter) => cutter.slabs(mesh, axis, offsets),
-        Err(_) => Cutter::default().slabs(mesh, axis, offsets),
-    })
+    Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets))
 }
 
 /// Buffers kept from one cut to the next.
@@ -96,6 +93,17 @@ pub(crate) struct Cutter {
 const BLOCK: usize = 512;
 
 impl Cutter {
+    /// With the buffers of this thread.
+    fn with<T>(work: impl FnOnce(&mut Cutter) -> T) -> T {
+        thread_local! {
+            static CUTTER: RefCell<Cutter> = RefCell::default();
+        }
+        CUTTER.with(|cutter| match cutter.try_borrow_mut() {
+            Ok(mut cutter) => work(&mut cutter),
+            Err(_) => work(&mut Cutter::default()),
+        })
+    }
+
     pub(crate) fn slabs(&mut self, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
         let mut slabs = Slabs { parts: vec![None; offsets.len() + 1], open: Vec::new() };
         if mesh.is_empty() {
@@ -135,7 +143,8 @@ impl Cutter {
         self.state.points.axis = axis.index();
         self.state.points.planes.clear();
         self.state.points.planes.extend_from_slice(&planes[first..end]);
-        self.cut(mesh, &mut slabs.open);
+        self.cut_faces(mesh);
+        self.caps.close(&mut self.state, mesh, &mut slabs.open);
         for chain in &mut slabs.open {
             chain.plane = number(chain.plane + first);
         }
@@ -146,7 +155,8 @@ impl Cutter {
         slabs
     }
 
-    fn cut(&mut self, mesh: &Mesh, open: &mut Vec<OpenChain>) {
+    /// Hands every face, or its pieces, to the slabs.
+    fn cut_faces(&mut self, mesh: &Mesh) {
         self.state.start(mesh);
         let (mut start, mut block_start, mut block_end) = (0, 0, 0);
         let runs = mesh.tags.runs().iter().scan(0, |from, &(end, tag)| Some((std::mem::replace(from, end)..end, tag)));
@@ -185,6 +195,5 @@ impl Cutter {
                 self.general.clip(&mut self.state, mesh, face, tag);
             }
         }
-        self.caps.close(&mut self.state, mesh, open);
     }
 }

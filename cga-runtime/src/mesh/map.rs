@@ -26,6 +26,15 @@ impl Mesh {
         }
     }
 
+    /// The same faces with other points, one for each; what corners carry stays as it is. Closed stays closed.
+    pub(crate) fn with_points(&self, points: Vec<glam::DVec3>) -> Mesh {
+        let derived = Derived::default();
+        if let Some(closed) = self.derived.closed.get() {
+            let _ = derived.closed.set(*closed);
+        }
+        Mesh { points, normals: self.normals.clone(), derived, ..self.clone_structure() }
+    }
+
     /// The mesh with every face looking the other way. The first edge stays: its two corners change places and come
     /// first again.
     pub fn reversed(&self) -> Mesh {

@@ -1,0 +1,129 @@
+//! Cutting by any plane, with the code that cuts across an axis.
+//!
+//! The mesh is cut in a frame whose x axis is the plane's normal and whose origin lies in the plane. Which side a point is
+//! on is the sign of its height there, computed once; points of the mesh keep their coordinates to the bit, and crossings
+//! are taken back from the frame, the same for both sides.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use super::{Cutter, Slabs};
+use crate::mesh::{Mesh, unit};
+
+/// An oriented plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Some point of it.
+    pub point: DVec3,
+    /// Points to what is above it, with any length but zero.
+    pub normal: DVec3,
+}
+
+/// Cuts a mesh by a plane into what is below and what is above it. Points that are no farther from the plane than `tolerance`,
+/// in the mesh's own unit, count as lying in it; nothing moves. Caps are as those of [`slabs`](super::slabs()).
+///
+/// A plane that is none (a normal of zero length, numbers that are not finite) cuts nothing: all is below it.
+///
+/// ```
+/// use std::sync::Arc;
+/// use cga_runtime::{cut, glam::DVec3, mesh::primitive};
+///
+/// // A cube of 1, cut across a corner.
+/// let cube = Arc::new(primitive::cube());
+/// let plane = cut::Plane { point: DVec3::new(0.5, 0.0, 0.0), normal: DVec3::splat(1.0) };
+/// let halves = cut::halves(&cube, &plane, 0.0);
+/// let [below, above] = [0, 1].map(|side| halves.parts[side].as_ref().unwrap());
+/// assert!((below.volume() - 0.125 / 6.0).abs() < 1e-15);
+/// assert!(below.is_closed() && above.is_closed());
+/// ```
+pub fn halves(mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Slabs {
+    Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance))
+}
+
+/// Where the plane is x = 0.
+struct Frame {
+    origin: DVec3,
+    /// Orthonormal, right-handed.
+    axes: DMat3,
+}
+
+impl Frame {
+    fn of(plane: &Plane) -> Option<Self> {
+        let x = unit(plane.normal);
+        if x == DVec3::ZERO || !plane.point.is_finite() {
+            return None;
+        }
+        let (y, z) = x.any_orthonormal_pair();
+        Some(Frame { origin: plane.point, axes: DMat3::from_cols(x, y, z) })
+    }
+
+    fn local(&self, point: DVec3) -> DVec3 {
+        self.axes.transpose() * (point - self.origin)
+    }
+
+    fn back(&self, local: DVec3) -> DVec3 {
+        self.origin + self.axes * local
+    }
+}
+
+impl Cutter {
+    fn halves(&mut self, mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Slabs {
+        let whole = |side: usize| {
+            let mut slabs = Slabs { parts: vec![None, None], open: Vec::new() };
+            slabs.parts[side] = (!mesh.is_empty()).then(|| mesh.clone());
+            slabs
+        };
+        let Some(frame) = Frame::of(plane) else { return whole(0) };
+        let place = |point: &DVec3| {
+            let local = frame.local(*point);
+            if local.x.abs() <= tolerance { local.with_x(0.0) } else { local }
+        };
+        let points: Vec<DVec3> = mesh.points.iter().map(place).collect();
+        let span = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.x), h.max(p.x)));
+        if span.1 < 0.0 || !points.iter().all(|point| point.is_finite()) {
+            return whole(0);
+        }
+        if 0.0 < span.0 {
+            return whole(1);
+        }
+        // What corners carry stays as it is.
+        let local = mesh.with_points(points);
+        self.state.points.axis = 0;
+        self.state.points.planes.clear();
+        self.state.points.planes.push(0.0);
+        self.cut_faces(&local);
+        let without_caps = [0, 1].map(|side: usize| self.state.parts[side].mesh.normals.len());
+        let mut slabs = Slabs { parts: Vec::new(), open: Vec::new() };
+        self.caps.close(&mut self.state, &local, &mut slabs.open);
+        for point in slabs.open.iter_mut().flat_map(|chain| &mut chain.points) {
+            *point = frame.back(*point);
+        }
+        self.restore(mesh, &frame, without_caps);
+        let closed = mesh.derived.closed.get() == Some(&true) && slabs.open.is_empty();
+        slabs.parts = self.state.parts.drain(..).map(|part| part.finish(mesh, closed)).collect();
+        slabs
+    }
+
+    /// Takes the parts back from the frame. Normals from those numbers on are those of caps.
+    fn restore(&mut self, mesh: &Mesh, frame: &Frame, caps: [usize; 2]) {
+        let (parts, points) = (&mut self.state.parts, &self.state.points);
+        for (part, caps) in parts.iter_mut().zip(caps) {
+            part.mesh.points.iter_mut().for_each(|point| *point = frame.back(*point));
+            part.mesh.normals.iter_mut().skip(caps).for_each(|normal| *normal = frame.axes * *normal);
+        }
+        // Its own points a mesh has as they were.
+        for (place, point) in points.places.iter().zip(&mesh.points) {
+            let numbers = match place.class {
+                1 => points.numbers[place.number as usize],
+                0 => [place.number, u32::MAX],
+                _ => [u32::MAX, place.number],
+            };
+            for (part, number) in parts.iter_mut().zip(numbers) {
+                if let Some(own) = part.mesh.points.get_mut(number as usize) {
+                    *own = *point;
+                }
+            }
+        }
+    }
+}
