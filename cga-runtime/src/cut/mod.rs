@@ -60,7 +60,7 @@ pub struct OpenChain {
 
 /// Cuts a mesh by the planes where its coordinate along `axis` equals an offset; offsets rise strictly.
 ///
-/// A slab that holds all of the mesh gets the same mesh, not a copy. Offsets that do not rise or are not numbers cut
+/// A slab that holds all of the mesh gets the same mesh, not a copy; so does one whose planes the mesh only touches. Offsets that do not rise or are not numbers cut
 /// nothing: the slab below them stays empty.
 ///
 /// ```
@@ -129,8 +129,10 @@ impl Cutter {
         };
         let bounds = mesh.bounds();
         let (low, high) = (bounds.low[axis.index()], bounds.high[axis.index()]);
-        let first = planes.partition_point(|&o| o < low);
-        let end = planes.partition_point(|&o| o <= high).max(first);
+        // A plane that the mesh only touches has all of it on one side, whichever way faces in it look.
+        let flat = low == high;
+        let first = planes.partition_point(|&o| o < low || (o == low && !flat));
+        let end = planes.partition_point(|&o| o < high || (o == high && flat)).max(first);
         // Slab number among all, of a slab among the planes that count: the last one that is not pressed flat.
         let number = |slab: usize| match slab_of {
             None => slab,

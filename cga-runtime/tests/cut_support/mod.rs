@@ -1,6 +1,9 @@
 //! Meshes and checks shared by the tests of the cutter.
 #![allow(dead_code, unreachable_pub)]
 
+pub mod bytes;
+pub mod corpus;
+
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;

@@ -225,7 +225,13 @@ impl<'a> Reader<'a> {
                 continue;
             };
             match mtl::read_mtl(&bytes) {
-                Ok(materials) => {
+                Ok(mtl::Library { materials, left_out }) => {
+                    if let [first, ..] = left_out[..] {
+                        let more = left_out.len() - 1;
+                        let what = format!("line {first} of the material library `{name}` can't be read");
+                        let all = if more == 0 { what } else { format!("{what}, and {more} more") };
+                        self.warnings.push(all);
+                    }
                     for (name, look) in materials {
                         self.looks.entry(name).or_insert(look);
                     }

@@ -1,21 +1,58 @@
 //! Material libraries of OBJ files, through `tobj`.
+//!
+//! Statements that it would refuse the whole library for, or end the program for, are left out before it sees them.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use crate::material::{Channel, Color, ColorOf, Layer, Material, MaterialNumber, MaterialText};
 use crate::text::Text;
 
-/// Names and looks, in the order of the file.
-pub(super) fn read_mtl(bytes: &[u8]) -> Result<Vec<(String, Material)>, tobj::LoadError> {
-    let text = String::from_utf8_lossy(bytes);
+/// A material library.
+pub(super) struct Library {
+    /// Names and looks, in the order of the file.
+    pub(super) materials: Vec<(String, Material)>,
+    /// The numbers of the lines that can't be read.
+    pub(super) left_out: Vec<usize>,
+}
+
+/// Reads what can be read.
+pub(super) fn read_mtl(bytes: &[u8]) -> Result<Library, tobj::LoadError> {
+    let mut left_out = Vec::new();
+    let mut text = String::with_capacity(bytes.len());
+    for (number, line) in String::from_utf8_lossy(bytes).lines().enumerate() {
+        match readable(line.trim()) {
+            Some(line) => text.push_str(&line),
+            None => left_out.push(number + 1),
+        }
+        text.push('\n');
+    }
     let (materials, _) = tobj::load_mtl_buf(&mut text.as_bytes())?;
-    Ok(materials
-        .into_iter()
-        .map(|material| {
-            let look = look(&material);
-            (material.name, look)
-        })
-        .collect())
+    let materials = materials.into_iter().map(|material| {
+        let look = look(&material);
+        (material.name, look)
+    });
+    Ok(Library { materials: materials.collect(), left_out })
+}
+
+/// A statement as `tobj` can read it: a colour of one number is a grey.
+fn readable(line: &str) -> Option<Cow<'_, str>> {
+    let mut words = line.split_whitespace();
+    let keyword = words.next().unwrap_or_default();
+    let values = words.clone().take(3).take_while(|word| word.parse::<f32>().is_ok_and(f32::is_finite)).count();
+    let known = match keyword {
+        "Ka" | "Kd" | "Ks" | "Ke" if values == 1 => {
+            let grey = words.next()?;
+            return Some(format!("{keyword} {grey} {grey} {grey}").into());
+        }
+        "Ka" | "Kd" | "Ks" | "Ke" => values == 3,
+        "Ns" | "Ni" | "d" => 1 <= values,
+        "illum" => words.next().is_some_and(|word| word.parse::<u8>().is_ok()),
+        "newmtl" | "bump" => words.next().is_some(),
+        map if map.starts_with("map_") => words.next().is_some(),
+        _ => true,
+    };
+    known.then(|| line.into())
 }
 
 fn look(material: &tobj::Material) -> Material {
