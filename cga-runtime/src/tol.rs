@@ -27,3 +27,6 @@ pub(crate) const ACROSS_EPSILON: f64 = 1e-6;
 /// An edge that extends along an axis by less than this, relative to the extent of the shape, lies across it: the rounding of
 /// its ends is as large.
 pub(crate) const EDGE_EPSILON: f64 = 1e-15;
+
+/// A volume smaller than this, relative to the cube of the largest extent, is rounding.
+pub(crate) const VOLUME_EPSILON: f64 = 1e-14;

@@ -129,10 +129,12 @@ impl Cutter {
         };
         let bounds = mesh.bounds();
         let (low, high) = (bounds.low[axis.index()], bounds.high[axis.index()]);
-        // A plane that the mesh only touches has all of it on one side, whichever way faces in it look.
+        // A plane that the mesh only touches has all of it on one side, whichever way faces in it look. So has one in which
+        // lies all of a mesh whose faces are back to back: it is below.
         let flat = low == high;
         let first = planes.partition_point(|&o| o < low || (o == low && !flat));
-        let end = planes.partition_point(|&o| o < high || (o == high && flat)).max(first);
+        let apart = flat && !mesh.is_closed();
+        let end = planes.partition_point(|&o| o < high || (o == high && apart)).max(first);
         // Slab number among all, of a slab among the planes that count: the last one that is not pressed flat.
         let number = |slab: usize| match slab_of {
             None => slab,

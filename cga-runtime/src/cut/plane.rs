@@ -82,7 +82,7 @@ impl Cutter {
         let points: Vec<DVec3> = mesh.points.iter().map(place).collect();
         let span = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.x), h.max(p.x)));
         // As across an axis: a plane that the mesh only touches has all of it on one side.
-        let flat = span.0 == span.1;
+        let flat = span.0 == span.1 && !mesh.is_closed();
         if span.1 < 0.0 || (span.1 == 0.0 && !flat) || !points.iter().all(|point| point.is_finite()) {
             return whole(0);
         }

@@ -4,6 +4,7 @@ use super::part::Part;
 use super::points::{NONE, Points};
 use super::rim::{Rim, Side};
 use crate::mesh::{FaceTag, Mesh, unit};
+use crate::tol::VOLUME_EPSILON;
 
 /// A cut in progress.
 #[derive(Default)]
@@ -134,7 +135,10 @@ impl State {
     /// A face in a plane goes to the side that its normal points away from, which it closes; of a mesh that is inside out
     /// to the other.
     pub(super) fn keep_flat(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, plane: u32) {
-        let inverted = *self.inverted.get_or_insert_with(|| mesh.is_closed() && mesh.volume() < 0.0);
+        let inverted = *self.inverted.get_or_insert_with(|| {
+            let size = mesh.bounds().size().max_element();
+            mesh.is_closed() && mesh.volume() < -VOLUME_EPSILON * size * size * size
+        });
         let up = unit(mesh.face(face).area_vector())[self.points.axis];
         let above = if inverted { up > 0.0 } else { up < 0.0 };
         self.keep(mesh, face, tag, plane + u32::from(above), 1);
