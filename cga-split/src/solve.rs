@@ -14,9 +14,15 @@ pub struct Solution<'a> {
     pattern: &'a [Item],
     lengths: &'a [f64],
     extent: f64,
-    /// How the group of a pattern with one group repeats.
+    repeats: Repeats,
+}
+
+/// How groups repeat: one field counts, as the pattern says.
+#[derive(Clone, Debug)]
+struct Repeats {
+    /// The group of a pattern with one.
     one: Turns,
-    /// How the groups of a pattern with several repeat, in the order in which they open.
+    /// The groups of a pattern with several, in the order in which they open.
     several: Vec<Turns>,
 }
 
@@ -55,15 +61,15 @@ pub fn solve<'a>(pattern: &'a [Item], sizes: &[Size], lengths: &'a mut [f64], ex
     assert!(sizes.len() == lengths.len() && sizes.len() <= pattern.len(), "one size and one length a slot");
     let extent = if is_extent(extent) { extent } else { 0.0 };
     let sum = measure(sizes, lengths, extent);
-    let (mut by, mut one, mut several) = choose(pattern, sizes, lengths, sum, extent);
+    let (mut by, mut repeats) = choose(pattern, sizes, lengths, sum, extent);
     if has_slivers(sizes, lengths, by, extent) {
         let others;
-        (by, one, several, others) = without_slivers(pattern, sizes, extent);
+        (by, repeats, others) = without_slivers(pattern, sizes, extent);
         // Not in place: lengths whose address nobody knows stay in registers.
         lengths.iter_mut().zip(others).for_each(|(length, other)| *length = other);
     }
     floats(sizes, lengths).for_each(|length| *length *= by);
-    Solution { pattern, lengths, extent, one, several }
+    Solution { pattern, lengths, extent, repeats }
 }
 
 /// Sets lengths, floats not yet stretched; gives their sum.
@@ -93,18 +99,18 @@ fn own_length(size: &Size, extent: f64) -> f64 {
 
 /// Chooses the stretch of the floats and how groups repeat.
 #[inline(always)]
-fn choose(pattern: &[Item], sizes: &[Size], lengths: &[f64], sum: Sum, extent: f64) -> (f64, Turns, Vec<Turns>) {
+fn choose(pattern: &[Item], sizes: &[Size], lengths: &[f64], sum: Sum, extent: f64) -> (f64, Repeats) {
     match Grouping::of(pattern, sizes.len()) {
-        Grouping::None => (sum.stretch(extent), Turns::NONE, Vec::new()),
+        Grouping::None => (sum.stretch(extent), Repeats { one: Turns::NONE, several: Vec::new() }),
         Grouping::One => {
             let own = groups::slots_of_one(pattern, sizes.len());
             let (outside, inside) = groups::sums_of_one(&own, sizes, lengths);
             let (by, one) = groups::one(outside, inside, extent);
-            (by, one, Vec::new())
+            (by, Repeats { one, several: Vec::new() })
         }
         Grouping::Several => {
             let (by, several) = groups::several(pattern, sizes, lengths, extent);
-            (by, Turns::NONE, several)
+            (by, Repeats { one: Turns::NONE, several })
         }
     }
 }
@@ -131,14 +137,14 @@ fn has_slivers(sizes: &[Size], lengths: &mut [f64], by: f64, extent: f64) -> boo
 /// too, floats not yet stretched.
 #[cold]
 #[inline(never)]
-fn without_slivers(pattern: &[Item], sizes: &[Size], extent: f64) -> (f64, Turns, Vec<Turns>, Vec<f64>) {
+fn without_slivers(pattern: &[Item], sizes: &[Size], extent: f64) -> (f64, Repeats, Vec<f64>) {
     let smallest = smallest_piece(extent);
     let mut lengths = vec![0.0; sizes.len()];
     let mut sum = measure(sizes, &mut lengths, extent);
     loop {
-        let (by, one, several) = choose(pattern, sizes, &lengths, sum, extent);
+        let (by, repeats) = choose(pattern, sizes, &lengths, sum, extent);
         if !has_slivers(sizes, &mut lengths, by, extent) {
-            return (by, one, several, lengths);
+            return (by, repeats, lengths);
         }
         floats(sizes, &mut lengths).filter(|length| **length * by <= smallest).for_each(|length| *length = 0.0);
         sum = total(sizes, &lengths);
@@ -173,8 +179,8 @@ impl Solution<'_> {
     /// How often the group repeats in each repetition of the group around it; groups count in the order in which they open.
     pub fn count(&self, group: usize) -> u64 {
         match self.grouping() {
-            Grouping::One if group == 0 => self.one.count,
-            Grouping::Several => self.several.get(group).map_or(0, |turns| turns.count),
+            Grouping::One if group == 0 => self.repeats.one.count,
+            Grouping::Several => self.repeats.several.get(group).map_or(0, |turns| turns.count),
             Grouping::None | Grouping::One => 0,
         }
     }
@@ -187,7 +193,7 @@ impl Solution<'_> {
             Grouping::None => slots as u64,
             Grouping::One => {
                 let inside = groups::slots_of_one(self.pattern, slots).len();
-                (slots - inside) as u64 + self.one.count.saturating_mul(inside as u64)
+                (slots - inside) as u64 + self.repeats.one.count.saturating_mul(inside as u64)
             }
             Grouping::Several => self.slots_made(),
         }
@@ -226,11 +232,11 @@ impl Solution<'_> {
             }
             Grouping::One => {
                 let own = groups::slots_of_one(self.pattern, slots);
-                let mut runs = OneGroup::new(own, slots, self.one, extent);
+                let mut runs = OneGroup::new(own, slots, self.repeats.one, extent);
                 self.lay(|end| runs.next(end), visit)
             }
             Grouping::Several => {
-                let mut runs = AnyGroups::new(self.pattern, &self.several, extent);
+                let mut runs = AnyGroups::new(self.pattern, &self.repeats.several, extent);
                 self.lay(|end| runs.next(end), visit)
             }
         }
