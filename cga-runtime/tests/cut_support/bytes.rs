@@ -2,7 +2,7 @@
 
 use cga_runtime::mesh::{FaceTag, MeshBuilder};
 
-use super::corpus::Case;
+use super::corpus::{Case, Quality};
 use super::{cells, prism, ring, together, turned};
 
 /// Reads bytes one by one; zeros behind the end.
@@ -41,11 +41,11 @@ pub fn case(bytes: &[u8]) -> Case {
     planes.sort_by(f64::total_cmp);
     planes.dedup();
     let kind = bytes.below(5);
-    let (mesh, clean) = match kind {
+    let (mesh, quality) = match kind {
         0 => {
             let filled: Vec<bool> = (0..27).map(|_| bytes.next() & 1 == 1).collect();
             // Cells that touch at an edge or a corner share no points there.
-            (cells(3, |x, y, z| filled[(x * 9 + y * 3 + z) as usize]), true)
+            (cells(3, |x, y, z| filled[(x * 9 + y * 3 + z) as usize]), Quality::Clean)
         }
         1 => {
             let corners = 3 + usize::from(bytes.below(12));
@@ -54,7 +54,7 @@ pub fn case(bytes: &[u8]) -> Case {
             let court = f64::from(bytes.below(4)) / 8.0;
             let hole: Vec<(f64, f64)> = ring(4, |_| court).into_iter().rev().collect();
             let holes = if court == 0.0 { vec![] } else { vec![hole] };
-            (prism(&ring(corners, |at| radii[at]), &holes, 1.0 + f64::from(bytes.below(4))), false)
+            (prism(&ring(corners, |at| radii[at]), &holes, 1.0 + f64::from(bytes.below(4))), Quality::Simple)
         }
         _ => {
             let mut builder = MeshBuilder::new();
@@ -71,11 +71,14 @@ pub fn case(bytes: &[u8]) -> Case {
             }
             let mesh = builder.build().expect("finite numbers");
             // Everything twice, the second time turned over: closed, whatever it is.
-            (if kind == 4 { mesh } else { together(&[mesh.clone(), mesh.reversed()]) }, false)
+            let mesh = if kind == 4 { mesh } else { together(&[mesh.clone(), mesh.reversed()]) };
+            (mesh, if kind == 2 { Quality::Simple } else { Quality::Any })
         }
     };
     if bytes.below(8) == 0 {
-        return Case::of("turned", false, &turned(&mesh), axis, &planes);
+        // Rounding may make faces cross that touched.
+        let quality = if quality == Quality::Any { quality } else { Quality::Simple };
+        return Case::of("turned", quality, &turned(&mesh), axis, &planes);
     }
-    Case::of(["cells", "prism", "triangles", "soup", "open soup"][kind as usize], clean, &mesh, axis, &planes)
+    Case::of(["cells", "prism", "triangles", "soup", "open soup"][kind as usize], quality, &mesh, axis, &planes)
 }
