@@ -84,6 +84,11 @@ impl<'a> FaceRef<'a> {
         unit(self.area_vector())
     }
 
+    /// The unit normal once the mesh is stretched along its axes; zero for a face without area.
+    pub(crate) fn stretched_normal(&self, stretch: DVec3) -> DVec3 {
+        unit(self.area_vector() * DVec3::new(stretch.y * stretch.z, stretch.z * stretch.x, stretch.x * stretch.y))
+    }
+
     /// The area, holes taken off.
     pub fn area(&self) -> f64 {
         0.5 * self.area_vector().length()

@@ -15,7 +15,7 @@ pub fn geometry_is_concave(shape: &ShapeRef<'_>) -> bool {
     let Geometry::Mesh(placed) = &shape.geometry else { return false };
     let stretch = placed.stretch(shape.scope.size);
     placed.mesh.faces().any(|face| {
-        let normal = normal(&face, stretch);
+        let normal = face.stretched_normal(stretch);
         normal != DVec3::ZERO
             && corners(&face, stretch).any(|[before, after]| before.cross(after).dot(normal) < -STRAIGHT_EPSILON)
     })
@@ -58,7 +58,7 @@ fn is_planar(placed: &Placed, size: DVec3, tolerance: f64) -> bool {
     let stretch = placed.stretch(size);
     let least = libm::cos(tolerance.min(90.0).to_radians()) - ANGLE_EPSILON;
     let flat = |face: FaceRef<'_>| {
-        let normal = normal(&face, stretch);
+        let normal = face.stretched_normal(stretch);
         normal == DVec3::ZERO
             || corners(&face, stretch).all(|[before, after]| {
                 let local = before.cross(after);
@@ -93,11 +93,6 @@ pub fn geometry_is_closed_surface(shape: &ShapeRef<'_>) -> bool {
 /// (*geometry.isInstanced function*). Boxes and rectangles are no assets here, even those that `primitiveCube` made.
 pub fn geometry_is_instanced(shape: &ShapeRef<'_>) -> bool {
     matches!(&shape.geometry, Geometry::Mesh(placed) if placed.whole)
-}
-
-/// The unit normal of a face in scope coordinates; zero without area.
-fn normal(face: &FaceRef<'_>, stretch: DVec3) -> DVec3 {
-    unit(face.area_vector() * DVec3::new(stretch.y * stretch.z, stretch.z * stretch.x, stretch.x * stretch.y))
 }
 
 /// For each corner the directions of the edge to it and of the edge from it, made one long, in scope coordinates.

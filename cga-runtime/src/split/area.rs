@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::mesh::{FaceRef, unit};
+use crate::mesh::FaceRef;
 use crate::scope::Axis;
 use crate::shape::{Geometry, Placed, ShapeRef};
 use crate::tol::{ACROSS_EPSILON, AREA_EPSILON, EDGE_EPSILON};
@@ -93,9 +93,11 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<Section> {
     let stretch = placed.stretch(size).abs();
     // Edges that don't extend along the axis but for rounding.
     let across = size[axis.index()].abs() * EDGE_EPSILON;
+    // Where the scope begins.
+    let base = (placed.low * stretch)[axis.index()];
     let mut events = Vec::new();
     for face in placed.mesh.faces() {
-        add_face(placed.mesh.points(), &face, |point| (point - placed.low) * stretch, (axis, across), &mut events);
+        add_face(&face, stretch, (axis, base, across), &mut events);
     }
     events.sort_by(|a, b| a.at.total_cmp(&b.at));
     let mut list: Vec<Section> = Vec::new();
@@ -143,25 +145,11 @@ impl Sum {
     }
 }
 
-/// The edges of a face that are not shorter than `least` along the axis, as events. The area below a place is the sum of those below the edges, with signs, as far as they
+/// The edges of a face that are not shorter than `least` along the axis, as events, with places measured from `base`. The area below a place is the sum of those below the edges, with signs, as far as they
 /// go: what closes the face there runs across the axis and adds nothing.
-fn add_face(
-    points: &[DVec3],
-    face: &FaceRef<'_>,
-    place: impl Fn(DVec3) -> DVec3,
-    (axis, least): (Axis, f64),
-    events: &mut Vec<Event>,
-) {
+fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64, f64), events: &mut Vec<Event>) {
     let at = axis.index();
-    let normal = {
-        let origin = face.outer().first().map_or(DVec3::ZERO, |&point| place(points[point as usize]));
-        let loops = face.loops().map(|corners| {
-            let pairs = corners.iter().zip(corners.iter().cycle().skip(1));
-            let local = |&point: &u32| place(points[point as usize]) - origin;
-            pairs.map(|(a, b)| local(a).cross(local(b))).sum::<DVec3>()
-        });
-        unit(loops.sum())
-    };
+    let normal = face.stretched_normal(stretch);
     // Along the axis within the face: a metre there is `slant` along the axis.
     let mut axis_vector = DVec3::ZERO;
     axis_vector[at] = 1.0;
@@ -171,10 +159,11 @@ fn add_face(
         return;
     }
     let across = normal.cross(within / slant);
-    let origin = face.outer().first().map_or(DVec3::ZERO, |&point| place(points[point as usize]));
-    for corners in face.loops() {
-        for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
-            let (a, b) = (place(points[*a as usize]), place(points[*b as usize]));
+    let origin = face.position(face.corner_range().start) * stretch;
+    for ring in face.loop_ranges() {
+        let count = ring.len();
+        for corner in 0..count {
+            let [a, b] = [corner, (corner + 1) % count].map(|corner| face.position(ring.start + corner) * stretch);
             let (low, high, sign) = if a[at] < b[at] { (a, b, -1.0) } else { (b, a, 1.0) };
             let length = high[at] - low[at];
             if length <= least {
@@ -183,8 +172,8 @@ fn add_face(
             let width = |point: DVec3| sign * across.dot(point - origin) / slant;
             let (first, last) = (width(low), width(high));
             let growth = (last - first) / length;
-            events.push(Event { at: low[at], width: first, growth });
-            events.push(Event { at: high[at], width: -last, growth: -growth });
+            events.push(Event { at: low[at] - base, width: first, growth });
+            events.push(Event { at: high[at] - base, width: -last, growth: -growth });
         }
     }
 }
