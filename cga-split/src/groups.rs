@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::choices::{last_group, least_turns, room_for_groups, share};
 use crate::runs::Turns;
 use crate::search::{Search, Sum};
-use crate::{Item, Size};
+use crate::{Item, Prefix, Size};
 
 /// The slots of the one group in a pattern with so many slots.
 #[inline(always)]
@@ -28,23 +28,47 @@ pub(crate) fn sums_of_one(own: &Range<usize>, sizes: &[Size], lengths: &[f64]) -
     (outside, inside)
 }
 
+/// Roughly how many repetitions a metre has: where the search for their number starts. It takes the sizes as they are
+/// written, and so is known while compiling where they are.
+#[inline(always)]
+pub(crate) fn density_of_one(own: &Range<usize>, sizes: &[Size], extent: f64) -> f64 {
+    let mut length = 0.0;
+    for (slot, size) in sizes.iter().enumerate() {
+        let value = if size.prefix == Prefix::Relative { size.value * extent } else { size.value };
+        length += if own.contains(&slot) { value } else { 0.0 };
+    }
+    length.recip()
+}
+
 /// A pattern with one group: what nearly all splits with repeats are. Gives the stretch of the floats too.
-#[inline(never)]
-pub(crate) fn one(outside: Sum, own: Sum, extent: f64) -> (f64, Turns) {
-    let one_each = own.nominal();
-    if one_each <= 0.0 {
+#[inline(always)]
+pub(crate) fn one(outside: Sum, own: Sum, density: f64, extent: f64) -> (f64, Turns) {
+    if own.nominal() <= 0.0 {
         return (outside.stretch(extent), Turns::NONE);
     }
-    let total = |turns: f64| outside.plus(own, turns);
-    let mut search = Search { extent, outside, groups: 1.0, one_each, total };
     if 0.0 < outside.floating || 0.0 < own.floating {
-        let (count, stretch) = search.least_stretch(least_turns(0.0 < outside.floating, 1) as f64);
-        (stretch, Turns { count: count as u64, length: own.absolute + stretch * own.floating, room: f64::INFINITY })
+        let (count, stretch) = one_with_floats(outside, own, density, extent);
+        (stretch, Turns { count, length: own.absolute + stretch * own.floating, room: f64::INFINITY })
     } else {
         let room = room_for_groups(extent, outside.absolute);
-        let (count, cut) = search.fill(room);
-        (0.0, Turns { count: count as u64, length: own.absolute, room: if cut { room } else { f64::INFINITY } })
+        let (count, cut) = one_without_floats(outside, own, density, extent, room);
+        (0.0, Turns { count, length: own.absolute, room: if cut { room } else { f64::INFINITY } })
     }
+}
+
+/// The count and the stretch.
+#[inline(never)]
+fn one_with_floats(outside: Sum, own: Sum, density: f64, extent: f64) -> (f64, f64) {
+    let total = |turns: f64| outside.plus(own, turns);
+    let mut search = Search { extent, outside, density, total };
+    search.least_stretch(least_turns(0.0 < outside.floating, 1) as f64)
+}
+
+/// The count, and whether the last repetition is cut.
+#[inline(never)]
+fn one_without_floats(outside: Sum, own: Sum, density: f64, extent: f64, room: f64) -> (f64, bool) {
+    let total = |turns: f64| outside.plus(own, turns);
+    Search { extent, outside, density, total }.fill(room)
 }
 
 /// A repeat group.
@@ -143,9 +167,9 @@ impl Groups {
         let (outside, groups) = (self.outside, self.live);
         let one_each = self.deal(groups);
         let floats = 0.0 < one_each.floating;
-        let one_each = one_each.nominal() - outside.nominal();
+        let density = groups as f64 / (one_each.nominal() - outside.nominal());
         let total = |turns: f64| self.deal(turns as u64);
-        let mut search = Search { extent, outside, groups: groups as f64, one_each, total };
+        let mut search = Search { extent, outside, density, total };
         let (turns, stretch) = if floats {
             search.least_stretch(least_turns(0.0 < outside.floating, groups) as f64)
         } else {
@@ -169,7 +193,7 @@ impl Groups {
             let group = &mut self.list[index];
             let count = if group.live { share(turns, self.live, group.number) } else { 0 };
             group.times = around * count as f64;
-            self.turns[index].count = count;
+            self.turns[index].count = count as f64;
             sum = sum.plus(group.own, group.times);
         }
         sum
@@ -190,7 +214,7 @@ impl Groups {
         for (index, group) in self.list.iter().enumerate().rev() {
             let turns = &mut self.turns[index];
             turns.length += group.own.absolute + stretch * group.own.floating;
-            let all = turns.length * turns.count as f64;
+            let all = turns.length * turns.count;
             if let Some(parent) = group.parent {
                 self.turns[parent].length += all;
             }

@@ -8,8 +8,8 @@ use crate::choices::smallest_piece;
 /// How a group repeats.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turns {
-    /// How often in each repetition of the group around it.
-    pub(crate) count: u64,
+    /// How often in each repetition of the group around it: a whole number.
+    pub(crate) count: f64,
     /// The final length of one repetition.
     pub(crate) length: f64,
     /// The room that all have at most: the last one may be cut.
@@ -17,7 +17,7 @@ pub(crate) struct Turns {
 }
 
 impl Turns {
-    pub(crate) const NONE: Turns = Turns { count: 0, length: 0.0, room: f64::INFINITY };
+    pub(crate) const NONE: Turns = Turns { count: 0.0, length: 0.0, room: f64::INFINITY };
 
     /// Where the room of a group that begins there ends.
     #[inline]
@@ -31,9 +31,8 @@ impl Turns {
     /// Borders are measured from the group's start: a million repetitions don't drift, and none has to wait for the one
     /// before it.
     #[inline]
-    fn border(&self, number: u64, start: f64, limit: f64, smallest: f64) -> f64 {
-        // Counts are far below 2^63, and signed numbers convert faster.
-        let border = start + number as i64 as f64 * self.length;
+    fn border(&self, number: f64, start: f64, limit: f64, smallest: f64) -> f64 {
+        let border = start + number * self.length;
         if limit - smallest <= border { limit } else { border }
     }
 }
@@ -55,59 +54,57 @@ pub(crate) struct OneGroup {
     turns: Turns,
     extent: f64,
     smallest: f64,
-    /// Where we are: before the first run, at a repetition, or behind the last run.
     at: At,
+    /// Repetitions begun.
+    number: f64,
     /// Where the group starts, where its room ends, and where its last repetition ended.
     start: f64,
     limit: f64,
     border: f64,
 }
 
+/// Which runs are next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum At {
-    Start,
-    /// So many repetitions have been.
-    Turn(u64),
+    Before,
+    First,
+    Other,
     End,
 }
 
 impl OneGroup {
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new(own: Range<usize>, slots: usize, turns: Turns, extent: f64) -> Self {
         let smallest = smallest_piece(extent);
-        let at = if own.start == 0 { At::Turn(0) } else { At::Start };
-        OneGroup { own, slots, turns, extent, smallest, at, start: 0.0, limit: 0.0, border: 0.0 }
+        let at = if own.start == 0 { At::First } else { At::Before };
+        OneGroup { own, slots, turns, extent, smallest, at, number: 0.0, start: 0.0, limit: 0.0, border: 0.0 }
     }
 
     /// The next run; the last one ended there.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn next(&mut self, end: f64) -> Option<Run> {
-        let number = match self.at {
-            At::Start => {
-                self.at = At::Turn(0);
+        match self.at {
+            At::Before => {
+                self.at = At::First;
                 return Some(Run { slots: 0..self.own.start, start: 0.0, limit: self.extent });
             }
-            At::Turn(0) => {
+            At::First => {
+                self.at = At::Other;
                 (self.start, self.border) = (end, end);
                 self.limit = self.turns.limit(end, self.extent, self.smallest);
-                1
             }
-            At::Turn(number) => number + 1,
+            At::Other => {}
             At::End => return None,
-        };
-        if number <= self.turns.count && self.border < self.limit {
-            self.at = At::Turn(number);
-            // A repetition fills its room, whatever rounding says.
-            let start = self.border;
-            self.border = self.turns.border(number, self.start, self.limit, self.smallest);
+        }
+        // A repetition fills its room, whatever rounding says.
+        let start = self.border;
+        if self.number < self.turns.count {
+            self.number += 1.0;
+            self.border = self.turns.border(self.number, self.start, self.limit, self.smallest);
             return Some(Run { slots: self.own.clone(), start, limit: self.border });
         }
         self.at = At::End;
-        (self.own.end < self.slots).then_some(Run {
-            slots: self.own.end..self.slots,
-            start: self.border,
-            limit: self.extent,
-        })
+        (self.own.end < self.slots).then_some(Run { slots: self.own.end..self.slots, start, limit: self.extent })
     }
 }
 
@@ -139,7 +136,7 @@ struct Open {
     first: Place,
     turns: Turns,
     /// Repetitions begun.
-    number: u64,
+    number: f64,
     start: f64,
     /// Where its room ends.
     limit: f64,
@@ -171,7 +168,7 @@ impl<'s> AnyGroups<'s> {
                 end = self.limit;
                 if open.number < open.turns.count && end < open.limit {
                     self.next = open.first;
-                    open.number += 1;
+                    open.number += 1.0;
                     self.limit = open.turns.border(open.number, open.start, open.limit, self.smallest);
                 } else {
                     (self.stop, self.limit) = (open.outer_stop, open.outer_limit);
@@ -196,7 +193,7 @@ impl<'s> AnyGroups<'s> {
         let stop = item.saturating_add(len as usize).min(self.stop);
         let turns = self.turns.get(self.next.group).copied().unwrap_or(Turns::NONE);
         let limit = turns.limit(start, self.limit, self.smallest);
-        if turns.count == 0 || limit - start <= self.smallest {
+        if turns.count == 0.0 || limit - start <= self.smallest {
             let items = &self.pattern[item..stop];
             let slots = items.iter().filter(|item| matches!(item, Item::Slot)).count();
             let groups = 1 + items.len() - slots;
@@ -205,9 +202,9 @@ impl<'s> AnyGroups<'s> {
         }
         let first = Place { item, slot: self.next.slot, group: self.next.group + 1 };
         let (outer_stop, outer_limit) = (self.stop, self.limit);
-        self.open.push(Open { first, turns, number: 1, start, limit, outer_stop, outer_limit });
+        self.open.push(Open { first, turns, number: 1.0, start, limit, outer_stop, outer_limit });
         self.next = first;
         self.stop = stop;
-        self.limit = turns.border(1, start, limit, self.smallest);
+        self.limit = turns.border(1.0, start, limit, self.smallest);
     }
 }

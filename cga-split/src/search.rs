@@ -55,61 +55,85 @@ pub(crate) struct Search<F> {
     pub(crate) extent: f64,
     /// What stands outside all groups.
     pub(crate) outside: Sum,
-    /// How many groups can repeat.
-    pub(crate) groups: f64,
-    /// How long one repetition of each is, nothing stretched.
-    pub(crate) one_each: f64,
+    /// How many repetitions a metre has, nothing stretched: the search starts there, but doesn't trust it.
+    pub(crate) density: f64,
     pub(crate) total: F,
 }
 
 impl<F: FnMut(f64) -> Sum> Search<F> {
-    /// The largest number whose nominal lengths fit into `extent`, but at least `least`. They grow with the number, evenly
-    /// where no group is nested, so the search starts where that would put it.
-    #[inline]
-    fn last_that_fits(&mut self, least: f64, extent: f64) -> f64 {
-        let guess = (extent - self.outside.nominal()) / self.one_each * self.groups;
-        let mut fits = |turns: f64| turns <= MOST && (self.total)(turns).nominal() <= extent;
-        // Whatever is no number becomes zero.
-        let mut good = (guess.min(MOST) as i64 as f64).max(least);
-        // Down to one that fits, in growing steps, then up again, in growing and in shrinking ones.
+    #[inline(always)]
+    fn with(&mut self, turns: f64) -> Repeated {
+        Repeated { turns, sum: (self.total)(turns) }
+    }
+
+    /// The largest number whose nominal lengths fit into `extent`, but at least `least`, and the number behind it. The lengths
+    /// grow with the number, evenly where no group is nested, so the search starts where that would put it.
+    #[inline(always)]
+    fn last_that_fits(&mut self, least: f64, extent: f64) -> (Repeated, Repeated) {
+        let guess = (extent - self.outside.nominal()) * self.density;
+        let mut fits = self.with(whole(guess.max(least).min(MOST)).max(least));
+        // Down to one that fits, in growing steps, then up, in growing ones, and between the last two by halves.
         let mut step = 1.0;
-        while least < good && !fits(good) {
-            good = (good - step).max(least);
+        while least < fits.turns && !fits.is_within(extent) {
+            fits = self.with((fits.turns - step).max(least));
             step *= 2.0;
         }
         let mut step = 1.0;
-        while fits(good + step) {
-            good += step;
+        let mut over = self.with(fits.turns + step);
+        while over.is_within(extent) {
+            fits = over;
             step *= 2.0;
+            over = self.with(fits.turns + step);
         }
         while 1.0 < step {
             step *= 0.5;
-            if fits(good + step) {
-                good += step;
-            }
+            let half = self.with(fits.turns + step);
+            *(if half.is_within(extent) { &mut fits } else { &mut over }) = half;
         }
-        good
+        (fits, over)
     }
 
     /// With floats somewhere: the number whose common stretch is nearest to 1, and that stretch. It falls as they grow, so
     /// only the last number with a stretch of 1 or more and the next one can win.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn least_stretch(&mut self, least: f64) -> (f64, f64) {
-        let fewer = self.last_that_fits(least, self.extent);
-        let (sum, one_more) = ((self.total)(fewer), (self.total)(fewer + 1.0));
-        let (stretch, less) = (sum.stretch(self.extent), one_more.stretch(self.extent));
-        if as_near(stretch, less) && one_more.fits(self.extent) { (fewer + 1.0, less) } else { (fewer, stretch) }
+        let (fewer, more) = self.last_that_fits(least, self.extent);
+        let (stretch, less) = (fewer.sum.stretch(self.extent), more.sum.stretch(self.extent));
+        if as_near(stretch, less) && more.sum.fits(self.extent) { (more.turns, less) } else { (fewer.turns, stretch) }
     }
 
     /// Without floats: repetitions until `room` is full. Whether the last one has to be cut.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn fill(&mut self, room: f64) -> (f64, bool) {
         let rest = smallest_piece(self.extent);
         if room <= rest {
             return (0.0, false);
         }
-        let full = self.last_that_fits(0.0, self.extent + rest);
-        let used = (self.total)(full).absolute - self.outside.absolute;
-        if room - used <= rest { (full, false) } else { (full + 1.0, true) }
+        let (full, _) = self.last_that_fits(0.0, self.extent + rest);
+        let used = full.sum.absolute - self.outside.absolute;
+        if room - used <= rest { (full.turns, false) } else { (full.turns + 1.0, true) }
+    }
+}
+
+/// The whole number below, or sometimes the next one: nobody waits for a conversion, and a search need not start at the exact
+/// one.
+#[inline(always)]
+fn whole(number: f64) -> f64 {
+    /// Numbers near this have no fractions: adding it rounds.
+    const NO_FRACTIONS: f64 = (3u64 << 51) as f64;
+    number - 0.499_999 + NO_FRACTIONS - NO_FRACTIONS
+}
+
+/// A number of repetitions, and the sums with so many.
+#[derive(Clone, Copy)]
+struct Repeated {
+    turns: f64,
+    sum: Sum,
+}
+
+impl Repeated {
+    #[inline(always)]
+    fn is_within(&self, extent: f64) -> bool {
+        self.turns <= MOST && self.sum.nominal() <= extent
     }
 }

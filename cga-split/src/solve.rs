@@ -68,7 +68,9 @@ pub fn solve<'a>(pattern: &'a [Item], sizes: &[Size], lengths: &'a mut [f64], ex
         // Not in place: lengths whose address nobody knows stay in registers.
         lengths.iter_mut().zip(others).for_each(|(length, other)| *length = other);
     }
-    floats(sizes, lengths).for_each(|length| *length *= by);
+    for (size, length) in sizes.iter().zip(lengths.iter_mut()) {
+        *length *= if size.prefix == Prefix::Floating { by } else { 1.0 };
+    }
     Solution { pattern, lengths, extent, repeats }
 }
 
@@ -105,7 +107,8 @@ fn choose(pattern: &[Item], sizes: &[Size], lengths: &[f64], sum: Sum, extent: f
         Grouping::One => {
             let own = groups::slots_of_one(pattern, sizes.len());
             let (outside, inside) = groups::sums_of_one(&own, sizes, lengths);
-            let (by, one) = groups::one(outside, inside, extent);
+            let density = groups::density_of_one(&own, sizes, extent);
+            let (by, one) = groups::one(outside, inside, density, extent);
             (by, Repeats { one, several: Vec::new() })
         }
         Grouping::Several => {
@@ -122,13 +125,15 @@ fn floats<'l>(sizes: &[Size], lengths: &'l mut [f64]) -> impl Iterator<Item = &'
 
 /// Whether there are floats that get room by that stretch, but too little for a piece, beside others that get enough.
 #[inline(always)]
-fn has_slivers(sizes: &[Size], lengths: &mut [f64], by: f64, extent: f64) -> bool {
+fn has_slivers(sizes: &[Size], lengths: &[f64], by: f64, extent: f64) -> bool {
     let smallest = smallest_piece(extent);
-    // Known while compiling where the sizes are.
+    // Known while compiling where the sizes are. A plain loop: compilers don't unroll filtered ones.
     let (mut least, mut most) = (f64::MAX, 0.0);
-    for &mut weight in floats(sizes, lengths) {
-        least = if 0.0 < weight && weight < least { weight } else { least };
-        most = if most < weight { weight } else { most };
+    for (size, weight) in sizes.iter().zip(lengths) {
+        if size.prefix == Prefix::Floating && 0.0 < *weight {
+            least = if *weight < least { *weight } else { least };
+            most = if most < *weight { *weight } else { most };
+        }
     }
     least * by <= smallest && smallest < most * by
 }
@@ -143,7 +148,7 @@ fn without_slivers(pattern: &[Item], sizes: &[Size], extent: f64) -> (f64, Repea
     let mut sum = measure(sizes, &mut lengths, extent);
     loop {
         let (by, repeats) = choose(pattern, sizes, &lengths, sum, extent);
-        if !has_slivers(sizes, &mut lengths, by, extent) {
+        if !has_slivers(sizes, &lengths, by, extent) {
             return (by, repeats, lengths);
         }
         floats(sizes, &mut lengths).filter(|length| **length * by <= smallest).for_each(|length| *length = 0.0);
@@ -179,8 +184,8 @@ impl Solution<'_> {
     /// How often the group repeats in each repetition of the group around it; groups count in the order in which they open.
     pub fn count(&self, group: usize) -> u64 {
         match self.grouping() {
-            Grouping::One if group == 0 => self.repeats.one.count,
-            Grouping::Several => self.repeats.several.get(group).map_or(0, |turns| turns.count),
+            Grouping::One if group == 0 => self.repeats.one.count as u64,
+            Grouping::Several => self.repeats.several.get(group).map_or(0, |turns| turns.count as u64),
             Grouping::None | Grouping::One => 0,
         }
     }
@@ -193,7 +198,7 @@ impl Solution<'_> {
             Grouping::None => slots as u64,
             Grouping::One => {
                 let inside = groups::slots_of_one(self.pattern, slots).len();
-                (slots - inside) as u64 + self.repeats.one.count.saturating_mul(inside as u64)
+                (slots - inside) as u64 + (self.repeats.one.count as u64).saturating_mul(inside as u64)
             }
             Grouping::Several => self.slots_made(),
         }

@@ -78,12 +78,9 @@ impl Parser<'_> {
 
     fn missing_size<T>(&mut self) -> Parsed<T> {
         let span = self.span();
-        let name = self.peek().and_then(Tok::ident).unwrap_or("…");
-        let dot = if self.layout.at(self.at + 1).is_some_and(|token| token.is(Sym::Dot)) { "." } else { "" };
-        let text = format!("{name}{dot}");
         self.diags
             .report(Code::MissingSize, span, "this slot has no size")
-            .help(format!("write `~1 : {text}` to share what is left, or a size in metres before the `:`"));
+            .help("put `~1 :` before it to share what is left, or a size in metres and `:`");
         Err(Reported)
     }
 }
