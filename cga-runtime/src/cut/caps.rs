@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::contour::Contour;
 use super::nest::Nest;
+use super::points::Place;
 use super::{OpenChain, State};
 use crate::mesh::{FaceTag, Mesh};
 
@@ -23,27 +24,21 @@ impl Caps {
     pub(super) fn close(&mut self, state: &mut State, mesh: &Mesh, open: &mut Vec<OpenChain>) {
         let planes = state.points.planes.len();
         state.rim.sort(planes);
-        self.contour.reset(state.points.len());
-        let axis = state.points.axis;
-        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         for plane in 0..planes {
             state.rim.missing(plane, &mut self.edges);
             if self.edges.is_empty() {
                 continue;
             }
             let points = &state.points;
-            let flat = |point: u32| {
-                let p = points.position(mesh, point);
-                DVec2::new(p[u], p[v])
-            };
+            let flat = &points.levels[plane].flat;
             self.contour.follow(&self.edges, flat, |chain| {
-                let points = chain.into_iter().map(|point| points.position(mesh, point)).collect();
+                let points = chain.into_iter().map(|point| points.lift(plane as u32, point)).collect();
                 open.push(OpenChain { plane, points });
             });
             if self.contour.ends.is_empty() {
                 continue;
             }
-            self.nest.sort(&self.contour);
+            self.nest.sort(&self.contour.section(flat));
             self.add(state, mesh, plane as u32, plane as u32);
             self.add(state, mesh, plane as u32, plane as u32 + 1);
         }
@@ -64,12 +59,10 @@ impl Caps {
                 for i in 0..ring.len() {
                     // Turned over with the first edge first: 1 0 n-1 … 2.
                     let corner = ring[if up { i } else { (ring.len() + 1 - i) % ring.len() }];
-                    let point = self.contour.points[corner as usize];
-                    let place = points.place_on(point, plane);
-                    let number = part.number(points, mesh, point, place, slab);
+                    let number = part.number(points, Place::on(plane, corner), slab);
                     part.mesh.corners.push(number);
                     if !mesh.uvs.is_empty() {
-                        part.mesh.uvs.push(texture(axis, up, points.position(mesh, point)));
+                        part.mesh.uvs.push(texture(axis, up, part.mesh.points[number as usize]));
                     }
                     if !mesh.normals.is_empty() {
                         part.mesh.normals.push(normal);

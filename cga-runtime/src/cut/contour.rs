@@ -10,17 +10,11 @@ use super::chain::{self, Chains};
 
 const NONE: u32 = u32::MAX;
 
-/// Loops of one plane, and buffers. Points are numbered from 0 within the plane.
+/// Loops of one plane, and buffers.
 #[derive(Default)]
 pub(super) struct Contour {
-    /// Number within the plane of each point of the cut, or [`NONE`].
-    numbers: Vec<u32>,
-    /// Point of the cut by number.
-    pub(super) points: Vec<u32>,
-    pub(super) flat: Vec<DVec2>,
-    edges: Vec<[u32; 2]>,
     next: Vec<u32>,
-    /// Loops one after the other, as numbers.
+    /// Loops one after the other, as numbers of points.
     pub(super) corners: Vec<u32>,
     pub(super) ends: Vec<usize>,
     chains: Chains,
@@ -28,63 +22,49 @@ pub(super) struct Contour {
     stack: Vec<u32>,
 }
 
+/// Loops with the points they go through.
+pub(super) struct Section<'c> {
+    pub(super) flat: &'c [DVec2],
+    pub(super) corners: &'c [u32],
+    pub(super) ends: &'c [usize],
+}
+
 impl Contour {
-    /// Makes room for the points of a cut.
-    pub(super) fn reset(&mut self, points: usize) {
-        self.numbers.clear();
-        self.numbers.resize(points, NONE);
+    /// The loops that were found, of the plane with these points.
+    pub(super) fn section<'c>(&'c self, flat: &'c [DVec2]) -> Section<'c> {
+        Section { flat, corners: &self.corners, ends: &self.ends }
     }
 
-    /// Finds the loops of some edges between points of the cut. `flat` gives the place of a point in the plane. Chains
-    /// that do not close are handed to `open`, as points of the cut.
-    pub(super) fn follow(&mut self, edges: &[[u32; 2]], flat: impl Fn(u32) -> DVec2, open: impl FnMut(Vec<u32>)) {
-        self.points.clear();
-        self.flat.clear();
-        self.edges.clear();
-        self.next.clear();
+    /// Finds the loops of some edges between points on a plane. Chains that do not close are handed to `open`.
+    pub(super) fn follow(&mut self, edges: &[[u32; 2]], flat: &[DVec2], open: impl FnMut(Vec<u32>)) {
         self.corners.clear();
         self.ends.clear();
-        // A number for each point; where the edge from each leads, as long as there is only one.
-        let mut single = true;
-        for &[a, b] in edges {
-            let (a, b) = (self.number(a, &flat), self.number(b, &flat));
-            self.edges.push([a, b]);
-            single &= self.next[a as usize] == NONE;
-            self.next[a as usize] = b;
-        }
-        self.points.iter().for_each(|&point| self.numbers[point as usize] = NONE);
-        // One way out everywhere, and as many edges as points: one way in everywhere unless two lead to one point.
-        if single && self.edges.len() == self.points.len() && self.each_reached_once() {
-            self.follow_single();
+        if self.is_single(edges, flat.len()) {
+            self.follow_single(edges);
         } else {
-            self.follow_paired(open);
+            self.follow_paired(edges, flat, open);
         }
     }
 
-    /// The number of a point within the plane.
-    #[inline]
-    fn number(&mut self, point: u32, flat: &impl Fn(u32) -> DVec2) -> u32 {
-        let number = &mut self.numbers[point as usize];
-        if *number == NONE {
-            *number = self.points.len() as u32;
-            self.points.push(point);
-            self.flat.push(flat(point));
-            self.next.push(NONE);
+    /// Notes where the edge from each point leads. Whether there is one way in and one way out wherever there is any.
+    fn is_single(&mut self, edges: &[[u32; 2]], points: usize) -> bool {
+        self.next.clear();
+        self.next.resize(points, NONE);
+        for &[a, b] in edges {
+            if std::mem::replace(&mut self.next[a as usize], b) != NONE {
+                return false;
+            }
         }
-        *number
-    }
-
-    fn each_reached_once(&mut self) -> bool {
         self.stack.clear();
-        self.stack.resize(self.points.len(), 0);
-        self.edges.iter().all(|&[_, b]| {
+        self.stack.resize(points, 0);
+        edges.iter().all(|&[_, b]| {
             self.stack[b as usize] += 1;
-            self.stack[b as usize] == 1
+            self.stack[b as usize] == 1 && self.next[b as usize] != NONE
         })
     }
 
-    fn follow_single(&mut self) {
-        for start in 0..self.points.len() as u32 {
+    fn follow_single(&mut self, edges: &[[u32; 2]]) {
+        for &[start, _] in edges {
             let from = self.corners.len();
             let mut at = start;
             while self.next[at as usize] != NONE {
@@ -95,14 +75,12 @@ impl Contour {
         }
     }
 
-    fn follow_paired(&mut self, mut open: impl FnMut(Vec<u32>)) {
+    fn follow_paired(&mut self, edges: &[[u32; 2]], flat: &[DVec2], open: impl FnMut(Vec<u32>)) {
         let mut chains = std::mem::take(&mut self.chains);
-        chain::pair(&mut chains, &self.edges, &self.flat);
-        for chain in &chains.open {
-            open(chain.iter().map(|&number| self.points[number as usize]).collect());
-        }
+        chain::pair(&mut chains, edges, flat);
+        chains.open.drain(..).for_each(open);
         self.on_stack.clear();
-        self.on_stack.resize(self.points.len(), NONE);
+        self.on_stack.resize(flat.len(), NONE);
         let mut from = 0;
         for &end in &chains.loop_ends {
             self.take_apart(&chains.corners[from..end]);

@@ -120,8 +120,8 @@ impl General {
             for corner in ring.clone() {
                 let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
                 let [here, there] = [corner, next].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
-                self.nodes.push(Node::corner(corner, mesh.corners[corner], here.1));
-                state.points.cross(mesh, here, there, &mut self.nodes);
+                self.nodes.push(Node::corner(corner, here.1));
+                state.points.cross(&mut state.parts, mesh, here, there, &mut self.nodes);
             }
             let Some(first) = self.nodes[start..].iter().position(|node| node.class() & 1 == 1) else {
                 self.untouched.push((self.nodes[start].class() / 2, start..self.nodes.len()));
@@ -214,9 +214,9 @@ impl General {
         self.fragments[from.fragment].way = (way, self.ways.len());
         let mut last = a;
         for here in self.ways[way..].iter().copied().chain([b]) {
-            let [p, q] = [last, here].map(|node| self.nodes[node].point);
+            let [p, q] = [last, here].map(|node| self.nodes[node].place);
             if p != q {
-                state.rim.edge(plane, p, q, side);
+                state.rim.edge(plane, p.number, q.number, side);
                 self.along.push((plane, [last, here], -1));
             }
             last = here;
@@ -246,30 +246,31 @@ impl General {
     fn close_flat(&mut self, state: &mut State, mesh: &Mesh) {
         let nodes = &self.nodes;
         let key = |edge: &(u32, [usize; 2], i32)| {
-            let [a, b] = edge.1.map(|node| nodes[node].point);
+            let [a, b] = edge.1.map(|node| nodes[node].place.number);
             (edge.0, a.min(b), a.max(b))
         };
         self.along.sort_by_key(key);
         let mut left: Vec<(u32, [usize; 2])> = Vec::new();
         for same in self.along.chunk_by(|a, b| key(a) == key(b)) {
             let (plane, [a, b], _) = same[0];
-            let forward = |ends: [usize; 2]| nodes[ends[0]].point == nodes[a].point;
+            let forward = |ends: [usize; 2]| nodes[ends[0]].place == nodes[a].place;
             let net: i32 = same.iter().map(|&(_, ends, by)| if forward(ends) { by } else { -by }).sum();
             let edge = if net > 0 { [a, b] } else { [b, a] };
             (0..net.abs()).for_each(|_| left.push((plane, edge)));
         }
         while let Some((plane, [start, mut end])) = left.pop() {
             self.rings.nodes.push(self.nodes[start]);
-            while self.nodes[end].point != self.nodes[start].point {
+            while self.nodes[end].place != self.nodes[start].place {
                 let next =
-                    left.iter().position(|(p, e)| *p == plane && self.nodes[e[0]].point == self.nodes[end].point);
+                    left.iter().position(|(p, e)| *p == plane && self.nodes[e[0]].place == self.nodes[end].place);
                 let Some(next) = next else { break };
                 self.rings.nodes.push(self.nodes[end]);
                 end = left.swap_remove(next).1[1];
             }
             let ring = &self.rings.nodes;
             for i in 0..ring.len() {
-                state.rim.edge(plane, ring[i].point, ring[(i + 1) % ring.len()].point, Side::Below);
+                let [a, b] = [i, (i + 1) % ring.len()].map(|at| ring[at].place.number);
+                state.rim.edge(plane, a, b, Side::Below);
             }
             self.rings.end_ring();
             self.rings.emit(state, mesh, plane);
@@ -279,5 +280,5 @@ impl General {
 
 /// Where a node is along the line.
 fn place(state: &State, mesh: &Mesh, line: Line, node: Node) -> f64 {
-    line.sign * state.points.position(mesh, node.point)[line.axis] + 0.0
+    line.sign * state.points.position(mesh, &node)[line.axis] + 0.0
 }

@@ -13,6 +13,7 @@
 mod caps;
 mod chain;
 mod contour;
+mod edges;
 mod first;
 mod general;
 mod nest;
@@ -23,6 +24,7 @@ mod points;
 mod rim;
 mod simple;
 mod state;
+mod triangle;
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -191,6 +193,14 @@ impl Cutter {
             }
             // The lowest and highest slab it has a part in; the other way round when it lies in a plane.
             let (bottom, top) = (low.div_ceil(2), high / 2);
+            if let [p, q, r] = *places
+                && (p.class | q.class | r.class) & 1 == 0
+                && high == low + 2
+            {
+                let lone = if q.class == r.class { 0 } else { 1 + usize::from(p.class == q.class) };
+                triangle::clip(&mut self.state, mesh, tag, corners, [p, q, r], bottom, lone);
+                continue;
+            }
             if bottom == top {
                 self.state.keep(mesh, face, tag, top, low | high);
             } else if top < bottom {

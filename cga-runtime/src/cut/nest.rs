@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::contour::Contour;
+use super::contour::Section;
 use crate::exact::orient;
 
 /// A loop, and for a hole its outline.
@@ -42,12 +42,12 @@ struct Strips {
 }
 
 impl Nest {
-    /// Sorts the loops of a contour into groups.
-    pub(super) fn sort(&mut self, contour: &Contour) {
+    /// Sorts the loops of a section into groups.
+    pub(super) fn sort(&mut self, section: &Section<'_>) {
         self.loops.clear();
         let mut start = 0;
-        for &end in &contour.ends {
-            self.loops.push(measure(contour, start..end));
+        for &end in section.ends {
+            self.loops.push(measure(section, start..end));
             start = end;
         }
         // A section that is inside out has its outlines clockwise.
@@ -56,7 +56,7 @@ impl Nest {
         }
         let outlines = self.loops.iter().filter(|l| 0.0 <= l.area).count();
         if outlines < self.loops.len() && outlines != 0 {
-            self.assign(contour, outlines);
+            self.assign(section, outlines);
         }
         self.order.clear();
         self.ends.clear();
@@ -90,7 +90,7 @@ impl Nest {
         self.ends.extend((0..self.loops.len()).filter(|&i| self.loops[i].outline.is_none()).map(|i| count[i + 1]));
     }
 
-    fn assign(&mut self, contour: &Contour, outlines: usize) {
+    fn assign(&mut self, section: &Section<'_>, outlines: usize) {
         let only = self.loops.iter().position(|l| 0.0 <= l.area).filter(|_| outlines == 1);
         if let Some(only) = only {
             let (low, high) = (self.loops[only].low, self.loops[only].high);
@@ -101,27 +101,27 @@ impl Nest {
                 return;
             }
         }
-        self.strips.fill(contour, &self.loops);
+        self.strips.fill(section, &self.loops);
         self.turns.clear();
         self.turns.resize(self.loops.len(), 0);
         for hole in 0..self.loops.len() {
             if self.loops[hole].area < 0.0 {
-                self.loops[hole].outline = self.around(contour, hole);
+                self.loops[hole].outline = self.around(section, hole);
             }
         }
     }
 
     /// The smallest outline that winds around the middle of the longest edge of a hole. The middle of an edge is never a
     /// corner of another loop.
-    fn around(&mut self, contour: &Contour, hole: usize) -> Option<usize> {
-        let ring = &contour.corners[self.loops[hole].range.clone()];
-        let at = |i: usize| contour.flat[ring[i % ring.len()] as usize];
+    fn around(&mut self, section: &Section<'_>, hole: usize) -> Option<usize> {
+        let ring = &section.corners[self.loops[hole].range.clone()];
+        let at = |i: usize| section.flat[ring[i % ring.len()] as usize];
         let longest = (0..ring.len())
             .max_by(|&i, &j| at(i).distance_squared(at(i + 1)).total_cmp(&at(j).distance_squared(at(j + 1))))?;
         let p = at(longest) * 0.5 + at(longest + 1) * 0.5;
         self.touched.clear();
         for &(a, b, outline) in self.strips.around(p.y) {
-            let [a, b] = [a, b].map(|corner| contour.flat[corner as usize]);
+            let [a, b] = [a, b].map(|corner| section.flat[corner as usize]);
             let up = a.y <= p.y && p.y < b.y;
             let down = b.y <= p.y && p.y < a.y;
             let turn = if up && orient(a, b, p) > 0 {
@@ -146,13 +146,13 @@ impl Nest {
     }
 }
 
-fn measure(contour: &Contour, range: Range<usize>) -> Loop {
-    let ring = &contour.corners[range.clone()];
-    let from = contour.flat[ring[0] as usize];
+fn measure(section: &Section<'_>, range: Range<usize>) -> Loop {
+    let ring = &section.corners[range.clone()];
+    let from = section.flat[ring[0] as usize];
     let (mut low, mut high, mut area) = (from, from, 0.0);
     let mut last = DVec2::ZERO;
     for &corner in &ring[1..] {
-        let p = contour.flat[corner as usize];
+        let p = section.flat[corner as usize];
         (low, high) = (low.min(p), high.max(p));
         let here = p - from;
         area += last.perp_dot(here);
@@ -162,7 +162,7 @@ fn measure(contour: &Contour, range: Range<usize>) -> Loop {
 }
 
 impl Strips {
-    fn fill(&mut self, contour: &Contour, loops: &[Loop]) {
+    fn fill(&mut self, section: &Section<'_>, loops: &[Loop]) {
         let outlines = || loops.iter().enumerate().filter(|(_, l)| 0.0 <= l.area);
         let low = outlines().fold(f64::INFINITY, |m, (_, l)| m.min(l.low.y));
         let high = outlines().fold(f64::NEG_INFINITY, |m, (_, l)| m.max(l.high.y));
@@ -170,7 +170,7 @@ impl Strips {
         let mut height = 0.0;
         let each = |visit: &mut dyn FnMut(u32, u32, u32)| {
             for (index, l) in outlines() {
-                let ring = &contour.corners[l.range.clone()];
+                let ring = &section.corners[l.range.clone()];
                 let mut last = ring[ring.len() - 1];
                 for &here in ring {
                     visit(last, here, index as u32);
@@ -178,7 +178,7 @@ impl Strips {
                 }
             }
         };
-        let y = |corner: u32| contour.flat[corner as usize].y;
+        let y = |corner: u32| section.flat[corner as usize].y;
         each(&mut |a, b, _| {
             count += 1;
             height += (y(a) - y(b)).abs();

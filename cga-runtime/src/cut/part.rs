@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::points::{NONE, Node, Place, Points};
 use crate::mesh::{FaceTag, Mesh, keep_used};
 
@@ -53,32 +55,39 @@ impl Part {
 
     /// The number of a point in this slab; on a plane it is given when first asked for.
     #[inline]
-    pub(super) fn number(&mut self, points: &mut Points, source: &Mesh, point: u32, place: Place, slab: u32) -> u32 {
+    pub(super) fn number(&mut self, points: &mut Points, place: Place, slab: u32) -> u32 {
         if place.class & 1 == 0 {
             return place.number;
         }
-        let side = usize::from(slab != place.class / 2);
-        let number = &mut points.numbers[place.number as usize][side];
+        let plane = place.class / 2;
+        let numbers = &mut points.levels[plane as usize].numbers[place.number as usize];
+        let number = &mut numbers[usize::from(slab != plane)];
         if *number != NONE {
             return *number;
         }
         let new = self.mesh.points.len() as u32;
         *number = new;
-        self.mesh.points.push(points.position(source, point));
-        new
+        self.add_point(points.lift(plane, place.number))
+    }
+
+    /// Adds a point; gives its number.
+    #[inline]
+    pub(super) fn add_point(&mut self, point: DVec3) -> u32 {
+        self.mesh.points.push(point);
+        self.mesh.points.len() as u32 - 1
     }
 
     /// Adds corners of a piece with what they carry.
-    #[inline]
+    #[inline(always)]
     pub(super) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[Node], slab: u32) {
         for node in nodes {
-            let number = self.number(points, source, node.point, node.place, slab);
+            let number = self.number(points, node.place, slab);
             self.mesh.corners.push(number);
         }
         if !source.uvs.is_empty() {
             self.mesh.uvs.extend(nodes.iter().map(|node| {
                 let uv = source.uvs[node.from as usize];
-                if node.is_corner() { uv } else { uv.lerp(source.uvs[node.to as usize], points.share(node.point)) }
+                if node.is_corner() { uv } else { uv.lerp(source.uvs[node.to as usize], points.share(node.place)) }
             }));
         }
         if !source.normals.is_empty() {
@@ -87,9 +96,17 @@ impl Part {
                 if node.is_corner() {
                     return normal;
                 }
-                normal.lerp(source.normals[node.to as usize], points.share(node.point)).normalize_or(normal)
+                normal.lerp(source.normals[node.to as usize], points.share(node.place)).normalize_or(normal)
             }));
         }
+    }
+
+    /// Adds a piece that is one loop.
+    #[inline]
+    pub(super) fn face(&mut self, points: &mut Points, source: &Mesh, tag: FaceTag, nodes: &[Node], slab: u32) {
+        self.corners(points, source, nodes, slab);
+        self.end_loop();
+        self.end_face(tag);
     }
 
     #[inline]

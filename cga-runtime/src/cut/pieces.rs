@@ -49,12 +49,12 @@ impl Rings {
         let start = self.rings.last().map_or(0, |ring| ring.nodes.end);
         let mut kept = start;
         for i in start..self.nodes.len() {
-            if kept == start || self.nodes[kept - 1].point != self.nodes[i].point {
+            if kept == start || self.nodes[kept - 1].place != self.nodes[i].place {
                 self.nodes[kept] = self.nodes[i];
                 kept += 1;
             }
         }
-        if kept > start + 1 && self.nodes[kept - 1].point == self.nodes[start].point {
+        if kept > start + 1 && self.nodes[kept - 1].place == self.nodes[start].place {
             kept -= 1;
         }
         if kept < start + 3 {
@@ -98,7 +98,7 @@ impl Rings {
     /// Finds the outline of each hole. A hole outside of all outlines, which only a broken face has, stays on its own.
     fn nest(&mut self, state: &State, mesh: &Mesh, projection: Projection) {
         self.flat.clear();
-        self.flat.extend(self.nodes.iter().map(|node| projection.apply(state.points.position(mesh, node.point))));
+        self.flat.extend(self.nodes.iter().map(|node| projection.apply(state.points.position(mesh, node))));
         for ring in &mut self.rings {
             let flat = &self.flat[ring.nodes.clone()];
             ring.area = flat.windows(2).map(|w| (w[0] - flat[0]).perp_dot(w[1] - flat[0])).sum();

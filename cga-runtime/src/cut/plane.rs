@@ -117,7 +117,7 @@ impl Cutter {
         // Its own points a mesh has as they were.
         for (place, point) in points.places.iter().zip(&mesh.points) {
             let numbers = match place.class {
-                1 => points.numbers[place.number as usize],
+                1 => points.levels[0].numbers[place.number as usize],
                 0 => [place.number, u32::MAX],
                 _ => [u32::MAX, place.number],
             };

@@ -1,31 +1,38 @@
 //! The points of a cut: those of the mesh, and the crossings where its edges meet planes.
 //!
-//! An edge owns its crossings: they are made when the first face asks and found by the others. Crossings are numbered
-//! after the points of the mesh; those of one edge follow each other, from low to high.
+//! An edge owns its crossings: they are made when the first face asks and found by the others. Points on a plane are kept
+//! with their plane and numbered there, as whatever needs them next (the pieces on both sides, the caps) goes plane by plane.
 
 use std::ops::Range;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
+use super::edges::Edges;
+use super::part::Part;
 use crate::mesh::Mesh;
-use crate::mesh::table::PairTable;
 
 /// Not numbered yet.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Where a point is among the planes. Read at random for each corner, so it is kept small.
-#[derive(Clone, Copy, Debug)]
+/// Where a point is among the planes, and which one it is there. Read at random for each corner, so it is kept small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place {
     /// 2s strictly inside slab s, 2j + 1 on plane j.
     pub(super) class: u32,
-    /// Its number in the slab; of a point on a plane, its number among those.
+    /// Its number in the slab or on the plane.
     pub(super) number: u32,
+}
+
+impl Place {
+    /// A point on a plane.
+    pub(super) fn on(plane: u32, number: u32) -> Self {
+        Place { class: 2 * plane + 1, number }
+    }
 }
 
 /// A corner of a piece: a point of the mesh at one of its corners, or a crossing between two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
-    pub(super) point: u32,
     pub(super) place: Place,
     /// The corner, or that at the lexicographically first end of the edge.
     pub(super) from: u32,
@@ -36,8 +43,8 @@ pub(super) struct Node {
 impl Node {
     /// A corner of the mesh.
     #[inline]
-    pub(super) fn corner(corner: usize, point: u32, place: Place) -> Self {
-        Node { point, place, from: corner as u32, to: corner as u32 }
+    pub(super) fn corner(corner: usize, place: Place) -> Self {
+        Node { place, from: corner as u32, to: corner as u32 }
     }
 
     /// Whether it is a corner, not a crossing.
@@ -51,6 +58,26 @@ impl Node {
     }
 }
 
+/// The points on a plane.
+#[derive(Default)]
+pub(super) struct Level {
+    /// Their other two coordinates, in the order that makes the plane's axis look at us.
+    pub(super) flat: Vec<DVec2>,
+    /// Their numbers in the slabs below and above, as far as they have them.
+    pub(super) numbers: Vec<[u32; 2]>,
+    /// Of crossings, how far along their edges they are, from the lexicographically first end. Only kept when corners carry
+    /// something that is mixed there.
+    shares: Vec<f64>,
+}
+
+impl Level {
+    fn clear(&mut self) {
+        self.flat.clear();
+        self.numbers.clear();
+        self.shares.clear();
+    }
+}
+
 /// All points of a cut.
 #[derive(Default)]
 pub(super) struct Points {
@@ -59,17 +86,14 @@ pub(super) struct Points {
     pub(super) planes: Vec<f64>,
     /// Where each point of the mesh is.
     pub(super) places: Vec<Place>,
-    /// For each point on a plane, its numbers in the slabs below and above: points of the mesh, then crossings.
-    pub(super) numbers: Vec<[u32; 2]>,
-    /// How many of those are of the mesh.
-    on_planes: u32,
+    /// The points on each plane; there may be more of these than planes.
+    pub(super) levels: Vec<Level>,
     /// Whether corners carry something that is mixed at crossings.
     mixes: bool,
-    /// Edge to its first crossing.
-    edges: PairTable,
-    crossings: Vec<DVec3>,
-    /// How far along its edge each is, from the lexicographically first end. Only kept when that is asked for.
-    shares: Vec<f64>,
+    /// Edge to its one crossing's number on the plane, or to where its crossings begin in the list.
+    edges: Edges,
+    /// Numbers on their planes of the crossings of edges with several, from low to high.
+    crossings: Vec<u32>,
 }
 
 impl Points {
@@ -88,83 +112,116 @@ impl Points {
             };
             places.extend(mesh.points.iter().map(|p| Place { class: class(p[axis]), number: 0 }));
         }
-        self.numbers.clear();
-        self.edges.clear();
+        if self.levels.len() < self.planes.len() {
+            self.levels.resize_with(self.planes.len(), Level::default);
+        }
+        self.levels.iter_mut().for_each(Level::clear);
+        self.edges.reset(mesh.points.len());
         self.crossings.clear();
-        self.shares.clear();
         self.mixes = !mesh.uvs.is_empty() || !mesh.normals.is_empty();
     }
 
-    /// To be called once all points of the mesh have their numbers.
-    pub(super) fn numbered(&mut self) {
-        self.on_planes = self.numbers.len() as u32;
-    }
-
-    /// How many points there are, crossings included.
-    pub(super) fn len(&self) -> usize {
-        self.places.len() + self.crossings.len()
-    }
-
-    /// Where a point is.
+    /// Adds a point to a plane, with its numbers in the slabs; gives its number there.
     #[inline]
-    pub(super) fn position(&self, mesh: &Mesh, point: u32) -> DVec3 {
-        match (point as usize).checked_sub(mesh.points.len()) {
-            None => mesh.points[point as usize],
-            Some(crossing) => self.crossings[crossing],
+    pub(super) fn add(&mut self, plane: u32, point: DVec3, share: f64, numbers: [u32; 2]) -> u32 {
+        let flat = match self.axis {
+            0 => DVec2::new(point.y, point.z),
+            1 => DVec2::new(point.z, point.x),
+            _ => DVec2::new(point.x, point.y),
+        };
+        let level = &mut self.levels[plane as usize];
+        level.flat.push(flat);
+        level.numbers.push(numbers);
+        if self.mixes {
+            level.shares.push(share);
         }
+        (level.flat.len() - 1) as u32
+    }
+
+    /// Where a point on a plane is in space.
+    #[inline]
+    pub(super) fn lift(&self, plane: u32, number: u32) -> DVec3 {
+        let at = self.planes[plane as usize];
+        let flat = self.levels[plane as usize].flat[number as usize];
+        match self.axis {
+            0 => DVec3::new(at, flat.x, flat.y),
+            1 => DVec3::new(flat.y, at, flat.x),
+            _ => DVec3::new(flat.x, flat.y, at),
+        }
+    }
+
+    /// Where a corner of a piece is in space.
+    #[inline]
+    pub(super) fn position(&self, mesh: &Mesh, node: &Node) -> DVec3 {
+        if node.is_corner() {
+            return mesh.points[mesh.corners[node.from as usize] as usize];
+        }
+        self.lift(node.class() / 2, node.place.number)
     }
 
     /// How far along its edge a crossing is.
-    pub(super) fn share(&self, point: u32) -> f64 {
-        self.shares[point as usize - self.places.len()]
+    pub(super) fn share(&self, place: Place) -> f64 {
+        self.levels[place.class as usize / 2].shares[place.number as usize]
     }
 
-    /// The place of a point that is known to be on a plane.
+    /// The crossing of the edge from one corner to another with the one plane that is between them.
     #[inline]
-    pub(super) fn place_on(&self, point: u32, plane: u32) -> Place {
-        match (point as usize).checked_sub(self.places.len()) {
-            None => self.places[point as usize],
-            Some(crossing) => Place { class: 2 * plane + 1, number: self.on_planes + crossing as u32 },
+    pub(super) fn crossing(&mut self, parts: &mut [Part], mesh: &Mesh, plane: u32, from: usize, to: usize) -> Node {
+        let [a, b] = [from, to].map(|corner| mesh.corners[corner]);
+        let (number, new) = self.edges.entry(a, b, self.levels[plane as usize].flat.len() as u32);
+        if new {
+            self.make(parts, mesh, a, b, plane..plane + 1);
         }
+        self.node(mesh, Place::on(plane, number), from, to)
     }
 
     /// Appends the crossings of the edge from one corner to another, in the order they are met.
     #[inline]
-    pub(super) fn cross(&mut self, mesh: &Mesh, from: (usize, Place), to: (usize, Place), nodes: &mut Vec<Node>) {
+    pub(super) fn cross(
+        &mut self,
+        parts: &mut [Part],
+        mesh: &Mesh,
+        from: (usize, Place),
+        to: (usize, Place),
+        nodes: &mut Vec<Node>,
+    ) {
         let rises = from.1.class < to.1.class;
         let (low, high) = if rises { (from.1.class, to.1.class) } else { (to.1.class, from.1.class) };
         let planes = low.div_ceil(2)..high / 2;
         if planes.is_empty() {
             return;
         }
-        let [a, b] = [from.0, to.0].map(|corner| mesh.corners[corner]);
-        let next = self.len() as u32;
-        let (base, new) = self.edges.entry(a.min(b), a.max(b), next);
-        let base = *base;
-        if new {
-            self.make(mesh, a, b, planes.clone());
+        if planes.len() == 1 {
+            nodes.push(self.crossing(parts, mesh, planes.start, from.0, to.0));
+            return;
         }
-        // What corners carry is mixed from the same end as the position.
-        let ordered = !self.mixes || comes_first(mesh.points[a as usize], mesh.points[b as usize]);
-        let (first, second) = if ordered { (from.0, to.0) } else { (to.0, from.0) };
-        let number = self.on_planes + (base - self.places.len() as u32);
-        let mut add = |plane: u32| {
-            let along = plane - planes.start;
-            let place = Place { class: 2 * plane + 1, number: number + along };
-            nodes.push(Node { point: base + along, place, from: first as u32, to: second as u32 });
-        };
+        let [a, b] = [from.0, to.0].map(|corner| mesh.corners[corner]);
+        let (first, new) = self.edges.entry(a, b, self.crossings.len() as u32);
+        if new {
+            self.make(parts, mesh, a, b, planes.clone());
+        }
+        let node = |plane: u32, number: u32| self.node(mesh, Place::on(plane, number), from.0, to.0);
+        let crossings = planes.clone().zip(&self.crossings[first as usize..first as usize + planes.len()]);
         if rises {
-            for plane in planes.start..planes.end {
-                add(plane);
-            }
+            nodes.extend(crossings.map(|(plane, &number)| node(plane, number)));
         } else {
-            for plane in (planes.start..planes.end).rev() {
-                add(plane);
-            }
+            nodes.extend(crossings.rev().map(|(plane, &number)| node(plane, number)));
         }
     }
 
-    fn make(&mut self, mesh: &Mesh, a: u32, b: u32, planes: Range<u32>) {
+    /// A crossing of the edge from one corner to another.
+    #[inline]
+    fn node(&self, mesh: &Mesh, place: Place, from: usize, to: usize) -> Node {
+        // What corners carry is mixed from the same end as the position.
+        let point = |corner: usize| mesh.points[mesh.corners[corner] as usize];
+        let ordered = !self.mixes || comes_first(point(from), point(to));
+        let (from, to) = if ordered { (from, to) } else { (to, from) };
+        Node { place, from: from as u32, to: to as u32 }
+    }
+
+    /// Makes the crossings of an edge. The face that asks has pieces on both sides, so they are numbered there.
+    fn make(&mut self, parts: &mut [Part], mesh: &Mesh, a: u32, b: u32, planes: Range<u32>) {
+        let single = planes.len() == 1;
         let axis = self.axis;
         let (p, q) = (mesh.points[a as usize], mesh.points[b as usize]);
         let (p, q) = if comes_first(p, q) { (p, q) } else { (q, p) };
@@ -180,12 +237,13 @@ impl Points {
                 x = p * (1.0 - share) + q * share;
             }
             // Rounding does not lead out of the box of the edge.
-            x = x.max(low).min(high);
+            let mut x = x.max(low).min(high);
             x[axis] = at;
-            self.crossings.push(x);
-            self.numbers.push([NONE; 2]);
-            if self.mixes {
-                self.shares.push(share);
+            let [below, above] = &mut parts[plane as usize..plane as usize + 2] else { return };
+            let numbers = [below.add_point(x), above.add_point(x)];
+            let number = self.add(plane, x, share, numbers);
+            if !single {
+                self.crossings.push(number);
             }
         }
     }

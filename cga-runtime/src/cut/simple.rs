@@ -58,14 +58,14 @@ impl Simple {
                 let (left, right) = (self.up[up - 1], self.down[down_start]);
                 up -= 1;
                 down += 1;
-                if left.point == right.point {
+                if left.place == right.place {
                     back = &back[1..];
                 } else {
-                    rim.cut(slab, left.point, right.point);
+                    rim.cut(slab, left.place.number, right.place.number);
                 }
             }
             // A loop that meets itself on a plane: no corner twice in a row.
-            if back.last().is_some_and(|last| last.point == ahead[0].point) {
+            if back.last().is_some_and(|last| last.place == ahead[0].place) {
                 back = &back[..back.len() - 1];
             }
             let part = &mut parts[slab as usize];
@@ -88,7 +88,7 @@ impl Simple {
         for (level, side) in [(low, Side::Above), (high, Side::Below)] {
             if level & 1 == 1 {
                 for pair in self.up.windows(2).filter(|pair| pair[0].class() == level && pair[1].class() == level) {
-                    rim.edge(level / 2, pair[0].point, pair[1].point, side);
+                    rim.edge(level / 2, pair[0].place.number, pair[1].place.number, side);
                 }
             }
         }
@@ -113,7 +113,7 @@ impl Simple {
         self.down.clear();
         let count = places.len();
         let after = |i: usize| if i + 1 == count { 0 } else { i + 1 };
-        let node = |i: usize| Node::corner(corners.start + i, mesh.corners[corners.start + i], places[i]);
+        let node = |i: usize| Node::corner(corners.start + i, places[i]);
         let mut before = places[count - 1].class;
         let Some(start) =
             places.iter().position(|place| std::mem::replace(&mut before, place.class) != low && place.class == low)
@@ -128,13 +128,13 @@ impl Simple {
                 break;
             }
             let [a, b] = [here, next].map(|i| (corners.start + i, places[i]));
-            state.points.cross(mesh, a, b, &mut self.up);
+            state.points.cross(&mut state.parts, mesh, a, b, &mut self.up);
             here = next;
         }
         loop {
             let next = after(here);
             let [a, b] = [here, next].map(|i| (corners.start + i, places[i]));
-            state.points.cross(mesh, a, b, &mut self.down);
+            state.points.cross(&mut state.parts, mesh, a, b, &mut self.down);
             if next == start {
                 return true;
             }

@@ -17,8 +17,11 @@ pub(super) struct State {
     inverted: Option<bool>,
 }
 
-/// From this many slabs on, faces are counted before they are cut.
+/// From this many slabs on, faces are counted before they are cut,
 const MANY_SLABS: usize = 8;
+
+/// but of large meshes not all: about so many.
+const SAMPLE: usize = 1 << 14;
 
 /// What a slab will hold.
 #[derive(Clone, Copy, Default)]
@@ -38,18 +41,14 @@ impl State {
         self.points.start(mesh);
         self.make_room(mesh);
         let State { points, parts, .. } = self;
-        for (place, &p) in points.places.iter_mut().zip(&mesh.points) {
-            let number = if place.class & 1 == 0 {
-                let list = &mut parts[place.class as usize / 2].mesh.points;
-                list.push(p);
-                list.len() - 1
+        for (index, &p) in mesh.points.iter().enumerate() {
+            let class = points.places[index].class;
+            points.places[index].number = if class & 1 == 0 {
+                parts[class as usize / 2].add_point(p)
             } else {
-                points.numbers.push([NONE; 2]);
-                points.numbers.len() - 1
+                points.add(class / 2, p, 0.0, [NONE; 2])
             };
-            place.number = number as u32;
         }
-        points.numbered();
         self.rim.reset();
         self.inverted = None;
     }
@@ -72,7 +71,8 @@ impl State {
             }));
             return;
         }
-        for face in 0..mesh.face_count() {
+        let each = mesh.face_count() / SAMPLE + 1;
+        for face in (0..mesh.face_count()).step_by(each) {
             let loops = mesh.face_loops(face);
             let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
             let count = corners.len();
@@ -82,19 +82,21 @@ impl State {
             });
             let (bottom, top) = (low.div_ceil(2) as usize, high as usize / 2);
             if bottom < top {
-                room[bottom].begin += 1;
-                room[top + 1].end += 1;
+                room[bottom].begin += each;
+                room[top + 1].end += each;
             } else {
-                room[top].corners += count;
-                room[top].loops += loops.len();
+                room[top].corners += each * count;
+                room[top].loops += each * loops.len();
             }
         }
+        // What was not looked at may be more than its share.
+        let spare = |count: usize| if each == 1 { count } else { count + count / 16 + 32 };
         let mut pieces = 0;
         parts.extend(room[..slabs].iter().map(|room| {
             // A piece has four corners on average, and with a corner of each of two caps; it shares two of its points.
             pieces = pieces + room.begin - room.end;
             let (corners, loops) = (room.corners + 6 * pieces, room.loops + pieces + 2);
-            Part::new(mesh, room.points + 2 * pieces, corners, loops)
+            Part::new(mesh, room.points + spare(2 * pieces), spare(corners), spare(loops))
         }));
     }
 
@@ -108,7 +110,7 @@ impl State {
         let shift = part.mesh.corners.len() as u32;
         let base = corners.start as u32;
         for &point in &mesh.corners[corners.clone()] {
-            let number = part.number(points, mesh, point, points.places[point as usize], slab);
+            let number = part.number(points, points.places[point as usize], slab);
             part.mesh.corners.push(number);
         }
         part.mesh.loop_ends.extend(mesh.loop_ends[loops].iter().map(|end| end - base + shift));
@@ -123,9 +125,9 @@ impl State {
         for ring in mesh.face(face).loops() {
             let mut last = ring[ring.len() - 1];
             for &here in ring {
-                let [a, b] = [last, here].map(|point| self.points.places[point as usize].class);
-                if b & 1 == 1 && a == b {
-                    self.rim.edge(b / 2, last, here, Side::of(slab, b / 2));
+                let [a, b] = [last, here].map(|point| self.points.places[point as usize]);
+                if b.class & 1 == 1 && a.class == b.class {
+                    self.rim.edge(b.class / 2, a.number, b.number, Side::of(slab, b.class / 2));
                 }
                 last = here;
             }

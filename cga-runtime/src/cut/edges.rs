@@ -1,0 +1,81 @@
+//! Edges of a mesh → their crossings.
+//!
+//! An edge hangs on the end with the lower index, in a list: faces that follow each other in a mesh share points, so what is
+//! looked for is near what was looked for before, which a hash table would undo. Where very many edges meet in a point, those
+//! after the first ones are in such a table all the same.
+
+use crate::mesh::table::PairTable;
+
+/// No link.
+const END: u32 = u32::MAX;
+
+/// How many edges a list has at most.
+const CROWD: usize = 16;
+
+/// Edge → number.
+#[derive(Default)]
+pub(super) struct Edges {
+    /// Of each point, its first link.
+    heads: Vec<u32>,
+    links: Vec<Link>,
+    crowded: PairTable,
+}
+
+struct Link {
+    /// The other end.
+    end: u32,
+    number: u32,
+    next: u32,
+}
+
+impl Edges {
+    /// Forgets everything; there are so many points.
+    pub(super) fn reset(&mut self, points: usize) {
+        self.heads.clear();
+        self.heads.resize(points, END);
+        self.links.clear();
+        self.crowded.clear();
+    }
+
+    /// The number of an edge, which becomes `initial` when it is new, and whether it is.
+    #[inline]
+    pub(super) fn entry(&mut self, a: u32, b: u32, initial: u32) -> (u32, bool) {
+        let (low, high) = (a.min(b), a.max(b));
+        let (mut last, mut at) = (END, self.heads[low as usize]);
+        for _ in 0..CROWD {
+            if at == END {
+                let new = self.links.len() as u32;
+                self.links.push(Link { end: high, number: initial, next: END });
+                *(if last == END { &mut self.heads[low as usize] } else { &mut self.links[last as usize].next }) = new;
+                return (initial, true);
+            }
+            let link = &self.links[at as usize];
+            if link.end == high {
+                return (link.number, false);
+            }
+            (last, at) = (at, link.next);
+        }
+        let (number, new) = self.crowded.entry(low, high, initial);
+        (*number, new)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Edges;
+
+    #[test]
+    fn an_edge_is_found_either_way_round_also_in_a_crowd() {
+        let mut edges = Edges::default();
+        edges.reset(100);
+        for end in 1..100 {
+            assert_eq!(edges.entry(0, end, 10 * end), (10 * end, true));
+        }
+        for end in 1..100 {
+            assert_eq!(edges.entry(end, 0, 7), (10 * end, false));
+        }
+        assert_eq!(edges.entry(5, 6, 8), (8, true));
+        edges.reset(100);
+        assert_eq!(edges.entry(0, 99, 3), (3, true));
+    }
+}
