@@ -6,6 +6,7 @@
 use glam::{DVec2, DVec3};
 
 use super::contour::Contour;
+use super::lead::{Lead, Wish};
 use super::nest::Nest;
 use super::points::Place;
 use super::{OpenChain, State};
@@ -17,6 +18,7 @@ pub(super) struct Caps {
     edges: Vec<[u32; 2]>,
     contour: Contour,
     nest: Nest,
+    lead: Lead,
 }
 
 impl Caps {
@@ -24,6 +26,7 @@ impl Caps {
     pub(super) fn close(&mut self, state: &mut State, mesh: &Mesh, open: &mut Vec<OpenChain>) {
         let planes = state.points.planes.len();
         state.rim.sort(planes);
+        let mut sought = false;
         for plane in 0..planes {
             state.rim.missing(plane, &mut self.edges);
             if self.edges.is_empty() {
@@ -39,22 +42,52 @@ impl Caps {
                 continue;
             }
             self.nest.sort(&self.contour.section(flat));
-            self.add(state, mesh, plane as u32, plane as u32);
-            self.add(state, mesh, plane as u32, plane as u32 + 1);
+            if !std::mem::replace(&mut sought, true) {
+                self.lead.find(state, mesh);
+            }
+            let plane = plane as u32;
+            let first = self.turn_to_lead(plane);
+            self.add(state, mesh, plane, plane, first);
+            self.add(state, mesh, plane, plane + 1, first);
         }
     }
 
-    /// Adds the caps of a plane to one of its slabs.
-    fn add(&self, state: &mut State, mesh: &Mesh, plane: u32, slab: u32) {
+    /// The cap of a plane that comes first, turned to begin with the edge that it should begin with.
+    fn turn_to_lead(&mut self, plane: u32) -> usize {
+        let mut start = 0;
+        for (group, &end) in self.nest.ends.iter().enumerate() {
+            for (number, range) in self.nest.order[start..end].iter().enumerate() {
+                let ring = &mut self.contour.corners[range.clone()];
+                if let Some(at) = self.lead.edge_in(plane, ring) {
+                    // The first edge of a face is one of its outline.
+                    if number == 0 {
+                        ring.rotate_left(at);
+                    }
+                    return group;
+                }
+            }
+            start = end;
+        }
+        0
+    }
+
+    /// Adds the caps of a plane to one of its slabs, that with number `first` as the first one.
+    fn add(&self, state: &mut State, mesh: &Mesh, plane: u32, slab: u32, first: usize) {
         let State { parts, points, .. } = state;
         let axis = points.axis;
         let up = slab == plane;
         let part = &mut parts[slab as usize];
         let mut normal = DVec3::ZERO;
         normal[axis] = if up { 1.0 } else { -1.0 };
-        let mut group = 0;
-        for &end in &self.nest.ends {
-            for range in &self.nest.order[group..end] {
+        match self.lead.wants(slab, plane) {
+            Some(Wish::First) => part.lead = Some(part.mesh.face_ends.len()),
+            Some(Wish::Second) => part.lead = part.lead.or(Some(part.mesh.face_ends.len())),
+            None => {}
+        }
+        let groups = self.nest.ends.len();
+        for group in std::iter::once(first).chain((0..groups).filter(|&group| group != first)) {
+            let start = if group == 0 { 0 } else { self.nest.ends[group - 1] };
+            for range in &self.nest.order[start..self.nest.ends[group]] {
                 let ring = &self.contour.corners[range.clone()];
                 for i in 0..ring.len() {
                     // Turned over with the first edge first: 1 0 n-1 … 2.
@@ -70,7 +103,6 @@ impl Caps {
                 }
                 part.end_loop();
             }
-            group = end;
             part.end_face(FaceTag::CAP);
         }
     }

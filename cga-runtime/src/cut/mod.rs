@@ -16,6 +16,7 @@ mod contour;
 mod edges;
 mod first;
 mod general;
+mod lead;
 mod nest;
 mod part;
 mod pieces;

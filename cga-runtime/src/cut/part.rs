@@ -14,6 +14,8 @@ pub(super) struct Part {
     pub(super) whole: usize,
     /// Whether a piece was left out because it has no extent: points of it may not be used.
     pub(super) dropped: bool,
+    /// A face that is to come first.
+    pub(super) lead: Option<usize>,
 }
 
 impl Part {
@@ -29,7 +31,7 @@ impl Part {
         if !source.normals.is_empty() {
             mesh.normals.reserve(corners);
         }
-        Part { mesh, whole: 0, dropped: false }
+        Part { mesh, whole: 0, dropped: false, lead: None }
     }
 
     /// Adds a triangle of the source whose corners have these numbers here.
@@ -84,6 +86,12 @@ impl Part {
             let number = self.number(points, node.place, slab);
             self.mesh.corners.push(number);
         }
+        self.carry(points, source, nodes);
+    }
+
+    /// Adds what corners of a piece carry besides their points.
+    #[inline(always)]
+    fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
         if !source.uvs.is_empty() {
             self.mesh.uvs.extend(nodes.iter().map(|node| {
                 let uv = source.uvs[node.from as usize];
@@ -101,10 +109,17 @@ impl Part {
         }
     }
 
-    /// Adds a piece that is one loop.
-    #[inline]
-    pub(super) fn face(&mut self, points: &mut Points, source: &Mesh, tag: FaceTag, nodes: &[Node], slab: u32) {
-        self.corners(points, source, nodes, slab);
+    /// Adds a piece that is one loop; the numbers of its points here are known.
+    #[inline(always)]
+    pub(super) fn face<const N: usize>(
+        &mut self,
+        points: &Points,
+        source: &Mesh,
+        tag: FaceTag,
+        nodes: [(Node, u32); N],
+    ) {
+        self.mesh.corners.extend_from_slice(&nodes.map(|(_, number)| number));
+        self.carry(points, source, &nodes.map(|(node, _)| node));
         self.end_loop();
         self.end_face(tag);
     }
@@ -131,6 +146,9 @@ impl Part {
         }
         if self.dropped {
             self.mesh.points = keep_used(&self.mesh.points, &mut self.mesh.corners);
+        }
+        if let Some(lead) = self.lead {
+            self.mesh.bring_to_front(lead);
         }
         if closed {
             let _ = self.mesh.derived.closed.set(true);

@@ -62,12 +62,13 @@ impl State {
         points.places.iter().for_each(|place| room[place.class as usize / 2].points += 1);
         parts.clear();
         if slabs < MANY_SLABS {
-            // Few: a share of the faces as their share of the points suggests.
+            // Few: a share of the faces as their share of the points suggests, and of small meshes enough for any cut.
+            const SMALL: usize = 256;
             parts.extend(room[..slabs].iter().map(|room| {
-                let share =
-                    |all: usize| (all as f64 * room.points as f64 / mesh.points.len() as f64 * 1.02) as usize + 16;
-                let points = room.points + room.points / 32 + 8;
-                Part::new(mesh, points, share(mesh.corners.len()), share(mesh.loop_ends.len()))
+                let share = room.points as f64 / mesh.points.len() as f64 * 1.02;
+                let of = |all: usize| (all as f64 * share) as usize + all.min(SMALL);
+                let points = room.points + room.points / 32 + mesh.points.len().min(SMALL);
+                Part::new(mesh, points, of(mesh.corners.len()), of(mesh.loop_ends.len()))
             }));
             return;
         }
@@ -137,12 +138,18 @@ impl State {
     /// A face in a plane goes to the side that its normal points away from, which it closes; of a mesh that is inside out
     /// to the other.
     pub(super) fn keep_flat(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, plane: u32) {
+        let slab = self.slab_of_flat(mesh, face, plane);
+        self.keep(mesh, face, tag, slab, 1);
+    }
+
+    /// The slab of a face in a plane.
+    pub(super) fn slab_of_flat(&mut self, mesh: &Mesh, face: usize, plane: u32) -> u32 {
         let inverted = *self.inverted.get_or_insert_with(|| {
             let size = mesh.bounds().size().max_element();
             mesh.is_closed() && mesh.volume() < -VOLUME_EPSILON * size * size * size
         });
         let up = unit(mesh.face(face).area_vector())[self.points.axis];
         let above = if inverted { up > 0.0 } else { up < 0.0 };
-        self.keep(mesh, face, tag, plane + u32::from(above), 1);
+        plane + u32::from(above)
     }
 }

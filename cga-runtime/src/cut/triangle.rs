@@ -20,21 +20,30 @@ pub(super) fn clip(
     plane: u32,
     lone: usize,
 ) {
-    let at = |turn: usize| (lone + turn) % 3;
-    let [l, m, n] = [at(0), at(1), at(2)].map(|corner| (corners.start + corner, places[corner]));
-    let x = state.points.crossing(&mut state.parts, mesh, plane, l.0, m.0);
-    let y = state.points.crossing(&mut state.parts, mesh, plane, n.0, l.0);
-    let is_below = l.1.class / 2 == plane;
-    let (below_start, below_end) = if is_below { (x, y) } else { (y, x) };
-    state.rim.cut(plane, below_start.place.number, below_end.place.number);
-    let [l, m, n] = [l, m, n].map(|(corner, place)| Node::corner(corner, place));
+    let State { points, parts, rim, .. } = state;
+    let corner = |at: usize| {
+        let at = if at < 3 { at } else { at - 3 };
+        Node::corner(corners.start + at, places[at])
+    };
+    let [l, m, n] = [corner(lone), corner(lone + 1), corner(lone + 2)];
+    let x = points.crossing(parts, mesh, plane, l.from as usize, m.from as usize);
+    let y = points.crossing(parts, mesh, plane, n.from as usize, l.from as usize);
+    let is_below = l.place.class / 2 == plane;
+    let (from, to) = if is_below { (x, y) } else { (y, x) };
+    rim.cut(plane, from.place.number, to.place.number);
+    // With their numbers on the side of l, and on the other.
+    let numbers = |node: Node| points.levels[plane as usize].numbers[node.place.number as usize];
+    let (one_side, other_side) = if is_below { (0, 1) } else { (1, 0) };
+    let ([x_numbers, y_numbers], own) = ([numbers(x), numbers(y)], |node: Node| (node, node.place.number));
+    let (l, m, n) = (own(l), own(m), own(n));
+    let [x, other_x] = [one_side, other_side].map(|side| (x, x_numbers[side]));
+    let [y, other_y] = [one_side, other_side].map(|side| (y, y_numbers[side]));
     // The first edge is l m, n l or m n.
     let (one, other) = match lone {
-        0 => ([l, x, y], [x, m, n, y]),
-        1 => ([y, l, x], [n, y, x, m]),
-        _ => ([x, y, l], [m, n, y, x]),
+        0 => ([l, x, y], [other_x, m, n, other_y]),
+        1 => ([y, l, x], [n, other_y, other_x, m]),
+        _ => ([x, y, l], [m, n, other_y, other_x]),
     };
-    let (one_slab, other_slab) = if is_below { (plane, plane + 1) } else { (plane + 1, plane) };
-    state.parts[one_slab as usize].face(&mut state.points, mesh, tag, &one, one_slab);
-    state.parts[other_slab as usize].face(&mut state.points, mesh, tag, &other, other_slab);
+    parts[plane as usize + one_side].face(points, mesh, tag, one);
+    parts[plane as usize + other_side].face(points, mesh, tag, other);
 }

@@ -2,7 +2,7 @@
 
 use std::ops::{Index, Range};
 
-use super::FaceTag;
+use super::{FaceTag, Mesh};
 
 /// Where the loops of each face end. Faces of one loop need no memory as long as they come first.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -48,6 +48,30 @@ impl FaceEnds {
         start as usize..self.ends[face - single] as usize
     }
 
+    /// The face that a loop is of.
+    pub(crate) fn face_of(&self, ring: usize) -> usize {
+        let single = self.single as usize;
+        if ring < single { ring } else { single + self.ends.partition_point(|&end| end as usize <= ring) }
+    }
+
+    /// Makes a face the first one.
+    pub(crate) fn bring_to_front(&mut self, face: usize) {
+        let loops = self.loops(face).len() as u32;
+        let single = self.single as usize;
+        if loops == 1 {
+            if let Some(at) = face.checked_sub(single) {
+                self.ends.remove(at);
+                self.ends[..at].iter_mut().for_each(|end| *end += 1);
+                self.single += 1;
+            }
+            return;
+        }
+        // Faces of one loop no longer come first.
+        let before = (1..=self.single).chain(self.ends[..face - single].iter().copied()).map(|end| end + loops);
+        let ends = std::iter::once(loops).chain(before).chain(self.ends[face - single + 1..].iter().copied()).collect();
+        *self = FaceEnds { single: 0, ends };
+    }
+
     /// Whether every face has a loop, and all faces together have `loops`.
     pub(crate) fn cover(&self, loops: usize) -> bool {
         let mut last = self.single;
@@ -83,6 +107,23 @@ impl Tags {
         }
     }
 
+    /// Makes a face the first one.
+    pub(crate) fn bring_to_front(&mut self, face: usize) {
+        let tag = self[face];
+        let run = self.runs.partition_point(|run| run.0 as usize <= face);
+        // Those before move by one, and so does the end of the last of them; the others end where they did.
+        self.runs[..run].iter_mut().for_each(|run| run.0 += 1);
+        if run != 0 && self.runs[run].0 == self.runs[run - 1].0 {
+            self.runs.remove(run);
+            if run < self.runs.len() && self.runs[run].1 == self.runs[run - 1].1 {
+                self.runs.remove(run - 1);
+            }
+        }
+        if self.runs[0].1 != tag {
+            self.runs.insert(0, (1, tag));
+        }
+    }
+
     /// All runs: the face before which each ends, and its tag.
     pub(crate) fn runs(&self) -> &[(u32, FaceTag)] {
         &self.runs
@@ -98,6 +139,39 @@ impl Index<usize> for Tags {
     }
 }
 
+impl Mesh {
+    /// Makes a face the first one; the order of the others stays.
+    pub(crate) fn bring_to_front(&mut self, face: usize) {
+        let rings = self.face_loops(face);
+        let corners = self.loop_range(rings.start).start..self.loop_range(rings.end - 1).end;
+        to_front(&mut self.corners, corners.clone());
+        if !self.uvs.is_empty() {
+            to_front(&mut self.uvs, corners.clone());
+        }
+        if !self.normals.is_empty() {
+            to_front(&mut self.normals, corners.clone());
+        }
+        to_front(&mut self.loop_ends, rings.clone());
+        let (first, others) = self.loop_ends[..rings.end].split_at_mut(rings.len());
+        first.iter_mut().for_each(|end| *end -= corners.start as u32);
+        others.iter_mut().for_each(|end| *end += corners.len() as u32);
+        self.face_ends.bring_to_front(face);
+        self.tags.bring_to_front(face);
+    }
+}
+
+/// Moves a range to the front.
+fn to_front<T: Copy>(list: &mut [T], range: Range<usize>) {
+    // What is before a long one moves as a block: turning the list would take it one by one.
+    if size_of_val(&list[range.clone()]) <= 256 {
+        list[..range.end].rotate_right(range.len());
+        return;
+    }
+    let moved = list[range.clone()].to_vec();
+    list.copy_within(..range.start, moved.len());
+    list[..moved.len()].copy_from_slice(&moved);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -110,6 +184,30 @@ mod tests {
         assert_eq!(loops, [0..1, 1..2, 2..5, 5..6, 6..8]);
         assert!(faces.cover(8) && !faces.cover(7));
         assert!(FaceEnds::single(3).cover(3) && FaceEnds::default().cover(0));
+    }
+
+    #[test]
+    fn any_face_can_be_brought_to_the_front() {
+        let loops = [1, 1, 3, 1, 2];
+        for moved in 0..loops.len() {
+            let (mut faces, mut tags, mut end) = (FaceEnds::default(), Tags::default(), 0);
+            let tag = |face: usize| FaceTag { group: loops[face] as u32, ..FaceTag::PLAIN };
+            for (face, count) in loops.iter().enumerate() {
+                end += count;
+                faces.push(end);
+                tags.push(tag(face));
+            }
+            assert!((0..end).all(|ring| faces.loops(faces.face_of(ring)).contains(&ring)));
+            faces.bring_to_front(moved);
+            tags.bring_to_front(moved);
+            let order = std::iter::once(moved).chain((0..loops.len()).filter(|&face| face != moved));
+            for (place, face) in order.enumerate() {
+                assert_eq!((faces.loops(place).len(), tags[place]), (loops[face], tag(face)));
+            }
+            assert!(faces.cover(end) && (faces.len(), tags.len()) == (loops.len(), loops.len()));
+            // Equal neighbours are one run.
+            assert!(tags.runs().windows(2).all(|pair| pair[0].1 != pair[1].1));
+        }
     }
 
     #[test]

@@ -1,0 +1,117 @@
+//! The face a part begins with.
+//!
+//! "When the first face is split away the face used to close hollow geometries becomes the new first face" (*CGA changelog
+//! 2025.1*, split operation), so that the first edge survives: of the caps of a part that has nothing of the mesh's first
+//! face, that towards it comes first, and begins with the edge that the wall behind the first edge leaves in it.
+
+use std::ops::RangeInclusive;
+
+use super::points::Node;
+use super::state::State;
+use crate::mesh::Mesh;
+
+/// Where the first face of the mesh went, and what there is of the wall at its first edge.
+pub(super) struct Lead {
+    slabs: RangeInclusive<u32>,
+    /// Points of that wall on planes: plane and number there, sorted.
+    wall: Vec<(u32, u32)>,
+    nodes: Vec<Node>,
+}
+
+impl Default for Lead {
+    fn default() -> Self {
+        Lead { slabs: 0..=0, wall: Vec::new(), nodes: Vec::new() }
+    }
+}
+
+impl Lead {
+    /// To be called when all faces have been cut.
+    pub(super) fn find(&mut self, state: &mut State, mesh: &Mesh) {
+        self.wall.clear();
+        let first = mesh.face(0);
+        let classes = first.loops().flatten().map(|&point| state.points.places[point as usize].class);
+        let (low, high) = classes.fold((u32::MAX, 0), |(low, high), class| (low.min(class), high.max(class)));
+        let (bottom, top) = (low.div_ceil(2), high / 2);
+        self.slabs = if top < bottom {
+            let slab = state.slab_of_flat(mesh, 0, top);
+            slab..=slab
+        } else {
+            bottom..=top
+        };
+        let everywhere = *self.slabs.start() == 0 && *self.slabs.end() as usize == state.points.planes.len();
+        if everywhere {
+            return;
+        }
+        let Some(wall) = behind_first_edge(mesh) else { return };
+        self.nodes.clear();
+        for ring in mesh.face(wall).loop_ranges() {
+            let mut last = ring.end - 1;
+            for here in ring {
+                let [from, to] = [last, here].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
+                // Those crossings are there: the wall was cut like all faces.
+                state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
+                self.nodes.push(Node::corner(here, to.1));
+                last = here;
+            }
+        }
+        let on_planes = self.nodes.iter().filter(|node| node.class() & 1 == 1);
+        self.wall.extend(on_planes.map(|node| (node.class() / 2, node.place.number)));
+        self.wall.sort_unstable();
+    }
+
+    /// Where in a ring of points on a plane the edge of that wall begins.
+    pub(super) fn edge_in(&self, plane: u32, ring: &[u32]) -> Option<usize> {
+        let start = self.wall.partition_point(|&(on, _)| on < plane);
+        let end = self.wall.partition_point(|&(on, _)| on <= plane);
+        let wall = &self.wall[start..end];
+        if wall.len() < 2 {
+            return None;
+        }
+        let mut last = false;
+        let end = ring.iter().chain(&ring[..1]).position(|&point| {
+            let here = wall.binary_search(&(plane, point)).is_ok();
+            std::mem::replace(&mut last, here) && here
+        });
+        end.map(|end| end - 1)
+    }
+
+    /// Whether a cap in that plane is to come first in that slab, rather than one in another plane, or at least when there is
+    /// no other.
+    pub(super) fn wants(&self, slab: u32, plane: u32) -> Option<Wish> {
+        match slab {
+            _ if self.slabs.contains(&slab) => None,
+            // The upper plane of a slab has its number.
+            _ if (slab < *self.slabs.start()) == (plane == slab) => Some(Wish::First),
+            _ => Some(Wish::Second),
+        }
+    }
+}
+
+/// How much a cap is wanted as the first face of a part.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Wish {
+    First,
+    Second,
+}
+
+/// The face that has the first edge of the first face the other way round.
+fn behind_first_edge(mesh: &Mesh) -> Option<usize> {
+    /// So many corners are compared without a branch.
+    const BLOCK: usize = 32;
+    let [a, b] = mesh.corners.first_chunk().copied()?;
+    for (number, block) in mesh.corners.chunks(BLOCK).enumerate() {
+        if !block.iter().fold(false, |found, &point| found | (point == a)) {
+            continue;
+        }
+        for (at, _) in block.iter().enumerate().filter(|(_, point)| **point == a) {
+            let corner = number * BLOCK + at;
+            let ring = mesh.loop_ends.partition_point(|&end| end as usize <= corner);
+            let range = mesh.loop_range(ring);
+            let before = if corner == range.start { range.end - 1 } else { corner - 1 };
+            if mesh.corners[before] == b {
+                return Some(mesh.face_ends.face_of(ring)).filter(|&face| face != 0);
+            }
+        }
+    }
+    None
+}
