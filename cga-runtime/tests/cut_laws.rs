@@ -200,6 +200,7 @@ fn texture_coordinates_and_normals_are_interpolated_and_tags_kept() {
         let tag = FaceTag { group: face.index() as u32 % 3, ..FaceTag::PLAIN };
         b.face(&loops[0], &holes, tag)
             .uvs(&at.iter().map(|&p| uv(p)).collect::<Vec<_>>())
+            .uv_set(7, &at.iter().map(|&p| uv(p).perp()).collect::<Vec<_>>())
             .normals(&vec![face.normal(); at.len()]);
     }
     b.groups(["a", "b", "c"].map(String::from).to_vec());
@@ -208,12 +209,14 @@ fn texture_coordinates_and_normals_are_interpolated_and_tags_kept() {
     for axis in AXES {
         for part in check_closed_cut("tagged", &mesh, axis, &even(&mesh, axis, 7)).parts.iter().flatten() {
             assert_eq!(part.groups().len(), 3);
+            assert!((0..12).all(|set| part.uv_set(set).is_empty() != [0, 7].contains(&set)));
             for face in part.faces() {
                 assert_eq!(face.tag().cap, face.tag().group == FaceTag::NONE);
                 for corner in face.corner_range() {
                     let p = part.points()[part.corners()[corner] as usize];
                     assert!((part.normals()[corner] - face.normal()).length() < 1e-9);
                     assert!(face.tag().cap || (part.uvs()[corner] - back(p)).length() < 1e-12);
+                    assert!(face.tag().cap || (part.uv_set(7)[corner] - back(p).perp()).length() < 1e-12);
                 }
             }
         }

@@ -7,7 +7,12 @@ use crate::scope::Frame;
 /// longer used are dropped; tags, texture coordinates and normals are kept. Faces that do not exist are left out.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let into = to.axes.transpose();
-    let mut part = Mesh { groups: mesh.groups.clone(), materials: mesh.materials.clone(), ..Mesh::default() };
+    let mut part = Mesh {
+        uvs: mesh.uvs.alike(0),
+        groups: mesh.groups.clone(),
+        materials: mesh.materials.clone(),
+        ..Mesh::default()
+    };
     let mut new: Vec<u32> = Vec::new();
     // A table of all points is only worth it when many are used.
     let few = faces.len() <= 4;
@@ -38,9 +43,7 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
                     }
                     number
                 }));
-                if let Some(&uv) = mesh.uvs.get(corner) {
-                    part.uvs.push(uv);
-                }
+                part.uvs.push_from(&mesh.uvs, |list| list[corner]);
                 if let Some(&normal) = mesh.normals.get(corner) {
                     part.normals.push(into * normal);
                 }

@@ -94,9 +94,8 @@ impl Caps {
                     let corner = ring[if up { i } else { (ring.len() + 1 - i) % ring.len() }];
                     let number = part.number(points, Place::on(plane, corner), slab);
                     part.mesh.corners.push(number);
-                    if !mesh.uvs.is_empty() {
-                        part.mesh.uvs.push(texture(axis, up, part.mesh.points[number as usize]));
-                    }
+                    let point = part.mesh.points[number as usize];
+                    part.mesh.uvs.push_from(&mesh.uvs, |_| texture(axis, up, point));
                     if !mesh.normals.is_empty() {
                         part.mesh.normals.push(normal);
                     }

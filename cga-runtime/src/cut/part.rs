@@ -25,9 +25,7 @@ impl Part {
         mesh.points.reserve(points);
         mesh.corners.reserve(corners);
         mesh.loop_ends.reserve(loops);
-        if !source.uvs.is_empty() {
-            mesh.uvs.reserve(corners);
-        }
+        mesh.uvs = source.uvs.alike(corners);
         if !source.normals.is_empty() {
             mesh.normals.reserve(corners);
         }
@@ -47,9 +45,7 @@ impl Part {
     /// What corners of the source carry besides their points.
     #[inline]
     pub(super) fn copy_carried(&mut self, source: &Mesh, corners: Range<usize>) {
-        if !source.uvs.is_empty() {
-            self.mesh.uvs.extend_from_slice(&source.uvs[corners.clone()]);
-        }
+        self.mesh.uvs.copy_from(&source.uvs, corners.clone());
         if !source.normals.is_empty() {
             self.mesh.normals.extend_from_slice(&source.normals[corners]);
         }
@@ -93,10 +89,13 @@ impl Part {
     #[inline(always)]
     fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
         if !source.uvs.is_empty() {
-            self.mesh.uvs.extend(nodes.iter().map(|node| {
-                let uv = source.uvs[node.from as usize];
-                if node.is_corner() { uv } else { uv.lerp(source.uvs[node.to as usize], points.share(node.place)) }
-            }));
+            for node in nodes {
+                let share = if node.is_corner() { 0.0 } else { points.share(node.place) };
+                self.mesh.uvs.push_from(&source.uvs, |list| {
+                    let uv = list[node.from as usize];
+                    if node.is_corner() { uv } else { uv.lerp(list[node.to as usize], share) }
+                });
+            }
         }
         if !source.normals.is_empty() {
             self.mesh.normals.extend(nodes.iter().map(|node| {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{Derived, FaceTag, Mesh, MeshError};
+use super::{Derived, FaceTag, Mesh, MeshError, UvSets};
 use crate::material::Material;
 
 /// Takes points and faces and gives a checked [`Mesh`].
@@ -30,10 +30,9 @@ pub struct MeshBuilder {
     loop_ends: Vec<usize>,
     face_ends: Vec<usize>,
     tags: Vec<FaceTag>,
-    /// In step with `corners` as long as every face had some.
-    uvs: Vec<DVec2>,
+    /// Each in step with `corners` as long as every face had some; and how many faces had.
+    uvs: Vec<(Vec<DVec2>, usize)>,
     normals: Vec<DVec3>,
-    uv_faces: usize,
     normal_faces: usize,
     groups: Arc<[String]>,
     materials: Arc<[Material]>,
@@ -68,12 +67,25 @@ impl MeshBuilder {
         self
     }
 
-    /// Texture coordinates of the face added last: one a corner, outline first. A mesh keeps them only when every face
-    /// has some.
+    /// Texture coordinates, set 0, of the face added last: one a corner, outline first. A mesh keeps them only when every
+    /// face has some.
     pub fn uvs(&mut self, uvs: &[DVec2]) -> &mut Self {
-        if self.uvs.len() + uvs.len() == self.corners.len() {
-            self.uvs.extend_from_slice(uvs);
-            self.uv_faces += 1;
+        self.uv_set(0, uvs)
+    }
+
+    /// Texture coordinates of a set, 0 to 9, as [`MeshBuilder::uvs`].
+    pub fn uv_set(&mut self, set: usize, uvs: &[DVec2]) -> &mut Self {
+        if UvSets::MOST <= set {
+            self.wrong.get_or_insert(MeshError::UvSet { set });
+            return self;
+        }
+        if self.uvs.len() <= set {
+            self.uvs.resize_with(set + 1, Default::default);
+        }
+        let (list, faces) = &mut self.uvs[set];
+        if list.len() + uvs.len() == self.corners.len() {
+            list.extend_from_slice(uvs);
+            *faces += 1;
         } else if self.last_corner_count() != uvs.len() {
             self.wrong.get_or_insert(MeshError::CornerCount { face: self.tags.len().saturating_sub(1) });
         }
@@ -111,13 +123,20 @@ impl MeshBuilder {
     /// Checks everything and makes the mesh.
     ///
     /// # Errors
-    /// When a coordinate is not finite, an index or a tag is out of range, or a loop has fewer than three corners.
+    /// When a coordinate is not finite, an index, a tag or a texture set is out of range, or a loop has fewer than three
+    /// corners.
     pub fn build(self) -> Result<Mesh, MeshError> {
         self.check()?;
         let same = weld(&self.points);
-        let with_uvs = self.uv_faces == self.tags.len() && self.uvs.len() == self.corners.len();
+        let has_all =
+            |(list, faces): &(Vec<DVec2>, usize)| *faces == self.tags.len() && list.len() == self.corners.len();
+        let mut given = UvSets::default();
+        for (set, (list, _)) in self.uvs.into_iter().enumerate().filter(|(_, uvs)| has_all(uvs)) {
+            given.set(set, list);
+        }
         let with_normals = self.normal_faces == self.tags.len() && self.normals.len() == self.corners.len();
-        let mut mesh = Mesh { groups: self.groups, materials: self.materials, ..Mesh::default() };
+        let uvs = given.alike(self.corners.len());
+        let mut mesh = Mesh { uvs, groups: self.groups, materials: self.materials, ..Mesh::default() };
         let (mut start, mut first_loop) = (0, 0);
         for (face, &end_loop) in self.face_ends.iter().enumerate() {
             let face_start = mesh.loop_ends.len();
@@ -132,9 +151,7 @@ impl MeshBuilder {
                         continue;
                     }
                     mesh.corners.push(point);
-                    if with_uvs {
-                        mesh.uvs.push(self.uvs[corner]);
-                    }
+                    mesh.uvs.push_from(&given, |list| list[corner]);
                     if with_normals {
                         mesh.normals.push(self.normals[corner]);
                     }
@@ -185,7 +202,8 @@ impl MeshBuilder {
                 return Err(MeshError::Tag { face });
             }
         }
-        let finite = self.uvs.iter().all(|uv| uv.is_finite()) && self.normals.iter().all(|n| n.is_finite());
+        let finite = self.uvs.iter().flat_map(|(list, _)| list).all(|uv| uv.is_finite())
+            && self.normals.iter().all(|n| n.is_finite());
         if finite { Ok(()) } else { Err(MeshError::NotFinite { point: self.points.len() }) }
     }
 }

@@ -107,7 +107,7 @@ impl Mesh {
         rises(&self.loop_ends, corners)
             && self.face_ends.cover(self.loop_ends.len())
             && self.tags.len() == self.face_ends.len()
-            && [0, corners].contains(&self.uvs.len())
+            && self.uvs.fit(corners)
             && [0, corners].contains(&self.normals.len())
     }
 

@@ -30,6 +30,11 @@ pub enum MeshError {
         /// Which face.
         face: usize,
     },
+    /// There is no such set of texture coordinates: they go from 0 to 9.
+    UvSet {
+        /// The number given.
+        set: usize,
+    },
     /// A face names a group or material that does not exist.
     Tag {
         /// Which face.
@@ -74,6 +79,7 @@ impl fmt::Display for MeshError {
             }
             MeshError::HolePlace { hole, within: None } => write!(f, "hole {hole} lies outside of the outline"),
             MeshError::HolePlace { hole, within: Some(other) } => write!(f, "hole {hole} lies inside of hole {other}"),
+            MeshError::UvSet { set } => write!(f, "there is no texture set {set}: they go from 0 to 9"),
             MeshError::TooLarge => write!(f, "more points or corners than 32-bit indices can count"),
         }
     }

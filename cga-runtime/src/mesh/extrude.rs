@@ -4,7 +4,7 @@
 //! itself turned over. The first edge of a side is the edge it stands on, in the direction it has in the face. Where
 //! coplanar faces share an edge there is no wall between them. A negative distance mirrors: the faces look inwards.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::map::flip;
 use super::table::PairTable;
@@ -34,7 +34,12 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     let joints = Joints::of(mesh, &normals);
     let mut grown = Grown {
         source: mesh,
-        mesh: Mesh { groups: mesh.groups.clone(), materials: mesh.materials.clone(), ..Mesh::default() },
+        mesh: Mesh {
+            uvs: mesh.uvs.alike(6 * mesh.corners.len()),
+            groups: mesh.groups.clone(),
+            materials: mesh.materials.clone(),
+            ..Mesh::default()
+        },
         low: vec![u32::MAX; mesh.points.len()],
         high: PairTable::with_capacity(mesh.points.len()),
     };
@@ -167,10 +172,7 @@ impl Grown<'_> {
     }
 
     fn copy_uvs(&mut self, corners: &[usize]) {
-        if !self.source.uvs.is_empty() {
-            let uvs = corners.iter().map(|&c| -> DVec2 { self.source.uvs[c] });
-            self.mesh.uvs.extend(uvs);
-        }
+        corners.iter().for_each(|&corner| self.mesh.uvs.push_from(&self.source.uvs, |list| list[corner]));
     }
 
     fn end_loop(&mut self) {

@@ -145,9 +145,7 @@ impl Mesh {
         let rings = self.face_loops(face);
         let corners = self.loop_range(rings.start).start..self.loop_range(rings.end - 1).end;
         to_front(&mut self.corners, corners.clone());
-        if !self.uvs.is_empty() {
-            to_front(&mut self.uvs, corners.clone());
-        }
+        self.uvs.bring_to_front(&corners);
         if !self.normals.is_empty() {
             to_front(&mut self.normals, corners.clone());
         }
@@ -161,7 +159,7 @@ impl Mesh {
 }
 
 /// Moves a range to the front.
-fn to_front<T: Copy>(list: &mut [T], range: Range<usize>) {
+pub(super) fn to_front<T: Copy>(list: &mut [T], range: Range<usize>) {
     // What is before a long one moves as a block: turning the list would take it one by one.
     if size_of_val(&list[range.clone()]) <= 256 {
         list[..range.end].rotate_right(range.len());

@@ -44,9 +44,7 @@ impl Mesh {
             let ring = start..end as usize;
             start = end as usize;
             flip(&mut mesh.corners[ring.clone()]);
-            if !mesh.uvs.is_empty() {
-                flip(&mut mesh.uvs[ring.clone()]);
-            }
+            mesh.uvs.change(ring.clone(), flip);
             if !mesh.normals.is_empty() {
                 flip(&mut mesh.normals[ring.clone()]);
                 mesh.normals[ring].iter_mut().for_each(|n| *n = -*n);

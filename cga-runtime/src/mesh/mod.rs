@@ -22,6 +22,7 @@ mod polygon;
 pub mod primitive;
 mod solid;
 pub(crate) mod table;
+mod uv;
 
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -38,6 +39,7 @@ pub use extrude::{Extrude, extrude};
 pub use face::FaceRef;
 pub(crate) use face::unit;
 pub(crate) use layout::{FaceEnds, Tags};
+pub(crate) use uv::UvSets;
 
 /// Faces with holes over shared points. Made by [`MeshBuilder`], never changed afterwards.
 #[derive(Clone, Debug, Default)]
@@ -51,8 +53,7 @@ pub struct Mesh {
     pub(crate) face_ends: FaceEnds,
     /// One a face.
     pub(crate) tags: Tags,
-    /// Texture coordinates of set 0, one a corner, or empty.
-    pub(crate) uvs: Vec<DVec2>,
+    pub(crate) uvs: UvSets,
     /// Normals, one a corner, or empty.
     pub(crate) normals: Vec<DVec3>,
     /// Names of groups; [`FaceTag::group`] counts in here.
@@ -132,7 +133,12 @@ impl Mesh {
 
     /// Texture coordinates of set 0, one a corner, or nothing at all.
     pub fn uvs(&self) -> &[DVec2] {
-        &self.uvs
+        self.uvs.get(0)
+    }
+
+    /// Texture coordinates of a set (0 to 9), one a corner, or nothing at all.
+    pub fn uv_set(&self, set: usize) -> &[DVec2] {
+        self.uvs.get(set)
     }
 
     /// Normals, one a corner, or nothing at all.

@@ -269,7 +269,7 @@ impl Sink for Buffers {
         }
         let rule = self.table.rule(leaf.rule);
         let material = self.table.material(leaf.material);
-        if !mesh.uvs.is_empty() && self.uvs.is_empty() {
+        if !mesh.uvs().is_empty() && self.uvs.is_empty() {
             self.uvs.resize(self.vertices.len(), [0.0; 2]);
         }
         let turn = normal_map(&placement.matrix3);
@@ -283,8 +283,8 @@ impl Sink for Buffers {
                 let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(turn * n));
                 self.vertices.push(vertex(short(point), short(normal)));
             }
-            if !mesh.uvs.is_empty() {
-                self.uvs.extend(mesh.uvs[face.corners].iter().map(|uv| [uv.x as f32, uv.y as f32]));
+            if !mesh.uvs().is_empty() {
+                self.uvs.extend(mesh.uvs()[face.corners].iter().map(|uv| [uv.x as f32, uv.y as f32]));
             }
             self.indices.extend(face.triangles.as_flattened().iter().map(|i| start + i));
             true

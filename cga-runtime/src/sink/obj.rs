@@ -138,18 +138,18 @@ impl<W: Write> Sink for Obj<W> {
         let turn = normal_map(&placement.matrix3);
         let (points, uvs, normals) = (self.points + 1, self.uvs + 1, self.normals + 1);
         mesh.points.iter().for_each(|&point| self.point(placement.transform_point3(point)));
-        for uv in &mesh.uvs {
+        for uv in mesh.uvs() {
             let _ = writeln!(self.text, "vt {} {}", Short(uv.x), Short(uv.y));
         }
         for &normal in &mesh.normals {
             let n = unit(turn * normal);
             let _ = writeln!(self.text, "vn {} {} {}", Short(n.x), Short(n.y), Short(n.z));
         }
-        self.uvs += mesh.uvs.len() as u64;
+        self.uvs += mesh.uvs().len() as u64;
         self.normals += mesh.normals.len() as u64;
         let corner = |text: &mut String, corner: usize| {
             let point = points + u64::from(mesh.corners[corner]);
-            let _ = match (mesh.uvs.is_empty(), mesh.normals.is_empty()) {
+            let _ = match (mesh.uvs().is_empty(), mesh.normals.is_empty()) {
                 (true, true) => write!(text, " {point}"),
                 (false, true) => write!(text, " {point}/{}", uvs + corner as u64),
                 (true, false) => write!(text, " {point}//{}", normals + corner as u64),

@@ -102,7 +102,7 @@ impl Glb {
         let mut flattener = std::mem::take(&mut self.flattener);
         flattener.faces(mesh, placement, |face| {
             let shown = self.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
-            self.primitive(shown, !mesh.uvs.is_empty()).face(mesh, placement, &face, rule, origin);
+            self.primitive(shown, !mesh.uvs().is_empty()).face(mesh, placement, &face, rule, origin);
             true
         });
         self.flattener = flattener;

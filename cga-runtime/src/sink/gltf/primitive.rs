@@ -62,8 +62,8 @@ impl Primitive {
             self.normals.push(short(normal));
             self.rules.push(rule as f32);
         }
-        if !mesh.uvs.is_empty() {
-            self.uvs.extend(mesh.uvs[face.corners.clone()].iter().map(|&uv| flipped(uv)));
+        if !mesh.uvs().is_empty() {
+            self.uvs.extend(mesh.uvs()[face.corners.clone()].iter().map(|&uv| flipped(uv)));
         }
         self.indices.extend(face.triangles.as_flattened().iter().map(|i| start + i));
     }
