@@ -9,7 +9,7 @@ use cga_runtime::cut::slabs;
 use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
 use cga_runtime::scope::Axis;
 use cut_support::*;
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 fn equal(low: f64, high: f64, pieces: usize) -> Vec<f64> {
     (1..pieces).map(|i| low + (high - low) * i as f64 / pieces as f64).collect()
@@ -34,6 +34,42 @@ fn a_lying_cylinder_is_sliced_into_prisms() {
         assert!((area - (10.0 * s * libm::sin(PI / s) + 2.0 * n * section)).abs() < 1e-9);
         for part in slabs(&mesh, Axis::X, &equal(0.0, 10.0, pieces)).parts.iter().flatten() {
             assert_eq!(part.face_count(), sides + 2);
+        }
+    }
+}
+
+/// The area in which a plane meets a closed mesh of faces without holes, by Green's formula over the lines in which it meets
+/// the faces: no loop is followed. Points in the plane count as above it.
+fn section(mesh: &Mesh, axis: Axis, at: f64) -> f64 {
+    let index = axis.index();
+    let mut sum = 0.0;
+    for face in mesh.faces() {
+        let ring: Vec<DVec3> = face.outer().iter().map(|&point| mesh.points()[point as usize]).collect();
+        let mut ends = [None; 2];
+        for (i, &a) in ring.iter().enumerate() {
+            let b = ring[(i + 1) % ring.len()];
+            if (a[index] < at) != (b[index] < at) {
+                let p = a + (b - a) * ((at - a[index]) / (b[index] - a[index]));
+                ends[usize::from(a[index] < at)] = Some(DVec2::new(p[(index + 1) % 3], p[(index + 2) % 3]));
+            }
+        }
+        if let [Some(from), Some(to)] = ends {
+            sum += from.perp_dot(to);
+        }
+    }
+    (sum / 2.0).abs()
+}
+
+#[test]
+fn areas_are_those_of_the_sections_to_the_last_bits() {
+    let mesh = Arc::new(torus(64, 32, 1.0, 0.4));
+    for (axis, reach) in [(Axis::X, 1.4), (Axis::Y, 1.4), (Axis::Z, 0.4)] {
+        for pieces in [2, 3, 16, 64, 257] {
+            let offsets = equal(-reach, reach, pieces);
+            let expected = mesh.area() + 2.0 * offsets.iter().map(|&at| section(&mesh, axis, at)).sum::<f64>();
+            let (volume, area) = totals(&mesh, axis, &offsets);
+            assert!((volume - mesh.volume()).abs() < 1e-12 * mesh.volume(), "{axis:?} {pieces}: {volume}");
+            assert!((area - expected).abs() < 1e-11 * expected, "{axis:?} {pieces}: {area}, not {expected}");
         }
     }
 }

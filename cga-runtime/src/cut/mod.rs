@@ -63,8 +63,13 @@ pub struct OpenChain {
 
 /// Cuts a mesh by the planes where its coordinate along `axis` equals an offset; offsets rise strictly.
 ///
-/// A slab that holds all of the mesh gets the same mesh, not a copy; so does one whose planes the mesh only touches. Offsets that do not rise or are not numbers cut
-/// nothing: the slab below them stays empty.
+/// A slab that holds all of the mesh gets the same mesh, not a copy; so does one whose planes the mesh only touches. Offsets
+/// that do not rise or are not numbers cut nothing: the slab below them stays empty.
+///
+/// Faces of a part come in the order of the mesh, caps after them, low plane first; but a part that has nothing of the
+/// mesh's first face begins with the cap towards it (*CGA changelog 2025.1*). What corners carry is interpolated, tags stay.
+/// Caps ([`FaceTag::cap`](crate::mesh::FaceTag::cap)) are of no group and no material of the mesh, so that they look as the
+/// shape's own material says; their texture coordinates are metres in the plane, in all sets that the mesh has.
 ///
 /// ```
 /// use std::sync::Arc;

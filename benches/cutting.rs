@@ -1,0 +1,195 @@
+//! Workload C: closed meshes cut into closed pieces, with caps.
+//!
+//! `cargo bench --bench cutting`. Beside each other: the grammar, the cutter alone, and a copy of what they make. Volumes and
+//! areas are held to formulas, areas of caps to the sum over the edges in which faces meet the planes.
+
+use std::f64::consts::{PI, TAU};
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use cga::glam::{DAffine3, DVec3};
+use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Settings, Shape, Sink, cga};
+use cga_runtime::cut;
+use cga_runtime::mesh::{FaceTag, MeshBuilder};
+use cga_runtime::scope::Axis;
+
+cga! {
+    /// Equal slices along x.
+    grammar Slices;
+
+    attr n = 4
+    Lot --> split(x) { ~(scope.sx / n) : Slice. }*
+}
+
+cga! {
+    /// Equal slices along z.
+    grammar Rings;
+
+    attr n = 4
+    Lot --> split(z) { ~(scope.sz / n) : Slice. }*
+}
+
+/// The meshes of all leaves.
+#[derive(Default)]
+struct Keep(Vec<Arc<Mesh>>);
+
+impl Sink for Keep {
+    fn quad(&mut self, _: &Leaf<'_>, _: &Quad) -> Flow {
+        Flow::Continue(())
+    }
+
+    fn cuboid(&mut self, _: &Leaf<'_>, _: &Cuboid) -> Flow {
+        Flow::Continue(())
+    }
+
+    fn mesh(&mut self, _: &Leaf<'_>, mesh: &Arc<Mesh>, _: &DAffine3) -> Flow {
+        self.0.push(mesh.clone());
+        Flow::Continue(())
+    }
+}
+
+/// A cylinder along x: sides, then the two ends.
+fn cylinder(sides: u32) -> Mesh {
+    let mut builder = MeshBuilder::new();
+    for x in [0.0, 10.0] {
+        for i in 0..sides {
+            let angle = f64::from(i) * TAU / f64::from(sides);
+            builder.point([x, 0.5 + 0.5 * libm::cos(angle), 0.5 + 0.5 * libm::sin(angle)]);
+        }
+    }
+    for i in 0..sides {
+        let j = (i + 1) % sides;
+        builder.face(&[i, j, sides + j, sides + i], &[], FaceTag::PLAIN);
+    }
+    for end in [(0..sides).rev().collect::<Vec<_>>(), (sides..2 * sides).collect()] {
+        builder.face(&end, &[], FaceTag::PLAIN);
+    }
+    builder.build().expect("a cylinder")
+}
+
+/// A torus around z; radii 1 and 0.4.
+fn torus(around: u32, across: u32) -> Mesh {
+    let mut builder = MeshBuilder::new();
+    for u in 0..around {
+        for v in 0..across {
+            let [a, b] = [(u, around), (v, across)].map(|(i, of)| f64::from(i) * TAU / f64::from(of));
+            let r = 1.0 + 0.4 * libm::cos(b);
+            builder.point([1.4 + r * libm::cos(a), 1.4 + r * libm::sin(a), 0.4 + 0.4 * libm::sin(b)]);
+        }
+    }
+    for u in 0..around {
+        for v in 0..across {
+            let at = |u: u32, v: u32| u % around * across + v % across;
+            builder.face(&[at(u, v), at(u + 1, v), at(u + 1, v + 1), at(u, v + 1)], &[], FaceTag::PLAIN);
+        }
+    }
+    builder.build().expect("a torus")
+}
+
+/// The area in which a plane cuts a closed mesh, by Green's formula over the lines in which it meets the faces: no loop is
+/// followed. Points in the plane count as above it.
+fn section(mesh: &Mesh, axis: usize, at: f64) -> f64 {
+    let flat = |p: DVec3| (p[(axis + 1) % 3], p[(axis + 2) % 3]);
+    let mut sum = 0.0;
+    for face in mesh.faces() {
+        let ring: Vec<DVec3> = face.outer().iter().map(|&point| mesh.points()[point as usize]).collect();
+        let mut ends = [None; 2];
+        for (i, &a) in ring.iter().enumerate() {
+            let b = ring[(i + 1) % ring.len()];
+            if (a[axis] < at) != (b[axis] < at) {
+                let p = a + (b - a) * ((at - a[axis]) / (b[axis] - a[axis]));
+                ends[usize::from(a[axis] < at)] = Some(flat(p));
+            }
+        }
+        if let [Some(from), Some(to)] = ends {
+            sum += from.0 * to.1 - from.1 * to.0;
+        }
+    }
+    (sum / 2.0).abs()
+}
+
+/// Points and corners of all parts, one after the other, in memory that is there.
+#[derive(Default)]
+struct Copy {
+    points: Vec<DVec3>,
+    corners: Vec<u32>,
+}
+
+impl Copy {
+    fn fill(&mut self, parts: &[Arc<Mesh>]) {
+        self.points.clear();
+        self.corners.clear();
+        for part in parts {
+            self.points.extend_from_slice(part.points());
+            self.corners.extend_from_slice(part.corners());
+        }
+    }
+}
+
+/// The best time so far.
+fn timed<T>(best: &mut Duration, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = work();
+    *best = (*best).min(start.elapsed());
+    result
+}
+
+fn compare(name: &str, mesh: Mesh, axis: Axis, pieces: usize, volume: Option<f64>) {
+    let index = axis.index();
+    let extent = mesh.bounds().size()[index];
+    let offsets: Vec<f64> = (1..pieces).map(|i| i as f64 * extent / pieces as f64).collect();
+    let area = mesh.area() + 2.0 * offsets.iter().map(|&at| section(&mesh, index, at)).sum::<f64>();
+    let volume = volume.unwrap_or_else(|| mesh.volume());
+    let shape = Shape::mesh(mesh.clone());
+    let mesh = Arc::new(mesh);
+    let (slices, rings, settings) = (Slices { n: pieces as f64 }, Rings { n: pieces as f64 }, Settings::default());
+    let (mut kept, mut slabs, mut copy) = (Vec::new(), Vec::new(), Copy::default());
+    let mut best = [Duration::MAX; 3];
+    let begin = Instant::now();
+    let mut rounds = 0;
+    while rounds < 3 || begin.elapsed().as_secs_f64() < 0.7 {
+        kept = timed(&mut best[0], || {
+            let mut sink = Keep::default();
+            let made = match axis {
+                Axis::X => slices.generate_into(&shape, &settings, &mut sink),
+                _ => rings.generate_into(&shape, &settings, &mut sink),
+            };
+            made.expect("no limit is reached");
+            sink.0
+        });
+        slabs = timed(&mut best[1], || cut::slabs(&mesh, axis, black_box(&offsets)).parts);
+        timed(&mut best[2], || copy.fill(black_box(&kept)));
+        rounds += 1;
+    }
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
+    for parts in [&kept, &slabs.into_iter().flatten().collect::<Vec<_>>()] {
+        assert_eq!(parts.len(), pieces, "{name}");
+        assert!(parts.iter().all(|part| part.is_closed()), "{name}");
+        let sum = |of: fn(&Mesh) -> f64| parts.iter().map(|part| of(part)).sum::<f64>();
+        assert!(near(sum(Mesh::volume), volume), "{name}: volume {}, not {volume}", sum(Mesh::volume));
+        assert!(near(sum(Mesh::area), area), "{name}: area {}, not {area}", sum(Mesh::area));
+    }
+    assert_eq!(copy.points.len(), kept.iter().map(|part| part.points().len()).sum::<usize>());
+    let [grammar, cutter, copy] = best.map(|time| time.as_secs_f64() * 1e6);
+    println!(
+        "{name:<14} {pieces:>6} pieces  copy {copy:>9.1} us  cutter {cutter:>9.1} us  ratio {:>5.1}  grammar {grammar:>9.1} us  ratio {:>5.1}",
+        cutter / copy,
+        grammar / copy
+    );
+}
+
+fn main() {
+    let sides = 64.0;
+    let area = 0.25 * sides / 2.0 * libm::sin(TAU / sides);
+    assert!((cylinder(64).area() - (10.0 * sides * libm::sin(PI / sides) + 2.0 * area)).abs() < 1e-9);
+    for pieces in [16, 64, 256, 1024] {
+        compare("C1 cylinder", cylinder(64), Axis::X, pieces, Some(10.0 * area));
+    }
+    for pieces in [4, 16, 64, 256] {
+        compare("C2 torus", torus(64, 32), Axis::X, pieces, None);
+    }
+    for pieces in [2, 4, 16, 64, 256] {
+        compare("C3 rings", torus(64, 32), Axis::Z, pieces, None);
+    }
+}
