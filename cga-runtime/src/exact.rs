@@ -5,7 +5,7 @@
 use glam::DVec2;
 
 /// 1 when `c` is left of the line from `a` to `b`, -1 when right, 0 when the three are collinear. Exact unless a product
-/// of coordinates overflows or underflows.
+/// of coordinates underflows.
 #[inline]
 pub(crate) fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
     let left = (a.x - c.x) * (b.y - c.y);
@@ -24,6 +24,10 @@ pub(crate) fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
 
 #[cold]
 fn orient_exact(a: DVec2, b: DVec2, c: DVec2) -> i32 {
+    /// 2^-550: makes products of any coordinates finite.
+    const SMALLER: f64 = f64::from_bits((1023 - 550) << 52);
+    let large = [a, b, c].iter().any(|p| 1e150 < p.x.abs().max(p.y.abs()));
+    let [a, b, c] = if large { [a, b, c].map(|p| p * SMALLER) } else { [a, b, c] };
     let mut sum = Expansion { parts: [0.0; 12], len: 0 };
     for (x, y) in [(a.x, b.y), (b.x, c.y), (c.x, a.y)] {
         sum.add_product(x, y);

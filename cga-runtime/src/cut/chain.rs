@@ -91,7 +91,15 @@ impl Chains {
         let centre = flat[point];
         let other = |item: u32| flat[edges[item as usize / 2][(item & 1) as usize] as usize];
         if self.round.len() > 2 {
-            self.round.sort_by(|&a, &b| by_angle(centre, other(a), other(b)));
+            self.round.sort_by(|&a, &b| turn(centre, other(a)).total_cmp(&turn(centre, other(b))));
+            // Rounding made neighbours change places at most.
+            for end in 1..self.round.len() {
+                let mut at = end;
+                while 0 < at && by_angle(centre, other(self.round[at - 1]), other(self.round[at])) == Ordering::Greater {
+                    self.round.swap(at - 1, at);
+                    at -= 1;
+                }
+            }
         }
         // Brackets on a circle: twice round, so that those open at the end are closed at the start.
         self.brackets.clear();
@@ -144,7 +152,20 @@ impl Chains {
     }
 }
 
-/// Counter-clockwise from the right, as seen from a centre. Exact.
+/// Rises with the angle from the right, counter-clockwise, as seen from a centre: 0 to 4, and -1 at the centre itself.
+fn turn(centre: DVec2, p: DVec2) -> f64 {
+    // Halves of the largest numbers have a difference.
+    let d = p * 0.5 - centre * 0.5;
+    let along = d.y / (d.x.abs() * 0.5 + d.y.abs() * 0.5) * 0.5;
+    match (p.cmpeq(centre).all(), d.x < 0.0, d.y < 0.0) {
+        (true, ..) => -1.0,
+        (_, true, _) => 2.0 - along,
+        (_, _, true) => 4.0 + along,
+        _ => along,
+    }
+}
+
+/// Counter-clockwise from the right, as seen from a centre. Exact, but no order where a point is at the centre.
 fn by_angle(centre: DVec2, a: DVec2, b: DVec2) -> Ordering {
     let lower = |p: DVec2| p.y < centre.y || (p.y == centre.y && p.x < centre.x);
     lower(a).cmp(&lower(b)).then_with(|| 0.cmp(&orient(centre, a, b)))

@@ -154,7 +154,8 @@ impl Cutter {
         }
         self.state.points.axis = axis.index();
         self.state.points.planes.clear();
-        self.state.points.planes.extend_from_slice(&planes[first..end]);
+        // No plane is at -0: its points would be.
+        self.state.points.planes.extend(planes[first..end].iter().map(|&at| at + 0.0));
         self.cut_faces(mesh);
         self.caps.close(&mut self.state, mesh, &mut slabs.open);
         for chain in &mut slabs.open {

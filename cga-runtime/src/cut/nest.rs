@@ -1,7 +1,8 @@
 //! Which loops of a section are outlines, and which are holes of which.
 //!
-//! Outlines run counter-clockwise, holes clockwise (of a section that is inside out as a whole, the other way). A hole belongs to the smallest outline that winds around it. Each hole
-//! is asked for at one point, and only the edges in the same strip of the plane are looked at.
+//! Outlines run counter-clockwise, holes clockwise (of a section that is inside out as a whole, the other way). A hole
+//! belongs to the smallest outline that winds around it; one that none winds around stays on its own. Each hole is asked
+//! for at one point, and only the edges in the same strip of the plane are looked at.
 
 use std::ops::Range;
 
@@ -32,9 +33,11 @@ pub(super) struct Nest {
     touched: Vec<usize>,
 }
 
-/// Edges of outlines by the strips they reach into.
+/// Edges of outlines by the strips they reach into: across y or across x, whichever way they reach less far.
 #[derive(Default)]
 struct Strips {
+    /// Whether strips are told apart by x.
+    by_x: bool,
     low: f64,
     per_unit: f64,
     starts: Vec<usize>,
@@ -56,7 +59,7 @@ impl Nest {
         }
         let outlines = self.loops.iter().filter(|l| 0.0 <= l.area).count();
         if outlines < self.loops.len() && outlines != 0 {
-            self.assign(section, outlines);
+            self.assign(section);
         }
         self.order.clear();
         self.ends.clear();
@@ -90,17 +93,7 @@ impl Nest {
         self.ends.extend((0..self.loops.len()).filter(|&i| self.loops[i].outline.is_none()).map(|i| count[i + 1]));
     }
 
-    fn assign(&mut self, section: &Section<'_>, outlines: usize) {
-        let only = self.loops.iter().position(|l| 0.0 <= l.area).filter(|_| outlines == 1);
-        if let Some(only) = only {
-            let (low, high) = (self.loops[only].low, self.loops[only].high);
-            if self.loops.iter().all(|l| low.cmple(l.low).all() && l.high.cmple(high).all()) {
-                for (index, l) in self.loops.iter_mut().enumerate() {
-                    l.outline = (index != only).then_some(only);
-                }
-                return;
-            }
-        }
+    fn assign(&mut self, section: &Section<'_>) {
         self.strips.fill(section, &self.loops);
         self.turns.clear();
         self.turns.resize(self.loops.len(), 0);
@@ -111,38 +104,75 @@ impl Nest {
         }
     }
 
-    /// The smallest outline that winds around the middle of the longest edge of a hole. The middle of an edge is never a
-    /// corner of another loop.
+    /// The smallest outline that winds around a hole. Where outlines are there twice, so are holes: each gets its own.
     fn around(&mut self, section: &Section<'_>, hole: usize) -> Option<usize> {
-        let ring = &section.corners[self.loops[hole].range.clone()];
-        let at = |i: usize| section.flat[ring[i % ring.len()] as usize];
-        let longest = (0..ring.len())
-            .max_by(|&i, &j| at(i).distance_squared(at(i + 1)).total_cmp(&at(j).distance_squared(at(j + 1))))?;
-        let p = at(longest) * 0.5 + at(longest + 1) * 0.5;
+        // Strips across x are met by rays along y.
+        let by_x = self.strips.by_x;
+        let flat = |corner: u32| {
+            let p = section.flat[corner as usize];
+            if by_x { DVec2::new(p.y, -p.x) } else { p }
+        };
+        let probe = Probe::beside(&section.corners[self.loops[hole].range.clone()], flat)?;
         self.touched.clear();
-        for &(a, b, outline) in self.strips.around(p.y) {
-            let [a, b] = [a, b].map(|corner| section.flat[corner as usize]);
-            let up = a.y <= p.y && p.y < b.y;
-            let down = b.y <= p.y && p.y < a.y;
-            let turn = if up && orient(a, b, p) > 0 {
-                1
-            } else if down && orient(a, b, p) < 0 {
-                -1
-            } else {
-                continue;
-            };
-            self.turns[outline as usize] += turn;
-            self.touched.push(outline as usize);
-        }
-        let mut best: Option<usize> = None;
-        for &outline in &self.touched {
-            let smaller = best.is_none_or(|best| self.loops[outline].area < self.loops[best].area);
-            if self.turns[outline] != 0 && smaller {
-                best = Some(outline);
+        for &(a, b, outline) in self.strips.around(if by_x { -probe.at.y } else { probe.at.y }) {
+            let turn = probe.turn(flat(a), flat(b));
+            if turn != 0 {
+                self.turns[outline as usize] += turn;
+                self.touched.push(outline as usize);
             }
         }
+        let around = |outline: usize| self.turns[outline] != 0;
+        let inner = self.touched.iter().copied().filter(|&outline| around(outline));
+        let least = inner.clone().map(|outline| self.loops[outline].area).min_by(f64::total_cmp)?;
+        let mut equal: Vec<usize> = inner.filter(|&outline| self.loops[outline].area == least).collect();
+        equal.sort_unstable();
+        equal.dedup();
         self.touched.iter().for_each(|&outline| self.turns[outline] = 0);
-        best
+        if let [only] = equal[..] {
+            return Some(only);
+        }
+        let Loop { low, high, .. } = self.loops[hole];
+        let before = self.loops[..hole].iter().filter(|l| l.area < 0.0 && (l.low, l.high) == (low, high)).count();
+        Some(equal[before % equal.len()])
+    }
+}
+
+/// A point just beside the middle of a hole's longest edge, on the side of the solid: no edge goes through it, not even one
+/// that lies on the hole's.
+struct Probe {
+    /// The middle of the edge. The point is off it by ε to the left, and by ε² ahead.
+    at: DVec2,
+    ahead: DVec2,
+}
+
+impl Probe {
+    fn beside(ring: &[u32], flat: impl Fn(u32) -> DVec2) -> Option<Self> {
+        let at = |i: usize| flat(ring[i % ring.len()]);
+        let longest = (0..ring.len())
+            .max_by(|&i, &j| at(i).distance_squared(at(i + 1)).total_cmp(&at(j).distance_squared(at(j + 1))))?;
+        let (a, b) = (at(longest), at(longest + 1));
+        Some(Probe { at: a * 0.5 + b * 0.5, ahead: b * 0.5 - a * 0.5 })
+    }
+
+    /// Whether it is above a point.
+    fn is_above(&self, p: DVec2) -> bool {
+        let rise = if self.ahead.x != 0.0 { self.ahead.x } else { self.ahead.y };
+        p.y < self.at.y || (p.y == self.at.y && 0.0 < rise)
+    }
+
+    /// By how much an edge winds around it: 1 where a ray to the right meets it on its way up, -1 on its way down.
+    fn turn(&self, a: DVec2, b: DVec2) -> i32 {
+        let (up, down) = (self.is_above(a) && !self.is_above(b), self.is_above(b) && !self.is_above(a));
+        if !up && !down {
+            return 0;
+        }
+        let mut side = orient(a, b, self.at);
+        if side == 0 {
+            let along = b * 0.5 - a * 0.5;
+            let (left, ahead) = (along.dot(self.ahead), along.perp_dot(self.ahead));
+            side = if left != 0.0 { left.signum() as i32 } else { ahead.signum() as i32 };
+        }
+        i32::from(up && side > 0) - i32::from(down && side < 0)
     }
 }
 
@@ -164,10 +194,8 @@ fn measure(section: &Section<'_>, range: Range<usize>) -> Loop {
 impl Strips {
     fn fill(&mut self, section: &Section<'_>, loops: &[Loop]) {
         let outlines = || loops.iter().enumerate().filter(|(_, l)| 0.0 <= l.area);
-        let low = outlines().fold(f64::INFINITY, |m, (_, l)| m.min(l.low.y));
-        let high = outlines().fold(f64::NEG_INFINITY, |m, (_, l)| m.max(l.high.y));
-        let mut count = 0usize;
-        let mut height = 0.0;
+        let low = outlines().fold(DVec2::INFINITY, |low, (_, l)| low.min(l.low));
+        let high = outlines().fold(DVec2::NEG_INFINITY, |high, (_, l)| high.max(l.high));
         let each = |visit: &mut dyn FnMut(u32, u32, u32)| {
             for (index, l) in outlines() {
                 let ring = &section.corners[l.range.clone()];
@@ -178,37 +206,41 @@ impl Strips {
                 }
             }
         };
-        let y = |corner: u32| section.flat[corner as usize].y;
+        let (mut count, mut reach) = (0usize, DVec2::ZERO);
         each(&mut |a, b, _| {
             count += 1;
-            height += (y(a) - y(b)).abs();
+            reach += (section.flat[a as usize] - section.flat[b as usize]).abs();
         });
+        let size = high - low;
+        self.by_x = reach.x * size.y < reach.y * size.x;
+        let along = usize::from(!self.by_x);
         // As many strips as keep the edges in them to a few times their number.
-        let many = (2.0 * (high - low) * count as f64 / height).clamp(1.0, count as f64);
+        let many = (2.0 * size[along] * count as f64 / reach[along]).clamp(1.0, count as f64);
         let strips = if many.is_finite() { many as usize } else { 1 };
-        self.low = low;
-        self.per_unit = strips as f64 / (high - low);
-        self.starts.clear();
-        self.starts.resize(strips + 1, 0);
-        let (low, per_unit) = (self.low, self.per_unit);
-        let strip = |y: f64| (((y - low) * per_unit) as usize).min(strips - 1);
-        let span = |a: u32, b: u32| strip(y(a).min(y(b)))..=strip(y(a).max(y(b)));
-        each(&mut |a, b, _| span(a, b).for_each(|s| self.starts[s + 1] += 1));
-        (0..strips).for_each(|s| self.starts[s + 1] += self.starts[s]);
-        let mut fill = self.starts.clone();
-        self.edges.clear();
-        self.edges.resize(self.starts[strips], (0, 0, 0));
+        self.low = low[along];
+        self.per_unit = strips as f64 / size[along];
+        let at = |corner: u32| self.number(section.flat[corner as usize][along], strips);
+        let spans = |a: u32, b: u32| at(a).min(at(b))..=at(a).max(at(b));
+        let mut starts = vec![0; strips + 1];
+        each(&mut |a, b, _| spans(a, b).for_each(|s| starts[s + 1] += 1));
+        (0..strips).for_each(|s| starts[s + 1] += starts[s]);
+        let (mut fill, mut edges) = (starts.clone(), vec![(0, 0, 0); starts[strips]]);
         each(&mut |a, b, index| {
-            for s in span(a, b) {
-                self.edges[fill[s]] = (a, b, index);
+            for s in spans(a, b) {
+                edges[fill[s]] = (a, b, index);
                 fill[s] += 1;
             }
         });
+        (self.starts, self.edges) = (starts, edges);
     }
 
-    fn around(&self, y: f64) -> &[(u32, u32, u32)] {
-        let strips = self.starts.len() - 1;
-        let strip = (((y - self.low) * self.per_unit) as usize).min(strips - 1);
+    /// The strip of a coordinate.
+    fn number(&self, at: f64, strips: usize) -> usize {
+        (((at - self.low) * self.per_unit) as usize).min(strips - 1)
+    }
+
+    fn around(&self, at: f64) -> &[(u32, u32, u32)] {
+        let strip = self.number(at, self.starts.len() - 1);
         &self.edges[self.starts[strip]..self.starts[strip + 1]]
     }
 }

@@ -112,10 +112,10 @@ impl Points {
             };
             places.extend(mesh.points.iter().map(|p| Place { class: class(p[axis]), number: 0 }));
         }
-        if self.levels.len() < self.planes.len() {
-            self.levels.resize_with(self.planes.len(), Level::default);
-        }
-        self.levels.iter_mut().for_each(Level::clear);
+        // Lists of cuts with many more planes are not kept.
+        let keep = self.levels.len().min(4 * self.planes.len() + 64).max(self.planes.len());
+        self.levels.resize_with(keep, Level::default);
+        self.levels[..self.planes.len()].iter_mut().for_each(Level::clear);
         self.edges.reset(mesh.points.len());
         self.crossings.clear();
         self.mixes = !mesh.uvs.is_empty() || !mesh.normals.is_empty();

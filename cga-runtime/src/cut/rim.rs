@@ -88,9 +88,11 @@ impl Rim {
                 net = [net[0] + count[0], net[1] + count[1]];
                 self.next_edge += 1;
             }
-            if net[0] + net[1] == 0 && net[0] != 0 {
-                let edge = if net[0] > 0 { [first.b, first.a] } else { [first.a, first.b] };
-                (0..net[0].abs()).for_each(|_| out.push(edge));
+            // What both sides lack, each the other way.
+            let [below, above] = net;
+            if below.signum() * above.signum() < 0 {
+                let edge = if below > 0 { [first.b, first.a] } else { [first.a, first.b] };
+                (0..below.abs().min(above.abs())).for_each(|_| out.push(edge));
             }
         }
     }

@@ -17,10 +17,10 @@ pub(super) struct State {
     inverted: Option<bool>,
 }
 
-/// From this many slabs on, faces are counted before they are cut,
+/// From this many slabs on, faces are counted before they are cut.
 const MANY_SLABS: usize = 8;
 
-/// but of large meshes not all: about so many.
+/// About so many faces are counted; of large meshes this is not all.
 const SAMPLE: usize = 1 << 14;
 
 /// What a slab will hold.
@@ -83,8 +83,10 @@ impl State {
             });
             let (bottom, top) = (low.div_ceil(2) as usize, high as usize / 2);
             if bottom < top {
-                room[bottom].begin += each;
-                room[top + 1].end += each;
+                // One that reaches far says little of the others.
+                let many = if top - bottom < MANY_SLABS { each } else { 1 };
+                room[bottom].begin += many;
+                room[top + 1].end += many;
             } else {
                 room[top].corners += each * count;
                 room[top].loops += each * loops.len();
