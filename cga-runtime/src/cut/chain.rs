@@ -95,7 +95,8 @@ impl Chains {
             // Rounding made neighbours change places at most.
             for end in 1..self.round.len() {
                 let mut at = end;
-                while 0 < at && by_angle(centre, other(self.round[at - 1]), other(self.round[at])) == Ordering::Greater {
+                while 0 < at && by_angle(centre, other(self.round[at - 1]), other(self.round[at])) == Ordering::Greater
+                {
                     self.round.swap(at - 1, at);
                     at -= 1;
                 }

@@ -4,7 +4,8 @@
 //! the ends on a plane are sorted along the line in which the face meets it, and neighbours are paired, as the inside
 //! begins and ends there. Corners of the face that lie on that line between the two are taken along, so that both sides of
 //! the plane and the neighbours of the face have the same edges. Whatever rounding does to the order, each fragment is
-//! followed by exactly one other, so the pieces close.
+//! followed by exactly one other, so the pieces close. Pairs lie beside each other; where those of a face that crosses
+//! itself lie inside each other only the outermost takes corners along, so that no corner is taken twice.
 
 use std::ops::Range;
 
@@ -204,7 +205,7 @@ impl General {
         let start = self.on.partition_point(|o| (o.0, o.1) <= (plane, low));
         let end = self.on.partition_point(|o| (o.0, o.1) < (plane, high));
         let way = self.ways.len();
-        if start < end {
+        if start < end && self.open.is_empty() {
             self.ways.extend(self.on[start..end].iter().map(|o| o.2));
             if to.along < from.along {
                 self.ways[way..].reverse();

@@ -6,6 +6,8 @@
 
 use std::ops::RangeInclusive;
 
+use glam::DVec2;
+
 use super::points::Node;
 use super::state::State;
 use crate::mesh::Mesh;
@@ -13,8 +15,8 @@ use crate::mesh::Mesh;
 /// Where the first face of the mesh went, and what there is of the wall at its first edge.
 pub(super) struct Lead {
     slabs: RangeInclusive<u32>,
-    /// Points of that wall on planes: plane and number there, sorted.
-    wall: Vec<(u32, u32)>,
+    /// Edges of that wall in planes: plane and numbers there, the lower first, sorted.
+    wall: Vec<(u32, [u32; 2])>,
     nodes: Vec<Node>,
 }
 
@@ -54,25 +56,34 @@ impl Lead {
                 last = here;
             }
         }
-        let on_planes = self.nodes.iter().filter(|node| node.class() & 1 == 1);
-        self.wall.extend(on_planes.map(|node| (node.class() / 2, node.place.number)));
+        // In a plane the inside of the wall begins and ends in turn, along the line in which they meet.
+        let points = &state.points;
+        self.nodes.retain(|node| node.class() & 1 == 1);
+        self.nodes.sort_by_key(Node::class);
+        for met in self.nodes.chunk_by_mut(|a, b| a.class() == b.class()) {
+            let flat = |node: &Node| points.levels[node.class() as usize / 2].flat[node.place.number as usize];
+            let from = flat(&met[0]);
+            let reach = met.iter().fold(DVec2::ZERO, |reach, node| reach.max((flat(node) - from).abs()));
+            let along = usize::from(reach.x < reach.y);
+            met.sort_by(|a, b| flat(a)[along].total_cmp(&flat(b)[along]));
+            self.wall.extend(met.chunks_exact(2).map(|pair| {
+                let [a, b] = [pair[0].place.number, pair[1].place.number];
+                (pair[0].class() / 2, [a.min(b), a.max(b)])
+            }));
+        }
         self.wall.sort_unstable();
     }
 
-    /// Where in a ring of points on a plane the edge of that wall begins.
+    /// Where in a ring of points on a plane an edge of that wall begins.
     pub(super) fn edge_in(&self, plane: u32, ring: &[u32]) -> Option<usize> {
         let start = self.wall.partition_point(|&(on, _)| on < plane);
         let end = self.wall.partition_point(|&(on, _)| on <= plane);
         let wall = &self.wall[start..end];
-        if wall.len() < 2 {
+        if wall.is_empty() {
             return None;
         }
-        let mut last = false;
-        let end = ring.iter().chain(&ring[..1]).position(|&point| {
-            let here = wall.binary_search(&(plane, point)).is_ok();
-            std::mem::replace(&mut last, here) && here
-        });
-        end.map(|end| end - 1)
+        let ends = ring[1..].iter().chain(&ring[..1]);
+        ring.iter().zip(ends).position(|(&a, &b)| wall.binary_search(&(plane, [a.min(b), a.max(b)])).is_ok())
     }
 
     /// Whether a cap in that plane is to come first in that slab, rather than one in another plane, or at least when there is

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 use super::{Cutter, Slabs};
 use crate::mesh::{Mesh, unit};
@@ -67,6 +67,14 @@ impl Frame {
     }
 }
 
+/// Along which the texture of a cap runs: upright, or as a floor's where the cap lies flat.
+fn texture_axes(normal: DVec3) -> (DVec3, DVec3) {
+    const FLAT: f64 = 1e-9;
+    let level = DVec3::Y.cross(normal);
+    let right = if level.length() <= FLAT { DVec3::X } else { level.normalize() };
+    (right, normal.cross(right))
+}
+
 impl Cutter {
     fn halves(&mut self, mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Slabs {
         let whole = |side: usize| {
@@ -95,7 +103,7 @@ impl Cutter {
         self.state.points.planes.clear();
         self.state.points.planes.push(0.0);
         self.cut_faces(&local);
-        let without_caps = [0, 1].map(|side: usize| self.state.parts[side].mesh.normals.len());
+        let without_caps = [0, 1].map(|side: usize| self.state.parts[side].mesh.corners.len());
         let mut slabs = Slabs { parts: Vec::new(), open: Vec::new() };
         self.caps.close(&mut self.state, &local, &mut slabs.open);
         for point in slabs.open.iter_mut().flat_map(|chain| &mut chain.points) {
@@ -107,12 +115,20 @@ impl Cutter {
         slabs
     }
 
-    /// Takes the parts back from the frame. Normals from those numbers on are those of caps.
+    /// Takes the parts back from the frame. Corners from those numbers on are those of caps.
     fn restore(&mut self, mesh: &Mesh, frame: &Frame, caps: [usize; 2]) {
         let (parts, points) = (&mut self.state.parts, &self.state.points);
-        for (part, caps) in parts.iter_mut().zip(caps) {
-            part.mesh.points.iter_mut().for_each(|point| *point = frame.back(*point));
-            part.mesh.normals.iter_mut().skip(caps).for_each(|normal| *normal = frame.axes * *normal);
+        for ((part, caps), normal) in parts.iter_mut().zip(caps).zip([frame.axes.x_axis, -frame.axes.x_axis]) {
+            let Mesh { points, corners, uvs, normals, .. } = &mut part.mesh;
+            points.iter_mut().for_each(|point| *point = frame.back(*point));
+            normals.iter_mut().skip(caps).for_each(|own| *own = normal);
+            let (right, up) = texture_axes(normal);
+            uvs.change(caps..corners.len(), |list| {
+                for (uv, corner) in list.iter_mut().zip(&corners[caps..]) {
+                    let point = points[*corner as usize];
+                    *uv = DVec2::new(right.dot(point), up.dot(point));
+                }
+            });
         }
         // Its own points a mesh has as they were.
         for (place, point) in points.places.iter().zip(&mesh.points) {
