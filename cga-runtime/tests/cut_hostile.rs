@@ -12,7 +12,9 @@ use cut_support::{closed_by_position, together};
 
 fn mesh(points: &[[f64; 3]], faces: &[&[u32]]) -> Mesh {
     let mut builder = MeshBuilder::new();
-    points.iter().for_each(|&p| drop(builder.point(p)));
+    for &point in points {
+        builder.point(point);
+    }
     for face in faces {
         builder.face(face, &[], FaceTag::PLAIN);
     }
@@ -195,7 +197,9 @@ fn a_plane_at_minus_zero_is_at_zero() {
 fn caps_of_any_plane_have_upright_textures() {
     let base = block([0.0; 3], [1.0; 3], false);
     let mut builder = MeshBuilder::new();
-    base.points().iter().for_each(|p| drop(builder.point(p.to_array())));
+    for point in base.points() {
+        builder.point(point.to_array());
+    }
     for face in base.faces() {
         builder.face(face.outer(), &[], face.tag());
         builder.uvs(&vec![DVec2::ZERO; face.outer().len()]);

@@ -85,7 +85,8 @@ impl General {
         self.fragments.sort_by_key(|fragment| fragment.slab);
         let outline = view.loop_ranges().next().unwrap_or(0..0);
         self.rings.start(Projection::along(view.area_vector()), tag, outline);
-        let mut from = 0;
+        self.untouched.sort_by_key(|(slab, _)| *slab);
+        let (mut from, mut loops) = (0, 0);
         let low = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).min().unwrap_or(0);
         let high = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).max().unwrap_or(0);
         for slab in low..=high {
@@ -97,11 +98,10 @@ impl General {
             }
             self.join(state, mesh, line, group.clone(), slab, Side::Below);
             self.trace(group);
-            for (at, range) in &self.untouched {
-                if *at == slab {
-                    self.rings.nodes.extend_from_slice(&self.nodes[range.clone()]);
-                    self.rings.end_ring();
-                }
+            while let Some((_, range)) = self.untouched.get(loops).filter(|(at, _)| *at == slab) {
+                self.rings.nodes.extend_from_slice(&self.nodes[range.clone()]);
+                self.rings.end_ring();
+                loops += 1;
             }
             self.rings.emit(state, mesh, slab);
         }
