@@ -123,16 +123,17 @@ impl Nest {
         }
         let around = |outline: usize| self.turns[outline] != 0;
         let inner = self.touched.iter().copied().filter(|&outline| around(outline));
-        let least = inner.clone().map(|outline| self.loops[outline].area).min_by(f64::total_cmp)?;
-        let mut equal: Vec<usize> = inner.filter(|&outline| self.loops[outline].area == least).collect();
+        let least = inner.clone().min_by(|&a, &b| self.loops[a].area.total_cmp(&self.loops[b].area))?;
+        // Rounding may tell the areas of equal loops apart, but not their boxes.
+        let bounds = |index: usize| (self.loops[index].low, self.loops[index].high);
+        let mut equal: Vec<usize> = inner.filter(|&outline| bounds(outline) == bounds(least)).collect();
         equal.sort_unstable();
         equal.dedup();
         self.touched.iter().for_each(|&outline| self.turns[outline] = 0);
         if let [only] = equal[..] {
             return Some(only);
         }
-        let Loop { low, high, .. } = self.loops[hole];
-        let before = self.loops[..hole].iter().filter(|l| l.area < 0.0 && (l.low, l.high) == (low, high)).count();
+        let before = (0..hole).filter(|&other| self.loops[other].area < 0.0 && bounds(other) == bounds(hole)).count();
         Some(equal[before % equal.len()])
     }
 }
