@@ -6,11 +6,13 @@
 
 use std::ops::RangeInclusive;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::points::Node;
 use super::state::State;
 use crate::mesh::Mesh;
+use crate::mesh::check::winding;
+use crate::triangulate::Projection;
 
 /// Where the first face of the mesh went, and what there is of the wall at its first edge.
 pub(super) struct Lead {
@@ -56,17 +58,24 @@ impl Lead {
                 last = here;
             }
         }
-        // In a plane the inside of the wall begins and ends in turn, along the line in which they meet.
         let points = &state.points;
+        let wall = Wall::of(mesh, wall);
         self.nodes.retain(|node| node.class() & 1 == 1);
         self.nodes.sort_by_key(Node::class);
+        self.nodes.dedup_by_key(|node| node.place);
         for met in self.nodes.chunk_by_mut(|a, b| a.class() == b.class()) {
             let flat = |node: &Node| points.levels[node.class() as usize / 2].flat[node.place.number as usize];
             let from = flat(&met[0]);
             let reach = met.iter().fold(DVec2::ZERO, |reach, node| reach.max((flat(node) - from).abs()));
             let along = usize::from(reach.x < reach.y);
             met.sort_by(|a, b| flat(a)[along].total_cmp(&flat(b)[along]));
-            self.wall.extend(met.chunks_exact(2).map(|pair| {
+            // Where a plane meets it several times, some of what is between two points is no wall.
+            let few = met.len() * wall.corners() <= FEW;
+            let is_wall = |pair: &&[Node]| {
+                let middle = || pair.iter().map(|node| points.position(mesh, node)).sum::<DVec3>() * 0.5;
+                met.len() == 2 || (few && wall.holds(middle()))
+            };
+            self.wall.extend(met.windows(2).filter(is_wall).map(|pair| {
                 let [a, b] = [pair[0].place.number, pair[1].place.number];
                 (pair[0].class() / 2, [a.min(b), a.max(b)])
             }));
@@ -95,6 +104,34 @@ impl Lead {
             _ if (slab < *self.slabs.start()) == (plane == slab) => Some(Wish::First),
             _ => Some(Wish::Second),
         }
+    }
+}
+
+/// Beyond so many questions, whether a point is on the wall, nobody asks: the cap begins anywhere.
+const FEW: usize = 1 << 16;
+
+/// A face seen from outside.
+struct Wall {
+    projection: Projection,
+    rings: Vec<Vec<DVec2>>,
+}
+
+impl Wall {
+    fn of(mesh: &Mesh, face: usize) -> Self {
+        let face = mesh.face(face);
+        let projection = Projection::along(face.area_vector());
+        let ring = |ring: &[u32]| ring.iter().map(|&point| projection.apply(mesh.points[point as usize])).collect();
+        Wall { projection, rings: face.loops().map(ring).collect() }
+    }
+
+    fn corners(&self) -> usize {
+        self.rings.iter().map(Vec::len).sum()
+    }
+
+    /// Whether a point in its plane is in it or on its rim.
+    fn holds(&self, point: DVec3) -> bool {
+        let turns = self.rings.iter().map(|ring| winding(ring, self.projection.apply(point)));
+        turns.sum::<Option<i32>>() != Some(0)
     }
 }
 
