@@ -3,6 +3,9 @@
 //! `cargo bench --bench cutting`. Beside each other: the grammar, the cutter alone, and a copy of what they make. Volumes and
 //! areas are held to formulas, areas of caps to the sum over the edges in which faces meet the planes.
 
+#[path = "../cga-runtime/tests/cut_support/section.rs"]
+mod section;
+
 use std::f64::consts::{PI, TAU};
 use std::hint::black_box;
 use std::sync::Arc;
@@ -13,6 +16,7 @@ use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Settings, Shape, Sink, cga};
 use cga_runtime::cut;
 use cga_runtime::mesh::{FaceTag, MeshBuilder};
 use cga_runtime::scope::Axis;
+use section::section;
 
 cga! {
     /// Equal slices along x.
@@ -87,28 +91,6 @@ fn torus(around: u32, across: u32) -> Mesh {
     builder.build().expect("a torus")
 }
 
-/// The area in which a plane cuts a closed mesh, by Green's formula over the lines in which it meets the faces: no loop is
-/// followed. Points in the plane count as above it.
-fn section(mesh: &Mesh, axis: usize, at: f64) -> f64 {
-    let flat = |p: DVec3| (p[(axis + 1) % 3], p[(axis + 2) % 3]);
-    let mut sum = 0.0;
-    for face in mesh.faces() {
-        let ring: Vec<DVec3> = face.outer().iter().map(|&point| mesh.points()[point as usize]).collect();
-        let mut ends = [None; 2];
-        for (i, &a) in ring.iter().enumerate() {
-            let b = ring[(i + 1) % ring.len()];
-            if (a[axis] < at) != (b[axis] < at) {
-                let p = a + (b - a) * ((at - a[axis]) / (b[axis] - a[axis]));
-                ends[usize::from(a[axis] < at)] = Some(flat(p));
-            }
-        }
-        if let [Some(from), Some(to)] = ends {
-            sum += from.0 * to.1 - from.1 * to.0;
-        }
-    }
-    (sum / 2.0).abs()
-}
-
 /// Points and corners of all parts, one after the other, in memory that is there.
 #[derive(Default)]
 struct Copy {
@@ -139,7 +121,7 @@ fn compare(name: &str, mesh: Mesh, axis: Axis, pieces: usize, volume: Option<f64
     let index = axis.index();
     let extent = mesh.bounds().size()[index];
     let offsets: Vec<f64> = (1..pieces).map(|i| i as f64 * extent / pieces as f64).collect();
-    let area = mesh.area() + 2.0 * offsets.iter().map(|&at| section(&mesh, index, at)).sum::<f64>();
+    let area = mesh.area() + 2.0 * offsets.iter().map(|&at| section(&mesh, axis, at)).sum::<f64>();
     let volume = volume.unwrap_or_else(|| mesh.volume());
     let shape = Shape::mesh(mesh.clone());
     let mesh = Arc::new(mesh);

@@ -8,8 +8,9 @@ use std::sync::Arc;
 use cga_runtime::cut::slabs;
 use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
 use cga_runtime::scope::Axis;
+use cut_support::section::section;
 use cut_support::*;
-use glam::{DAffine3, DMat3, DVec2, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 
 fn equal(low: f64, high: f64, pieces: usize) -> Vec<f64> {
     (1..pieces).map(|i| low + (high - low) * i as f64 / pieces as f64).collect()
@@ -36,28 +37,6 @@ fn a_lying_cylinder_is_sliced_into_prisms() {
             assert_eq!(part.face_count(), sides + 2);
         }
     }
-}
-
-/// The area in which a plane meets a closed mesh of faces without holes, by Green's formula over the lines in which it meets
-/// the faces: no loop is followed. Points in the plane count as above it.
-fn section(mesh: &Mesh, axis: Axis, at: f64) -> f64 {
-    let index = axis.index();
-    let mut sum = 0.0;
-    for face in mesh.faces() {
-        let ring: Vec<DVec3> = face.outer().iter().map(|&point| mesh.points()[point as usize]).collect();
-        let mut ends = [None; 2];
-        for (i, &a) in ring.iter().enumerate() {
-            let b = ring[(i + 1) % ring.len()];
-            if (a[index] < at) != (b[index] < at) {
-                let p = a + (b - a) * ((at - a[index]) / (b[index] - a[index]));
-                ends[usize::from(a[index] < at)] = Some(DVec2::new(p[(index + 1) % 3], p[(index + 2) % 3]));
-            }
-        }
-        if let [Some(from), Some(to)] = ends {
-            sum += from.perp_dot(to);
-        }
-    }
-    (sum / 2.0).abs()
 }
 
 #[test]

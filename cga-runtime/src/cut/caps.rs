@@ -79,6 +79,7 @@ impl Caps {
         let part = &mut parts[slab as usize];
         let mut normal = DVec3::ZERO;
         normal[axis] = if up { 1.0 } else { -1.0 };
+        let (right, upwards) = texture_axes(normal);
         match self.lead.wants(slab, plane) {
             Some(Wish::First) => part.lead = Some(part.mesh.face_ends.len()),
             Some(Wish::Second) => part.lead = part.lead.or(Some(part.mesh.face_ends.len())),
@@ -95,7 +96,7 @@ impl Caps {
                     let number = part.number(points, Place::on(plane, corner), slab);
                     part.mesh.corners.push(number);
                     let point = part.mesh.points[number as usize];
-                    part.mesh.uvs.push_from(&mesh.uvs, |_| texture(axis, up, point));
+                    part.mesh.uvs.push_from(&mesh.uvs, |_| DVec2::new(right.dot(point), upwards.dot(point)));
                     if !mesh.normals.is_empty() {
                         part.mesh.normals.push(normal);
                     }
@@ -107,14 +108,11 @@ impl Caps {
     }
 }
 
-/// Metres in the plane of a cap, not mirrored when seen from outside.
-fn texture(axis: usize, up: bool, p: DVec3) -> DVec2 {
-    match (axis, up) {
-        (0, true) => DVec2::new(-p.z, p.y),
-        (0, false) => DVec2::new(p.z, p.y),
-        (1, true) => DVec2::new(p.x, -p.z),
-        (1, false) => DVec2::new(p.x, p.z),
-        (_, true) => DVec2::new(p.x, p.y),
-        (_, false) => DVec2::new(-p.x, p.y),
-    }
+/// Along which the texture of a cap runs, in metres and not mirrored when seen from outside: upright, or as a floor's where
+/// the cap lies flat.
+pub(super) fn texture_axes(normal: DVec3) -> (DVec3, DVec3) {
+    const FLAT: f64 = 1e-9;
+    let level = DVec3::Y.cross(normal);
+    let right = if level.length() <= FLAT { DVec3::X } else { level.normalize() };
+    (right, normal.cross(right))
 }

@@ -4,7 +4,7 @@
 //! 2025.1*, split operation), so that the first edge survives: of the caps of a part that has nothing of the mesh's first
 //! face, that towards it comes first, and begins with the edge that the wall behind the first edge leaves in it.
 
-use std::ops::RangeInclusive;
+use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
@@ -15,17 +15,12 @@ use crate::mesh::check::winding;
 use crate::triangulate::Projection;
 
 /// Where the first face of the mesh went, and what there is of the wall at its first edge.
+#[derive(Default)]
 pub(super) struct Lead {
-    slabs: RangeInclusive<u32>,
+    slabs: Range<u32>,
     /// Edges of that wall in planes: plane and numbers there, the lower first, sorted.
     wall: Vec<(u32, [u32; 2])>,
     nodes: Vec<Node>,
-}
-
-impl Default for Lead {
-    fn default() -> Self {
-        Lead { slabs: 0..=0, wall: Vec::new(), nodes: Vec::new() }
-    }
 }
 
 impl Lead {
@@ -38,11 +33,11 @@ impl Lead {
         let (bottom, top) = (low.div_ceil(2), high / 2);
         self.slabs = if top < bottom {
             let slab = state.slab_of_flat(mesh, 0, top);
-            slab..=slab
+            slab..slab + 1
         } else {
-            bottom..=top
+            bottom..top + 1
         };
-        let everywhere = *self.slabs.start() == 0 && *self.slabs.end() as usize == state.points.planes.len();
+        let everywhere = self.slabs == (0..state.points.planes.len() as u32 + 1);
         if everywhere {
             return;
         }
@@ -101,7 +96,7 @@ impl Lead {
         match slab {
             _ if self.slabs.contains(&slab) => None,
             // The upper plane of a slab has its number.
-            _ if (slab < *self.slabs.start()) == (plane == slab) => Some(Wish::First),
+            _ if (slab < self.slabs.start) == (plane == slab) => Some(Wish::First),
             _ => Some(Wish::Second),
         }
     }

@@ -121,20 +121,23 @@ impl Nest {
                 self.touched.push(outline as usize);
             }
         }
-        let around = |outline: usize| self.turns[outline] != 0;
-        let inner = self.touched.iter().copied().filter(|&outline| around(outline));
-        let least = inner.clone().min_by(|&a, &b| self.loops[a].area.total_cmp(&self.loops[b].area))?;
+        let Nest { loops, turns, touched, .. } = self;
+        touched.sort_unstable();
+        touched.dedup();
+        let around = touched.iter().copied().filter(|&outline| turns[outline] != 0);
+        let least = around.min_by(|&a, &b| loops[a].area.total_cmp(&loops[b].area));
         // Rounding may tell the areas of equal loops apart, but not their boxes.
-        let bounds = |index: usize| (self.loops[index].low, self.loops[index].high);
-        let mut equal: Vec<usize> = inner.filter(|&outline| bounds(outline) == bounds(least)).collect();
-        equal.sort_unstable();
-        equal.dedup();
-        self.touched.iter().for_each(|&outline| self.turns[outline] = 0);
-        if let [only] = equal[..] {
-            return Some(only);
+        let bounds = |index: usize| (loops[index].low, loops[index].high);
+        let equal = least.map(bounds);
+        touched.retain(|&outline| std::mem::take(&mut turns[outline]) != 0 && Some(bounds(outline)) == equal);
+        match touched[..] {
+            [] => None,
+            [only] => Some(only),
+            _ => {
+                let same = |other: usize| loops[other].area < 0.0 && bounds(other) == bounds(hole);
+                Some(touched[(0..hole).filter(|&other| same(other)).count() % touched.len()])
+            }
         }
-        let before = (0..hole).filter(|&other| self.loops[other].area < 0.0 && bounds(other) == bounds(hole)).count();
-        Some(equal[before % equal.len()])
     }
 }
 
@@ -194,6 +197,9 @@ fn measure(section: &Section<'_>, range: Range<usize>) -> Loop {
 
 impl Strips {
     fn fill(&mut self, section: &Section<'_>, loops: &[Loop]) {
+        let (mut starts, mut edges) = (std::mem::take(&mut self.starts), std::mem::take(&mut self.edges));
+        starts.clear();
+        edges.clear();
         let outlines = || loops.iter().enumerate().filter(|(_, l)| 0.0 <= l.area);
         let low = outlines().fold(DVec2::INFINITY, |low, (_, l)| low.min(l.low));
         let high = outlines().fold(DVec2::NEG_INFINITY, |high, (_, l)| high.max(l.high));
@@ -222,10 +228,11 @@ impl Strips {
         self.per_unit = strips as f64 / size[along];
         let at = |corner: u32| self.number(section.flat[corner as usize][along], strips);
         let spans = |a: u32, b: u32| at(a).min(at(b))..=at(a).max(at(b));
-        let mut starts = vec![0; strips + 1];
+        starts.resize(strips + 1, 0);
         each(&mut |a, b, _| spans(a, b).for_each(|s| starts[s + 1] += 1));
         (0..strips).for_each(|s| starts[s + 1] += starts[s]);
-        let (mut fill, mut edges) = (starts.clone(), vec![(0, 0, 0); starts[strips]]);
+        let mut fill = starts.clone();
+        edges.resize(starts[strips], (0, 0, 0));
         each(&mut |a, b, index| {
             for s in spans(a, b) {
                 edges[fill[s]] = (a, b, index);

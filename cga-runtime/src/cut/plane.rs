@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec2, DVec3};
 
+use super::caps::texture_axes;
 use super::{Cutter, Slabs};
 use crate::mesh::{Mesh, unit};
 
@@ -65,14 +66,6 @@ impl Frame {
     fn back(&self, local: DVec3) -> DVec3 {
         self.origin + self.axes * local
     }
-}
-
-/// Along which the texture of a cap runs: upright, or as a floor's where the cap lies flat.
-fn texture_axes(normal: DVec3) -> (DVec3, DVec3) {
-    const FLAT: f64 = 1e-9;
-    let level = DVec3::Y.cross(normal);
-    let right = if level.length() <= FLAT { DVec3::X } else { level.normalize() };
-    (right, normal.cross(right))
 }
 
 impl Cutter {

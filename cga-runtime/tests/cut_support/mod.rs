@@ -3,6 +3,7 @@
 
 pub mod bytes;
 pub mod corpus;
+pub mod section;
 
 use std::collections::HashMap;
 use std::f64::consts::TAU;
