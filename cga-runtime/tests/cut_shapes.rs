@@ -164,6 +164,20 @@ fn islands_in_holes_in_islands() {
 }
 
 #[test]
+fn a_star_of_long_points_keeps_its_thousand_holes() {
+    // Whichever way one looks, most edges reach far: holes are told by a sweep.
+    let outline = ring(3000, |i| if i % 2 == 0 { 10.0 } else { 3.0 });
+    let at = |i: usize| f64::from(i as u32) / 16.0 - 1.0;
+    let holes: Vec<_> = (0..1024).map(|i| square(at(i % 32), at(i / 32), 0.03)).collect();
+    let star = Arc::new(prism(&outline, &holes, 1.0));
+    let slabs = check_closed_cut("star", &star, Axis::Y, &[0.25]);
+    for part in slabs.parts.iter().flatten() {
+        let cap = part.faces().find(|face| face.tag().cap).unwrap();
+        assert_eq!(cap.loops().count(), 1 + holes.len());
+    }
+}
+
+#[test]
 fn an_open_mesh_stays_open() {
     // A box without lid and a sheet.
     let cube = primitive::cube();

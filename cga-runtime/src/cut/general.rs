@@ -7,6 +7,8 @@
 //! followed by exactly one other, so the pieces close. Pairs lie beside each other; where those of a face that crosses
 //! itself lie inside each other only the outermost takes corners along, so that no corner is taken twice.
 
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::ops::Range;
 
 use glam::DVec3;
@@ -251,22 +253,30 @@ impl General {
             (edge.0, a.min(b), a.max(b))
         };
         self.along.sort_by_key(key);
-        let mut left: Vec<(u32, [usize; 2])> = Vec::new();
+        // By the point where they start; as many end at each.
+        let mut left: BTreeMap<(u32, u32), Vec<[usize; 2]>> = BTreeMap::new();
         for same in self.along.chunk_by(|a, b| key(a) == key(b)) {
             let (plane, [a, b], _) = same[0];
             let forward = |ends: [usize; 2]| nodes[ends[0]].place == nodes[a].place;
             let net: i32 = same.iter().map(|&(_, ends, by)| if forward(ends) { by } else { -by }).sum();
             let edge = if net > 0 { [a, b] } else { [b, a] };
-            (0..net.abs()).for_each(|_| left.push((plane, edge)));
+            let count = net.unsigned_abs() as usize;
+            if count != 0 {
+                left.entry((plane, nodes[edge[0]].place.number)).or_default().extend(std::iter::repeat_n(edge, count));
+            }
         }
-        while let Some((plane, [start, mut end])) = left.pop() {
-            self.rings.nodes.push(self.nodes[start]);
-            while self.nodes[end].place != self.nodes[start].place {
-                let next =
-                    left.iter().position(|(p, e)| *p == plane && self.nodes[e[0]].place == self.nodes[end].place);
-                let Some(next) = next else { break };
-                self.rings.nodes.push(self.nodes[end]);
-                end = left.swap_remove(next).1[1];
+        while let Some((&(plane, start), _)) = left.first_key_value() {
+            let mut at = start;
+            while let Entry::Occupied(mut entry) = left.entry((plane, at)) {
+                let Some([from, to]) = entry.get_mut().pop() else { break };
+                if entry.get().is_empty() {
+                    entry.remove();
+                }
+                self.rings.nodes.push(nodes[from]);
+                at = nodes[to].place.number;
+                if at == start {
+                    break;
+                }
             }
             let ring = &self.rings.nodes;
             for i in 0..ring.len() {

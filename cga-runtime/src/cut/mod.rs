@@ -10,6 +10,7 @@
 //! polygons with holes whose rim is made of the edges left without a partner in the plane, the same points on both
 //! sides. Where the mesh was open before, it stays open.
 
+mod around;
 mod caps;
 mod chain;
 mod contour;
@@ -23,6 +24,7 @@ mod pieces;
 mod plane;
 mod points;
 mod rim;
+mod row;
 mod simple;
 mod state;
 mod triangle;

@@ -2,12 +2,14 @@
 //!
 //! Outlines run counter-clockwise, holes clockwise (of a section that is inside out as a whole, the other way). A hole
 //! belongs to the smallest outline that winds around it; one that none winds around stays on its own. Each hole is asked
-//! for at one point, and only the edges in the same strip of the plane are looked at.
+//! for at one point, and only the edges in the same strip of the plane are looked at. Where these are too many, because
+//! many edges are long and aslant, a sweep tells ([`super::around`]), unless loops cross.
 
 use std::ops::Range;
 
 use glam::DVec2;
 
+use super::around::{self, Sweep};
 use super::contour::Section;
 use crate::exact::orient;
 
@@ -21,6 +23,9 @@ struct Loop {
     outline: Option<usize>,
 }
 
+/// So many edges looked at are more work than a corner in the sweep.
+const SWEEP_FROM: usize = 100;
+
 /// Loops of a section in groups: an outline and its holes. Also buffers.
 #[derive(Default)]
 pub(super) struct Nest {
@@ -29,6 +34,7 @@ pub(super) struct Nest {
     pub(super) order: Vec<Range<usize>>,
     pub(super) ends: Vec<usize>,
     strips: Strips,
+    sweep: Sweep,
     turns: Vec<i32>,
     touched: Vec<usize>,
 }
@@ -45,6 +51,14 @@ struct Strips {
 }
 
 impl Nest {
+    /// One loop, which is an outline.
+    pub(super) fn single(&mut self, end: usize) {
+        self.order.clear();
+        self.ends.clear();
+        self.order.push(0..end);
+        self.ends.push(1);
+    }
+
     /// Sorts the loops of a section into groups.
     pub(super) fn sort(&mut self, section: &Section<'_>) {
         self.loops.clear();
@@ -95,6 +109,17 @@ impl Nest {
 
     fn assign(&mut self, section: &Section<'_>) {
         self.strips.fill(section, &self.loops);
+        let Nest { loops, strips, sweep, .. } = self;
+        let holes = || loops.iter().filter(|l| l.area < 0.0);
+        let asked: usize = holes().map(|hole| strips.across(hole.low).len()).sum();
+        if asked > SWEEP_FROM * section.corners.len()
+            && sweep.find(section, |number| 0.0 <= loops[number as usize].area)
+        {
+            for (hole, &outline) in loops.iter_mut().zip(&sweep.around).filter(|(l, _)| l.area < 0.0) {
+                hole.outline = (outline != around::NONE).then_some(outline as usize);
+            }
+            return;
+        }
         self.turns.clear();
         self.turns.resize(self.loops.len(), 0);
         for hole in 0..self.loops.len() {
@@ -114,7 +139,7 @@ impl Nest {
         };
         let probe = Probe::beside(&section.corners[self.loops[hole].range.clone()], flat)?;
         self.touched.clear();
-        for &(a, b, outline) in self.strips.around(if by_x { -probe.at.y } else { probe.at.y }) {
+        for &(a, b, outline) in self.strips.at(if by_x { -probe.at.y } else { probe.at.y }) {
             let turn = probe.turn(flat(a), flat(b));
             if turn != 0 {
                 self.turns[outline as usize] += turn;
@@ -247,7 +272,12 @@ impl Strips {
         (((at - self.low) * self.per_unit) as usize).min(strips - 1)
     }
 
-    fn around(&self, at: f64) -> &[(u32, u32, u32)] {
+    /// Edges in the strip of a point.
+    fn across(&self, point: DVec2) -> &[(u32, u32, u32)] {
+        self.at(point[usize::from(!self.by_x)])
+    }
+
+    fn at(&self, at: f64) -> &[(u32, u32, u32)] {
         let strip = self.number(at, self.starts.len() - 1);
         &self.edges[self.starts[strip]..self.starts[strip + 1]]
     }
