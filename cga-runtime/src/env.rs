@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use crate::array::Array;
 use crate::asset::Query;
+use crate::comp::street::Streets;
 use crate::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::mesh::Mesh;
 use crate::report::{Prints, Reports};
@@ -84,6 +85,8 @@ pub(crate) struct Initial {
     pub(crate) object: Frame,
     pub(crate) name: Text,
     pub(crate) start_rule: &'static str,
+    /// The streets at its edges, if any.
+    pub(crate) streets: Option<Arc<Streets>>,
 }
 
 /// Rules that led to a deferred call, shared by all calls deferred under them.
@@ -114,7 +117,7 @@ impl Env {
         let extent = shape.scope.size.abs().max_element();
         let name = shape.state.get().map_or_else(Text::default, |state| state.name.clone());
         Env {
-            initial: Initial { object: shape.pivot, name, start_rule },
+            initial: Initial { object: shape.pivot, name, start_rule, streets: shape.find_streets() },
             // The largest number marks a run that has ended; see `limit`.
             settings: Settings {
                 limits: Limits { shapes: settings.limits.shapes.min(u64::MAX - 1), ..settings.limits },

@@ -41,4 +41,6 @@ mod state;
 pub mod text;
 pub mod tol;
 pub mod triangulate;
+mod trim;
 pub mod value;
+mod wire;

@@ -6,8 +6,8 @@ pub use std::string::String;
 
 pub use crate::array::{Array, Element};
 pub use crate::attribute::{Attribute, AttributeDefault, AttributeKind, ChoiceValues, Choices, Range, check};
-pub use crate::comp::select::Select;
-pub use crate::comp::{Arm, Mode, comp};
+pub use crate::comp::select::Word;
+pub use crate::comp::{Align, Arm, Candidate, Components, Mode, Select, comp, comp_values, never};
 pub use crate::derive::{Cx, Report, run};
 pub use crate::env::Env;
 pub use crate::fault::{Error, Fault};

@@ -13,6 +13,7 @@ pub(crate) enum Tag {
     Push = 4,
     Draw = 5,
     Global = 6,
+    Candidate = 7,
 }
 
 /// The seed of a shape with what it has used up.

@@ -173,17 +173,17 @@ pivots! {
 }
 
 fn move_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, position: DVec3, rotation: DVec3) {
-    let (object, before) = (&env.initial.object, (shape.scope, shape.pivot));
+    let object = &env.initial.object;
     let offset = shape.pivot.to_local(shape.scope.origin);
     let turned = shape.pivot.axes.transpose() * shape.scope.axes;
-    shape.pivot =
+    let pivot =
         Frame { origin: object.to_world(position), axes: object.axes * turn(rotation.x, rotation.y, rotation.z) };
-    shape.scope.origin = shape.pivot.to_world(offset);
-    shape.scope.axes = shape.pivot.axes * turned;
-    if !(shape.pivot.origin.is_finite() && shape.scope.origin.is_finite()) {
-        (shape.scope, shape.pivot) = before;
-        env.fault(FaultKind::Value, "the pivot leads beyond the largest number; the shape stays as it is");
+    let origin = pivot.to_world(offset);
+    if !(pivot.origin.is_finite() && origin.is_finite()) {
+        return env.fault(FaultKind::Value, "the pivot leads beyond the largest number; the shape stays as it is");
     }
+    shape.set_pivot(pivot);
+    (shape.scope.origin, shape.scope.axes) = (origin, pivot.axes * turned);
 }
 
 /// An attribute of the grammar, for this shape and its descendants.

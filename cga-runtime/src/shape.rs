@@ -8,6 +8,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::comp::frame;
+use crate::comp::street::Streets;
 use crate::fault::Error;
 use crate::material::{Color, Material};
 use crate::mesh::Mesh;
@@ -15,6 +16,8 @@ use crate::scope::{Axis, Frame, Scope};
 use crate::seed::{Seed, Tag};
 use crate::state::StateRef;
 use crate::text::Text;
+use crate::trim::Trims;
+use crate::wire::PlacedWire;
 
 /// A shape that owns all it has: what a run starts with and what operations written in Rust get.
 pub type Shape = ShapeRef<'static>;
@@ -30,6 +33,7 @@ pub struct ShapeRef<'a> {
     pub(crate) comp: Counter,
     /// `comp.sel`.
     pub(crate) selector: &'static str,
+    pub(crate) trims: Trims,
     pub(crate) state: StateRef<'a>,
 }
 
@@ -59,6 +63,8 @@ pub(crate) enum Geometry {
     Vertex,
     /// A line from the scope's origin to the end of its x axis.
     Edge,
+    /// Edges, or points alone.
+    Wire(Arc<PlacedWire>),
     /// A rectangle in the scope's low plane across an axis, looking along that axis.
     Rect(Axis),
     /// The scope itself, closed.
@@ -94,8 +100,7 @@ impl Placed {
 
     /// Factor from mesh to scope lengths, for each axis.
     pub(crate) fn stretch(&self, size: DVec3) -> DVec3 {
-        let factor = |have: f64, want: f64| if have == want || have == 0.0 { 1.0 } else { want / have };
-        DVec3::new(factor(self.size.x, size.x), factor(self.size.y, size.y), factor(self.size.z, size.z))
+        stretch(self.size, size)
     }
 
     /// From mesh coordinates to scope coordinates.
@@ -103,6 +108,12 @@ impl Placed {
         let stretch = self.stretch(size);
         DAffine3 { matrix3: DMat3::from_diagonal(stretch), translation: -self.low * stretch }
     }
+}
+
+/// Factor from one size to another, for each axis.
+pub(crate) fn stretch(from: DVec3, to: DVec3) -> DVec3 {
+    let factor = |have: f64, want: f64| if have == want || have == 0.0 { 1.0 } else { want / have };
+    DVec3::new(factor(from.x, to.x), factor(from.y, to.y), factor(from.z, to.z))
 }
 
 impl Shape {
@@ -203,6 +214,7 @@ impl Shape {
             split: Counter::NONE,
             comp: Counter::NONE,
             selector: "",
+            trims: Trims::None,
             state: StateRef::Unset,
         }
     }
@@ -225,6 +237,23 @@ impl Shape {
     pub fn named(mut self, name: impl Into<Text>) -> Self {
         self.state.change().name = name.into();
         self
+    }
+
+    /// The same shape at streets: the width in metres of the street at each edge of its first face, from the first edge on;
+    /// 0, or nothing, where there is none. The selectors `street.front` and so on look at it (*comp operation*, street
+    /// selectors); without any street they are those of the object.
+    pub fn streets(mut self, widths: impl Into<Arc<[f64]>>) -> Self {
+        self.state.change().street_widths = widths.into();
+        self
+    }
+
+    /// How its edges lie to the streets.
+    pub(crate) fn find_streets(&self) -> Option<Arc<Streets>> {
+        let widths = self.state.get().map(|state| &*state.street_widths).filter(|widths| !widths.is_empty())?;
+        let mesh = self.to_mesh();
+        let frame = self.scope.frame();
+        let streets = Streets::of(&mesh.faces().next()?, widths, |point| frame.to_world(point));
+        streets.map(Arc::new)
     }
 
     /// Whether a run can start with it.
@@ -258,6 +287,12 @@ impl<'a> ShapeRef<'a> {
         &self.pivot
     }
 
+    /// Puts the pivot elsewhere; scope, geometry and trim planes stay.
+    pub(crate) fn set_pivot(&mut self, pivot: Frame) {
+        self.trims = self.trims.with(&self.pivot, &Trims::None, &pivot);
+        self.pivot = pivot;
+    }
+
     /// The seed that random choices of this shape follow from.
     pub fn seed_value(&self) -> u64 {
         self.seed.value()
@@ -288,7 +323,7 @@ impl<'a> ShapeRef<'a> {
     /// The geometry as a mesh in scope coordinates: metres from the scope's origin corner, along its axes.
     pub fn to_mesh(&self) -> Arc<Mesh> {
         match &self.geometry {
-            Geometry::Empty | Geometry::Vertex | Geometry::Edge => Arc::default(),
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Arc::default(),
             Geometry::Rect(axis) => {
                 let local = Scope::new(self.scope.size);
                 Arc::new(Mesh::from_quad(&crate::place::rect(&local, *axis)))
@@ -314,7 +349,7 @@ impl<'a> ShapeRef<'a> {
         let grows = |axis: usize| match &self.geometry {
             Geometry::Rect(normal) => normal.index() != axis,
             Geometry::Box => true,
-            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Mesh(_) => false,
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Mesh(_) => false,
         };
         if (0..3).any(|axis| size[axis] == 0.0 && self.scope.size[axis] != 0.0 && grows(axis)) {
             // What fills its scope would come back with it; a mesh does not.
@@ -345,6 +380,7 @@ impl<'a> ShapeRef<'a> {
             split: self.split,
             comp: self.comp,
             selector: self.selector,
+            trims: self.trims.clone(),
             state: self.state.lend(),
         }
     }
@@ -359,6 +395,7 @@ impl<'a> ShapeRef<'a> {
             split: self.split,
             comp: self.comp,
             selector: self.selector,
+            trims: self.trims.clone(),
             state: self.state.keep(),
         }
     }

@@ -15,6 +15,8 @@ pub(crate) struct State {
     pub(crate) trim: Trim,
     /// `initialShape.name`.
     pub(crate) name: Text,
+    /// Of the initial shape: the width of the street at each edge.
+    pub(crate) street_widths: Arc<[f64]>,
 }
 
 /// Which trim planes cut what is inserted (*trim attribute*).
@@ -30,7 +32,13 @@ impl Trim {
 
 impl Default for State {
     fn default() -> Self {
-        State { material: UNSET.clone(), attributes: Vec::new(), trim: Trim::DEFAULT, name: Text::default() }
+        State {
+            material: UNSET.clone(),
+            attributes: Vec::new(),
+            trim: Trim::DEFAULT,
+            name: Text::default(),
+            street_widths: Arc::default(),
+        }
     }
 }
 

@@ -30,3 +30,6 @@ pub(crate) const EDGE_EPSILON: f64 = 1e-15;
 
 /// A volume smaller than this, relative to the cube of the largest extent, is rounding.
 pub(crate) const VOLUME_EPSILON: f64 = 1e-14;
+
+/// Faces whose unit normal rises by less than this look sideways, and an edge whose direction rises by no more is level.
+pub(crate) const UP_EPSILON: f64 = 1e-9;

@@ -52,7 +52,7 @@ macro_rules! directions {
     ($($more:expr),*) => {
         word(
             "faceOrientation",
-            "FaceSelector",
+            "Word",
             &[
                 $($more,)*
                 ("front", "Front"),

@@ -14,7 +14,7 @@ impl Cx<'_> {
             let select = match &arm.selector {
                 Selector::Word(word) => {
                     let variant = Ident::new(&variant(word), place);
-                    quote_spanned!(place=> #variant)
+                    quote_spanned!(place=> Word(cga_rt::Word::#variant))
                 }
                 Selector::Index(expr) => {
                     let value = self.expr(expr, &Place::rule());
@@ -34,7 +34,8 @@ impl Cx<'_> {
         });
         quote_spanned! { place=>
             let arms = [#(#table),*];
-            cga_rt::comp(cx, shape, &arms, |cx, arm, part| match arm {
+            let (components, align) = (cga_rt::Components::Faces, cga_rt::Align::ZUp);
+            cga_rt::comp(cx, shape, components, align, &arms, cga_rt::never, |cx, arm, part| match arm {
                 #(#arms)*
                 _ => cga_rt::Flow::Continue(()),
             })?;

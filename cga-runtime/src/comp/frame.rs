@@ -52,6 +52,18 @@ pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
     Some(FaceFrame { frame, low, high, rectangle })
 }
 
+/// The direction across an axis that is as upright as can be.
+pub(super) fn upright(x: DVec3) -> DVec3 {
+    let up = crate::mesh::unit(DVec3::Y - x * x.y);
+    if 1.0 - x.y.abs() < ANGLE_EPSILON || up == DVec3::ZERO { crate::mesh::unit(DVec3::Z - x * x.z) } else { up }
+}
+
+/// The x axis across a z axis: as near to the x axis of the shape as can be, and so it turns with it.
+pub(super) fn beside(z: DVec3) -> DVec3 {
+    let x = crate::mesh::unit(DVec3::X - z * z.x);
+    if 1.0 - z.x.abs() < ANGLE_EPSILON || x == DVec3::ZERO { crate::mesh::unit(DVec3::NEG_Z + z * z.z) } else { x }
+}
+
 fn is_rectangle(face: &FaceRef<'_>, frame: &Frame, size: DVec2) -> bool {
     let range = face.corner_range();
     if range.len() != 4 {

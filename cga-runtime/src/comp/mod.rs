@@ -1,34 +1,90 @@
-//! The component split: which face goes to which arm, and the shapes they make.
+//! The component split: which component goes to which arm, and the shapes they make.
 
+mod candidate;
 pub mod faces;
 pub mod frame;
+pub(crate) mod looks;
+mod mesh_parts;
+mod owners;
+mod part;
+mod roof;
 pub mod select;
+mod source;
+pub(crate) mod street;
+#[cfg(test)]
+mod tests;
+mod value;
+mod wire_parts;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DMat3, DVec3};
-
 use crate::derive::Cx;
 use crate::env::Env;
-use crate::mesh::Mesh;
-use crate::place;
-use crate::scope::{Axis, Frame, Scope};
 use crate::seed::{Seed, Tag};
-use crate::shape::{Counter, Geometry, Placed, ShapeRef};
-use crate::sink::{Flow, Quad, Sink};
-use frame::FaceFrame;
-use select::Select;
+use crate::shape::{Counter, ShapeRef};
+use crate::sink::{Flow, Sink};
+use crate::trim::{Surface, Trims};
 
-/// One `selector : …` or `selector = …` of a comp.
+pub use candidate::Candidate;
+pub use value::comp_values;
+
+use looks::Looks;
+use owners::Owners;
+use part::Part;
+use select::Word;
+use source::Source;
+
+/// What a shape is divided into (*comp operation*).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Components {
+    /// Faces.
+    Faces,
+    /// Edges, shared ones once.
+    Edges,
+    /// Edges of each face.
+    FaceEdges,
+    /// Vertices, shared ones once.
+    Vertices,
+    /// Vertices of each face.
+    FaceVertices,
+    /// Groups of an asset; faces without a group are the last one.
+    Groups,
+    /// Faces of one material; those without are the last ones.
+    Materials,
+    /// Holes of faces, as faces that fill them.
+    Holes,
+}
+
+/// The coordinate system of the components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Align {
+    /// `zUp`: their own.
+    ZUp,
+    /// `noAlign`: pivot and axes of the shape.
+    Keep,
+}
+
+/// One `selector : …`, `selector = …` or `selector =: …` of a comp.
 #[derive(Clone, Copy, Debug)]
 pub struct Arm {
     /// Which components it takes.
     pub select: Select,
-    /// One shape a component, or one for all.
+    /// How many shapes they make.
     pub mode: Mode,
     /// `comp.sel`.
     pub text: &'static str,
+}
+
+/// Which components an arm takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Select {
+    /// Those that a word says.
+    Word(Word),
+    /// By number, counted from 0. What is no whole number or too large takes nothing.
+    Index(f64),
+    /// Those for which the arm's condition holds.
+    When,
 }
 
 /// The operator of an arm.
@@ -38,147 +94,129 @@ pub enum Mode {
     Each,
     /// `=`, one shape for all.
     Together,
+    /// `=:`, one shape for those that are connected: by edges of faces, else by points.
+    Connected,
 }
 
-/// Divides a shape into its faces and calls `visit` with every part's arm and shape: arms in writing order, the faces of
-/// each in the mesh's order (*comp operation*).
+impl Arm {
+    /// Whether it can be decided without knowing what is next to what.
+    fn looks_only(&self) -> bool {
+        let looks = match self.select {
+            Select::Word(word) => matches!(word.sense(), select::Sense::All | select::Sense::Looks(..)),
+            Select::Index(_) => true,
+            Select::When => false,
+        };
+        looks && self.mode != Mode::Connected
+    }
+
+    fn word(&self) -> Option<Word> {
+        match self.select {
+            Select::Word(word) => Some(word),
+            _ => None,
+        }
+    }
+}
+
+/// No arm has a condition.
+pub fn never(_: &mut Env, _: u32, _: &mut Candidate<'_>) -> bool {
+    false
+}
+
+/// Divides a shape into its components and calls `visit` with every part's arm and shape: arms in writing order, the
+/// components of each by number (*comp operation*). `when` says whether the condition of an arm holds.
 #[inline]
 pub fn comp<S: Sink + ?Sized, C>(
     cx: &mut Cx<'_, S, C>,
     shape: &mut ShapeRef<'_>,
+    components: Components,
+    align: Align,
     arms: &[Arm],
+    when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
     mut visit: impl FnMut(&mut Cx<'_, S, C>, u32, &mut ShapeRef<'_>) -> Flow,
 ) -> Flow {
-    let parts = faces(&mut cx.env, shape, arms)?;
-    parts.each(|arm, part| visit(cx, arm, part))
+    let parts = Parts::of(&mut cx.env, shape, components, align, arms, when)?;
+    parts.each(|arm, _, part| visit(cx, arm, part))
 }
 
-/// The faces of a shape, each given to an arm, ready to be handed out.
+/// The components of a shape, each given to an arm, ready to be handed out.
 #[derive(Debug)]
 struct Parts<'s> {
     parent: &'s ShapeRef<'s>,
+    align: Align,
     arms: &'s [Arm],
     owners: Owners,
     source: Source,
+    trims: Option<Arc<Surface>>,
     seed: u64,
     ordinal: u32,
 }
 
-/// Where the faces come from.
-#[derive(Debug)]
-#[allow(clippy::large_enum_variant, reason = "the large one is the common one and must not allocate")]
-enum Source {
-    /// The faces of a box or a rectangle, in the world.
-    Quads([Quad; 6]),
-    /// The faces of a mesh in scope coordinates, with their frames; degenerate ones have none and are never selected.
-    Mesh(Arc<Mesh>, Vec<Option<FaceFrame>>),
-}
-
-/// The arm that owns each face. Up to six need no allocation: `comp` of a box is the façade path.
-#[derive(Debug)]
-enum Owners {
-    Few([Option<u16>; 6], usize),
-    Many(Vec<Option<u16>>),
-}
-
-impl Owners {
-    /// *comp operation*: arms from left to right, and what one has the next can't get.
-    fn choose(arms: &[Arm], faces: impl ExactSizeIterator<Item = Option<DVec3>>) -> Self {
-        let count = faces.len();
-        let owners = faces.enumerate().map(|(index, normal)| {
-            let arm = arms.iter().position(|arm| normal.is_some_and(|normal| arm.select.takes(index, normal)));
+impl<'s> Parts<'s> {
+    /// Gives every component to the first arm that selects it. `Break` when a limit was reached.
+    #[inline]
+    fn of(
+        env: &mut Env,
+        shape: &'s mut ShapeRef<'_>,
+        components: Components,
+        align: Align,
+        arms: &'s [Arm],
+        mut when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
+    ) -> ControlFlow<(), Self> {
+        for arm in arms {
+            if let Select::Index(number) = arm.select {
+                env.finite(number, "an index of `comp`");
+            }
+        }
+        let source = Source::of(env, shape, components, align, arms)?;
+        let count = source.len();
+        let ordinal = shape.seed.reserve(count.min(u32::MAX as usize) as u32);
+        let (seed, parent) = (shape.seed.value(), &*shape);
+        let looks = Looks::of(env, &parent.scope);
+        let owners = Owners::choose(count, |number| {
+            let mut candidate = Candidate::new(&source, &looks, parent, number, ordinal.wrapping_add(number as u32));
+            // What is degenerate is never selected.
+            let there = candidate.is(Word::All);
+            let arm = arms.iter().enumerate().position(|(arm, Arm { select, .. })| match *select {
+                Select::Word(word) => candidate.is(word),
+                Select::Index(index) => there && index == number as f64,
+                Select::When => there && when(env, arm as u32, &mut candidate),
+            });
             arm.map(|arm| arm as u16)
         });
-        if count <= 6 {
-            let mut few = [None; 6];
-            few.iter_mut().zip(owners).for_each(|(slot, owner)| *slot = owner);
-            Owners::Few(few, count)
-        } else {
-            Owners::Many(owners.collect())
-        }
+        let trims = match &source {
+            // *comp operation*: only faces, and only with `:`.
+            Source::Mesh(parts) if components == Components::Faces && arms.iter().any(|arm| arm.mode == Mode::Each) => {
+                Some(Arc::new(Surface::new(parts.mesh.clone(), parent.scope.frame())))
+            }
+            _ => None,
+        };
+        ControlFlow::Continue(Parts { parent, align, arms, owners, source, trims, seed, ordinal })
     }
 
-    fn list(&self) -> &[Option<u16>] {
-        match self {
-            Owners::Few(list, count) => &list[..*count],
-            Owners::Many(list) => list,
-        }
-    }
-}
-
-/// Gives every face of `shape` to the first arm that selects it. `Break` when a limit was reached.
-fn faces<'s>(env: &mut Env, shape: &'s mut ShapeRef<'_>, arms: &'s [Arm]) -> ControlFlow<(), Parts<'s>> {
-    for arm in arms {
-        if let Select::Index(number) = arm.select {
-            env.finite(number, "an index of `comp`");
-        }
-    }
-    let (source, owners) = match simple(shape, arms) {
-        Some((quads, count)) => {
-            let to_scope = shape.scope.axes.transpose();
-            let normals = quads[..count].iter().map(|quad| quad.u.cross(quad.v).normalize_or_zero());
-            let normals = normals.map(|normal| Some(to_scope * normal));
-            let owners = Owners::choose(arms, normals);
-            (Source::Quads(quads), owners)
-        }
-        None => {
-            let mesh = shape.to_mesh();
-            env.count_vertices(&mesh)?;
-            let outwards = outwards(shape.scope.size);
-            let frames: Vec<_> = (0..mesh.face_count()).map(|face| frame::face_frame(&mesh, face)).collect();
-            let normals = frames.iter().map(|frame| frame.as_ref().map(|frame| frame.frame.axes.z_axis * outwards));
-            let owners = Owners::choose(arms, normals);
-            (Source::Mesh(mesh, frames), owners)
-        }
-    };
-    let ordinal = shape.seed.reserve(owners.list().len().min(u32::MAX as usize) as u32);
-    ControlFlow::Continue(Parts { seed: shape.seed.value(), parent: shape, arms, owners, source, ordinal })
-}
-
-/// The sign that makes selectors see a shape as if it were not mirrored: a negative size turns its faces inside out, and
-/// what a selector means is where they are, not where they look (*CGA changelog 2010.3*).
-pub(crate) fn outwards(size: DVec3) -> f64 {
-    if (0..3).filter(|&axis| size[axis] < 0.0).count() % 2 == 1 { -1.0 } else { 1.0 }
-}
-
-/// The faces of a shape that needs no mesh: a box or rectangle that is neither flat nor inside out, handed out one by one.
-#[inline]
-fn simple(shape: &ShapeRef<'_>, arms: &[Arm]) -> Option<([Quad; 6], usize)> {
-    let size = shape.scope.size;
-    let nothing = Quad { origin: DVec3::ZERO, u: DVec3::ZERO, v: DVec3::ZERO };
-    if arms.iter().any(|arm| arm.mode == Mode::Together) {
-        return None;
-    }
-    match shape.geometry {
-        Geometry::Box if 0.0 < size.min_element() => Some((place::cuboid(&shape.scope).faces(), 6)),
-        Geometry::Rect(axis) if (0..3).all(|at| at == axis.index() || 0.0 < size[at]) => {
-            let mut quads = [nothing; 6];
-            quads[0] = place::rect(&shape.scope, axis);
-            Some((quads, 1))
-        }
-        _ => None,
-    }
-}
-
-impl<'s> Parts<'s> {
+    /// Calls with every part: its arm, the numbers of its components, and its shape.
     #[inline]
-    fn each(&self, mut visit: impl FnMut(u32, &mut ShapeRef<'s>) -> Flow) -> Flow {
-        let owners = self.owners.list();
+    fn each(&self, mut visit: impl FnMut(u32, &[u32], &mut ShapeRef<'s>) -> Flow) -> Flow {
         for (number, arm) in self.arms.iter().enumerate() {
-            let mine = |owner: &&Option<u16>| **owner == Some(number as u16);
-            let total = owners.iter().filter(mine).count();
-            let selected = || (0..owners.len()).filter(|&face| owners[face] == Some(number as u16));
+            let mine = || self.owners.of(number as u16);
             match arm.mode {
                 Mode::Each => {
-                    for (index, face) in selected().enumerate() {
-                        visit(number as u32, &mut self.part(arm, face, Counter::new(index, total), None))?;
+                    let total = mine().count();
+                    for (index, component) in mine().enumerate() {
+                        let counter = Counter::new(index, total);
+                        visit(number as u32, &[component], &mut self.part(arm, counter, &[component]))?;
                     }
                 }
                 Mode::Together => {
-                    // *comp operation*: set up from the first selected component.
-                    if let Some(first) = selected().next() {
-                        let all: Vec<u32> = selected().map(|face| face as u32).collect();
-                        visit(number as u32, &mut self.part(arm, first, Counter::new(0, 1), Some(&all)))?;
+                    let all: Vec<u32> = mine().collect();
+                    if !all.is_empty() {
+                        visit(number as u32, &all, &mut self.part(arm, Counter::new(0, 1), &all))?;
+                    }
+                }
+                Mode::Connected => {
+                    let sets = owners::connected(&self.source, mine());
+                    for (index, set) in sets.iter().enumerate() {
+                        let counter = Counter::new(index, sets.len());
+                        visit(number as u32, set, &mut self.part(arm, counter, set))?;
                     }
                 }
             }
@@ -187,54 +225,25 @@ impl<'s> Parts<'s> {
     }
 
     #[inline]
-    fn part(&self, arm: &Arm, face: usize, comp: Counter, all: Option<&[u32]>) -> ShapeRef<'s> {
+    fn part(&self, arm: &Arm, comp: Counter, components: &[u32]) -> ShapeRef<'s> {
         let parent = self.parent;
-        let (scope, pivot, geometry) = match &self.source {
-            Source::Quads(quads) => {
-                let scope = quad_scope(&quads[face]);
-                (scope, scope.frame(), Geometry::Rect(Axis::Z))
-            }
-            Source::Mesh(mesh, frames) => match (&frames[face], all) {
-                (Some(frame), Some(all)) => mesh_scope(parent, mesh, &frame.frame, all),
-                (Some(frame), None) if frame.rectangle => {
-                    let pivot = in_world(&parent.scope, &frame.frame);
-                    let size = (frame.high - frame.low).extend(0.0);
-                    (Scope { origin: pivot.origin, axes: pivot.axes, size }, pivot, Geometry::Rect(Axis::Z))
-                }
-                (Some(frame), None) => mesh_scope(parent, mesh, &frame.frame, &[face as u32]),
-                // Never selected; see `Source::Mesh`.
-                (None, _) => (parent.scope, parent.pivot, Geometry::Empty),
-            },
+        let Part { scope, pivot, geometry } = self.source.part(parent, self.align, components, arm.word());
+        let own = match (&self.source, &self.trims) {
+            _ if arm.mode != Mode::Each => Trims::None,
+            (Source::Quads(quads), _) if quads.are_sides() => Trims::Side(scope.size.truncate()),
+            (_, Some(surface)) => Trims::Face(surface.clone(), components[0]),
+            _ => Trims::None,
         };
         ShapeRef {
             scope,
             pivot,
             geometry,
-            seed: Seed::child(self.seed, Tag::Comp, self.ordinal.wrapping_add(face as u32)),
+            seed: Seed::child(self.seed, Tag::Comp, self.ordinal.wrapping_add(components[0])),
             split: parent.split,
             comp,
             selector: arm.text,
+            trims: parent.trims.with(&parent.pivot, &own, &pivot),
             state: parent.state.lend(),
         }
     }
-}
-
-/// The scope of a rectangular face: x along its first side, z outwards.
-#[inline]
-fn quad_scope(quad: &Quad) -> Scope {
-    let (width, height) = (quad.u.length(), quad.v.length());
-    let (x, y) = (quad.u / width, quad.v / height);
-    Scope { origin: quad.origin, axes: DMat3::from_cols(x, y, x.cross(y)), size: DVec3::new(width, height, 0.0) }
-}
-
-/// Scope, pivot and geometry of some faces of a mesh, set up in the frame of the first.
-fn mesh_scope(parent: &ShapeRef<'_>, mesh: &Mesh, frame: &Frame, selected: &[u32]) -> (Scope, Frame, Geometry) {
-    let placed = Placed::fitted(faces::extract(mesh, selected, frame));
-    let pivot = in_world(&parent.scope, frame);
-    let scope = Scope { origin: pivot.to_world(placed.low), axes: pivot.axes, size: placed.size };
-    (scope, pivot, Geometry::Mesh(Arc::new(placed)))
-}
-
-fn in_world(scope: &Scope, local: &Frame) -> Frame {
-    Frame { origin: scope.frame().to_world(local.origin), axes: scope.axes * local.axes }
 }

@@ -1,10 +1,79 @@
-//! Selectors of the component split that look at a face's normal, or at its number.
+//! The words that select components, as far as they look at directions.
 
 use glam::DVec3;
 
-/// Which components an arm takes. Directions are those of the scope (*comp operation*).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Select {
+/// A word that selects components (*comp operation*).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names say it: those of the language")]
+pub enum Word {
+    Front,
+    Back,
+    Left,
+    Right,
+    Top,
+    Bottom,
+    Side,
+    Horizontal,
+    Aslant,
+    Vertical,
+    Nutant,
+    All,
+    ObjectFront,
+    ObjectBack,
+    ObjectLeft,
+    ObjectRight,
+    ObjectTop,
+    ObjectBottom,
+    ObjectSide,
+    WorldSouth,
+    WorldNorth,
+    WorldEast,
+    WorldWest,
+    WorldUp,
+    WorldDown,
+    WorldSide,
+    Border,
+    Inside,
+    Eave,
+    Hip,
+    Valley,
+    Ridge,
+    StreetFront,
+    StreetBack,
+    StreetLeft,
+    StreetRight,
+    StreetSide,
+}
+
+/// What a word looks at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sense {
+    /// Nothing: all components.
+    All,
+    /// Where a component looks, in some axes.
+    Looks(Axes, Direction),
+    /// Whether it is at the border.
+    Border(bool),
+    /// Which edge of a roof it is.
+    Roof(RoofEdge),
+}
+
+/// The axes that a direction is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axes {
+    /// Of the current shape's scope.
+    Scope,
+    /// Of the initial shape.
+    Object,
+    /// y is up, z south, x east.
+    World,
+    /// By the streets at the initial shape, else as of the object.
+    Street,
+}
+
+/// Where a component looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Direction {
     /// +z.
     Front,
     /// −z.
@@ -27,10 +96,62 @@ pub enum Select {
     Vertical,
     /// Looking down between 11.25 and 78.75 degrees.
     Nutant,
-    /// Everything.
-    All,
-    /// By number, counted from 0. What is no whole number or too large takes nothing.
-    Index(f64),
+}
+
+/// The edges of roofs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum RoofEdge {
+    Eave,
+    Hip,
+    Valley,
+    Ridge,
+}
+
+impl Word {
+    #[inline]
+    pub(crate) fn sense(self) -> Sense {
+        use Direction as D;
+        let (axes, direction) = match self {
+            Word::All => return Sense::All,
+            Word::Border => return Sense::Border(true),
+            Word::Inside => return Sense::Border(false),
+            Word::Eave => return Sense::Roof(RoofEdge::Eave),
+            Word::Hip => return Sense::Roof(RoofEdge::Hip),
+            Word::Valley => return Sense::Roof(RoofEdge::Valley),
+            Word::Ridge => return Sense::Roof(RoofEdge::Ridge),
+            Word::Front => (Axes::Scope, D::Front),
+            Word::Back => (Axes::Scope, D::Back),
+            Word::Left => (Axes::Scope, D::Left),
+            Word::Right => (Axes::Scope, D::Right),
+            Word::Top => (Axes::Scope, D::Top),
+            Word::Bottom => (Axes::Scope, D::Bottom),
+            Word::Side => (Axes::Scope, D::Side),
+            Word::Horizontal => (Axes::Scope, D::Horizontal),
+            Word::Aslant => (Axes::Scope, D::Aslant),
+            Word::Vertical => (Axes::Scope, D::Vertical),
+            Word::Nutant => (Axes::Scope, D::Nutant),
+            Word::ObjectFront => (Axes::Object, D::Front),
+            Word::ObjectBack => (Axes::Object, D::Back),
+            Word::ObjectLeft => (Axes::Object, D::Left),
+            Word::ObjectRight => (Axes::Object, D::Right),
+            Word::ObjectTop => (Axes::Object, D::Top),
+            Word::ObjectBottom => (Axes::Object, D::Bottom),
+            Word::ObjectSide => (Axes::Object, D::Side),
+            Word::WorldSouth => (Axes::World, D::Front),
+            Word::WorldNorth => (Axes::World, D::Back),
+            Word::WorldEast => (Axes::World, D::Right),
+            Word::WorldWest => (Axes::World, D::Left),
+            Word::WorldUp => (Axes::World, D::Top),
+            Word::WorldDown => (Axes::World, D::Bottom),
+            Word::WorldSide => (Axes::World, D::Side),
+            Word::StreetFront => (Axes::Street, D::Front),
+            Word::StreetBack => (Axes::Street, D::Back),
+            Word::StreetLeft => (Axes::Street, D::Left),
+            Word::StreetRight => (Axes::Street, D::Right),
+            Word::StreetSide => (Axes::Street, D::Side),
+        };
+        Sense::Looks(axes, direction)
+    }
 }
 
 /// Angle above the horizon where `vertical` ends, in degrees.
@@ -38,24 +159,22 @@ const LEVEL: f64 = 11.25;
 /// Angle above the horizon where `horizontal` begins, in degrees.
 const STEEP: f64 = 78.75;
 
-impl Select {
-    /// Whether it takes the face with this number and unit normal in scope axes.
+impl Direction {
+    /// Whether a unit normal, in the axes that this is a direction of, looks there.
     #[inline]
-    pub fn takes(self, index: usize, normal: DVec3) -> bool {
+    pub(crate) fn takes(self, normal: DVec3) -> bool {
         match self {
-            Select::Front => quadrant(normal) == (2, true),
-            Select::Back => quadrant(normal) == (2, false),
-            Select::Right => quadrant(normal) == (0, true),
-            Select::Left => quadrant(normal) == (0, false),
-            Select::Top => quadrant(normal) == (1, true),
-            Select::Bottom => quadrant(normal) == (1, false),
-            Select::Horizontal => is_horizontal(elevation(normal)),
-            Select::Side => !is_horizontal(elevation(normal)),
-            Select::Aslant => LEVEL < elevation(normal) && elevation(normal) <= STEEP,
-            Select::Vertical => -LEVEL < elevation(normal) && elevation(normal) <= LEVEL,
-            Select::Nutant => -STEEP < elevation(normal) && elevation(normal) <= -LEVEL,
-            Select::All => true,
-            Select::Index(number) => number == index as f64,
+            Direction::Front => quadrant(normal) == (2, true),
+            Direction::Back => quadrant(normal) == (2, false),
+            Direction::Right => quadrant(normal) == (0, true),
+            Direction::Left => quadrant(normal) == (0, false),
+            Direction::Top => quadrant(normal) == (1, true),
+            Direction::Bottom => quadrant(normal) == (1, false),
+            Direction::Horizontal => is_horizontal(elevation(normal)),
+            Direction::Side => !is_horizontal(elevation(normal)),
+            Direction::Aslant => LEVEL < elevation(normal) && elevation(normal) <= STEEP,
+            Direction::Vertical => -LEVEL < elevation(normal) && elevation(normal) <= LEVEL,
+            Direction::Nutant => -STEEP < elevation(normal) && elevation(normal) <= -LEVEL,
         }
     }
 }
@@ -91,4 +210,53 @@ fn elevation(normal: DVec3) -> f64 {
 #[inline]
 fn is_horizontal(elevation: f64) -> bool {
     STEEP < elevation || elevation <= -STEEP
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Looks up by some degrees.
+    fn at(degrees: f64) -> DVec3 {
+        let (sin, cos) = libm::sincos(degrees.to_radians());
+        DVec3::new(0.0, sin, cos)
+    }
+
+    #[test]
+    fn fact_49_the_ends_of_the_angle_classes() {
+        use Direction::{Aslant, Horizontal, Nutant, Side, Vertical};
+        let classes = [
+            (78.75, Aslant),
+            (78.76, Horizontal),
+            (11.25, Vertical),
+            (11.26, Aslant),
+            (-11.25, Nutant),
+            (-11.24, Vertical),
+            (-78.75, Horizontal),
+            (-78.74, Nutant),
+            (90.0, Horizontal),
+            (-90.0, Horizontal),
+            (0.0, Vertical),
+        ];
+        for (degrees, class) in classes {
+            for each in [Horizontal, Aslant, Vertical, Nutant] {
+                assert_eq!(each.takes(at(degrees)), each == class, "{degrees} {each:?}");
+            }
+            assert_eq!(Side.takes(at(degrees)), class != Horizontal);
+        }
+    }
+
+    #[test]
+    fn every_normal_is_in_one_quadrant() {
+        use Direction::{Back, Bottom, Front, Left, Right, Top};
+        for x in -3..=3 {
+            for y in -3..=3 {
+                for z in -3..=3 {
+                    let normal = DVec3::new(f64::from(x), f64::from(y), f64::from(z)).normalize_or_zero();
+                    let quadrants = [Front, Back, Left, Right, Top, Bottom];
+                    assert_eq!(quadrants.iter().filter(|quadrant| quadrant.takes(normal)).count(), 1);
+                }
+            }
+        }
+    }
 }

@@ -37,6 +37,7 @@ use glam::DVec3;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
 
+pub(crate) use plane::above;
 pub use plane::{Plane, halves};
 
 use caps::Caps;

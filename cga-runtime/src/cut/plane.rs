@@ -39,7 +39,12 @@ pub struct Plane {
 /// assert!(below.is_closed() && above.is_closed());
 /// ```
 pub fn halves(mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Slabs {
-    Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance))
+    Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance, true))
+}
+
+/// What is above a plane, with nothing where the cut opened it; nothing when all is below.
+pub(crate) fn above(mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Option<Arc<Mesh>> {
+    Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance, false)).parts.pop().flatten()
 }
 
 /// Where the plane is x = 0.
@@ -69,7 +74,7 @@ impl Frame {
 }
 
 impl Cutter {
-    fn halves(&mut self, mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Slabs {
+    fn halves(&mut self, mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64, close: bool) -> Slabs {
         let whole = |side: usize| {
             let mut slabs = Slabs { parts: vec![None, None], open: Vec::new() };
             slabs.parts[side] = (!mesh.is_empty()).then(|| mesh.clone());
@@ -98,12 +103,14 @@ impl Cutter {
         self.cut_faces(&local);
         let without_caps = [0, 1].map(|side: usize| self.state.parts[side].mesh.corners.len());
         let mut slabs = Slabs { parts: Vec::new(), open: Vec::new() };
-        self.caps.close(&mut self.state, &local, &mut slabs.open);
+        if close {
+            self.caps.close(&mut self.state, &local, &mut slabs.open);
+        }
         for point in slabs.open.iter_mut().flat_map(|chain| &mut chain.points) {
             *point = frame.back(*point);
         }
         self.restore(mesh, &frame, without_caps);
-        let closed = mesh.derived.closed.get() == Some(&true) && slabs.open.is_empty();
+        let closed = close && mesh.derived.closed.get() == Some(&true) && slabs.open.is_empty();
         slabs.parts = self.state.parts.drain(..).map(|part| part.finish(mesh, closed)).collect();
         slabs
     }

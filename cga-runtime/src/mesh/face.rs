@@ -59,6 +59,12 @@ impl<'a> FaceRef<'a> {
         self.mesh.tags[self.index]
     }
 
+    /// The positions of its outline.
+    pub(crate) fn outline(&self) -> impl Iterator<Item = DVec3> + 'a {
+        let mesh = self.mesh;
+        self.outer().iter().map(|&point| mesh.points[point as usize])
+    }
+
     /// The position of a corner of the mesh.
     pub(crate) fn position(&self, corner: usize) -> DVec3 {
         self.mesh.points[self.mesh.corners[corner] as usize]

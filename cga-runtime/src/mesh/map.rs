@@ -1,6 +1,6 @@
 //! Moving and turning over whole meshes.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DAffine3, DMat3};
 
@@ -14,31 +14,24 @@ impl Mesh {
         let m = map.matrix3;
         // What cross products of edges go through; unlike the inverse it exists for flat maps too.
         let cofactor = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
-        let derived = Derived::default();
-        if let Some(closed) = self.derived.closed.get() {
-            let _ = derived.closed.set(*closed);
-        }
         Mesh {
             points: self.points.iter().map(|&p| map.transform_point3(p)).collect(),
             normals: self.normals.iter().map(|&n| unit(cofactor * n)).collect(),
-            derived,
+            derived: self.derived.of_moved(),
             ..self.clone_structure()
         }
     }
 
     /// The same faces with other points, one for each; what corners carry stays as it is. Closed stays closed.
     pub(crate) fn with_points(&self, points: Vec<glam::DVec3>) -> Mesh {
-        let derived = Derived::default();
-        if let Some(closed) = self.derived.closed.get() {
-            let _ = derived.closed.set(*closed);
-        }
-        Mesh { points, normals: self.normals.clone(), derived, ..self.clone_structure() }
+        Mesh { points, normals: self.normals.clone(), derived: self.derived.of_moved(), ..self.clone_structure() }
     }
 
     /// The mesh with every face looking the other way. The first edge stays: its two corners change places and come
     /// first again.
     pub fn reversed(&self) -> Mesh {
         let mut mesh = self.clone();
+        mesh.derived.adjacency = OnceLock::new();
         let mut start = 0;
         for &end in &self.loop_ends {
             let ring = start..end as usize;
@@ -78,7 +71,7 @@ impl Mesh {
 }
 
 /// 0 1 2 3 becomes 1 0 3 2.
-pub(super) fn flip<T>(ring: &mut [T]) {
+pub(crate) fn flip<T>(ring: &mut [T]) {
     ring.reverse();
     ring.rotate_right(2);
 }

@@ -10,6 +10,7 @@
 //! *indices*; positions are made unique by [`MeshBuilder`] and never compared again. Faces may be degenerate (no
 //! area): a mesh stays closed with them and would not be without.
 
+mod adjacency;
 mod build;
 pub mod check;
 mod error;
@@ -31,6 +32,7 @@ use glam::{DVec2, DVec3};
 
 use crate::material::Material;
 
+pub(crate) use adjacency::Adjacency;
 pub use build::MeshBuilder;
 pub(crate) use build::keep_used;
 pub use check::Flaw;
@@ -39,6 +41,7 @@ pub use extrude::{Extrude, extrude};
 pub use face::FaceRef;
 pub(crate) use face::unit;
 pub(crate) use layout::{FaceEnds, Tags};
+pub(crate) use map::flip;
 pub(crate) use uv::UvSets;
 
 /// Faces with holes over shared points. Made by [`MeshBuilder`], never changed afterwards.
@@ -94,6 +97,14 @@ impl Default for FaceTag {
 pub(crate) struct Derived {
     pub(crate) bounds: OnceLock<Bounds>,
     pub(crate) closed: OnceLock<bool>,
+    pub(crate) adjacency: OnceLock<Arc<Adjacency>>,
+}
+
+impl Derived {
+    /// Of the same faces with other points.
+    fn of_moved(&self) -> Self {
+        Derived { bounds: OnceLock::new(), ..self.clone() }
+    }
 }
 
 /// An axis-aligned box; of nothing, `low` is +∞ and `high` is −∞.
@@ -178,6 +189,17 @@ impl Mesh {
     /// Materials, by [`FaceTag::material`].
     pub fn materials(&self) -> &[Material] {
         &self.materials
+    }
+
+    /// Which faces meet where.
+    pub(crate) fn adjacency(&self) -> &Arc<Adjacency> {
+        self.derived.adjacency.get_or_init(|| Arc::new(Adjacency::of(self)))
+    }
+
+    /// Where an edge of the adjacency starts and ends, as the first face that has it runs it.
+    pub(crate) fn edge_ends(&self, edge: usize) -> [DVec3; 2] {
+        let from = self.adjacency().uses(edge)[0];
+        [from, self.adjacency().next(from)].map(|corner| self.points[self.corners[corner as usize] as usize])
     }
 
     /// Where a loop lies in `corners`.

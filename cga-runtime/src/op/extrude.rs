@@ -34,7 +34,7 @@ pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlon
         return;
     }
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge => {}
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => {}
         Geometry::Rect(axis) if shape.scope.size[axis.index()] == 0.0 && straight(&shape.scope, *axis, along) => {
             shape.scope = raised(&shape.scope, *axis, distance);
             shape.geometry = Geometry::Box;

@@ -28,6 +28,7 @@ pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text) {
             let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
             fit(shape, low, bounds.size());
             shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size: bounds.size(), mesh, whole: true }));
+            super::trim(env, shape);
         }
         Err(why) => {
             env.fault(FaultKind::Asset, format!("`{file}` cannot be inserted: {why}; a box stands in its place"));

@@ -9,6 +9,7 @@ mod material;
 mod primitive;
 mod report;
 mod transform;
+mod trim;
 
 pub use extrude::{ExtrudeAlong, extrude, extrude_along};
 pub use insert::insert;
@@ -17,6 +18,7 @@ pub use primitive::{cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, 
 pub use report::{label, print, report};
 pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
 pub(crate) use transform::{angles, sin_cos, turn};
+pub use trim::trim;
 
 use crate::env::Env;
 use crate::fault::FaultKind;

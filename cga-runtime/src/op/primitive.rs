@@ -20,15 +20,17 @@ const SIDES: u32 = 16;
 const MOST_SIDES: u32 = 100_000;
 
 /// `primitiveCube()`.
-pub fn cube(_: &mut Env, shape: &mut ShapeRef<'_>) {
+pub fn cube(env: &mut Env, shape: &mut ShapeRef<'_>) {
     fit(shape, DVec3::ZERO, DVec3::ONE);
     shape.geometry = Geometry::Box;
+    super::trim(env, shape);
 }
 
 /// `primitiveCube(width, height, depth)`.
 pub fn cube_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, height: f64, depth: f64) {
     stand(env, shape, DVec3::new(width, height, depth));
     shape.geometry = Geometry::Box;
+    super::trim(env, shape);
 }
 
 /// `primitiveCylinder()`, with 16 sides, along y.
@@ -58,10 +60,11 @@ fn fill_with_cylinder(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64) {
     shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size: DVec3::ONE, whole: true }));
     // A size of zero flattens it.
     shape.resize(shape.scope.size);
+    super::trim(env, shape);
 }
 
 /// `primitiveQuad()`: across y; where exactly one size of the scope is zero, across that axis.
-pub fn quad(_: &mut Env, shape: &mut ShapeRef<'_>) {
+pub fn quad(env: &mut Env, shape: &mut ShapeRef<'_>) {
     let size = shape.scope.size;
     let flat: [bool; 3] = size.cmpeq(DVec3::ZERO).into();
     let axis = match flat {
@@ -74,12 +77,14 @@ pub fn quad(_: &mut Env, shape: &mut ShapeRef<'_>) {
     }
     shape.scope.size[axis.index()] = 0.0;
     shape.geometry = Geometry::Rect(axis);
+    super::trim(env, shape);
 }
 
 /// `primitiveQuad(width, length)`.
 pub fn quad_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, length: f64) {
     stand(env, shape, DVec3::new(width, 0.0, length));
     shape.geometry = Geometry::Rect(Axis::Y);
+    super::trim(env, shape);
 }
 
 /// Gives the scope a size, in the middle of its old xz plane and on its floor.

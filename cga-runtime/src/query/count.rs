@@ -1,6 +1,5 @@
 //! How many vertices, edges, faces and holes; the names of groups and materials.
 
-use super::edges;
 use crate::array::Array;
 use crate::mesh::FaceTag;
 use crate::shape::{Geometry, ShapeRef};
@@ -12,6 +11,7 @@ pub fn geometry_n_vertices(shape: &ShapeRef<'_>) -> f64 {
         Geometry::Empty => 0.0,
         Geometry::Vertex => 1.0,
         Geometry::Edge => 2.0,
+        Geometry::Wire(placed) => placed.wire.points.len() as f64,
         Geometry::Rect(_) => 4.0,
         Geometry::Box => 8.0,
         Geometry::Mesh(placed) => placed.mesh.points().len() as f64,
@@ -21,7 +21,7 @@ pub fn geometry_n_vertices(shape: &ShapeRef<'_>) -> f64 {
 /// `geometry.nFaces()` (*geometry.nFaces function*).
 pub fn geometry_n_faces(shape: &ShapeRef<'_>) -> f64 {
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge => 0.0,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => 0.0,
         Geometry::Rect(_) => 1.0,
         Geometry::Box => 6.0,
         Geometry::Mesh(placed) => placed.mesh.face_count() as f64,
@@ -33,13 +33,10 @@ pub fn geometry_n_edges(shape: &ShapeRef<'_>) -> f64 {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex => 0.0,
         Geometry::Edge => 1.0,
+        Geometry::Wire(placed) => placed.wire.edges.len() as f64,
         Geometry::Rect(_) => 4.0,
         Geometry::Box => 12.0,
-        Geometry::Mesh(placed) => {
-            let mut count = 0.0;
-            edges::each(&placed.mesh, |_, _| count += 1.0);
-            count
-        }
+        Geometry::Mesh(placed) => placed.mesh.adjacency().edge_count() as f64,
     }
 }
 
@@ -69,7 +66,7 @@ fn names(
     name: fn(&crate::mesh::Mesh, usize) -> Option<Text>,
 ) -> Array<Text> {
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge => Array::default(),
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Array::default(),
         Geometry::Rect(_) | Geometry::Box => Array::from([Text::default()]),
         Geometry::Mesh(placed) => {
             let mut used: Vec<u32> = placed.mesh.tags.runs().iter().map(|(_, tag)| id(tag)).collect();

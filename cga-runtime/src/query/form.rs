@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::edges;
-use super::faces::{FaceSelector, selected};
+use super::faces::selected;
+use crate::comp::select::Word;
 use crate::env::Env;
 use crate::mesh::{FaceRef, unit};
 use crate::shape::{Geometry, Placed, ShapeRef};
@@ -27,7 +27,7 @@ pub fn geometry_is_rectangular(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f
     let tolerance = env.finite(tolerance, "the tolerance");
     let long = |axis: usize| shape.scope.size[axis] != 0.0;
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge => false,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
         Geometry::Rect(axis) => 0.0 <= tolerance && (0..3).all(|other| other == axis.index() || long(other)),
         Geometry::Box => 0.0 <= tolerance && (0..3).all(long),
         Geometry::Mesh(placed) => {
@@ -48,7 +48,7 @@ pub fn geometry_is_rectangular(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f
 pub fn geometry_is_planar(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f64) -> bool {
     let tolerance = env.finite(tolerance, "the tolerance");
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge => false,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
         Geometry::Rect(_) | Geometry::Box => 0.0 <= tolerance,
         Geometry::Mesh(placed) => 0.0 <= tolerance && is_planar(placed, shape.scope.size, tolerance),
     }
@@ -70,7 +70,7 @@ fn is_planar(placed: &Placed, size: DVec3, tolerance: f64) -> bool {
 }
 
 /// `geometry.isOriented(selector)`: whether a face looks there (*geometry.isOriented function*).
-pub fn geometry_is_oriented(env: &Env, shape: &ShapeRef<'_>, selector: FaceSelector) -> bool {
+pub fn geometry_is_oriented(env: &Env, shape: &ShapeRef<'_>, selector: Word) -> bool {
     let mut any = false;
     selected(env, shape, selector, |_| any = true);
     any
@@ -79,12 +79,11 @@ pub fn geometry_is_oriented(env: &Env, shape: &ShapeRef<'_>, selector: FaceSelec
 /// `geometry.isClosedSurface()`: whether there are faces, and two of them at every edge (*geometry.isClosedSurface function*).
 pub fn geometry_is_closed_surface(shape: &ShapeRef<'_>) -> bool {
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Rect(_) => false,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(_) => false,
         Geometry::Box => true,
         Geometry::Mesh(placed) => {
-            let mut closed = !placed.mesh.is_empty();
-            edges::each(&placed.mesh, |_, faces| closed &= faces == 2);
-            closed
+            let adjacency = placed.mesh.adjacency();
+            !placed.mesh.is_empty() && (0..adjacency.edge_count()).all(|edge| adjacency.faces_at(edge).count() == 2)
         }
     }
 }

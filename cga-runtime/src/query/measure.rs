@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::edges;
-use super::faces::{FaceSelector, area_vectors, selected};
+use super::faces::{area_vectors, selected};
+use crate::comp::select::Word;
 use crate::env::Env;
 use crate::scope::Axis;
 use crate::shape::{Geometry, ShapeRef};
@@ -11,15 +11,15 @@ use crate::tol::ANGLE_EPSILON;
 
 /// `geometry.area(selector)`: the sum of the areas of the faces, holes taken off, in square metres (*geometry.area
 /// function*).
-pub fn geometry_area(env: &Env, shape: &ShapeRef<'_>, selector: FaceSelector) -> f64 {
+pub fn geometry_area(env: &Env, shape: &ShapeRef<'_>, selector: Word) -> f64 {
     let size = shape.scope.size.abs();
     match &shape.geometry {
-        Geometry::Rect(axis) if selector == FaceSelector::All => match axis {
+        Geometry::Rect(axis) if selector == Word::All => match axis {
             Axis::X => size.y * size.z,
             Axis::Y => size.x * size.z,
             Axis::Z => size.x * size.y,
         },
-        Geometry::Box if selector == FaceSelector::All => 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x),
+        Geometry::Box if selector == Word::All => 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x),
         _ => {
             let mut sum = 0.0;
             selected(env, shape, selector, |area| sum += area);
@@ -34,7 +34,7 @@ pub fn geometry_area(env: &Env, shape: &ShapeRef<'_>, selector: FaceSelector) ->
 pub fn geometry_volume(shape: &ShapeRef<'_>) -> f64 {
     let size = shape.scope.size;
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Rect(_) => 0.0,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(_) => 0.0,
         _ if size.x == 0.0 || size.y == 0.0 || size.z == 0.0 => 0.0,
         Geometry::Box => (size.x * size.y * size.z).abs(),
         Geometry::Mesh(placed) => {
@@ -51,6 +51,12 @@ pub fn geometry_height(shape: &ShapeRef<'_>) -> f64 {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex => 0.0,
         Geometry::Edge => (rise.x * size.x).abs(),
+        Geometry::Wire(placed) => {
+            let wire = placed.in_scope(size);
+            let heights = wire.points.iter().map(|point| rise.dot(*point));
+            let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
+            if low <= high { high - low } else { 0.0 }
+        }
         Geometry::Rect(axis) => {
             let mut rises = (rise * size).abs();
             rises[axis.index()] = 0.0;
@@ -73,20 +79,20 @@ pub fn geometry_boundary_length(shape: &ShapeRef<'_>) -> f64 {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Box => 0.0,
         Geometry::Edge => size.x.abs(),
+        Geometry::Wire(placed) => {
+            let wire = placed.in_scope(size);
+            (0..wire.edges.len()).map(|edge| wire.ends(edge)[0].distance(wire.ends(edge)[1])).sum()
+        }
         Geometry::Rect(axis) => {
             let mut size = size.abs();
             size[axis.index()] = 0.0;
             2.0 * size.element_sum()
         }
         Geometry::Mesh(placed) => {
-            let (stretch, points) = (placed.stretch(size), placed.mesh.points());
-            let mut sum = 0.0;
-            edges::each(&placed.mesh, |[a, b], faces| {
-                if faces <= 1 {
-                    sum += ((points[b as usize] - points[a as usize]) * stretch).length();
-                }
-            });
-            sum
+            let (mesh, stretch) = (&placed.mesh, placed.stretch(size));
+            let adjacency = mesh.adjacency();
+            let border = (0..adjacency.edge_count()).filter(|&edge| adjacency.is_border(edge));
+            border.map(|edge| ((mesh.edge_ends(edge)[1] - mesh.edge_ends(edge)[0]) * stretch).length()).sum()
         }
     }
 }
@@ -106,7 +112,7 @@ pub enum AngleType {
 /// equally steep faces the first counts.
 pub fn geometry_angle(shape: &ShapeRef<'_>, angle: AngleType) -> f64 {
     let mut steepest = (0.0, 0.0);
-    area_vectors(shape, |vector| {
+    area_vectors(shape, |vector, _| {
         let normal = shape.scope.axes * crate::mesh::unit(vector);
         let level = (normal.x * normal.x + normal.z * normal.z).sqrt();
         let slope = libm::atan2(level, normal.y.abs()).to_degrees();

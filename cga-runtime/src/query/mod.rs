@@ -5,7 +5,6 @@
 
 mod convert;
 mod count;
-mod edges;
 mod faces;
 mod file;
 mod form;
@@ -14,11 +13,11 @@ mod measure;
 mod print;
 mod table;
 
+pub use crate::comp::select::Word;
 pub use convert::{ConvertWhat, System, convert, convert_array};
 pub use count::{
     geometry_groups, geometry_materials, geometry_n_edges, geometry_n_faces, geometry_n_holes, geometry_n_vertices,
 };
-pub use faces::FaceSelector;
 pub use file::{
     AssetDimension, AssetNaming, ImageDimension, asset_info, asset_naming_info, asset_naming_infos, file_exists,
     file_random, file_search, files_search, image_info, read_text_file,

@@ -14,8 +14,8 @@ use crate::seed::Seed;
 use crate::settings::Settings;
 use crate::shape::{Geometry, Placed, Shape};
 
-const SELECTORS: [FaceSelector; 27] = {
-    use FaceSelector::*;
+const SELECTORS: [Word; 27] = {
+    use Word::*;
     [
         All,
         Front,
@@ -151,16 +151,16 @@ fn a_box_holds_the_product_of_its_sides() {
 fn turning_and_moving_change_no_measure_and_stretching_scales_it() {
     let (env, mut seed) = (&mut Env::for_tests(), Seed::new(5));
     let plain = Shape::mesh(courtyard());
-    let (area, volume) = (geometry_area(env, &plain, FaceSelector::All), geometry_volume(&plain));
-    let walls = geometry_area(env, &plain, FaceSelector::Side);
+    let (area, volume) = (geometry_area(env, &plain, Word::All), geometry_volume(&plain));
+    let walls = geometry_area(env, &plain, Word::Side);
     assert!(near(volume, 800.0) && near(area, 160.0 + 480.0) && near(walls, 480.0));
     assert!(geometry_is_concave(&plain) && geometry_is_closed_surface(&plain));
     for _ in 0..100 {
         let mut shape = plain.clone();
         let scope = random_scope(&mut seed);
         shape.set_scope(Scope { size: plain.scope.size, ..scope });
-        assert!(near(geometry_area(env, &shape, FaceSelector::All), area));
-        assert!(near(geometry_area(env, &shape, FaceSelector::Side), walls));
+        assert!(near(geometry_area(env, &shape, Word::All), area));
+        assert!(near(geometry_area(env, &shape, Word::Side), walls));
         assert!(near(geometry_volume(&shape), volume));
         let stretched = DVec3::new(scope.size.x, scope.size.y, scope.size.z);
         let times = stretched / plain.scope.size;
@@ -168,7 +168,7 @@ fn turning_and_moving_change_no_measure_and_stretching_scales_it() {
         assert!(near(geometry_volume(&shape), (volume * times.x * times.y * times.z).abs()));
         let map = shape.scope.placement();
         let world = shape.to_mesh().map(&map);
-        assert!(near(geometry_area(env, &shape, FaceSelector::All), world.area()));
+        assert!(near(geometry_area(env, &shape, Word::All), world.area()));
         assert!(near(geometry_height(&shape), world.bounds().size().y));
     }
 }
@@ -223,7 +223,7 @@ fn azimuths_run_clockwise_from_the_north() {
 fn selectors_follow_their_axes() {
     let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(2.0, 3.0, 5.0));
     let area = |env: &mut Env, shape: &Shape, selector| geometry_area(env, shape, selector);
-    use FaceSelector as F;
+    use Word as F;
     assert_eq!([F::Front, F::Right, F::Top, F::Side].map(|s| area(env, shape, s)), [6.0, 15.0, 10.0, 42.0]);
     // A quarter turn: what looked along z looks east.
     shape.scope.axes = turn(0.0, 90.0, 0.0);

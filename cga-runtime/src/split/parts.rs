@@ -14,6 +14,7 @@ use crate::scope::{Axis, Scope};
 use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, Geometry, Placed, ShapeRef};
 use crate::sink::Flow;
+use crate::wire::{PlacedWire, Wire};
 
 /// Pieces in a row, however they are known.
 pub(super) trait Row {
@@ -126,6 +127,7 @@ impl<'s> Parts<'s> {
             split: Counter::new(index, self.total),
             comp: parent.comp,
             selector: parent.selector,
+            trims: parent.trims.clone(),
             state: parent.state.lend(),
         }
     }
@@ -145,6 +147,14 @@ impl<'s> Parts<'s> {
                 let slab = self.slabs.get(index).and_then(Option::as_ref);
                 slab.map_or(Geometry::Empty, |mesh| self.part(whole, mesh, piece, scope))
             }
+            Geometry::Wire(whole) => {
+                let near = if piece.start == 0.0 { f64::NEG_INFINITY } else { piece.start };
+                let along = DVec3::AXES[self.axis.index()] * self.sign;
+                self.wire(
+                    whole.in_scope(self.parent.scope.size).between(along, near, piece.start + piece.length),
+                    scope,
+                )
+            }
             // What is flat along the axis in a thick scope stands at the low end.
             flat if piece.start == 0.0 => {
                 if self.adjust == Adjust::Adjust {
@@ -154,6 +164,24 @@ impl<'s> Parts<'s> {
             }
             Geometry::Rect(_) | Geometry::Edge | Geometry::Vertex => Geometry::Empty,
         }
+    }
+
+    /// A part of a wire, in scope coordinates of the parent.
+    fn wire(&self, wire: Wire, scope: &mut Scope) -> Geometry {
+        if wire.points.is_empty() {
+            return Geometry::Empty;
+        }
+        let mut placed = PlacedWire::fitted(wire);
+        if self.adjust == Adjust::Adjust {
+            scope.origin = self.parent.scope.frame().to_world(placed.low);
+            scope.size = placed.size;
+        } else {
+            // The box that becomes the scope.
+            let parent = &self.parent.scope;
+            placed.low = parent.frame().to_local(scope.origin);
+            placed.size = scope.size;
+        }
+        Geometry::Wire(Arc::new(placed))
     }
 
     fn part(&self, whole: &Placed, mesh: &Arc<Mesh>, piece: Piece, scope: &mut Scope) -> Geometry {

@@ -1,7 +1,7 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{Block, Default, Operation, Param, boolean, float, or, text, word};
-use super::{block, later, old};
+use super::{block, later, old, op};
 
 const CLEANUP: Param = word(
     "components",
@@ -62,7 +62,7 @@ pub(super) static ROWS: &[Operation] = &[
     later("rectify", &[float("angle")], "turns edges that nearly follow the scope's axes to them"),
     later("reduceGeometry", &[float("tolerance")], "removes vertices and changes the form as little as it can"),
     later("resetGeometry", &[], "takes the geometry of the initial shape again"),
-    later("trim", &[], "cuts the geometry at the trim planes"),
+    op("trim", "trim", &[], "cuts the geometry at the trim planes"),
     later("tag", &[text("name"), TAGGED], "gives components a tag"),
     later("deleteTags", &[], "removes all tags"),
     later("deleteTags", &[text("tagQuery"), UNTAGGED], "removes the tags that match"),

@@ -10,7 +10,7 @@ impl CgaRules {
         {
             let arms = [
                 cga_rt::Arm {
-                    select: cga_rt::Select::Side,
+                    select: cga_rt::Select::Word(cga_rt::Word::Side),
                     mode: cga_rt::Mode::Each,
                     text: "side",
                 },
@@ -20,15 +20,19 @@ impl CgaRules {
                     text: "4",
                 },
                 cga_rt::Arm {
-                    select: cga_rt::Select::All,
+                    select: cga_rt::Select::Word(cga_rt::Word::All),
                     mode: cga_rt::Mode::Each,
                     text: "all",
                 },
             ];
+            let (components, align) = (cga_rt::Components::Faces, cga_rt::Align::ZUp);
             cga_rt::comp(
                 cx,
                 shape,
+                components,
+                align,
                 &arms,
+                cga_rt::never,
                 |cx, arm, part| match arm {
                     0 => cx.symbol(part, "Wall"),
                     1 => {

@@ -1,0 +1,58 @@
+//! What conditions are asked about.
+
+use super::looks::Looks;
+use super::select::Word;
+use super::source::Source;
+use crate::seed::{Seed, Tag};
+use crate::shape::{Counter, ShapeRef};
+
+/// A component that no arm has yet. Functions in a condition are evaluated on its shape, which has the pivot and the axes of
+/// the shape that is divided: `geometry.isOriented(top)` means what the selector `top` means (*comp operation*, logical
+/// selection expressions).
+#[derive(Debug)]
+pub struct Candidate<'c> {
+    pub(super) source: &'c Source,
+    pub(super) looks: &'c Looks,
+    pub(super) parent: &'c ShapeRef<'c>,
+    pub(super) number: usize,
+    /// The seed's number.
+    pub(super) ordinal: u32,
+    shape: Option<ShapeRef<'c>>,
+}
+
+impl<'c> Candidate<'c> {
+    pub(super) fn new(
+        source: &'c Source,
+        looks: &'c Looks,
+        parent: &'c ShapeRef<'c>,
+        number: usize,
+        ordinal: u32,
+    ) -> Self {
+        Candidate { source, looks, parent, number, ordinal, shape: None }
+    }
+
+    /// Whether a selector takes it.
+    #[inline]
+    pub fn is(&self, word: Word) -> bool {
+        self.source.is(self.looks, self.number, word)
+    }
+
+    /// Its shape.
+    pub fn shape(&mut self) -> &mut ShapeRef<'c> {
+        let Candidate { source, parent, number, ordinal, shape, .. } = self;
+        shape.get_or_insert_with(|| {
+            let part = source.kept(parent, &[*number as u32], None);
+            ShapeRef {
+                scope: part.scope,
+                pivot: part.pivot,
+                geometry: part.geometry,
+                seed: Seed::child(parent.seed.value(), Tag::Candidate, *ordinal),
+                split: parent.split,
+                comp: Counter::NONE,
+                selector: parent.selector,
+                trims: parent.trims.clone(),
+                state: parent.state.lend(),
+            }
+        })
+    }
+}

@@ -1,0 +1,341 @@
+//! The components of a mesh.
+
+use std::cell::OnceCell;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use super::Components;
+use super::faces::extract;
+use super::frame::{FaceFrame, beside, face_frame, upright};
+use super::looks::Looks;
+use super::roof::roof_edge;
+use super::select::{Sense, Word};
+use crate::mesh::{Adjacency, FaceTag, Mesh, MeshBuilder, flip, unit};
+use crate::scope::Frame;
+use crate::wire::Wire;
+
+/// A mesh in scope coordinates, seen as components of one kind.
+#[derive(Debug)]
+pub(super) struct MeshParts {
+    pub(super) mesh: Arc<Mesh>,
+    kind: Components,
+    /// Of the faces; zero for those without area.
+    normals: Vec<DVec3>,
+    /// Faces of each group or material.
+    sets: Vec<Vec<u32>>,
+    /// Face and loop of each hole.
+    holes: Vec<[u32; 2]>,
+    /// For each point whether an edge at the border ends there.
+    border: OnceCell<Vec<bool>>,
+}
+
+impl MeshParts {
+    pub(super) fn new(mesh: Arc<Mesh>, kind: Components) -> Self {
+        let normals = mesh.faces().map(|face| face.normal()).collect();
+        let sets = match kind {
+            Components::Groups => sets(&mesh, mesh.groups().len(), |tag| tag.group),
+            Components::Materials => sets(&mesh, mesh.materials().len(), |tag| tag.material),
+            _ => Vec::new(),
+        };
+        let mut holes = Vec::new();
+        if kind == Components::Holes {
+            for face in mesh.faces() {
+                holes.extend((1..face.loops().len()).map(|ring| [face.index() as u32, ring as u32]));
+            }
+        }
+        MeshParts { mesh, kind, normals, sets, holes, border: OnceCell::new() }
+    }
+
+    fn adjacency(&self) -> &Adjacency {
+        self.mesh.adjacency()
+    }
+
+    pub(super) fn len(&self) -> usize {
+        match self.kind {
+            Components::Faces => self.mesh.face_count(),
+            Components::Edges => self.adjacency().edge_count(),
+            Components::FaceEdges | Components::FaceVertices => self.mesh.corners().len(),
+            Components::Vertices => self.mesh.points().len(),
+            Components::Groups | Components::Materials => self.sets.len(),
+            Components::Holes => self.holes.len(),
+        }
+    }
+
+    /// The corners at both ends of an edge, as its first face or the face itself runs it.
+    fn end_corners(&self, index: usize) -> [u32; 2] {
+        let corner = if self.kind == Components::Edges { self.adjacency().uses(index)[0] } else { index as u32 };
+        [corner, self.adjacency().next(corner)]
+    }
+
+    fn ends(&self, index: usize) -> [DVec3; 2] {
+        self.end_corners(index).map(|corner| self.at(corner))
+    }
+
+    fn at(&self, corner: u32) -> DVec3 {
+        self.mesh.points()[self.mesh.corners()[corner as usize] as usize]
+    }
+
+    /// Where a component looks, of length 1; zero for one that is never selected.
+    fn normal(&self, index: usize) -> DVec3 {
+        let sum = |faces: &mut dyn Iterator<Item = u32>| unit(faces.map(|face| self.normals[face as usize]).sum());
+        match self.kind {
+            Components::Faces => self.normals[index],
+            Components::Groups | Components::Materials => DVec3::ZERO,
+            Components::Holes => self.normals[self.holes[index][0] as usize],
+            Components::Edges => {
+                let [a, b] = self.ends(index);
+                let normal = sum(&mut self.adjacency().faces_at(index));
+                // Faces back to back, or without area, leave it open.
+                let normal = if normal == DVec3::ZERO { upright(unit(b - a)) } else { normal };
+                if a == b { DVec3::ZERO } else { normal }
+            }
+            Components::Vertices => {
+                let normal = sum(&mut self.adjacency().faces_around(index));
+                if normal == DVec3::ZERO { DVec3::Y } else { normal }
+            }
+            Components::FaceEdges => {
+                let [a, b] = self.ends(index);
+                unit((b - a).cross(self.face_normal(index)))
+            }
+            Components::FaceVertices => unit(self.tangent(index).cross(self.face_normal(index))),
+        }
+    }
+
+    fn face_normal(&self, corner: usize) -> DVec3 {
+        self.normals[self.adjacency().face(corner as u32) as usize]
+    }
+
+    /// The direction in which an outline passes a corner.
+    fn tangent(&self, corner: usize) -> DVec3 {
+        let (adjacency, corner) = (self.adjacency(), corner as u32);
+        let [before, here, after] =
+            [adjacency.before(corner), corner, adjacency.next(corner)].map(|corner| self.at(corner));
+        let (to, from) = (unit(here - before), unit(after - here));
+        let both = unit(to + from);
+        if both == DVec3::ZERO { from } else { both }
+    }
+
+    /// Some place of a component.
+    fn place(&self, index: usize) -> DVec3 {
+        match self.kind {
+            Components::Edges | Components::FaceEdges => self.ends(index).into_iter().sum::<DVec3>() * 0.5,
+            Components::Vertices => self.mesh.points()[index],
+            Components::FaceVertices => self.at(index as u32),
+            Components::Faces => self.middle(index),
+            Components::Holes => self.middle(self.holes[index][0] as usize),
+            Components::Groups | Components::Materials => DVec3::ZERO,
+        }
+    }
+
+    /// The mean of a face's corners.
+    fn middle(&self, face: usize) -> DVec3 {
+        let face = self.mesh.face(face);
+        face.outline().sum::<DVec3>() / face.outer().len() as f64
+    }
+
+    /// Whether a word takes a component.
+    #[inline]
+    pub(super) fn is(&self, looks: &Looks, index: usize, word: Word) -> bool {
+        if let Components::Groups | Components::Materials = self.kind {
+            // *comp operation*: one face that is taken is enough.
+            return self.sets[index].iter().any(|&face| self.face_is(looks, face as usize, word.sense()));
+        }
+        if let Components::Faces = self.kind {
+            return self.face_is(looks, index, word.sense());
+        }
+        let normal = self.normal(index);
+        normal != DVec3::ZERO
+            && match word.sense() {
+                Sense::All => true,
+                Sense::Looks(axes, direction) => looks.takes(axes, direction, normal, || self.place(index)),
+                Sense::Border(border) => self.at_border(index) == border,
+                Sense::Roof(kind) => {
+                    self.kind == Components::Edges && roof_edge(&self.mesh, &self.normals, index) == Some(kind)
+                }
+            }
+    }
+
+    #[inline]
+    fn face_is(&self, looks: &Looks, face: usize, sense: Sense) -> bool {
+        let normal = self.normals[face];
+        normal != DVec3::ZERO
+            && match sense {
+                Sense::All => true,
+                Sense::Looks(axes, direction) => looks.takes(axes, direction, normal, || self.middle(face)),
+                Sense::Border(border) => self.face_at_border(face) == border,
+                Sense::Roof(_) => false,
+            }
+    }
+
+    fn face_at_border(&self, face: usize) -> bool {
+        let mut corners = self.mesh.face(face).corner_range();
+        corners.any(|corner| self.adjacency().is_border(self.adjacency().edge(corner as u32)))
+    }
+
+    fn at_border(&self, index: usize) -> bool {
+        match self.kind {
+            Components::Edges => self.adjacency().is_border(index),
+            Components::FaceEdges => self.adjacency().is_border(self.adjacency().edge(index as u32)),
+            Components::Vertices => self.border_points()[index],
+            Components::FaceVertices => self.border_points()[self.mesh.corners()[index] as usize],
+            _ => false,
+        }
+    }
+
+    fn border_points(&self) -> &[bool] {
+        self.border.get_or_init(|| {
+            let (adjacency, corners) = (self.adjacency(), self.mesh.corners());
+            let mut found = vec![false; self.mesh.points().len()];
+            for corner in (0..corners.len() as u32).filter(|&corner| adjacency.is_border(adjacency.edge(corner))) {
+                for end in [corner, adjacency.next(corner)] {
+                    found[corners[end as usize] as usize] = true;
+                }
+            }
+            found
+        })
+    }
+
+    /// Of a face.
+    pub(super) fn face_frame(&self, index: usize) -> Option<FaceFrame> {
+        if self.kind == Components::Faces { face_frame(&self.mesh, index) } else { None }
+    }
+
+    /// The coordinate system of a component (*comp operation*); nothing for groups and materials, which keep that of the
+    /// shape, nor for what is degenerate.
+    pub(super) fn frame(&self, index: usize, word: Option<Word>) -> Option<Frame> {
+        let frame = |origin, x: DVec3, z: DVec3| {
+            // An average need not be perpendicular to the edge.
+            let z = unit(z - x * z.dot(x));
+            let z = if z == DVec3::ZERO { upright(x) } else { z };
+            Some(Frame { origin, axes: DMat3::from_cols(x, z.cross(x), z) })
+        };
+        match self.kind {
+            Components::Faces => face_frame(&self.mesh, index).map(|found| found.frame),
+            Components::Groups | Components::Materials => None,
+            Components::Holes => face_frame(&self.filled(&[index as u32]), 0).map(|found| found.frame),
+            Components::Edges => {
+                let [a, b] = self.directed(index, word).map(|corner| self.at(corner));
+                (a != b).then(|| frame(a, unit(b - a), self.normal(index)))?
+            }
+            Components::FaceEdges => {
+                let [a, b] = self.ends(index);
+                (a != b).then(|| frame(a, unit(b - a), self.normal(index)))?
+            }
+            Components::Vertices => {
+                let z = self.normal(index);
+                frame(self.mesh.points()[index], beside(z), z)
+            }
+            Components::FaceVertices => frame(self.at(index as u32), self.tangent(index), self.normal(index)),
+        }
+    }
+
+    /// The ends of an edge: hips, valleys and ridges run upwards, eaves as the roof's face runs them (*comp operation*, roof
+    /// edges).
+    fn directed(&self, edge: usize, word: Option<Word>) -> [u32; 2] {
+        let [a, b] = self.end_corners(edge);
+        match word {
+            Some(Word::Hip | Word::Valley | Word::Ridge) if self.at(b).y < self.at(a).y => [b, a],
+            Some(Word::Eave) => {
+                let roof = |corner: &u32| 0.0 < self.face_normal(*corner as usize).y;
+                let corner = self.adjacency().uses(edge).iter().copied().find(roof).unwrap_or(a);
+                [corner, self.adjacency().next(corner)]
+            }
+            _ => [a, b],
+        }
+    }
+
+    /// The faces of some components, as a mesh seen from a frame; nothing for edges and vertices.
+    pub(super) fn surface(&self, indices: &[u32], frame: &Frame) -> Option<Mesh> {
+        match self.kind {
+            Components::Faces => Some(extract(&self.mesh, indices, frame)),
+            Components::Groups | Components::Materials => {
+                let mut faces: Vec<u32> =
+                    indices.iter().flat_map(|&index| &self.sets[index as usize]).copied().collect();
+                faces.sort_unstable();
+                Some(extract(&self.mesh, &faces, frame))
+            }
+            Components::Holes => {
+                let filled = self.filled(indices);
+                let all: Vec<u32> = (0..filled.face_count() as u32).collect();
+                Some(extract(&filled, &all, frame))
+            }
+            _ => None,
+        }
+    }
+
+    /// Faces that fill holes, and look as the faces around them do. They begin with the first edges of the holes.
+    fn filled(&self, indices: &[u32]) -> Mesh {
+        let mut builder = MeshBuilder::new();
+        for &index in indices {
+            let [face, ring] = self.holes[index as usize];
+            let ring = self.mesh.face(face as usize).loops().nth(ring as usize).unwrap_or_default();
+            let mut ring: Vec<u32> =
+                ring.iter().map(|&point| builder.point(self.mesh.points()[point as usize])).collect();
+            flip(&mut ring);
+            builder.face(&ring, &[], FaceTag::PLAIN);
+        }
+        builder.build().unwrap_or_default()
+    }
+
+    /// The edges or points of some components.
+    pub(super) fn wire(&self, indices: &[u32], word: Option<Word>) -> Wire {
+        let mut wire = Wire::default();
+        let mut numbers: HashMap<u32, u32> = HashMap::new();
+        for &index in indices {
+            let mut number = |corner: u32| {
+                let point = self.mesh.corners()[corner as usize];
+                *numbers.entry(point).or_insert_with(|| {
+                    wire.points.push(self.mesh.points()[point as usize]);
+                    wire.points.len() as u32 - 1
+                })
+            };
+            match self.kind {
+                Components::Edges => {
+                    let edge = self.directed(index as usize, word).map(&mut number);
+                    wire.edges.push(edge);
+                }
+                Components::FaceEdges => {
+                    let edge = self.end_corners(index as usize).map(&mut number);
+                    wire.edges.push(edge);
+                }
+                Components::Vertices => wire.points.push(self.mesh.points()[index as usize]),
+                Components::FaceVertices => wire.points.push(self.at(index)),
+                _ => continue,
+            }
+            wire.normals.push(self.normal(index as usize));
+        }
+        wire
+    }
+
+    /// What two components of a kind share when they touch: edges for those with faces, else points. Calls with the number
+    /// of each (*comp operation*, `=:`).
+    pub(super) fn bonds(&self, index: usize, mut bond: impl FnMut(u32)) {
+        let (adjacency, corners) = (self.adjacency(), self.mesh.corners());
+        let mut of_face = |face: u32| {
+            self.mesh.face(face as usize).corner_range().for_each(|corner| bond(adjacency.edge(corner as u32) as u32));
+        };
+        match self.kind {
+            Components::Faces => of_face(index as u32),
+            Components::Groups | Components::Materials => self.sets[index].iter().for_each(|&face| of_face(face)),
+            // Holes share no edge.
+            Components::Holes => {}
+            Components::Edges | Components::FaceEdges => {
+                self.end_corners(index).iter().for_each(|&corner| bond(corners[corner as usize]));
+            }
+            Components::Vertices => bond(index as u32),
+            Components::FaceVertices => bond(corners[index]),
+        }
+    }
+}
+
+/// Faces by the number of their group or material, in the order of numbers; those without one come last.
+fn sets(mesh: &Mesh, count: usize, number: impl Fn(FaceTag) -> u32) -> Vec<Vec<u32>> {
+    let mut sets = vec![Vec::new(); count + 1];
+    for face in mesh.faces() {
+        sets[(number(face.tag()) as usize).min(count)].push(face.index() as u32);
+    }
+    sets.retain(|faces| !faces.is_empty());
+    sets
+}

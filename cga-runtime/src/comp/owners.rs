@@ -1,0 +1,79 @@
+//! Which arm has which component, and which of them are connected.
+
+use std::collections::HashMap;
+
+use super::source::Source;
+
+/// The arm that owns each component. Up to six need no allocation: `comp` of a box is the façade path.
+#[derive(Debug)]
+pub(super) enum Owners {
+    Few([Option<u16>; 6], usize),
+    Many(Vec<Option<u16>>),
+}
+
+impl Owners {
+    /// *comp operation*: arms from left to right, and what one has the next can't get.
+    #[inline]
+    pub(super) fn choose(count: usize, arm: impl FnMut(usize) -> Option<u16>) -> Self {
+        let owners = (0..count).map(arm);
+        if count <= 6 {
+            let mut few = [None; 6];
+            few.iter_mut().zip(owners).for_each(|(slot, owner)| *slot = owner);
+            Owners::Few(few, count)
+        } else {
+            Owners::Many(owners.collect())
+        }
+    }
+
+    fn list(&self) -> &[Option<u16>] {
+        match self {
+            Owners::Few(list, count) => &list[..*count],
+            Owners::Many(list) => list,
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.list().len()
+    }
+
+    /// The components of an arm, by number.
+    #[inline]
+    pub(super) fn of(&self, arm: u16) -> impl Iterator<Item = u32> + Clone + '_ {
+        let owned = self.list().iter().enumerate().filter(move |(_, owner)| **owner == Some(arm));
+        owned.map(|(number, _)| number as u32)
+    }
+}
+
+/// Components in sets of those that are connected, in the order of the first of each (*comp operation*, `=:`).
+pub(super) fn connected(source: &Source, components: impl Iterator<Item = u32>) -> Vec<Vec<u32>> {
+    let components: Vec<u32> = components.collect();
+    // The first component that has a bond, by the number of the bond; and of each component one it is connected with.
+    let mut first: HashMap<u32, usize> = HashMap::new();
+    let mut leads: Vec<usize> = (0..components.len()).collect();
+    fn lead(leads: &mut [usize], mut at: usize) -> usize {
+        while leads[at] != at {
+            leads[at] = leads[leads[at]];
+            at = leads[at];
+        }
+        at
+    }
+    for (index, &component) in components.iter().enumerate() {
+        source.bonds(component as usize, |bond| {
+            let other = *first.entry(bond).or_insert(index);
+            let (a, b) = (lead(&mut leads, other), lead(&mut leads, index));
+            leads[a.max(b)] = a.min(b);
+        });
+    }
+    // The lead of a set is its first component, as the lower always leads.
+    let mut sets: Vec<Vec<u32>> = Vec::new();
+    let mut numbers: Vec<usize> = vec![0; components.len()];
+    for index in 0..components.len() {
+        let lead = lead(&mut leads, index);
+        if lead == index {
+            numbers[index] = sets.len();
+            sets.push(Vec::new());
+        }
+        sets[numbers[lead]].push(components[index]);
+    }
+    sets
+}

@@ -1,0 +1,116 @@
+//! The shapes of components: where they stand, and what fills them.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use super::mesh_parts::MeshParts;
+use super::select::Word;
+use super::source::Source;
+use super::{Align, Components};
+use crate::scope::{Axis, Frame, Scope};
+use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::sink::Quad;
+use crate::wire::{PlacedWire, Wire};
+
+/// Scope, pivot and geometry of a component, or of several together.
+pub(super) struct Part {
+    pub(super) scope: Scope,
+    pub(super) pivot: Frame,
+    pub(super) geometry: Geometry,
+}
+
+impl Source {
+    /// Of components with those numbers, set up from the first (*comp operation*).
+    #[inline]
+    pub(super) fn part(&self, parent: &ShapeRef<'_>, align: Align, numbers: &[u32], word: Option<Word>) -> Part {
+        let first = numbers[0] as usize;
+        if align == Align::Keep {
+            return self.kept(parent, numbers, word);
+        }
+        match self {
+            Source::Quads(quads) => side(&quads.list[first]),
+            Source::Mesh(parts) => {
+                if let [_] = numbers
+                    && let Some(found) = parts.face_frame(first).filter(|found| found.rectangle)
+                {
+                    let pivot = in_world(&parent.scope, &found.frame);
+                    let size = (found.high - found.low).extend(0.0);
+                    let scope = Scope { origin: pivot.origin, axes: pivot.axes, size };
+                    return Part { scope, pivot, geometry: Geometry::Rect(Axis::Z) };
+                }
+                match parts.frame(first, word) {
+                    None => self.kept(parent, numbers, word),
+                    Some(frame) => match parts.surface(numbers, &frame) {
+                        Some(mesh) => surface(in_world(&parent.scope, &frame), Placed::fitted(mesh)),
+                        None => wire(in_world(&parent.scope, &frame), parts.wire(numbers, word).seen_from(&frame)),
+                    },
+                }
+            }
+            Source::Wire(parts) => match parts.frame(first) {
+                Some(frame) => wire(in_world(&parent.scope, &frame), parts.wire(numbers).seen_from(&frame)),
+                None => self.kept(parent, numbers, word),
+            },
+        }
+    }
+
+    /// With the pivot and the axes of the shape (*comp operation*, noAlign).
+    pub(super) fn kept(&self, parent: &ShapeRef<'_>, numbers: &[u32], word: Option<Word>) -> Part {
+        let here = parent.scope.frame();
+        let part = match self {
+            // The mesh of a box has its sides in the same order.
+            Source::Quads(_) => {
+                let parts = MeshParts::new(parent.to_mesh(), Components::Faces);
+                return Source::Mesh(parts).kept(parent, numbers, word);
+            }
+            Source::Mesh(parts) => match parts.surface(numbers, &Frame::WORLD) {
+                Some(mesh) => surface(here, Placed::fitted(mesh)),
+                None => wire(here, parts.wire(numbers, word)),
+            },
+            Source::Wire(parts) => wire(here, parts.wire(numbers)),
+        };
+        Part { pivot: parent.pivot, ..part }
+    }
+}
+
+/// The side of a box: x along its first edge, z outwards.
+#[inline]
+fn side(quad: &Quad) -> Part {
+    let (width, height) = (quad.u.length(), quad.v.length());
+    let (x, y) = (quad.u / width, quad.v / height);
+    let axes = DMat3::from_cols(x, y, x.cross(y));
+    let scope = Scope { origin: quad.origin, axes, size: DVec3::new(width, height, 0.0) };
+    Part { scope, pivot: scope.frame(), geometry: Geometry::Rect(Axis::Z) }
+}
+
+/// A mesh in the coordinates of a pivot.
+fn surface(pivot: Frame, placed: Placed) -> Part {
+    let scope = Scope { origin: pivot.to_world(placed.low), axes: pivot.axes, size: placed.size };
+    Part { scope, pivot, geometry: Geometry::Mesh(Arc::new(placed)) }
+}
+
+/// Edges or points in the coordinates of a pivot.
+fn wire(pivot: Frame, wire: Wire) -> Part {
+    let placed = PlacedWire::fitted(wire);
+    let mut scope = Scope { origin: pivot.to_world(placed.low), axes: pivot.axes, size: placed.size };
+    let geometry = match (&placed.wire.edges[..], placed.wire.points.len()) {
+        ([], 0) => Geometry::Empty,
+        ([], 1) => Geometry::Vertex,
+        // Along x but for rounding.
+        ([[0, 1]], 2) if placed.wire.points[0] == DVec3::ZERO && is_along_x(placed.wire.points[1]) => {
+            scope = Scope { origin: pivot.origin, axes: pivot.axes, size: placed.wire.points[1].length() * DVec3::X };
+            Geometry::Edge
+        }
+        _ => Geometry::Wire(Arc::new(placed)),
+    };
+    Part { scope, pivot, geometry }
+}
+
+fn is_along_x(end: DVec3) -> bool {
+    let near = crate::tol::PLANAR_EPSILON * end.x;
+    end.y.abs() <= near && end.z.abs() <= near
+}
+
+fn in_world(scope: &Scope, local: &Frame) -> Frame {
+    Frame { origin: scope.frame().to_world(local.origin), axes: scope.axes * local.axes }
+}

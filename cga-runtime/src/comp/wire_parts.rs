@@ -1,0 +1,126 @@
+//! The components of edges and points that have no faces.
+
+use glam::{DMat3, DVec3};
+
+use super::Components;
+use super::frame::{beside, upright};
+use super::looks::Looks;
+use super::select::{Sense, Word};
+use crate::mesh::unit;
+use crate::scope::Frame;
+use crate::wire::Wire;
+
+/// A wire in scope coordinates, seen as components of one kind.
+#[derive(Debug)]
+pub(super) struct WireParts {
+    wire: Wire,
+    kind: Components,
+    /// Where each point looks: the mean of the edges that end there.
+    points: Vec<DVec3>,
+}
+
+impl WireParts {
+    pub(super) fn new(wire: Wire, kind: Components) -> Self {
+        let mut points = vec![DVec3::ZERO; wire.points.len()];
+        for (edge, normal) in wire.edges.iter().zip(&wire.normals) {
+            edge.iter().for_each(|&end| points[end as usize] += *normal);
+        }
+        if wire.edges.is_empty() {
+            points.clone_from(&wire.normals);
+        }
+        WireParts { wire, kind, points }
+    }
+
+    /// Edges of faces are the edges themselves, vertices of faces their ends, one after the other.
+    pub(super) fn len(&self) -> usize {
+        match self.kind {
+            Components::Edges | Components::FaceEdges => self.wire.edges.len(),
+            Components::Vertices => self.wire.points.len(),
+            Components::FaceVertices => 2 * self.wire.edges.len(),
+            _ => 0,
+        }
+    }
+
+    fn point(&self, index: usize) -> DVec3 {
+        match self.kind {
+            Components::FaceVertices => self.wire.ends(index / 2)[index % 2],
+            _ => self.wire.points[index],
+        }
+    }
+
+    /// Where a component looks, of length 1.
+    fn normal(&self, index: usize) -> DVec3 {
+        let own = match self.kind {
+            Components::Edges | Components::FaceEdges => self.wire.normals[index],
+            Components::FaceVertices => self.wire.normals[index / 2],
+            _ => unit(self.points[index]),
+        };
+        if own == DVec3::ZERO { upright(self.along(index)) } else { own }
+    }
+
+    /// Along the edge; zero for points of no edge.
+    fn along(&self, index: usize) -> DVec3 {
+        let edge = match self.kind {
+            Components::Edges | Components::FaceEdges => index,
+            Components::FaceVertices => index / 2,
+            _ => return DVec3::ZERO,
+        };
+        let [a, b] = self.wire.ends(edge);
+        unit(b - a)
+    }
+
+    /// Whether a word takes a component. With no face, all is at the border.
+    pub(super) fn is(&self, looks: &Looks, index: usize, word: Word) -> bool {
+        match word.sense() {
+            Sense::All => true,
+            Sense::Border(border) => border,
+            Sense::Roof(_) => false,
+            Sense::Looks(axes, direction) => {
+                let place = || match self.kind {
+                    Components::Edges | Components::FaceEdges => self.wire.ends(index).iter().sum::<DVec3>() * 0.5,
+                    _ => self.point(index),
+                };
+                looks.takes(axes, direction, self.normal(index), place)
+            }
+        }
+    }
+
+    pub(super) fn frame(&self, index: usize) -> Option<Frame> {
+        let along = self.along(index);
+        let normal = self.normal(index);
+        let x = if along == DVec3::ZERO { beside(normal) } else { along };
+        let z = unit(normal - x * normal.dot(x));
+        let z = if z == DVec3::ZERO { upright(x) } else { z };
+        let origin = match self.kind {
+            Components::Edges | Components::FaceEdges => self.wire.ends(index)[0],
+            _ => self.point(index),
+        };
+        Some(Frame { origin, axes: DMat3::from_cols(x, z.cross(x), z) })
+    }
+
+    pub(super) fn wire(&self, indices: &[u32]) -> Wire {
+        let mut wire = Wire::default();
+        for &index in indices {
+            let index = index as usize;
+            match self.kind {
+                Components::Edges | Components::FaceEdges => {
+                    let first = wire.points.len() as u32;
+                    wire.points.extend(self.wire.ends(index));
+                    wire.edges.push([first, first + 1]);
+                }
+                _ => wire.points.push(self.point(index)),
+            }
+            wire.normals.push(self.normal(index));
+        }
+        wire
+    }
+
+    /// The points that a component has: those that share one are connected.
+    pub(super) fn bonds(&self, index: usize, bond: impl FnMut(u32)) {
+        match self.kind {
+            Components::Edges | Components::FaceEdges => self.wire.edges[index].into_iter().for_each(bond),
+            Components::FaceVertices => std::iter::once(self.wire.edges[index / 2][index % 2]).for_each(bond),
+            _ => std::iter::once(index as u32).for_each(bond),
+        }
+    }
+}

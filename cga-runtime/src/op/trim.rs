@@ -1,0 +1,231 @@
+//! `trim`, and what happens to geometry that is put at a face with trim planes.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::cut::{self, Plane};
+use crate::env::Env;
+use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::tol::PLANAR_EPSILON;
+use crate::trim::{TrimPlane, Trims};
+
+/// `trim()`: cuts the geometry at the shape's trim planes, those that `trim.vertical` and `trim.horizontal` have switched on
+/// (*trim operation*). It stays open where it is cut, and the scope stays as it is.
+pub fn trim(_: &mut Env, shape: &mut ShapeRef<'_>) {
+    if matches!(shape.trims, Trims::None) || !shape.geometry.has_surface() {
+        return;
+    }
+    let switches = shape.state.trim();
+    for plane in &*shape.trims.planes(&shape.pivot) {
+        if if plane.horizontal { switches.horizontal } else { switches.vertical } {
+            cut(shape, plane);
+        }
+    }
+}
+
+fn cut(shape: &mut ShapeRef<'_>, plane: &TrimPlane) {
+    let scope = shape.scope;
+    let local = Plane { point: scope.frame().to_local(plane.point), normal: scope.axes.transpose() * plane.normal };
+    let near = PLANAR_EPSILON * scope.size.abs().max_element();
+    // Mostly all of the scope is on the near side.
+    let below =
+        (DVec3::ZERO - local.point).dot(local.normal) + (scope.size * local.normal).min(DVec3::ZERO).element_sum();
+    if -near <= below {
+        return;
+    }
+    let mesh = shape.to_mesh();
+    let kept = cut::above(&mesh, &local, near);
+    if kept.as_ref().is_some_and(|kept| Arc::ptr_eq(kept, &mesh)) {
+        return;
+    }
+    shape.geometry = match kept {
+        Some(mesh) => Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size: scope.size, whole: false })),
+        None => Geometry::Empty,
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DAffine3, DMat3};
+
+    use super::*;
+    use crate::comp::select::Word;
+    use crate::comp::{Align, Arm, Components, Mode, Select, comp_values, never};
+    use crate::mesh::{Extrude, Mesh, MeshBuilder, extrude};
+    use crate::op;
+    use crate::query::{geometry_area, geometry_is_closed_surface};
+    use crate::shape::Shape;
+
+    /// What some work makes of each face, by number.
+    fn on_faces(shape: &Shape, mut work: impl FnMut(&mut Env, &mut ShapeRef<'_>) -> f64) -> Vec<f64> {
+        let arms = [Arm { select: Select::Word(Word::All), mode: Mode::Each, text: "all" }];
+        let (env, mut shape) = (&mut Env::for_tests(), shape.clone());
+        comp_values(env, &mut shape, Components::Faces, Align::ZUp, &arms, never, |env, _, part| work(env, part))
+            .as_slice()
+            .to_vec()
+    }
+
+    /// A slab two metres thick on the face, half a metre wider on all sides.
+    fn cover(env: &mut Env, part: &mut ShapeRef<'_>) {
+        part.scope.origin -= part.scope.axes * DVec3::new(0.5, 0.5, 1.0);
+        part.scope.size += DVec3::new(1.0, 1.0, 2.0);
+        op::cube(env, part);
+    }
+
+    fn extent(shape: &ShapeRef<'_>) -> DVec3 {
+        shape.to_mesh().bounds().size()
+    }
+
+    fn cuboid_mesh(size: DVec3) -> Shape {
+        let cube = Mesh::from_cuboid(&crate::place::cuboid(&crate::scope::Scope::new(size)));
+        Shape::mesh(cube)
+    }
+
+    #[test]
+    fn a_side_of_a_box_is_mitred_upright() {
+        for shape in [Shape::cuboid(10.0, 8.0, 6.0), cuboid_mesh(DVec3::new(10.0, 8.0, 6.0))] {
+            on_faces(&shape, |env, part| {
+                let width = part.scope.size.x;
+                cover(env, part);
+                // In front of the face it may be wider by as much as it is ahead; upwards nothing cuts.
+                let mesh = part.to_mesh();
+                let middle = part.scope.size.x * 0.5;
+                for point in mesh.points() {
+                    let ahead = point.z - 1.0;
+                    let room = (width * 0.5 + ahead).min(middle);
+                    assert!((point.x - middle).abs() <= room + 1e-9, "{point}");
+                }
+                assert!((extent(part).y - part.scope.size.y).abs() < 1e-9);
+                assert!(!geometry_is_closed_surface(part), "it stays open where it is cut");
+                0.0
+            });
+        }
+    }
+
+    #[test]
+    fn switches_say_what_cuts() {
+        let both = |vertical, horizontal| {
+            on_faces(&Shape::cuboid(10.0, 8.0, 6.0), |env, part| {
+                crate::set::trim_vertical(env, part, vertical);
+                crate::set::trim_horizontal(env, part, horizontal);
+                let size = part.scope.size;
+                part.scope.origin -= part.scope.axes * DVec3::new(2.0, 2.0, 0.0);
+                part.scope.size += DVec3::new(4.0, 4.0, 1.0);
+                op::cube(env, part);
+                let found = extent(part) - size;
+                found.x + 100.0 * found.y
+            })
+        };
+        let near = |found: Vec<f64>, expected: f64| {
+            assert!(found.iter().all(|found| (found - expected).abs() < 1e-9), "{found:?} {expected}");
+        };
+        // One metre ahead there is a metre more on each side.
+        near(both(true, false), 2.0 + 400.0);
+        near(both(false, true), 4.0 + 200.0);
+        near(both(true, true), 2.0 + 200.0);
+        near(both(false, false), 4.0 + 400.0);
+    }
+
+    #[test]
+    fn what_stands_inside_is_left_alone() {
+        on_faces(&Shape::cuboid(10.0, 8.0, 6.0), |env, part| {
+            part.scope.size.z = 0.5;
+            op::cube(env, part);
+            assert!(matches!(part.geometry, Geometry::Box));
+            op::trim(env, part);
+            assert!(matches!(part.geometry, Geometry::Box));
+            0.0
+        });
+    }
+
+    #[test]
+    fn a_face_alone_has_no_trim_planes() {
+        on_faces(&Shape::rectangle(4.0, 4.0), |env, part| {
+            cover(env, part);
+            assert!(matches!(part.geometry, Geometry::Box));
+            0.0
+        });
+    }
+
+    #[test]
+    fn fact_63_edges_below_40_degrees_make_horizontal_planes() {
+        for (degrees, horizontal) in [(39.0, true), (39.999, true), (40.0, false), (41.0, false)] {
+            // A wall in the xy plane whose top rises by so much, and a roof behind it.
+            let rise = 2.0 * libm::tan(f64::to_radians(degrees));
+            let mut builder = MeshBuilder::new();
+            let p =
+                [[0., 0., 0.], [2., 0., 0.], [2., 5. + rise, 0.], [0., 5., 0.], [2., 5. + rise, -3.], [0., 5., -3.]]
+                    .map(|p| builder.point(p));
+            builder.face(&[p[0], p[1], p[2], p[3]], &[], Default::default());
+            builder.face(&[p[3], p[2], p[4], p[5]], &[], Default::default());
+            let shape = Shape::mesh(builder.build().unwrap());
+            let found = on_faces(&shape, |_, part| {
+                let planes = part.trims.planes(&part.pivot);
+                assert_eq!(planes.len(), 1);
+                f64::from(u8::from(planes[0].horizontal))
+            });
+            assert_eq!(found[0] == 1.0, horizontal, "{degrees}");
+        }
+    }
+
+    #[test]
+    fn planes_bisect_whatever_the_turn() {
+        let turn = DMat3::from_quat(glam::DQuat::from_axis_angle(DVec3::new(1.0, 1.0, 0.2).normalize(), 0.9));
+        let cube = crate::mesh::primitive::cylinder(9).map(&DAffine3 { matrix3: turn, translation: DVec3::ONE });
+        on_faces(&Shape::mesh(cube.clone()), |_, part| {
+            let planes = part.trims.planes(&part.pivot);
+            assert!(!planes.is_empty());
+            for plane in &*planes {
+                // The face is on the near side, the middle of the whole too: it is convex.
+                assert!(
+                    part.to_mesh()
+                        .points()
+                        .iter()
+                        .all(|p| { -1e-9 <= (part.scope.frame().to_world(*p) - plane.point).dot(plane.normal) })
+                );
+                assert!((plane.normal.length() - 1.0).abs() < 1e-12);
+            }
+            0.0
+        });
+    }
+
+    #[test]
+    fn holes_and_reflex_corners_cut_nothing_off_the_face() {
+        let square = |low: f64, high: f64| {
+            [(low, low), (high, low), (high, high), (low, high)].map(|(x, z)| DVec3::new(x, 0.0, -z)).to_vec()
+        };
+        let lot = Mesh::from_polygon(&square(0.0, 9.0), &[square(3.0, 6.0)]).unwrap();
+        let l = [(0., 0.), (9., 0.), (9., 3.), (3., 3.), (3., 9.), (0., 9.)].map(|(x, z)| DVec3::new(x, 0.0, -z));
+        for lot in [lot, Mesh::from_polygon(&l, &[]).unwrap()] {
+            let shape = Shape::mesh(extrude(&lot, Extrude::FaceNormal, 4.0));
+            on_faces(&shape, |env, part| {
+                crate::set::trim_horizontal(env, part, true);
+                let area = geometry_area(env, part, Word::All);
+                op::trim(env, part);
+                assert!((geometry_area(env, part, Word::All) - area).abs() < 1e-9);
+                0.0
+            });
+        }
+    }
+
+    #[test]
+    fn a_part_of_a_face_keeps_its_planes_and_parts_of_parts_add_theirs() {
+        on_faces(&Shape::cuboid(10.0, 8.0, 6.0), |_, part| {
+            assert_eq!(part.trims.planes(&part.pivot).len(), 4);
+            let mut inner = part.detach();
+            inner.scope.size.z = 2.0;
+            inner.geometry = Geometry::Box;
+            on_faces(&inner, |_, part| {
+                assert_eq!(part.trims.planes(&part.pivot).len(), 8);
+                0.0
+            });
+            inner.geometry = Geometry::Rect(crate::scope::Axis::Z);
+            on_faces(&inner, |_, again| {
+                assert_eq!(*again.trims.planes(&again.pivot), *inner.trims.planes(&inner.pivot));
+                0.0
+            });
+            0.0
+        });
+    }
+}

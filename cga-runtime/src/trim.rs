@@ -1,0 +1,167 @@
+//! Trim planes: where the geometry that is put at a face ends, so that it meets that of the neighbours in a clean mitre
+//! (*comp operation*, trim planes; *trim attribute*).
+//!
+//! Each edge that a face shares with another has one. It contains the edge and bisects the angle between the two faces.
+//! Only planes with all of the face on their near side count: those at reflex corners and at holes would cut off what
+//! stands on the face itself. (The reference makes its planes of limited extent instead, and says no more.)
+
+use std::sync::{Arc, OnceLock};
+
+use glam::{DVec2, DVec3};
+
+use crate::comp::frame::face_frame;
+use crate::mesh::{Mesh, unit};
+use crate::scope::Frame;
+use crate::tol::{ANGLE_EPSILON, PLANAR_EPSILON};
+
+/// A trim plane in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TrimPlane {
+    /// Some point of it.
+    pub(crate) point: DVec3,
+    /// Towards what is kept, of length 1.
+    pub(crate) normal: DVec3,
+    /// Whether `trim.horizontal` switches it; else `trim.vertical` does.
+    pub(crate) horizontal: bool,
+}
+
+/// Edges less steep than this, in degrees above the pivot's xz plane, make horizontal planes (*trim attribute*).
+const HORIZONTAL: f64 = 40.0;
+
+/// The trim planes of a shape, made when they are needed.
+#[derive(Clone, Debug, Default)]
+pub(crate) enum Trims {
+    #[default]
+    None,
+    /// Of the side of a box: a rectangle of that size at the pivot, with neighbours at right angles behind it.
+    Side(DVec2),
+    /// Of a face of a mesh.
+    Face(Arc<Surface>, u32),
+    /// Any.
+    Planes(Arc<[TrimPlane]>),
+}
+
+impl Trims {
+    /// The planes, of a shape with that pivot.
+    pub(crate) fn planes(&self, pivot: &Frame) -> Arc<[TrimPlane]> {
+        match self {
+            Trims::None => Arc::default(),
+            Trims::Side(size) => side(*size, pivot).into(),
+            Trims::Face(surface, face) => surface.planes(*face),
+            Trims::Planes(planes) => planes.clone(),
+        }
+    }
+
+    /// These, of a shape with one pivot, and others, for a shape with another.
+    pub(crate) fn with(&self, pivot: &Frame, other: &Trims, other_pivot: &Frame) -> Trims {
+        match (self, other) {
+            (_, Trims::None) if pivot == other_pivot => self.clone(),
+            (_, Trims::None) => self.settled(pivot),
+            (Trims::None, _) => other.clone(),
+            _ => Trims::Planes(self.planes(pivot).iter().chain(&*other.planes(other_pivot)).copied().collect()),
+        }
+    }
+
+    /// The same where the pivot no longer says where they are.
+    fn settled(&self, pivot: &Frame) -> Trims {
+        match self {
+            Trims::Side(_) => Trims::Planes(self.planes(pivot)),
+            _ => self.clone(),
+        }
+    }
+}
+
+/// Two upright planes and two level ones, all leaning out at 45 degrees.
+fn side(size: DVec2, pivot: &Frame) -> [TrimPlane; 4] {
+    let [x, y, z] = [pivot.axes.x_axis, pivot.axes.y_axis, pivot.axes.z_axis];
+    let far = pivot.origin + x * size.x + y * size.y;
+    let plane = |point, inwards: DVec3, horizontal| {
+        // What is kept lies inwards of the edge, and the more so the farther behind the face.
+        TrimPlane { point, normal: (inwards + z).normalize(), horizontal }
+    };
+    [plane(pivot.origin, x, false), plane(far, -x, false), plane(pivot.origin, y, true), plane(far, -y, true)]
+}
+
+/// A surface whose faces were handed out.
+#[derive(Debug)]
+pub(crate) struct Surface {
+    mesh: Arc<Mesh>,
+    /// The mesh's coordinates.
+    frame: Frame,
+    /// Planes of each face, once they were asked for.
+    planes: OnceLock<Vec<OnceLock<Arc<[TrimPlane]>>>>,
+}
+
+impl Surface {
+    pub(crate) fn new(mesh: Arc<Mesh>, frame: Frame) -> Self {
+        Surface { mesh, frame, planes: OnceLock::new() }
+    }
+
+    fn planes(&self, face: u32) -> Arc<[TrimPlane]> {
+        let all = self.planes.get_or_init(|| vec![OnceLock::new(); self.mesh.face_count()]);
+        all[face as usize].get_or_init(|| self.find(face as usize)).clone()
+    }
+
+    fn find(&self, index: usize) -> Arc<[TrimPlane]> {
+        let (mesh, adjacency) = (&self.mesh, self.mesh.adjacency());
+        let face = mesh.face(index);
+        let normal = face.normal();
+        let Some(pivot) = face_frame(mesh, index) else { return Arc::default() };
+        let outline: Vec<DVec3> = face.outline().collect();
+        let size = outline.iter().map(|p| (*p - outline[0]).abs().max_element()).fold(0.0, f64::max);
+        let corners = convex_corners(&outline, normal);
+        let mut planes = Vec::new();
+        for corner in face.corner_range() {
+            let edge = adjacency.edge(corner as u32);
+            let Some(other) = adjacency.faces_at(edge).find(|&other| other as usize != index) else { continue };
+            let a = face.position(corner);
+            let along = unit(face_end(mesh, corner) - a);
+            let (out, inwards) = (normal + mesh.face(other as usize).normal(), normal.cross(along));
+            let across = unit(along.cross(out));
+            // A fold of no angle has no bisector.
+            if along == DVec3::ZERO || out.length() <= ANGLE_EPSILON || across == DVec3::ZERO {
+                continue;
+            }
+            let across = if across.dot(inwards) < 0.0 { -across } else { across };
+            let flat = unit(inwards);
+            if corners.iter().any(|p| flat.dot(*p - a) < -PLANAR_EPSILON * size) {
+                continue;
+            }
+            let rise = libm::asin(along.dot(pivot.frame.axes.y_axis).abs().min(1.0)).to_degrees();
+            planes.push(TrimPlane {
+                point: self.frame.to_world(a),
+                normal: self.frame.axes * across,
+                horizontal: rise < HORIZONTAL - ANGLE_EPSILON,
+            });
+        }
+        planes.into()
+    }
+}
+
+fn face_end(mesh: &Mesh, corner: usize) -> DVec3 {
+    let next = mesh.adjacency().next(corner as u32);
+    mesh.points()[mesh.corners()[next as usize] as usize]
+}
+
+/// The corners of a polygon's convex hull: those that decide on which side of a line all of it is.
+fn convex_corners(outline: &[DVec3], normal: DVec3) -> Vec<DVec3> {
+    let projection = crate::triangulate::Projection::along(normal);
+    let mut flat: Vec<(DVec2, DVec3)> = outline.iter().map(|&p| (projection.apply(p), p)).collect();
+    flat.sort_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.0.y.total_cmp(&b.0.y)));
+    let mut hull: Vec<(DVec2, DVec3)> = Vec::new();
+    for way in [1, -1] {
+        let start = hull.len();
+        let sorted: Box<dyn Iterator<Item = &(DVec2, DVec3)>> =
+            if way == 1 { Box::new(flat.iter()) } else { Box::new(flat.iter().rev()) };
+        for &(p, point) in sorted {
+            while start + 2 <= hull.len()
+                && crate::exact::orient(hull[hull.len() - 2].0, hull[hull.len() - 1].0, p) <= 0
+            {
+                hull.pop();
+            }
+            hull.push((p, point));
+        }
+        hull.pop();
+    }
+    hull.into_iter().map(|(_, point)| point).collect()
+}
