@@ -178,6 +178,31 @@ fn a_star_of_long_points_keeps_its_thousand_holes() {
 }
 
 #[test]
+fn nested_tubes_keep_their_holes_also_inside_out_and_beside_boxes_that_touch() {
+    let count = 700;
+    let turned = |size: f64| -> Vec<(f64, f64)> {
+        let (sin, cos) = libm::sincos(0.3);
+        let square = [(-size, -size), (size, -size), (size, size), (-size, size)];
+        square.map(|(x, z)| (x * cos - z * sin, x * sin + z * cos)).to_vec()
+    };
+    let tubes = (1..=count).map(|i| prism(&turned(f64::from(i) * 2.0), &[turned(f64::from(i) * 2.0 - 1.0)], 1.0));
+    // Twice the same tube, and two boxes with part of a side in common.
+    let beside =
+        [square(2000.0, 0.0, 1.0), square(2001.0, 0.5, 1.0), square(2100.0, 0.0, 1.0), square(2100.0, 0.0, 1.0)];
+    let meshes: Vec<Mesh> = tubes.chain(beside.map(|outline| prism(&outline, &[], 1.0))).collect();
+    let whole = together(&meshes);
+    for mesh in [Arc::new(whole.reversed()), Arc::new(whole)] {
+        let parts = slabs(&mesh, Axis::Y, &[0.5]).parts;
+        for part in parts.iter().flatten() {
+            let caps = part.faces().filter(|face| face.tag().cap);
+            let holes: Vec<usize> = caps.map(|cap| cap.loops().count() - 1).collect();
+            assert_eq!((holes.len(), holes.iter().sum::<usize>()), (count as usize + 4, count as usize));
+            assert!(holes.iter().all(|&holes| holes <= 1));
+        }
+    }
+}
+
+#[test]
 fn an_open_mesh_stays_open() {
     // A box without lid and a sheet.
     let cube = primitive::cube();

@@ -1,7 +1,7 @@
 //! Which outline is directly around each loop, by one sweep from bottom to top: what is left of a loop's lowest corner tells.
 //!
-//! This holds for loops that do not cross. Comparisons are exact, and edges that come to lie beside each other are held to
-//! their order, so loops that cross, or lie on each other, are found out.
+//! This holds for loops that do not cross, though solids may touch along edges. Comparisons are exact, and edges that come to
+//! lie beside each other are held to their order, so loops that cross are found out.
 
 use glam::DVec2;
 
@@ -29,8 +29,8 @@ pub(super) struct Sweep {
 struct Edge {
     low: DVec2,
     high: DVec2,
-    /// Whether its loop runs it from high to low.
-    down: bool,
+    /// Whether what is right of it is on the solid's side: an outline's left edges, and the right ones of holes.
+    enters: bool,
     owner: u32,
 }
 
@@ -45,9 +45,16 @@ struct Event {
 }
 
 impl Sweep {
-    /// Fills `around`; `false` when loops cross.
-    pub(super) fn find(&mut self, section: &Section<'_>, is_outline: impl Fn(u32) -> bool) -> bool {
-        if !self.start(section) {
+    /// Fills `around` for the loops that count; `false` when they cross. Of a section that is inside out, outlines run
+    /// clockwise.
+    pub(super) fn find(
+        &mut self,
+        section: &Section<'_>,
+        inverted: bool,
+        counts: impl Fn(usize) -> bool,
+        is_outline: impl Fn(usize) -> bool,
+    ) -> bool {
+        if !self.start(section, inverted, counts) {
             return false;
         }
         let events = std::mem::take(&mut self.events);
@@ -58,7 +65,7 @@ impl Sweep {
     }
 
     /// Sorts the corners; `false` when two in a row are at one place, or one nowhere.
-    fn start(&mut self, section: &Section<'_>) -> bool {
+    fn start(&mut self, section: &Section<'_>, inverted: bool, counts: impl Fn(usize) -> bool) -> bool {
         let Sweep { around, edges, events, row } = self;
         around.clear();
         around.resize(section.ends.len(), UNKNOWN);
@@ -67,16 +74,19 @@ impl Sweep {
         row.clear();
         let mut from = 0;
         for (owner, &end) in section.ends.iter().enumerate() {
-            let ring = &section.corners[from..end];
+            let ring = &section.corners[std::mem::replace(&mut from, end)..end];
+            if !counts(owner) {
+                continue;
+            }
+            let first = edges.len();
             for (i, &corner) in ring.iter().enumerate() {
                 let [a, b] = [corner, ring[(i + 1) % ring.len()]].map(|c| section.flat[c as usize]);
                 let down = is_below(b, a);
                 let (low, high) = if down { (b, a) } else { (a, b) };
-                edges.push(Edge { low, high, down, owner: owner as u32 });
-                let coming = if i == 0 { end - 1 } else { from + i - 1 };
-                events.push(Event { at: a, begins: false, edges: [coming as u32, (from + i) as u32] });
+                edges.push(Edge { low, high, enters: down != inverted, owner: owner as u32 });
+                let before = if i == 0 { ring.len() - 1 } else { i - 1 };
+                events.push(Event { at: a, begins: false, edges: [first + before, first + i].map(|edge| edge as u32) });
             }
-            from = end;
         }
         if !edges.iter().all(|edge| edge.low != edge.high && edge.low.is_finite()) {
             return false;
@@ -92,21 +102,20 @@ impl Sweep {
     }
 
     /// Both edges of a corner start above it.
-    fn begin(&mut self, event: &Event, is_outline: &impl Fn(u32) -> bool) -> bool {
+    fn begin(&mut self, event: &Event, is_outline: &impl Fn(usize) -> bool) -> bool {
         let [a, b] = event.edges.map(|edge| self.edges[edge as usize]);
         let turn = orient(event.at, a.high, b.high);
         let [left, right] = if turn < 0 { event.edges } else { [event.edges[1], event.edges[0]] };
-        let spot = self.spot(event.at, self.edges[left as usize].high);
+        let spot = self.spot(left);
         let owner = a.owner as usize;
         if self.around[owner] == UNKNOWN {
             self.around[owner] = self.row.before(spot).map_or(NONE, |beside| {
-                let Edge { down, owner, .. } = self.edges[beside as usize];
-                // What is right of an outline's edge that leads down is inside of it.
-                if down && is_outline(owner) { owner } else { self.around[owner as usize] }
+                let Edge { enters, owner, .. } = self.edges[beside as usize];
+                if enters && is_outline(owner as usize) { owner } else { self.around[owner as usize] }
             });
         }
         turn != 0 && self.insert(spot, left) && {
-            let next = self.spot(event.at, self.edges[right as usize].high);
+            let next = self.spot(right);
             self.insert(next, right)
         }
     }
@@ -122,9 +131,10 @@ impl Sweep {
         }
     }
 
-    /// The place of what starts at a point and leads to another.
-    fn spot(&self, at: DVec2, other: DVec2) -> Spot {
-        self.row.spot(|edge| self.edges[edge as usize].is_left_of(at, other))
+    /// The place of an edge that begins.
+    fn spot(&self, own: u32) -> Spot {
+        let own = &self.edges[own as usize];
+        self.row.spot(|edge| self.edges[edge as usize].is_left_of(own, own.low, own.high))
     }
 
     fn insert(&mut self, spot: Spot, edge: u32) -> bool {
@@ -135,9 +145,21 @@ impl Sweep {
     }
 
     fn find_edge(&self, own: u32) -> Option<Spot> {
-        let Edge { low, high, .. } = self.edges[own as usize];
-        let spot = self.row.spot(|edge| edge != own && self.edges[edge as usize].is_left_of(high, low));
-        (self.row.at(spot) == Some(own)).then_some(spot)
+        let end = &self.edges[own as usize];
+        let spot = self.row.spot(|edge| edge != own && self.edges[edge as usize].is_left_of(end, end.high, end.low));
+        if self.row.at(spot) == Some(own) {
+            return Some(spot);
+        }
+        // Edges that went on from the same point are in between: it is one of those that touch it.
+        let touches = |edge: u32| self.edges[edge as usize].side(end.high) == 0;
+        let mut spot = self.row.spot(|edge| self.edges[edge as usize].side(end.high) < 0);
+        while let Some(edge) = self.row.at(spot).filter(|&edge| touches(edge)) {
+            if edge == own {
+                return Some(spot);
+            }
+            spot = self.row.next(spot);
+        }
+        None
     }
 
     fn replace(&mut self, old: u32, new: u32) -> bool {
@@ -156,24 +178,36 @@ impl Sweep {
     fn are_in_order(&self, left: Option<u32>, right: Option<u32>) -> bool {
         let (Some(left), Some(right)) = (left, right) else { return true };
         let [left, right] = [left, right].map(|edge| self.edges[edge as usize]);
-        let side_of = |edge: Edge, p: DVec2| if edge.has_end(p) { 0 } else { orient(edge.low, edge.high, p) };
+        // One begins where the other ends, and that is about to go.
+        if left.high == right.low || left.low == right.high {
+            return true;
+        }
         // How far apart they are at the upper of their low ends, and at the lower of their high ends.
-        let low = if is_below(left.low, right.low) { -side_of(left, right.low) } else { side_of(right, left.low) };
-        let high = if is_below(left.high, right.high) { side_of(right, left.high) } else { -side_of(left, right.high) };
-        low >= 0 && high >= 0 && low + high > 0
+        let low = if is_below(left.low, right.low) { -left.side(right.low) } else { right.side(left.low) };
+        let high = if is_below(left.high, right.high) { right.side(left.high) } else { -left.side(right.high) };
+        // Where two solids touch, one ends and the other begins.
+        let touch = low == 0 && high == 0 && !left.enters && right.enters;
+        low >= 0 && high >= 0 && (low + high > 0 || touch)
     }
 }
 
 impl Edge {
-    fn has_end(&self, p: DVec2) -> bool {
-        self.low == p || self.high == p
+    /// 1 when a point is left of it, -1 when right, 0 on its line.
+    #[inline]
+    fn side(&self, p: DVec2) -> i32 {
+        if self.low == p || self.high == p { 0 } else { orient(self.low, self.high, p) }
     }
 
-    /// Whether it is left of a point, or goes through it and is left of another.
+    /// Whether it is left of one end of another edge, or goes through it and is left of the other end.
     #[inline]
-    fn is_left_of(&self, at: DVec2, other: DVec2) -> bool {
-        let side = if self.has_end(at) { 0 } else { orient(self.low, self.high, at) };
-        side < 0 || (side == 0 && orient(self.low, self.high, other) < 0)
+    fn is_left_of(&self, other: &Edge, at: DVec2, end: DVec2) -> bool {
+        match self.side(at) {
+            0 => match orient(self.low, self.high, end) {
+                0 => !self.enters && other.enters,
+                side => side < 0,
+            },
+            side => side < 0,
+        }
     }
 }
 
@@ -186,7 +220,8 @@ fn is_below(a: DVec2, b: DVec2) -> bool {
 mod tests {
     use super::*;
 
-    /// What is around each loop; nothing when they cross. Counter-clockwise loops are outlines.
+    /// What is around each loop; nothing when they cross. Counter-clockwise loops are outlines, or clockwise ones if there is
+    /// more of those.
     fn around(loops: &[Vec<DVec2>]) -> Option<Vec<u32>> {
         let flat: Vec<DVec2> = loops.iter().flatten().copied().collect();
         let corners: Vec<u32> = (0..flat.len() as u32).collect();
@@ -196,7 +231,9 @@ mod tests {
             |ring: &[DVec2]| (1..ring.len()).map(|i| (ring[i - 1] - ring[0]).perp_dot(ring[i] - ring[0])).sum::<f64>();
         let mut sweep = Sweep::default();
         let section = Section { flat: &flat, corners: &corners, ends: &ends };
-        sweep.find(&section, |number| area(&loops[number as usize]) > 0.0).then_some(sweep.around)
+        let total: f64 = loops.iter().map(|ring| area(ring)).sum();
+        let is_outline = |number: usize| (area(&loops[number]) > 0.0) == (total > 0.0);
+        sweep.find(&section, total < 0.0, |_| true, is_outline).then_some(sweep.around)
     }
 
     /// A square turned by some degrees, clockwise for a negative size.
@@ -229,7 +266,9 @@ mod tests {
                         .filter(|number| **number != NONE)
                         .for_each(|number| *number = count as u32 - 1 - *number);
                 }
-                assert_eq!(around(&loops), Some(expected), "{degrees}");
+                assert_eq!(around(&loops), Some(expected.clone()), "{degrees}");
+                loops.iter_mut().for_each(|ring| ring.reverse());
+                assert_eq!(around(&loops), Some(expected), "inside out, {degrees}");
             }
         }
     }
@@ -266,13 +305,33 @@ mod tests {
     }
 
     #[test]
+    fn solids_may_touch_along_their_sides() {
+        let a = square(0.0, 0.0, 1.0, 0.0);
+        let hole = square(2.0, 0.0, -0.5, 0.0);
+        // All of a side, part of it, and beyond it; to the right, above, and on both sides.
+        for other in
+            [(2.0, 0.0, 1.0), (1.5, 0.0, 0.5), (3.0, 0.5, 2.0), (0.0, 2.0, 1.0), (-1.5, 0.25, 0.5), (0.3, -1.75, 0.75)]
+        {
+            for degrees in [0.0, 90.0] {
+                let turn = |ring: Vec<DVec2>| -> Vec<DVec2> {
+                    ring.into_iter().map(|p| if degrees == 0.0 { p } else { DVec2::new(-p.y, p.x) }).collect()
+                };
+                let other = square(other.0, other.1, other.2, 0.0);
+                let loops = [a.clone(), other].map(turn);
+                assert_eq!(around(&loops), Some(vec![NONE, NONE]), "{loops:?}");
+            }
+        }
+        let right = square(2.0, 0.0, 1.0, 0.0);
+        assert_eq!(around(&[hole, a, right]), Some(vec![2, NONE, NONE]));
+    }
+
+    #[test]
     fn loops_that_cross_or_lie_on_each_other_are_found_out() {
         let a = square(0.0, 0.0, 1.0, 0.0);
         let beside = |other: Vec<DVec2>| around(&[a.clone(), other]);
         assert_eq!(beside(square(1.5, 0.5, 1.0, 0.0)), None);
         assert_eq!(beside(square(0.0, 0.0, 1.2, 45.0)), None);
         assert_eq!(beside(a.clone()), None);
-        assert_eq!(beside(square(2.0, 0.0, 1.0, 0.0)), None, "a shared side");
         assert_eq!(beside(square(2.5, 0.0, 1.0, 0.0)), Some(vec![NONE, NONE]));
         let twice = vec![DVec2::ZERO, DVec2::X, DVec2::X, DVec2::Y];
         assert_eq!(around(&[twice]), None);

@@ -27,6 +27,7 @@ pub(super) struct Chains {
     arrived: Vec<bool>,
     dead: Vec<bool>,
     round: Vec<u32>,
+    spare: Vec<u32>,
     brackets: Vec<u32>,
 }
 
@@ -91,16 +92,7 @@ impl Chains {
         let centre = flat[point];
         let other = |item: u32| flat[edges[item as usize / 2][(item & 1) as usize] as usize];
         if self.round.len() > 2 {
-            self.round.sort_by(|&a, &b| turn(centre, other(a)).total_cmp(&turn(centre, other(b))));
-            // Rounding made neighbours change places at most.
-            for end in 1..self.round.len() {
-                let mut at = end;
-                while 0 < at && by_angle(centre, other(self.round[at - 1]), other(self.round[at])) == Ordering::Greater
-                {
-                    self.round.swap(at - 1, at);
-                    at -= 1;
-                }
-            }
+            merge_sort(&mut self.round, &mut self.spare, &|a, b| by_angle(centre, other(a), other(b)));
         }
         // Brackets on a circle: twice round, so that those open at the end are closed at the start.
         self.brackets.clear();
@@ -153,20 +145,27 @@ impl Chains {
     }
 }
 
-/// Rises with the angle from the right, counter-clockwise, as seen from a centre: 0 to 4, and -1 at the centre itself.
-fn turn(centre: DVec2, p: DVec2) -> f64 {
-    // Halves of the largest numbers have a difference.
-    let d = p * 0.5 - centre * 0.5;
-    let along = d.y / (d.x.abs() * 0.5 + d.y.abs() * 0.5) * 0.5;
-    match (p.cmpeq(centre).all(), d.x < 0.0, d.y < 0.0) {
-        (true, ..) => -1.0,
-        (_, true, _) => 2.0 - along,
-        (_, _, true) => 4.0 + along,
-        _ => along,
+/// Sorts, equal ones in their order. Whatever the comparisons say (where products underflow they are not exact), it ends and
+/// loses nothing, and it takes n log n of them.
+fn merge_sort(list: &mut [u32], spare: &mut Vec<u32>, compare: &impl Fn(u32, u32) -> Ordering) {
+    if list.len() < 2 {
+        return;
+    }
+    let middle = list.len() / 2;
+    merge_sort(&mut list[..middle], spare, compare);
+    merge_sort(&mut list[middle..], spare, compare);
+    spare.clear();
+    spare.extend_from_slice(&list[..middle]);
+    let (mut left, mut right) = (0, middle);
+    for at in 0..list.len() {
+        let take_left =
+            left < middle && (right == list.len() || compare(spare[left], list[right]) != Ordering::Greater);
+        list[at] = if take_left { spare[left] } else { list[right] };
+        *(if take_left { &mut left } else { &mut right }) += 1;
     }
 }
 
-/// Counter-clockwise from the right, as seen from a centre. Exact, but no order where a point is at the centre.
+/// Counter-clockwise from the right, as seen from a centre. No order where a point is at the centre.
 fn by_angle(centre: DVec2, a: DVec2, b: DVec2) -> Ordering {
     let lower = |p: DVec2| p.y < centre.y || (p.y == centre.y && p.x < centre.x);
     lower(a).cmp(&lower(b)).then_with(|| 0.cmp(&orient(centre, a, b)))

@@ -4,6 +4,8 @@
 //! and the rest is paired by angle ([`super::chain`]). Loops that meet themselves are taken apart, so each loop here has
 //! every point once. Edges that do not close are given back as chains.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
 use super::chain::{self, Chains};
@@ -27,6 +29,13 @@ pub(super) struct Section<'c> {
     pub(super) flat: &'c [DVec2],
     pub(super) corners: &'c [u32],
     pub(super) ends: &'c [usize],
+}
+
+impl Section<'_> {
+    /// The corners of a loop.
+    pub(super) fn ring(&self, range: &Range<usize>) -> &[u32] {
+        &self.corners[range.clone()]
+    }
 }
 
 impl Contour {

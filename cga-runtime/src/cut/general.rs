@@ -207,7 +207,7 @@ impl General {
         let start = self.on.partition_point(|o| (o.0, o.1) <= (plane, low));
         let end = self.on.partition_point(|o| (o.0, o.1) < (plane, high));
         let way = self.ways.len();
-        if start < end && self.open.is_empty() {
+        if start < end && self.open.is_empty() && self.early.is_empty() {
             self.ways.extend(self.on[start..end].iter().map(|o| o.2));
             if to.along < from.along {
                 self.ways[way..].reverse();

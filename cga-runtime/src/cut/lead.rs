@@ -58,6 +58,7 @@ impl Lead {
         self.nodes.retain(|node| node.class() & 1 == 1);
         self.nodes.sort_by_key(Node::class);
         self.nodes.dedup_by_key(|node| node.place);
+        let mut left = QUESTIONS;
         for met in self.nodes.chunk_by_mut(|a, b| a.class() == b.class()) {
             let flat = |node: &Node| points.levels[node.class() as usize / 2].flat[node.place.number as usize];
             let from = flat(&met[0]);
@@ -65,7 +66,11 @@ impl Lead {
             let along = usize::from(reach.x < reach.y);
             met.sort_by(|a, b| flat(a)[along].total_cmp(&flat(b)[along]));
             // Where a plane meets it several times, some of what is between two points is no wall.
-            let few = met.len() * wall.corners() <= FEW;
+            let questions = met.len() * wall.corners();
+            let few = questions <= left;
+            if few && met.len() > 2 {
+                left -= questions;
+            }
             let is_wall = |pair: &&[Node]| {
                 let middle = || pair.iter().map(|node| points.position(mesh, node)).sum::<DVec3>() * 0.5;
                 met.len() == 2 || (few && wall.holds(middle()))
@@ -102,8 +107,8 @@ impl Lead {
     }
 }
 
-/// Beyond so many questions, whether a point is on the wall, nobody asks: the cap begins anywhere.
-const FEW: usize = 1 << 16;
+/// Beyond so many questions in a cut, whether a point is on the wall, nobody asks: the caps begin anywhere.
+const QUESTIONS: usize = 1 << 16;
 
 /// A face seen from outside.
 struct Wall {

@@ -28,6 +28,7 @@ mod row;
 mod simple;
 mod state;
 mod triangle;
+mod twins;
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -110,7 +111,13 @@ impl Cutter {
             static CUTTER: RefCell<Cutter> = RefCell::default();
         }
         CUTTER.with(|cutter| match cutter.try_borrow_mut() {
-            Ok(mut cutter) => work(&mut cutter),
+            Ok(mut cutter) => {
+                let made = work(&mut cutter);
+                if cutter.state.is_large() {
+                    *cutter = Cutter::default();
+                }
+                made
+            }
             Err(_) => work(&mut Cutter::default()),
         })
     }

@@ -11,6 +11,7 @@ use glam::DVec2;
 
 use super::around::{self, Sweep};
 use super::contour::Section;
+use super::twins::Twins;
 use crate::exact::orient;
 
 /// A loop, and for a hole its outline.
@@ -23,7 +24,7 @@ struct Loop {
     outline: Option<usize>,
 }
 
-/// So many edges looked at are more work than a corner in the sweep.
+/// Looking at so many edges takes about as long as the sweep does for a corner.
 const SWEEP_FROM: usize = 100;
 
 /// Loops of a section in groups: an outline and its holes. Also buffers.
@@ -33,8 +34,13 @@ pub(super) struct Nest {
     /// Loops in the order of groups; where each group ends.
     pub(super) order: Vec<Range<usize>>,
     pub(super) ends: Vec<usize>,
+    /// Whether outlines run clockwise and holes counter-clockwise.
+    inverted: bool,
+    twins: Twins,
     strips: Strips,
     sweep: Sweep,
+    /// Holes to ask about, each at its point.
+    probes: Vec<(usize, Probe)>,
     turns: Vec<i32>,
     touched: Vec<usize>,
 }
@@ -68,7 +74,8 @@ impl Nest {
             start = end;
         }
         // A section that is inside out has its outlines clockwise.
-        if self.loops.iter().map(|l| l.area).sum::<f64>() < 0.0 {
+        self.inverted = self.loops.iter().map(|l| l.area).sum::<f64>() < 0.0;
+        if self.inverted {
             self.loops.iter_mut().for_each(|l| l.area = -l.area);
         }
         let outlines = self.loops.iter().filter(|l| 0.0 <= l.area).count();
@@ -108,60 +115,54 @@ impl Nest {
     }
 
     fn assign(&mut self, section: &Section<'_>) {
-        self.strips.fill(section, &self.loops);
-        let Nest { loops, strips, sweep, .. } = self;
-        let holes = || loops.iter().filter(|l| l.area < 0.0);
-        let asked: usize = holes().map(|hole| strips.across(hole.low).len()).sum();
-        if asked > SWEEP_FROM * section.corners.len()
-            && sweep.find(section, |number| 0.0 <= loops[number as usize].area)
-        {
-            for (hole, &outline) in loops.iter_mut().zip(&sweep.around).filter(|(l, _)| l.area < 0.0) {
-                hole.outline = (outline != around::NONE).then_some(outline as usize);
-            }
-            return;
+        let Nest { loops, inverted, twins, strips, sweep, probes, .. } = self;
+        twins.find(section, loops.iter().map(|l| (l.range.clone(), l.low, l.high)));
+        let is_first = |number: usize| twins.first(number).0 == number;
+        strips.fill(section, loops, is_first);
+        probes.clear();
+        for (hole, l) in loops.iter().enumerate().filter(|(hole, l)| l.area < 0.0 && is_first(*hole)) {
+            probes.push((hole, Probe::beside(section.ring(&l.range), |corner| strips.turned(section, corner))));
         }
-        self.turns.clear();
-        self.turns.resize(self.loops.len(), 0);
+        let asked: usize = probes.iter().map(|(_, probe)| strips.of(probe).len()).sum();
+        let is_outline = |number: usize| 0.0 <= loops[number].area;
+        if asked > SWEEP_FROM * section.corners.len() && sweep.find(section, *inverted, is_first, is_outline) {
+            for &(hole, _) in &*probes {
+                loops[hole].outline = Some(sweep.around[hole] as usize).filter(|_| sweep.around[hole] != around::NONE);
+            }
+        } else {
+            self.ask(section);
+        }
+        // Where outlines are there several times, so are holes: each gets its own.
         for hole in 0..self.loops.len() {
             if self.loops[hole].area < 0.0 {
-                self.loops[hole].outline = self.around(section, hole);
+                let (first, rank) = self.twins.first(hole);
+                self.loops[hole].outline = self.loops[first].outline.map(|outline| {
+                    let (kind, _) = self.twins.first(outline);
+                    self.twins.nth(kind, rank)
+                });
             }
         }
     }
 
-    /// The smallest outline that winds around a hole. Where outlines are there twice, so are holes: each gets its own.
-    fn around(&mut self, section: &Section<'_>, hole: usize) -> Option<usize> {
-        // Strips across x are met by rays along y.
-        let by_x = self.strips.by_x;
-        let flat = |corner: u32| {
-            let p = section.flat[corner as usize];
-            if by_x { DVec2::new(p.y, -p.x) } else { p }
-        };
-        let probe = Probe::beside(&section.corners[self.loops[hole].range.clone()], flat)?;
-        self.touched.clear();
-        for &(a, b, outline) in self.strips.at(if by_x { -probe.at.y } else { probe.at.y }) {
-            let turn = probe.turn(flat(a), flat(b));
-            if turn != 0 {
-                self.turns[outline as usize] += turn;
-                self.touched.push(outline as usize);
+    /// Finds, for each hole, the smallest outline that winds around it.
+    fn ask(&mut self, section: &Section<'_>) {
+        let Nest { loops, strips, turns, touched, probes, .. } = self;
+        turns.clear();
+        turns.resize(loops.len(), 0);
+        for (hole, probe) in &*probes {
+            touched.clear();
+            for &(a, b, outline) in strips.of(probe) {
+                let turn = probe.turn(strips.turned(section, a), strips.turned(section, b));
+                if turn != 0 {
+                    turns[outline as usize] += turn;
+                    touched.push(outline as usize);
+                }
             }
-        }
-        let Nest { loops, turns, touched, .. } = self;
-        touched.sort_unstable();
-        touched.dedup();
-        let around = touched.iter().copied().filter(|&outline| turns[outline] != 0);
-        let least = around.min_by(|&a, &b| loops[a].area.total_cmp(&loops[b].area));
-        // Rounding may tell the areas of equal loops apart, but not their boxes.
-        let bounds = |index: usize| (loops[index].low, loops[index].high);
-        let equal = least.map(bounds);
-        touched.retain(|&outline| std::mem::take(&mut turns[outline]) != 0 && Some(bounds(outline)) == equal);
-        match touched[..] {
-            [] => None,
-            [only] => Some(only),
-            _ => {
-                let same = |other: usize| loops[other].area < 0.0 && bounds(other) == bounds(hole);
-                Some(touched[(0..hole).filter(|&other| same(other)).count() % touched.len()])
-            }
+            touched.sort_unstable();
+            touched.dedup();
+            let around = touched.iter().copied().filter(|&outline| turns[outline] != 0);
+            loops[*hole].outline = around.min_by(|&a, &b| loops[a].area.total_cmp(&loops[b].area));
+            touched.iter().for_each(|&outline| turns[outline] = 0);
         }
     }
 }
@@ -175,12 +176,12 @@ struct Probe {
 }
 
 impl Probe {
-    fn beside(ring: &[u32], flat: impl Fn(u32) -> DVec2) -> Option<Self> {
+    fn beside(ring: &[u32], flat: impl Fn(u32) -> DVec2) -> Self {
         let at = |i: usize| flat(ring[i % ring.len()]);
-        let longest = (0..ring.len())
-            .max_by(|&i, &j| at(i).distance_squared(at(i + 1)).total_cmp(&at(j).distance_squared(at(j + 1))))?;
+        let length = |i: usize| at(i).distance_squared(at(i + 1));
+        let longest = (0..ring.len()).max_by(|&i, &j| length(i).total_cmp(&length(j))).unwrap_or(0);
         let (a, b) = (at(longest), at(longest + 1));
-        Some(Probe { at: a * 0.5 + b * 0.5, ahead: b * 0.5 - a * 0.5 })
+        Probe { at: a * 0.5 + b * 0.5, ahead: b * 0.5 - a * 0.5 }
     }
 
     /// Whether it is above a point.
@@ -221,11 +222,12 @@ fn measure(section: &Section<'_>, range: Range<usize>) -> Loop {
 }
 
 impl Strips {
-    fn fill(&mut self, section: &Section<'_>, loops: &[Loop]) {
+    /// Sorts in the edges of outlines, of those that count.
+    fn fill(&mut self, section: &Section<'_>, loops: &[Loop], counts: impl Fn(usize) -> bool + Copy) {
         let (mut starts, mut edges) = (std::mem::take(&mut self.starts), std::mem::take(&mut self.edges));
         starts.clear();
         edges.clear();
-        let outlines = || loops.iter().enumerate().filter(|(_, l)| 0.0 <= l.area);
+        let outlines = || loops.iter().enumerate().filter(|(number, l)| 0.0 <= l.area && counts(*number));
         let low = outlines().fold(DVec2::INFINITY, |low, (_, l)| low.min(l.low));
         let high = outlines().fold(DVec2::NEG_INFINITY, |high, (_, l)| high.max(l.high));
         let each = |visit: &mut dyn FnMut(u32, u32, u32)| {
@@ -272,12 +274,15 @@ impl Strips {
         (((at - self.low) * self.per_unit) as usize).min(strips - 1)
     }
 
-    /// Edges in the strip of a point.
-    fn across(&self, point: DVec2) -> &[(u32, u32, u32)] {
-        self.at(point[usize::from(!self.by_x)])
+    /// A corner, turned so that rays to the right stay in their strip.
+    fn turned(&self, section: &Section<'_>, corner: u32) -> DVec2 {
+        let p = section.flat[corner as usize];
+        if self.by_x { DVec2::new(p.y, -p.x) } else { p }
     }
 
-    fn at(&self, at: f64) -> &[(u32, u32, u32)] {
+    /// Edges in the strip of a probe.
+    fn of(&self, probe: &Probe) -> &[(u32, u32, u32)] {
+        let at = if self.by_x { -probe.at.y } else { probe.at.y };
         let strip = self.number(at, self.starts.len() - 1);
         &self.edges[self.starts[strip]..self.starts[strip + 1]]
     }

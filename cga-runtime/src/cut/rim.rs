@@ -40,6 +40,11 @@ pub(super) struct Rim {
 }
 
 impl Rim {
+    /// So many edges it has room for.
+    pub(super) fn capacity(&self) -> usize {
+        self.cuts.capacity() + self.edges.capacity()
+    }
+
     pub(super) fn reset(&mut self) {
         self.cuts.clear();
         self.edges.clear();

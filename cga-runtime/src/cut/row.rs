@@ -31,8 +31,14 @@ impl Row {
         edges.get(number).or_else(|| self.blocks.get(block + 1)?.first()).copied()
     }
 
-    pub(super) fn after(&self, (block, number): Spot) -> Option<u32> {
-        self.at((block, number + 1))
+    pub(super) fn after(&self, spot: Spot) -> Option<u32> {
+        self.at(self.next(spot))
+    }
+
+    /// The place behind another.
+    pub(super) fn next(&self, (block, number): Spot) -> Spot {
+        let ends = self.blocks.get(block).is_some_and(|edges| edges.len() <= number + 1);
+        if ends && block + 1 < self.blocks.len() { (block + 1, 0) } else { (block, number + 1) }
     }
 
     pub(super) fn before(&self, (block, number): Spot) -> Option<u32> {

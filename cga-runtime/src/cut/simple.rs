@@ -145,12 +145,11 @@ impl Simple {
 }
 
 /// Whether a cycle of classes rises once and falls once, without running along a plane in between.
-fn is_simple(classes: impl ExactSizeIterator<Item = u32> + Clone, low: u32, high: u32) -> bool {
-    let count = classes.len();
+fn is_simple(classes: impl Iterator<Item = u32> + Clone, low: u32, high: u32) -> bool {
     let mut turns = 0;
     let mut rising = None;
     let mut last = None;
-    for class in classes.clone().chain(classes).take(2 * count) {
+    for class in classes.clone().chain(classes) {
         if let Some(last) = last {
             if class == last {
                 if class & 1 == 1 && class != low && class != high {

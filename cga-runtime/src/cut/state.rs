@@ -36,6 +36,12 @@ struct Room {
 }
 
 impl State {
+    /// Whether its buffers are more than should be kept for the next cut.
+    pub(super) fn is_large(&self) -> bool {
+        const KEPT: usize = 1 << 20;
+        KEPT < self.points.places.capacity() + self.rim.capacity()
+    }
+
     /// Classifies the points and numbers those inside slabs.
     pub(super) fn start(&mut self, mesh: &Mesh) {
         self.points.start(mesh);
