@@ -29,6 +29,7 @@ cga! {
     attr flag = true
     const ratio = 0.1 * height
     const drawn = rand(1)
+    const sides = comp(fe, noAlign) { front || flag : scope.sx | 3 = ratio | border =: comp.index }
     unused(n) = n
     fac(n) = case n < 2 : 1 else : n * fac(n - 1)
     half(n) = 50% : n else : n / 2 + scope.sx
@@ -38,7 +39,8 @@ cga! {
     A(n, unused) --> case n > 3 : [ center(xz) [ NIL ] A(n - 1, false) ] case n > 2 : Z. NIL else : B C
     B --> set(about, about + computed) set(material.opacity, ratio) comp(f) { top : X. | side = Y | 3 : Y }
     C --> 30% : C. 20% : B else : NIL
-    Y --> crate::operate(1, "x", true) Z
+    Y --> crate::operate(1, "x", true) Faces(2, about)
+    Faces(n, query) --> comp(f) { crate::function(n, query) && top : Z | scope.sx > n : Z | all =: Z }
     Z --> case crate::function(scope.sy, about) : Y else : X.
     Unused(n) --> X.
     Many(a, b, c, d, e, f, g, h, i) --> s(a + b + c, d + e + f, g + h + i) X.
@@ -55,7 +57,8 @@ fn generated_code_gives_no_reason_to_complain() {
     let rules = cga! {
         attr size = 2
         attr other = rand(size)
-        Lot --> case #on : set(material.name, #name) split(x) { #width : A. | ~size : B(other) } else : NIL
+        Lot --> case #on : set(material.name, #name) split(x) { #width : A. | ~size : B(other) | 1 : C } else : NIL
+        C --> comp(e) { #width > 2 && border : A. | material.name == #name : B. } print(comp(v) { all : #name + "" })
         B(n) --> case n > 0 : B(n - 1) else : B.
     };
     assert!(rules.generate(&Shape::rectangle(1.0, 1.0)).is_ok());
