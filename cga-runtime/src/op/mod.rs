@@ -14,7 +14,10 @@ mod trim;
 pub use extrude::{ExtrudeAlong, extrude, extrude_along};
 pub use insert::insert;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, reset_material, set_material, texture};
-pub use primitive::{cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, quad, quad_sized};
+pub use primitive::{
+    cone, cone_sized, cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, disk, disk_sized, quad, quad_sized,
+    sphere, sphere_sides, sphere_sized,
+};
 pub use report::{label, print, report};
 pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
 pub(crate) use transform::{angles, sin_cos, turn};

@@ -91,8 +91,18 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("width"), float("length")],
         "replaces the geometry by a rectangle of that size",
     ),
-    later("primitiveDisk", &[or(float("nVertices"), SIXTEEN)], "replaces the geometry by a disk that fills the scope"),
-    later("primitiveDisk", &[float("nVertices"), float("radius")], "replaces the geometry by a disk of that size"),
+    op(
+        "primitiveDisk",
+        "disk",
+        &[or(float("nVertices"), SIXTEEN)],
+        "replaces the geometry by a disk that fills the scope",
+    ),
+    op(
+        "primitiveDisk",
+        "disk_sized",
+        &[float("nVertices"), float("radius")],
+        "replaces the geometry by a disk of that size",
+    ),
     with(Effect::FillsWithBox, op("primitiveCube", "cube", &[], "replaces the geometry by a box that fills the scope")),
     op(
         "primitiveCube",
@@ -100,14 +110,19 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("width"), float("height"), float("depth")],
         "replaces the geometry by a box of that size",
     ),
-    later("primitiveSphere", &[], "replaces the geometry by a sphere that fills the scope"),
-    later(
-        "primitiveSphere",
-        &[float("sides"), float("divisions")],
-        "replaces the geometry by a sphere that fills the scope",
+    with(Effect::Fills, op("primitiveSphere", "sphere", &[], "replaces the geometry by a sphere that fills the scope")),
+    with(
+        Effect::Fills,
+        op(
+            "primitiveSphere",
+            "sphere_sides",
+            &[float("sides"), float("divisions")],
+            "replaces the geometry by a sphere that fills the scope",
+        ),
     ),
-    later(
+    op(
         "primitiveSphere",
+        "sphere_sized",
         &[float("sides"), float("divisions"), float("radius")],
         "replaces the geometry by a sphere of that size",
     ),
@@ -115,11 +130,14 @@ pub(super) static ROWS: &[Operation] = &[
         Effect::Fills,
         op("primitiveCylinder", "cylinder", &[], "replaces the geometry by a cylinder that fills the scope"),
     ),
-    op(
-        "primitiveCylinder",
-        "cylinder_sides",
-        &[float("sides")],
-        "replaces the geometry by a cylinder that fills the scope, with so many sides",
+    with(
+        Effect::Fills,
+        op(
+            "primitiveCylinder",
+            "cylinder_sides",
+            &[float("sides")],
+            "replaces the geometry by a cylinder that fills the scope, with so many sides",
+        ),
     ),
     op(
         "primitiveCylinder",
@@ -127,9 +145,18 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("sides"), float("radius"), float("height")],
         "replaces the geometry by a cylinder of that size",
     ),
-    later("primitiveCone", &[or(float("sides"), SIXTEEN)], "replaces the geometry by a cone that fills the scope"),
-    later(
+    with(
+        Effect::Fills,
+        op(
+            "primitiveCone",
+            "cone",
+            &[or(float("sides"), SIXTEEN)],
+            "replaces the geometry by a cone that fills the scope",
+        ),
+    ),
+    op(
         "primitiveCone",
+        "cone_sized",
         &[float("sides"), float("radius"), float("height")],
         "replaces the geometry by a cone of that size",
     ),
