@@ -43,6 +43,9 @@ const TABLES_KEPT: usize = 16;
 /// Primitives that are kept: rules insert the same few again and again.
 const PRIMITIVES_KEPT: usize = 32;
 
+/// Assets that are kept as they stand when their z axis is up.
+const ASSETS_RAISED: usize = 256;
+
 /// A share of the initial shape's largest extent below which a shape is not split any further, and the most that this
 /// may be, in metres: on a large site small things are as good as elsewhere, and a run may start from a point.
 const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
@@ -73,6 +76,8 @@ pub struct Env {
     pub(crate) error: Option<Error>,
     /// Primitives that were made.
     primitives: Vec<(Made, Arc<Mesh>)>,
+    /// Assets whose z axis is up, each with what it is when it stands.
+    raised: Vec<[Arc<Mesh>; 2]>,
     pub(crate) reports: Reports,
     pub(crate) prints: Prints,
     /// What file searches found; see [`Env::files`].
@@ -142,6 +147,7 @@ impl Env {
             faults_left_out: 0,
             error: None,
             primitives: Vec::new(),
+            raised: Vec::new(),
             reports: Reports::default(),
             prints: Prints::default(),
             searches: BTreeMap::new(),
@@ -373,6 +379,21 @@ impl Env {
             self.primitives.push((what, mesh.clone()));
         }
         Some(mesh)
+    }
+
+    /// An asset with its z axis up, made once a run as long as there are few; nothing when the limit of vertices is reached.
+    pub(crate) fn raised(&mut self, mesh: Arc<Mesh>) -> Option<Arc<Mesh>> {
+        if let Some([_, known]) = self.raised.iter().find(|[lying, _]| Arc::ptr_eq(lying, &mesh)) {
+            return Some(known.clone());
+        }
+        if self.count_vertices(&mesh).is_break() {
+            return None;
+        }
+        let raised = Arc::new(crate::op::z_up(&mesh));
+        if self.raised.len() < ASSETS_RAISED {
+            self.raised.push([mesh, raised.clone()]);
+        }
+        Some(raised)
     }
 
     pub(crate) fn take_faults(&mut self) -> (Vec<Fault>, u64) {

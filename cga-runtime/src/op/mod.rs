@@ -12,7 +12,8 @@ mod transform;
 mod trim;
 
 pub use extrude::{ExtrudeAlong, extrude, extrude_along};
-pub use insert::insert;
+pub(crate) use insert::z_up;
+pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, reset_material, set_material, texture};
 pub use primitive::{
     cone, cone_sized, cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, disk, disk_sized, quad, quad_sized,

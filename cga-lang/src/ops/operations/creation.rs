@@ -64,8 +64,9 @@ pub(super) static ROWS: &[Operation] = &[
         "write `extrude(world.up, …)` to extrude upwards",
     ),
     op("i", "insert", &[text("filePath")], "replaces the geometry by an asset that fills the scope"),
-    later(
+    op(
         "i",
+        "insert_with",
         &[
             text("filePath"),
             UP_AXIS,
