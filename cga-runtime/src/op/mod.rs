@@ -27,7 +27,7 @@ pub use align_geometry::{
     align_to_indices, align_to_selected,
 };
 pub use coordinates::{CoordSystem, TransformMode, rotate_in, translate_in};
-pub use extrude::{ExtrudeAlong, extrude, extrude_along};
+pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub(crate) use insert::z_up;
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, reset_material, set_material, texture};

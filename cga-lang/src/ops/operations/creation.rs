@@ -5,13 +5,15 @@ use super::{later, old, op, with};
 
 const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
     rust: "ExtrudeAlong",
-    words: &[("face.normal", "FaceNormal"), ("world.up", "WorldUp"), ("world.y", "WorldUp")],
+    words: &[
+        ("face.normal", "FaceNormal"),
+        ("vertex.normal", "VertexNormal"),
+        ("world.up", "WorldUp"),
+        ("world.y", "WorldUp"),
+        ("world.up.flatTop", "WorldUpFlatTop"),
+    ],
     old: &[("world.y", "world.up")],
 };
-
-/// The types of extrusion that do not run yet.
-const EXTRUDE_LATER: Param =
-    word("extrusionType", "ExtrudeAlong", &[("vertex.normal", "VertexNormal"), ("world.up.flatTop", "WorldUpFlatTop")]);
 
 const EXTRUDE_AXIS: Param =
     word("axis", "ExtrudeAxis", &[("x", "X"), ("y", "Y"), ("z", "Z"), ("world.x", "WorldX"), ("world.z", "WorldZ")]);
@@ -52,15 +54,10 @@ pub(super) static ROWS: &[Operation] = &[
         "extrude",
         "extrude_along",
         &[super::super::param("extrusionType", EXTRUDE_ALONG), length("distance")],
-        "extrudes each face along its normal or upwards",
-    ),
-    later(
-        "extrude",
-        &[EXTRUDE_LATER, length("distance")],
-        "extrudes with faces kept together, or upwards to a flat top",
+        "extrudes faces along normals or upwards",
     ),
     old(
-        later("extrude", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis"),
+        op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis"),
         "write `extrude(world.up, …)` to extrude upwards",
     ),
     op("i", "insert", &[text("filePath")], "replaces the geometry by an asset that fills the scope"),
