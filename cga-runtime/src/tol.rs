@@ -33,3 +33,7 @@ pub(crate) const VOLUME_EPSILON: f64 = 1e-14;
 
 /// Faces whose unit normal rises by less than this look sideways, and an edge whose direction rises by no more is level.
 pub(crate) const UP_EPSILON: f64 = 1e-9;
+
+/// Lengths and heights that differ by less than this, relative to the extent of the shape, are the same where the largest or
+/// lowest is looked for, and the first of them is taken.
+pub(crate) const TIE_EPSILON: f64 = 1e-9;
