@@ -38,6 +38,8 @@ use crate::mesh::Mesh;
 use crate::scope::Axis;
 
 pub(crate) use plane::above;
+pub(crate) use contour::Section;
+pub(crate) use nest::Nest;
 pub use plane::{Plane, halves};
 
 use caps::Caps;

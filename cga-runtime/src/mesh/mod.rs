@@ -19,9 +19,11 @@ mod face;
 mod layout;
 mod map;
 mod measure;
+pub(crate) mod offset;
 mod polygon;
 pub mod primitive;
 mod solid;
+mod spread;
 pub(crate) mod table;
 mod uv;
 
@@ -42,6 +44,7 @@ pub use face::FaceRef;
 pub(crate) use face::unit;
 pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
+pub use offset::OffsetFaces;
 pub(crate) use uv::UvSets;
 
 /// Faces with holes over shared points. Made by [`MeshBuilder`], never changed afterwards.

@@ -6,14 +6,17 @@
 mod extrude;
 mod insert;
 mod material;
+mod offset;
 mod primitive;
 mod report;
 mod transform;
 mod trim;
 
+pub use crate::mesh::OffsetFaces;
 pub use extrude::{ExtrudeAlong, extrude, extrude_along};
 pub use insert::insert;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, reset_material, set_material, texture};
+pub use offset::offset;
 pub use primitive::{cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, quad, quad_sized};
 pub use report::{label, print, report};
 pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
