@@ -1,13 +1,15 @@
 //! Whether a result can be true.
 //!
-//! The areas add up however points are moved, so strips could only overlap where one is turned over. A strip of a straight
-//! skeleton is monotone along its edge, and what is left has no crossings.
+//! The areas add up however points are moved, so strips could only overlap where something is turned over. A strip of a
+//! straight skeleton is in one piece and monotone along its edge; what is left has no crossings, and its loops lie in each
+//! other as they should.
 
 use glam::DVec2;
 
 use super::wavefront::{Line, Wavefront, twice_area};
 use super::{Left, Strip, Swept};
 use crate::exact::orient;
+use crate::mesh::check::winding;
 use crate::tol::MEETING_EPSILONS;
 
 /// So many times what touches is rounding.
@@ -23,8 +25,42 @@ impl Wavefront {
                 is_monotone(strip, &swept.points, &self.lines[strip.edge as usize], self.until, slack)
                     && -rounding <= twice_area(&swept.points, &strip.ring)
             })
+            && self.in_one_piece(&swept.strips, &swept.points, rounding)
             && !crosses(&swept.left, &swept.points, slack)
+            && self.nests(swept)
     }
+
+    /// Whether no edge has two strips, but for those that are rounding.
+    fn in_one_piece(&self, strips: &[Strip], points: &[DVec2], rounding: f64) -> bool {
+        let mut found = vec![false; self.lines.len()];
+        let real = |strip: &&Strip| rounding < twice_area(points, &strip.ring);
+        strips.iter().filter(real).all(|strip| !std::mem::replace(&mut found[strip.edge as usize], true))
+    }
+
+    /// Whether the region is on the left of every loop of what is left, and on the right is none. A loop that has passed
+    /// through itself is inside out.
+    fn nests(&self, swept: &Swept) -> bool {
+        let rings: Vec<Vec<DVec2>> = swept.left.iter().map(|ring| positions(ring, &swept.points)).collect();
+        rings.iter().enumerate().all(|(number, ring)| {
+            let turns = |p: DVec2| {
+                let others = rings.iter().enumerate().filter(|(other, _)| *other != number);
+                others.map(|(_, other)| winding(other, p)).sum::<Option<i32>>()
+            };
+            let middles = (0..ring.len()).map(|i| ring[i].midpoint(ring[(i + 1) % ring.len()]));
+            // Seen from a side that touches no other loop.
+            let around = middles.into_iter().find_map(turns);
+            let own = i32::from(0.0 < area(ring));
+            around.is_none_or(|around| around + own == i32::from(!self.unbounded))
+        })
+    }
+}
+
+fn positions(ring: &[Left], points: &[DVec2]) -> Vec<DVec2> {
+    ring.iter().map(|left| points[left.point as usize]).collect()
+}
+
+fn area(ring: &[DVec2]) -> f64 {
+    (1..ring.len() - 1).map(|i| (ring[i] - ring[0]).perp_dot(ring[i + 1] - ring[0])).sum()
 }
 
 /// Whether a strip runs along its edge once and comes back once, in front of it.

@@ -125,7 +125,8 @@ impl Wavefront {
         let height = self.height(number, piece, self.now);
         let time = self.now + height.max(0.0) / closing;
         // Just beyond the end there may be something that touches.
-        if !(time < before) || self.until + self.epsilon < time || height < -self.epsilon {
+        let sooner = time < before && time <= self.until + self.epsilon;
+        if !sooner || height < -self.epsilon {
             return None;
         }
         let end = &self.corners[start.next as usize];

@@ -73,6 +73,8 @@ pub(super) struct Wavefront {
     pub(super) nodes: Vec<DVec2>,
     given: usize,
     pub(super) arcs: Arcs,
+    /// Whether the region is the outside.
+    pub(super) unbounded: bool,
     /// How large everything is.
     pub(super) extent: f64,
     /// What is nearer than this touches.
@@ -90,7 +92,8 @@ impl Wavefront {
         let extent = (high - low).max_element();
         // The outside has no end: there it is the distance that tells what is small.
         let area: f64 = rings.iter().map(|ring| twice_area(points, ring)).sum();
-        let extent = if area < 0.0 { extent + until } else { extent };
+        let unbounded = area < 0.0;
+        let extent = if unbounded { extent + until } else { extent };
         if !(SIZES.contains(&extent) && area.is_finite()) {
             return Err(Failure::Tangled);
         }
@@ -101,6 +104,7 @@ impl Wavefront {
             nodes: points.to_vec(),
             given: points.len(),
             arcs: Arcs::default(),
+            unbounded,
             extent,
             epsilon: epsilon * extent,
             patience: 16 * rings.iter().map(Vec::len).sum::<usize>() + 64,
