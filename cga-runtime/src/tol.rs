@@ -37,3 +37,7 @@ pub(crate) const UP_EPSILON: f64 = 1e-9;
 /// Lengths and heights that differ by less than this, relative to the extent of the shape, are the same where the largest or
 /// lowest is looked for, and the first of them is taken.
 pub(crate) const TIE_EPSILON: f64 = 1e-9;
+
+/// What is nearer to each other than this touches where edges of a polygon move, relative to its extent. Where one leads
+/// to a tangle, the next is tried.
+pub(crate) const MEETING_EPSILONS: [f64; 8] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-11, 3e-10, 3e-9, 1e-6];

@@ -11,6 +11,7 @@ mod extrude;
 mod insert;
 mod material;
 mod mirror;
+mod offset;
 mod pivot;
 mod primitive;
 mod refit;
@@ -20,6 +21,7 @@ mod scope_tests;
 mod transform;
 mod trim;
 
+pub use crate::mesh::OffsetFaces;
 pub use align::{AlignAxes, align_to_axes, rotate_scope};
 pub use align_box::{BoxAxes, align_to_box};
 pub use align_geometry::{
@@ -32,6 +34,7 @@ pub(crate) use insert::z_up;
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, reset_material, set_material, texture};
 pub use mirror::{mirror, reverse_normals};
+pub use offset::offset;
 pub use pivot::{AxisMap, mirror_scope, set_pivot};
 pub use primitive::{
     cone, cone_sized, cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, disk, disk_sized, quad, quad_sized,

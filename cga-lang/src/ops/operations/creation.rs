@@ -159,7 +159,8 @@ pub(super) static ROWS: &[Operation] = &[
         "replaces the geometry by a cone of that size",
     ),
     later("taper", &[float("height")], "makes a pyramid over the first face"),
-    later(
+    op(
+        "offset",
         "offset",
         &[float("distance"), or(KEEP_FACES, Default::Word("all"))],
         "moves the outline of each face in or out, with faces for the difference",
