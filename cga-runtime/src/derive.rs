@@ -141,7 +141,7 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
         let leaf = Leaf { rule, material: shape.state.material(), scope: &shape.scope };
         match &shape.geometry {
             Geometry::Rect(axis) => self.sink.quad(&leaf, &place::rect(&shape.scope, *axis)),
-            Geometry::Box => self.sink.cuboid(&leaf, &place::cuboid(&shape.scope)),
+            Geometry::Box(_) => self.sink.cuboid(&leaf, &place::cuboid(&shape.scope)),
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Flow::Continue(()),
             Geometry::Mesh(placed) => {
                 let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);

@@ -35,6 +35,7 @@ mod seed;
 pub mod set;
 pub mod settings;
 pub mod shape;
+mod side;
 pub mod sink;
 mod skeleton;
 pub mod split;

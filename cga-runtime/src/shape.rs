@@ -14,6 +14,7 @@ use crate::material::{Color, Material};
 use crate::mesh::Mesh;
 use crate::scope::{Axis, Frame, Scope};
 use crate::seed::{Seed, Tag};
+use crate::side::Sides;
 use crate::state::StateRef;
 use crate::text::Text;
 use crate::trim::Trims;
@@ -67,8 +68,8 @@ pub(crate) enum Geometry {
     Wire(Arc<PlacedWire>),
     /// A rectangle in the scope's low plane across an axis, looking along that axis.
     Rect(Axis),
-    /// The scope itself, closed.
-    Box,
+    /// The scope itself, closed, and which of its sides have tags.
+    Box(Sides),
     /// Any mesh.
     Mesh(Arc<Placed>),
 }
@@ -76,7 +77,7 @@ pub(crate) enum Geometry {
 impl Geometry {
     /// Whether there are faces, or may be.
     pub(crate) fn has_surface(&self) -> bool {
-        matches!(self, Geometry::Rect(_) | Geometry::Box | Geometry::Mesh(_))
+        matches!(self, Geometry::Rect(_) | Geometry::Box(_) | Geometry::Mesh(_))
     }
 }
 
@@ -127,7 +128,7 @@ impl Shape {
 
     /// A box of that size, its corner at the origin.
     pub fn cuboid(width: f64, height: f64, depth: f64) -> Self {
-        Shape::with(Scope::new(DVec3::new(width, height, depth)), Geometry::Box)
+        Shape::with(Scope::new(DVec3::new(width, height, depth)), Geometry::Box(Sides::PLAIN))
     }
 
     /// A straight line in the world, in metres: its scope's x axis runs along it, the y axis is as upright as that lets it
@@ -328,7 +329,9 @@ impl<'a> ShapeRef<'a> {
                 let local = Scope::new(self.scope.size);
                 Arc::new(Mesh::from_quad(&crate::place::rect(&local, *axis)))
             }
-            Geometry::Box => Arc::new(Mesh::from_cuboid(&crate::place::cuboid(&Scope::new(self.scope.size)))),
+            Geometry::Box(sides) => {
+                Arc::new(Mesh::from_cuboid(&crate::place::cuboid(&Scope::new(self.scope.size))).with_sides(*sides))
+            }
             Geometry::Mesh(placed) => {
                 let place = placed.to_scope(self.scope.size);
                 if place == DAffine3::IDENTITY { placed.mesh.clone() } else { Arc::new(placed.mesh.map(&place)) }
@@ -348,7 +351,7 @@ impl<'a> ShapeRef<'a> {
     pub(crate) fn resize(&mut self, size: DVec3) {
         let grows = |axis: usize| match &self.geometry {
             Geometry::Rect(normal) => normal.index() != axis,
-            Geometry::Box => true,
+            Geometry::Box(_) => true,
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Mesh(_) => false,
         };
         if (0..3).any(|axis| size[axis] == 0.0 && self.scope.size[axis] != 0.0 && grows(axis)) {

@@ -39,8 +39,8 @@ const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'
 }
 
 /// A question to a component, which does not run yet.
-const fn asked(name: &'static str, params: &'static [Param], about: &'static str) -> Function {
-    Function { needs: Needs::Component, ..later(name, params, B, about) }
+const fn asked(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Function {
+    Function { run: Run::Now(call), needs: Needs::Component, ..later(name, params, B, about) }
 }
 
 const TARGET: Param = word("target", "ContextTarget", &[("intra", "Intra"), ("inter", "Inter"), ("all", "All")]);
@@ -124,9 +124,10 @@ static GEOMETRY: &[Function] = &[
 
 /// Tags, as selectors ask for them (*comp operation*).
 static TAGS: &[Function] = &[
-    asked("isTagged", &[text("tagQuery")], "whether a component has a tag that matches"),
+    asked("isTagged", "is_tagged", &[text("tagQuery")], "whether a component has a tag that matches"),
     asked(
         "isTagged",
+        "is_tagged_at",
         &[text("tagQuery"), SUBCOMPONENT],
         "whether an edge or vertex of a component has a tag that matches",
     ),

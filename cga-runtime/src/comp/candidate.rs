@@ -5,6 +5,26 @@ use super::select::Word;
 use super::source::Source;
 use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, ShapeRef};
+use crate::text::Text;
+
+/// What `isTagged` looks at instead of the component itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subcomponent {
+    /// Its edges.
+    Edges,
+    /// Its vertices.
+    Vertices,
+}
+
+/// `isTagged(query)` (*comp operation*).
+pub fn is_tagged(candidate: &mut Candidate<'_>, query: Text) -> bool {
+    candidate.tagged(&query, None)
+}
+
+/// `isTagged(query, e | v)` (*comp operation*).
+pub fn is_tagged_at(candidate: &mut Candidate<'_>, query: Text, of: Subcomponent) -> bool {
+    candidate.tagged(&query, Some(of))
+}
 
 /// A component that no arm has yet. Functions in a condition are evaluated on its shape, which has the pivot and the axes of
 /// the shape that is divided: `geometry.isOriented(top)` means what the selector `top` means (*comp operation*, logical
@@ -35,6 +55,15 @@ impl<'c> Candidate<'c> {
     #[inline]
     pub fn is(&self, word: Word) -> bool {
         self.source.is(self.looks, self.number, word)
+    }
+
+    /// Whether a query finds one of its tags, or one of its subcomponents'.
+    fn tagged(&self, query: &str, of: Option<Subcomponent>) -> bool {
+        match self.source {
+            Source::Mesh(parts) => parts.tagged(self.number, of, query),
+            Source::Quads(quads) => quads.tagged(self.number, of, query),
+            Source::Wire(_) => false,
+        }
     }
 
     /// Its shape.

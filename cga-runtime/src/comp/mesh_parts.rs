@@ -1,12 +1,13 @@
 //! The components of a mesh.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
 use super::Components;
+use super::candidate::Subcomponent;
 use super::faces::extract;
 use super::frame::{FaceFrame, beside, face_frame, upright};
 use super::looks::Looks;
@@ -29,6 +30,8 @@ pub(super) struct MeshParts {
     holes: Vec<[u32; 2]>,
     /// For each point whether an edge at the border ends there.
     border: OnceCell<Vec<bool>>,
+    /// The last query for tags, and which sets it finds.
+    found: RefCell<(String, Vec<bool>)>,
 }
 
 impl MeshParts {
@@ -45,7 +48,7 @@ impl MeshParts {
                 holes.extend((1..face.loops().len()).map(|ring| [face.index() as u32, ring as u32]));
             }
         }
-        MeshParts { mesh, kind, normals, sets, holes, border: OnceCell::new() }
+        MeshParts { mesh, kind, normals, sets, holes, border: OnceCell::new(), found: RefCell::default() }
     }
 
     fn adjacency(&self) -> &Adjacency {
@@ -167,6 +170,42 @@ impl MeshParts {
                 Sense::Border(border) => self.face_at_border(face) == border,
                 Sense::Roof(_) => false,
             }
+    }
+
+    /// Whether a tag of a component is found. Faces pass theirs on to their edges and vertices; those of subcomponents are asked
+    /// instead of the component's own when they are named (*comp operation*, isTagged).
+    pub(super) fn tagged(&self, index: usize, of: Option<Subcomponent>, query: &str) -> bool {
+        let sets = self.mesh.tag_sets();
+        if sets.is_empty() {
+            return false;
+        }
+        let adjacency = self.adjacency();
+        let mut found = self.found.borrow_mut();
+        if found.0 != query {
+            *found = (query.to_owned(), sets.iter().map(|set| set.matches(query)).collect());
+        }
+        let face = |face: u32| found.1.get(self.mesh.face(face as usize).tag().tags as usize) == Some(&true);
+        let edge = |edge: usize| adjacency.faces_at(edge).any(face);
+        let point = |corner: u32| adjacency.faces_around(self.mesh.corners()[corner as usize] as usize).any(face);
+        let by_face = |number: u32| {
+            let mut corners = self.mesh.face(number as usize).corner_range().map(|corner| corner as u32);
+            match of {
+                None => face(number),
+                Some(Subcomponent::Edges) => corners.any(|corner| edge(adjacency.edge(corner))),
+                Some(Subcomponent::Vertices) => corners.any(point),
+            }
+        };
+        match self.kind {
+            Components::Faces => by_face(index as u32),
+            Components::Holes => by_face(self.holes[index][0]),
+            Components::Groups | Components::Materials => self.sets[index].iter().copied().any(by_face),
+            Components::Edges | Components::FaceEdges if of == Some(Subcomponent::Vertices) => {
+                self.end_corners(index).into_iter().any(point)
+            }
+            Components::Edges | Components::FaceEdges => edge(adjacency.edge(self.end_corners(index)[0])),
+            Components::Vertices => adjacency.faces_around(index).any(face),
+            Components::FaceVertices => point(index as u32),
+        }
     }
 
     fn face_at_border(&self, face: usize) -> bool {

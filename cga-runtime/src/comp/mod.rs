@@ -26,7 +26,7 @@ use crate::shape::{Counter, ShapeRef};
 use crate::sink::{Flow, Sink};
 use crate::trim::{Surface, Trims};
 
-pub use candidate::Candidate;
+pub use candidate::{Candidate, Subcomponent, is_tagged, is_tagged_at};
 pub use value::comp_values;
 
 use looks::Looks;

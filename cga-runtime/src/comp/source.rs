@@ -4,14 +4,17 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
+use super::candidate::Subcomponent;
 use super::looks::Looks;
 use super::mesh_parts::MeshParts;
 use super::select::{Sense, Word};
 use super::wire_parts::WireParts;
 use super::{Align, Arm, Components, Mode};
 use crate::env::Env;
+use crate::mesh::tag_matches;
 use crate::place;
 use crate::shape::{Geometry, ShapeRef};
+use crate::side::{EXTRUDED, Sides};
 use crate::sink::Quad;
 use crate::wire::Wire;
 
@@ -96,6 +99,7 @@ pub(super) struct Quads {
     count: usize,
     /// Outwards, in scope axes.
     normals: [DVec3; 6],
+    sides: Sides,
 }
 
 impl Quads {
@@ -103,7 +107,7 @@ impl Quads {
     fn of(shape: &ShapeRef<'_>) -> Option<Self> {
         let size = shape.scope.size;
         let (list, count) = match shape.geometry {
-            Geometry::Box if 0.0 < size.min_element() => (place::cuboid(&shape.scope).faces(), 6),
+            Geometry::Box(_) if 0.0 < size.min_element() => (place::cuboid(&shape.scope).faces(), 6),
             Geometry::Rect(axis) if (0..3).all(|at| at == axis.index() || 0.0 < size[at]) => {
                 (std::array::from_fn(|_| place::rect(&shape.scope, axis)), 1)
             }
@@ -112,7 +116,8 @@ impl Quads {
         let to_scope = shape.scope.axes.transpose();
         let normals =
             std::array::from_fn(|side: usize| to_scope * list[side].u.cross(list[side].v).normalize_or_zero());
-        Some(Quads { list, count, normals })
+        let sides = if let Geometry::Box(sides) = shape.geometry { sides } else { Sides::PLAIN };
+        Some(Quads { list, count, normals, sides })
     }
 
     #[inline]
@@ -127,6 +132,14 @@ impl Quads {
             Sense::Border(border) => border == (self.count == 1),
             Sense::Roof(_) => false,
         }
+    }
+
+    /// Whether a tag of a side is found, or of one beside it.
+    pub(super) fn tagged(&self, number: usize, of: Option<Subcomponent>, query: &str) -> bool {
+        let has = |side: usize| self.sides.tag(side).is_some_and(|tag| tag_matches(query, EXTRUDED[tag]));
+        // Opposite sides of a box share no edge and no vertex.
+        const OPPOSITE: [usize; 6] = [2, 3, 0, 1, 5, 4];
+        if of.is_none() { has(number) } else { (0..6).any(|side| side != OPPOSITE[number] && has(side)) }
     }
 
     /// Whether the faces have neighbours.

@@ -7,6 +7,7 @@ use super::{Align, Arm, Components, Mode, Parts, Select, comp_values, never};
 use crate::env::Env;
 use crate::mesh::{Extrude, Mesh, MeshBuilder, extrude, primitive};
 use crate::shape::{Geometry, Shape};
+use crate::side::Sides;
 use crate::sink::Flow;
 
 const KINDS: [Components; 8] = [
@@ -382,7 +383,7 @@ fn streets_decide_what_is_front() {
     assert_eq!(numbers(&Shape::rectangle(6.0, 4.0)), [0.0, 3.0, 1.0, 2.0], "without streets, as of the object");
     // Walls over the lot look as its edges do.
     let mut walls = lot.clone();
-    walls.geometry = Geometry::Box;
+    walls.geometry = Geometry::Box(Sides::PLAIN);
     walls.scope.size.y = 3.0;
     let arms = words.map(|word| arm(word, Mode::Each));
     let value = |_: &mut Env, arm: u32, _: &mut crate::shape::ShapeRef<'_>| f64::from(arm) + 1.0;

@@ -20,6 +20,7 @@ mod random;
 mod split;
 mod string;
 
+pub use crate::comp::{Subcomponent, is_tagged, is_tagged_at};
 pub use crate::query::*;
 pub use array::*;
 pub use choose::{clamp, clamp_each, clamp_text, max, max_each, max_text, min, min_each, min_text};

@@ -10,7 +10,8 @@ use glam::DVec3;
 use super::face::unit;
 use super::map::flip;
 use super::table::PairTable;
-use super::{Bounds, FaceTag, Mesh};
+use super::{Bounds, FaceTag, Mesh, TagSet};
+use crate::side::EXTRUDED;
 use crate::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
 /// Which way faces are pulled.
@@ -47,14 +48,10 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
         Extrude::FlatTop(vector) => to_flat_top(mesh, vector, distance),
     };
     let way = |body: u32, point: u32| ways[if along == Extrude::FaceNormal { body } else { point } as usize];
+    let tags = AutoTags::of(mesh);
     let mut grown = Grown {
         source: mesh,
-        mesh: Mesh {
-            uvs: mesh.uvs.alike(6 * mesh.corners.len()),
-            groups: mesh.groups.clone(),
-            materials: mesh.materials.clone(),
-            ..Mesh::default()
-        },
+        mesh: Mesh { tag_sets: tags.sets.into(), ..mesh.alike(6 * mesh.corners.len()) },
         low: vec![u32::MAX; mesh.points.len()],
         high: PairTable::with_capacity(mesh.points.len()),
     };
@@ -63,8 +60,10 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
         if face.corner_range().all(|corner| way(body, mesh.corners[corner]) == DVec3::ZERO) {
             continue;
         }
-        let tag = FaceTag { cap: false, ..face.tag() };
-        for ring in face.loop_ranges() {
+        let own = face.tag();
+        let tag = |part: usize| FaceTag { cap: false, tags: tags.of[part][own.tags.min(tags.last) as usize], ..own };
+        for (number, ring) in face.loop_ranges().enumerate() {
+            let tag = tag(if number == 0 { 1 } else { 2 });
             for corner in ring.clone() {
                 let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
                 if !joints.inner[corner] {
@@ -86,10 +85,32 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
                 grown.copy_uvs(&order);
                 grown.end_loop();
             }
-            grown.end_face(tag);
+            grown.end_face(tag(if top { 3 } else { 0 }));
         }
     }
     grown.mesh
+}
+
+/// Tags that the result's faces get besides those of the faces they come from.
+struct AutoTags {
+    sets: Vec<TagSet>,
+    /// For each tag of [`EXTRUDED`]: the set that a set becomes, and the last one for faces without.
+    of: [Vec<u32>; 4],
+    last: u32,
+}
+
+impl AutoTags {
+    fn of(mesh: &Mesh) -> Self {
+        let mut sets: Vec<TagSet> = Vec::new();
+        let plain = TagSet::default();
+        let of = EXTRUDED.map(|name| {
+            let all = mesh.tag_sets.iter().chain([&plain]).map(|set| set.renewed("extrude", name));
+            let first = sets.len() as u32;
+            sets.extend(all);
+            (first..sets.len() as u32).collect()
+        });
+        AutoTags { sets, of, last: mesh.tag_sets.len() as u32 }
+    }
 }
 
 /// For each point the average of the normals of the faces around it, faces that look the same way counting once, so that it

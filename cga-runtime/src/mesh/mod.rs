@@ -47,6 +47,7 @@ pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
 pub use offset::OffsetFaces;
 pub use tag::TagSet;
+pub(crate) use tag::matches as tag_matches;
 pub(crate) use uv::UvSets;
 
 /// Faces with holes over shared points. Made by [`MeshBuilder`], never changed afterwards.

@@ -1,6 +1,7 @@
 //! Rectangles and boxes as meshes.
 
 use super::{Derived, FaceEnds, FaceTag, Mesh, Tags};
+use crate::side::{Sides, tag_sets};
 use crate::sink::{Cuboid, Quad};
 
 /// Points of a box are numbered x + 2y + 4z; faces as [`Cuboid::faces`] has them, corners as [`Quad::corners`].
@@ -27,6 +28,19 @@ impl Mesh {
             derived,
             ..Mesh::default()
         }
+    }
+
+    /// A box with the tags of its sides.
+    pub(crate) fn with_sides(mut self, sides: Sides) -> Mesh {
+        if !sides.is_plain() {
+            self.tag_sets = tag_sets().into();
+            self.tags = Tags::default();
+            for side in 0..6 {
+                let tags = sides.tag(side).map_or(FaceTag::NONE, |tag| tag as u32);
+                self.tags.push(FaceTag { tags, ..FaceTag::PLAIN });
+            }
+        }
+        self
     }
 
     /// A box as a closed mesh of eight points and six faces.

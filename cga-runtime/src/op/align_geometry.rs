@@ -218,7 +218,7 @@ impl<'a> Faces<'a> {
         match &shape.geometry {
             Geometry::Mesh(placed) => Faces::Mesh(&placed.mesh, placed.to_scope(shape.scope.size)),
             Geometry::Rect(axis) => Faces::Quads([place::rect(&local, *axis); 6], 1),
-            other => Faces::Quads(place::cuboid(&local).faces(), if matches!(other, Geometry::Box) { 6 } else { 0 }),
+            other => Faces::Quads(place::cuboid(&local).faces(), if matches!(other, Geometry::Box(_)) { 6 } else { 0 }),
         }
     }
 

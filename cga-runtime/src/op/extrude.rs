@@ -11,6 +11,7 @@ use crate::fault::FaultKind;
 use crate::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
 use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::side::Sides;
 
 /// The direction of an extrusion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +56,7 @@ pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlon
         Geometry::Rect(axis) if shape.scope.size[axis.index()] == 0.0 && straight(&shape.scope, *axis, along) => {
             if distance != 0.0 {
                 shape.scope = raised(&shape.scope, *axis, distance);
-                shape.geometry = Geometry::Box;
+                shape.geometry = Geometry::Box(Sides::GROWN);
             }
         }
         _ => {
@@ -223,7 +224,7 @@ mod tests {
     fn level_rectangles_become_boxes() {
         for along in ALL {
             let shape = grown(Shape::rectangle(4.0, 5.0), along, 6.0);
-            assert!(matches!(shape.geometry, Geometry::Box) && shape.scope.size == DVec3::new(4.0, 6.0, 5.0));
+            assert!(matches!(shape.geometry, Geometry::Box(_)) && shape.scope.size == DVec3::new(4.0, 6.0, 5.0));
             let shape = grown(Shape::rectangle(4.0, 5.0), along, 0.0);
             assert!(matches!(shape.geometry, Geometry::Rect(Axis::Y)));
         }

@@ -10,6 +10,7 @@ use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::mesh::Mesh;
 use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::side::Sides;
 use crate::text::Text;
 
 /// Which axis of an asset, or of an aligned scope, is its height.
@@ -80,7 +81,7 @@ pub(crate) fn z_up(mesh: &Mesh) -> Mesh {
 
 fn insert_box(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
-    shape.geometry = Geometry::Box;
+    shape.geometry = Geometry::Box(Sides::PLAIN);
     super::trim(env, shape);
 }
 
@@ -248,7 +249,7 @@ mod tests {
         ] {
             let (env, shape) = (&mut env(), &mut Shape::cuboid(2.0, 3.0, 4.0));
             insert_with(env, shape, "none.obj".into(), UpAxis::ZUp, mode, CleanupMode::NoCleanup);
-            assert!(matches!(shape.geometry, Geometry::Box) && env.take_faults().0.len() == 1);
+            assert!(matches!(shape.geometry, Geometry::Box(_)) && env.take_faults().0.len() == 1);
             assert_eq!(shape.scope.size.to_array(), size);
             insert_with(env, shape, "builtin:cube".into(), UpAxis::YUp, mode, CleanupMode::NoCleanup);
             assert!(env.take_faults().0.is_empty());

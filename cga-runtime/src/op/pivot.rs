@@ -54,7 +54,7 @@ pub fn set_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, map: AxisMap, corner: 
                     None => {}
                 }
             }
-            Geometry::Box | Geometry::Rect(_) | Geometry::Mesh(_) => {
+            Geometry::Box(_) | Geometry::Rect(_) | Geometry::Mesh(_) => {
                 if !rearrange(env, shape, from, from.map(|axis| far[axis])) {
                     return;
                 }

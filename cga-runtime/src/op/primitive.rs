@@ -16,6 +16,7 @@ use crate::mesh::Mesh;
 use crate::mesh::primitive::Made;
 use crate::scope::Axis;
 use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::side::Sides;
 
 /// Sides and divisions when none are given.
 const USUAL: u32 = 16;
@@ -27,7 +28,7 @@ const MOST_OF_SPHERE: u32 = 1000;
 /// `primitiveCube()` (*primitiveCube operation*).
 pub fn cube(env: &mut Env, shape: &mut ShapeRef<'_>) {
     fit(shape, DVec3::ZERO, DVec3::ONE);
-    shape.geometry = Geometry::Box;
+    shape.geometry = Geometry::Box(Sides::PLAIN);
     super::trim(env, shape);
 }
 
@@ -36,7 +37,7 @@ pub fn cube_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, height: f
     let size =
         DVec3::new(env.finite(width, "the width"), env.finite(height, "the height"), env.finite(depth, "the depth"));
     stand(env, shape, size, Axis::Y);
-    shape.geometry = Geometry::Box;
+    shape.geometry = Geometry::Box(Sides::PLAIN);
     super::trim(env, shape);
 }
 
@@ -284,7 +285,7 @@ mod tests {
         let far = |p: &DVec3| (shape.scope.frame().to_world(*p).distance(DVec3::new(11.0, 12.0, 8.0)) - 10.0).abs();
         assert!(shape.to_mesh().points().iter().all(|p| far(p) < 1e-12));
         cube_sized(env, shape, 10.0, 15.0, 20.0);
-        assert!((shape.scope.centre() - middle).length() < 1e-12 && matches!(shape.geometry, Geometry::Box));
+        assert!((shape.scope.centre() - middle).length() < 1e-12 && matches!(shape.geometry, Geometry::Box(_)));
         assert!(env.take_faults().0.is_empty());
     }
 

@@ -22,7 +22,9 @@ pub(super) fn refit(env: &mut Env, shape: &mut ShapeRef<'_>, axes: DMat3, what: 
     let turn = scope.axes.transpose() * axes;
     let stays = turn.abs_diff_eq(DMat3::IDENTITY, ANGLE_EPSILON);
     let found = match &shape.geometry {
-        Geometry::Box if stays && 0.0 < scope.size.min_element() => Some((Scope { axes, ..scope }, Geometry::Box)),
+        Geometry::Box(sides) if stays && 0.0 < scope.size.min_element() => {
+            Some((Scope { axes, ..scope }, Geometry::Box(*sides)))
+        }
         Geometry::Rect(axis) if 0.0 <= scope.size.min_element() => rectangle(&scope, *axis, axes),
         Geometry::Mesh(placed) if stays && fits(placed) && 0.0 <= scope.size.min_element() => {
             Some((Scope { axes, ..scope }, Geometry::Mesh(placed.clone())))
@@ -35,7 +37,7 @@ pub(super) fn refit(env: &mut Env, shape: &mut ShapeRef<'_>, axes: DMat3, what: 
         Geometry::Vertex => Some((Scope { axes, size: DVec3::ZERO, ..scope }, Geometry::Vertex)),
         Geometry::Empty if stays => Some((Scope { axes, ..scope }, Geometry::Empty)),
         Geometry::Empty => Some((around(&scope, &turn, axes), Geometry::Empty)),
-        Geometry::Box | Geometry::Rect(_) | Geometry::Mesh(_) => None,
+        Geometry::Box(_) | Geometry::Rect(_) | Geometry::Mesh(_) => None,
     };
     let found = match found {
         Some(found) => found,
@@ -139,7 +141,7 @@ pub(super) fn as_placed(shape: &ShapeRef<'_>) -> Option<Placed> {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => None,
         Geometry::Mesh(placed) => Some(Placed::clone(placed)),
-        Geometry::Box => {
+        Geometry::Box(_) => {
             let mesh = Arc::new(Mesh::from_cuboid(&place::cuboid(&Scope::new(size))));
             Some(Placed { mesh, low: DVec3::ZERO, size, whole: false })
         }

@@ -251,7 +251,7 @@ fn boxes_and_rectangles_stay_what_they_are_where_they_can() {
     align_to_box(env, shape, BoxAxes::Zx);
     rotate_scope(env, shape, 0.0, 0.0, 0.0);
     mirror(env, shape, true, false, false);
-    assert!(matches!(shape.geometry, Geometry::Box) && shape.scope.size == DVec3::new(2.0, 3.0, 4.0));
+    assert!(matches!(shape.geometry, Geometry::Box(_)) && shape.scope.size == DVec3::new(2.0, 3.0, 4.0));
     let wall = &mut rect(Axis::Z, [4.0, 3.0, 0.0]);
     rotate(env, wall, 0.0, 30.0, 0.0);
     align_to_axes(env, wall, AlignAxes::WorldY);

@@ -56,6 +56,7 @@ mod tests {
     use crate::op;
     use crate::query::{geometry_area, geometry_is_closed_surface};
     use crate::shape::Shape;
+    use crate::side::Sides;
 
     /// What some work makes of each face, by number.
     fn on_faces(shape: &Shape, mut work: impl FnMut(&mut Env, &mut ShapeRef<'_>) -> f64) -> Vec<f64> {
@@ -132,9 +133,9 @@ mod tests {
         on_faces(&Shape::cuboid(10.0, 8.0, 6.0), |env, part| {
             part.scope.size.z = 0.5;
             op::cube(env, part);
-            assert!(matches!(part.geometry, Geometry::Box));
+            assert!(matches!(part.geometry, Geometry::Box(_)));
             op::trim(env, part);
-            assert!(matches!(part.geometry, Geometry::Box));
+            assert!(matches!(part.geometry, Geometry::Box(_)));
             0.0
         });
     }
@@ -143,7 +144,7 @@ mod tests {
     fn a_face_alone_has_no_trim_planes() {
         on_faces(&Shape::rectangle(4.0, 4.0), |env, part| {
             cover(env, part);
-            assert!(matches!(part.geometry, Geometry::Box));
+            assert!(matches!(part.geometry, Geometry::Box(_)));
             0.0
         });
     }
@@ -215,7 +216,7 @@ mod tests {
             assert_eq!(part.trims.planes(&part.pivot).len(), 4);
             let mut inner = part.detach();
             inner.scope.size.z = 2.0;
-            inner.geometry = Geometry::Box;
+            inner.geometry = Geometry::Box(Sides::PLAIN);
             on_faces(&inner, |_, part| {
                 assert_eq!(part.trims.planes(&part.pivot).len(), 8);
                 0.0

@@ -33,7 +33,9 @@ pub(super) fn area_vectors(shape: &ShapeRef<'_>, mut each: impl FnMut(DVec3, DVe
             let quad = place::rect(&local, *axis);
             each(quad.u.cross(quad.v), quad.origin);
         }
-        Geometry::Box => place::cuboid(&local).faces().iter().for_each(|face| each(face.u.cross(face.v), face.origin)),
+        Geometry::Box(_) => {
+            place::cuboid(&local).faces().iter().for_each(|face| each(face.u.cross(face.v), face.origin))
+        }
         Geometry::Mesh(placed) => {
             let stretch = placed.stretch(shape.scope.size);
             // What cross products of stretched vectors are stretched by.

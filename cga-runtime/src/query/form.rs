@@ -29,7 +29,7 @@ pub fn geometry_is_rectangular(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
         Geometry::Rect(axis) => 0.0 <= tolerance && (0..3).all(|other| other == axis.index() || long(other)),
-        Geometry::Box => 0.0 <= tolerance && (0..3).all(long),
+        Geometry::Box(_) => 0.0 <= tolerance && (0..3).all(long),
         Geometry::Mesh(placed) => {
             let stretch = placed.stretch(shape.scope.size);
             let near = libm::sin(tolerance.clamp(0.0, 90.0).to_radians()) + ANGLE_EPSILON;
@@ -49,7 +49,7 @@ pub fn geometry_is_planar(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f64) -
     let tolerance = env.finite(tolerance, "the tolerance");
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
-        Geometry::Rect(_) | Geometry::Box => 0.0 <= tolerance,
+        Geometry::Rect(_) | Geometry::Box(_) => 0.0 <= tolerance,
         Geometry::Mesh(placed) => 0.0 <= tolerance && is_planar(placed, shape.scope.size, tolerance),
     }
 }
@@ -80,7 +80,7 @@ pub fn geometry_is_oriented(env: &Env, shape: &ShapeRef<'_>, selector: Word) -> 
 pub fn geometry_is_closed_surface(shape: &ShapeRef<'_>) -> bool {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(_) => false,
-        Geometry::Box => true,
+        Geometry::Box(_) => true,
         Geometry::Mesh(placed) => {
             let adjacency = placed.mesh.adjacency();
             !placed.mesh.is_empty() && (0..adjacency.edge_count()).all(|edge| adjacency.faces_at(edge).count() == 2)

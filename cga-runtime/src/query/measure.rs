@@ -19,7 +19,7 @@ pub fn geometry_area(env: &Env, shape: &ShapeRef<'_>, selector: Word) -> f64 {
             Axis::Y => size.x * size.z,
             Axis::Z => size.x * size.y,
         },
-        Geometry::Box if selector == Word::All => 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x),
+        Geometry::Box(_) if selector == Word::All => 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x),
         _ => {
             let mut sum = 0.0;
             selected(env, shape, selector, |area| sum += area);
@@ -36,7 +36,7 @@ pub fn geometry_volume(shape: &ShapeRef<'_>) -> f64 {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(_) => 0.0,
         _ if size.x == 0.0 || size.y == 0.0 || size.z == 0.0 => 0.0,
-        Geometry::Box => (size.x * size.y * size.z).abs(),
+        Geometry::Box(_) => (size.x * size.y * size.z).abs(),
         Geometry::Mesh(placed) => {
             let stretch = placed.stretch(size);
             (placed.mesh.volume() * (stretch.x * stretch.y * stretch.z)).abs()
@@ -62,7 +62,7 @@ pub fn geometry_height(shape: &ShapeRef<'_>) -> f64 {
             rises[axis.index()] = 0.0;
             rises.element_sum()
         }
-        Geometry::Box => (rise * size).abs().element_sum(),
+        Geometry::Box(_) => (rise * size).abs().element_sum(),
         Geometry::Mesh(placed) => {
             let rise = rise * placed.stretch(size);
             let heights = placed.mesh.points().iter().map(|point| rise.dot(*point));
@@ -77,7 +77,7 @@ pub fn geometry_height(shape: &ShapeRef<'_>) -> f64 {
 pub fn geometry_boundary_length(shape: &ShapeRef<'_>) -> f64 {
     let size = shape.scope.size;
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Box => 0.0,
+        Geometry::Empty | Geometry::Vertex | Geometry::Box(_) => 0.0,
         Geometry::Edge => size.x.abs(),
         Geometry::Wire(placed) => {
             let wire = placed.in_scope(size);

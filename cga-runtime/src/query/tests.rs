@@ -13,6 +13,7 @@ use crate::scope::{Axis, Frame, Scope};
 use crate::seed::Seed;
 use crate::settings::Settings;
 use crate::shape::{Geometry, Placed, Shape};
+use crate::side::Sides;
 
 const SELECTORS: [Word; 27] = {
     use Word::*;
@@ -122,8 +123,9 @@ fn boxes_and_rectangles_answer_as_their_meshes_do() {
         let scope = random_scope(&mut seed);
         // Where two directions are equally near, rounding decides: turned scopes have no such ties.
         let scope = if round % 2 == 0 { Scope { axes: DMat3::IDENTITY, ..scope } } else { scope };
-        for geometry in
-            [Geometry::Empty, Geometry::Box].into_iter().chain([Axis::X, Axis::Y, Axis::Z].map(Geometry::Rect))
+        for geometry in [Geometry::Empty, Geometry::Box(Sides::PLAIN)]
+            .into_iter()
+            .chain([Axis::X, Axis::Y, Axis::Z].map(Geometry::Rect))
         {
             let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
             (shape.scope, shape.geometry) = (scope, geometry);

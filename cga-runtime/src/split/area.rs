@@ -40,7 +40,7 @@ impl Profile {
         let along = size[axis.index()];
         match &shape.geometry {
             Geometry::Empty | Geometry::Edge | Geometry::Vertex | Geometry::Wire(_) => Profile::Even(0.0),
-            Geometry::Box => Profile::Even(2.0 * along * (other + third)),
+            Geometry::Box(_) => Profile::Even(2.0 * along * (other + third)),
             Geometry::Rect(normal) if *normal == axis => Profile::Even(0.0),
             Geometry::Rect(normal) => {
                 let mut sides = size;

@@ -140,7 +140,13 @@ impl<'s> Parts<'s> {
     fn geometry(&self, index: usize, piece: Piece, scope: &mut Scope) -> Geometry {
         match &self.parent.geometry {
             Geometry::Empty => Geometry::Empty,
-            Geometry::Box => Geometry::Box,
+            Geometry::Box(sides) => {
+                let is_last = self.index == self.total && {
+                    let extent = self.parent.scope.extent(self.axis).abs();
+                    extent - (piece.start + piece.length) <= crate::tol::PLANAR_EPSILON * extent
+                };
+                Geometry::Box(sides.part(self.axis, piece.start == 0.0, is_last))
+            }
             Geometry::Rect(normal) if *normal != self.axis => Geometry::Rect(*normal),
             Geometry::Edge if self.axis == Axis::X => Geometry::Edge,
             Geometry::Mesh(whole) => {
