@@ -40,7 +40,7 @@ fn lot() -> Shape {
 }
 
 fn run(rule: &str, distance: f64, shape: &Shape) -> Model {
-    let model = Offsets { distance, ..Offsets::default() }.generate_from(rule, shape).expect("a model");
+    let model = Offsets { distance }.generate_from(rule, shape).expect("a model");
     assert!(model.faults().is_empty(), "{:?}", model.faults());
     model
 }

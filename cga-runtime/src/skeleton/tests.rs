@@ -103,6 +103,19 @@ fn unions_of_cells_shrink_and_grow_as_a_raster_says() {
     complain(&failures, count);
 }
 
+/// Found among random ones: with one idea of what touches, an edge went on in two pieces.
+#[test]
+fn a_strip_is_in_one_piece() {
+    let cells = Cells::random(&mut Rng(10_764), 8);
+    let polygon = cells.polygon().turned(0.3, 0.0).jittered(1e-8, &mut Rng(10_771)).inverted();
+    let swept = checked(&polygon, 0.625).unwrap();
+    assert!((left_area(&swept) - cells.eroded(5, true)).abs() < 1e-5);
+    let area = |strip: &Strip| twice_area(&swept.points, &strip.ring);
+    let mut edges: Vec<u32> = swept.strips.iter().filter(|strip| 1e-6 < area(strip)).map(|strip| strip.edge).collect();
+    edges.dedup();
+    assert_eq!(edges.len(), polygon.rings.iter().map(Vec::len).sum::<usize>());
+}
+
 /// What is nearer to the outline than the distance is swept; what is farther away than the sharpest corner that is not
 /// convex takes it is not.
 #[test]
