@@ -3,10 +3,17 @@
 use cga::{Model, Shape, cga};
 
 cga! {
-    grammar Offsets = r#"
+    grammar Offsets = r##"
     attr distance = -1
 
-    # Both selectors at once: what looks up is kept apart from what looks down.
+    # offset operation
+    @StartRule
+    Parts --> offset(distance) A
+    A   --> comp(f) { inside: I | border: O }
+    I   --> color("#3957A5")
+    O   --> color("#F2BB1D")
+
+    # What looks up is kept apart from what looks down.
     @StartRule
     Lot  --> offset(distance) comp(f) { top : Up. | bottom : Down. }
     @StartRule
@@ -20,7 +27,7 @@ cga! {
     @StartRule
     Building --> offset(-3, inside)
                  extrude(world.up, 12)
-    "#;
+    "##;
 }
 
 /// Nine edges, with a notch at the back.
@@ -52,6 +59,8 @@ fn border_faces_look_down_where_the_offset_is_positive() {
     for (distance, up, down) in [(-1.0, 10, 0), (1.0, 1, 9)] {
         let model = run("Lot", distance, &lot());
         assert_eq!((model.count("Up"), model.count("Down")), (up, down), "{distance}");
+        let model = run("Parts", distance, &lot());
+        assert_eq!((model.count("I"), model.count("O")), (1, 9), "{distance}");
     }
 }
 

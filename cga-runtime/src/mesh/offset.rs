@@ -44,6 +44,7 @@ pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> Result<Me
         uvs: mesh.uvs.alike(0),
         groups: mesh.groups.clone(),
         materials: mesh.materials.clone(),
+        tag_sets: mesh.tag_sets.clone(),
         ..Mesh::default()
     };
     for face in mesh.faces().filter(|face| face.normal() != DVec3::ZERO) {

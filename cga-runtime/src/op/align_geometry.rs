@@ -207,6 +207,7 @@ fn whole(env: &mut Env, number: f64, what: &str, count: usize) -> Option<usize> 
 }
 
 /// The faces of a shape in coordinates of its scope, without making a mesh.
+#[allow(clippy::large_enum_variant, reason = "one is made at a time, and the large one must not allocate")]
 enum Faces<'a> {
     Quads([Quad; 6], usize),
     Mesh(&'a Mesh, DAffine3),

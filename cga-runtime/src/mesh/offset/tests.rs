@@ -2,7 +2,8 @@ use glam::{DMat3, DVec3};
 
 use super::*;
 use crate::mesh::primitive::cube;
-use crate::mesh::{FaceTag, MeshBuilder};
+use crate::mesh::{FaceTag, MeshBuilder, TagSet};
+use crate::text::Text;
 
 /// The outline of the reference's pictures, about: wide, with a notch from above.
 const NOTCHED: [(f64, f64); 9] =
@@ -122,10 +123,11 @@ fn a_gap_that_closes_makes_a_hole() {
 #[test]
 fn what_faces_and_corners_carry_goes_with_them() {
     let corners = [(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (3.0, 2.5), (0.0, 5.0)];
-    let tag = FaceTag { group: 1, cap: true, ..FaceTag::PLAIN };
+    let tag = FaceTag { group: 1, tags: 0, cap: true, ..FaceTag::PLAIN };
     let map = |p: DVec3, set: usize| DVec2::new(2.0 * p.x + p.z + 1.0, 0.25 * p.z - 3.0) * (set + 1) as f64;
     let mut builder = MeshBuilder::new();
     builder.groups(["a".to_owned(), "b".to_owned()]);
+    builder.tag_sets([TagSet::new([Text::from("roof")])]);
     let points: Vec<u32> = ring(&corners).into_iter().map(|p| builder.point(p)).collect();
     builder.face(&points, &[], tag);
     for set in [0, 3] {
@@ -135,7 +137,7 @@ fn what_faces_and_corners_carry_goes_with_them() {
     let mesh = builder.build().unwrap();
     for distance in [-0.5, -2.0, 0.5, 2.0] {
         let made = offset(&mesh, distance, OffsetFaces::All).unwrap();
-        assert_eq!((made.groups(), made.check()), (mesh.groups(), vec![]));
+        assert_eq!((made.groups(), made.tag_sets(), made.check()), (mesh.groups(), mesh.tag_sets(), vec![]));
         for face in made.faces() {
             assert_eq!(face.tag(), tag);
             for corner in face.corner_range() {
