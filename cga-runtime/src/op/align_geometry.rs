@@ -10,7 +10,7 @@ use crate::mesh::{Mesh, unit};
 use crate::place;
 use crate::scope::{Frame, Scope};
 use crate::shape::{Geometry, ShapeRef};
-use crate::sink::Quad;
+use crate::sink::{Cuboid, Quad};
 use crate::tol::TIE_EPSILON;
 
 /// Which face is taken.
@@ -207,9 +207,10 @@ fn whole(env: &mut Env, number: f64, what: &str, count: usize) -> Option<usize> 
 }
 
 /// The faces of a shape in coordinates of its scope, without making a mesh.
-#[allow(clippy::large_enum_variant, reason = "one is made at a time, and the large one must not allocate")]
 enum Faces<'a> {
-    Quads([Quad; 6], usize),
+    None,
+    Quad(Quad),
+    Box(Cuboid),
     Mesh(&'a Mesh, DAffine3),
 }
 
@@ -218,22 +219,28 @@ impl<'a> Faces<'a> {
         let local = Scope::new(shape.scope.size);
         match &shape.geometry {
             Geometry::Mesh(placed) => Faces::Mesh(&placed.mesh, placed.to_scope(shape.scope.size)),
-            Geometry::Rect(axis) => Faces::Quads([place::rect(&local, *axis); 6], 1),
-            other => Faces::Quads(place::cuboid(&local).faces(), if matches!(other, Geometry::Box(_)) { 6 } else { 0 }),
+            Geometry::Rect(axis) => Faces::Quad(place::rect(&local, *axis)),
+            Geometry::Box(_) => Faces::Box(place::cuboid(&local)),
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Faces::None,
         }
     }
 
     fn count(&self) -> usize {
         match self {
-            Faces::Quads(_, count) => *count,
+            Faces::None => 0,
+            Faces::Quad(_) => 1,
+            Faces::Box(_) => 6,
             Faces::Mesh(mesh, _) => mesh.face_count(),
         }
     }
 
     /// Twice the area, along the normal.
     fn area(&self, face: usize) -> DVec3 {
+        let twice = |quad: &Quad| 2.0 * quad.u.cross(quad.v);
         match self {
-            Faces::Quads(quads, _) => 2.0 * quads[face].u.cross(quads[face].v),
+            Faces::None => DVec3::ZERO,
+            Faces::Quad(quad) => twice(quad),
+            Faces::Box(cuboid) => twice(&cuboid.faces()[face]),
             Faces::Mesh(mesh, place) => {
                 let [x, y, z] = [place.matrix3.x_axis.x, place.matrix3.y_axis.y, place.matrix3.z_axis.z];
                 mesh.face(face).area_vector() * DVec3::new(y * z, z * x, x * y)
@@ -243,11 +250,14 @@ impl<'a> Faces<'a> {
 
     /// The edges of a face, outline first, each with its two ends.
     fn edges(&self, face: usize, mut each: impl FnMut(DVec3, DVec3)) {
+        let mut around = |quad: &Quad| {
+            let corners = quad.corners();
+            (0..4).for_each(|at| each(corners[at], corners[(at + 1) % 4]));
+        };
         match self {
-            Faces::Quads(quads, _) => {
-                let corners = quads[face].corners();
-                (0..4).for_each(|at| each(corners[at], corners[(at + 1) % 4]));
-            }
+            Faces::None => {}
+            Faces::Quad(quad) => around(quad),
+            Faces::Box(cuboid) => around(&cuboid.faces()[face]),
             Faces::Mesh(mesh, place) => {
                 let at = |point: u32| place.transform_point3(mesh.points()[point as usize]);
                 for ring in mesh.face(face).loops() {

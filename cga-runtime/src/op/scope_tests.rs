@@ -9,6 +9,8 @@ use crate::mesh::Mesh;
 use crate::scope::Axis;
 use crate::shape::{Geometry, Placed, Shape};
 
+type Step = dyn Fn(&mut Env, &mut Shape);
+
 /// The corners of each face, in the world.
 fn world(shape: &Shape) -> Vec<Vec<DVec3>> {
     let mesh = shape.to_mesh();
@@ -391,7 +393,7 @@ fn shapes_without_faces_have_scopes_too() {
         }
         other => panic!("{other:?}"),
     };
-    let steps: [&dyn Fn(&mut Env, &mut Shape); 6] = [
+    let steps: [&Step; 6] = [
         &|env, shape| set_pivot(env, shape, AxisMap::Xyz, 2.0),
         &|env, shape| align_to_axes(env, shape, AlignAxes::WorldXyz),
         &|env, shape| mirror_scope(env, shape, true, false, true),
