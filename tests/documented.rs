@@ -6,6 +6,8 @@
 
 #[path = "documented/adjusting.rs"]
 mod adjusting;
+#[path = "documented/aligning.rs"]
+mod aligning;
 #[path = "documented/areas.rs"]
 mod areas;
 #[path = "documented/attributes.rs"]
