@@ -4,6 +4,7 @@
 
 mod conditions;
 mod facts;
+mod tags;
 mod values;
 
 use cga::mesh::FaceTag;

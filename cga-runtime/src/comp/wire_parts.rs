@@ -6,7 +6,7 @@ use super::Components;
 use super::frame::{beside, upright};
 use super::looks::Looks;
 use super::select::{Sense, Word};
-use crate::mesh::unit;
+use crate::mesh::{point_normals, unit};
 use crate::scope::Frame;
 use crate::wire::Wire;
 
@@ -21,13 +21,7 @@ pub(super) struct WireParts {
 
 impl WireParts {
     pub(super) fn new(wire: Wire, kind: Components) -> Self {
-        let mut points = vec![DVec3::ZERO; wire.points.len()];
-        for (edge, normal) in wire.edges.iter().zip(&wire.normals) {
-            edge.iter().for_each(|&end| points[end as usize] += *normal);
-        }
-        if wire.edges.is_empty() {
-            points.clone_from(&wire.normals);
-        }
+        let points = point_normals(&wire);
         WireParts { wire, kind, points }
     }
 
@@ -53,7 +47,7 @@ impl WireParts {
         let own = match self.kind {
             Components::Edges | Components::FaceEdges => self.wire.normals[index],
             Components::FaceVertices => self.wire.normals[index / 2],
-            _ => unit(self.points[index]),
+            _ => self.points[index],
         };
         if own == DVec3::ZERO { upright(self.along(index)) } else { own }
     }

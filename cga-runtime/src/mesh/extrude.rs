@@ -45,7 +45,7 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
         Extrude::FaceNormal => normals.iter().map(|normal| *normal * distance).collect(),
         Extrude::VertexNormal => vertex_normals(mesh).into_iter().map(|normal| normal * distance).collect(),
         Extrude::Vector(vector) => vec![vector * distance; mesh.points.len()],
-        Extrude::FlatTop(vector) => to_flat_top(mesh, vector, distance),
+        Extrude::FlatTop(vector) => flat_top(&mesh.points, vector, distance),
     };
     let way = |body: u32, point: u32| ways[if along == Extrude::FaceNormal { body } else { point } as usize];
     let tags = AutoTags::of(mesh);
@@ -144,8 +144,8 @@ pub(crate) fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
 }
 
 /// How far each point goes up to a flat top.
-fn to_flat_top(mesh: &Mesh, up: DVec3, distance: f64) -> Vec<DVec3> {
-    let heights: Vec<f64> = mesh.points.iter().map(|p| p.dot(up)).collect();
+pub(super) fn flat_top(points: &[DVec3], up: DVec3, distance: f64) -> Vec<DVec3> {
+    let heights: Vec<f64> = points.iter().map(|p| p.dot(up)).collect();
     let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
     let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let top = match distance {
@@ -154,7 +154,7 @@ fn to_flat_top(mesh: &Mesh, up: DVec3, distance: f64) -> Vec<DVec3> {
         d if high - low < -d => high + d,
         _ => low,
     };
-    let near = ANGLE_EPSILON * Bounds::of(mesh.points.iter().copied()).size().max_element();
+    let near = ANGLE_EPSILON * Bounds::of(points.iter().copied()).size().max_element();
     heights.iter().map(|height| if (top - height).abs() <= near { DVec3::ZERO } else { up * (top - height) }).collect()
 }
 

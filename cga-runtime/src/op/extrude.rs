@@ -9,9 +9,11 @@ use super::insert::raise;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
+use crate::mesh::{Mesh, extrude_wire, point_normals};
 use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
 use crate::side::Sides;
+use crate::wire::Wire;
 
 /// The direction of an extrusion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +54,7 @@ pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlon
         return;
     }
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => {}
+        Geometry::Empty | Geometry::Vertex => {}
         Geometry::Rect(axis) if shape.scope.size[axis.index()] == 0.0 && straight(&shape.scope, *axis, along) => {
             if distance != 0.0 {
                 shape.scope = raised(&shape.scope, *axis, distance);
@@ -72,6 +74,25 @@ pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlon
     }
 }
 
+/// Edges become faces (*extrude operation*, extrusion of edges).
+fn extrude_edges(env: &mut Env, shape: &mut ShapeRef<'_>, wire: &Wire, how: Extrude, distance: f64) {
+    let first = |normals: &[DVec3]| normals.iter().copied().find(|normal| *normal != DVec3::ZERO);
+    let up = match how {
+        Extrude::Vector(up) | Extrude::FlatTop(up) => Some(up),
+        Extrude::FaceNormal => first(&wire.normals),
+        Extrude::VertexNormal => first(&point_normals(wire)),
+    };
+    if env.count_corners(4 * wire.edges.len() as u64).is_break() {
+        return;
+    }
+    match (up, extrude_wire(wire, how, distance)) {
+        (Some(up), Ok(grown)) => stand(env, shape, grown, up, distance),
+        _ => env.fault(FaultKind::Value, BEYOND),
+    }
+}
+
+const BEYOND: &str = "`extrude` leads beyond the largest number; the shape stays as it is";
+
 /// `extrude(x | y | z | world.x | world.z, distance)`, the old form (*CGA changelog 2009.2*).
 pub fn extrude_axis(env: &mut Env, shape: &mut ShapeRef<'_>, axis: ExtrudeAxis, distance: Length) {
     let along = match axis {
@@ -80,7 +101,7 @@ pub fn extrude_axis(env: &mut Env, shape: &mut ShapeRef<'_>, axis: ExtrudeAxis, 
         ExtrudeAxis::Z | ExtrudeAxis::WorldZ => DVec3::Z,
     };
     let distance = distance.of(shape.scope.size.y, env, "the distance of `extrude`");
-    if distance != 0.0 && shape.geometry.has_surface() {
+    if distance != 0.0 && !matches!(shape.geometry, Geometry::Empty | Geometry::Vertex) {
         let along = shape.scope.axes.transpose() * along;
         extrude_any(env, shape, Extrude::Vector(along), distance);
     }
@@ -107,8 +128,15 @@ fn raised(scope: &Scope, axis: Axis, distance: f64) -> Scope {
 }
 
 fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, how: Extrude, distance: f64) {
+    match &shape.geometry {
+        Geometry::Edge => return extrude_edges(env, shape, &Wire::edge(shape.scope.size.x), how, distance),
+        Geometry::Wire(placed) => {
+            let wire = placed.in_scope(shape.scope.size);
+            return extrude_edges(env, shape, &wire, how, distance);
+        }
+        _ => {}
+    }
     let mesh = shape.to_mesh();
-    let axes = shape.scope.axes;
     let first_normal = || mesh.faces().map(|face| face.normal()).find(|normal| *normal != DVec3::ZERO);
     let up = match how {
         Extrude::Vector(up) | Extrude::FlatTop(up) => up,
@@ -123,11 +151,16 @@ fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, how: Extrude, distance: 
     if env.count_corners(6 * mesh.corners().len() as u64).is_break() {
         return;
     }
-    let grown = extrude_mesh(&mesh, how, distance);
+    stand(env, shape, extrude_mesh(&mesh, how, distance), up, distance);
+}
+
+/// Gives the shape what has grown, in its old scope's coordinates, with a scope whose y axis is `up`.
+fn stand(env: &mut Env, shape: &mut ShapeRef<'_>, grown: Mesh, up: DVec3, distance: f64) {
     if grown.is_empty() {
         // Nothing moved.
         return;
     }
+    let axes = shape.scope.axes;
     // In scope coordinates: turn them so that y is up.
     let turn = raise(&DMat3::IDENTITY, up);
     let local = grown.map(&DAffine3 { matrix3: turn.transpose(), translation: DVec3::ZERO });
@@ -143,8 +176,7 @@ fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, how: Extrude, distance: 
         size.y = -size.y;
     }
     if !(origin.is_finite() && size.is_finite()) {
-        let what = "`extrude` leads beyond the largest number; the shape stays as it is";
-        return env.fault(FaultKind::Value, what);
+        return env.fault(FaultKind::Value, BEYOND);
     }
     shape.scope = Scope { origin, axes, size };
     shape.geometry = Geometry::Mesh(Arc::new(placed));
@@ -153,7 +185,6 @@ fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, how: Extrude, distance: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::Mesh;
     use crate::op::rotate;
     use crate::shape::Shape;
 
@@ -265,5 +296,43 @@ mod tests {
                 assert!(shape.to_mesh().points().iter().all(|p| p.is_finite()));
             }
         }
+    }
+
+    #[test]
+    fn edges_become_faces() {
+        // Two edges at a right angle that look up and aside, as those of a comp do.
+        let wire = Wire {
+            points: vec![DVec3::ZERO, DVec3::X * 3.0, DVec3::new(3.0, 0.0, -2.0)],
+            edges: vec![[0, 1], [1, 2]],
+            normals: vec![DVec3::Y, DVec3::X],
+        };
+        let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
+        let placed = crate::wire::PlacedWire::fitted(wire);
+        (shape.scope.size, shape.geometry) = (placed.size, Geometry::Wire(Arc::new(placed)));
+        shape.scope.origin.z = -2.0;
+        for (along, points, area) in [
+            (ExtrudeAlong::FaceNormal, 7, 20.0),
+            (ExtrudeAlong::VertexNormal, 6, 0.0),
+            (ExtrudeAlong::WorldUp, 6, 20.0),
+            (ExtrudeAlong::WorldUpFlatTop, 6, 20.0),
+        ] {
+            let (env, mut own) = (&mut Env::for_tests(), shape.clone());
+            extrude_along(env, &mut own, along, Length::Absolute(4.0));
+            let mesh = own.to_mesh();
+            assert_eq!((mesh.face_count(), mesh.points().len()), (2, points), "{along:?}");
+            // Along the normals of vertices the faces are twisted.
+            if along != ExtrudeAlong::VertexNormal {
+                assert!((mesh.area() - area).abs() < 1e-9 && mesh.check().is_empty());
+            }
+            assert!((own.scope.axes.y_axis - DVec3::Y).length() < 1e-9);
+            assert!(mesh.tag_sets()[0].matches("extrude.side"));
+        }
+        let (env, mut line) = (&mut Env::for_tests(), Shape::line([0.0; 3], [2.0, 0.0, 0.0]).unwrap());
+        extrude(env, &mut line, Length::Absolute(3.0));
+        assert!((line.to_mesh().area() - 6.0).abs() < 1e-12);
+        // Its front looks to the new z axis, and its first edge is the line.
+        assert!((line.to_mesh().face(0).normal() - DVec3::Z).length() < 1e-12);
+        let along_z = line.scope.axes.y_axis;
+        assert!((along_z - DVec3::Z).length() < 1e-12, "an edge looks along its z axis");
     }
 }
