@@ -169,10 +169,11 @@ impl Cutter {
         // No plane is at -0: its points would be.
         self.state.points.planes.extend(planes[first..end].iter().map(|&at| at + 0.0));
         self.cut_faces(mesh);
-        self.caps.close(&mut self.state, mesh, &mut slabs.open);
-        for chain in &mut slabs.open {
-            chain.plane = number(chain.plane + first);
-        }
+        self.caps.close(&mut self.state, mesh, |points, plane, chain| {
+            let lift = |point| points.lift(plane as u32, point);
+            let points = chain.into_iter().map(lift).collect();
+            slabs.open.push(OpenChain { plane: number(plane + first), points });
+        });
         let closed = mesh.derived.closed.get() == Some(&true) && slabs.open.is_empty();
         for (slab, part) in self.state.parts.drain(..).enumerate() {
             slabs.parts[number(slab + first)] = part.finish(mesh, closed);
