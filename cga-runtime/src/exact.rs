@@ -11,8 +11,8 @@ pub(crate) fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
     let left = (a.x - c.x) * (b.y - c.y);
     let right = (a.y - c.y) * (b.x - c.x);
     let det = left - right;
-    // Shewchuk's bound for this expression: (3 + 16 u) u.
-    let bound = 3.330_669_073_875_471_6e-16 * (left.abs() + right.abs());
+    // Shewchuk's bound for this expression: (3 + 16 u) u. Below the least normal number products have an error of their own.
+    let bound = 3.330_669_073_875_471_6e-16 * (left.abs() + right.abs()) + f64::MIN_POSITIVE;
     if det > bound {
         1
     } else if -det > bound {
@@ -24,10 +24,16 @@ pub(crate) fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
 
 #[cold]
 fn orient_exact(a: DVec2, b: DVec2, c: DVec2) -> i32 {
-    /// 2^-550: makes products of any coordinates finite.
+    /// 2^-550 and 2^550: make products of any coordinates finite, and those of small ones normal.
     const SMALLER: f64 = f64::from_bits((1023 - 550) << 52);
-    let large = [a, b, c].iter().any(|p| 1e150 < p.x.abs().max(p.y.abs()));
-    let [a, b, c] = if large { [a, b, c].map(|p| p * SMALLER) } else { [a, b, c] };
+    const LARGER: f64 = f64::from_bits((1023 + 550) << 52);
+    let size = [a, b, c].iter().fold(0.0, |size: f64, p| size.max(p.x.abs()).max(p.y.abs()));
+    let scale = match size {
+        _ if 1e150 < size => SMALLER,
+        _ if size < 1e-150 => LARGER,
+        _ => 1.0,
+    };
+    let [a, b, c] = [a, b, c].map(|p| p * scale);
     let mut sum = Expansion { parts: [0.0; 12], len: 0 };
     for (x, y) in [(a.x, b.y), (b.x, c.y), (c.x, a.y)] {
         sum.add_product(x, y);

@@ -24,6 +24,10 @@ pub(crate) const AREA_EPSILON: f64 = 1e-12;
 /// A face whose normal leaves an axis by a sine below this lies across it.
 pub(crate) const ACROSS_EPSILON: f64 = 1e-6;
 
+/// Where rounding moves the line in which a face meets a plane by more than this, relative to the face's extent, the line
+/// does not tell what lies where on it.
+pub(crate) const LINE_EPSILON: f64 = 1e-7;
+
 /// An edge that extends along an axis by less than this, relative to the extent of the shape, lies across it: the rounding of
 /// its ends is as large.
 pub(crate) const EDGE_EPSILON: f64 = 1e-15;

@@ -139,6 +139,42 @@ fn a_tolerance_makes_points_lie_in_the_plane_and_moves_none() {
     assert!(clean < rough, "{clean} points, {rough} without tolerance");
 }
 
+/// What both ends of an edge have in common its crossings have too, to the bit, so that what is cut next lies where it lay.
+#[test]
+fn crossings_stay_in_the_boxes_of_their_edges() {
+    let (mesh, mut rng) = (Arc::new(primitive::cube()), Rng(3));
+    for _ in 0..1000 {
+        let plane = Plane { point: direction(&mut rng).abs(), normal: direction(&mut rng) };
+        for part in halves(&mesh, &plane, 0.0).parts.iter().flatten() {
+            for point in part.points() {
+                let on_edge = point.to_array().iter().filter(|&&at| at == 0.0 || at == 1.0).count() >= 2;
+                assert!(on_edge && point.min_element() >= 0.0 && point.max_element() <= 1.0, "{point:?} {plane:?}");
+            }
+            let again = slabs(part, Axis::Y, &[1.0]).parts;
+            assert!(again[1].is_none(), "{plane:?} leaves something above");
+        }
+    }
+}
+
+#[test]
+fn cutting_again_with_a_tolerance_above_rounding_changes_nothing() {
+    let mut rng = Rng(6);
+    for (name, mesh) in solids() {
+        let (middle, size) = (mesh.bounds().low + mesh.bounds().size() * 0.5, mesh.bounds().size());
+        let reach = mesh.bounds().low.abs().max(mesh.bounds().high.abs()).max_element();
+        for _ in 0..200 {
+            let plane = Plane { point: middle + direction(&mut rng) * size * 0.5, normal: direction(&mut rng) };
+            let tolerance = 1e-15 * (reach + size.max_element());
+            for (side, part) in halves(&mesh, &plane, tolerance).parts.iter().enumerate() {
+                let Some(part) = part else { continue };
+                let again = halves(part, &plane, tolerance);
+                let same = again.parts[side].as_ref().is_some_and(|same| Arc::ptr_eq(same, part));
+                assert!(same && again.parts[1 - side].is_none(), "{name}: {plane:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_plane_that_misses_or_is_none_gives_the_same_mesh() {
     let mesh = Arc::new(primitive::cube());

@@ -8,8 +8,8 @@ use glam::{DVec2, DVec3};
 use super::contour::Contour;
 use super::lead::{Lead, Wish};
 use super::nest::Nest;
-use super::points::Place;
-use super::{OpenChain, State};
+use super::points::{Place, Points};
+use super::state::State;
 use crate::mesh::{FaceTag, Mesh};
 
 /// Buffers.
@@ -22,8 +22,9 @@ pub(super) struct Caps {
 }
 
 impl Caps {
-    /// Adds the caps of every plane to the slabs on both sides of it.
-    pub(super) fn close(&mut self, state: &mut State, mesh: &Mesh, open: &mut Vec<OpenChain>) {
+    /// Adds the caps of every plane to the slabs on both sides of it. Edges that do not close are handed to `open`, with their
+    /// plane, as numbers of points on it.
+    pub(super) fn close(&mut self, state: &mut State, mesh: &Mesh, mut open: impl FnMut(&Points, usize, Vec<u32>)) {
         let planes = state.points.planes.len();
         state.rim.sort(planes);
         let mut sought = false;
@@ -34,10 +35,7 @@ impl Caps {
             }
             let points = &state.points;
             let flat = &points.levels[plane].flat;
-            self.contour.follow(&self.edges, flat, |chain| {
-                let points = chain.into_iter().map(|point| points.lift(plane as u32, point)).collect();
-                open.push(OpenChain { plane, points });
-            });
+            self.contour.follow(&self.edges, flat, |chain| open(points, plane, chain));
             if self.contour.ends.is_empty() {
                 continue;
             }

@@ -58,6 +58,16 @@ impl Edges {
         let (number, new) = self.crowded.entry(low, high, initial);
         (*number, new)
     }
+
+    /// All edges, as their ends, and their numbers, in no useful order.
+    pub(super) fn all(&self) -> impl Iterator<Item = ([u32; 2], u32)> + '_ {
+        let list = |(low, &head): (usize, &u32)| {
+            let first = self.links.get(head as usize);
+            let links = std::iter::successors(first, |link| self.links.get(link.next as usize));
+            links.map(move |link| ([low as u32, link.end], link.number))
+        };
+        self.heads.iter().enumerate().flat_map(list).chain(self.crowded.pairs())
+    }
 }
 
 #[cfg(test)]
@@ -74,6 +84,9 @@ mod tests {
         for end in 1..100 {
             assert_eq!(edges.entry(end, 0, 7), (10 * end, false));
         }
+        let mut all: Vec<_> = edges.all().collect();
+        all.sort_unstable();
+        assert!(all.into_iter().eq((1..100).map(|end| ([0, end], 10 * end))));
         assert_eq!(edges.entry(5, 6, 8), (8, true));
         edges.reset(100);
         assert_eq!(edges.entry(0, 99, 3), (3, true));

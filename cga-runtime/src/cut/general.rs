@@ -17,7 +17,7 @@ use super::pieces::Rings;
 use super::points::Node;
 use super::rim::Side;
 use super::state::State;
-use crate::mesh::{FaceRef, FaceTag, Mesh, unit};
+use crate::mesh::{FaceRef, FaceTag, Mesh};
 use crate::triangulate::Projection;
 
 /// A run of nodes within one slab, from plane to plane.
@@ -69,7 +69,7 @@ struct Line {
 impl Line {
     /// Along `axis × normal`, measured by the coordinate that changes most.
     fn of(face: &FaceRef<'_>, axis: usize) -> Self {
-        let normal = unit(face.area_vector());
+        let normal = face.normal();
         let mut cut = DVec3::ZERO;
         cut[axis] = 1.0;
         let along = cut.cross(normal);
@@ -86,7 +86,7 @@ impl General {
         self.take_apart(state, mesh, &view, line);
         self.fragments.sort_by_key(|fragment| fragment.slab);
         let outline = view.loop_ranges().next().unwrap_or(0..0);
-        self.rings.start(Projection::along(view.area_vector()), tag, outline);
+        self.rings.start(Projection::along(view.normal()), tag, outline);
         self.untouched.sort_by_key(|(slab, _)| *slab);
         let (mut from, mut loops) = (0, 0);
         let low = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).min().unwrap_or(0);

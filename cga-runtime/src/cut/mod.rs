@@ -24,6 +24,7 @@ mod pieces;
 mod plane;
 mod points;
 mod rim;
+mod rough;
 mod row;
 mod simple;
 mod state;
@@ -46,6 +47,7 @@ pub use plane::{Plane, halves};
 use caps::Caps;
 use general::General;
 use points::Place;
+use rough::Rough;
 use simple::Simple;
 use state::State;
 
@@ -98,6 +100,7 @@ pub(crate) struct Cutter {
     state: State,
     simple: Simple,
     general: General,
+    rough: Rough,
     caps: Caps,
     /// Places of a block of corners.
     block: Vec<Place>,
@@ -169,10 +172,11 @@ impl Cutter {
         // No plane is at -0: its points would be.
         self.state.points.planes.extend(planes[first..end].iter().map(|&at| at + 0.0));
         self.cut_faces(mesh);
-        self.caps.close(&mut self.state, mesh, &mut slabs.open);
-        for chain in &mut slabs.open {
-            chain.plane = number(chain.plane + first);
-        }
+        self.caps.close(&mut self.state, mesh, |points, plane, chain| {
+            let lift = |point| points.lift(plane as u32, point);
+            let points = chain.into_iter().map(lift).collect();
+            slabs.open.push(OpenChain { plane: number(plane + first), points });
+        });
         let closed = mesh.derived.closed.get() == Some(&true) && slabs.open.is_empty();
         for (slab, part) in self.state.parts.drain(..).enumerate() {
             slabs.parts[number(slab + first)] = part.finish(mesh, closed);
@@ -183,6 +187,7 @@ impl Cutter {
     /// Hands every face, or its pieces, to the slabs.
     fn cut_faces(&mut self, mesh: &Mesh) {
         self.state.start(mesh);
+        self.rough.start(mesh);
         let (mut start, mut block_start, mut block_end) = (0, 0, 0);
         let runs = mesh.tags.runs().iter().scan(0, |from, &(end, tag)| Some((std::mem::replace(from, end)..end, tag)));
         for (face, tag) in runs.flat_map(|(faces, tag)| faces.map(move |face| (face as usize, tag))) {
@@ -224,6 +229,8 @@ impl Cutter {
                 self.state.keep(mesh, face, tag, top, low | high);
             } else if top < bottom {
                 self.state.keep_flat(mesh, face, tag, top);
+            } else if places.len() > 3 && self.rough.clip(&mut self.state, mesh, face, tag) {
+                continue;
             } else if loops.len() > 1 || !self.simple.clip(&mut self.state, mesh, tag, corners, places, low, high) {
                 self.general.clip(&mut self.state, mesh, face, tag);
             }

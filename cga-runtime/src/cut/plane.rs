@@ -1,15 +1,15 @@
 //! Cutting by any plane, with the code that cuts across an axis.
 //!
 //! The mesh is cut in a frame whose x axis is the plane's normal and whose origin lies in the plane. Which side a point is
-//! on is the sign of its height there, computed once; points of the mesh keep their coordinates to the bit, and crossings
-//! are taken back from the frame, the same for both sides.
+//! on is the sign of its height there, computed once. Points of the mesh keep their coordinates to the bit, and crossings are
+//! made anew between the ends of their edges, the same for both sides: the frame's rounding is in none of them.
 
 use std::sync::Arc;
 
 use glam::{DMat3, DVec2, DVec3};
 
 use super::caps::texture_axes;
-use super::{Cutter, Slabs};
+use super::{Cutter, OpenChain, Slabs};
 use crate::mesh::{Mesh, unit};
 
 /// An oriented plane.
@@ -23,6 +23,10 @@ pub struct Plane {
 
 /// Cuts a mesh by a plane into what is below and what is above it. Points that are no farther from the plane than `tolerance`,
 /// in the mesh's own unit, count as lying in it; nothing moves. Caps are as those of [`slabs`](super::slabs()).
+///
+/// What both ends of an edge have in common, the point where the plane meets it has too, to the bit. In the plane it lies but for
+/// rounding: with a tolerance of 0, cutting again at the same plane may find points on the wrong side and shave something off.
+/// With a tolerance of 1e-15 times the largest coordinate (of the mesh or of the plane's point), or more, it changes nothing.
 ///
 /// A plane that is none (a normal of zero length, numbers that are not finite) cuts nothing: all is below it.
 ///
@@ -67,10 +71,6 @@ impl Frame {
     fn local(&self, point: DVec3) -> DVec3 {
         self.axes.transpose() * (point - self.origin)
     }
-
-    fn back(&self, local: DVec3) -> DVec3 {
-        self.origin + self.axes * local
-    }
 }
 
 impl Cutter {
@@ -103,24 +103,38 @@ impl Cutter {
         self.cut_faces(&local);
         let without_caps = [0, 1].map(|side: usize| self.state.parts[side].mesh.corners.len());
         let mut slabs = Slabs { parts: Vec::new(), open: Vec::new() };
+        let mut open = Vec::new();
         if close {
-            self.caps.close(&mut self.state, &local, &mut slabs.open);
+            self.caps.close(&mut self.state, &local, |_, _, chain| open.push(chain));
         }
-        for point in slabs.open.iter_mut().flat_map(|chain| &mut chain.points) {
-            *point = frame.back(*point);
+        let met = self.state.points.on_plane_of(&mesh.points, &local.points);
+        for chain in open {
+            let points = chain.into_iter().map(|point| met[point as usize]).collect();
+            slabs.open.push(OpenChain { plane: 0, points });
         }
-        self.restore(mesh, &frame, without_caps);
+        self.restore(mesh, &met, without_caps, frame.axes.x_axis);
         let closed = close && mesh.derived.closed.get() == Some(&true) && slabs.open.is_empty();
         slabs.parts = self.state.parts.drain(..).map(|part| part.finish(mesh, closed)).collect();
         slabs
     }
 
-    /// Takes the parts back from the frame. Corners from those numbers on are those of caps.
-    fn restore(&mut self, mesh: &Mesh, frame: &Frame, caps: [usize; 2]) {
+    /// Takes the parts back from the frame; the points on the plane are given. Corners from those numbers on are those of caps.
+    fn restore(&mut self, mesh: &Mesh, met: &[DVec3], caps: [usize; 2], normal: DVec3) {
         let (parts, points) = (&mut self.state.parts, &self.state.points);
-        for ((part, caps), normal) in parts.iter_mut().zip(caps).zip([frame.axes.x_axis, -frame.axes.x_axis]) {
+        let inside = points.places.iter().zip(&mesh.points).filter(|(place, _)| place.class != 1);
+        for (place, point) in inside {
+            parts[place.class as usize / 2].mesh.points[place.number as usize] = *point;
+        }
+        for (numbers, point) in points.levels[0].numbers.iter().zip(met) {
+            for (part, number) in parts.iter_mut().zip(numbers) {
+                // Not every part has every point on the plane.
+                if let Some(own) = part.mesh.points.get_mut(*number as usize) {
+                    *own = *point;
+                }
+            }
+        }
+        for ((part, caps), normal) in parts.iter_mut().zip(caps).zip([normal, -normal]) {
             let Mesh { points, corners, uvs, normals, .. } = &mut part.mesh;
-            points.iter_mut().for_each(|point| *point = frame.back(*point));
             normals.iter_mut().skip(caps).for_each(|own| *own = normal);
             let (right, up) = texture_axes(normal);
             uvs.change(caps..corners.len(), |list| {
@@ -129,19 +143,6 @@ impl Cutter {
                     *uv = DVec2::new(right.dot(point), up.dot(point));
                 }
             });
-        }
-        // Its own points a mesh has as they were.
-        for (place, point) in points.places.iter().zip(&mesh.points) {
-            let numbers = match place.class {
-                1 => points.levels[0].numbers[place.number as usize],
-                0 => [place.number, u32::MAX],
-                _ => [u32::MAX, place.number],
-            };
-            for (part, number) in parts.iter_mut().zip(numbers) {
-                if let Some(own) = part.mesh.points.get_mut(number as usize) {
-                    *own = *point;
-                }
-            }
         }
     }
 }

@@ -159,6 +159,19 @@ impl Points {
         self.lift(node.class() / 2, node.place.number)
     }
 
+    /// Of a mesh that was cut by one plane with other points than its own: where the points on the plane are between its own.
+    pub(super) fn on_plane_of(&self, own: &[DVec3], cut: &[DVec3]) -> Vec<DVec3> {
+        let mut list = vec![DVec3::ZERO; self.levels[0].flat.len()];
+        for (place, point) in self.places.iter().zip(own).filter(|(place, _)| place.class == 1) {
+            list[place.number as usize] = *point;
+        }
+        for (ends, number) in self.edges.all() {
+            let [a, b] = ends.map(|end| (own[end as usize], cut[end as usize][self.axis]));
+            list[number as usize] = Segment::between(a, b).meet(self.planes[0]).0;
+        }
+        list
+    }
+
     /// How far along its edge a crossing is.
     pub(super) fn share(&self, place: Place) -> f64 {
         self.levels[place.class as usize / 2].shares[place.number as usize]
@@ -224,20 +237,10 @@ impl Points {
         let single = planes.len() == 1;
         let axis = self.axis;
         let (p, q) = (mesh.points[a as usize], mesh.points[b as usize]);
-        let (p, q) = if comes_first(p, q) { (p, q) } else { (q, p) };
-        let along = q - p;
-        let (low, high) = (p.min(q), p.max(q));
+        let segment = Segment::between((p, p[axis]), (q, q[axis]));
         for plane in planes {
             let at = self.planes[plane as usize];
-            let mut share = (at - p[axis]) / along[axis];
-            let mut x = p + along * share;
-            if !x.is_finite() {
-                // The ends are so far apart that their difference overflows.
-                share = (at * 0.5 - p[axis] * 0.5) / (q[axis] * 0.5 - p[axis] * 0.5);
-                x = p * (1.0 - share) + q * share;
-            }
-            // Rounding does not lead out of the box of the edge.
-            let mut x = x.max(low).min(high);
+            let (mut x, share) = segment.meet(at);
             x[axis] = at;
             let [below, above] = &mut parts[plane as usize..plane as usize + 2] else { return };
             let numbers = [below.add_point(x), above.add_point(x)];
@@ -246,6 +249,38 @@ impl Points {
                 self.crossings.push(number);
             }
         }
+    }
+}
+
+/// An edge from the end that comes first; ends have heights.
+struct Segment {
+    from: (DVec3, f64),
+    to: (DVec3, f64),
+    along: DVec3,
+    low: DVec3,
+    high: DVec3,
+}
+
+impl Segment {
+    #[inline(always)]
+    fn between(a: (DVec3, f64), b: (DVec3, f64)) -> Self {
+        let (from, to) = if comes_first(a.0, b.0) { (a, b) } else { (b, a) };
+        Segment { from, to, along: to.0 - from.0, low: from.0.min(to.0), high: from.0.max(to.0) }
+    }
+
+    /// Where it is as high as a plane, and how far along it that is.
+    #[inline(always)]
+    fn meet(&self, at: f64) -> (DVec3, f64) {
+        let ((p, from), (q, to)) = (self.from, self.to);
+        let mut share = (at - from) / (to - from);
+        let mut x = p + self.along * share;
+        if !x.is_finite() {
+            // The ends are so far apart that their difference overflows.
+            share = (at * 0.5 - from * 0.5) / (to * 0.5 - from * 0.5);
+            x = p * (1.0 - share) + q * share;
+        }
+        // Rounding does not lead out of the box of the edge.
+        (x.max(self.low).min(self.high), share)
     }
 }
 

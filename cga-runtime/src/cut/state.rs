@@ -1,10 +1,10 @@
 //! What all steps of a cut share, and the faces that stay whole.
 
 use super::part::Part;
-use super::points::{NONE, Points};
+use super::points::{NONE, Place, Points};
 use super::rim::{Rim, Side};
-use crate::mesh::{FaceTag, Mesh, unit};
-use crate::tol::VOLUME_EPSILON;
+use crate::exact::orient;
+use crate::mesh::{FaceTag, Mesh};
 
 /// A cut in progress.
 #[derive(Default)]
@@ -152,11 +152,23 @@ impl State {
 
     /// The slab of a face in a plane.
     pub(super) fn slab_of_flat(&mut self, mesh: &Mesh, face: usize, plane: u32) -> u32 {
-        let inverted = *self.inverted.get_or_insert_with(|| {
-            let size = mesh.bounds().size().max_element();
-            mesh.is_closed() && mesh.volume() < -VOLUME_EPSILON * size * size * size
-        });
-        let up = unit(mesh.face(face).area_vector())[self.points.axis];
+        let view = mesh.face(face);
+        if let [a, b, c] = mesh.corners[view.corner_range()] {
+            return self.slab_of_triangle(mesh, [a, b, c].map(|point| self.points.places[point as usize]), plane);
+        }
+        self.slab_of_facing(mesh, view.normal()[self.points.axis], plane)
+    }
+
+    /// The slab of a triangle in a plane: exactly, as it may be the narrowest piece of a face.
+    pub(super) fn slab_of_triangle(&mut self, mesh: &Mesh, corners: [Place; 3], plane: u32) -> u32 {
+        let flat = &self.points.levels[plane as usize].flat;
+        let [a, b, c] = corners.map(|corner| flat[corner.number as usize]);
+        self.slab_of_facing(mesh, f64::from(orient(a, b, c)), plane)
+    }
+
+    /// The slab of something in a plane that looks up or down.
+    fn slab_of_facing(&mut self, mesh: &Mesh, up: f64, plane: u32) -> u32 {
+        let inverted = *self.inverted.get_or_insert_with(|| mesh.is_inside_out());
         let above = if inverted { up > 0.0 } else { up < 0.0 };
         plane + u32::from(above)
     }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::{FaceTag, Mesh};
+use super::{Bounds, FaceTag, Mesh};
 
 /// A planar polygon with holes: a view into its mesh.
 #[derive(Clone, Copy, Debug)]
@@ -70,14 +70,21 @@ impl<'a> FaceRef<'a> {
         self.mesh.points[self.mesh.corners[corner] as usize]
     }
 
-    /// Twice the area, along the normal (Newell's sum, about the first corner so that distance costs no digits).
+    /// Twice the area, along the normal.
     pub(crate) fn area_vector(&self) -> DVec3 {
-        let from = self.position(self.corner_range().start);
+        self.area_vector_of(|p| p)
+    }
+
+    /// The same of other positions (Newell's sum, about the first corner so that distance costs no digits).
+    #[inline(always)]
+    fn area_vector_of(&self, place: impl Fn(DVec3) -> DVec3) -> DVec3 {
+        let at = |point: u32| place(self.mesh.points[point as usize]);
+        let from = place(self.position(self.corner_range().start));
         let mut sum = DVec3::ZERO;
         for ring in self.loops() {
-            let mut last = self.mesh.points[ring[ring.len() - 1] as usize] - from;
+            let mut last = at(ring[ring.len() - 1]) - from;
             for &c in ring {
-                let here = self.mesh.points[c as usize] - from;
+                let here = at(c) - from;
                 sum += last.cross(here);
                 last = here;
             }
@@ -85,9 +92,21 @@ impl<'a> FaceRef<'a> {
         sum
     }
 
-    /// The unit normal, zero for a face without area.
+    /// The unit normal, zero for a face without area; of faces of any size.
     pub fn normal(&self) -> DVec3 {
-        unit(self.area_vector())
+        /// Far above what is lost where products underflow.
+        const SMALL: f64 = 1e-250;
+        let sum = self.area_vector();
+        let size = sum.abs().max_element();
+        let safe = SMALL < size && size < f64::INFINITY;
+        unit(if safe { sum } else { self.area_vector_at_one() })
+    }
+
+    /// The area vector of the face made about one large.
+    #[cold]
+    fn area_vector_at_one(&self) -> DVec3 {
+        let scale = Bounds::of(self.corner_range().map(|corner| self.position(corner))).scale_to_one();
+        self.area_vector_of(|p| p * scale)
     }
 
     /// The unit normal once the mesh is stretched along its axes; zero for a face without area.

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::table::PairTable;
 use super::{Bounds, Mesh};
+use crate::tol::VOLUME_EPSILON;
 
 impl Mesh {
     /// The box around all points.
@@ -51,16 +52,30 @@ impl Mesh {
     /// The volume enclosed, negative when the faces look inwards. Of an open mesh, that of the cone from the middle of
     /// its bounds.
     pub fn volume(&self) -> f64 {
+        self.volume_of(|p| p)
+    }
+
+    /// Whether the faces enclose a volume, and look inwards.
+    pub(crate) fn is_inside_out(&self) -> bool {
+        let bounds = self.bounds();
+        let scale = bounds.scale_to_one();
+        let size = (bounds.high * scale - bounds.low * scale).max_element();
+        self.is_closed() && self.volume_of(|p| p * scale) < -VOLUME_EPSILON * size * size * size
+    }
+
+    /// The volume of what points become relative to the middle.
+    #[inline(always)]
+    fn volume_of(&self, place: impl Fn(DVec3) -> DVec3) -> f64 {
         if self.is_empty() {
             return 0.0;
         }
         let bounds = self.bounds();
-        let centre = (bounds.low + bounds.high) * 0.5;
+        let centre = bounds.low * 0.5 + bounds.high * 0.5;
         let mut sum = 0.0;
         for face in self.faces() {
             let mut six = 0.0;
             for ring in face.loops() {
-                let at = |i: usize| self.points[ring[i] as usize] - centre;
+                let at = |i: usize| place(self.points[ring[i] as usize] - centre);
                 let first = at(0);
                 let mut fan = DVec3::ZERO;
                 for i in 1..ring.len() - 1 {

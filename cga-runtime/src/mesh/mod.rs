@@ -137,6 +137,14 @@ impl Bounds {
         (self.high - self.low).max(DVec3::ZERO)
     }
 
+    /// A power of two that makes the longest extent about 1, so that areas and volumes neither overflow nor vanish.
+    pub(crate) fn scale_to_one(&self) -> f64 {
+        const EXPONENT: u64 = 0x7ff << 52;
+        // Halves of the largest numbers have a difference.
+        let half = (self.high * 0.5 - self.low * 0.5).max_element();
+        1.0 / f64::from_bits(half.max(f64::MIN_POSITIVE).to_bits() & EXPONENT)
+    }
+
     /// The box of some points.
     pub fn of(points: impl IntoIterator<Item = DVec3>) -> Bounds {
         points.into_iter().fold(Bounds::EMPTY, |b, p| Bounds { low: b.low.min(p), high: b.high.max(p) })

@@ -61,6 +61,12 @@ impl PairTable {
         (slot.0 != EMPTY).then_some(slot.1)
     }
 
+    /// All pairs with their numbers, in no useful order.
+    pub(crate) fn pairs(&self) -> impl Iterator<Item = ([u32; 2], u32)> + '_ {
+        let pair = |key: u64| [(key >> 32) as u32, key as u32];
+        self.slots.iter().filter(|slot| slot.0 != EMPTY).map(move |slot| (pair(slot.0), slot.1))
+    }
+
     /// All numbers, in no useful order.
     pub(crate) fn values(&self) -> impl Iterator<Item = u32> + '_ {
         self.slots.iter().filter(|slot| slot.0 != EMPTY).map(|slot| slot.1)

@@ -75,7 +75,7 @@ impl Triangulator {
             out.push([start, start + 1, start + 2]);
             return;
         }
-        let projection = Projection::along(face.area_vector());
+        let projection = Projection::along(face.normal());
         let mut flat = std::mem::take(&mut self.flat);
         let mut ends = std::mem::take(&mut self.ends);
         flat.clear();

@@ -3,11 +3,14 @@
 //! Faces stay polygons; groups (`g`, and `o` where no `g` follows) and materials (`usemtl`) become tags; positions that
 //! are equal to the bit become one point. Texture coordinates and normals are kept when every face has them (*insert
 //! operation*: a mesh with inconsistent ones drops them all). Lines, points, smoothing groups and curves are left out.
+//! Lines may end in any way, a comment ends with its line, keywords may be written in capitals; what is no statement is a
+//! warning.
 //!
 //! Statements are read here and not by `tobj`, which keeps positions as f32 (its `use_f64` would change its types for
 //! every other crate in the build), starts a new mesh at each group, and can't tell lines from triangles. It does read the
 //! material libraries.
 
+mod lines;
 mod mtl;
 
 use std::collections::HashMap;
@@ -18,6 +21,7 @@ use glam::{DVec2, DVec3};
 use crate::material::Material;
 use crate::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
 use crate::text::Text;
+use lines::{is_utf16, lines};
 
 /// A mesh and what had to be left out of it.
 #[derive(Clone, Debug)]
@@ -57,23 +61,25 @@ impl std::error::Error for ObjError {}
 /// Reads a file. `material_file` gives the bytes of a material library by its name, or nothing when there is none.
 ///
 /// # Errors
-/// When a number can't be read or is not finite, or a face uses a vertex that does not exist; the line is named.
+/// When a number can't be read or is not finite, or a face uses a vertex that does not exist; the line is named. When the
+/// file is not UTF-8 but UTF-16.
 pub fn read_obj(bytes: &[u8], material_file: &mut dyn FnMut(&str) -> Option<Vec<u8>>) -> Result<ObjFile, ObjError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if is_utf16(bytes) {
+        return Err(ObjError::Line { line: 1, what: UTF_16 });
+    }
     let text = String::from_utf8_lossy(bytes);
     let mut reader = Reader::new(material_file);
     let mut joined = String::new();
     let mut joined_from = 0;
-    for (number, line) in text.lines().enumerate() {
-        let line = line.trim_end();
+    for (number, line) in lines(&text) {
         if joined.is_empty() {
-            joined_from = number + 1;
+            joined_from = number;
         }
         if let Some(start) = line.strip_suffix('\\') {
             joined.push_str(start);
             joined.push(' ');
         } else if joined.is_empty() {
-            reader.statement(line, number + 1)?;
+            reader.statement(line, number)?;
         } else {
             joined.push_str(line);
             let whole = std::mem::take(&mut joined);
@@ -83,6 +89,54 @@ pub fn read_obj(bytes: &[u8], material_file: &mut dyn FnMut(&str) -> Option<Vec<
     reader.statement(&joined, joined_from)?;
     reader.finish()
 }
+
+/// What there is to say of UTF-16.
+const UTF_16: &str = "this is UTF-16; it must be UTF-8";
+
+/// Statements that are read.
+const READ: [&str; 8] = ["v", "vt", "vn", "f", "g", "o", "usemtl", "mtllib"];
+
+/// Statements that are left out without a word: what is not a surface of polygons, or says how it is shown.
+const LEFT_OUT: [&str; 38] = [
+    "l",
+    "p",
+    "s",
+    "vp",
+    "mg",
+    "cstype",
+    "deg",
+    "bmat",
+    "step",
+    "curv",
+    "curv2",
+    "surf",
+    "parm",
+    "trim",
+    "hole",
+    "scrv",
+    "sp",
+    "end",
+    "con",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "shadow_obj",
+    "trace_obj",
+    "ctech",
+    "stech",
+    "maplib",
+    "usemap",
+    "call",
+    "csh",
+    "bsp",
+    "bzp",
+    "cdc",
+    "cdp",
+    "res",
+    "fo",
+    "s_interp",
+];
 
 /// A corner of a face: indices into the three lists, from 0.
 #[derive(Clone, Copy)]
@@ -102,12 +156,33 @@ struct Reader<'a> {
     groups: Names,
     materials: Names,
     looks: HashMap<String, Material>,
-    libraries: Vec<String>,
+    /// Names of material libraries, and whether there is one.
+    libraries: HashMap<String, bool>,
     corners: Vec<Corner>,
-    with_uvs: usize,
-    with_normals: usize,
+    uvs_on: Coverage,
+    normals_on: Coverage,
     faces: usize,
+    /// The first statement that is none, and how many there are.
+    unknown: Option<(usize, String)>,
+    unknowns: usize,
     warnings: Vec<String>,
+}
+
+/// How many faces have something at some corner, and at every corner.
+#[derive(Default)]
+struct Coverage {
+    some: usize,
+    all: usize,
+}
+
+impl Coverage {
+    /// Counts a face; what its corners have, when all do.
+    fn add<T>(&mut self, of_corners: impl Iterator<Item = Option<T>> + Clone) -> Option<Vec<T>> {
+        self.some += usize::from(of_corners.clone().any(|value| value.is_some()));
+        let all: Option<Vec<T>> = of_corners.collect();
+        self.all += usize::from(all.is_some());
+        all
+    }
 }
 
 /// Names in the order of their first use.
@@ -141,11 +216,13 @@ impl<'a> Reader<'a> {
             groups: Names::default(),
             materials: Names::default(),
             looks: HashMap::new(),
-            libraries: Vec::new(),
+            libraries: HashMap::new(),
             corners: Vec::new(),
-            with_uvs: 0,
-            with_normals: 0,
+            uvs_on: Coverage::default(),
+            normals_on: Coverage::default(),
             faces: 0,
+            unknown: None,
+            unknowns: 0,
             warnings: Vec::new(),
         }
     }
@@ -154,7 +231,8 @@ impl<'a> Reader<'a> {
         let line = line.trim_start();
         let (keyword, rest) = line.split_once(|c: char| c.is_ascii_whitespace()).unwrap_or((line, ""));
         let rest = rest.trim();
-        match keyword {
+        let is_keyword = |known: &&&str| known.eq_ignore_ascii_case(keyword);
+        match READ.iter().find(is_keyword).copied().unwrap_or_default() {
             "v" => {
                 let [x, y, z] = numbers::<3>(rest, 3, number)?;
                 self.builder.point([x, y, z]);
@@ -172,15 +250,19 @@ impl<'a> Reader<'a> {
             "usemtl" => {
                 self.tag.material = if rest.is_empty() { FaceTag::NONE } else { self.materials.number(rest) };
             }
-            "mtllib" => self.library(rest),
-            _ => {}
+            "mtllib" => self.libraries(rest),
+            _ if keyword.is_empty() || LEFT_OUT.iter().any(|known| is_keyword(&known)) => {}
+            _ => {
+                self.unknowns += 1;
+                self.unknown.get_or_insert_with(|| (number, keyword.chars().take(40).collect()));
+            }
         }
         Ok(())
     }
 
     fn face(&mut self, rest: &str, line: usize) -> Result<(), ObjError> {
         self.corners.clear();
-        for token in rest.split_ascii_whitespace().take_while(|token| !token.starts_with('#')) {
+        for token in rest.split_ascii_whitespace() {
             let mut parts = token.split('/');
             let point = index(parts.next(), self.point_count, line, "a face uses a vertex that does not exist")?
                 .ok_or(ObjError::Line { line, what: "a corner of a face has no vertex" })?;
@@ -195,57 +277,75 @@ impl<'a> Reader<'a> {
         let outline: Vec<u32> = self.corners.iter().map(|c| c.point).collect();
         self.builder.face(&outline, &[], self.tag);
         self.faces += 1;
-        if let Some(uvs) = self.corners.iter().map(|c| c.uv.map(|i| self.uvs[i as usize])).collect::<Option<Vec<_>>>() {
+        if let Some(uvs) = self.uvs_on.add(self.corners.iter().map(|c| c.uv.map(|i| self.uvs[i as usize]))) {
             self.builder.uvs(&uvs);
-            self.with_uvs += 1;
         }
         let normals = self.corners.iter().map(|c| c.normal.map(|i| self.normals[i as usize]));
-        if let Some(normals) = normals.collect::<Option<Vec<_>>>() {
+        if let Some(normals) = self.normals_on.add(normals) {
             self.builder.normals(&normals);
-            self.with_normals += 1;
         }
         Ok(())
     }
 
-    fn library(&mut self, rest: &str) {
-        // One name with spaces in it, or several names: whichever exists.
-        let whole = (self.material_file)(rest);
-        let files: Vec<(&str, Option<Vec<u8>>)> = if whole.is_some() || !rest.contains(' ') {
-            vec![(rest, whole)]
-        } else {
-            rest.split_ascii_whitespace().map(|name| (name, (self.material_file)(name))).collect()
-        };
-        for (name, bytes) in files {
-            if self.libraries.iter().any(|seen| seen == name) {
-                continue;
-            }
-            self.libraries.push(name.to_owned());
-            let Some(bytes) = bytes else {
-                self.warnings.push(format!("the material library `{name}` was not found"));
-                continue;
-            };
-            match mtl::read_mtl(&bytes) {
-                Ok(mtl::Library { materials, left_out }) => {
-                    if let [first, ..] = left_out[..] {
-                        let more = left_out.len() - 1;
-                        let what = format!("line {first} of the material library `{name}` can't be read");
-                        let all = if more == 0 { what } else { format!("{what}, and {more} more") };
-                        self.warnings.push(all);
-                    }
-                    for (name, look) in materials {
-                        self.looks.entry(name).or_insert(look);
-                    }
+    fn libraries(&mut self, rest: &str) {
+        for names in rest.split('\t').map(str::trim).filter(|names| !names.is_empty()) {
+            // One name with spaces in it, or several names: whichever exists.
+            if !self.library(names) && names.contains(' ') {
+                for name in names.split(' ').filter(|name| !name.is_empty()) {
+                    self.library(name);
                 }
-                Err(error) => self.warnings.push(format!("the material library `{name}` can't be read: {error}")),
             }
         }
     }
 
-    fn finish(mut self) -> Result<ObjFile, ObjError> {
-        for (what, with) in [("texture coordinates", self.with_uvs), ("normals", self.with_normals)] {
-            if with != 0 && with != self.faces {
-                self.warnings.push(format!("only {with} of {} faces have {what}: all were dropped", self.faces));
+    /// Reads a library when it is named for the first time. Whether there is one.
+    fn library(&mut self, name: &str) -> bool {
+        if let Some(&there) = self.libraries.get(name) {
+            return there;
+        }
+        let bytes = (self.material_file)(name);
+        self.libraries.insert(name.to_owned(), bytes.is_some());
+        let Some(bytes) = bytes else {
+            if !name.contains(' ') {
+                self.warnings.push(format!("the material library `{name}` was not found"));
             }
+            return false;
+        };
+        if is_utf16(&bytes) {
+            self.warnings.push(format!("the material library `{name}` can't be read: {UTF_16}"));
+            return true;
+        }
+        match mtl::read_mtl(&bytes) {
+            Ok(mtl::Library { materials, left_out }) => {
+                if let [first, ..] = left_out[..] {
+                    let more = left_out.len() - 1;
+                    let what = format!("line {first} of the material library `{name}` can't be read");
+                    self.warnings.push(if more == 0 { what } else { format!("{what}, and {more} more") });
+                }
+                for (name, look) in materials {
+                    self.looks.entry(name).or_insert(look);
+                }
+            }
+            Err(error) => self.warnings.push(format!("the material library `{name}` can't be read: {error}")),
+        }
+        true
+    }
+
+    fn finish(mut self) -> Result<ObjFile, ObjError> {
+        for (what, on) in [("texture coordinates", &self.uvs_on), ("normals", &self.normals_on)] {
+            if on.some != 0 && on.all != self.faces {
+                let (all, faces) = (on.all, self.faces);
+                self.warnings
+                    .push(format!("only {all} of {faces} faces have {what} at every corner: all were dropped"));
+            }
+        }
+        if let Some((line, word)) = &self.unknown {
+            let more = self.unknowns - 1;
+            let what = format!("line {line}: `{word}` is no statement of an OBJ file");
+            self.warnings.push(if more == 0 { what } else { format!("{what}, and {more} more") });
+        }
+        if self.faces == 0 {
+            self.warnings.push("the file has no faces".to_owned());
         }
         let mut materials = Vec::new();
         for name in &self.materials.list {
@@ -273,7 +373,7 @@ fn numbers<const N: usize>(rest: &str, least: usize, line: usize) -> Result<[f64
     let mut values = [0.0f64; N];
     let mut tokens = rest.split_ascii_whitespace();
     for (i, value) in values.iter_mut().enumerate() {
-        let Some(token) = tokens.next().filter(|token| !token.starts_with('#')) else {
+        let Some(token) = tokens.next() else {
             if i < least {
                 return Err(ObjError::Line { line, what: "too few numbers" });
             }

@@ -5,6 +5,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use super::lines::lines;
 use crate::material::{Channel, Color, ColorOf, Layer, Material, MaterialNumber, MaterialText};
 use crate::text::Text;
 
@@ -20,10 +21,10 @@ pub(super) struct Library {
 pub(super) fn read_mtl(bytes: &[u8]) -> Result<Library, tobj::LoadError> {
     let mut left_out = Vec::new();
     let mut text = String::with_capacity(bytes.len());
-    for (number, line) in String::from_utf8_lossy(bytes).lines().enumerate() {
-        match readable(line.trim()) {
+    for (number, line) in lines(&String::from_utf8_lossy(bytes)) {
+        match readable(line) {
             Some(line) => text.push_str(&line),
-            None => left_out.push(number + 1),
+            None => left_out.push(number),
         }
         text.push('\n');
     }
@@ -35,10 +36,22 @@ pub(super) fn read_mtl(bytes: &[u8]) -> Result<Library, tobj::LoadError> {
     Ok(Library { materials: materials.collect(), left_out })
 }
 
+/// Keywords whose spelling may differ in the case of letters.
+const KEYWORDS: [&str; 20] = [
+    "newmtl", "Ka", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "illum", "Pm", "Pr", "map_Ka", "map_Kd", "map_Ks",
+    "map_Ns", "map_d", "map_Bump", "map_bump", "bump",
+];
+
 /// A statement as `tobj` can read it: a colour of one number is a grey.
 fn readable(line: &str) -> Option<Cow<'_, str>> {
     let mut words = line.split_whitespace();
     let keyword = words.next().unwrap_or_default();
+    if !KEYWORDS.contains(&keyword)
+        && let Some(known) = KEYWORDS.iter().find(|known| known.eq_ignore_ascii_case(keyword))
+    {
+        let line = format!("{known}{}", &line[keyword.len()..]);
+        return readable(&line).map(|line| line.into_owned().into());
+    }
     let values = words.clone().take(3).take_while(|word| word.parse::<f32>().is_ok_and(f32::is_finite)).count();
     let known = match keyword {
         "Ka" | "Kd" | "Ks" | "Ke" if values == 1 => {

@@ -80,3 +80,72 @@ fn statements_of_a_library_that_make_no_sense_are_left_out() {
     assert_eq!((look.color, look.roughness), (Some(Color::new(0.5, 0.5, 0.5)), Some(0.7)));
     assert_eq!(file.warnings, ["line 3 of the material library `a.mtl` can't be read, and 8 more"]);
 }
+
+#[test]
+fn comments_end_where_their_line_does() {
+    let file = read(&format!("# C:\\models\\\n{SQUARE}f 1 2 3 4 # all \\\nf 1 2 3\n")).unwrap();
+    assert_eq!(file.mesh.face_count(), 2);
+    let text = format!(
+        "mtllib a.mtl # lib\n{SQUARE}g foo # hi\nusemtl brick\t# red\nf 1 2 3 4 # x\ng #\nf 1 2 3\ng n#1\nf 1 3 4\n"
+    );
+    let file = read(&text).unwrap();
+    assert_eq!(file.mesh.groups(), ["foo", "n#1"]);
+    assert_eq!(file.mesh.face(1).tag().group, FaceTag::NONE);
+    assert_eq!(file.mesh.materials()[0].name.as_deref(), Some("brick"));
+    assert!(file.mesh.materials()[0].color.is_some() && file.warnings.is_empty(), "{:?}", file.warnings);
+}
+
+#[test]
+fn lone_carriage_returns_marks_and_capitals_are_understood() {
+    let text = format!("mtllib a.mtl\n{SQUARE}usemtl brick\nf 1 2 3 4\n");
+    let plain = read(&text).unwrap();
+    let odd = [text.replace('\n', "\r"), format!("\u{feff}\u{feff}{text}"), text.replace("\nv ", "\nV "), {
+        text.replace("\nf ", "\nF ").replace("mtllib", "MTLLIB").replace("usemtl", "UseMtl")
+    }];
+    for text in odd {
+        let file = read(&text).unwrap();
+        assert_eq!((file.mesh.points(), file.mesh.corners()), (plain.mesh.points(), plain.mesh.corners()), "{text:?}");
+        assert_eq!(file.mesh.materials(), plain.mesh.materials());
+        assert!(file.warnings.is_empty(), "{:?}", file.warnings);
+    }
+    let library = b"NEWMTL brick\rKD 0.5 0.25 0 # dark\rMAP_KD a.png # old\r";
+    let file = read_obj(text.as_bytes(), &mut |_| Some(library.to_vec())).unwrap();
+    let look = &file.mesh.materials()[0];
+    assert_eq!((look.color, look.texture.as_deref()), (Some(Color::new(0.5, 0.25, 0.0)), Some("a.png")));
+}
+
+#[test]
+fn what_can_not_be_an_obj_file_is_said() {
+    let wide: Vec<u8> = SQUARE.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    assert_eq!(read_obj(&wide, &mut |_| None).unwrap_err().to_string(), "line 1: this is UTF-16; it must be UTF-8");
+    let text = format!("mtllib a.mtl\n{SQUARE}f 1 2 3\n");
+    let file = read_obj(text.as_bytes(), &mut |_| Some(wide.clone())).unwrap();
+    assert_eq!(file.warnings, ["the material library `a.mtl` can't be read: this is UTF-16; it must be UTF-8"]);
+    let file = read("solid cube\nfacet normal 0 0 1\nendsolid\n").unwrap();
+    let said = ["line 1: `solid` is no statement of an OBJ file, and 2 more", "the file has no faces"];
+    assert_eq!(file.warnings, said);
+}
+
+#[test]
+fn corners_without_what_others_have_are_said() {
+    let file = read(&format!("{SQUARE}vt 0 0\nf 1/1 2 3/1\n")).unwrap();
+    assert!(file.mesh.uvs().is_empty());
+    assert_eq!(file.warnings, ["only 0 of 1 faces have texture coordinates at every corner: all were dropped"]);
+}
+
+#[test]
+fn a_library_is_asked_for_once() {
+    let mut text = String::from("mtllib a.mtl\tb b.mtl \t c.mtl d.mtl\nmtllib b b.mtl\n");
+    for i in 0..30_000 {
+        text.push_str(&format!("mtllib a.mtl\nmtllib c.mtl d.mtl\nmtllib {i}.mtl\n"));
+    }
+    text.push_str(SQUARE);
+    text.push_str("f 1 2 3 4\n");
+    let mut asked = Vec::new();
+    let file = read_obj(text.as_bytes(), &mut |name| {
+        asked.push(name.to_owned());
+        ["a.mtl", "b b.mtl", "d.mtl"].contains(&name).then(|| b"newmtl m\n".to_vec())
+    });
+    assert_eq!(asked[..6], ["a.mtl", "b b.mtl", "c.mtl d.mtl", "c.mtl", "d.mtl", "0.mtl"]);
+    assert_eq!((asked.len(), file.unwrap().warnings.len()), (30_005, 30_001));
+}
