@@ -69,6 +69,25 @@ codes! {
     // Arguments and types.
     ArgumentCount "argument_count" Error "An operation or function with the wrong number of arguments.",
     TypeMismatch "type_mismatch" Error "A value of the wrong type.",
+    // Sizes.
+    SizeNotPositive "size_not_positive" Warning "A slot whose size is never positive.",
+    SlotNeverMade "slot_never_made" Warning "A slot for which the sizes before it never leave room.",
+    FloatWithoutSpace "float_without_space" Warning "A floating slot for which the other sizes never leave room.",
+    SlotAlwaysCut "slot_always_cut" Warning "A slot that always reaches beyond the end of the scope.",
+    SharesBeyondWhole "shares_beyond_whole" Warning "Relative sizes that add up to more than the whole.",
+    SizesBeyondExtent "sizes_beyond_extent" Warning "Sizes that add up to more than the extent, which is known.",
+    GapLeft "gap_left" Warning "Sizes that leave a gap thinner than any slot.",
+    FlatSplit "flat_split" Warning "A split along an axis without an extent.",
+    // Repeats.
+    RepeatNoProgress "repeat_no_progress" Error "A repeat in which no size is positive.",
+    TooManyPieces "too_many_pieces" Warning "A repeat that makes more pieces than a run may make.",
+    RepeatOnce "repeat_once" Warning "A repeat that always happens once.",
+    RepeatSliver "repeat_sliver" Warning "A repeat of relative sizes that ends with a sliver.",
+    // Flow.
+    CaseAlways "case_always" Warning "A condition that is always true or always false.",
+    // Geometry.
+    UnknownUvSet "unknown_uv_set" Error "A uv set that does not exist.",
+    DivisionByZero "division_by_zero" Warning "A division by what is always zero.",
     // Values.
     PercentOver100 "percent_over_100" Error "Percentages that add up to more than 100.",
     InitCycle "init_cycle" Error "Attributes and constants that need each other.",
@@ -84,6 +103,6 @@ impl Code {
 
     /// Whether `@Allow`, `@Warn` and `@Deny` may change its level: then the rules have a meaning all the same.
     pub fn is_lint(self) -> bool {
-        self.level() != Level::Error
+        self.level() != Level::Error || matches!(self, Code::RepeatNoProgress | Code::UnknownUvSet)
     }
 }

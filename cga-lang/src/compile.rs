@@ -79,19 +79,18 @@ pub fn compile_files(root: Unit, files: &mut dyn Files, levels: &[(Code, Level)]
     let mut diags = Diags::new();
     let mut program = link(root, files, &mut diags);
     let read = diags.finish();
-    let outcome = checked(&program, levels, &read);
+    let outcome = checked(&program, levels, false, &read);
     if !outcome.1.misfit {
         return finish(&program, outcome);
     }
     copy(&mut program, levels, &read);
-    let outcome = checked(&program, levels, &read);
-    finish(&program, outcome)
+    finish(&program, checked(&program, levels, true, &read))
 }
 
-fn checked<'p>(program: &'p Program, levels: &[(Code, Level)], read: &[Diag]) -> (Vec<Diag>, Outcome<'p>) {
+fn checked<'p>(program: &'p Program, levels: &[(Code, Level)], last: bool, read: &[Diag]) -> (Vec<Diag>, Outcome<'p>) {
     let mut diags = Diags::new();
     diags.append(read.to_vec());
-    let outcome = check(program, levels, &mut diags);
+    let outcome = check(program, levels, last, &mut diags);
     (diags.finish(), outcome)
 }
 
@@ -113,7 +112,7 @@ fn copy(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
             program.take_back_all();
             return;
         }
-        let (_, Outcome { wanted, unsuited, .. }) = checked(program, levels, read);
+        let (_, Outcome { wanted, unsuited, .. }) = checked(program, levels, false, read);
         if wanted.is_empty() && unsuited.is_empty() {
             break;
         }

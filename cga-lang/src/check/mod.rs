@@ -4,15 +4,24 @@
 //! in a table, and nothing more is said about it. [`Checked`] is made only when there was no error.
 
 mod annotations;
+mod arithmetic;
 mod arity;
+mod branches;
+mod certain;
 mod cycles;
+mod defaults;
 mod duplicates;
+mod flow;
 mod globals;
+mod interval;
 mod levels;
 mod names;
 mod overrides;
+mod readings;
+mod repeat;
 mod selectors;
 mod shapes;
+mod size;
 mod types;
 mod words;
 
@@ -108,7 +117,9 @@ pub(crate) struct Outcome<'a> {
 }
 
 /// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.
-pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], diags: &mut Diags) -> Outcome<'a> {
+/// What follows from sizes and calls is looked for when `program` is as it will be: `last` says that no more declarations
+/// are read again, and without misfits none are.
+pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bool, diags: &mut Diags) -> Outcome<'a> {
     let mut cx = Cx { globals: Globals::new(program), tables: Tables::default(), levels: Vec::new(), at: 0, diags };
     levels::collect(&mut cx, levels);
     duplicates::values(&mut cx);
@@ -122,6 +133,9 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], diags: &
     duplicates::overloads(&mut cx);
     duplicates::styles(&mut cx);
     cycles::find(&mut cx);
+    if last || !misfit {
+        certain::check(&mut cx);
+    }
     let Cx { globals, tables, levels, diags, .. } = cx;
     let unsuited = copied(program, diags);
     levels::apply(&levels, diags);
