@@ -85,7 +85,19 @@ codes! {
     RepeatSliver "repeat_sliver" Warning "A repeat of relative sizes that ends with a sliver.",
     // Flow.
     CaseAlways "case_always" Warning "A condition that is always true or always false.",
+    RuleNotReached "rule_not_reached" Warning "A rule that no run gets to.",
+    EndlessRules "endless_rules" Error "Rules that call themselves on every path.",
+    OnlyChanceEnds "only_chance_ends" Warning "Rules that call themselves until chance ends it.",
+    SelectorHidden "selector_hidden" Warning "A selector for which earlier ones leave nothing.",
+    NoEffect "no_effect" Warning "Operations on a shape of which nothing is made after them.",
+    // What is declared.
+    UnusedAttribute "unused_attribute" Warning "An attribute that nothing reads.",
+    UnusedConstant "unused_constant" Warning "A constant that nothing reads.",
+    UnusedParameter "unused_parameter" Warning "A parameter or local value that nothing reads.",
+    UnusedImport "unused_import" Warning "An import that nothing names.",
+    Shadowing "shadowing" Warning "A parameter or local value that hides something of the grammar.",
     // Geometry.
+    NotAColor "not_a_color" Error "Text where a colour must stand, that is none.",
     UnknownUvSet "unknown_uv_set" Error "A uv set that does not exist.",
     DivisionByZero "division_by_zero" Warning "A division by what is always zero.",
     // Values.
@@ -101,8 +113,13 @@ impl Code {
         Code::ALL.iter().copied().find(|code| code.name() == name)
     }
 
+    /// Whether it is an error though rules with it could run: to a limit, or with a fault.
+    const fn is_wrong_in_runs(self) -> bool {
+        matches!(self, Code::RepeatNoProgress | Code::EndlessRules | Code::UnknownUvSet | Code::NotAColor)
+    }
+
     /// Whether `@Allow`, `@Warn` and `@Deny` may change its level: then the rules have a meaning all the same.
     pub fn is_lint(self) -> bool {
-        self.level() != Level::Error || matches!(self, Code::RepeatNoProgress | Code::UnknownUvSet)
+        self.level() != Level::Error || self.is_wrong_in_runs()
     }
 }

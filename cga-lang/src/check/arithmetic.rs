@@ -1,7 +1,7 @@
 //! What stands in expressions: division by zero, texture layers that do not exist, conditions that are always the same.
 
 use super::flow::{Facts, Flow, Value};
-use super::{Tables, Use, branches};
+use super::{Cx, Use, branches, colour};
 use crate::ast::{Arg, Binary, Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::Diags;
@@ -11,7 +11,7 @@ use crate::ops::{Operation, Param};
 const LAST_LAYER: f64 = 9.0;
 
 /// Looks at an expression and its parts.
-pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, tables: &Tables, diags: &mut Diags) {
+pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
     match &expr.kind {
         ExprKind::Binary(op @ (Binary::Div | Binary::Rem), _, _, right)
             if flow.value(right, facts).number().known() == Some(0.0) =>
@@ -22,17 +22,18 @@ pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, tables: &Tables, di
         }
         ExprKind::Case(arms, _) => {
             for (condition, _) in arms {
-                branches::check(condition, facts, flow, tables, diags);
+                branches::check(condition, facts, flow, cx, diags);
             }
         }
         ExprKind::Call(name, args) => {
-            if let Some(Use::Builtin(row)) = tables.of(name) {
+            if let Some(Use::Builtin(row)) = cx.tables.of(name) {
                 layers(row.params, args.iter(), facts, flow, diags);
+                colour::check(cx.globals.program, row.params, args.iter(), diags);
             }
         }
         _ => {}
     }
-    expr.parts().into_iter().for_each(|part| check(part, facts, flow, tables, diags));
+    expr.parts().into_iter().for_each(|part| check(part, facts, flow, cx, diags));
 }
 
 /// Looks at the arguments of an operation.

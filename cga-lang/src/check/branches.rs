@@ -2,14 +2,14 @@
 
 use super::flow::{Facts, Flow};
 use super::size::range;
-use super::{Tables, Use};
+use super::{Cx, Tables, Use};
 use crate::ast::{Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::Diags;
 
 /// Looks at a condition of a `case`.
-pub(super) fn check(condition: &Expr, facts: &Facts, flow: &Flow, tables: &Tables, diags: &mut Diags) {
-    let truth = flow.value(condition, facts).truth().filter(|_| !is_switch(condition, tables));
+pub(super) fn check(condition: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
+    let truth = flow.value(condition, facts).truth().filter(|_| !is_switch(condition, &cx.tables));
     let Some(truth) = truth else { return };
     let word = if truth { "true" } else { "false" };
     let diag = diags.report(Code::CaseAlways, condition.span, format!("this condition is always {word}"));

@@ -61,7 +61,7 @@ fn reason(diag: &mut Diag, slots: &Slots, tables: &Tables, cx: &Cx) {
     attrs.dedup();
     for &attr in &attrs {
         let name = &cx.globals.attrs[attr as usize].decl.name;
-        diag.related(format!("so it is with the default of `{}`, declared", name.text), name.span);
+        diag.related(format!("so it is with the default of `{}`", name.text), name.span);
     }
     if attrs.is_empty() {
         diag.note("so it is with the defaults of the attributes");

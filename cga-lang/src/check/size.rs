@@ -115,7 +115,7 @@ fn starved(slots: &Slots, index: usize, facts: &Facts, diags: &mut Diags) {
     let cut = (0..index).find(|&before| !slots.is_never(before) && slots.is_cut(before));
     if let Some(cut) = cut.filter(|_| !slot.floats()) {
         let cut = &slots.list[cut];
-        diag.related(format!("{} is cut where the scope ends,", label(cut)), cut.size.span);
+        diag.related(format!("{} is cut where the scope ends", label(cut)), cut.size.span);
     }
     if 0.0 < sum.metres {
         since(slots, facts, diag);

@@ -33,6 +33,7 @@ pub(super) struct Flow<'f> {
     pub(super) known: Known,
     /// By rule: what is known where it begins. `None`: nobody calls it.
     entries: Vec<Option<Facts>>,
+    forgets: bool,
 }
 
 /// The calls of a grammar.
@@ -83,7 +84,7 @@ impl<'f> Flow<'f> {
     /// Finds out what is known. Without `calls` each rule stands alone.
     pub(super) fn new(globals: &Globals, tables: &'f Tables, calls: Option<&Calls>, mode: Attrs) -> Flow<'f> {
         let known = Known::new(globals, tables, mode);
-        let mut flow = Flow { tables, known, entries: vec![None; globals.rules.len()] };
+        let mut flow = Flow { tables, known, entries: vec![None; globals.rules.len()], forgets: false };
         let Some(calls) = calls else { return flow };
         for &start in &calls.starts {
             flow.entries[start] = Some(Facts::any(globals.rules[start].decl.params.len()));
@@ -103,6 +104,11 @@ impl<'f> Flow<'f> {
             flow.settle(globals, component);
         }
         flow
+    }
+
+    /// What values and conditions alone say: sizes that steps set are forgotten.
+    pub(super) fn of_values(globals: &Globals, tables: &'f Tables) -> Flow<'f> {
+        Flow { forgets: true, ..Flow::new(globals, tables, None, Attrs::Accepted) }
     }
 
     /// Follows shapes through the rules of a cycle until nothing new is known.
@@ -149,7 +155,7 @@ impl<'f> Flow<'f> {
             let value = self.known.value(self.tables, local, &facts);
             facts.params.push(value);
         }
-        let walk = Walk { tables: self.tables, known: &self.known };
+        let walk = Walk { tables: self.tables, known: &self.known, forgets: self.forgets };
         walk.steps(body(item), facts, visit);
     }
 

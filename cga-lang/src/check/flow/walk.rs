@@ -7,7 +7,7 @@ use super::values::{Facts, Known, Value};
 use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, Expr, Name, Op, OpKind, Split};
 use crate::check::interval::Interval;
 use crate::check::{Tables, Use, split_adjust, split_axis, words};
-use crate::ops::{Effect, Operation};
+use crate::ops::{Effect, Operation, ShapeAttr};
 use crate::span::Span;
 
 /// What is met on the way.
@@ -18,6 +18,8 @@ pub(in crate::check) enum Site<'s, 'a> {
     Condition(&'a Expr),
     /// An expression that is computed.
     Value(&'a Expr),
+    /// An attribute of the shape is set.
+    Set(&'static ShapeAttr, &'a Expr),
     /// An operation with its arguments.
     Operation(&'static Operation, &'a [Arg]),
 }
@@ -34,6 +36,8 @@ pub(super) trait Visit<'a> {
 pub(super) struct Walk<'w> {
     pub(super) tables: &'w Tables,
     pub(super) known: &'w Known,
+    /// Whether sizes that steps set are forgotten.
+    pub(super) forgets: bool,
 }
 
 impl<'w> Walk<'w> {
@@ -56,8 +60,13 @@ impl<'w> Walk<'w> {
                         visit.meet(&Site::Operation(row, args), &facts);
                         facts.shape = self.after(row, args, &facts, op.span);
                     }
-                    Some(Use::SetShape(row)) if row.name.starts_with("scope.") => facts.shape = Shape::ANY,
-                    Some(Use::Leaf | Use::SetAttr(_) | Use::SetShape(_)) => {}
+                    Some(Use::SetShape(row)) => {
+                        args.get(1).into_iter().for_each(|arg| visit.meet(&Site::Set(row, &arg.value), &facts));
+                        if row.name.starts_with("scope.") {
+                            facts.shape = Shape::ANY;
+                        }
+                    }
+                    Some(Use::Leaf | Use::SetAttr(_)) => {}
                     _ => facts.shape = Shape::ANY,
                 }
             }
@@ -217,6 +226,7 @@ impl<'w> Walk<'w> {
         let shape = facts.shape;
         match row.scope {
             Effect::Keeps => shape,
+            _ if self.forgets => Shape::ANY,
             Effect::Sizes => match args {
                 [x, y, z] => self.sized(shape, [x, y, z], facts, span),
                 _ => Shape::ANY,
