@@ -1,5 +1,6 @@
 //! What is known of a shape on its way through the rules.
 
+use super::slots::MARGIN;
 use crate::check::interval::Interval;
 use crate::span::Span;
 
@@ -54,12 +55,12 @@ impl Shape {
 
     /// Whether it certainly has no extent along an axis.
     pub(in crate::check) fn is_flat(&self, axis: usize) -> bool {
-        self.extent(axis).hi <= THIN
+        self.extent(axis).hi <= 2.0 * THIN
     }
 
     /// Whether it is flat as a face is.
     pub(in crate::check) fn is_face(&self) -> bool {
-        self.filling == Filling::Sheet || self.size[2].hi == THIN
+        self.filling == Filling::Sheet || 0.0 < self.size[2].hi && self.size[2].hi <= 2.0 * THIN
     }
 
     /// What holds for both.
@@ -106,6 +107,19 @@ impl Shape {
         Shape { size: [x, distance, y], since: [self.since[0], Some(by), self.since[1]], filling: Filling::Box }
     }
 
+    /// A part that shrinks to what is in it: no larger than its slot and the shape.
+    fn shrunk(&self, axis: usize, length: Interval, by: Span) -> Shape {
+        let mut part = Shape { filling: Filling::Unknown, ..*self };
+        for (at, size) in part.size.iter_mut().enumerate() {
+            let most = if at == axis { length.hi } else { size.abs().hi };
+            // Boxes of meshes are off by last bits.
+            let most = most + most * MARGIN;
+            *size = Interval { lo: if 0.0 <= size.lo { 0.0 } else { -most }, hi: most, odd: false };
+        }
+        part.since[axis] = Some(by);
+        part
+    }
+
     /// A part of a split along an axis: `length` is what its slot may get.
     pub(super) fn part(&self, axis: usize, length: Interval, adjust: bool, by: Span) -> Shape {
         let fills = match self.filling {
@@ -114,7 +128,7 @@ impl Shape {
             Filling::Unknown => !adjust,
         };
         if !fills {
-            return Shape::ANY;
+            return self.shrunk(axis, length, by);
         }
         let mut part = *self;
         part.size[axis] = match self.size[axis] {
