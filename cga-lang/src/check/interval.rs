@@ -151,9 +151,15 @@ impl Interval {
             ("float", [a]) => *a,
             ("rand", []) => Interval::between(0.0, 1.0),
             ("rand", [max]) if !max.odd => max.or(Interval::ZERO),
-            ("rand", [min, max]) if !min.odd && !max.odd => min.or(*max),
+            ("rand", [min, max]) if !min.odd && !max.odd => min.or(*max).about(),
             _ => Interval::ALL,
         }
+    }
+
+    /// With room for what is computed in several steps and off by last bits.
+    fn about(self) -> Interval {
+        let room = (self.lo.abs() + self.hi.abs()) * 1e-15;
+        Interval::result(self.lo - room, self.hi + room, self.odd)
     }
 
     /// Itself, or anything.

@@ -34,6 +34,7 @@ mod words;
 use crate::code::Code;
 use crate::diag::{Diags, Level};
 use crate::hash::FastMap;
+use crate::index::{Named, index};
 use crate::ir::Type;
 use crate::link::{InstanceId, Program, Wanted};
 use crate::ops::{Function, Operation, ShapeAttr};
@@ -114,6 +115,8 @@ pub(crate) struct Outcome<'a> {
     pub(crate) checked: Option<Checked<'a>>,
     /// The attributes with their types, as far as they could be told.
     pub(crate) attrs: Vec<(Item<'a>, Option<Type>)>,
+    /// Where names are declared and used.
+    pub(crate) index: Vec<Named>,
     /// Whether something is of another type than is needed.
     pub(crate) misfit: bool,
     /// Declarations that calls want with other types. When there are some, only that was found out.
@@ -133,7 +136,7 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
     names::uses(&mut cx);
     let types::Found { misfit, wanted } = types::infer(&mut cx);
     if !wanted.is_empty() {
-        return Outcome { checked: None, attrs: Vec::new(), misfit, wanted, unsuited: Vec::new() };
+        return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), misfit, wanted, unsuited: Vec::new() };
     }
     annotations::read(&mut cx);
     duplicates::overloads(&mut cx);
@@ -147,8 +150,9 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
     levels::apply(&levels, diags);
     let ty = |item: &Item| tables.types.get(&item.decl.name.id()).copied();
     let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
+    let index = if last || !misfit { index(&globals, &tables) } else { Vec::new() };
     let checked = (!diags.has_errors()).then_some(Checked { globals, tables, _private: () });
-    Outcome { checked, attrs, misfit, wanted, unsuited }
+    Outcome { checked, attrs, index, misfit, wanted, unsuited }
 }
 
 /// Moves what was found in copies to where it was written; gives the places of types that are wrong in the copy alone.
