@@ -56,7 +56,7 @@ cga! {
     @Allow(size_not_positive)
     Many(n) -->
         [ comp(f) { front : X. | back : X. | left : X. } ] [ comp(f) { front : X. | back = X. } ]
-        [ comp(f) { front : X. | 1 : X. } ] [ split(x) { 1 : X. | ~1 : [ X. ] X. | { ~1 : X. }* } ]
+        [ comp(f) { front : X. | 1 : X. } ] [ comp(e) { border && scope.sx > n : X. | all =: NIL } ] [ split(x) { 1 : X. | ~1 : [ X. ] X. | { ~1 : X. }* } ]
         [ split(y) { 1 : X. | ~1 : X. } ] [ split(z) { 1 : X. | ~1 : NIL } ] [ [ [ color("#ffffff") X. ] ] ]
         set(material.name, "name " + n + " of " + levels) split(x) { ~1 : B(n, "a" + n, n > 3) | ^0 : A(n) }
     B(n, _text, _small) --> comp(f) { front = primitiveCube() s(8, 8, 8) A(n + 1) }
@@ -140,6 +140,29 @@ fn functions_with_much_on_the_stack_nest_less_deep() {
     assert!(run(100.0).is_ok());
     let error = run(1e9).expect_err("too deep");
     assert!(matches!(error, Error::Limit { what: LimitKind::Nesting, limit: 100..1024, .. }), "{error}");
+}
+
+cga! {
+    /// Functions that call themselves for components, and to ask about them.
+    grammar Divided;
+    attr depth = 10
+    valued(n) = case n > 0 : 1 + comp(f) { 0 : valued(n - 1) | bottom = 7 }[0] else : 0
+    asked(n) = case n > 0 : 1 + comp(fe) { asked(n - 1) == n - 1 && !inside : n - 1 | all : -1 }[0] else : 0
+    Valued --> s(valued(depth), 1, 1) X.
+    Asked --> s(asked(depth), 1, 1) X.
+}
+
+#[test]
+fn functions_that_call_themselves_for_components_are_counted_as_what_they_are() {
+    let run = |start: &'static str, depth: f64| {
+        on_a_small_stack(move || Divided { depth }.generate_from(start, &Shape::rectangle(8.0, 8.0)))
+    };
+    for (start, fits) in [("Valued", 100.0), ("Asked", 50.0)] {
+        let model = run(start, fits).expect("no limit");
+        assert_eq!(model.leaves().next().expect("a leaf").size().x, fits, "{start}");
+        let error = run(start, 1e9).expect_err("too deep");
+        assert!(matches!(error, Error::Limit { what: LimitKind::Nesting, limit: 50..1024, .. }), "{start}: {error}");
+    }
 }
 
 cga! { grammar Wide in "tests/rules/wide.cga"; }

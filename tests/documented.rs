@@ -14,6 +14,8 @@ mod attributes;
 mod cutting;
 #[path = "documented/faces.rs"]
 mod faces;
+#[path = "documented/offsets.rs"]
+mod offsets;
 #[path = "documented/outlines.rs"]
 mod outlines;
 #[path = "documented/pages/mod.rs"]

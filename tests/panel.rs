@@ -7,7 +7,7 @@ use cga::{Attribute, AttributeKind, ChoiceValues, Error, Grammar, Shape, cga};
 
 cga! {
     grammar House = r##"
-        @Allow(unused_attribute, rule_not_reached)
+        @Allow(unused_attribute)
         @RuleFileDescription("A house, *one* storey or more.")
         version "2025.1"
 

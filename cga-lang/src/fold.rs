@@ -68,15 +68,22 @@ pub(crate) fn fold(expr: &mut Expr, known: &Known) -> Option<Value> {
             return None;
         }
         ExprKind::Array(rows) => array(rows, known)?,
-        ExprKind::Range(..) | ExprKind::Index(..) | ExprKind::EachUnary(..) | ExprKind::Each(..) => {
+        ExprKind::Range(..)
+        | ExprKind::Index(..)
+        | ExprKind::EachUnary(..)
+        | ExprKind::Each(..)
+        | ExprKind::Comp(_) => {
             for part in expr.parts_mut() {
                 fold(part, known);
             }
             return None;
         }
-        ExprKind::Param(_) | ExprKind::Attr(_) | ExprKind::Host(_) | ExprKind::Shape(_) | ExprKind::Later(_) => {
-            return None;
-        }
+        ExprKind::Param(_)
+        | ExprKind::Attr(_)
+        | ExprKind::Host(_)
+        | ExprKind::Shape(_)
+        | ExprKind::Word(_)
+        | ExprKind::Later(_) => return None,
     };
     expr.kind = ExprKind::Value(value.clone());
     Some(value)

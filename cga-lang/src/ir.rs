@@ -4,6 +4,7 @@
 //! expression has a type. Code generation reads this and decides nothing. `ir_print` shows it as text.
 
 mod attr;
+mod comp;
 mod expr;
 
 use crate::ops::{Operation, ShapeAttr};
@@ -12,6 +13,7 @@ use crate::span::Span;
 pub use cga_split::{Item, Piece, Prefix};
 
 pub use attr::{Attr, ChoiceValues, Choices, Presentation, Range};
+pub use comp::{Align, Comp, CompArm, CompMode, Selector};
 pub use expr::{Binary, EachUnary, Expr, ExprKind};
 
 /// Index into [`Grammar::rules`].
@@ -253,7 +255,7 @@ pub enum Step {
     /// Divides the current shape along an axis. The shape itself goes on unchanged.
     Split(Split),
     /// Divides the current shape into components. The shape itself goes on unchanged.
-    Comp(Comp),
+    Comp(Comp<Target>),
     /// `[ … ]`: works on a copy.
     Push(Vec<Step>),
     /// `import( … ).Rule`: a copy on which the attributes and constants of an import start anew.
@@ -375,55 +377,6 @@ pub struct Size {
     pub prefix: Prefix,
     /// The number.
     pub value: Expr,
-}
-
-/// `comp(f) { … }`.
-#[derive(Clone, Debug)]
-pub struct Comp {
-    /// Which components.
-    pub kind: CompKind,
-    /// Tried from left to right; what one takes the next can't have.
-    pub arms: Vec<CompArm>,
-    /// The operation's name.
-    pub span: Span,
-}
-
-/// Which components a comp hands out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CompKind {
-    /// `f`.
-    Faces,
-}
-
-/// `selector : target` or `selector = target`.
-#[derive(Clone, Debug)]
-pub struct CompArm {
-    /// Which components it takes.
-    pub selector: Selector,
-    /// `comp.sel`, as written.
-    pub text: String,
-    /// One shape a component, or one for all.
-    pub mode: CompMode,
-    /// What they become.
-    pub target: Target,
-}
-
-/// The operator of a comp arm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CompMode {
-    /// `:`.
-    Each,
-    /// `=`.
-    Together,
-}
-
-/// Which components an arm takes.
-#[derive(Clone, Debug)]
-pub enum Selector {
-    /// A word from [`crate::ops::SELECTORS`].
-    Word(&'static str),
-    /// By index, evaluated once on the whole shape.
-    Index(Expr),
 }
 
 /// An argument of an operation.

@@ -1,9 +1,11 @@
 //! A grammar as text, one line a step: for snapshots and traces.
 
+mod comp;
+
 use crate::ir::{
-    Anew, Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Comp, CompMode, Const, EachUnary, Expr, ExprKind,
-    Function, Global, Grammar, Item, Measure, Param, Prefix, Presentation, Renewal, Rule, Selector, Size, Split, Start,
-    Step, Target, Value,
+    Anew, Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Const, EachUnary, Expr, ExprKind, Function,
+    Global, Grammar, Item, Measure, Param, Prefix, Presentation, Renewal, Rule, Size, Split, Start, Step, Target,
+    Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
@@ -312,24 +314,6 @@ impl<'g> Printer<'g> {
         self.depth -= 1;
     }
 
-    fn comp(&mut self, comp: &'g Comp) {
-        self.line("comp f");
-        self.depth += 1;
-        for arm in &comp.arms {
-            let selector = match &arm.selector {
-                Selector::Word(word) => (*word).to_owned(),
-                Selector::Index(index) => format!("index {} as {:?}", self.expr(index), arm.text),
-            };
-            let mode = match arm.mode {
-                CompMode::Each => "->",
-                CompMode::Together => "=>",
-            };
-            let text = format!("{selector} {mode} {}", self.target(&arm.target));
-            self.line(&text);
-        }
-        self.depth -= 1;
-    }
-
     fn target(&self, target: &Target) -> String {
         match target {
             Target::Rule { rule, args, .. } if args.is_empty() => self.grammar.rules[rule.0 as usize].name.clone(),
@@ -376,6 +360,8 @@ impl<'g> Printer<'g> {
             ExprKind::Builtin(row, args) => format!("{}{}", row.run.now().unwrap_or(row.name), self.args(args)),
             ExprKind::Rust(path, args) => format!("{path}{}", self.args(args)),
             ExprKind::Shape(row) => row.name.to_owned(),
+            ExprKind::Comp(comp) => self.comp_value(comp),
+            ExprKind::Word(word) => (*word).to_owned(),
             ExprKind::Later(what) => format!("later {what}"),
             ExprKind::Array(rows) => {
                 let row = |row: &Vec<Expr>| row.iter().map(|entry| self.expr(entry)).collect::<Vec<_>>().join(", ");

@@ -1,6 +1,6 @@
 //! Over the steps and expressions of a grammar.
 
-use crate::ir::{Anew, Arg, Expr, ExprKind, Grammar, Rule, RuleId, Selector, Step, Target};
+use crate::ir::{Anew, Arg, CompArm, Expr, ExprKind, Grammar, Rule, RuleId, Selector, Step, Target};
 
 /// Every step of a body, those in brackets and branches included.
 pub fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
@@ -26,7 +26,7 @@ pub fn targets(step: &Step) -> Vec<&Target> {
     match step {
         Step::Give(target) | Step::Anew(Anew { target, .. }) => vec![target],
         Step::Split(split) => split.slots.iter().collect(),
-        Step::Comp(comp) => comp.arms.iter().map(|arm| &arm.target).collect(),
+        Step::Comp(comp) => comp.arms.iter().map(|arm| &arm.then).collect(),
         _ => Vec::new(),
     }
 }
@@ -88,7 +88,7 @@ fn in_step(step: &Step) -> Vec<&Expr> {
             .arms
             .iter()
             .filter_map(|arm| match &arm.selector {
-                Selector::Index(index) => Some(index),
+                Selector::Index(asked) | Selector::When(asked) => Some(asked),
                 Selector::Word(_) => None,
             })
             .collect(),
@@ -114,11 +114,21 @@ macro_rules! parts {
             | ExprKind::Const(_)
             | ExprKind::Host(_)
             | ExprKind::Shape(_)
+            | ExprKind::Word(_)
             | ExprKind::Later(_) => Vec::new(),
             ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
-            ExprKind::Neg(a) | ExprKind::Not(a) | ExprKind::ToText(a) | ExprKind::EachUnary(_, a) => vec![&$($mutable)? **a],
+            ExprKind::Neg(a) | ExprKind::Not(a) | ExprKind::ToText(a) | ExprKind::EachUnary(_, a) => {
+                vec![&$($mutable)? **a]
+            }
             ExprKind::Binary(_, a, b) | ExprKind::Each(_, a, b) => vec![&$($mutable)? **a, &$($mutable)? **b],
             ExprKind::Array(rows) => rows.$iter().flatten().collect(),
+            ExprKind::Comp(comp) => {
+                let parts = comp.arms.$iter().flat_map(|CompArm { selector, then, .. }| match selector {
+                    Selector::Index(asked) | Selector::When(asked) => vec![asked, then],
+                    Selector::Word(_) => vec![then],
+                });
+                parts.collect()
+            }
             ExprKind::Range(base, step, limit) => {
                 vec![&$($mutable)? **base, &$($mutable)? **step, &$($mutable)? **limit]
             }

@@ -61,7 +61,6 @@ fn what_the_checks_call_never_or_always_is_so_in_every_run() {
         Code::RepeatOnce,
         Code::RepeatSliver,
         Code::CaseAlways,
-        Code::RuleNotReached,
         Code::EndlessRules,
         Code::SelectorHidden,
     ] {

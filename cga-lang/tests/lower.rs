@@ -47,7 +47,7 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
                 assert_eq!(slots(&split.pattern), split.slots.len());
                 split.slots.iter().for_each(&mut *visit);
             }
-            Step::Comp(comp) => comp.arms.iter().for_each(|arm| visit(&arm.target)),
+            Step::Comp(comp) => comp.arms.iter().for_each(|arm| visit(&arm.then)),
             Step::Push(steps) => targets(steps, visit),
             Step::Case { arms, otherwise } => {
                 arms.iter().for_each(|(_, steps)| targets(steps, visit));

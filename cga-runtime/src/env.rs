@@ -11,6 +11,7 @@ use crate::asset::Query;
 use crate::comp::street::Streets;
 use crate::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::mesh::Mesh;
+use crate::mesh::primitive::Made;
 use crate::report::{Prints, Reports};
 use crate::scope::Frame;
 use crate::settings::{Limits, Settings};
@@ -38,6 +39,12 @@ const SEARCHES_KEPT: usize = 32;
 
 /// Files whose tables are kept: functions read the same ones again and again.
 const TABLES_KEPT: usize = 16;
+
+/// Primitives that are kept: rules insert the same few again and again.
+const PRIMITIVES_KEPT: usize = 32;
+
+/// Assets that are kept as they stand when their z axis is up.
+const ASSETS_RAISED: usize = 256;
 
 /// A share of the initial shape's largest extent below which a shape is not split any further, and the most that this
 /// may be, in metres: on a large site small things are as good as elsewhere, and a run may start from a point.
@@ -67,7 +74,10 @@ pub struct Env {
     faults: Vec<Fault>,
     faults_left_out: u64,
     pub(crate) error: Option<Error>,
-    cylinders: BTreeMap<u32, Arc<Mesh>>,
+    /// Primitives that were made.
+    primitives: Vec<(Made, Arc<Mesh>)>,
+    /// Assets whose z axis is up, each with what it is when it stands.
+    raised: Vec<[Arc<Mesh>; 2]>,
     pub(crate) reports: Reports,
     pub(crate) prints: Prints,
     /// What file searches found; see [`Env::files`].
@@ -136,7 +146,8 @@ impl Env {
             faults: Vec::new(),
             faults_left_out: 0,
             error: None,
-            cylinders: BTreeMap::new(),
+            primitives: Vec::new(),
+            raised: Vec::new(),
             reports: Reports::default(),
             prints: Prints::default(),
             searches: BTreeMap::new(),
@@ -354,12 +365,35 @@ impl Env {
         0.0
     }
 
-    /// A unit cylinder, made once a run for each number of sides.
-    pub(crate) fn cylinder(&mut self, sides: u32) -> Arc<Mesh> {
-        self.cylinders
-            .entry(sides)
-            .or_insert_with(|| Arc::new(crate::mesh::primitive::cylinder(sides as usize)))
-            .clone()
+    /// A primitive in the unit box, made once a run as long as there are few kinds; nothing when the limit of vertices is
+    /// reached.
+    pub(crate) fn primitive(&mut self, what: Made) -> Option<Arc<Mesh>> {
+        if let Some((_, mesh)) = self.primitives.iter().find(|(made, _)| *made == what) {
+            return Some(mesh.clone());
+        }
+        if self.count_corners(what.corner_count()).is_break() {
+            return None;
+        }
+        let mesh = Arc::new(what.mesh());
+        if self.primitives.len() < PRIMITIVES_KEPT {
+            self.primitives.push((what, mesh.clone()));
+        }
+        Some(mesh)
+    }
+
+    /// An asset with its z axis up, made once a run as long as there are few; nothing when the limit of vertices is reached.
+    pub(crate) fn raised(&mut self, mesh: Arc<Mesh>) -> Option<Arc<Mesh>> {
+        if let Some([_, known]) = self.raised.iter().find(|[lying, _]| Arc::ptr_eq(lying, &mesh)) {
+            return Some(known.clone());
+        }
+        if self.count_vertices(&mesh).is_break() {
+            return None;
+        }
+        let raised = Arc::new(crate::op::z_up(&mesh));
+        if self.raised.len() < ASSETS_RAISED {
+            self.raised.push([mesh, raised.clone()]);
+        }
+        Some(raised)
     }
 
     pub(crate) fn take_faults(&mut self) -> (Vec<Fault>, u64) {

@@ -36,6 +36,7 @@ pub mod set;
 pub mod settings;
 pub mod shape;
 pub mod sink;
+mod skeleton;
 pub mod split;
 mod state;
 pub mod text;

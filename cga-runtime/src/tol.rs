@@ -33,3 +33,11 @@ pub(crate) const VOLUME_EPSILON: f64 = 1e-14;
 
 /// Faces whose unit normal rises by less than this look sideways, and an edge whose direction rises by no more is level.
 pub(crate) const UP_EPSILON: f64 = 1e-9;
+
+/// Lengths and heights that differ by less than this, relative to the extent of the shape, are the same where the largest or
+/// lowest is looked for, and the first of them is taken.
+pub(crate) const TIE_EPSILON: f64 = 1e-9;
+
+/// What is nearer to each other than this touches where edges of a polygon move, relative to its extent. Where one leads
+/// to a tangle, the next is tried.
+pub(crate) const MEETING_EPSILONS: [f64; 8] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-11, 3e-10, 3e-9, 1e-6];

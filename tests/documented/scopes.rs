@@ -225,7 +225,9 @@ fn brackets_start_from_the_initial_scope() {
     for (leaf, [x, z]) in model.leaves().zip(centres) {
         let (low, high) = (leaf.bounds().low, leaf.bounds().high);
         assert!((low + high - low.with_x(2.0 * x).with_y(2.0).with_z(2.0 * z)).length() < 1e-9, "{low} {high}");
-        assert!((leaf.size() - low.with_x(2.0).with_y(2.0).with_z(2.0)).length() < 1e-9);
+        // Sixteen corners on a circle, an edge between two of them in front.
+        let wide = 2.0 * libm::cos(std::f64::consts::PI / 16.0);
+        assert!((leaf.size() - low.with_x(wide).with_y(2.0).with_z(wide)).length() < 1e-9);
     }
 }
 

@@ -18,7 +18,8 @@
     Mass(text) --> case text == "x" : [ center(xz) s(^share, 1, 1) Band. ] NIL
                    else : set(material.name, text) set(share, 1) Half
     Half --> 50% : Faces else : Again(total(3))
-    Faces --> comp(f) { top : Roof. | side = Walls. }
+    const sides = comp(fe) { front || tall : scope.sx | all = count }
+    Faces --> comp(f) { top : Roof. | material.name == about || geometry.area > sides[0] : Wall. | side = Walls. }
     Again(n) --> case n > 0 : Again(n - 1) else : NIL
 }
 

@@ -29,6 +29,8 @@ cga! {
     attr flag = true
     const ratio = 0.1 * height
     const drawn = rand(1)
+    @Allow(unused_constant)
+    const sides = comp(fe, noAlign) { front || flag : scope.sx | 3 = ratio | border =: comp.index }
     unused(n) = n
     fac(n) = case n < 2 : 1 else : n * fac(n - 1)
     half(n) = 50% : n else : n / 2 + scope.sx
@@ -38,15 +40,15 @@ cga! {
     A(n, _unused) --> case n > 3 : [ center(xz) [ NIL ] A(n - 1, false) ] case n > 2 : Z. NIL else : B C
     B --> set(about, about + computed) set(material.opacity, ratio) comp(f) { top : X. | side = Y | 3 : Y }
     C --> 30% : C. 20% : B else : NIL
-    Y --> crate::operate(1, "x", true) Z
+    Y --> crate::operate(1, "x", true) Faces(2, about)
+    Faces(n, query) --> comp(f) { crate::function(n, query) && top : Z | scope.sx > n : Z | all =: Z }
     Z --> case crate::function(scope.sy, about) : Y else : X.
     @Allow(rule_not_reached)
     Unused(_n) --> X.
     @Allow(rule_not_reached)
     Many(a, b, c, d, e, f, g, h, i) --> s(a + b + c, d + e + f, g + h + i) X.
-    @Allow(rule_not_reached)
     Gone --> NIL
-    @Allow(after_nil, rule_not_reached)
+    @Allow(after_nil)
     Early --> A(1, true) NIL B
 }
 
@@ -58,7 +60,8 @@ fn generated_code_gives_no_reason_to_complain() {
     let rules = cga! {
         attr size = 2
         attr other = rand(size)
-        Lot --> case #on : set(material.name, #name) split(x) { #width : A. | ~size : B(other) } else : NIL
+        Lot --> case #on : set(material.name, #name) split(x) { #width : A. | ~size : B(other) | 1 : C } else : NIL
+        C --> comp(e) { #width > 2 && border : A. | material.name == #name : B. } print(comp(v) { all : #name + "" })
         B(n) --> case n > 0 : B(n - 1) else : B.
     };
     assert!(rules.generate(&Shape::rectangle(1.0, 1.0)).is_ok());

@@ -1,9 +1,14 @@
 //! Scope, pivot and geometry of the parts.
 
+use std::f64::consts::SQRT_2;
+
 use cga::glam::DVec3;
 use cga::{Model, Shape, cga};
 
 use crate::values;
+
+/// The area of a regular octagon that is four metres across.
+const OCTAGON: f64 = 32.0 * (SQRT_2 - 1.0);
 
 cga! {
     grammar Parts = r#"
@@ -11,9 +16,9 @@ cga! {
     @StartRule Adj  --> split(x) { ~1 : A. | ~1 : B. | ~1 : C. }
     @StartRule NoAdj --> split(x, noAdjust) { ~1 : A. | ~1 : B. | ~1 : C. }
     @StartRule Tiles --> split(x, noAdjust) { ~1 : split(z, noAdjust) { ~1 : print("area " + scope.sx * scope.sz) A. }* }*
-    @StartRule Drum --> primitiveCylinder(4) split(y) { ~1 : split(x) { '0.25 : A. | ~1 : B. | '0.25 : C. } }
+    @StartRule Drum --> primitiveCylinder(8) split(y) { ~1 : split(x) { '0.25 : A. | ~1 : B. | '0.25 : C. } }
     @StartRule Negative --> s('-1, '1, '-1) split(x) { 2 : A. | ~1 : B. } split(z) { 1 : C. }
-    @StartRule NegativeMesh --> primitiveCylinder(4) s('-1, '1, '1) split(x) { '0.25 : A. | ~1 : B. }
+    @StartRule NegativeMesh --> primitiveCylinder(8) s('-1, '1, '1) split(x) { '0.25 : A. | ~1 : B. }
     @StartRule Across --> split(y) { 1 : A. | ~1 : B. }
     @StartRule Thick --> s('1, 3, '1) split(y) { 1 : A. | ~1 : B. }
     @StartRule ThickOpen --> s('1, 3, '1) split(y, noAdjust) { 1 : A. | ~1 : B. }
@@ -106,11 +111,13 @@ fn fact_46_adjusted_scopes_are_bounding_boxes_and_others_tile_the_parent() {
 
 #[test]
 fn a_cut_cylinder_shrinks_to_what_is_left_of_it() {
-    // Four sides: a square on its corner, so a quarter of the width is as deep as half of it.
+    // Eight sides, one of them in front: the corners at the left are cut off at 45 degrees.
     let model = run("Drum", &Shape::cuboid(4.0, 1.0, 4.0));
     let depths: Vec<f64> = model.leaves().map(|leaf| leaf.size().z).collect();
-    assert!((depths[0] - 2.0).abs() < 1e-12 && depths[1] == 4.0 && (depths[2] - 2.0).abs() < 1e-12, "{depths:?}");
-    assert!((model.volume() - 8.0).abs() < 1e-12);
+    let at_quarter = 4.0 * SQRT_2 - 2.0;
+    assert!((depths[0] - at_quarter).abs() < 1e-12 && (depths[2] - at_quarter).abs() < 1e-12, "{depths:?}");
+    assert_eq!(depths[1], 4.0);
+    assert!((model.volume() - OCTAGON).abs() < 1e-12);
 }
 
 /// A negative size runs the other way from the scope's origin, and so do the parts.
@@ -128,7 +135,8 @@ fn a_mirrored_scope_is_split_from_its_origin() {
     let model = run("NegativeMesh", &Shape::cuboid(4.0, 1.0, 4.0));
     let [a, b] = [0, 1].map(|at| model.leaves().nth(at).unwrap());
     assert_eq!((a.bounds().low.x, a.bounds().high.x, b.bounds().low.x), (-1.0, 0.0, -4.0));
-    assert!((a.volume().abs() - 1.0).abs() < 1e-12 && (b.volume().abs() - 7.0).abs() < 1e-12);
+    let quarter = 4.0 * SQRT_2 - 3.0;
+    assert!((a.volume().abs() - quarter).abs() < 1e-12 && (b.volume().abs() - OCTAGON + quarter).abs() < 1e-12);
 }
 
 /// Where there is no extent there is nothing to divide: the shape stays, and is a leaf.

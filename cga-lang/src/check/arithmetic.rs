@@ -33,6 +33,9 @@ pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
         }
         _ => {}
     }
+    // What stands in a comp is computed on each component.
+    let component = matches!(expr.kind, ExprKind::Comp(_)).then(|| facts.on_any_shape());
+    let facts = component.as_ref().unwrap_or(facts);
     expr.parts().into_iter().for_each(|part| check(part, facts, flow, cx, diags));
 }
 

@@ -126,6 +126,10 @@ fn can_end(expr: &Expr, tables: &Tables, numbering: Numbering, ends: &[bool]) ->
             arms.first().is_none_or(|(first, _)| can(first))
                 && (can(otherwise) || arms.iter().any(|(_, value)| can(value)))
         }
+        // What no selector takes has no value to compute.
+        ExprKind::Comp(comp) => {
+            comp.arms.first().is_none_or(|(first, ..)| can(first)) && comp.arms.iter().any(|(_, _, value)| can(value))
+        }
         ExprKind::Chance(arms, otherwise) => can(otherwise) || arms.iter().any(|(_, value)| can(value)),
         _ => expr.parts().into_iter().all(can),
     }

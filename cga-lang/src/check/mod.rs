@@ -96,7 +96,7 @@ pub(crate) struct Tables {
     pub(crate) recursive: HashSet<u32>,
     /// Attributes that a dynamic call gives values to, by the token of the name there.
     pub(crate) targets: HashMap<u32, u32>,
-    /// Comps and calls that cannot run yet though others of their name do, by the token of their name.
+    /// Calls that cannot run yet though others of their name do, by the token of their name.
     pub(crate) later: HashSet<u32>,
     /// Default values of overridden attributes that somebody asks for, by index of the constant.
     pub(crate) origins: HashSet<u32>,

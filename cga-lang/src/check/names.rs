@@ -4,12 +4,11 @@ use super::arity::wrong_count;
 use super::globals::{Kind, builtins};
 use super::selectors::bare;
 use super::{Cx, Door, Init, Use};
-use crate::ast::{CompValue, Expr, ExprKind, Name};
+use crate::ast::{Expr, ExprKind, Name};
 use crate::code::Code;
-use crate::diag::Diags;
 use crate::ir::Type;
 use crate::link::InstanceId;
-use crate::ops::{self, Function, ParamKind, Places, Run};
+use crate::ops::{self, Function, Needs, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::token::Tok;
 
@@ -19,7 +18,7 @@ pub(super) fn uses(cx: &mut Cx) {
     for (index, item) in values.iter().enumerate() {
         let Some((value, home)) = item.value() else { continue };
         let owner = (!item.origin && index < cx.globals.attrs.len()).then_some(index as u32);
-        let mut scope = Scope { cx, at: home, inner: Vec::new(), owner };
+        let mut scope = Scope { cx, at: home, inner: Vec::new(), owner, place: None };
         if item.is_own() {
             scope.enter(item.decl);
         }
@@ -27,7 +26,7 @@ pub(super) fn uses(cx: &mut Cx) {
     }
     for item in cx.globals.rules.clone() {
         if let crate::ast::Body::Rule(ops) = &item.decl.body {
-            let mut scope = Scope { cx, at: item.home, inner: Vec::new(), owner: None };
+            let mut scope = Scope { cx, at: item.home, inner: Vec::new(), owner: None, place: None };
             scope.enter(item.decl);
             scope.ops(ops);
         }
@@ -41,6 +40,8 @@ pub(super) struct Scope<'s, 'a, 'd> {
     pub(super) inner: Vec<&'a Name>,
     /// The attribute whose value this is.
     owner: Option<u32>,
+    /// Inside a selector: which words ask about a component there.
+    pub(super) place: Option<Places>,
 }
 
 impl<'a> Scope<'_, 'a, '_> {
@@ -96,16 +97,6 @@ impl<'a> Scope<'_, 'a, '_> {
         list.iter().any(|token| matches!(token, Tok::Bad))
     }
 
-    /// `comp(f) { selector : value }`.
-    fn comp_value(&mut self, comp: &'a CompValue) {
-        let (place, _) = self.comp_kind(comp.name.span, comp.args.iter().map(|arg| (arg, arg.span)));
-        for (selector, _, value) in &comp.arms {
-            self.selector(selector, place);
-            self.expr(value);
-        }
-        self.not_implemented(comp.name.span, "`comp` as a value", None);
-    }
-
     /// What a bare name stands for, if anything.
     pub(super) fn lookup(&mut self, name: &str) -> Option<Use> {
         if let Some(index) = self.inner.iter().position(|inner| inner.text == name) {
@@ -132,7 +123,12 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     pub(super) fn expr_name(&mut self, name: &'a Name) {
-        match self.lookup(&name.text) {
+        let found = self.lookup(&name.text);
+        let own = matches!(found, Some(Use::Param(_) | Use::Attr(_) | Use::Const(_) | Use::Function(_) | Use::Open(_)));
+        if let (Some(place), Some(row), false) = (self.place, ops::selector(&name.text), own) {
+            return self.known_selector(name, row, place);
+        }
+        match found {
             Some(found) => {
                 self.about_later(name, found);
                 self.note(name, found);
@@ -144,6 +140,10 @@ impl<'a> Scope<'_, 'a, '_> {
     /// Says so when something is used that does not run yet or should not be used any more.
     pub(super) fn about_later(&mut self, name: &Name, found: Use) {
         match found {
+            Use::Builtin(Function { needs: Needs::Component, .. }) if self.place.is_none() => {
+                let message = format!("`{}` can only stand in a selector", name.text);
+                self.cx.diags.report(Code::UnknownFunction, name.span, message).note("it asks about a component");
+            }
             Use::Builtin(Function { run: Run::Later, about, .. }) => {
                 self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, about)));
             }
@@ -169,8 +169,13 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
+    /// Says that something known does nothing yet. `about` is its name and what it will do.
     pub(super) fn not_implemented(&mut self, span: Span, what: &str, about: Option<(&str, &str)>) {
-        not_implemented(self.cx.diags, span, what, about);
+        let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
+        if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
+            diag.note(format!("`{name}` {about}"));
+        }
+        diag.note("it does nothing in a run, which says so among its faults");
     }
 
     pub(super) fn deprecated(&mut self, name: &Name, old: Option<&str>) {
@@ -282,7 +287,7 @@ impl<'a> Scope<'_, 'a, '_> {
         for (param, arg) in row.params.iter().zip(args) {
             match &param.kind {
                 ParamKind::Word { words, .. } => self.word_expr(row.name, words.iter().map(|(word, _)| *word), arg),
-                ParamKind::Selector => _ = self.selector(arg, Places::FACES),
+                ParamKind::Selector => self.selector(arg, Places::FACES),
                 _ => self.expr(arg),
             }
         }
@@ -332,15 +337,6 @@ impl<'a> Scope<'_, 'a, '_> {
             }
         }
     }
-}
-
-/// Says that something known does nothing yet. `about` is its name and what it will do.
-pub(super) fn not_implemented(diags: &mut Diags, span: Span, what: &str, about: Option<(&str, &str)>) {
-    let diag = diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
-    if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
-        diag.note(format!("`{name}` {about}"));
-    }
-    diag.note("it does nothing in a run, which says so among its faults");
 }
 
 /// Whether every word of a call is one that the row knows. `word` says what the word of an argument is.

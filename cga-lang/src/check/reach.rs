@@ -1,7 +1,7 @@
 //! Rules that no run gets to.
 //!
-//! A run begins with a rule that is marked, if there is one, else with any without parameters. A file may be imported by
-//! others, and old ones have start rules that nothing marks; there nothing is said.
+//! A host program may begin with any rule without parameters, marked or not. A file may be imported by others, and there
+//! nothing is said.
 
 use super::Cx;
 use super::flow::{Calls, body};
@@ -32,10 +32,7 @@ pub(super) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
             let name = &item.decl.name;
             let message = format!("rule `{}` is never reached", name.text);
             let diag = diags.report(Code::RuleNotReached, name.span, message);
-            diag.note("no rule that a run gets to calls it");
-            if item.decl.params.is_empty() {
-                diag.help("write `@StartRule` before it if a run may begin with it");
-            }
+            diag.note("no rule that a run gets to calls it, and no run begins with a rule that has parameters");
         }
         readings.add(program, item.decl.name.id(), diags.finish());
     }
@@ -45,19 +42,12 @@ pub(super) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
 /// By rule: whether a run gets there.
 fn reached(cx: &Cx, calls: &Calls) -> Vec<bool> {
     let globals = &cx.globals;
-    let is_marked = |rule: usize| {
-        let info = cx.tables.rules.get(&globals.rules[rule].decl.name.id());
-        info.is_some_and(|info| info.marked)
-    };
-    let chosen = calls.starts.iter().any(|rule| is_marked(*rule));
     let mut reached = vec![false; globals.rules.len()];
     let mut open = calls.starts.clone();
     for (rule, item) in globals.rules.iter().enumerate() {
-        // Without a mark a run may begin with any rule without parameters. What replaces or goes on with rules of imports is
-        // called from there.
-        let free = !chosen && item.decl.params.is_empty();
+        // What replaces or goes on with rules of imports is called from there.
         let outward = item.decl.role != Role::Plain || item.decl.name.text.contains('.') || item.home != item.instance;
-        if free || outward {
+        if item.decl.params.is_empty() || outward {
             open.push(rule);
         }
     }

@@ -3,10 +3,11 @@
 use super::arity::wrong_count;
 use super::names::Scope;
 use super::{Use, shapes, words};
-use crate::ast::{Arg, Binary, Comp, CompArm, Expr, ExprKind, Name, Split, SplitItem, Unary};
+use crate::ast::{Arg, Binary, Comp, CompArm, CompValue, Expr, ExprKind, Name, Split, SplitItem, Unary};
 use crate::code::Code;
+use crate::diag::Diag;
 use crate::ir::Axis;
-use crate::ops::{self, Places};
+use crate::ops::{self, Places, Selector};
 use crate::span::Span;
 use crate::suggest::nearest;
 
@@ -24,20 +25,6 @@ pub(crate) fn split_axis(split: &Split) -> Option<Axis> {
 pub(crate) fn split_adjust(split: &Split) -> bool {
     split.args.get(1).and_then(words::word) != Some("noAdjust")
 }
-
-/// Whether a selector is a condition by its form.
-pub(super) fn is_condition(selector: &Expr) -> bool {
-    use Binary::{And, Eq, Ge, Gt, Le, Lt, Ne, Or};
-    matches!(
-        selector.kind,
-        ExprKind::Unary(Unary::Not, _)
-            | ExprKind::Bool(_)
-            | ExprKind::Binary(And | Or | Eq | Ne | Lt | Le | Gt | Ge, ..)
-    )
-}
-
-/// What does not run yet, and where it stands.
-pub(super) type Later = Option<(Span, String)>;
 
 impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn split(&mut self, split: &'a Split) {
@@ -97,36 +84,35 @@ impl<'a> Scope<'_, 'a, '_> {
 
     pub(super) fn comp(&mut self, comp: &'a Comp) {
         let args: Vec<(&Expr, Span)> = comp.args.iter().map(|arg: &Arg| (&arg.value, arg.span)).collect();
-        let (place, runs) = self.comp_kind(comp.name.span, args.into_iter());
-        let arms: Vec<Later> = comp.arms.iter().map(|arm| self.arm(arm, place)).collect();
-        if let Some((span, what)) = arms.into_iter().fold(runs, Option::or) {
-            self.not_implemented(span, &what, None);
-            self.cx.tables.later.insert(comp.name.id());
+        let place = self.comp_kind(comp.name.span, args.into_iter());
+        comp.arms.iter().for_each(|arm| self.arm(arm, place));
+    }
+
+    pub(super) fn arm(&mut self, arm: &'a CompArm, place: Places) {
+        self.selector(&arm.selector, place);
+        self.ops(&arm.ops);
+    }
+
+    /// `comp(f) { selector : value }`.
+    pub(super) fn comp_value(&mut self, comp: &'a CompValue) {
+        let place = self.comp_kind(comp.name.span, comp.args.iter().map(|arg| (arg, arg.span)));
+        for (selector, _, value) in &comp.arms {
+            self.selector(selector, place);
+            // Words ask about the component that is to be selected; the value is none of them.
+            let outer = self.place.take();
+            self.expr(value);
+            self.place = outer;
         }
     }
 
-    pub(super) fn arm(&mut self, arm: &'a CompArm, place: Places) -> Later {
-        let later = self.selector(&arm.selector, place);
-        self.ops(&arm.ops);
-        let connected = arm.mode == crate::ast::ArmMode::Connected;
-        later.or_else(|| connected.then(|| (arm.selector.span, "`comp` with `=:`".into())))
-    }
-
-    /// The arguments of a comp: what selectors there are, and what does not run yet.
-    pub(super) fn comp_kind<'e>(
-        &mut self,
-        name: Span,
-        mut args: impl Iterator<Item = (&'e Expr, Span)>,
-    ) -> (Places, Later) {
+    /// The arguments of a comp: what selectors there are.
+    fn comp_kind<'e>(&mut self, name: Span, mut args: impl Iterator<Item = (&'e Expr, Span)>) -> Places {
         let (kind, scope) = (args.next(), args.next());
-        let (mut place, mut later) = (Places::NONE, None);
+        let mut place = Places::NONE;
         match kind.map(|(arg, span)| (arg, span, bare(arg).unwrap_or_default())) {
             Some((Expr { kind: ExprKind::Error, .. }, ..)) => {}
             Some((_, span, word)) => match ops::component(word) {
-                Some(row) => {
-                    place = row.place;
-                    later = (!row.now).then(|| (span, format!("`comp({word})`")));
-                }
+                Some(row) => place = row.place,
                 None => self.unknown_component(word, span),
             },
             None => {
@@ -136,8 +122,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         if let Some((arg, span)) = scope {
             match bare(arg) {
-                Some("zUp") => {}
-                Some("noAlign") => later = later.or_else(|| Some((span, "`comp` with `noAlign`".into()))),
+                Some("zUp" | "noAlign") => {}
                 _ if matches!(arg.kind, ExprKind::Error) => {}
                 word => {
                     let shown = word.map_or("this".into(), |word| format!("`{word}`"));
@@ -146,7 +131,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 }
             }
         }
-        (place, later)
+        place
     }
 
     fn unknown_component(&mut self, word: &str, span: Span) {
@@ -158,59 +143,59 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     /// Resolves a selector: a word, an index or a condition made of words and values.
-    pub(super) fn selector(&mut self, selector: &'a Expr, place: Places) -> Later {
-        let later = self.selector_part(selector, place);
-        later.or_else(|| is_condition(selector).then(|| (selector.span, "a condition as selector".into())))
+    pub(super) fn selector(&mut self, selector: &'a Expr, place: Places) {
+        let outer = self.place.replace(place);
+        self.condition(selector, place);
+        self.place = outer;
     }
 
-    fn selector_part(&mut self, selector: &'a Expr, place: Places) -> Later {
-        match &selector.kind {
+    /// Where a name is a bool for certain it is a selector's word if it can be.
+    fn condition(&mut self, part: &'a Expr, place: Places) {
+        match &part.kind {
             ExprKind::Name(name) => self.selector_word(name, place),
-            ExprKind::Unary(Unary::Not, part) => self.selector_part(part, place),
+            ExprKind::Unary(Unary::Not, part) => self.condition(part, place),
             ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => {
-                let (left, right) = (self.selector_part(left, place), self.selector_part(right, place));
-                left.or(right)
+                self.condition(left, place);
+                self.condition(right, place);
             }
-            ExprKind::Call(name, _) if name.text == "isTagged" => {
-                self.expr(selector);
-                Some((selector.span, "`isTagged`".into()))
-            }
-            _ => {
-                self.expr(selector);
-                None
-            }
+            _ => self.expr(part),
         }
     }
 
-    fn selector_word(&mut self, name: &'a Name, place: Places) -> Later {
+    fn selector_word(&mut self, name: &'a Name, place: Places) {
         let text = name.text.as_str();
         if self.inner.iter().any(|inner| inner.text == text) {
             self.expr_name(name);
-            return None;
-        }
-        if let Some(row) = ops::selector(text) {
-            self.note(name, Use::Selector(row.name));
-            self.deprecated(name, row.old);
-            if !row.on.has(place) {
-                self.wrong_selector(name, place, &format!("selector `{text}` cannot stand here"));
-                return None;
-            }
-            return (!row.now.has(place)).then(|| (name.span, format!("selector `{text}`")));
-        }
-        if self.lookup(text).is_some() {
+        } else if let Some(row) = ops::selector(text) {
+            self.known_selector(name, row, place);
+        } else if self.lookup(text).is_some() {
             self.expr_name(name);
         } else if !self.cx.globals.is_lost(self.at, text) {
             self.wrong_selector(name, place, &format!("unknown selector `{text}`"));
         }
-        None
     }
 
-    fn wrong_selector(&mut self, name: &Name, place: Places, message: &str) {
+    /// A selector's word, where components of that kind are selected.
+    pub(super) fn known_selector(&mut self, name: &Name, row: &'static Selector, place: Places) {
+        self.note(name, Use::Selector(row.name));
+        self.deprecated(name, row.old);
+        if row.on.has(place) {
+            return;
+        }
+        let diag = self.wrong_selector(name, place, &format!("selector `{}` cannot stand here", name.text));
+        let kinds = ops::COMPONENTS.iter().filter(|kind| row.on.has(kind.place));
+        let kinds: Vec<String> = kinds.map(|kind| format!("`comp({})`", kind.name)).collect();
+        if !kinds.is_empty() {
+            diag.note(format!("`{}` stands in {}", name.text, kinds.join(", ")));
+        }
+    }
+
+    fn wrong_selector(&mut self, name: &Name, place: Places, message: &str) -> &mut Diag {
         let here = || ops::selectors().filter(|row| row.on.has(place) && row.old.is_none()).map(|row| row.name);
         let all: Vec<String> = here().filter(|name| !name.contains('.')).map(|name| format!("`{name}`")).collect();
         let near = nearest(&name.text, here()).filter(|near| *near != name.text);
         let diag = self.cx.diags.report(Code::UnknownSelector, name.span, message);
-        diag.suggest(near).note(format!("there are {}", all.join(", ")));
+        diag.suggest(near).note(format!("there are {}", all.join(", ")))
     }
 }
 

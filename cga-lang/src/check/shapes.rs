@@ -230,7 +230,7 @@ impl<'a> Scope<'_, 'a, '_> {
                         self.cx.diags.report(Code::OldSpelling, arg.span, message).help(format!("write `{new}`"));
                     }
                 }
-                ParamKind::Selector => _ = self.selector(&arg.value, Places::FACES.and(Places::SETBACK)),
+                ParamKind::Selector => self.selector(&arg.value, Places::FACES.and(Places::SETBACK)),
                 _ => self.expr(&arg.value),
             }
         }
@@ -268,7 +268,7 @@ impl<'a> Scope<'_, 'a, '_> {
                         self.ops(&section.ops);
                     }
                 }
-                BlockPart::Arms(arms) => arms.iter().for_each(|arm| _ = self.arm(arm, place)),
+                BlockPart::Arms(arms) => arms.iter().for_each(|arm| self.arm(arm, place)),
                 BlockPart::Ops(list) => list.iter().for_each(|ops| self.ops(ops)),
             }
         }

@@ -1,6 +1,6 @@
 //! Expressions. Each knows its type.
 
-use super::{AttrId, ConstId, FunctionId, HostId, Type, Value};
+use super::{AttrId, Comp, ConstId, FunctionId, HostId, Type, Value};
 use crate::ops::{self, ShapeAttr};
 use crate::span::Span;
 
@@ -36,6 +36,10 @@ pub enum ExprKind {
     Rust(String, Vec<Expr>),
     /// An attribute of the current shape: `scope.sx`.
     Shape(&'static ShapeAttr),
+    /// `comp(f) { … }`: an array with a value for each component.
+    Comp(Box<Comp<Expr>>),
+    /// Whether a selector's word takes the component that is asked about; in its newest spelling.
+    Word(&'static str),
     /// A value that is known and cannot be computed yet: 0, false, empty, or what is given.
     Later(String),
     /// `[a, b; c, d]`: entries are elements or arrays.

@@ -5,14 +5,11 @@ use crate::ast::{self, OpKind, SplitItem};
 use crate::check::{Use, split_adjust, split_axis};
 use crate::fold::fold;
 use crate::ir::{
-    Arg, AttrId, Axis, Childless, Comp, CompArm, CompKind, CompMode, Expr, ExprKind, Item, Measure, Param, Prefix,
-    Rule, RuleId, Selector, Size, Split, Step, Target, Type, Value,
+    Arg, AttrId, Axis, Childless, Expr, ExprKind, Item, Measure, Param, Prefix, Rule, RuleId, Size, Split, Step,
+    Target, Type, Value,
 };
 use crate::ops::{self, ParamKind, Run};
 use crate::span::Span;
-
-/// Longest text of a comp in the name of what does not run, in bytes.
-const LONGEST_NAME: usize = 40;
 
 impl<'c> Lower<'c> {
     pub(super) fn steps(&mut self, ops: &'c [ast::Op]) -> Vec<Step> {
@@ -39,10 +36,7 @@ impl<'c> Lower<'c> {
                 Step::Later("split in texture space".into(), op.span)
             }
             OpKind::Split(split) => Step::Split(self.split(split)),
-            OpKind::Comp(comp) if self.checked.tables.later.contains(&comp.name.id()) => {
-                Step::Later(self.tokens.text(comp.name.span.to(op.span), LONGEST_NAME), op.span)
-            }
-            OpKind::Comp(comp) => Step::Comp(self.comp(comp)),
+            OpKind::Comp(comp) => Step::Comp(self.comp(comp)?),
             OpKind::Block(block) => Step::Later(block.name.text.clone(), op.span),
             OpKind::Dynamic { import, overrides, rule, args } => {
                 return self.dynamic((import, overrides), (rule, args), op.span);
@@ -150,28 +144,8 @@ impl<'c> Lower<'c> {
         }
     }
 
-    fn comp(&mut self, comp: &'c ast::Comp) -> Comp {
-        let arms = comp.arms.iter().map(|arm| {
-            let word = match &arm.selector.kind {
-                ast::ExprKind::Name(name) => self.used(name),
-                _ => None,
-            };
-            let selector = match word {
-                Some(Use::Selector(word)) => Selector::Word(word),
-                _ => Selector::Index(self.folded(&arm.selector)),
-            };
-            CompArm {
-                selector,
-                text: self.tokens.text(arm.selector.span, super::LONGEST_SOURCE),
-                mode: if arm.mode == ast::ArmMode::Each { CompMode::Each } else { CompMode::Together },
-                target: self.block(&arm.ops, block_span(&arm.ops, arm.selector.span)),
-            }
-        });
-        Comp { kind: CompKind::Faces, arms: arms.collect(), span: comp.name.span }
-    }
-
     /// What a part becomes: a lone successor, leaf or `NIL` is that, anything else a rule of its own.
-    fn block(&mut self, ops: &'c [ast::Op], span: Span) -> Target {
+    pub(super) fn block(&mut self, ops: &'c [ast::Op], span: Span) -> Target {
         if let [op] = ops {
             match &op.kind {
                 OpKind::Leaf(name) => return Target::Leaf(name.text.clone(), name.span),
@@ -245,7 +219,7 @@ fn default(param: &ops::Param, span: Span) -> Option<Arg> {
 }
 
 /// Where a block stands: its first token, else what it belongs to.
-fn block_span(ops: &[ast::Op], owner: Span) -> Span {
+pub(super) fn block_span(ops: &[ast::Op], owner: Span) -> Span {
     ops.first().map_or(owner, |op| Span::one(op.span.first))
 }
 

@@ -1,6 +1,6 @@
 //! Expressions, bottom up: each knows its type.
 
-use super::Lower;
+use super::{Lower, comp};
 use crate::ast::{self, Unary};
 use crate::check::Use;
 use crate::ir::{AttrId, Binary, ConstId, EachUnary, Expr, ExprKind, FunctionId, Type, Value};
@@ -16,7 +16,10 @@ impl Lower<'_> {
                 Some(&host) => (ExprKind::Host(host), self.ty(expr.span.first)),
                 None => nothing(),
             },
-            ast::ExprKind::Name(name) => self.used_value(self.used(name), Vec::new()),
+            ast::ExprKind::Name(name) => match self.used(name) {
+                Some(Use::Selector(word)) => (comp::word(word, name.span), Type::Bool),
+                found => self.used_value(found, Vec::new()),
+            },
             ast::ExprKind::Call(name, args) => {
                 let found = self.used(name);
                 let args = match found {
@@ -82,10 +85,7 @@ impl Lower<'_> {
                 let ty = if many { array.ty } else { array.ty.element() };
                 (ExprKind::Index(Box::new(array), indices), ty)
             }
-            ast::ExprKind::Comp(comp) => {
-                let ty = comp.arms.first().map_or(Type::Floats, |(_, _, value)| self.expr(value).ty.array());
-                (ExprKind::Later("comp".into()), ty)
-            }
+            ast::ExprKind::Comp(comp) => self.comp_value(comp).unwrap_or_else(nothing),
             ast::ExprKind::Error => nothing(),
         };
         Expr { kind, ty, span: expr.span }

@@ -99,7 +99,7 @@ fn follow(steps: &mut [Step], mut known: Known, hand_on: &mut dyn FnMut(&Target,
     for step in steps {
         match step {
             Step::Give(target) | Step::Anew(Anew { target, .. }) => hand_on(target, known),
-            Step::Comp(comp) => comp.arms.iter().for_each(|arm| hand_on(&arm.target, NOTHING)),
+            Step::Comp(comp) => comp.arms.iter().for_each(|arm| hand_on(&arm.then, NOTHING)),
             Step::Split(split) => {
                 split.solved = solved(split, known);
                 for (slot, target) in split.slots.iter().enumerate() {

@@ -2,6 +2,7 @@
 
 mod body;
 mod childless;
+mod comp;
 mod expr;
 mod extent;
 mod globals;

@@ -27,7 +27,7 @@ pub(super) fn targets(step: &mut Step) -> Vec<&mut Target> {
         Step::Give(target) => vec![target],
         Step::Anew(anew) => vec![&mut anew.target],
         Step::Split(split) => split.slots.iter_mut().collect(),
-        Step::Comp(comp) => comp.arms.iter_mut().map(|arm| &mut arm.target).collect(),
+        Step::Comp(comp) => comp.arms.iter_mut().map(|arm| &mut arm.then).collect(),
         _ => Vec::new(),
     }
 }
@@ -50,10 +50,10 @@ pub(super) fn exprs(steps: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
             }
             Step::Comp(comp) => {
                 for arm in &mut comp.arms {
-                    if let Selector::Index(index) = &mut arm.selector {
-                        visit(index);
+                    if let Selector::Index(asked) | Selector::When(asked) = &mut arm.selector {
+                        visit(asked);
                     }
-                    target_exprs(&mut arm.target, visit);
+                    target_exprs(&mut arm.then, visit);
                 }
             }
             Step::Push(steps) => exprs(steps, visit),

@@ -25,6 +25,7 @@ pub static FUNCTIONS: &[&[Function]] = &[
     queries::GEOMETRY,
     queries::SHAPES,
     queries::FILES,
+    TAGS,
     CONTEXT,
     GEOMETRY,
     ASSETS,
@@ -35,6 +36,11 @@ pub static FUNCTIONS: &[&[Function]] = &[
 /// A row that does not run yet. What the function will need is said when it does.
 const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
     Function { name, run: Run::Later, params, ty, needs: Needs::Nothing, pure: false, about }
+}
+
+/// A question to a component, which does not run yet.
+const fn asked(name: &'static str, params: &'static [Param], about: &'static str) -> Function {
+    Function { needs: Needs::Component, ..later(name, params, B, about) }
 }
 
 const TARGET: Param = word("target", "ContextTarget", &[("intra", "Intra"), ("inter", "Inter"), ("all", "All")]);
@@ -114,11 +120,14 @@ static GEOMETRY: &[Function] = &[
     later("geometry.tags", &[text("tagQuery"), TAGGED], TS, "the tags that match, in order"),
     later("geometry.hasTags", &[], B, "whether components have tags"),
     later("geometry.hasTags", &[text("tagQuery"), TAGGED], B, "whether components have tags that match"),
-    later("isTagged", &[text("tagQuery")], B, "whether a component has a tag that matches"),
-    later(
+];
+
+/// Tags, as selectors ask for them (*comp operation*).
+static TAGS: &[Function] = &[
+    asked("isTagged", &[text("tagQuery")], "whether a component has a tag that matches"),
+    asked(
         "isTagged",
         &[text("tagQuery"), SUBCOMPONENT],
-        B,
         "whether an edge or vertex of a component has a tag that matches",
     ),
 ];

@@ -21,7 +21,7 @@ use std::sync::LazyLock;
 pub use attributes::SHAPE_ATTRS;
 pub use functions::FUNCTIONS;
 pub use operations::OPERATIONS;
-pub use selectors::{COMPONENTS, Component, Places, SELECTORS, Selector, component, selector, selectors};
+pub use selectors::{COMPONENTS, Component, Places, Selector, component, selector, selectors};
 pub use syntax::{SYNTAX, Syntax, syntax};
 
 /// Whether a row of a table can run.
@@ -158,7 +158,7 @@ pub struct Function {
     pub about: &'static str,
 }
 
-/// What a function of the runtime gets before its arguments, both mutably.
+/// What a function of the runtime gets before its arguments, mutably.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
     /// Nothing.
@@ -169,6 +169,8 @@ pub enum Needs {
     Env,
     /// The run, then the current shape.
     Both,
+    /// The component that a selector asks about: it stands in selectors only.
+    Component,
 }
 
 /// An attribute of the current shape.

@@ -10,22 +10,22 @@ pub struct Component {
     pub name: &'static str,
     /// It, as a place of selectors.
     pub place: Places,
-    /// Whether a comp into these runs today.
-    pub now: bool,
+    /// The runtime's variant.
+    pub rust: &'static str,
     /// What it is, in a line.
     pub about: &'static str,
 }
 
 /// Every kind of component.
 pub static COMPONENTS: &[Component] = &[
-    Component { name: "f", place: Places::FACES, now: true, about: "faces" },
-    Component { name: "e", place: Places::EDGES, now: false, about: "edges, shared ones once" },
-    Component { name: "fe", place: Places::FACE_EDGES, now: false, about: "edges of each face" },
-    Component { name: "v", place: Places::VERTICES, now: false, about: "vertices, shared ones once" },
-    Component { name: "fv", place: Places::FACE_VERTICES, now: false, about: "vertices of each face" },
-    Component { name: "g", place: Places::GROUPS, now: false, about: "groups of an asset" },
-    Component { name: "m", place: Places::MATERIALS, now: false, about: "parts of one material" },
-    Component { name: "h", place: Places::HOLES, now: false, about: "holes of faces" },
+    Component { name: "f", place: Places::FACES, rust: "Faces", about: "faces" },
+    Component { name: "e", place: Places::EDGES, rust: "Edges", about: "edges, shared ones once" },
+    Component { name: "fe", place: Places::FACE_EDGES, rust: "FaceEdges", about: "edges of each face" },
+    Component { name: "v", place: Places::VERTICES, rust: "Vertices", about: "vertices, shared ones once" },
+    Component { name: "fv", place: Places::FACE_VERTICES, rust: "FaceVertices", about: "vertices of each face" },
+    Component { name: "g", place: Places::GROUPS, rust: "Groups", about: "groups of an asset" },
+    Component { name: "m", place: Places::MATERIALS, rust: "Materials", about: "parts of one material" },
+    Component { name: "h", place: Places::HOLES, rust: "Holes", about: "holes of faces" },
 ];
 
 /// The kind of component of that name.
@@ -88,8 +88,6 @@ pub struct Selector {
     pub name: &'static str,
     /// Where it may stand.
     pub on: Places,
-    /// Where it runs today; elsewhere it is known only.
-    pub now: Places,
     /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
     pub old: Option<&'static str>,
     /// What it takes, in a line.
@@ -102,12 +100,7 @@ const fn facing(name: &'static str, about: &'static str) -> Selector {
 }
 
 const fn only(name: &'static str, on: Places, about: &'static str) -> Selector {
-    Selector { name, on, now: Places::NONE, old: None, about }
-}
-
-/// The same word, which runs on faces today.
-const fn faces(row: Selector) -> Selector {
-    Selector { now: Places::FACES, ..row }
+    Selector { name, on, old: None, about }
 }
 
 const fn old(row: Selector, instead: &'static str) -> Selector {
@@ -116,18 +109,18 @@ const fn old(row: Selector, instead: &'static str) -> Selector {
 
 /// Every selector; in messages they stand in this order.
 static ROWS: &[Selector] = &[
-    faces(facing("front", "what faces the scope's front, its z axis")),
-    faces(facing("back", "what faces the scope's back")),
-    faces(facing("left", "what faces the scope's left")),
-    faces(facing("right", "what faces the scope's right, its x axis")),
-    faces(facing("top", "what faces the scope's top, its y axis")),
-    faces(facing("bottom", "what faces the scope's bottom")),
-    faces(facing("side", "what is not horizontal")),
-    faces(only("vertical", Places::COMP, "what stands upright")),
-    faces(only("horizontal", Places::COMP, "what lies flat")),
-    faces(only("aslant", Places::COMP, "what leans back, as a roof does")),
-    faces(only("nutant", Places::COMP, "what leans forward")),
-    faces(facing("all", "everything that is left")),
+    facing("front", "what faces the scope's front, its z axis"),
+    facing("back", "what faces the scope's back"),
+    facing("left", "what faces the scope's left"),
+    facing("right", "what faces the scope's right, its x axis"),
+    facing("top", "what faces the scope's top, its y axis"),
+    facing("bottom", "what faces the scope's bottom"),
+    facing("side", "what is not horizontal"),
+    only("vertical", Places::COMP, "what stands upright"),
+    only("horizontal", Places::COMP, "what lies flat"),
+    only("aslant", Places::COMP, "what leans back, as a roof does"),
+    only("nutant", Places::COMP, "what leans forward"),
+    facing("all", "everything that is left"),
     facing("object.front", "what faces the object's front"),
     facing("object.back", "what faces the object's back"),
     facing("object.left", "what faces the object's left"),
@@ -178,7 +171,3 @@ pub fn selector(name: &str) -> Option<&'static Selector> {
         LazyLock::new(|| ROWS.iter().map(|row| (row.name, row)).collect());
     BY_NAME.get(name).copied()
 }
-
-/// The words that select faces and run today.
-pub static SELECTORS: LazyLock<Vec<&'static str>> =
-    LazyLock::new(|| ROWS.iter().filter(|row| row.now.has(Places::FACES)).map(|row| row.name).collect());

@@ -251,7 +251,7 @@ impl<'m> Model<'m> {
         }
     }
 
-    fn comp(&mut self, arms: &[CompArm], params: &[f64], shape: Shape, depth: usize) {
+    fn comp(&mut self, arms: &[CompArm<Target>], params: &[f64], shape: Shape, depth: usize) {
         let [x, y, z] = shape.size.map(f64::abs);
         let faces: Vec<(&str, [f64; 3])> = match shape.kind {
             Kind::Sheet => vec![("front", [x, y, 0.0])],
@@ -265,7 +265,7 @@ impl<'m> Model<'m> {
             ],
         };
         for (index, (side, size)) in faces.into_iter().enumerate() {
-            let takes = |arm: &&CompArm| match &arm.selector {
+            let takes = |arm: &&CompArm<Target>| match &arm.selector {
                 Selector::Word(word) => match *word {
                     "all" => true,
                     "side" | "vertical" => !matches!(side, "top" | "bottom"),
@@ -274,13 +274,14 @@ impl<'m> Model<'m> {
                     word => word == side,
                 },
                 Selector::Index(at) => matches!(at.kind, ExprKind::Value(Value::Float(at)) if at == index as f64),
+                Selector::When(_) => panic!("the model has no conditions"),
             };
             if size[0] == 0.0 || size[1] == 0.0 {
                 continue;
             }
             if let Some(arm) = arms.iter().find(takes) {
                 self.facts.selected.push(selector_token(arm));
-                self.give(&arm.target, params, Shape { size, kind: Kind::Sheet }, depth);
+                self.give(&arm.then, params, Shape { size, kind: Kind::Sheet }, depth);
             }
         }
     }
@@ -359,8 +360,8 @@ impl<'m> Model<'m> {
 }
 
 /// The first token of a selector: its target's rule or leaf stands behind it.
-fn selector_token(arm: &CompArm) -> u32 {
-    let target = match &arm.target {
+fn selector_token(arm: &CompArm<Target>) -> u32 {
+    let target = match &arm.then {
         Target::Rule { span, .. } | Target::Leaf(_, span) => span.first,
         Target::Nil => return u32::MAX,
     };

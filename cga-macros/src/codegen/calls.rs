@@ -23,6 +23,9 @@ const UNASKED: u32 = 64 * 1024;
 /// Calls that a function may make without being counted.
 const UNCOUNTED: u64 = 10_000;
 
+/// For how many components `comp` is held to compute its values.
+const COMPONENTS: u64 = 100;
+
 /// The functions that ask.
 pub(super) struct Calls {
     /// For how many bytes each asks, if it does.
@@ -39,7 +42,8 @@ impl Calls {
         let mut made: Vec<u64> = vec![1; functions.len()];
         for group in &groups {
             for &at in group.iter().filter(|&&at| !functions[at].recursive) {
-                made[at] = calls[at].iter().fold(1, |sum: u64, &to| sum.saturating_add(made[to]));
+                let sum = calls[at].iter().fold(1, |sum: u64, &to| sum.saturating_add(made[to]));
+                made[at] = if divides(&functions[at]) { sum.saturating_mul(COMPONENTS) } else { sum };
                 if UNCOUNTED < made[at] {
                     (asks[at], made[at]) = (Some(own[at]), 1);
                 }
@@ -88,6 +92,15 @@ fn called(function: &Function) -> Vec<usize> {
     list
 }
 
+/// Whether it has values for components.
+fn divides(function: &Function) -> bool {
+    let mut found = false;
+    for value in function.locals.iter().chain([&function.body]) {
+        ir_walk::parts(value, &mut |expr| found |= matches!(expr.kind, ExprKind::Comp(_)));
+    }
+    found
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -124,6 +137,13 @@ mod tests {
         let chain: String = (0..60).map(|at| format!("f{at}(n) = f{0}(n) + f{0}(n)\n", at + 1)).collect();
         let list = asks(&(chain + "f60(n) = n * scope.sx  A --> t(f0(1), 0, 0)"));
         assert_eq!(list.iter().flatten().count(), 60 / 13);
+    }
+
+    #[test]
+    fn values_for_components_count_as_many_calls() {
+        let chain: String = (0..3).map(|at| format!("f{at}(n) = sum(comp(v) {{ all : f{}(n) }})\n", at + 1)).collect();
+        let list = asks(&(chain + "f3(n) = n * scope.sx  A --> t(f0(1), 0, 0)"));
+        assert_eq!(list.iter().map(Option::is_some).collect::<Vec<_>>(), [false, true, false, false]);
     }
 
     #[test]

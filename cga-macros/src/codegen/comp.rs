@@ -1,6 +1,6 @@
-//! A comp: its arms as a table, and a `match` over them.
+//! A comp: its arms as a table, a closure for what is asked about components, and a `match` over the arms.
 
-use cga_lang::ir::{Comp, CompMode, RuleId, Selector};
+use cga_lang::ir::{Align, Comp, CompMode, Expr, RuleId, Selector, Target};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -8,43 +8,107 @@ use super::Cx;
 use super::expr::Place;
 
 impl Cx<'_> {
-    pub(super) fn comp(&self, comp: &Comp, rule: RuleId) -> TokenStream {
+    pub(super) fn comp(&self, comp: &Comp<Target>, rule: RuleId) -> TokenStream {
         let place = Span::mixed_site();
-        let table = comp.arms.iter().map(|arm| {
-            let select = match &arm.selector {
-                Selector::Word(word) => {
-                    let variant = Ident::new(&variant(word), place);
-                    quote_spanned!(place=> Word(cga_rt::Word::#variant))
-                }
-                Selector::Index(expr) => {
-                    let value = self.expr(expr, &Place::rule());
-                    quote_spanned!(place=> Index(#value))
-                }
-            };
-            let mode = match arm.mode {
-                CompMode::Each => quote_spanned!(place=> Each),
-                CompMode::Together => quote_spanned!(place=> Together),
-            };
-            let text = &arm.text;
-            quote_spanned!(place=> cga_rt::Arm { select: cga_rt::Select::#select, mode: cga_rt::Mode::#mode, text: #text })
-        });
-        let arms = comp.arms.iter().enumerate().map(|(number, arm)| {
-            let (number, code) = (Literal::u32_unsuffixed(number as u32), self.part(&arm.target, rule));
+        let (arms, how, when) = (self.arms(comp, &Place::rule()), how(comp), self.when(comp));
+        let parts = comp.arms.iter().enumerate().map(|(number, arm)| {
+            let (number, code) = (Literal::u32_unsuffixed(number as u32), self.part(&arm.then, rule));
             quote_spanned!(place=> #number => #code,)
         });
         quote_spanned! { place=>
-            let arms = [#(#table),*];
-            let (components, align) = (cga_rt::Components::Faces, cga_rt::Align::ZUp);
-            cga_rt::comp(cx, shape, components, align, &arms, cga_rt::never, |cx, arm, part| match arm {
-                #(#arms)*
+            let arms = #arms;
+            cga_rt::comp(cx, shape, #how, &arms, #when, |cx, arm, part| match arm {
+                #(#parts)*
                 _ => cga_rt::Flow::Continue(()),
             })?;
         }
     }
+
+    /// An array with a value for each component.
+    pub(super) fn comp_value(&self, comp: &Comp<Expr>, at: &Place) -> TokenStream {
+        let place = Span::mixed_site();
+        let (arms, how, when) = (self.arms(comp, at), how(comp), self.when(comp));
+        let values = comp.arms.iter().enumerate().map(|(number, arm)| {
+            let (number, value) = (Literal::u32_unsuffixed(number as u32), self.expr(&arm.then, &Place::component()));
+            quote_spanned!(place=> #number => #value,)
+        });
+        let (env, shape) = (&at.env, &at.shape);
+        quote_spanned! { place=> {
+            let arms = #arms;
+            cga_rt::comp_values(#env, #shape, #how, &arms, #when, |env, arm, part| match arm {
+                #(#values)*
+                _ => ::core::default::Default::default(),
+            })
+        } }
+    }
+
+    /// The table.
+    fn arms<T>(&self, comp: &Comp<T>, at: &Place) -> TokenStream {
+        let place = Span::mixed_site();
+        let table = comp.arms.iter().map(|arm| {
+            let select = match &arm.selector {
+                Selector::Word(word) => {
+                    let word = variant(word);
+                    quote_spanned!(place=> Word(cga_rt::Word::#word))
+                }
+                Selector::Index(expr) => {
+                    let value = self.expr(expr, at);
+                    quote_spanned!(place=> Index(#value))
+                }
+                Selector::When(_) => quote_spanned!(place=> When),
+            };
+            let mode = match arm.mode {
+                CompMode::Each => quote_spanned!(place=> Each),
+                CompMode::Together => quote_spanned!(place=> Together),
+                CompMode::Connected => quote_spanned!(place=> Connected),
+            };
+            let text = &arm.text;
+            quote_spanned!(place=> cga_rt::Arm { select: cga_rt::Select::#select, mode: cga_rt::Mode::#mode, text: #text })
+        });
+        quote_spanned!(place=> [#(#table),*])
+    }
+
+    /// What answers the conditions.
+    fn when<T>(&self, comp: &Comp<T>) -> TokenStream {
+        let place = Span::mixed_site();
+        let conditions = comp.arms.iter().enumerate().filter_map(|(number, arm)| match &arm.selector {
+            Selector::When(condition) => {
+                let number = Literal::u32_unsuffixed(number as u32);
+                let condition = self.expr(condition, &Place::candidate());
+                Some(quote_spanned!(place=> #number => #condition,))
+            }
+            Selector::Word(_) | Selector::Index(_) => None,
+        });
+        let conditions: Vec<TokenStream> = conditions.collect();
+        if conditions.is_empty() {
+            return quote_spanned!(place=> cga_rt::never);
+        }
+        quote_spanned!(place=> |env, arm, candidate| match arm { #(#conditions)* _ => false })
+    }
 }
 
-/// The runtime's name of a selector word: the same with a capital letter.
-fn variant(word: &str) -> String {
-    let mut chars = word.chars();
-    chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
+/// A selector's word, inside a condition.
+pub(super) fn asked(word: &str) -> TokenStream {
+    let (place, word) = (Span::mixed_site(), variant(word));
+    quote_spanned!(place=> candidate.is(cga_rt::Word::#word))
+}
+
+/// Into what a comp divides, and what frames its parts have.
+fn how<T>(comp: &Comp<T>) -> TokenStream {
+    let place = Span::mixed_site();
+    let components = Ident::new(comp.components.rust, place);
+    let align = match comp.align {
+        Align::ZUp => quote_spanned!(place=> ZUp),
+        Align::Keep => quote_spanned!(place=> Keep),
+    };
+    quote_spanned!(place=> cga_rt::Components::#components, cga_rt::Align::#align)
+}
+
+/// The runtime's name of a selector's word: `ObjectFront` for `object.front`.
+fn variant(word: &str) -> Ident {
+    let capital = |part: &str| {
+        let mut chars = part.chars();
+        chars.next().map(|first| first.to_uppercase().chain(chars).collect::<String>()).unwrap_or_default()
+    };
+    Ident::new(&word.split('.').map(capital).collect::<String>(), Span::mixed_site())
 }

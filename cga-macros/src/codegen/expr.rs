@@ -8,7 +8,7 @@ use quote::{quote, quote_spanned};
 
 use super::public::captured;
 use super::types::{self, cloned, value};
-use super::{Cx, local};
+use super::{Cx, comp, local};
 use crate::header::{HostType, conversion, convert};
 
 /// Where an expression is evaluated: how it gets at the run and at the current shape, both borrowed mutably.
@@ -30,6 +30,18 @@ impl Place {
         Place { env: quote_spanned!(place=> &mut cx.env), shape: quote_spanned!(place=> part) }
     }
 
+    /// In a value of `comp`, on a component.
+    pub(super) fn component() -> Self {
+        let place = Span::mixed_site();
+        Place { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> part) }
+    }
+
+    /// In a selector of `comp`, on the component that is asked about.
+    pub(super) fn candidate() -> Self {
+        let place = Span::mixed_site();
+        Place { env: quote_spanned!(place=> env), shape: quote_spanned!(place=> candidate.shape()) }
+    }
+
     /// In a function, an attribute or a constant.
     pub(super) fn function() -> Self {
         let place = Span::mixed_site();
@@ -46,6 +58,7 @@ impl Place {
             Needs::Shape => quote_spanned!(place=> #shape,),
             Needs::Env => quote_spanned!(place=> #env,),
             Needs::Both => quote_spanned!(place=> #env, #shape,),
+            Needs::Component => quote_spanned!(place=> candidate,),
         }
     }
 }
@@ -112,6 +125,8 @@ impl Cx<'_> {
                 let (get, needs) = (Ident::new(attr.get.now().unwrap_or(attr.name), place), at.needs(attr.needs));
                 quote_spanned!(place=> cga_rt::get::#get(#needs))
             }
+            ExprKind::Comp(comp) => self.comp_value(comp, at),
+            ExprKind::Word(word) => comp::asked(word),
             ExprKind::Later(what) => {
                 let (later, env) = (types::later(expr.ty), &at.env);
                 quote_spanned!(place=> cga_rt::later::#later(#env, #what))

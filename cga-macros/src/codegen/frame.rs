@@ -3,7 +3,7 @@
 //!
 //! They follow from the rules alone, so that a run is the same in every build.
 
-use cga_lang::ir::{Expr, ExprKind, Function, Rule, Step, Type, Value};
+use cga_lang::ir::{CompArm, Expr, ExprKind, Function, Rule, Selector, Step, Type, Value};
 use cga_lang::ir_walk;
 
 /// Kilobytes that a rule takes, with what the runtime's operations that call it back take.
@@ -28,9 +28,16 @@ pub(super) fn rule(rule: &Rule) -> u32 {
 pub(super) fn function(function: &Function) -> u32 {
     let mut bytes: usize = 144 + 8 * function.params.len();
     for value in function.locals.iter().chain([&function.body]) {
-        ir_walk::parts(value, &mut |expr| bytes += own(expr));
+        ir_walk::parts(value, &mut |expr| bytes += own(expr) + divided(expr));
     }
     u32::try_from(bytes).unwrap_or(u32::MAX)
+}
+
+/// Bytes of what the runtime takes before it calls back for values of components, or to ask about them.
+fn divided(expr: &Expr) -> usize {
+    let ExprKind::Comp(comp) = &expr.kind else { return 0 };
+    let asks = |arm: &CompArm<Expr>| matches!(arm.selector, Selector::When(_));
+    if comp.arms.iter().any(asks) { 10_000 } else { 5000 }
 }
 
 /// Bytes of an expression itself, without its parts.
@@ -48,6 +55,7 @@ fn own(expr: &Expr) -> usize {
                 let element = if expr.ty == Type::Texts { 48 } else { 8 };
                 rows.iter().map(|row| element * row.len()).sum()
             }
+            ExprKind::Comp(comp) => 128 * comp.arms.len(),
             _ => 0,
         }
 }

@@ -7,12 +7,7 @@ use crate::scope::Frame;
 /// longer used are dropped; tags, texture coordinates and normals are kept. Faces that do not exist are left out.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let into = to.axes.transpose();
-    let mut part = Mesh {
-        uvs: mesh.uvs.alike(0),
-        groups: mesh.groups.clone(),
-        materials: mesh.materials.clone(),
-        ..Mesh::default()
-    };
+    let mut part = mesh.alike(0);
     let mut new: Vec<u32> = Vec::new();
     // A table of all points is only worth it when many are used.
     let few = faces.len() <= 4;

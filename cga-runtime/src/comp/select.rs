@@ -154,10 +154,10 @@ impl Word {
     }
 }
 
-/// Angle above the horizon where `vertical` ends, in degrees.
-const LEVEL: f64 = 11.25;
-/// Angle above the horizon where `horizontal` begins, in degrees.
-const STEEP: f64 = 78.75;
+/// The sine of 11.25 degrees above the horizon, where `vertical` ends.
+const LEVEL: f64 = 0.195_090_322_016_128_25;
+/// The sine of 78.75 degrees above the horizon, where `horizontal` begins.
+const STEEP: f64 = 0.980_785_280_403_230_4;
 
 impl Direction {
     /// Whether a unit normal, in the axes that this is a direction of, looks there.
@@ -170,11 +170,11 @@ impl Direction {
             Direction::Left => quadrant(normal) == (0, false),
             Direction::Top => quadrant(normal) == (1, true),
             Direction::Bottom => quadrant(normal) == (1, false),
-            Direction::Horizontal => is_horizontal(elevation(normal)),
-            Direction::Side => !is_horizontal(elevation(normal)),
-            Direction::Aslant => LEVEL < elevation(normal) && elevation(normal) <= STEEP,
-            Direction::Vertical => -LEVEL < elevation(normal) && elevation(normal) <= LEVEL,
-            Direction::Nutant => -STEEP < elevation(normal) && elevation(normal) <= -LEVEL,
+            Direction::Horizontal => is_horizontal(normal),
+            Direction::Side => !is_horizontal(normal),
+            Direction::Aslant => LEVEL < normal.y && normal.y <= STEEP,
+            Direction::Vertical => -LEVEL < normal.y && normal.y <= LEVEL,
+            Direction::Nutant => -STEEP < normal.y && normal.y <= -LEVEL,
         }
     }
 }
@@ -194,22 +194,10 @@ fn quadrant(normal: DVec3) -> (usize, bool) {
     (axis, 0.0 < normal[axis])
 }
 
-/// Degrees above the horizon.
+/// (78.75, 90] or [-90, -78.75] degrees.
 #[inline]
-fn elevation(normal: DVec3) -> f64 {
-    // The common cases are exact and need no arc sine.
-    match normal.y {
-        0.0 => 0.0,
-        1.0 => 90.0,
-        -1.0 => -90.0,
-        y => libm::asin(y.clamp(-1.0, 1.0)).to_degrees(),
-    }
-}
-
-/// (78.75, 90] or [-90, -78.75].
-#[inline]
-fn is_horizontal(elevation: f64) -> bool {
-    STEEP < elevation || elevation <= -STEEP
+fn is_horizontal(normal: DVec3) -> bool {
+    STEEP < normal.y || normal.y <= -STEEP
 }
 
 #[cfg(test)]

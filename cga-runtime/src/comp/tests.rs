@@ -91,7 +91,7 @@ fn tree() -> Mesh {
         let points: Vec<u32> = cube.points().iter().map(|p| builder.point(*p + DVec3::X * at)).collect();
         for face in cube.faces() {
             let ring: Vec<u32> = face.outer().iter().map(|&c| points[c as usize]).collect();
-            builder.face(&ring, &[], crate::mesh::FaceTag { group, material: group, cap: false });
+            builder.face(&ring, &[], crate::mesh::FaceTag { group, material: group, ..Default::default() });
         }
     }
     builder.build().unwrap()

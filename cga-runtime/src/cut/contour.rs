@@ -25,10 +25,10 @@ pub(super) struct Contour {
 }
 
 /// Loops with the points they go through.
-pub(super) struct Section<'c> {
-    pub(super) flat: &'c [DVec2],
-    pub(super) corners: &'c [u32],
-    pub(super) ends: &'c [usize],
+pub(crate) struct Section<'c> {
+    pub(crate) flat: &'c [DVec2],
+    pub(crate) corners: &'c [u32],
+    pub(crate) ends: &'c [usize],
 }
 
 impl Section<'_> {

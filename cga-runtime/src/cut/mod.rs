@@ -38,6 +38,8 @@ use glam::DVec3;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
 
+pub(crate) use contour::Section;
+pub(crate) use nest::Nest;
 pub(crate) use plane::above;
 pub use plane::{Plane, halves};
 

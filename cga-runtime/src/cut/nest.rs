@@ -29,11 +29,11 @@ const SWEEP_FROM: usize = 100;
 
 /// Loops of a section in groups: an outline and its holes. Also buffers.
 #[derive(Default)]
-pub(super) struct Nest {
+pub(crate) struct Nest {
     loops: Vec<Loop>,
     /// Loops in the order of groups; where each group ends.
-    pub(super) order: Vec<Range<usize>>,
-    pub(super) ends: Vec<usize>,
+    pub(crate) order: Vec<Range<usize>>,
+    pub(crate) ends: Vec<usize>,
     /// Whether outlines run clockwise and holes counter-clockwise.
     inverted: bool,
     twins: Twins,
@@ -66,7 +66,7 @@ impl Nest {
     }
 
     /// Sorts the loops of a section into groups.
-    pub(super) fn sort(&mut self, section: &Section<'_>) {
+    pub(crate) fn sort(&mut self, section: &Section<'_>) {
         self.loops.clear();
         let mut start = 0;
         for &end in section.ends {

@@ -21,11 +21,10 @@ pub(super) struct Part {
 impl Part {
     /// With room for some points, corners and loops.
     pub(super) fn new(source: &Mesh, points: usize, corners: usize, loops: usize) -> Self {
-        let mut mesh = Mesh { groups: source.groups.clone(), materials: source.materials.clone(), ..Mesh::default() };
+        let mut mesh = source.alike(corners);
         mesh.points.reserve(points);
         mesh.corners.reserve(corners);
         mesh.loop_ends.reserve(loops);
-        mesh.uvs = source.uvs.alike(corners);
         if !source.normals.is_empty() {
             mesh.normals.reserve(corners);
         }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::{Derived, FaceTag, Mesh, MeshError, UvSets};
+use super::{Derived, FaceTag, Mesh, MeshError, TagSet, UvSets};
 use crate::material::Material;
 
 /// Takes points and faces and gives a checked [`Mesh`].
@@ -36,6 +36,7 @@ pub struct MeshBuilder {
     normal_faces: usize,
     groups: Arc<[String]>,
     materials: Arc<[Material]>,
+    tag_sets: Arc<[TagSet]>,
     wrong: Option<MeshError>,
 }
 
@@ -115,6 +116,12 @@ impl MeshBuilder {
         self
     }
 
+    /// The sets of component tags that tags of faces count in.
+    pub fn tag_sets(&mut self, sets: impl Into<Arc<[TagSet]>>) -> &mut Self {
+        self.tag_sets = sets.into();
+        self
+    }
+
     fn last_corner_count(&self) -> usize {
         let start = self.face_ends.len().checked_sub(2).map_or(0, |f| self.loop_ends[self.face_ends[f] - 1]);
         self.corners.len() - start
@@ -136,7 +143,8 @@ impl MeshBuilder {
         }
         let with_normals = self.normal_faces == self.tags.len() && self.normals.len() == self.corners.len();
         let uvs = given.alike(self.corners.len());
-        let mut mesh = Mesh { uvs, groups: self.groups, materials: self.materials, ..Mesh::default() };
+        let mut mesh =
+            Mesh { uvs, groups: self.groups, materials: self.materials, tag_sets: self.tag_sets, ..Mesh::default() };
         let (mut start, mut first_loop) = (0, 0);
         for (face, &end_loop) in self.face_ends.iter().enumerate() {
             let face_start = mesh.loop_ends.len();
@@ -198,7 +206,12 @@ impl MeshBuilder {
             }
             let tag = self.tags[face];
             let fits = |index: u32, len: usize| index == FaceTag::NONE || (index as usize) < len;
-            if !fits(tag.group, self.groups.len()) || !fits(tag.material, self.materials.len()) {
+            let all = [
+                fits(tag.group, self.groups.len()),
+                fits(tag.material, self.materials.len()),
+                fits(tag.tags, self.tag_sets.len()),
+            ];
+            if all.contains(&false) {
                 return Err(MeshError::Tag { face });
             }
         }

@@ -65,6 +65,7 @@ impl Mesh {
             normals: Vec::new(),
             groups: self.groups.clone(),
             materials: self.materials.clone(),
+            tag_sets: self.tag_sets.clone(),
             derived: Derived::default(),
         }
     }

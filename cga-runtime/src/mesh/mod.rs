@@ -19,10 +19,13 @@ mod face;
 mod layout;
 mod map;
 mod measure;
+pub(crate) mod offset;
 mod polygon;
 pub mod primitive;
 mod solid;
+mod spread;
 pub(crate) mod table;
+mod tag;
 mod uv;
 
 use std::ops::Range;
@@ -42,6 +45,8 @@ pub use face::FaceRef;
 pub(crate) use face::unit;
 pub(crate) use layout::{FaceEnds, Tags};
 pub(crate) use map::flip;
+pub use offset::OffsetFaces;
+pub use tag::TagSet;
 pub(crate) use uv::UvSets;
 
 /// Faces with holes over shared points. Made by [`MeshBuilder`], never changed afterwards.
@@ -63,6 +68,8 @@ pub struct Mesh {
     pub(crate) groups: Arc<[String]>,
     /// Materials; [`FaceTag::material`] counts in here.
     pub(crate) materials: Arc<[Material]>,
+    /// Component tags; [`FaceTag::tags`] counts in here.
+    pub(crate) tag_sets: Arc<[TagSet]>,
     pub(crate) derived: Derived,
 }
 
@@ -73,6 +80,8 @@ pub struct FaceTag {
     pub group: u32,
     /// Index into the mesh's materials, or [`FaceTag::NONE`].
     pub material: u32,
+    /// Index into the mesh's sets of component tags, or [`FaceTag::NONE`].
+    pub tags: u32,
     /// Whether a cut made this face.
     pub cap: bool,
 }
@@ -81,9 +90,9 @@ impl FaceTag {
     /// No group, no material.
     pub const NONE: u32 = u32::MAX;
     /// A face without group and material that is not a cap.
-    pub const PLAIN: FaceTag = FaceTag { group: Self::NONE, material: Self::NONE, cap: false };
+    pub const PLAIN: FaceTag = FaceTag { group: Self::NONE, material: Self::NONE, tags: Self::NONE, cap: false };
     /// A face made by a cut.
-    pub const CAP: FaceTag = FaceTag { group: Self::NONE, material: Self::NONE, cap: true };
+    pub const CAP: FaceTag = FaceTag { cap: true, ..FaceTag::PLAIN };
 }
 
 impl Default for FaceTag {
@@ -200,6 +209,23 @@ impl Mesh {
     pub(crate) fn edge_ends(&self, edge: usize) -> [DVec3; 2] {
         let from = self.adjacency().uses(edge)[0];
         [from, self.adjacency().next(from)].map(|corner| self.points[self.corners[corner as usize] as usize])
+    }
+
+    /// Sets of component tags, by [`FaceTag::tags`].
+    pub fn tag_sets(&self) -> &[TagSet] {
+        &self.tag_sets
+    }
+
+    /// A mesh without faces that may have the same groups, materials, tags and texture sets, with room for the coordinates
+    /// of some corners.
+    pub(crate) fn alike(&self, corners: usize) -> Mesh {
+        Mesh {
+            uvs: self.uvs.alike(corners),
+            groups: self.groups.clone(),
+            materials: self.materials.clone(),
+            tag_sets: self.tag_sets.clone(),
+            ..Mesh::default()
+        }
     }
 
     /// Where a loop lies in `corners`.

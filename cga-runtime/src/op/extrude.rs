@@ -7,7 +7,8 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::Length;
 use super::insert::raise;
 use crate::env::Env;
-use crate::mesh::extrude::{Extrude, extrude as extrude_mesh};
+use crate::fault::FaultKind;
+use crate::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
 use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
 
@@ -16,8 +17,23 @@ use crate::shape::{Geometry, Placed, ShapeRef};
 pub enum ExtrudeAlong {
     /// Each face along its own normal.
     FaceNormal,
+    /// Each point along the average of the normals around it.
+    VertexNormal,
     /// Along the world's y axis.
     WorldUp,
+    /// Along the world's y axis, to one height.
+    WorldUpFlatTop,
+}
+
+/// An axis to extrude along, in the old form: with or without `world.`, those of the world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names say it")]
+pub enum ExtrudeAxis {
+    X,
+    Y,
+    Z,
+    WorldX,
+    WorldZ,
 }
 
 /// `extrude(distance)`, along the face normals (*extrude operation*).
@@ -25,27 +41,54 @@ pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) {
     extrude_along(env, shape, ExtrudeAlong::FaceNormal, distance);
 }
 
-/// `extrude(face.normal | world.up, distance)` (*extrude operation*). The new scope's y axis points along the extrusion,
-/// its x axis stays as near to the old one as it can, and the pivot stays. A distance of 0 changes nothing.
+/// `extrude(face.normal | vertex.normal | world.up | world.up.flatTop, distance)` (*extrude operation*). The new scope's y
+/// axis points along the extrusion, for normals that of the first face or vertex; its x axis stays as near to the old one
+/// as it can, and the pivot stays. A distance of 0 changes nothing, except that a flat top still is made.
 pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlong, distance: Length) {
     // Relative to the height: the direction in which a shape grows is its y axis afterwards.
     let distance = distance.of(shape.scope.size.y, env, "the distance of `extrude`");
-    if distance == 0.0 {
+    if distance == 0.0 && along != ExtrudeAlong::WorldUpFlatTop {
         return;
     }
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => {}
         Geometry::Rect(axis) if shape.scope.size[axis.index()] == 0.0 && straight(&shape.scope, *axis, along) => {
-            shape.scope = raised(&shape.scope, *axis, distance);
-            shape.geometry = Geometry::Box;
+            if distance != 0.0 {
+                shape.scope = raised(&shape.scope, *axis, distance);
+                shape.geometry = Geometry::Box;
+            }
         }
-        _ => extrude_any(env, shape, along, distance),
+        _ => {
+            let up = shape.scope.axes.transpose() * DVec3::Y;
+            let how = match along {
+                ExtrudeAlong::FaceNormal => Extrude::FaceNormal,
+                ExtrudeAlong::VertexNormal => Extrude::VertexNormal,
+                ExtrudeAlong::WorldUp => Extrude::Vector(up),
+                ExtrudeAlong::WorldUpFlatTop => Extrude::FlatTop(up),
+            };
+            extrude_any(env, shape, how, distance);
+        }
+    }
+}
+
+/// `extrude(x | y | z | world.x | world.z, distance)`, the old form (*CGA changelog 2009.2*).
+pub fn extrude_axis(env: &mut Env, shape: &mut ShapeRef<'_>, axis: ExtrudeAxis, distance: Length) {
+    let along = match axis {
+        ExtrudeAxis::Y => return extrude_along(env, shape, ExtrudeAlong::WorldUp, distance),
+        ExtrudeAxis::X | ExtrudeAxis::WorldX => DVec3::X,
+        ExtrudeAxis::Z | ExtrudeAxis::WorldZ => DVec3::Z,
+    };
+    let distance = distance.of(shape.scope.size.y, env, "the distance of `extrude`");
+    if distance != 0.0 && shape.geometry.has_surface() {
+        let along = shape.scope.axes.transpose() * along;
+        extrude_any(env, shape, Extrude::Vector(along), distance);
     }
 }
 
 /// Whether a rectangle across `axis` grows along that axis, and is not mirrored.
 fn straight(scope: &Scope, axis: Axis, along: ExtrudeAlong) -> bool {
-    0.0 <= scope.size.min_element() && (along == ExtrudeAlong::FaceNormal || scope.axes.col(axis.index()) == DVec3::Y)
+    let upwards = matches!(along, ExtrudeAlong::WorldUp | ExtrudeAlong::WorldUpFlatTop);
+    0.0 <= scope.size.min_element() && (!upwards || scope.axes.col(axis.index()) == DVec3::Y)
 }
 
 /// The scope of a rectangle across `axis` that has grown along it.
@@ -62,17 +105,17 @@ fn raised(scope: &Scope, axis: Axis, distance: f64) -> Scope {
     }
 }
 
-fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlong, distance: f64) {
+fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, how: Extrude, distance: f64) {
     let mesh = shape.to_mesh();
     let axes = shape.scope.axes;
-    let (how, up) = match along {
-        ExtrudeAlong::WorldUp => {
-            let up = axes.transpose() * DVec3::Y;
-            (Extrude::Vector(up), up)
-        }
-        ExtrudeAlong::FaceNormal => {
-            let normal = mesh.faces().map(|face| face.normal()).find(|normal| *normal != DVec3::ZERO);
-            (Extrude::FaceNormal, normal.unwrap_or(DVec3::Y))
+    let first_normal = || mesh.faces().map(|face| face.normal()).find(|normal| *normal != DVec3::ZERO);
+    let up = match how {
+        Extrude::Vector(up) | Extrude::FlatTop(up) => up,
+        Extrude::FaceNormal => first_normal().unwrap_or(DVec3::Y),
+        Extrude::VertexNormal => {
+            let normals = vertex_normals(&mesh);
+            let first = mesh.corners().iter().map(|&point| normals[point as usize]).find(|it| *it != DVec3::ZERO);
+            first.or_else(first_normal).unwrap_or(DVec3::Y)
         }
     };
     // Every edge gets a wall of four corners, and each face a top and a bottom.
@@ -80,6 +123,10 @@ fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlong, dis
         return;
     }
     let grown = extrude_mesh(&mesh, how, distance);
+    if grown.is_empty() {
+        // Nothing moved.
+        return;
+    }
     // In scope coordinates: turn them so that y is up.
     let turn = raise(&DMat3::IDENTITY, up);
     let local = grown.map(&DAffine3 { matrix3: turn.transpose(), translation: DVec3::ZERO });
@@ -94,6 +141,128 @@ fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlong, dis
         origin += axes.y_axis * size.y;
         size.y = -size.y;
     }
+    if !(origin.is_finite() && size.is_finite()) {
+        let what = "`extrude` leads beyond the largest number; the shape stays as it is";
+        return env.fault(FaultKind::Value, what);
+    }
     shape.scope = Scope { origin, axes, size };
     shape.geometry = Geometry::Mesh(Arc::new(placed));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+    use crate::op::rotate;
+    use crate::shape::Shape;
+
+    const ALL: [ExtrudeAlong; 4] =
+        [ExtrudeAlong::FaceNormal, ExtrudeAlong::VertexNormal, ExtrudeAlong::WorldUp, ExtrudeAlong::WorldUpFlatTop];
+
+    /// A lot on a slope, from 0 to 3 metres high, 4 by 5 metres as seen from above.
+    fn slope() -> Shape {
+        let corners = [[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [4.0, 3.0, 0.0], [0.0, 3.0, 0.0]].map(DVec3::from_array);
+        Shape::mesh(Mesh::from_polygon(&corners, &[]).expect("a rectangle")).at([7.0, 8.0, 9.0])
+    }
+
+    fn grown(mut shape: Shape, along: ExtrudeAlong, distance: f64) -> Shape {
+        let env = &mut Env::for_tests();
+        let before = shape.clone();
+        extrude_along(env, &mut shape, along, Length::Absolute(distance));
+        assert!(env.take_faults().0.is_empty());
+        assert_eq!(shape.pivot, before.pivot);
+        let (axes, mesh) = (shape.scope.axes, shape.to_mesh());
+        assert!((axes.transpose() * axes).abs_diff_eq(DMat3::IDENTITY, 1e-12) && 0.0 < axes.determinant());
+        // The scope fits, its size along y negative where the distance was.
+        let (low, high) = (DVec3::ZERO.min(shape.scope.size), DVec3::ZERO.max(shape.scope.size));
+        assert!((mesh.bounds().low - low).length() < 1e-9 && (mesh.bounds().high - high).length() < 1e-9);
+        assert_eq!(shape.scope.size.y < 0.0, distance < 0.0);
+        shape
+    }
+
+    #[test]
+    fn upright_extrusion_follows_the_slope_or_ends_flat() {
+        use ExtrudeAlong::{WorldUp, WorldUpFlatTop};
+        // *extrude operation*, along the world's axis: what there is above the ground, top and bottom in the world.
+        for (along, distance, volume, low, high) in [
+            (WorldUp, 10.0, 200.0, 0.0, 13.0),
+            (WorldUpFlatTop, 10.0, 170.0, 0.0, 10.0),
+            (WorldUpFlatTop, 2.0, 30.0, 0.0, 3.0),
+            (WorldUpFlatTop, 0.0, 30.0, 0.0, 3.0),
+            (WorldUpFlatTop, -2.0, -30.0, 0.0, 3.0),
+            (WorldUpFlatTop, -10.0, -170.0, -7.0, 3.0),
+            (WorldUp, -1.0, -20.0, -1.0, 3.0),
+        ] {
+            for [x, y, z] in [[0.0; 3], [0.0, 40.0, 0.0]] {
+                let (env, mut start) = (&mut Env::for_tests(), slope());
+                rotate(env, &mut start, x, y, z);
+                let shape = grown(start, along, distance);
+                let mesh = shape.to_mesh();
+                assert!(mesh.is_closed() && mesh.check().is_empty());
+                assert!((mesh.volume() - volume).abs() < 1e-9, "{along:?} {distance}: {}", mesh.volume());
+                assert!((shape.scope.axes.y_axis - DVec3::Y).length() < 1e-12);
+                let ends = [shape.scope.origin.y, shape.scope.origin.y + shape.scope.size.y].map(|y| y - 8.0);
+                assert!((ends[0].min(ends[1]) - low).abs() < 1e-9 && (ends[0].max(ends[1]) - high).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn the_first_normal_is_the_new_y_axis() {
+        for along in [ExtrudeAlong::FaceNormal, ExtrudeAlong::VertexNormal] {
+            let normal = slope().to_mesh().face(0).normal();
+            for distance in [2.0, -2.0] {
+                let shape = grown(slope(), along, distance);
+                assert!((shape.scope.axes.y_axis - normal).length() < 1e-12);
+                assert_eq!((shape.scope.axes.x_axis, shape.scope.size.y.abs() - 2.0 < 1e-12), (DVec3::X, true));
+            }
+        }
+    }
+
+    #[test]
+    fn level_rectangles_become_boxes() {
+        for along in ALL {
+            let shape = grown(Shape::rectangle(4.0, 5.0), along, 6.0);
+            assert!(matches!(shape.geometry, Geometry::Box) && shape.scope.size == DVec3::new(4.0, 6.0, 5.0));
+            let shape = grown(Shape::rectangle(4.0, 5.0), along, 0.0);
+            assert!(matches!(shape.geometry, Geometry::Rect(Axis::Y)));
+        }
+    }
+
+    #[test]
+    fn the_old_form_names_an_axis_of_the_world() {
+        let wall = || {
+            let (env, mut wall) = (&mut Env::for_tests(), Shape::rectangle(4.0, 5.0));
+            rotate(env, &mut wall, 90.0, 0.0, 0.0);
+            wall
+        };
+        for (axis, along, volume) in [
+            (ExtrudeAxis::Z, DVec3::Z, 40.0),
+            (ExtrudeAxis::WorldZ, DVec3::Z, 40.0),
+            (ExtrudeAxis::X, DVec3::X, 0.0),
+            (ExtrudeAxis::WorldX, DVec3::X, 0.0),
+            (ExtrudeAxis::Y, DVec3::Y, 0.0),
+        ] {
+            let (env, mut shape) = (&mut Env::for_tests(), wall());
+            extrude_axis(env, &mut shape, axis, Length::Absolute(2.0));
+            assert!((shape.scope.axes.y_axis - along).length() < 1e-12, "{axis:?}");
+            assert!((shape.to_mesh().volume() - volume).abs() < 1e-12 && shape.to_mesh().is_closed());
+            extrude_axis(env, &mut shape, axis, Length::Absolute(f64::NAN));
+            assert_eq!(env.take_faults().0.len(), 1);
+        }
+    }
+
+    #[test]
+    fn distances_beyond_all_bounds_change_nothing() {
+        for along in ALL {
+            for huge in [1e308_f64, -1e308] {
+                let (env, mut shape) = (&mut Env::for_tests(), slope());
+                shape.resize(DVec3::splat(huge.abs()));
+                extrude_along(env, &mut shape, along, Length::Absolute(huge));
+                extrude_along(env, &mut shape, along, Length::Relative(huge));
+                assert!(shape.scope.size.is_finite() && shape.scope.origin.is_finite());
+                assert!(shape.to_mesh().points().iter().all(|p| p.is_finite()));
+            }
+        }
+    }
 }

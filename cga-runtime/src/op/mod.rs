@@ -3,18 +3,43 @@
 //! Every function takes the run's [`Env`] first and the shape second; numbers that are not finite count as 0 and leave a
 //! fault.
 
+mod align;
+mod align_box;
+mod align_geometry;
+mod coordinates;
 mod extrude;
 mod insert;
 mod material;
+mod mirror;
+mod offset;
+mod pivot;
 mod primitive;
+mod refit;
 mod report;
+#[cfg(test)]
+mod scope_tests;
 mod transform;
 mod trim;
 
-pub use extrude::{ExtrudeAlong, extrude, extrude_along};
-pub use insert::insert;
+pub use crate::mesh::OffsetFaces;
+pub use align::{AlignAxes, align_to_axes, rotate_scope};
+pub use align_box::{BoxAxes, align_to_box};
+pub use align_geometry::{
+    AlignAuto, AlignEdge, AlignFace, align_to_auto, align_to_edge, align_to_face, align_to_first_edge,
+    align_to_indices, align_to_selected,
+};
+pub use coordinates::{CoordSystem, TransformMode, rotate_in, translate_in};
+pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
+pub(crate) use insert::z_up;
+pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, reset_material, set_material, texture};
-pub use primitive::{cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, quad, quad_sized};
+pub use mirror::{mirror, reverse_normals};
+pub use offset::offset;
+pub use pivot::{AxisMap, mirror_scope, set_pivot};
+pub use primitive::{
+    cone, cone_sized, cube, cube_sized, cylinder, cylinder_sides, cylinder_sized, disk, disk_sized, quad, quad_sized,
+    sphere, sphere_sides, sphere_sized,
+};
 pub use report::{label, print, report};
 pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
 pub(crate) use transform::{angles, sin_cos, turn};

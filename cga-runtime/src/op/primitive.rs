@@ -1,7 +1,8 @@
-//! `primitiveCube`, `primitiveCylinder` and `primitiveQuad`.
+//! `primitiveQuad`, `primitiveDisk`, `primitiveCube`, `primitiveSphere`, `primitiveCylinder` and `primitiveCone`.
 //!
 //! Without sizes they fill the scope, zero sizes following the rules of `i`; with sizes they stand in the middle of the
-//! scope's xz plane on y = 0 (*primitiveCube*, *primitiveCylinder*, *primitiveQuad*).
+//! scope's xz plane on y = 0. Quad and disk lie across the one axis along which the scope has no size, if there is one,
+//! and else across y. A radius is that of the circle that the corners are on; the scope is the box of what is there.
 
 use std::sync::Arc;
 
@@ -11,89 +12,350 @@ use super::insert::fit;
 use super::settle;
 use crate::env::Env;
 use crate::fault::FaultKind;
+use crate::mesh::Mesh;
+use crate::mesh::primitive::Made;
 use crate::scope::Axis;
 use crate::shape::{Geometry, Placed, ShapeRef};
 
-/// Sides of a cylinder when none are given.
-const SIDES: u32 = 16;
+/// Sides and divisions when none are given.
+const USUAL: u32 = 16;
 /// More sides than this are cut down, with a fault.
 const MOST_SIDES: u32 = 100_000;
+/// A sphere has fewer of them, as it has a row for each division.
+const MOST_OF_SPHERE: u32 = 1000;
 
-/// `primitiveCube()`.
+/// `primitiveCube()` (*primitiveCube operation*).
 pub fn cube(env: &mut Env, shape: &mut ShapeRef<'_>) {
     fit(shape, DVec3::ZERO, DVec3::ONE);
     shape.geometry = Geometry::Box;
     super::trim(env, shape);
 }
 
-/// `primitiveCube(width, height, depth)`.
+/// `primitiveCube(width, height, depth)` (*primitiveCube operation*).
 pub fn cube_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, height: f64, depth: f64) {
-    stand(env, shape, DVec3::new(width, height, depth));
+    let size =
+        DVec3::new(env.finite(width, "the width"), env.finite(height, "the height"), env.finite(depth, "the depth"));
+    stand(env, shape, size, Axis::Y);
     shape.geometry = Geometry::Box;
     super::trim(env, shape);
 }
 
-/// `primitiveCylinder()`, with 16 sides, along y.
+/// `primitiveCylinder()`, with 16 sides, along y (*primitiveCylinder operation*).
 pub fn cylinder(env: &mut Env, shape: &mut ShapeRef<'_>) {
-    cylinder_sides(env, shape, f64::from(SIDES));
+    cylinder_sides(env, shape, f64::from(USUAL));
 }
 
-/// `primitiveCylinder(sides)`.
+/// `primitiveCylinder(sides)` (*primitiveCylinder operation*).
 pub fn cylinder_sides(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64) {
-    fit(shape, DVec3::ZERO, DVec3::ONE);
-    fill_with_cylinder(env, shape, sides);
+    let sides = count(env, sides, "sides of a cylinder", 3, MOST_SIDES);
+    fill(env, shape, Made::Cylinder { sides });
 }
 
-/// `primitiveCylinder(sides, radius, height)`.
+/// `primitiveCylinder(sides, radius, height)` (*primitiveCylinder operation*).
 pub fn cylinder_sized(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64, radius: f64, height: f64) {
-    stand(env, shape, DVec3::new(2.0 * radius, height, 2.0 * radius));
-    fill_with_cylinder(env, shape, sides);
+    let sides = count(env, sides, "sides of a cylinder", 3, MOST_SIDES);
+    let (across, height) = (2.0 * env.finite(radius, "the radius"), env.finite(height, "the height"));
+    fill_to_size(env, shape, Made::Cylinder { sides }, DVec3::new(across, height, across), Axis::Y);
 }
 
-fn fill_with_cylinder(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64) {
-    let wanted = env.finite(sides, "the number of sides");
-    let count = wanted.clamp(3.0, f64::from(MOST_SIDES)) as u32;
-    if f64::from(count) != wanted {
-        env.fault(FaultKind::Value, format!("a cylinder cannot have {wanted} sides; it gets {count}"));
+/// `primitiveCone()` and `primitiveCone(sides)`, along y, its tip up (*primitiveCone operation*).
+pub fn cone(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64) {
+    let sides = count(env, sides, "sides of a cone", 3, MOST_SIDES);
+    fill(env, shape, Made::Cone { sides });
+}
+
+/// `primitiveCone(sides, radius, height)` (*primitiveCone operation*).
+pub fn cone_sized(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64, radius: f64, height: f64) {
+    let sides = count(env, sides, "sides of a cone", 3, MOST_SIDES);
+    let (across, height) = (2.0 * env.finite(radius, "the radius"), env.finite(height, "the height"));
+    fill_to_size(env, shape, Made::Cone { sides }, DVec3::new(across, height, across), Axis::Y);
+}
+
+/// `primitiveSphere()`, with 16 sides and 16 divisions (*primitiveSphere operation*).
+pub fn sphere(env: &mut Env, shape: &mut ShapeRef<'_>) {
+    sphere_sides(env, shape, f64::from(USUAL), f64::from(USUAL));
+}
+
+/// `primitiveSphere(sides, divisions)` (*primitiveSphere operation*).
+pub fn sphere_sides(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64, divisions: f64) {
+    let made = sphere_of(env, sides, divisions);
+    fill(env, shape, made);
+}
+
+/// `primitiveSphere(sides, divisions, radius)` (*primitiveSphere operation*).
+pub fn sphere_sized(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64, divisions: f64, radius: f64) {
+    let made = sphere_of(env, sides, divisions);
+    let size = DVec3::splat(2.0 * env.finite(radius, "the radius"));
+    fill_to_size(env, shape, made, size, Axis::Y);
+}
+
+fn sphere_of(env: &mut Env, sides: f64, divisions: f64) -> Made {
+    Made::Sphere {
+        sides: count(env, sides, "sides of a sphere", 3, MOST_OF_SPHERE),
+        divisions: count(env, divisions, "divisions of a sphere", 2, MOST_OF_SPHERE),
     }
-    let mesh = env.cylinder(count);
-    shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size: DVec3::ONE, whole: true }));
+}
+
+/// `primitiveDisk()` and `primitiveDisk(nVertices)` (*primitiveDisk operation*).
+pub fn disk(env: &mut Env, shape: &mut ShapeRef<'_>, vertices: f64) {
+    let sides = count(env, vertices, "vertices of a disk", 3, MOST_SIDES);
+    let across = across(shape);
+    let Some(mesh) = env.primitive(Made::Disk { sides, across }) else { return };
+    fit_flat(shape, across);
+    put(env, shape, mesh);
+}
+
+/// `primitiveDisk(nVertices, radius)` (*primitiveDisk operation*).
+pub fn disk_sized(env: &mut Env, shape: &mut ShapeRef<'_>, vertices: f64, radius: f64) {
+    let sides = count(env, vertices, "vertices of a disk", 3, MOST_SIDES);
+    let across = across(shape);
+    let mut size = DVec3::splat(2.0 * env.finite(radius, "the radius"));
+    size[across.index()] = 0.0;
+    fill_to_size(env, shape, Made::Disk { sides, across }, size, across);
+}
+
+/// `primitiveQuad()` (*primitiveQuad operation*).
+pub fn quad(env: &mut Env, shape: &mut ShapeRef<'_>) {
+    let across = across(shape);
+    fit_flat(shape, across);
+    put_quad(env, shape, across);
+}
+
+/// `primitiveQuad(width, length)` (*primitiveQuad operation*). The width is along x, or along y where the scope has no size
+/// along x; the length along z, or along y.
+pub fn quad_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, length: f64) {
+    let (width, length) = (env.finite(width, "the width"), env.finite(length, "the length"));
+    let across = across(shape);
+    let size = match across {
+        Axis::X => DVec3::new(0.0, width, length),
+        Axis::Y => DVec3::new(width, 0.0, length),
+        Axis::Z => DVec3::new(width, length, 0.0),
+    };
+    stand(env, shape, size, across);
+    put_quad(env, shape, across);
+}
+
+/// The one axis along which the scope has no size, else y.
+fn across(shape: &ShapeRef<'_>) -> Axis {
+    let flat: [bool; 3] = shape.scope.size.cmpeq(DVec3::ZERO).into();
+    match flat {
+        [true, false, false] => Axis::X,
+        [false, false, true] => Axis::Z,
+        _ => Axis::Y,
+    }
+}
+
+/// Sets the scope for something flat across an axis.
+fn fit_flat(shape: &mut ShapeRef<'_>, across: Axis) {
+    if across == Axis::Y {
+        fit(shape, DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0));
+    }
+    shape.scope.size[across.index()] = 0.0;
+}
+
+/// A rectangle. Rectangles without a mesh begin otherwise where they lie across x.
+fn put_quad(env: &mut Env, shape: &mut ShapeRef<'_>, across: Axis) {
+    if across != Axis::X {
+        shape.geometry = Geometry::Rect(across);
+        super::trim(env, shape);
+    } else if let Some(mesh) = env.primitive(Made::Square { across }) {
+        put(env, shape, mesh);
+    }
+}
+
+/// Fills the scope, zero sizes following the rules of `i`.
+fn fill(env: &mut Env, shape: &mut ShapeRef<'_>, made: Made) {
+    let Some(mesh) = env.primitive(made) else { return };
+    fit(shape, DVec3::ZERO, DVec3::ONE);
+    put(env, shape, mesh);
+}
+
+/// Puts a primitive into the scope that is made in a box of that size.
+fn fill_to_size(env: &mut Env, shape: &mut ShapeRef<'_>, made: Made, size: DVec3, across: Axis) {
+    let Some(mesh) = env.primitive(made) else { return };
+    stand(env, shape, mesh.bounds().size() * size, across);
+    put(env, shape, mesh);
+}
+
+/// Replaces the geometry by a mesh stretched to the scope.
+fn put(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>) {
+    let bounds = mesh.bounds();
+    let placed = Placed { mesh, low: bounds.low, size: bounds.size(), whole: true };
+    shape.geometry = Geometry::Mesh(Arc::new(placed));
     // A size of zero flattens it.
     shape.resize(shape.scope.size);
     super::trim(env, shape);
 }
 
-/// `primitiveQuad()`: across y; where exactly one size of the scope is zero, across that axis.
-pub fn quad(env: &mut Env, shape: &mut ShapeRef<'_>) {
-    let size = shape.scope.size;
-    let flat: [bool; 3] = size.cmpeq(DVec3::ZERO).into();
-    let axis = match flat {
-        [true, false, false] => Axis::X,
-        [false, false, true] => Axis::Z,
-        _ => Axis::Y,
-    };
-    if axis == Axis::Y {
-        fit(shape, DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0));
+/// How many sides and such there are: a whole number that makes sense.
+fn count(env: &mut Env, wanted: f64, what: &str, least: u32, most: u32) -> u32 {
+    let wanted = env.finite(wanted, &format!("the number of {what}"));
+    let count = wanted.clamp(f64::from(least), f64::from(most)) as u32;
+    if f64::from(count) != wanted {
+        env.fault(FaultKind::Value, format!("the number of {what} cannot be {wanted}; it is {count}"));
     }
-    shape.scope.size[axis.index()] = 0.0;
-    shape.geometry = Geometry::Rect(axis);
-    super::trim(env, shape);
+    count
 }
 
-/// `primitiveQuad(width, length)`.
-pub fn quad_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, length: f64) {
-    stand(env, shape, DVec3::new(width, 0.0, length));
-    shape.geometry = Geometry::Rect(Axis::Y);
-    super::trim(env, shape);
-}
-
-/// Gives the scope a size, in the middle of its old xz plane and on its floor.
-fn stand(env: &mut Env, shape: &mut ShapeRef<'_>, size: DVec3) {
-    let size =
-        DVec3::new(env.finite(size.x, "the width"), env.finite(size.y, "the height"), env.finite(size.z, "the depth"));
+/// Gives the scope a size, in the middle of its old plane across an axis and on its floor.
+fn stand(env: &mut Env, shape: &mut ShapeRef<'_>, size: DVec3, across: Axis) {
     let before = shape.scope;
-    let room = (shape.scope.size - size) * DVec3::new(0.5, 0.0, 0.5);
+    let mut room = (shape.scope.size - size) * 0.5;
+    room[across.index()] = 0.0;
     shape.scope.origin += shape.scope.axes * room;
     shape.scope.size = size;
     settle(env, shape, &before, "the size of the primitive");
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DMat3;
+
+    use super::*;
+    use crate::op::{Length, size};
+    use crate::shape::Shape;
+
+    const LOT: DVec3 = DVec3::new(20.0, 0.0, 10.0);
+
+    fn lot() -> Shape {
+        Shape::rectangle(LOT.x, LOT.z).at([1.0, 2.0, 3.0])
+    }
+
+    fn sized(x: f64, y: f64, z: f64) -> Shape {
+        let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
+        let [x, y, z] = [x, y, z].map(Length::Absolute);
+        size(&mut Env::for_tests(), &mut shape, x, y, z);
+        shape
+    }
+
+    type Fill = fn(&mut Env, &mut ShapeRef<'_>);
+
+    /// All that are solid, without sizes.
+    const SOLID: [Fill; 4] =
+        [cube, cylinder, |env, shape| cone(env, shape, 16.0), |env, shape| sphere_sides(env, shape, 16.0, 16.0)];
+
+    #[test]
+    fn fact_67_a_primitive_on_a_flat_lot_is_as_high_as_it_is_wide_on_average() {
+        for fill in SOLID {
+            let (env, shape) = (&mut Env::for_tests(), &mut lot());
+            fill(env, shape);
+            assert_eq!(
+                (shape.scope.size, shape.scope.origin),
+                (DVec3::new(20.0, 15.0, 10.0), DVec3::new(1.0, 2.0, 3.0))
+            );
+            let mesh = shape.to_mesh();
+            assert!((mesh.bounds().size() - shape.scope.size).length() < 1e-12 && mesh.is_closed());
+            assert!(env.take_faults().0.is_empty());
+        }
+    }
+
+    #[test]
+    fn zero_sizes_follow_from_the_others() {
+        for fill in SOLID {
+            for (given, then) in [
+                ([0.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
+                ([0.0, 4.0, 0.0], [4.0, 4.0, 4.0]),
+                ([0.0, 4.0, 2.0], [3.0, 4.0, 2.0]),
+                ([3.0, 4.0, 5.0], [3.0, 4.0, 5.0]),
+                ([-3.0, 4.0, 5.0], [-3.0, 4.0, 5.0]),
+            ] {
+                let mut shape = sized(given[0], given[1], given[2]);
+                fill(&mut Env::for_tests(), &mut shape);
+                assert_eq!(shape.scope.size.to_array(), then);
+            }
+        }
+    }
+
+    #[test]
+    fn primitives_with_sizes_stand_in_the_middle() {
+        let (env, shape) = (&mut Env::for_tests(), &mut lot());
+        cone_sized(env, shape, 8.0, 10.0, 15.0);
+        // The radius is that of the circle around; eight sides in front, right, … do not reach as far.
+        let wide = 20.0 * libm::cos(std::f64::consts::PI / 8.0);
+        assert!((shape.scope.size - DVec3::new(wide, 15.0, wide)).length() < 1e-12);
+        let middle = DVec3::new(11.0, 9.5, 8.0);
+        assert!((shape.scope.centre() - middle).length() < 1e-12);
+        cylinder_sized(env, shape, 8.0, 10.0, 15.0);
+        assert!((shape.scope.size - DVec3::new(wide, 15.0, wide)).length() < 1e-12);
+        assert!((shape.scope.centre() - middle).length() < 1e-12);
+        sphere_sized(env, shape, 8.0, 4.0, 10.0);
+        assert!((shape.scope.size - DVec3::new(wide, 20.0, wide)).length() < 1e-12);
+        assert!((shape.scope.centre() - DVec3::new(11.0, 12.0, 8.0)).length() < 1e-12);
+        let far = |p: &DVec3| (shape.scope.frame().to_world(*p).distance(DVec3::new(11.0, 12.0, 8.0)) - 10.0).abs();
+        assert!(shape.to_mesh().points().iter().all(|p| far(p) < 1e-12));
+        cube_sized(env, shape, 10.0, 15.0, 20.0);
+        assert!((shape.scope.centre() - middle).length() < 1e-12 && matches!(shape.geometry, Geometry::Box));
+        assert!(env.take_faults().0.is_empty());
+    }
+
+    #[test]
+    fn flat_ones_lie_where_the_scope_is_flat() {
+        // *primitiveQuad*, *primitiveDisk*: with a scope of no size along one axis.
+        for (flat, disk_size, quad_size) in [
+            ([0.0, 20.0, 30.0], [0.0, 16.0, 16.0], [0.0, 10.0, 20.0]),
+            ([20.0, 0.0, 30.0], [16.0, 0.0, 16.0], [10.0, 0.0, 20.0]),
+            ([20.0, 30.0, 0.0], [16.0, 16.0, 0.0], [10.0, 20.0, 0.0]),
+        ] {
+            let axis = flat.iter().position(|size| *size == 0.0).unwrap();
+            for (name, made, want) in [
+                ("disk", (|env, shape| disk(env, shape, 16.0)) as Fill, flat),
+                ("disk", |env, shape| disk_sized(env, shape, 4.0, 8.0 * std::f64::consts::SQRT_2), disk_size),
+                ("quad", quad, flat),
+                ("quad", |env, shape| quad_sized(env, shape, 10.0, 20.0), quad_size),
+            ] {
+                let shape = &mut sized(flat[0], flat[1], flat[2]);
+                let centre = shape.scope.centre();
+                made(&mut Env::for_tests(), shape);
+                assert!((shape.scope.size - DVec3::from_array(want)).length() < 1e-12, "{name} {flat:?}");
+                assert!((shape.scope.centre() - centre).length() < 1e-12);
+                let mesh = shape.to_mesh();
+                assert_eq!(mesh.face_count(), 1);
+                assert!((mesh.face(0).normal() - DMat3::IDENTITY.col(axis)).length() < 1e-12);
+            }
+        }
+        // Across x, they begin at the far top: u goes against y, v against z.
+        let shape = &mut sized(0.0, 2.0, 3.0);
+        quad(&mut Env::for_tests(), shape);
+        let first: Vec<DVec3> = shape.to_mesh().points()[..2].to_vec();
+        assert_eq!(first, [DVec3::new(0.0, 2.0, 3.0), DVec3::new(0.0, 0.0, 3.0)]);
+        let shape = &mut sized(2.0, 3.0, 4.0);
+        disk(&mut Env::for_tests(), shape, 16.0);
+        assert_eq!(shape.scope.size.to_array(), [2.0, 0.0, 4.0]);
+        let shape = &mut sized(0.0, 0.0, 0.0);
+        disk(&mut Env::for_tests(), shape, 16.0);
+        assert_eq!(shape.scope.size.to_array(), [1.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn odd_numbers_leave_a_fault_and_a_shape() {
+        for (sides, divisions, faces, faults) in [
+            (0.0, 0.0, 6, 2),
+            (-7.0, 2.0, 6, 1),
+            (3.5, 2.0, 6, 1),
+            (f64::NAN, f64::INFINITY, 6, 4),
+            (1e300, 2.0, 2000, 1),
+            (3.0, 1e300, 3000, 1),
+        ] {
+            let (env, shape) = (&mut Env::for_tests(), &mut lot());
+            sphere_sides(env, shape, sides, divisions);
+            assert_eq!(
+                (shape.to_mesh().face_count(), env.take_faults().0.len()),
+                (faces, faults),
+                "{sides} {divisions}"
+            );
+        }
+        for radius in [f64::NAN, 1e308, -1e308, 0.0] {
+            let (env, shape) = (&mut Env::for_tests(), &mut lot());
+            sphere_sized(env, shape, 8.0, 8.0, radius);
+            cone_sized(env, shape, 8.0, radius, radius);
+            disk_sized(env, shape, 8.0, radius);
+            assert!(shape.scope.size.is_finite() && shape.scope.origin.is_finite());
+            assert!(shape.to_mesh().points().iter().all(|p| p.is_finite()));
+            assert_eq!(env.take_faults().0.is_empty(), radius == 0.0);
+        }
+        // Mirrored: the faces look inwards.
+        let (env, shape) = (&mut Env::for_tests(), &mut lot());
+        cone_sized(env, shape, 8.0, 1.0, -3.0);
+        assert!(shape.to_mesh().volume() < 0.0);
+    }
 }

@@ -23,7 +23,8 @@ pub enum System {
 }
 
 impl System {
-    fn frame(self, env: &Env, shape: &ShapeRef<'_>) -> Frame {
+    /// Where it starts and how it lies.
+    pub(crate) fn frame(self, env: &Env, shape: &ShapeRef<'_>) -> Frame {
         match self {
             System::Scope => shape.scope.frame(),
             System::Pivot => shape.pivot,

@@ -296,7 +296,7 @@ fn names_are_those_that_faces_have() {
     let mut builder = MeshBuilder::new();
     let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|p| builder.point(p));
     for (group, material) in [(FaceTag::NONE, 1), (2, 1), (0, 0)] {
-        builder.face(&points, &[], FaceTag { group, material, cap: false });
+        builder.face(&points, &[], FaceTag { group, material, ..FaceTag::PLAIN });
     }
     builder.groups(["wall", "unused", "roof"].map(str::to_owned).to_vec());
     let named = |name: &str| crate::material::Material::with(|look| look.name = Some(name.into()));

@@ -14,6 +14,7 @@ cga! {
     Facade(height, index) --> split(y) { ~1 : A. | ~height : B. }
     Door --> A. color("#ff0000")
     Roof --> 50% : Roof else : A.
+    Chimney(size) --> extrude(size) A.
 }
 
 fn main() {}

@@ -91,6 +91,13 @@ impl Facts {
     }
 }
 
+impl Facts {
+    /// The same values on a shape of which nothing is known.
+    pub(in crate::check) fn on_any_shape(&self) -> Facts {
+        Facts { shape: Shape::ANY, params: self.params.clone() }
+    }
+}
+
 impl Known {
     pub(super) fn new(globals: &Globals, tables: &Tables, mode: Attrs) -> Known {
         let (attrs, consts) = (globals.attrs.len(), globals.consts.len());

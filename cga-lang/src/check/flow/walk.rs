@@ -190,7 +190,8 @@ impl<'w> Walk<'w> {
         let word = |index: usize| comp.args.get(index).and_then(words::word);
         let faces = word(0) == Some("f") && matches!(word(1), None | Some("zUp"));
         for arm in &comp.arms {
-            visit.meet(&Site::Value(&arm.selector), facts);
+            // With the component as current shape.
+            visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
             let shape = match (faces && arm.mode == ArmMode::Each, facts.shape.filling) {
                 (true, Filling::Box) => Shape::face_of_box(comp.name.span),
                 (true, _) => Shape::face(comp.name.span),
@@ -202,8 +203,9 @@ impl<'w> Walk<'w> {
 
     /// Operations with braces: what they make is any shape.
     fn block<'a>(&self, block: &'a Block, facts: &Facts, visit: &mut dyn Visit<'a>) {
-        self.meet_args(&block.args, facts, visit);
-        let any = || Facts { shape: Shape::ANY, params: facts.params.clone() };
+        let any = || facts.on_any_shape();
+        // Some are computed on each edge.
+        self.meet_args(&block.args, &any(), visit);
         for part in &block.parts {
             match part {
                 BlockPart::Slots(items, _) => {
@@ -211,7 +213,7 @@ impl<'w> Walk<'w> {
                 }
                 BlockPart::Sections(list, _) => {
                     for section in list {
-                        visit.meet(&Site::Value(&section.length.value), facts);
+                        visit.meet(&Site::Value(&section.length.value), &any());
                         self.steps(&section.ops, any(), visit);
                     }
                 }

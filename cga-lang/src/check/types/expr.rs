@@ -2,7 +2,7 @@
 
 use super::open::{Candidate, Open, Takes};
 use super::{Infer, State, Type, Use, Var};
-use crate::ast::{Binary, CompValue, Expr, ExprKind, Name, Unary};
+use crate::ast::{Binary, Expr, ExprKind, Name, Unary};
 use crate::code::Code;
 use crate::ops::{Param, ParamKind};
 use crate::span::Span;
@@ -92,17 +92,6 @@ impl<'a> Infer<'_, 'a, '_> {
         result
     }
 
-    /// An array with a value for each component.
-    fn comp_value(&mut self, comp: &'a CompValue, span: Span) -> Var {
-        let mut entries = Vec::new();
-        for (selector, _, value) in &comp.arms {
-            self.selector(selector);
-            entries.push((self.expr(value), value.span));
-        }
-        let result = self.free();
-        self.wait(Open::Array { entries, result, span })
-    }
-
     /// A name or call in an expression.
     fn used(&mut self, name: &'a Name, args: &'a [Expr]) -> Var {
         let found = self.cx.tables.of(name);
@@ -136,6 +125,7 @@ impl<'a> Infer<'_, 'a, '_> {
             }
             Some(Use::Convert(ty)) => self.known(ty, name.span),
             Some(Use::Shape(row)) => self.known(row.ty, name.span),
+            Some(Use::Selector(_)) => self.known(Type::Bool, name.span),
             Some(Use::Open(open)) => {
                 let candidates = self.candidates(open);
                 let result = self.free();

@@ -5,6 +5,7 @@
 //! (`+`, overloaded calls, arrays) waits in `open` until more is known. Where one type is not enough, `generic` asks for
 //! declarations with other ones.
 
+mod comp;
 mod expr;
 mod generic;
 mod open;
@@ -41,6 +42,7 @@ pub(super) fn infer(cx: &mut Cx) -> Found {
         open: Vec::new(),
         calls: Vec::new(),
         ordered: Vec::new(),
+        comps: comp::Comps::default(),
         inner: Vec::new(),
         stage: Stage::Bodies,
         moved: false,
@@ -111,6 +113,8 @@ struct Infer<'p, 'a, 'd> {
     calls: Vec<Argument>,
     /// Operands of `<` and its like, which bools have not.
     ordered: Vec<(Var, Span)>,
+    /// Selectors, and values for components.
+    comps: comp::Comps<'a>,
     /// Parameters and locals of the declaration at hand.
     inner: Vec<&'a Name>,
     stage: Stage,
@@ -244,6 +248,7 @@ impl<'a> Infer<'_, 'a, '_> {
                 self.cx.diags.report(Code::TypeMismatch, span, message).help("write `==` or `!=`");
             }
         }
+        self.comps();
     }
 
     /// A value has one type in every style, and so have parameters. Who differs is reported by `duplicates`.

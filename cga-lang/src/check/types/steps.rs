@@ -2,9 +2,7 @@
 
 use super::open::Open;
 use super::{Infer, Type, Use, Var};
-use crate::ast::{Arg, BlockPart, Expr, ExprKind, Name, Op, OpKind, Override, SplitItem};
-use crate::check::names::not_implemented;
-use crate::check::selectors::is_condition;
+use crate::ast::{Arg, BlockPart, Name, Op, OpKind, Override, SplitItem};
 use crate::ops::{Operation, ParamKind};
 use crate::span::Span;
 
@@ -23,10 +21,7 @@ impl<'a> Infer<'_, 'a, '_> {
                 OpKind::Split(split) => self.items(&split.items),
                 OpKind::Comp(comp) => {
                     for arm in &comp.arms {
-                        let is_condition = self.selector(&arm.selector);
-                        if is_condition && self.cx.tables.later.insert(comp.name.id()) {
-                            not_implemented(self.cx.diags, arm.selector.span, "a condition as selector", None);
-                        }
+                        self.selector(&arm.selector);
                         self.ops(&arm.ops);
                     }
                 }
@@ -84,41 +79,6 @@ impl<'a> Infer<'_, 'a, '_> {
                 }
                 SplitItem::Group(items, _) => self.items(items),
             }
-        }
-    }
-
-    /// A word needs nothing, an index is a float, and a condition a bool. Whether it is a condition.
-    pub(super) fn selector(&mut self, selector: &'a Expr) -> bool {
-        if self.is_word(selector) {
-            return false;
-        }
-        if is_condition(selector) {
-            self.condition(selector);
-            return true;
-        }
-        let var = self.expr(selector);
-        if self.vars.known(var) == Some(Type::Bool) {
-            return true;
-        }
-        self.need_var(var, selector.span, Type::Float, "a selector that is no word");
-        false
-    }
-
-    fn is_word(&self, selector: &Expr) -> bool {
-        let ExprKind::Name(name) = &selector.kind else { return false };
-        matches!(self.cx.tables.of(name), Some(Use::Selector(_)))
-    }
-
-    fn condition(&mut self, selector: &'a Expr) {
-        use crate::ast::{Binary::And, Binary::Or, Unary::Not};
-        match &selector.kind {
-            _ if self.is_word(selector) => {}
-            ExprKind::Unary(Not, part) => self.condition(part),
-            ExprKind::Binary(And | Or, _, left, right) => {
-                self.condition(left);
-                self.condition(right);
-            }
-            _ => self.need(selector, Type::Bool, "a condition"),
         }
     }
 
@@ -183,7 +143,7 @@ impl<'a> Infer<'_, 'a, '_> {
         for (param, arg) in row.params.iter().zip(args) {
             match param.kind {
                 ParamKind::Word { .. } => {}
-                ParamKind::Selector => _ = self.selector(&arg.value),
+                ParamKind::Selector => self.selector(&arg.value),
                 _ => {
                     let var = self.expr(&arg.value);
                     self.builtin_argument(param, row.name, var, arg.value.span);

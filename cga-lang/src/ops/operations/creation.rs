@@ -5,13 +5,15 @@ use super::{later, old, op, with};
 
 const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
     rust: "ExtrudeAlong",
-    words: &[("face.normal", "FaceNormal"), ("world.up", "WorldUp"), ("world.y", "WorldUp")],
+    words: &[
+        ("face.normal", "FaceNormal"),
+        ("vertex.normal", "VertexNormal"),
+        ("world.up", "WorldUp"),
+        ("world.y", "WorldUp"),
+        ("world.up.flatTop", "WorldUpFlatTop"),
+    ],
     old: &[("world.y", "world.up")],
 };
-
-/// The types of extrusion that do not run yet.
-const EXTRUDE_LATER: Param =
-    word("extrusionType", "ExtrudeAlong", &[("vertex.normal", "VertexNormal"), ("world.up.flatTop", "WorldUpFlatTop")]);
 
 const EXTRUDE_AXIS: Param =
     word("axis", "ExtrudeAxis", &[("x", "X"), ("y", "Y"), ("z", "Z"), ("world.x", "WorldX"), ("world.z", "WorldZ")]);
@@ -52,20 +54,16 @@ pub(super) static ROWS: &[Operation] = &[
         "extrude",
         "extrude_along",
         &[super::super::param("extrusionType", EXTRUDE_ALONG), length("distance")],
-        "extrudes each face along its normal or upwards",
-    ),
-    later(
-        "extrude",
-        &[EXTRUDE_LATER, length("distance")],
-        "extrudes with faces kept together, or upwards to a flat top",
+        "extrudes faces along normals or upwards",
     ),
     old(
-        later("extrude", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis"),
+        op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis"),
         "write `extrude(world.up, …)` to extrude upwards",
     ),
     op("i", "insert", &[text("filePath")], "replaces the geometry by an asset that fills the scope"),
-    later(
+    op(
         "i",
+        "insert_with",
         &[
             text("filePath"),
             UP_AXIS,
@@ -91,8 +89,18 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("width"), float("length")],
         "replaces the geometry by a rectangle of that size",
     ),
-    later("primitiveDisk", &[or(float("nVertices"), SIXTEEN)], "replaces the geometry by a disk that fills the scope"),
-    later("primitiveDisk", &[float("nVertices"), float("radius")], "replaces the geometry by a disk of that size"),
+    op(
+        "primitiveDisk",
+        "disk",
+        &[or(float("nVertices"), SIXTEEN)],
+        "replaces the geometry by a disk that fills the scope",
+    ),
+    op(
+        "primitiveDisk",
+        "disk_sized",
+        &[float("nVertices"), float("radius")],
+        "replaces the geometry by a disk of that size",
+    ),
     with(Effect::FillsWithBox, op("primitiveCube", "cube", &[], "replaces the geometry by a box that fills the scope")),
     op(
         "primitiveCube",
@@ -100,14 +108,19 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("width"), float("height"), float("depth")],
         "replaces the geometry by a box of that size",
     ),
-    later("primitiveSphere", &[], "replaces the geometry by a sphere that fills the scope"),
-    later(
-        "primitiveSphere",
-        &[float("sides"), float("divisions")],
-        "replaces the geometry by a sphere that fills the scope",
+    with(Effect::Fills, op("primitiveSphere", "sphere", &[], "replaces the geometry by a sphere that fills the scope")),
+    with(
+        Effect::Fills,
+        op(
+            "primitiveSphere",
+            "sphere_sides",
+            &[float("sides"), float("divisions")],
+            "replaces the geometry by a sphere that fills the scope",
+        ),
     ),
-    later(
+    op(
         "primitiveSphere",
+        "sphere_sized",
         &[float("sides"), float("divisions"), float("radius")],
         "replaces the geometry by a sphere of that size",
     ),
@@ -115,11 +128,14 @@ pub(super) static ROWS: &[Operation] = &[
         Effect::Fills,
         op("primitiveCylinder", "cylinder", &[], "replaces the geometry by a cylinder that fills the scope"),
     ),
-    op(
-        "primitiveCylinder",
-        "cylinder_sides",
-        &[float("sides")],
-        "replaces the geometry by a cylinder that fills the scope, with so many sides",
+    with(
+        Effect::Fills,
+        op(
+            "primitiveCylinder",
+            "cylinder_sides",
+            &[float("sides")],
+            "replaces the geometry by a cylinder that fills the scope, with so many sides",
+        ),
     ),
     op(
         "primitiveCylinder",
@@ -127,14 +143,24 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("sides"), float("radius"), float("height")],
         "replaces the geometry by a cylinder of that size",
     ),
-    later("primitiveCone", &[or(float("sides"), SIXTEEN)], "replaces the geometry by a cone that fills the scope"),
-    later(
+    with(
+        Effect::Fills,
+        op(
+            "primitiveCone",
+            "cone",
+            &[or(float("sides"), SIXTEEN)],
+            "replaces the geometry by a cone that fills the scope",
+        ),
+    ),
+    op(
         "primitiveCone",
+        "cone_sized",
         &[float("sides"), float("radius"), float("height")],
         "replaces the geometry by a cone of that size",
     ),
     later("taper", &[float("height")], "makes a pyramid over the first face"),
-    later(
+    op(
+        "offset",
         "offset",
         &[float("distance"), or(KEEP_FACES, Default::Word("all"))],
         "moves the outline of each face in or out, with faces for the difference",

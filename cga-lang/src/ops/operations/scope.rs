@@ -1,7 +1,7 @@
 //! The scope and the pivot: the geometry stays where it is.
 
 use super::super::{Default, Operation, Param, boolean, float, or, word};
-use super::{later, old};
+use super::{old, op};
 
 const ALIGN_AXES: Param = or(
     word(
@@ -44,29 +44,36 @@ const AXIS_MAP: Param = word("axisMap", "AxisMap", &[("xyz", "Xyz"), ("yzx", "Yz
 const TO_GEOMETRY: &str = "turns the scope to an edge and the normal of a face";
 
 pub(super) static ROWS: &[Operation] = &[
-    later("alignScopeToAxes", &[ALIGN_AXES], "turns the scope to the axes of the world or the object"),
-    later("alignScopeToGeometry", &[UP_AXIS, float("faceIndex"), float("edgeIndex")], TO_GEOMETRY),
-    later("alignScopeToGeometry", &[UP_AXIS, FACE, float("edgeIndex")], TO_GEOMETRY),
-    later("alignScopeToGeometry", &[UP_AXIS, float("faceIndex"), EDGE], TO_GEOMETRY),
-    later("alignScopeToGeometry", &[UP_AXIS, FACE_BY_EDGE, EDGE], TO_GEOMETRY),
+    op("alignScopeToAxes", "align_to_axes", &[ALIGN_AXES], "turns the scope to the axes of the world or the object"),
+    op("alignScopeToGeometry", "align_to_indices", &[UP_AXIS, float("faceIndex"), float("edgeIndex")], TO_GEOMETRY),
+    op("alignScopeToGeometry", "align_to_face", &[UP_AXIS, FACE, float("edgeIndex")], TO_GEOMETRY),
+    op("alignScopeToGeometry", "align_to_edge", &[UP_AXIS, float("faceIndex"), EDGE], TO_GEOMETRY),
+    op("alignScopeToGeometry", "align_to_selected", &[UP_AXIS, FACE_BY_EDGE, EDGE], TO_GEOMETRY),
     // Both deprecated in 2010.1 (*CGA changelog*).
     old(
-        later("alignScopeToGeometry", &[UP_AXIS, float("faceIndex")], TO_GEOMETRY),
+        op("alignScopeToGeometry", "align_to_first_edge", &[UP_AXIS, float("faceIndex")], TO_GEOMETRY),
         "name the edge too: `alignScopeToGeometry(yUp, 0, 0)`",
     ),
     old(
-        later("alignScopeToGeometry", &[UP_AXIS, AUTO], TO_GEOMETRY),
+        op("alignScopeToGeometry", "align_to_auto", &[UP_AXIS, AUTO], TO_GEOMETRY),
         "write `alignScopeToGeometry(yUp, any, world.lowest)`",
     ),
-    later("alignScopeToGeometryBBox", &[BOX_AXES], "turns the scope about an axis until its box is as small as can be"),
-    later(
+    op(
+        "alignScopeToGeometryBBox",
+        "align_to_box",
+        &[BOX_AXES],
+        "turns the scope about an axis until its box is as small as can be",
+    ),
+    op(
         "rotateScope",
+        "rotate_scope",
         &[float("xAngle"), float("yAngle"), float("zAngle")],
         "turns the scope about the axes of the pivot, in degrees",
     ),
-    later("setPivot", &[AXIS_MAP, float("cornerIndex")], "puts the pivot to a corner of the scope"),
-    later(
+    op("setPivot", "set_pivot", &[AXIS_MAP, float("cornerIndex")], "puts the pivot to a corner of the scope"),
+    op(
         "mirrorScope",
+        "mirror_scope",
         &[boolean("xFlip"), boolean("yFlip"), boolean("zFlip")],
         "mirrors the scope around the geometry",
     ),

@@ -1,7 +1,7 @@
 //! Moving, turning and sizing.
 
 use super::super::{Effect, Operation, Param, float, length, word};
-use super::{keeps, later, op, with};
+use super::{keeps, op, with};
 
 const CENTER_AXES: Param = word(
     "axes",
@@ -29,11 +29,12 @@ pub(super) static ROWS: &[Operation] = &[
         op("s", "size", &[length("xSize"), length("ySize"), length("zSize")], "sets the size of the scope"),
     ),
     keeps(op("t", "translate", &[length("tx"), length("ty"), length("tz")], "moves along the axes of the scope")),
-    later(
+    keeps(op(
         "translate",
+        "translate_in",
         &[MODE, SYSTEM, float("x"), float("y"), float("z")],
         "moves to a place or by an amount in a coordinate system",
-    ),
+    )),
     keeps(op("r", "rotate", &[X_ANGLE, Y_ANGLE, Z_ANGLE], "rotates about the origin of the scope, in degrees")),
     keeps(op(
         "r",
@@ -41,11 +42,12 @@ pub(super) static ROWS: &[Operation] = &[
         &[CENTER, X_ANGLE, Y_ANGLE, Z_ANGLE],
         "rotates about the origin or the centre of the scope, in degrees",
     )),
-    later(
+    keeps(op(
         "rotate",
+        "rotate_in",
         &[MODE, SYSTEM, X_ANGLE, Y_ANGLE, Z_ANGLE],
         "turns to angles or by angles in a coordinate system, in degrees",
-    ),
+    )),
     Operation {
         uses_base: true,
         ..keeps(op("center", "center", &[CENTER_AXES], "moves the centre of the scope to the centre it had before"))

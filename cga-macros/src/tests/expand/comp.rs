@@ -25,12 +25,11 @@ impl CgaRules {
                     text: "all",
                 },
             ];
-            let (components, align) = (cga_rt::Components::Faces, cga_rt::Align::ZUp);
             cga_rt::comp(
                 cx,
                 shape,
-                components,
-                align,
+                cga_rt::Components::Faces,
+                cga_rt::Align::ZUp,
                 &arms,
                 cga_rt::never,
                 |cx, arm, part| match arm {
@@ -47,7 +46,7 @@ impl CgaRules {
         }
         cx.leave()
     }
-    ///Roof(n) --> X.
+    ///Roof(n) --> comp(e, noAlign) { border && scope.sx > n = : X. | object.top : Y. }
     fn Roof<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
@@ -55,7 +54,39 @@ impl CgaRules {
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
-        cx.symbol(shape, "X")?;
+        {
+            let arms = [
+                cga_rt::Arm {
+                    select: cga_rt::Select::When,
+                    mode: cga_rt::Mode::Connected,
+                    text: "border && scope.sx > n",
+                },
+                cga_rt::Arm {
+                    select: cga_rt::Select::Word(cga_rt::Word::ObjectTop),
+                    mode: cga_rt::Mode::Each,
+                    text: "object.top",
+                },
+            ];
+            cga_rt::comp(
+                cx,
+                shape,
+                cga_rt::Components::Edges,
+                cga_rt::Align::Keep,
+                &arms,
+                |env, arm, candidate| match arm {
+                    0 => {
+                        (candidate.is(cga_rt::Word::Border)
+                            & (cga_rt::get::scope_sx(candidate.shape()) > p0))
+                    }
+                    _ => false,
+                },
+                |cx, arm, part| match arm {
+                    0 => cx.symbol(part, "X"),
+                    1 => cx.symbol(part, "Y"),
+                    _ => cga_rt::Flow::Continue(()),
+                },
+            )?;
+        }
         cx.leave()
     }
 }

@@ -1,0 +1,81 @@
+//! Types of selectors, and of values for components.
+
+use super::open::{Open, Place};
+use super::{Infer, Type, Use, Var};
+use crate::ast::{CompValue, Expr, ExprKind, Name};
+use crate::code::Code;
+use crate::ops::{Function, Needs};
+use crate::span::Span;
+
+/// What is looked at when the types are known.
+#[derive(Default)]
+pub(super) struct Comps<'a> {
+    selectors: Vec<(Var, &'a Expr)>,
+    values: Vec<Place>,
+}
+
+impl<'a> Infer<'_, 'a, '_> {
+    /// A condition or an index. Which of them, the types say.
+    pub(super) fn selector(&mut self, selector: &'a Expr) {
+        let var = self.expr(selector);
+        self.comps.selectors.push((var, selector));
+    }
+
+    /// An array with a value for each component.
+    pub(super) fn comp_value(&mut self, comp: &'a CompValue, span: Span) -> Var {
+        let mut entries = Vec::new();
+        for (selector, _, value) in &comp.arms {
+            self.selector(selector);
+            entries.push((self.expr(value), value.span));
+        }
+        self.comps.values.extend(&entries);
+        let result = self.free();
+        self.wait(Open::Array { entries, result, span })
+    }
+
+    /// Looks at all of them.
+    pub(super) fn comps(&mut self) {
+        let Comps { selectors, values } = std::mem::take(&mut self.comps);
+        for (var, selector) in selectors {
+            match self.vars.known(var) {
+                Some(Type::Bool) => {}
+                Some(Type::Float) => self.asked_in_index(selector),
+                Some(ty) => {
+                    let why = self.vars.why(var).filter(|why| *why != selector.span);
+                    let diag = self.mismatch(selector.span, "a selector is a word, a bool or a float, this is", ty);
+                    if let Some(why) = why {
+                        diag.related(format!("found to be a {}", ty.word()), why);
+                    }
+                }
+                None => {}
+            }
+        }
+        for (var, span) in values {
+            if let Some(ty) = self.vars.known(var).filter(|ty| ty.is_array()) {
+                self.mismatch(span, "a component has one value, a float, bool or string; this is", ty);
+            }
+        }
+    }
+
+    /// Nothing is asked in an index: it is computed before there are components.
+    fn asked_in_index(&mut self, part: &Expr) {
+        if let ExprKind::Name(name) | ExprKind::Call(name, _) = &part.kind
+            && self.is_asked(name)
+        {
+            let message = format!("`{}` cannot stand in an index", name.text);
+            let diag = self.cx.diags.report(Code::UnknownSelector, name.span, message);
+            diag.note("a selector that is a float is an index, computed once for the whole shape");
+        }
+        // What stands in another comp asks about that one's components.
+        if !matches!(part.kind, ExprKind::Comp(_)) {
+            part.parts().into_iter().for_each(|part| self.asked_in_index(part));
+        }
+    }
+
+    fn is_asked(&self, name: &Name) -> bool {
+        matches!(
+            self.cx.tables.of(name),
+            Some(Use::Selector(_) | Use::Builtin(Function { needs: Needs::Component, .. }))
+        )
+    }
+}

@@ -1,0 +1,92 @@
+#[allow(non_snake_case, dead_code, unreachable_code, clippy::all)]
+impl CgaRules {
+    ///Lot --> print(names(2))
+    fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        shape: &mut cga_rt::ShapeRef<'_>,
+    ) -> cga_rt::Flow {
+        cx.enter(0u32)?;
+        {
+            let a0 = CgaRules::names(g, &mut cx.env, shape, 2f64);
+            cga_rt::op::print(&mut cx.env, shape, a0);
+        }
+        cx.leaf(shape, "Lot")?;
+        cx.leave()
+    }
+    fn tall(
+        g: &CgaValues,
+        env: &mut cga_rt::Env,
+        shape: &mut cga_rt::ShapeRef<'_>,
+        p0: ::core::primitive::f64,
+    ) -> ::core::primitive::bool {
+        { (cga_rt::get::scope_sy(shape) > p0) }
+    }
+    fn names(
+        g: &CgaValues,
+        env: &mut cga_rt::Env,
+        shape: &mut cga_rt::ShapeRef<'_>,
+        p0: ::core::primitive::f64,
+    ) -> cga_rt::Array<cga_rt::Text> {
+        {
+            {
+                let arms = [
+                    cga_rt::Arm {
+                        select: cga_rt::Select::When,
+                        mode: cga_rt::Mode::Each,
+                        text: "tall(h) || border",
+                    },
+                    cga_rt::Arm {
+                        select: cga_rt::Select::Index(0f64),
+                        mode: cga_rt::Mode::Together,
+                        text: "0",
+                    },
+                ];
+                cga_rt::comp_values(
+                    env,
+                    shape,
+                    cga_rt::Components::FaceEdges,
+                    cga_rt::Align::ZUp,
+                    &arms,
+                    |env, arm, candidate| match arm {
+                        0 => {
+                            (CgaRules::tall(g, env, candidate.shape(), p0)
+                                | candidate.is(cga_rt::Word::Border))
+                        }
+                        _ => false,
+                    },
+                    |env, arm, part| match arm {
+                        0 => cga_rt::get::comp_sel(part),
+                        1 => {
+                            cga_rt::func::float_to_text({
+                                let a0 = {
+                                    let arms = [
+                                        cga_rt::Arm {
+                                            select: cga_rt::Select::Word(cga_rt::Word::StreetFront),
+                                            mode: cga_rt::Mode::Each,
+                                            text: "street.front",
+                                        },
+                                    ];
+                                    cga_rt::comp_values(
+                                        env,
+                                        part,
+                                        cga_rt::Components::Vertices,
+                                        cga_rt::Align::ZUp,
+                                        &arms,
+                                        cga_rt::never,
+                                        |env, arm, part| match arm {
+                                            0 => p0,
+                                            _ => ::core::default::Default::default(),
+                                        },
+                                    )
+                                };
+                                cga_rt::func::sum(a0)
+                            })
+                        }
+                        _ => ::core::default::Default::default(),
+                    },
+                )
+            }
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! `alignScopeToAxes` and `rotateScope`: the scope turns, and the geometry stays.
+
+use glam::{DMat3, DVec3};
+
+use super::refit::refit;
+use super::turn;
+use crate::env::Env;
+use crate::mesh::unit;
+use crate::shape::ShapeRef;
+
+/// Axes that a scope is aligned to: one of them or all three, of the world or of the object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names say it")]
+pub enum AlignAxes {
+    WorldX,
+    WorldY,
+    WorldZ,
+    WorldXyz,
+    ObjectX,
+    ObjectY,
+    ObjectZ,
+    ObjectXyz,
+}
+
+/// `alignScopeToAxes(axes)`: the scope becomes the box of the geometry along those axes, and the pivot its corner
+/// (*alignScopeToAxes operation*).
+pub fn align_to_axes(env: &mut Env, shape: &mut ShapeRef<'_>, to: AlignAxes) {
+    use AlignAxes::{ObjectX, ObjectXyz, ObjectY, ObjectZ, WorldX, WorldXyz, WorldY, WorldZ};
+    let system = match to {
+        WorldX | WorldY | WorldZ | WorldXyz => DMat3::IDENTITY,
+        ObjectX | ObjectY | ObjectZ | ObjectXyz => env.initial.object.axes,
+    };
+    let axes = match to {
+        WorldX | ObjectX => upright(&shape.scope.axes, system.x_axis, 0),
+        WorldY | ObjectY => upright(&shape.scope.axes, system.y_axis, 1),
+        WorldZ | ObjectZ => upright(&shape.scope.axes, system.z_axis, 2),
+        WorldXyz | ObjectXyz => system,
+    };
+    if refit(env, shape, axes, "`alignScopeToAxes`") {
+        shape.set_pivot(shape.scope.frame());
+    }
+}
+
+/// Axes of which one is given, and a second is the old one projected across it: x, for x itself z. Where that has no
+/// direction the third is projected in its place.
+fn upright(old: &DMat3, to: DVec3, axis: usize) -> DMat3 {
+    let across = |other: usize| unit(old.col(other) - to * to.dot(old.col(other)));
+    // Too short to have a direction.
+    let short = |other: usize| 1.0 - old.col(other).dot(to).abs() < crate::tol::ANGLE_EPSILON;
+    match axis {
+        0 if short(2) => from_xy(to, across(1)),
+        0 => from_zx(across(2), to),
+        1 if short(0) => from_yz(to, across(2)),
+        1 => from_xy(across(0), to),
+        _ if short(0) => from_yz(across(1), to),
+        _ => from_zx(to, across(0)),
+    }
+}
+
+fn from_xy(x: DVec3, y: DVec3) -> DMat3 {
+    DMat3::from_cols(x, y, x.cross(y))
+}
+
+fn from_yz(y: DVec3, z: DVec3) -> DMat3 {
+    DMat3::from_cols(y.cross(z), y, z)
+}
+
+fn from_zx(z: DVec3, x: DVec3) -> DMat3 {
+    DMat3::from_cols(x, z.cross(x), z)
+}
+
+/// `rotateScope(x, y, z)`: turns the scope about the pivot's axes, x then y then z, in degrees; it becomes the box of the
+/// geometry, and the pivot stays (*rotateScope operation*).
+pub fn rotate_scope(env: &mut Env, shape: &mut ShapeRef<'_>, x: f64, y: f64, z: f64) {
+    let [x, y, z] = [(x, "x"), (y, "y"), (z, "z")].map(|(angle, axis)| match angle.is_finite() {
+        true => angle,
+        false => env.finite(angle, &format!("`rotateScope` about {axis}")),
+    });
+    let pivot = shape.pivot.axes;
+    let axes = pivot * turn(x, y, z) * (pivot.transpose() * shape.scope.axes);
+    refit(env, shape, axes, "`rotateScope`");
+}

@@ -1,0 +1,147 @@
+//! `alignScopeToGeometryBBox`: the smallest rectangle around what is seen along an axis.
+
+use glam::{DVec2, DVec3};
+
+use super::refit::{CORNERS, refit};
+use crate::env::Env;
+use crate::shape::{Geometry, ShapeRef};
+use crate::tol::{ANGLE_EPSILON, AREA_EPSILON};
+
+/// The two axes that are aligned; the first takes the longer side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names say it")]
+pub enum BoxAxes {
+    Xy,
+    Yx,
+    Xz,
+    Zx,
+    Yz,
+    Zy,
+}
+
+impl BoxAxes {
+    /// The first, the second, and the one that stays.
+    fn order(self) -> [usize; 3] {
+        match self {
+            BoxAxes::Xy => [0, 1, 2],
+            BoxAxes::Yx => [1, 0, 2],
+            BoxAxes::Xz => [0, 2, 1],
+            BoxAxes::Zx => [2, 0, 1],
+            BoxAxes::Yz => [1, 2, 0],
+            BoxAxes::Zy => [2, 1, 0],
+        }
+    }
+}
+
+/// `alignScopeToGeometryBBox(axes)`: turns the scope about the third axis until the two named span the smallest rectangle
+/// around the geometry as seen from there, and the pivot becomes its corner (*alignScopeToGeometryBBox operation*). Of the
+/// two directions along the longer side the one nearer to the old axis is taken, and of equal rectangles the first turned
+/// least.
+pub fn align_to_box(env: &mut Env, shape: &mut ShapeRef<'_>, axes: BoxAxes) {
+    let [first, second, third] = axes.order();
+    let along = longer_side(&mut seen(shape, first, second));
+    let old = shape.scope.axes;
+    let mut new = old;
+    let direction = old.col(first) * along.x + old.col(second) * along.y;
+    // Right-handed: two axes in the order x y z x give the third.
+    let other =
+        if (first + 1) % 3 == second { old.col(third).cross(direction) } else { direction.cross(old.col(third)) };
+    *new.col_mut(first) = direction;
+    *new.col_mut(second) = other;
+    let new = if along == DVec2::X { old } else { new };
+    if refit(env, shape, new, "`alignScopeToGeometryBBox`") {
+        shape.set_pivot(shape.scope.frame());
+    }
+}
+
+/// The points of the geometry in the plane of two axes.
+fn seen(shape: &ShapeRef<'_>, first: usize, second: usize) -> Vec<DVec2> {
+    let flat = |p: DVec3| DVec2::new(p[first], p[second]);
+    let size = shape.scope.size;
+    match &shape.geometry {
+        Geometry::Mesh(placed) => {
+            let to_scope = placed.to_scope(size);
+            placed.mesh.points().iter().map(|&p| flat(to_scope.transform_point3(p))).collect()
+        }
+        Geometry::Edge => vec![DVec2::ZERO, flat(DVec3::X * size.x)],
+        Geometry::Wire(placed) => placed.in_scope(size).points.into_iter().map(flat).collect(),
+        Geometry::Vertex => Vec::new(),
+        Geometry::Empty | Geometry::Rect(_) | Geometry::Box => CORNERS.map(|corner| flat(size * corner)).to_vec(),
+    }
+}
+
+/// The direction of the longer side of the smallest rectangle around points.
+fn longer_side(points: &mut Vec<DVec2>) -> DVec2 {
+    hull(points);
+    let mut best = (DVec2::X, extent(points, DVec2::X), extent(points, DVec2::Y));
+    let count = points.len();
+    let [mut far, mut deep, mut near] = [0; 3];
+    for at in 0..count {
+        let Some(along) = (points[(at + 1) % count] - points[at]).try_normalize() else { continue };
+        // The points that are furthest along the edge, away from it and back, each never behind where it was.
+        let walk = |from: &mut usize, direction: DVec2| {
+            for _ in 0..count {
+                let next = (*from + 1) % count;
+                if (points[next] - points[*from]).dot(direction) <= 0.0 {
+                    break;
+                }
+                *from = next;
+            }
+            points[*from].dot(direction)
+        };
+        if at == 0 {
+            let furthest = |direction: DVec2| {
+                (1..count)
+                    .fold(0, |best, i| if points[best].dot(direction) < points[i].dot(direction) { i } else { best })
+            };
+            [far, deep, near] = [furthest(along), furthest(along.perp()), furthest(-along)];
+        }
+        let length = walk(&mut far, along) + walk(&mut near, -along);
+        let width = walk(&mut deep, along.perp()) - points[at].dot(along.perp());
+        if length * width < best.1 * best.2 * (1.0 - AREA_EPSILON) {
+            best = (along, length, width);
+        }
+    }
+    let (along, length, width) = best;
+    let longer = if length < width { along.perp() } else { along };
+    let towards = if longer.x < 0.0 || longer.x == 0.0 && longer.y < 0.0 { -longer } else { longer };
+    // Nearly as it was is as it was.
+    if towards.abs_diff_eq(DVec2::X, ANGLE_EPSILON) { DVec2::X } else { towards }
+}
+
+fn extent(points: &[DVec2], direction: DVec2) -> f64 {
+    let ends = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
+        (low.min(p.dot(direction)), high.max(p.dot(direction)))
+    });
+    (ends.1 - ends.0).max(0.0)
+}
+
+/// The corners of the convex hull, counter-clockwise.
+fn hull(points: &mut Vec<DVec2>) {
+    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    points.dedup();
+    if points.len() < 3 {
+        return;
+    }
+    let mut corners: Vec<DVec2> = Vec::new();
+    for pass in 0..2 {
+        let start = corners.len();
+        let mut add = |p: DVec2| {
+            while start + 2 <= corners.len() {
+                let (a, b) = (corners[corners.len() - 2], corners[corners.len() - 1]);
+                if 0.0 < (b - a).perp_dot(p - a) {
+                    break;
+                }
+                corners.pop();
+            }
+            corners.push(p);
+        };
+        match pass {
+            0 => points.iter().for_each(|p| add(*p)),
+            _ => points.iter().rev().for_each(|p| add(*p)),
+        }
+        // The last is the first of the other half.
+        corners.pop();
+    }
+    *points = corners;
+}

@@ -1,0 +1,259 @@
+//! `alignScopeToGeometry`: the scope turns to an edge of a face.
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::UpAxis;
+use super::refit::refit;
+use crate::env::Env;
+use crate::fault::FaultKind;
+use crate::mesh::{Mesh, unit};
+use crate::place;
+use crate::scope::{Frame, Scope};
+use crate::shape::{Geometry, ShapeRef};
+use crate::sink::Quad;
+use crate::tol::TIE_EPSILON;
+
+/// Which face is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AlignFace {
+    /// The one whose corners are lowest in the world, on average.
+    WorldLowest,
+    /// The one with the largest area.
+    Largest,
+    /// The one with the best edge. With an edge by number, the first.
+    Any,
+}
+
+/// Which edge of the face is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AlignEdge {
+    /// The one whose middle is lowest in the world.
+    WorldLowest,
+    /// The longest.
+    Longest,
+}
+
+/// The word of the old form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AlignAuto {
+    /// The lowest edge of all faces; the longest of those equally low.
+    Auto,
+}
+
+#[derive(Clone, Copy)]
+enum FacePick {
+    Number(f64),
+    Word(AlignFace),
+}
+
+#[derive(Clone, Copy)]
+enum EdgePick {
+    Number(f64),
+    Word(AlignEdge),
+    Auto,
+}
+
+/// `alignScopeToGeometry(up, faceIndex, edgeIndex)` (*alignScopeToGeometry operation*).
+pub fn align_to_indices(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: f64, edge: f64) {
+    align(env, shape, up, FacePick::Number(face), EdgePick::Number(edge));
+}
+
+/// `alignScopeToGeometry(up, faceSelector, edgeIndex)` (*alignScopeToGeometry operation*).
+pub fn align_to_face(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: AlignFace, edge: f64) {
+    align(env, shape, up, FacePick::Word(face), EdgePick::Number(edge));
+}
+
+/// `alignScopeToGeometry(up, faceIndex, edgeSelector)` (*alignScopeToGeometry operation*).
+pub fn align_to_edge(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: f64, edge: AlignEdge) {
+    align(env, shape, up, FacePick::Number(face), EdgePick::Word(edge));
+}
+
+/// `alignScopeToGeometry(up, faceSelector, edgeSelector)` (*alignScopeToGeometry operation*).
+pub fn align_to_selected(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: AlignFace, edge: AlignEdge) {
+    align(env, shape, up, FacePick::Word(face), EdgePick::Word(edge));
+}
+
+/// `alignScopeToGeometry(up, faceIndex)`, the old form: with the first edge (*CGA changelog 2010.1*).
+pub fn align_to_first_edge(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: f64) {
+    align(env, shape, up, FacePick::Number(face), EdgePick::Number(0.0));
+}
+
+/// `alignScopeToGeometry(up, auto)`, the old form: the lowest edge, of several the longest (*CGA changelog 2010.1*).
+pub fn align_to_auto(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, _: AlignAuto) {
+    align(env, shape, up, FacePick::Word(AlignFace::Any), EdgePick::Auto);
+}
+
+/// The scope's x axis goes along the edge and its up axis along the face's normal; it is the box of the geometry along
+/// these. The pivot is where the edge starts: the page says so beside its second picture and all pictures show it, though its
+/// description has it at the corner of the box. Of equals the first is taken (*CGA changelog 2018.1*); numbers count round,
+/// forwards and backwards. A point or a line has no face: only the pivot goes to its scope.
+fn align(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: FacePick, edge: EdgePick) {
+    if !shape.geometry.has_surface() {
+        if !matches!(shape.geometry, Geometry::Empty) {
+            shape.set_pivot(shape.scope.frame());
+        }
+        return;
+    }
+    let Some(found) = pick(env, shape, face, edge) else {
+        let what = "`alignScopeToGeometry` finds no face with an area and an edge with a length; the scope stays";
+        return env.fault(FaultKind::Geometry, what);
+    };
+    let axes = shape.scope.axes;
+    // The edge lies in its face but for rounding.
+    let x = unit(found.edge - found.normal * found.normal.dot(found.edge));
+    let turned = match up {
+        UpAxis::YUp => DMat3::from_cols(x, found.normal, x.cross(found.normal)),
+        UpAxis::ZUp => DMat3::from_cols(x, found.normal.cross(x), found.normal),
+    };
+    let at = shape.scope.frame().to_world(found.start);
+    if refit(env, shape, axes * turned, "`alignScopeToGeometry`") {
+        shape.set_pivot(Frame { origin: at, axes: shape.scope.axes });
+    }
+}
+
+/// An edge of a face, in coordinates of the scope.
+struct Found {
+    start: DVec3,
+    edge: DVec3,
+    normal: DVec3,
+}
+
+fn pick(env: &mut Env, shape: &ShapeRef<'_>, face: FacePick, edge: EdgePick) -> Option<Found> {
+    let faces = Faces::of(shape);
+    let size = shape.scope.size.abs().max_element();
+    // Heights in the world are those along this direction, but for a constant.
+    let rise = shape.scope.axes.transpose() * DVec3::Y;
+    let face = match face {
+        FacePick::Number(number) => Some(whole(env, number, "the number of the face", faces.count())?),
+        FacePick::Word(AlignFace::Any) if matches!(edge, EdgePick::Number(_)) => Some(0),
+        FacePick::Word(AlignFace::Any) => None,
+        FacePick::Word(AlignFace::WorldLowest) => {
+            let mut lowest = Best::new(size);
+            for face in 0..faces.count() {
+                let (mut sum, mut corners) = (0.0, 0.0);
+                faces.edges(face, |a, _| (sum, corners) = (sum + rise.dot(a), corners + 1.0));
+                lowest.offer([-sum / corners, 0.0], face);
+            }
+            Some(lowest.best?.1)
+        }
+        FacePick::Word(AlignFace::Largest) => {
+            let mut largest = Best::new(size * size);
+            (0..faces.count()).for_each(|face| largest.offer([faces.area(face).length(), 0.0], face));
+            Some(largest.best?.1)
+        }
+    };
+    let number = match (edge, face) {
+        (EdgePick::Number(number), Some(face)) => {
+            let mut count = 0;
+            faces.edges(face, |_, _| count += 1);
+            Some(whole(env, number, "the number of the edge", count)?)
+        }
+        _ => None,
+    };
+    let mut best = Best::new(size);
+    for at in face.map_or(0..faces.count(), |face| face..face + 1) {
+        let normal = unit(faces.area(at));
+        if normal == DVec3::ZERO {
+            continue;
+        }
+        let mut index = 0;
+        faces.edges(at, |start, end| {
+            let edge_here = end - start;
+            let found = || Found { start, edge: edge_here, normal };
+            let low = -rise.dot(start + end) * 0.5;
+            match edge {
+                _ if edge_here == DVec3::ZERO => {}
+                EdgePick::Number(_) if number == Some(index) => best.offer([0.0; 2], found()),
+                EdgePick::Number(_) => {}
+                EdgePick::Word(AlignEdge::Longest) => best.offer([edge_here.length(), 0.0], found()),
+                EdgePick::Word(AlignEdge::WorldLowest) => best.offer([low, 0.0], found()),
+                EdgePick::Auto => best.offer([low, edge_here.length()], found()),
+            }
+            index += 1;
+        });
+    }
+    best.best.map(|(_, found)| found)
+}
+
+/// The first of those with the largest value; where that is the same, with the largest second one.
+struct Best<T> {
+    best: Option<([f64; 2], T)>,
+    /// Values this near to each other are the same.
+    near: f64,
+}
+
+impl<T> Best<T> {
+    fn new(size: f64) -> Self {
+        Best { best: None, near: size * TIE_EPSILON }
+    }
+
+    fn offer(&mut self, value: [f64; 2], what: T) {
+        let larger = |a: f64, b: f64| b + self.near < a;
+        let better =
+            |best: &[f64; 2]| larger(value[0], best[0]) || !larger(best[0], value[0]) && larger(value[1], best[1]);
+        if self.best.as_ref().is_none_or(|(best, _)| better(best)) {
+            self.best = Some((value, what));
+        }
+    }
+}
+
+/// A number that counts round.
+fn whole(env: &mut Env, number: f64, what: &str, count: usize) -> Option<usize> {
+    let wanted = env.finite(number, what);
+    if wanted != wanted.floor() {
+        env.fault(FaultKind::Value, format!("{what} is {wanted}; {} is used instead", wanted.floor()));
+    }
+    (count != 0).then(|| wanted.floor().rem_euclid(count as f64) as usize)
+}
+
+/// The faces of a shape in coordinates of its scope, without making a mesh.
+enum Faces<'a> {
+    Quads([Quad; 6], usize),
+    Mesh(&'a Mesh, DAffine3),
+}
+
+impl<'a> Faces<'a> {
+    fn of(shape: &'a ShapeRef<'_>) -> Self {
+        let local = Scope::new(shape.scope.size);
+        match &shape.geometry {
+            Geometry::Mesh(placed) => Faces::Mesh(&placed.mesh, placed.to_scope(shape.scope.size)),
+            Geometry::Rect(axis) => Faces::Quads([place::rect(&local, *axis); 6], 1),
+            other => Faces::Quads(place::cuboid(&local).faces(), if matches!(other, Geometry::Box) { 6 } else { 0 }),
+        }
+    }
+
+    fn count(&self) -> usize {
+        match self {
+            Faces::Quads(_, count) => *count,
+            Faces::Mesh(mesh, _) => mesh.face_count(),
+        }
+    }
+
+    /// Twice the area, along the normal.
+    fn area(&self, face: usize) -> DVec3 {
+        match self {
+            Faces::Quads(quads, _) => 2.0 * quads[face].u.cross(quads[face].v),
+            Faces::Mesh(mesh, place) => {
+                let [x, y, z] = [place.matrix3.x_axis.x, place.matrix3.y_axis.y, place.matrix3.z_axis.z];
+                mesh.face(face).area_vector() * DVec3::new(y * z, z * x, x * y)
+            }
+        }
+    }
+
+    /// The edges of a face, outline first, each with its two ends.
+    fn edges(&self, face: usize, mut each: impl FnMut(DVec3, DVec3)) {
+        match self {
+            Faces::Quads(quads, _) => {
+                let corners = quads[face].corners();
+                (0..4).for_each(|at| each(corners[at], corners[(at + 1) % 4]));
+            }
+            Faces::Mesh(mesh, place) => {
+                let at = |point: u32| place.transform_point3(mesh.points()[point as usize]);
+                for ring in mesh.face(face).loops() {
+                    let ends = ring.iter().zip(ring.iter().cycle().skip(1));
+                    ends.for_each(|(&a, &b)| each(at(a), at(b)));
+                }
+            }
+        }
+    }
+}

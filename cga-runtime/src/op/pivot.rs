@@ -1,0 +1,146 @@
+//! `setPivot` and `mirrorScope`: other corners and axes of the same box, exactly.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::refit::{as_placed, rectangle};
+use super::settle;
+use crate::env::Env;
+use crate::fault::FaultKind;
+use crate::scope::{Frame, Scope};
+use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::wire::{PlacedWire, Wire};
+
+/// Which old axes the new ones are, at corner 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxisMap {
+    /// The same.
+    Xyz,
+    /// x is the old z, y the old x, z the old y.
+    Yzx,
+    /// x is the old y, y the old z, z the old x.
+    Zxy,
+}
+
+/// `setPivot(xyz | yzx | zxy, corner)`: the pivot goes to a corner of the scope, its axes along the edges there; scope and
+/// geometry stay, with these axes (*setPivot operation*). Corners 0 to 3 go around the floor from the origin over x, 4 to
+/// 7 are above them. What words leave open, the pictures show: y (for `xyz`) stays upright, and the order of the other two
+/// makes the axes right-handed. Of a mirrored scope the sizes keep their signs.
+pub fn set_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, map: AxisMap, corner: f64) {
+    let wanted = env.finite(corner, "the corner of `setPivot`");
+    if wanted != wanted.floor() || !(0.0..=7.0).contains(&wanted) {
+        env.fault(FaultKind::Value, format!("`setPivot` has no corner {wanted}, only 0 to 7; the pivot stays"));
+        return;
+    }
+    let (far, from) = corner_axes(map, wanted as usize);
+    let (before, old) = (shape.scope, shape.scope);
+    let axis = |new: usize| if far[from[new]] { -old.axes.col(from[new]) } else { old.axes.col(from[new]) };
+    let share = DVec3::from_array(far.map(|far| if far { 1.0 } else { 0.0 }));
+    let scope = Scope {
+        origin: old.origin + old.axes * (old.size * share),
+        axes: DMat3::from_cols(axis(0), axis(1), axis(2)),
+        size: DVec3::from_array(from.map(|axis| old.size[axis])),
+    };
+    if from != [0, 1, 2] || far != [false; 3] {
+        match &shape.geometry {
+            Geometry::Empty | Geometry::Vertex => {}
+            Geometry::Edge => shape.geometry = seen_from(Wire::edge(old.size.x), &old, &scope),
+            Geometry::Wire(placed) => shape.geometry = seen_from(placed.in_scope(old.size), &old, &scope),
+            Geometry::Rect(axis) if 0.0 <= old.size.min_element() && old.size[axis.index()] == 0.0 => {
+                match rectangle(&old, *axis, scope.axes) {
+                    Some((_, geometry)) => shape.geometry = geometry,
+                    None if !rearrange(env, shape, from, from.map(|axis| far[axis])) => return,
+                    None => {}
+                }
+            }
+            Geometry::Box | Geometry::Rect(_) | Geometry::Mesh(_) => {
+                if !rearrange(env, shape, from, from.map(|axis| far[axis])) {
+                    return;
+                }
+            }
+        }
+    }
+    shape.scope = scope;
+    settle(env, shape, &before, "`setPivot`");
+    shape.set_pivot(shape.scope.frame());
+}
+
+/// Edges and points of one scope in another.
+fn seen_from(wire: Wire, old: &Scope, new: &Scope) -> Geometry {
+    let turn = old.axes.transpose();
+    let frame = Frame { origin: turn * (new.origin - old.origin), axes: turn * new.axes };
+    let wire = wire.seen_from(&frame);
+    Geometry::Wire(Arc::new(PlacedWire { wire, low: DVec3::ZERO, size: new.size }))
+}
+
+/// For a corner: along which axes it is at the far end, and which old axis each new one runs along.
+fn corner_axes(map: AxisMap, corner: usize) -> ([bool; 3], [usize; 3]) {
+    let far = [matches!(corner % 4, 1 | 2), 4 <= corner, matches!(corner % 4, 2 | 3)];
+    // All axes point inwards, so only their order can make them right-handed.
+    let mirrored = far.iter().filter(|far| **far).count() % 2 == 1;
+    let [x, y, z] = if mirrored { [2, 1, 0] } else { [0, 1, 2] };
+    let from = match map {
+        AxisMap::Xyz => [x, y, z],
+        AxisMap::Yzx => [z, x, y],
+        AxisMap::Zxy => [y, z, x],
+    };
+    (far, from)
+}
+
+/// Puts the geometry into a scope of which each axis is an old one, some of them turned round.
+fn rearrange(env: &mut Env, shape: &mut ShapeRef<'_>, from: [usize; 3], turned: [bool; 3]) -> bool {
+    let Some(placed) = as_placed(shape) else { return true };
+    if env.count_vertices(&placed.mesh).is_break() {
+        return false;
+    }
+    shape.geometry = Geometry::Mesh(Arc::new(rearranged(&placed, shape.scope.size, from, turned)));
+    true
+}
+
+/// The same geometry with its coordinates in another order, and some counted from the other end.
+pub(super) fn rearranged(placed: &Placed, scope: DVec3, from: [usize; 3], turned: [bool; 3]) -> Placed {
+    let mut rows = DMat3::ZERO;
+    let (mut low, mut size) = (DVec3::ZERO, DVec3::ZERO);
+    for new in 0..3 {
+        let old = from[new];
+        rows.col_mut(new)[old] = if turned[new] { -1.0 } else { 1.0 };
+        // What is flat is not stretched: it lies at the low end, in metres.
+        let extent = if placed.size[old] == 0.0 { scope[old] } else { placed.size[old] };
+        low[new] = if turned[new] { -(placed.low[old] + extent) } else { placed.low[old] };
+        size[new] = placed.size[old];
+    }
+    let map = DAffine3 { matrix3: rows.transpose(), translation: DVec3::ZERO };
+    Placed { mesh: Arc::new(placed.mesh.map(&map)), low, size, whole: placed.whole }
+}
+
+/// `mirrorScope(x, y, z)`: the scope begins at its other end along the axes named and runs back, so that its size changes
+/// sign; geometry and pivot stay (*mirrorScope operation*).
+pub fn mirror_scope(env: &mut Env, shape: &mut ShapeRef<'_>, x: bool, y: bool, z: bool) {
+    let (before, size) = (shape.scope, shape.scope.size);
+    let flips = |axis: usize| [x, y, z][axis] && size[axis] != 0.0;
+    if !(flips(0) || flips(1) || flips(2)) {
+        return;
+    }
+    let share = DVec3::new(f64::from(flips(0)), f64::from(flips(1)), f64::from(flips(2)));
+    if let Some(placed) = as_placed(shape) {
+        if env.count_vertices(&placed.mesh).is_break() {
+            return;
+        }
+        // A negative size mirrors, so what is to stay is mirrored before. What is flat is only moved to the other end.
+        let mirrored = |axis: usize| flips(axis) && placed.size[axis] != 0.0;
+        let mut new = rearranged(&placed, size, [0, 1, 2], [mirrored(0), mirrored(1), mirrored(2)]);
+        for axis in (0..3).filter(|&axis| flips(axis) && !mirrored(axis)) {
+            new.low[axis] += size[axis];
+        }
+        shape.geometry = Geometry::Mesh(Arc::new(new));
+    }
+    if let Geometry::Wire(placed) = &shape.geometry {
+        let wire = placed.in_scope(size).map(&DAffine3::from_translation(-size * share));
+        let size = size - size * share * 2.0;
+        shape.geometry = Geometry::Wire(Arc::new(PlacedWire { wire, low: DVec3::ZERO, size }));
+    }
+    shape.scope.origin += shape.scope.axes * (size * share);
+    shape.scope.size = size - size * share * 2.0;
+    settle(env, shape, &before, "`mirrorScope`");
+}

@@ -1,0 +1,153 @@
+//! New axes around geometry that stays where it is in the world.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::env::Env;
+use crate::fault::FaultKind;
+use crate::mesh::{Bounds, Mesh};
+use crate::place;
+use crate::scope::{Axis, Frame, Scope};
+use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::tol::ANGLE_EPSILON;
+use crate::wire::{PlacedWire, Wire};
+
+/// Gives the scope other axes and makes it the box of the geometry along these. Says whether it did: not so with a fault,
+/// or at a limit. A box whose axes stay is a box still, and a rectangle whose edges follow the new axes as they would have
+/// to is a rectangle.
+pub(super) fn refit(env: &mut Env, shape: &mut ShapeRef<'_>, axes: DMat3, what: &str) -> bool {
+    let scope = shape.scope;
+    // The new axes as the old scope sees them.
+    let turn = scope.axes.transpose() * axes;
+    let stays = turn.abs_diff_eq(DMat3::IDENTITY, ANGLE_EPSILON);
+    let found = match &shape.geometry {
+        Geometry::Box if stays && 0.0 < scope.size.min_element() => Some((Scope { axes, ..scope }, Geometry::Box)),
+        Geometry::Rect(axis) if 0.0 <= scope.size.min_element() => rectangle(&scope, *axis, axes),
+        Geometry::Mesh(placed) if stays && fits(placed) && 0.0 <= scope.size.min_element() => {
+            Some((Scope { axes, ..scope }, Geometry::Mesh(placed.clone())))
+        }
+        Geometry::Edge if stays && 0.0 <= scope.size.x => {
+            Some((Scope { axes, size: DVec3::X * scope.size.x, ..scope }, Geometry::Edge))
+        }
+        Geometry::Edge => Some(wire(&scope, &turn, axes, Wire::edge(scope.size.x))),
+        Geometry::Wire(placed) => Some(wire(&scope, &turn, axes, placed.in_scope(scope.size))),
+        Geometry::Vertex => Some((Scope { axes, size: DVec3::ZERO, ..scope }, Geometry::Vertex)),
+        Geometry::Empty if stays => Some((Scope { axes, ..scope }, Geometry::Empty)),
+        Geometry::Empty => Some((around(&scope, &turn, axes), Geometry::Empty)),
+        Geometry::Box | Geometry::Rect(_) | Geometry::Mesh(_) => None,
+    };
+    let found = match found {
+        Some(found) => found,
+        None => {
+            let mesh = shape.to_mesh();
+            if env.count_vertices(&mesh).is_break() {
+                return false;
+            }
+            let turned = DAffine3 { matrix3: turn.transpose(), translation: DVec3::ZERO };
+            let mesh = mesh.map(&turned);
+            let placed = Placed::fitted(match flattened(mesh.points()) {
+                Some(points) => mesh.with_points(points),
+                None => mesh,
+            });
+            let whole = matches!(&shape.geometry, Geometry::Mesh(placed) if placed.whole);
+            let new = Scope { origin: scope.origin + axes * placed.low, axes, size: placed.size };
+            (new, Geometry::Mesh(Arc::new(Placed { whole, ..placed })))
+        }
+    };
+    if !(found.0.origin.is_finite() && found.0.size.is_finite() && axes.is_finite()) {
+        env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
+        return false;
+    }
+    (shape.scope, shape.geometry) = found;
+    true
+}
+
+/// The corners of a box of size 1.
+pub(super) const CORNERS: [DVec3; 8] = [
+    DVec3::new(0.0, 0.0, 0.0),
+    DVec3::new(1.0, 0.0, 0.0),
+    DVec3::new(0.0, 1.0, 0.0),
+    DVec3::new(1.0, 1.0, 0.0),
+    DVec3::new(0.0, 0.0, 1.0),
+    DVec3::new(1.0, 0.0, 1.0),
+    DVec3::new(0.0, 1.0, 1.0),
+    DVec3::new(1.0, 1.0, 1.0),
+];
+
+/// Whether the scope of a mesh is stretched from the mesh's own box, as it is not where a split did not adjust it.
+fn fits(placed: &Placed) -> bool {
+    let bounds = placed.mesh.bounds();
+    !placed.mesh.is_empty() && placed.low == bounds.low && placed.size == bounds.size()
+}
+
+/// The box along other axes around the scope.
+fn around(scope: &Scope, turn: &DMat3, axes: DMat3) -> Scope {
+    let bounds = Bounds::of(CORNERS.iter().map(|share| turn.transpose() * (scope.size * *share)));
+    Scope { origin: scope.origin + axes * bounds.low, axes, size: bounds.size() }
+}
+
+/// Edges and points along other axes.
+fn wire(scope: &Scope, turn: &DMat3, axes: DMat3, wire: Wire) -> (Scope, Geometry) {
+    let mut wire = wire.seen_from(&Frame { origin: DVec3::ZERO, axes: *turn });
+    if let Some(points) = flattened(&wire.points) {
+        wire.points = points;
+    }
+    let placed = PlacedWire::fitted(wire);
+    let new = Scope { origin: scope.origin + axes * placed.low, axes, size: placed.size };
+    (new, Geometry::Wire(Arc::new(placed)))
+}
+
+/// The directions of a rectangle's first two edges, as [`place::rect`] has them.
+fn directions(axes: &DMat3, axis: Axis) -> [DVec3; 2] {
+    match axis {
+        Axis::X => [-axes.z_axis, axes.y_axis],
+        Axis::Y => [axes.x_axis, -axes.z_axis],
+        Axis::Z => [axes.x_axis, axes.y_axis],
+    }
+}
+
+/// A rectangle along other axes, if it is one there, with the same first edge and looking the same way.
+pub(super) fn rectangle(scope: &Scope, axis: Axis, axes: DMat3) -> Option<(Scope, Geometry)> {
+    let quad = place::rect(scope, axis);
+    let (across, up) = (quad.u.length(), quad.v.length());
+    let old = directions(&scope.axes, axis);
+    [Axis::X, Axis::Y, Axis::Z].into_iter().find_map(|new| {
+        let near = directions(&axes, new).iter().zip(old).all(|(a, b)| a.abs_diff_eq(b, ANGLE_EPSILON));
+        let (origin, size) = match new {
+            Axis::X => (quad.origin + quad.u, DVec3::new(0.0, up, across)),
+            Axis::Y => (quad.origin + quad.v, DVec3::new(across, 0.0, up)),
+            Axis::Z => (quad.origin, DVec3::new(across, up, 0.0)),
+        };
+        near.then_some((Scope { origin, axes, size }, Geometry::Rect(new)))
+    })
+}
+
+/// Points that are flat but for rounding along an axis, made flat: operations look at sizes that are zero. Nothing when
+/// they need not be.
+fn flattened(points: &[DVec3]) -> Option<Vec<DVec3>> {
+    let bounds = Bounds::of(points.iter().copied());
+    let size = bounds.size();
+    let flat = size.cmple(DVec3::splat(ANGLE_EPSILON * size.max_element())) & size.cmpgt(DVec3::ZERO);
+    flat.any().then(|| points.iter().map(|&p| DVec3::select(flat, bounds.low, p)).collect())
+}
+
+/// The geometry of a shape with a surface as a mesh and the box that the scope stretches it from, whatever the signs of
+/// the sizes.
+pub(super) fn as_placed(shape: &ShapeRef<'_>) -> Option<Placed> {
+    let size = shape.scope.size.abs();
+    match &shape.geometry {
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => None,
+        Geometry::Mesh(placed) => Some(Placed::clone(placed)),
+        Geometry::Box => {
+            let mesh = Arc::new(Mesh::from_cuboid(&place::cuboid(&Scope::new(size))));
+            Some(Placed { mesh, low: DVec3::ZERO, size, whole: false })
+        }
+        Geometry::Rect(axis) => {
+            let mesh = Arc::new(Mesh::from_quad(&place::rect(&Scope::new(size), *axis)));
+            let mut size = size;
+            size[axis.index()] = 0.0;
+            Some(Placed { mesh, low: DVec3::ZERO, size, whole: false })
+        }
+    }
+}

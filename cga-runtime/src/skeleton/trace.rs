@@ -1,0 +1,111 @@
+//! The rims of strips: arcs are collected edge by edge, and followed at the end.
+
+use glam::DVec2;
+
+use super::Strip;
+
+/// What a side of a strip is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    Inner,
+    Front,
+}
+
+/// A directed side of one strip, with the strip on its left.
+#[derive(Clone, Copy, Debug)]
+struct Arc {
+    from: u32,
+    to: u32,
+    side: Side,
+}
+
+/// The sides of all strips; those of each begin with its edge.
+#[derive(Debug, Default)]
+pub(super) struct Arcs {
+    of: Vec<Vec<Arc>>,
+}
+
+impl Arcs {
+    /// The next edge.
+    pub(super) fn edge(&mut self, from: u32, to: u32) {
+        self.of.push(vec![Arc { from, to, side: Side::Inner }]);
+    }
+
+    /// A path with one strip on its left and one on its right.
+    pub(super) fn path(&mut self, from: u32, to: u32, left: u32, right: u32) {
+        if from != to && left != right {
+            self.of[left as usize].push(Arc { from, to, side: Side::Inner });
+            self.of[right as usize].push(Arc { from: to, to: from, side: Side::Inner });
+        }
+    }
+
+    /// A piece of the wavefront at the end: its strip is on the right.
+    pub(super) fn front(&mut self, from: u32, to: u32, edge: u32) {
+        if from != to {
+            self.of[edge as usize].push(Arc { from: to, to: from, side: Side::Front });
+        }
+    }
+
+    /// For each point the one it becomes when arcs that are all but points are made so. The first points, those of the
+    /// polygon, stay apart.
+    pub(super) fn contracted(&self, points: &[DVec2], fixed: usize, epsilon: f64) -> Vec<u32> {
+        let mut same: Vec<u32> = (0..points.len() as u32).collect();
+        let root = |same: &[u32], mut point: u32| {
+            while same[point as usize] != point {
+                point = same[point as usize];
+            }
+            point
+        };
+        for arc in self.of.iter().flatten() {
+            if points[arc.from as usize].distance(points[arc.to as usize]) <= epsilon {
+                let [a, b] = [arc.from, arc.to].map(|point| root(&same, point));
+                if fixed <= a.max(b) as usize {
+                    same[a.max(b) as usize] = a.min(b);
+                }
+            }
+        }
+        (0..points.len() as u32).map(|point| root(&same, point)).collect()
+    }
+
+    /// Follows them, each point being the one it has become.
+    pub(super) fn strips(&mut self, same: &[u32]) -> Vec<Strip> {
+        for arcs in &mut self.of {
+            arcs.iter_mut().for_each(|arc| (arc.from, arc.to) = (same[arc.from as usize], same[arc.to as usize]));
+            arcs.retain(|arc| arc.from != arc.to);
+        }
+        let mut strips = Vec::new();
+        for (edge, arcs) in (0..).zip(&self.of) {
+            follow(edge, arcs, &mut strips);
+        }
+        strips
+    }
+}
+
+fn follow(edge: u32, arcs: &[Arc], strips: &mut Vec<Strip>) {
+    let mut used = vec![false; arcs.len()];
+    // What runs back and forth is no side.
+    for i in 0..arcs.len() {
+        let back = |k: &usize| !used[*k] && (arcs[*k].from, arcs[*k].to) == (arcs[i].to, arcs[i].from);
+        if let Some(k) = (i + 1..arcs.len()).find(back).filter(|_| !used[i]) {
+            (used[i], used[k]) = (true, true);
+        }
+    }
+    for start in 0..arcs.len() {
+        if used[start] {
+            continue;
+        }
+        let mut strip = Strip { edge, ring: Vec::new(), front: Vec::new() };
+        let mut at = Some(start);
+        while let Some(arc) = at {
+            used[arc] = true;
+            strip.ring.push(arcs[arc].from);
+            strip.front.push(arcs[arc].side == Side::Front);
+            let end = arcs[arc].to;
+            at =
+                if end == arcs[start].from { None } else { (0..arcs.len()).find(|&k| !used[k] && arcs[k].from == end) };
+        }
+        if 3 <= strip.ring.len() {
+            strips.push(strip);
+        }
+    }
+}
