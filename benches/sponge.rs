@@ -8,11 +8,11 @@ use cga::{Settings, Shape, cga};
 use common::{Expected, Raw, Scene};
 
 cga! {
-    /// A cube with holes, n times over.
+    /// A cube with holes, `level` times over.
     grammar Sponge;
 
-    attr n = 3
-    Lot  --> S(n)
+    attr level = 3
+    Lot  --> S(level)
     S(n) --> case n == 0 : Cube. else : split(y) { ~1 : F(n) | ~1 : H(n) | ~1 : F(n) }
     F(n) --> split(x) { ~1 : Q(n) | ~1 : O(n) | ~1 : Q(n) }
     H(n) --> split(x) { ~1 : O(n) | ~1 : NIL | ~1 : O(n) }
@@ -43,7 +43,7 @@ fn main() {
         let boxes = 20usize.pow(n);
         let checksum = (20.0f64 / 27.0).powi(n as i32);
         let lot = Shape::cuboid(1.0, 1.0, 1.0);
-        let (grammar, settings) = (Sponge { n: f64::from(n) }, Settings::default());
+        let (grammar, settings) = (Sponge { level: f64::from(n) }, Settings::default());
         Scene {
             name: format!("sponge({n})"),
             terminals: boxes,

@@ -1,4 +1,5 @@
 //! However deep the rules go, the stack suffices: also without optimisation, on a thread with two megabytes.
+#![allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
 
 use cga::{Error, LimitKind, Limits, Model, Settings, Shape, cga};
 
@@ -52,12 +53,13 @@ cga! {
     attr levels = 1000
     Lot --> A(0)
     A(n) --> case n > levels : End. else : Many(n)
+    @Allow(size_not_positive)
     Many(n) -->
         [ comp(f) { front : X. | back : X. | left : X. } ] [ comp(f) { front : X. | back = X. } ]
         [ comp(f) { front : X. | 1 : X. } ] [ comp(e) { border && scope.sx > n : X. | all =: NIL } ] [ split(x) { 1 : X. | ~1 : [ X. ] X. | { ~1 : X. }* } ]
         [ split(y) { 1 : X. | ~1 : X. } ] [ split(z) { 1 : X. | ~1 : NIL } ] [ [ [ color("#ffffff") X. ] ] ]
         set(material.name, "name " + n + " of " + levels) split(x) { ~1 : B(n, "a" + n, n > 3) | ^0 : A(n) }
-    B(n, text, small) --> comp(f) { front = primitiveCube() s(8, 8, 8) A(n + 1) }
+    B(n, _text, _small) --> comp(f) { front = primitiveCube() s(8, 8, 8) A(n + 1) }
 }
 
 #[test]

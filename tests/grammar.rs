@@ -16,6 +16,7 @@ fn only(what: Limits) -> Settings {
 
 cga! {
     /// A house.
+    @Allow(unused_attribute, unused_parameter, rule_not_reached)
     pub grammar House;
 
     @Group("Size", "Main")
@@ -126,7 +127,7 @@ fn runs_start_where_they_are_told_to() {
     assert_eq!(house.generate_from("Other", &lot()).expect("no limit").len(), 2);
     let error = house.generate_from("Named", &lot()).expect_err("it has a parameter");
     assert_eq!(error.to_string(), "no rule `Named` to start with; there is Lot, Storey, Other");
-    cga! { grammar First; Helper(n) --> X. First --> Helper(1) Second --> Y. }
+    cga! { grammar First; Helper(_n) --> X. First --> Helper(1) Second --> Y. }
     assert_eq!(names(&First::default().generate(&lot()).expect("no limit")), ["X"]);
 }
 
@@ -240,7 +241,7 @@ fn overloads_differ_in_their_number_of_parameters() {
         Part --> f(0, 0, 0)
         Part(a) --> Pair(a)
         Part(a, b) --> s(f(a), f(a, b), 1) Two.
-        f(x, y, z) --> Zero.
+        f(_x, _y, _z) --> Zero.
         Pair(x) --> s(f(x), 1, 1) One.
         f(x) = x + 1
         f(x, y) = f(x) + f(y)

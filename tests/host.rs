@@ -71,6 +71,7 @@ fn captured_values_are_evaluated_once_and_from_left_to_right() {
         number
     };
     let rules = cga! {
+        @Allow(unused_attribute)
         attr first = #(next(1)) + #(next(2))
         // The rule is used often, its value is not computed again.
         Lot --> extrude(#(next(3))) split(x) { { ~1 : Part(#(next(4))) }* }

@@ -21,7 +21,7 @@ shapes::cga! {
     attr height = 3
     /// About it.
     attr colour = "x" + rand
-    Lot --> extrude(height) A.
+    Lot --> extrude(height) print(colour) A.
 }
 
 /// Needs the fields.

@@ -69,6 +69,37 @@ codes! {
     // Arguments and types.
     ArgumentCount "argument_count" Error "An operation or function with the wrong number of arguments.",
     TypeMismatch "type_mismatch" Error "A value of the wrong type.",
+    // Sizes.
+    SizeNotPositive "size_not_positive" Warning "A slot whose size is never positive.",
+    SlotNeverMade "slot_never_made" Warning "A slot for which the sizes before it never leave room.",
+    FloatWithoutSpace "float_without_space" Warning "A floating slot for which the other sizes never leave room.",
+    SlotAlwaysCut "slot_always_cut" Warning "A slot that always reaches beyond the end of the scope.",
+    SharesBeyondWhole "shares_beyond_whole" Warning "Relative sizes that add up to more than the whole.",
+    SizesBeyondExtent "sizes_beyond_extent" Warning "Sizes that add up to more than the extent, which is known.",
+    GapLeft "gap_left" Warning "Sizes that leave a gap thinner than any slot.",
+    FlatSplit "flat_split" Warning "A split along an axis without an extent.",
+    // Repeats.
+    RepeatNoProgress "repeat_no_progress" Error "A repeat in which no size is positive.",
+    TooManyPieces "too_many_pieces" Warning "A repeat that makes more pieces than a run may make.",
+    RepeatOnce "repeat_once" Warning "A repeat that always happens once.",
+    RepeatSliver "repeat_sliver" Warning "A repeat of relative sizes that ends with a sliver.",
+    // Flow.
+    CaseAlways "case_always" Warning "A condition that is always true or always false.",
+    RuleNotReached "rule_not_reached" Warning "A rule that no run gets to.",
+    EndlessRules "endless_rules" Error "Rules that call themselves on every path.",
+    OnlyChanceEnds "only_chance_ends" Warning "Rules that call themselves until chance ends it.",
+    SelectorHidden "selector_hidden" Warning "A selector for which earlier ones leave nothing.",
+    NoEffect "no_effect" Warning "Operations on a shape of which nothing is made after them.",
+    // What is declared.
+    UnusedAttribute "unused_attribute" Warning "An attribute that nothing reads.",
+    UnusedConstant "unused_constant" Warning "A constant that nothing reads.",
+    UnusedParameter "unused_parameter" Warning "A parameter or local value that nothing reads.",
+    UnusedImport "unused_import" Warning "An import that nothing names.",
+    Shadowing "shadowing" Warning "A parameter or local value that hides something of the grammar.",
+    // Geometry.
+    NotAColor "not_a_color" Error "Text where a colour must stand, that is none.",
+    UnknownUvSet "unknown_uv_set" Error "A uv set that does not exist.",
+    DivisionByZero "division_by_zero" Warning "A division by what is always zero.",
     // Values.
     PercentOver100 "percent_over_100" Error "Percentages that add up to more than 100.",
     InitCycle "init_cycle" Error "Attributes and constants that need each other.",
@@ -82,8 +113,13 @@ impl Code {
         Code::ALL.iter().copied().find(|code| code.name() == name)
     }
 
+    /// Whether it is an error though rules with it could run: to a limit, or with a fault.
+    const fn is_wrong_in_runs(self) -> bool {
+        matches!(self, Code::RepeatNoProgress | Code::EndlessRules | Code::UnknownUvSet | Code::NotAColor)
+    }
+
     /// Whether `@Allow`, `@Warn` and `@Deny` may change its level: then the rules have a meaning all the same.
     pub fn is_lint(self) -> bool {
-        self.level() != Level::Error
+        self.level() != Level::Error || self.is_wrong_in_runs()
     }
 }

@@ -3,6 +3,7 @@
 use crate::check::{Outcome, check};
 use crate::code::Code;
 use crate::diag::{Diag, Diags, Level};
+use crate::index::Named;
 use crate::ir::Grammar;
 use crate::lex::lex;
 use crate::link::{Files, NoFiles, Piece, Program, Unit, link};
@@ -41,6 +42,8 @@ pub struct Compiled {
     pub diags: Vec<Diag>,
     /// The public names, errors or not.
     pub names: Skeleton,
+    /// Where the names of the compiled file are declared and used, errors or not.
+    pub index: Vec<Named>,
     /// What was read: names of files. The first is what was compiled.
     pub files: Vec<String>,
     /// Where each file is among the tokens that spans count. A file that is imported several times is there as often.
@@ -79,19 +82,18 @@ pub fn compile_files(root: Unit, files: &mut dyn Files, levels: &[(Code, Level)]
     let mut diags = Diags::new();
     let mut program = link(root, files, &mut diags);
     let read = diags.finish();
-    let outcome = checked(&program, levels, &read);
+    let outcome = checked(&program, levels, false, &read);
     if !outcome.1.misfit {
         return finish(&program, outcome);
     }
     copy(&mut program, levels, &read);
-    let outcome = checked(&program, levels, &read);
-    finish(&program, outcome)
+    finish(&program, checked(&program, levels, true, &read))
 }
 
-fn checked<'p>(program: &'p Program, levels: &[(Code, Level)], read: &[Diag]) -> (Vec<Diag>, Outcome<'p>) {
+fn checked<'p>(program: &'p Program, levels: &[(Code, Level)], last: bool, read: &[Diag]) -> (Vec<Diag>, Outcome<'p>) {
     let mut diags = Diags::new();
     diags.append(read.to_vec());
-    let outcome = check(program, levels, &mut diags);
+    let outcome = check(program, levels, last, &mut diags);
     (diags.finish(), outcome)
 }
 
@@ -99,7 +101,7 @@ fn finish(program: &Program, (diags, outcome): (Vec<Diag>, Outcome)) -> Compiled
     let grammar = outcome.checked.map(|checked| lower(&checked));
     let names = Skeleton::new(program, &outcome.attrs, grammar.as_ref());
     let (pieces, files) = (program.pieces.clone(), program.files.clone());
-    Compiled { grammar, diags: once(diags, &pieces), names, files, pieces }
+    Compiled { grammar, diags: once(diags, &pieces), names, index: outcome.index, files, pieces }
 }
 
 /// Makes copies of declarations that calls use with several types, until there is one for each or enough was tried.
@@ -113,7 +115,7 @@ fn copy(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
             program.take_back_all();
             return;
         }
-        let (_, Outcome { wanted, unsuited, .. }) = checked(program, levels, read);
+        let (_, Outcome { wanted, unsuited, .. }) = checked(program, levels, false, read);
         if wanted.is_empty() && unsuited.is_empty() {
             break;
         }

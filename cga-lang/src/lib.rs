@@ -33,6 +33,7 @@ pub mod diag;
 mod fold;
 pub mod graph;
 mod hash;
+pub mod index;
 pub mod ir;
 pub mod ir_print;
 pub mod ir_walk;

@@ -159,10 +159,10 @@ mod tests {
 
     #[test]
     fn shows_the_line_with_carets_under_the_guilty_token() {
-        let text = "# ein Haus\r\nLot -->\r\n\tcolor(\"grün\") extrud(3)\r\nextrude2 --> NIL\r\n";
+        let text = "# ein Haus\r\nLot -->\r\n\tprint(\"grün\") extrud(3)\r\nextrude2 --> NIL\r\n";
         assert_eq!(
             shown(text),
-            "warning[undefined_rule]: there is no rule `extrud`\n --> a.cga:3:16\n  |\n3 | \tcolor(\"grün\") extrud(3)\n  \
+            "warning[undefined_rule]: there is no rule `extrud`\n --> a.cga:3:16\n  |\n3 | \tprint(\"grün\") extrud(3)\n  \
              | \t              ^^^^^^\n  = note: it becomes a leaf named `extrud`\n  = help: did you mean `extrude`?"
         );
     }

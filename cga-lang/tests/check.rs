@@ -24,6 +24,10 @@ fn every_code_has_a_fixture() {
             seen.extend(common::compiled(&text).0.diags.iter().map(|diag| diag.code));
         }
     }
+    for path in common::fixtures("link") {
+        let text = common::strip(&fs::read_to_string(path).expect("readable fixture"));
+        seen.extend(common::parts::Parts::new(&text).compile().diags.iter().map(|diag| diag.code));
+    }
     let missing: Vec<&str> = Code::ALL.iter().filter(|code| !seen.contains(code)).map(|code| code.name()).collect();
     assert_eq!(missing, [] as [&str; 0]);
 }

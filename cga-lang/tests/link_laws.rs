@@ -286,7 +286,7 @@ fn long_lists_take_time_in_proportion() {
         assert_eq!(compiled.diags.len(), if name == "unknown ones" { count } else { 0 }, "{name}");
     }
     // Attributes that flow in, misspelt names, overloads.
-    let main = list(&|number| format!("attr x{number} = 2 A{number} --> B{number}z extrude(x{number}z)")).join("\n");
+    let main = list(&|number| format!("attr x{number} = 2 A{number} --> extrude(x{number}z) B{number}z")).join("\n");
     let mut disk = disk_of([("a.cga".into(), format!("import lib : \"lib.cga\" {main}")), ("lib.cga".into(), library)]);
     let compiled = disk.compile("a.cga");
     disk.check(&compiled);

@@ -339,8 +339,8 @@ fn nesting_below_the_limit_compiles() {
 #[test]
 fn long_grammars_take_time_in_proportion() {
     let one = "attr a_ = b_ + 1\nconst b_ = c_ * 2\nc_ = case true : 1 else : 2\nR_(i) --> case i > a_ : split(x) { { ~b_ : \
-               color(\"#fff\") R_(i - 1) | 1 : X. }* } else : comp(f) { side : [ t(0, '1, 0) Y. ] S_ | top : NIL }\n\
-               S_ --> s('1, c_, 0) [ X. ]\n";
+               color(\"#ffffff\") R_(i - 1) | 1 : X. }* } else : comp(f) { side : [ t(0, '1, 0) Y. ] S_ | top : NIL }\n\
+               S_ --> s('1, c_, 0) [ X. ] [ R_(3) ]\n";
     let text: String = (0..2000).map(|number| one.replace('_', &number.to_string())).collect();
     let source = compile_text(&text);
     assert_eq!(source.compiled.diags, []);

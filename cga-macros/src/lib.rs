@@ -7,6 +7,7 @@
 
 mod codegen;
 mod door;
+mod editor;
 mod header;
 mod report;
 mod skeleton;
@@ -77,7 +78,9 @@ fn expand(input: TokenStream) -> TokenStream {
         Some(grammar) if !findings.has_errors => codegen::grammar(grammar, &header, &source),
         _ => skeleton::grammar(&compiled, &header, &source),
     };
-    header.wrap(&source, &findings.tokens, &output)
+    let names = editor::names(&compiled, &header, &source, findings.has_errors);
+    let aside: TokenStream = [findings.tokens, names].into_iter().collect();
+    header.wrap(&source, &aside, &output)
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use crate::pieces::near;
 
 cga! {
     @Allow(undefined_rule)
+    @Allow(size_not_positive)
     grammar Index = r##"
     # Nested groups count on, a split inside a split counts for itself.
     @StartRule

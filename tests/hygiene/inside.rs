@@ -3,7 +3,7 @@
 use cga::{Grammar, Model, Shape, cga};
 
 cga! { grammar One; attr a = 1 Lot --> extrude(a) A. }
-cga! { grammar Two; attr a = "x" Lot --> B. C --> C. }
+cga! { grammar Two; @Allow(unused_attribute) attr a = "x" Lot --> B. C --> C. }
 cga! { pub(crate) grammar Three = "Lot --> C."; }
 cga! { pub(super) grammar Empty; }
 

@@ -2,6 +2,7 @@
 #![no_implicit_prelude]
 
 ::cga::cga! {
+    @Allow(unused_attribute)
     pub grammar Bare;
     attr height = 3
     attr about = "text"

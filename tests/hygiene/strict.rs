@@ -29,6 +29,7 @@ cga! {
     attr flag = true
     const ratio = 0.1 * height
     const drawn = rand(1)
+    @Allow(unused_constant)
     const sides = comp(fe, noAlign) { front || flag : scope.sx | 3 = ratio | border =: comp.index }
     unused(n) = n
     fac(n) = case n < 2 : 1 else : n * fac(n - 1)
@@ -36,20 +37,22 @@ cga! {
 
     @StartRule
     Lot --> extrude(min(height, 5)) split(y) { ~1 : A(1, flag) | { ~0.5 : B | fac(3) : NIL }* | half(drawn) : C. }
-    A(n, unused) --> case n > 3 : [ center(xz) [ NIL ] A(n - 1, false) ] case n > 2 : Z. NIL else : B C
+    A(n, _unused) --> case n > 3 : [ center(xz) [ NIL ] A(n - 1, false) ] case n > 2 : Z. NIL else : B C
     B --> set(about, about + computed) set(material.opacity, ratio) comp(f) { top : X. | side = Y | 3 : Y }
     C --> 30% : C. 20% : B else : NIL
     Y --> crate::operate(1, "x", true) Faces(2, about)
     Faces(n, query) --> comp(f) { crate::function(n, query) && top : Z | scope.sx > n : Z | all =: Z }
     Z --> case crate::function(scope.sy, about) : Y else : X.
-    Unused(n) --> X.
+    @Allow(rule_not_reached)
+    Unused(_n) --> X.
+    @Allow(rule_not_reached)
     Many(a, b, c, d, e, f, g, h, i) --> s(a + b + c, d + e + f, g + h + i) X.
     Gone --> NIL
     @Allow(after_nil)
     Early --> A(1, true) NIL B
 }
 
-cga! { pub(crate) grammar StrictText = "Lot --> split(x) { '0.5 : A | ~1 : B(0.2) } A --> s('1, 2, 3) B(n) --> X."; }
+cga! { pub(crate) grammar StrictText = "Lot --> split(x) { '0.5 : A | ~1 : B(0.2) } A --> s('1, 2, 3) B(_n) --> X."; }
 
 #[test]
 fn generated_code_gives_no_reason_to_complain() {

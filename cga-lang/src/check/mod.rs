@@ -4,21 +4,37 @@
 //! in a table, and nothing more is said about it. [`Checked`] is made only when there was no error.
 
 mod annotations;
+mod arithmetic;
 mod arity;
+mod branches;
+mod certain;
+mod colour;
 mod cycles;
+mod defaults;
 mod duplicates;
+mod ends;
+mod flow;
 mod globals;
+mod hidden;
+mod interval;
 mod levels;
 mod names;
 mod overrides;
+mod reach;
+mod readings;
+mod repeat;
 mod selectors;
 mod shapes;
+mod size;
+mod trailing;
 mod types;
+mod unused;
 mod words;
 
 use crate::code::Code;
 use crate::diag::{Diags, Level};
 use crate::hash::FastMap;
+use crate::index::{Named, index};
 use crate::ir::Type;
 use crate::link::{InstanceId, Program, Wanted};
 use crate::ops::{Function, Operation, ShapeAttr};
@@ -99,6 +115,8 @@ pub(crate) struct Outcome<'a> {
     pub(crate) checked: Option<Checked<'a>>,
     /// The attributes with their types, as far as they could be told.
     pub(crate) attrs: Vec<(Item<'a>, Option<Type>)>,
+    /// Where names are declared and used.
+    pub(crate) index: Vec<Named>,
     /// Whether something is of another type than is needed.
     pub(crate) misfit: bool,
     /// Declarations that calls want with other types. When there are some, only that was found out.
@@ -108,7 +126,9 @@ pub(crate) struct Outcome<'a> {
 }
 
 /// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.
-pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], diags: &mut Diags) -> Outcome<'a> {
+/// What follows from sizes and calls is looked for when `program` is as it will be: `last` says that no more declarations
+/// are read again, and without misfits none are.
+pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bool, diags: &mut Diags) -> Outcome<'a> {
     let mut cx = Cx { globals: Globals::new(program), tables: Tables::default(), levels: Vec::new(), at: 0, diags };
     levels::collect(&mut cx, levels);
     duplicates::values(&mut cx);
@@ -116,19 +136,23 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], diags: &
     names::uses(&mut cx);
     let types::Found { misfit, wanted } = types::infer(&mut cx);
     if !wanted.is_empty() {
-        return Outcome { checked: None, attrs: Vec::new(), misfit, wanted, unsuited: Vec::new() };
+        return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), misfit, wanted, unsuited: Vec::new() };
     }
     annotations::read(&mut cx);
     duplicates::overloads(&mut cx);
     duplicates::styles(&mut cx);
     cycles::find(&mut cx);
+    if last || !misfit {
+        certain::check(&mut cx);
+    }
     let Cx { globals, tables, levels, diags, .. } = cx;
     let unsuited = copied(program, diags);
     levels::apply(&levels, diags);
     let ty = |item: &Item| tables.types.get(&item.decl.name.id()).copied();
     let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
+    let index = if last || !misfit { index(&globals, &tables) } else { Vec::new() };
     let checked = (!diags.has_errors()).then_some(Checked { globals, tables, _private: () });
-    Outcome { checked, attrs, misfit, wanted, unsuited }
+    Outcome { checked, attrs, index, misfit, wanted, unsuited }
 }
 
 /// Moves what was found in copies to where it was written; gives the places of types that are wrong in the copy alone.

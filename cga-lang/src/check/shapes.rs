@@ -377,7 +377,10 @@ impl<'a> Scope<'_, 'a, '_> {
             }
             Err(what) => {
                 let message = format!("`{text}` is {what}, it cannot be set");
-                self.cx.diags.report(Code::NotSettable, span, message);
+                let diag = self.cx.diags.report(Code::NotSettable, span, message);
+                if what == "a constant" {
+                    diag.help(format!("declare it as an attribute: `attr {text} = …`"));
+                }
             }
         }
     }

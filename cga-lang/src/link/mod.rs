@@ -160,6 +160,11 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
 }
 
 impl Program {
+    /// Whether what is compiled is a file, which others may import as well.
+    pub(crate) fn may_be_imported(&self) -> bool {
+        self.files.first().is_some_and(|name| !name.is_empty())
+    }
+
     /// How strict to be with a token.
     pub(crate) fn door(&self, token: u32) -> Door {
         let at = self.pieces.partition_point(|piece| piece.tokens.start <= token).saturating_sub(1);

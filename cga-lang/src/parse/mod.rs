@@ -241,6 +241,11 @@ impl<'a> Parser<'a> {
         while self.tick() {
             if let Ok(one) = self.bracketed(false, &mut item) {
                 items.push(one);
+                if self.at < close && self.is(Sym::Comma) {
+                    self.syntax(self.at, "`|` stands between slots").help("write `|` for `,`");
+                    self.bump();
+                    continue;
+                }
                 if self.at < close && !self.is(Sym::Bar) {
                     self.expected("`|` or `}`");
                 }

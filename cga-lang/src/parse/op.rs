@@ -33,7 +33,7 @@ impl Parser<'_> {
             }
             match self.peek() {
                 Some(Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket | Sym::RParen)) => break,
-                Some(Tok::Sym(Sym::Comma)) if self.comma_ends => break,
+                Some(Tok::Sym(Sym::Comma)) if self.comma_ends || self.size_follows() => break,
                 Some(Tok::Sym(sym @ (Sym::Semi | Sym::Comma))) => {
                     let help = match sym {
                         Sym::Semi => "leave out the `;`: a rule runs to the next declaration",
@@ -47,6 +47,11 @@ impl Parser<'_> {
             }
         }
         Ok(ops)
+    }
+
+    /// Whether a size stands behind the next token: then that should have been a `|`.
+    fn size_follows(&self) -> bool {
+        matches!(self.nth(1), Some(Tok::Number(_) | Tok::Sym(Sym::Tilde | Sym::Quote)))
     }
 
     pub(super) fn op(&mut self) -> Parsed<Op> {

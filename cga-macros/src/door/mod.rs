@@ -91,6 +91,11 @@ impl Source {
         &self.tokens
     }
 
+    /// Whether the rules stand among Rust, token by token.
+    pub(crate) fn is_inline(&self) -> bool {
+        matches!(self.place, Place::Inline { .. })
+    }
+
     /// The rules as a file that others may be imported into.
     pub(crate) fn unit(&self) -> Unit {
         // Inline is strict, text is compatible.

@@ -52,10 +52,10 @@ impl Header {
     }
 
     /// Puts findings, rebuild tracking and output together: items, or an expression when there is no header.
-    pub(crate) fn wrap(&self, source: &Source, findings: &TokenStream, output: &Output) -> TokenStream {
+    pub(crate) fn wrap(&self, source: &Source, aside: &TokenStream, output: &Output) -> TokenStream {
         let (tracking, code) = (source.tracking(), &output.code);
         if self.name.is_some() {
-            return quote!(#findings #tracking #code);
+            return quote!(#aside #tracking #code);
         }
         // Evaluated outside of the block, so that Rust code in the rules sees nothing of what is in it.
         let hosts = output.captures.iter().map(|(handle, ty)| (&source.hosts()[*handle as usize], *ty));
@@ -65,7 +65,7 @@ impl Header {
         });
         let names = (0..output.captures.len()).map(capture);
         let place = Span::mixed_site();
-        quote_spanned!(place=> match (#(#values,)*) { (#(#names,)*) => { #findings #tracking #code } })
+        quote_spanned!(place=> match (#(#values,)*) { (#(#names,)*) => { #aside #tracking #code } })
     }
 }
 

@@ -12,7 +12,11 @@ use syn::{File, Item};
 fn part(show: &str, file: File) -> Vec<Item> {
     let mut items = Vec::new();
     for item in file.items {
+        if is_for_editors(&item) != (show == "names") {
+            continue;
+        }
         match item {
+            Item::Const(names) if show == "names" => items.push(Item::Const(names)),
             Item::Const(hidden) if show != "findings" => {
                 if let syn::Expr::Block(block) = *hidden.expr {
                     items.extend(block.block.stmts.into_iter().filter_map(|statement| match statement {
@@ -26,6 +30,15 @@ fn part(show: &str, file: File) -> Vec<Item> {
     }
     items.retain(|item| wanted(show, item));
     items
+}
+
+/// What only editors see stands in a const of its own.
+fn is_for_editors(item: &Item) -> bool {
+    let Item::Const(item) = item else { return false };
+    item.attrs.iter().any(|attr| match &attr.meta {
+        syn::Meta::List(list) => list.tokens.to_string().contains("unexpected_cfgs"),
+        _ => false,
+    })
 }
 
 fn wanted(show: &str, item: &Item) -> bool {
@@ -47,6 +60,7 @@ fn wanted(show: &str, item: &Item) -> bool {
         "rules" => owner == "CgaRules",
         "run" => is_trait.as_deref() == Some("Rules"),
         "table" => is_trait.as_deref() == Some("Grammar"),
+        "names" => true,
         "findings" => matches!(item, Item::Macro(_) | Item::Const(_)),
         other => panic!("no part `{other}`"),
     }

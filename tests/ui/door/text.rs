@@ -8,7 +8,7 @@ cga! {
     "#;
 }
 
-cga! { pub grammar Escaped = "Lot --> color(\"#fff\")\n comp(f) { sied : Wall. }"; }
+cga! { pub grammar Escaped = "Lot --> color(\"#ffffff\")\n comp(f) { sied : Wall. }"; }
 
 fn main() {
     let _ = (Tower::default(), Escaped::default());

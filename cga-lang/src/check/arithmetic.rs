@@ -1,0 +1,58 @@
+//! What stands in expressions: division by zero, texture layers that do not exist, conditions that are always the same.
+
+use super::flow::{Facts, Flow, Value};
+use super::{Cx, Use, branches, colour};
+use crate::ast::{Arg, Binary, Expr, ExprKind};
+use crate::code::Code;
+use crate::diag::Diags;
+use crate::ops::{Operation, Param};
+
+/// The last texture layer (*texturing*: from 0 on).
+const LAST_LAYER: f64 = 9.0;
+
+/// Looks at an expression and its parts.
+pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
+    match &expr.kind {
+        ExprKind::Binary(op @ (Binary::Div | Binary::Rem), _, _, right)
+            if flow.value(right, facts).number().known() == Some(0.0) =>
+        {
+            let what = if *op == Binary::Div { "this divides by zero" } else { "the remainder of zero is no number" };
+            let diag = diags.report(Code::DivisionByZero, right.span, what);
+            diag.note("operations take the result as 0, with a fault");
+        }
+        ExprKind::Case(arms, _) => {
+            for (condition, _) in arms {
+                branches::check(condition, facts, flow, cx, diags);
+            }
+        }
+        ExprKind::Call(name, args) => {
+            if let Some(Use::Builtin(row)) = cx.tables.of(name) {
+                layers(row.params, args.iter(), facts, flow, diags);
+                colour::check(cx.globals.program, row.params, args.iter(), diags);
+            }
+        }
+        _ => {}
+    }
+    // What stands in a comp is computed on each component.
+    let component = matches!(expr.kind, ExprKind::Comp(_)).then(|| facts.on_any_shape());
+    let facts = component.as_ref().unwrap_or(facts);
+    expr.parts().into_iter().for_each(|part| check(part, facts, flow, cx, diags));
+}
+
+/// Looks at the arguments of an operation.
+pub(super) fn operation(row: &Operation, args: &[Arg], facts: &Facts, flow: &Flow, diags: &mut Diags) {
+    layers(row.params, args.iter().map(|arg| &arg.value), facts, flow, diags);
+}
+
+/// Texture layers are numbered.
+fn layers<'e>(params: &[Param], args: impl Iterator<Item = &'e Expr>, facts: &Facts, flow: &Flow, diags: &mut Diags) {
+    for (_, arg) in params.iter().zip(args).filter(|(param, _)| param.name.starts_with("uvSet")) {
+        let Value::Number(number) = flow.value(arg, facts) else { continue };
+        if number.odd || 0.0 <= number.hi && number.lo <= LAST_LAYER {
+            continue;
+        }
+        let shown = number.known().map_or_else(|| "this".to_owned(), super::size::shown);
+        let diag = diags.report(Code::UnknownUvSet, arg.span, format!("{shown} is not the number of a uv set"));
+        diag.note("uv sets are numbered from 0 to 9");
+    }
+}

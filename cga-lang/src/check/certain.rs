@@ -1,0 +1,58 @@
+//! Runs the checks that follow from what is known of shapes and values.
+
+use super::flow::{Attrs, Calls, Facts, Flow, Site};
+use super::readings::Readings;
+use super::{Cx, arithmetic, branches, colour, defaults, ends, hidden, reach, repeat, size, trailing, unused};
+use crate::diag::Diags;
+
+pub(super) fn check(cx: &mut Cx) {
+    let program = cx.globals.program;
+    // With an error somewhere nobody knows who calls whom.
+    let calls = (!cx.diags.has_errors()).then(|| Calls::new(&cx.globals, &cx.tables));
+    let alone = Flow::new(&cx.globals, &cx.tables, None, Attrs::Accepted);
+    let values = Flow::of_values(&cx.globals, &cx.tables);
+    let joined = Flow::new(&cx.globals, &cx.tables, calls.as_ref(), Attrs::Accepted);
+    let mut readings = Readings::default();
+    for (rule, item) in cx.globals.rules.iter().enumerate() {
+        let mut diags = Diags::new();
+        // A rule may be made for more than what its calls give it today, and rules ask for sizes that they have set: conditions
+        // are judged by values and other conditions.
+        values.visit(&cx.globals, rule, &mut |site, facts| match site {
+            Site::Split(_) => {}
+            Site::Condition(condition) => branches::check(condition, facts, &values, cx, &mut diags),
+            Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
+            Site::Operation(row, args) => {
+                arithmetic::operation(row, args, facts, &values, &mut diags);
+                colour::check(program, row.params, args.iter().map(|arg| &arg.value), &mut diags);
+            }
+            Site::Set(row, value) if row.name == "material.color.rgb" => colour::text(program, value, &mut diags),
+            Site::Set(..) => {}
+        });
+        // Nobody knows who else imports a file.
+        let own = if program.roots.contains(&item.instance) { &joined } else { &alone };
+        own.visit(&cx.globals, rule, &mut |site, facts| {
+            if let Site::Split(slots) = site {
+                size::check(slots, facts, &mut diags);
+                repeat::check(slots, &mut diags);
+            }
+        });
+        readings.add(program, item.decl.name.id(), diags.finish());
+    }
+    for item in cx.globals.values() {
+        let mut diags = Diags::new();
+        let facts = Facts::any(item.decl.params.len() + item.decl.locals.len());
+        let locals = item.decl.locals.iter().map(|(_, value)| value).filter(|_| item.is_own());
+        for value in locals.chain(item.value().map(|(value, _)| value)) {
+            arithmetic::check(value, &facts, &values, cx, &mut diags);
+        }
+        readings.add(program, item.decl.name.id(), diags.finish());
+    }
+    let certain = readings.agreed(program);
+    let mut found = vec![hidden::check(cx), trailing::check(cx)];
+    if let Some(calls) = &calls {
+        found.push(defaults::check(cx, calls, &certain));
+        found.extend([reach::check(cx, calls), ends::check(cx, calls), unused::check(cx)]);
+    }
+    cx.diags.append(certain);
+    found.into_iter().for_each(|list| cx.diags.append(list));
+}

@@ -1,0 +1,142 @@
+//! What is known of a shape on its way through the rules.
+
+use super::slots::MARGIN;
+use crate::check::interval::Interval;
+use crate::span::Span;
+
+/// Thinner than anything that a split divides: faces are planar but for rounding.
+const THIN: f64 = 1e-9;
+
+/// Any size of a scope: always a number, perhaps negative.
+const ANY_SIZE: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY, odd: false };
+
+/// What fills the scope, as far as parts of it keep the sizes of their slots.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::check) enum Filling {
+    /// A box.
+    Box,
+    /// A rectangle across the z axis.
+    Sheet,
+    /// Anything.
+    Unknown,
+}
+
+/// What is known of a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::check) struct Shape {
+    /// The scope's size along each axis.
+    pub(in crate::check) size: [Interval; 3],
+    /// The step that a size comes from, where it is one.
+    pub(in crate::check) since: [Option<Span>; 3],
+    pub(in crate::check) filling: Filling,
+}
+
+impl Shape {
+    /// Nothing is known.
+    pub(in crate::check) const ANY: Shape = Shape { size: [ANY_SIZE; 3], since: [None; 3], filling: Filling::Unknown };
+
+    /// A face, from that comp: without depth.
+    pub(super) fn face(from: Span) -> Shape {
+        let depth = Interval { lo: 0.0, hi: THIN, odd: false };
+        let size = [Interval::EXTENT, Interval::EXTENT, depth];
+        Shape { size, since: [None, None, Some(from)], filling: Filling::Unknown }
+    }
+
+    /// A face of a box: a rectangle.
+    pub(super) fn face_of_box(from: Span) -> Shape {
+        let face = Shape::face(from);
+        Shape { size: [face.size[0], face.size[1], Interval::ZERO], filling: Filling::Sheet, ..face }
+    }
+
+    /// The extent along an axis, never negative.
+    pub(in crate::check) fn extent(&self, axis: usize) -> Interval {
+        self.size[axis].abs()
+    }
+
+    /// Whether it certainly has no extent along an axis.
+    pub(in crate::check) fn is_flat(&self, axis: usize) -> bool {
+        self.extent(axis).hi <= 2.0 * THIN
+    }
+
+    /// Whether it is flat as a face is.
+    pub(in crate::check) fn is_face(&self) -> bool {
+        self.filling == Filling::Sheet || 0.0 < self.size[2].hi && self.size[2].hi <= 2.0 * THIN
+    }
+
+    /// What holds for both.
+    pub(super) fn or(&self, other: &Shape) -> Shape {
+        let size = [0, 1, 2].map(|axis| self.size[axis].or(other.size[axis]));
+        let since = [0, 1, 2].map(|axis| self.since[axis].filter(|_| self.since[axis] == other.since[axis]));
+        let filling = if self.filling == other.filling { self.filling } else { Filling::Unknown };
+        Shape { size, since, filling }
+    }
+
+    pub(super) fn widen(&self, before: &Shape) -> Shape {
+        Shape { size: [0, 1, 2].map(|axis| self.size[axis].widen(before.size[axis])), ..*self }
+    }
+
+    /// Whether it certainly extends along all axes.
+    pub(super) fn has_room(&self) -> bool {
+        self.size.iter().all(|size| size.hi < 0.0 || 0.0 < size.lo)
+    }
+
+    /// After `s`, with what the arguments are in metres.
+    pub(super) fn sized(&self, size: [Interval; 3], by: Span) -> Shape {
+        let kept = |axis: usize| size[axis] == self.size[axis];
+        let since = [0, 1, 2].map(|axis| if kept(axis) { self.since[axis] } else { Some(by) });
+        let filling = match self.filling {
+            Filling::Box if size.iter().all(|size| size.hi < 0.0 || 0.0 < size.lo) => Filling::Box,
+            Filling::Sheet if size[2] == Interval::ZERO && 0.0 < size[0].lo && 0.0 < size[1].lo => Filling::Sheet,
+            _ => Filling::Unknown,
+        };
+        Shape { size, since, filling }
+    }
+
+    /// After `extrude`: a rectangle without depth becomes a box whose y axis is the way it grew.
+    pub(super) fn extruded(&self, distance: Interval, by: Span) -> Shape {
+        let [x, y, z] = self.size;
+        if self.filling != Filling::Sheet || z != Interval::ZERO || x.lo < 0.0 || y.lo < 0.0 {
+            return Shape::ANY;
+        }
+        if distance.known() == Some(0.0) {
+            return *self;
+        }
+        if distance.odd || distance.lo <= 0.0 && 0.0 <= distance.hi {
+            return Shape::ANY;
+        }
+        Shape { size: [x, distance, y], since: [self.since[0], Some(by), self.since[1]], filling: Filling::Box }
+    }
+
+    /// A part that shrinks to what is in it: no larger than its slot and the shape.
+    fn shrunk(&self, axis: usize, length: Interval, by: Span) -> Shape {
+        let mut part = Shape { filling: Filling::Unknown, ..*self };
+        for (at, size) in part.size.iter_mut().enumerate() {
+            let most = if at == axis { length.hi } else { size.abs().hi };
+            // Boxes of meshes are off by last bits.
+            let most = most + most * MARGIN;
+            *size = Interval { lo: if 0.0 <= size.lo { 0.0 } else { -most }, hi: most, odd: false };
+        }
+        part.since[axis] = Some(by);
+        part
+    }
+
+    /// A part of a split along an axis: `length` is what its slot may get.
+    pub(super) fn part(&self, axis: usize, length: Interval, adjust: bool, by: Span) -> Shape {
+        let fills = match self.filling {
+            Filling::Box => true,
+            Filling::Sheet => axis != 2,
+            Filling::Unknown => !adjust,
+        };
+        if !fills {
+            return self.shrunk(axis, length, by);
+        }
+        let mut part = *self;
+        part.size[axis] = match self.size[axis] {
+            size if 0.0 <= size.lo => length,
+            size if size.hi < 0.0 => length.neg(),
+            _ => length.or(length.neg()),
+        };
+        part.since[axis] = Some(by);
+        part
+    }
+}

@@ -1,0 +1,308 @@
+//! What is known of the sizes of a split, and where it is solved.
+
+use super::values::Facts;
+use crate::ast::{Arg, Op, Prefix, Split, SplitItem};
+use crate::check::interval::Interval;
+use crate::span::Span;
+use cga_split::{Item, Piece, solve};
+
+/// Splits with more pieces are not laid out.
+const MOST_PIECES: u64 = 10_000;
+
+/// What the last bits of sums may be off by, as a share: claims keep that far from what they claim.
+pub(in crate::check) const MARGIN: f64 = 1e-9;
+
+/// Sums that come this near to the whole fill it: the solver makes nothing that is as small as what is left.
+const FULL: f64 = 1e-13;
+
+/// A share of the extent that makes a piece for certain.
+const PIECE: f64 = 1e-11;
+
+/// Extents that a run divides, however large the initial shape is.
+const LEAST: f64 = 1e-3;
+
+/// A slot as written.
+pub(in crate::check) struct Slot<'a> {
+    pub(in crate::check) size: &'a Arg,
+    pub(in crate::check) ops: &'a [Op],
+    /// The number behind the prefix, as a run takes it.
+    pub(in crate::check) value: Interval,
+    /// The innermost group with `*` that it stands in, by number; 0 is the whole split's.
+    pub(in crate::check) group: Option<usize>,
+}
+
+/// A group with `*`.
+pub(in crate::check) struct Group {
+    /// Its slots, nested ones included.
+    pub(in crate::check) slots: std::ops::Range<usize>,
+    /// From its first to its last slot, as written.
+    pub(in crate::check) span: Span,
+}
+
+/// The slots of a split along an axis, in writing order.
+pub(in crate::check) struct Slots<'a> {
+    pub(in crate::check) split: &'a Split,
+    pub(in crate::check) axis: usize,
+    pub(in crate::check) extent: Interval,
+    pub(in crate::check) list: Vec<Slot<'a>>,
+    pub(in crate::check) groups: Vec<Group>,
+    pattern: Vec<Item>,
+    /// The pieces, where everything is known.
+    pub(in crate::check) pieces: Option<Vec<Piece>>,
+}
+
+/// A sum of sizes: a share of the extent, and metres.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::check) struct Sum {
+    pub(in crate::check) share: f64,
+    pub(in crate::check) metres: f64,
+}
+
+impl Slot<'_> {
+    pub(in crate::check) fn floats(&self) -> bool {
+        matches!(self.size.prefix, Some((Prefix::Floating, _)))
+    }
+
+    pub(in crate::check) fn is_relative(&self) -> bool {
+        matches!(self.size.prefix, Some((Prefix::Relative, _)))
+    }
+
+    /// Whether it certainly makes no piece, whatever room there is.
+    pub(in crate::check) fn is_nothing(&self) -> bool {
+        self.value.hi <= 0.0
+    }
+}
+
+impl<'a> Slots<'a> {
+    /// Reads a split; `value` evaluates a size.
+    pub(super) fn new(split: &'a Split, axis: usize, facts: &Facts, value: impl Fn(&Arg) -> Interval) -> Slots<'a> {
+        let extent = facts.shape.extent(axis);
+        let mut slots =
+            Slots { split, axis, extent, list: Vec::new(), groups: Vec::new(), pattern: Vec::new(), pieces: None };
+        slots.items(&split.items, split.repeat, None, &value);
+        slots.pieces = slots.solved();
+        slots
+    }
+
+    fn items(
+        &mut self,
+        items: &'a [SplitItem],
+        repeat: bool,
+        around: Option<usize>,
+        value: &impl Fn(&Arg) -> Interval,
+    ) {
+        let (start, first) = (self.pattern.len(), self.list.len());
+        let mut group = around;
+        if repeat {
+            self.pattern.push(Item::Repeat(0));
+            group = Some(self.groups.len());
+            self.groups.push(Group { slots: first..first, span: self.split.name.span });
+        }
+        for item in items {
+            match item {
+                SplitItem::Slot(size, ops) => {
+                    self.pattern.push(Item::Slot);
+                    self.list.push(Slot { size, ops, value: value(size).taken(), group });
+                }
+                SplitItem::Group(items, repeat) => self.items(items, *repeat, group, value),
+            }
+        }
+        if let Some(own) = group.filter(|_| repeat) {
+            self.pattern[start] = Item::Repeat((self.pattern.len() - start - 1) as u32);
+            let slots = first..self.list.len();
+            if let [first, .., last] | [first @ last] = &self.list[slots.clone()] {
+                self.groups[own].span = first.size.span.to(last.ops.last().map_or(last.size.span, |op| op.span));
+            }
+            self.groups[own].slots = slots;
+        }
+    }
+
+    /// The pieces, where the extent and all sizes are known numbers.
+    fn solved(&self) -> Option<Vec<Piece>> {
+        let extent = self.extent.known().filter(|extent| 0.0 < *extent)?;
+        let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
+        let sizes = sizes?;
+        let mut lengths = vec![0.0; sizes.len()];
+        let solution = solve(&self.pattern, &sizes, &mut lengths, extent);
+        (solution.at_most() <= MOST_PIECES).then(|| solution.pieces())
+    }
+
+    /// The pieces of what has only known shares in it, in an extent of 1: they are the same shares of any.
+    pub(in crate::check) fn shares(&self) -> Option<Vec<Piece>> {
+        let sizes: Option<Vec<cga_split::Size>> =
+            self.list.iter().map(|slot| slot.exact().filter(|_| slot.is_relative())).collect();
+        let sizes = sizes?;
+        let mut lengths = vec![0.0; sizes.len()];
+        let solution = solve(&self.pattern, &sizes, &mut lengths, 1.0);
+        (solution.at_most() <= MOST_PIECES).then(|| solution.pieces())
+    }
+
+    /// How often a group repeats in an extent of that length.
+    pub(in crate::check) fn count(&self, group: usize, extent: f64) -> Option<u64> {
+        let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
+        let sizes = sizes?;
+        let mut lengths = vec![0.0; sizes.len()];
+        Some(solve(&self.pattern, &sizes, &mut lengths, extent).count(group))
+    }
+
+    /// No less than what the slots before one take that come before it whenever it is made, itself included if asked.
+    /// Floats take what is left, and may take nothing.
+    pub(in crate::check) fn before(&self, index: usize, itself: bool) -> Sum {
+        let own = &self.list[index];
+        let counts = |(at, slot): &(usize, &Slot)| {
+            (*at < index || itself && *at == index)
+                && !slot.floats()
+                && (slot.group.is_none() || slot.group == own.group)
+        };
+        self.sum(self.list.iter().enumerate().filter(counts).map(|(_, slot)| slot))
+    }
+
+    /// No less than what all slots take that do not float and are always there.
+    pub(in crate::check) fn fixed(&self) -> Sum {
+        self.sum(self.list.iter().filter(|slot| !slot.floats() && slot.group.is_none()))
+    }
+
+    fn sum<'s>(&self, slots: impl Iterator<Item = &'s Slot<'a>>) -> Sum
+    where
+        'a: 's,
+    {
+        let mut sum = Sum::default();
+        for slot in slots {
+            let least = slot.value.lo.max(0.0);
+            if slot.is_relative() {
+                sum.share += if PIECE < least { least } else { 0.0 };
+            } else {
+                // What is tiny beside the extent makes no piece.
+                sum.metres += if self.extent.hi * PIECE < least { least } else { 0.0 };
+            }
+        }
+        sum
+    }
+
+    /// Whether a sum fills the scope, whatever its extent.
+    pub(in crate::check) fn fills(&self, sum: Sum) -> bool {
+        1.0 - FULL <= sum.share || 0.0 < sum.metres && (1.0 - FULL - sum.share) * self.extent.hi <= sum.metres
+    }
+
+    /// Whether a sum is more than the scope has, whatever its extent.
+    pub(in crate::check) fn exceeds(&self, sum: Sum) -> bool {
+        let whole = 1.0 + MARGIN;
+        whole <= sum.share || 0.0 < sum.metres && (whole - sum.share) * self.extent.hi <= sum.metres
+    }
+
+    /// What the length of a slot's pieces may be.
+    pub(super) fn length(&self, index: usize) -> Interval {
+        if let Some(pieces) = &self.pieces {
+            let own = pieces.iter().filter(|piece| piece.slot as usize == index);
+            let own = own.map(|piece| Interval::point(piece.length)).reduce(Interval::or);
+            return own.unwrap_or(Interval::EXTENT);
+        }
+        let slot = &self.list[index];
+        let up_to = |most: f64| Interval { lo: 0.0, hi: most.max(0.0), odd: false };
+        if slot.floats() {
+            return up_to(self.extent.hi);
+        }
+        let own = if slot.is_relative() { slot.value.mul(self.extent) } else { slot.value };
+        let hi = own.hi.min(self.extent.hi);
+        // Whole, where all before it certainly leaves that much room.
+        let (alone, mut most) = (self.list.iter().all(|slot| !slot.floats() && slot.group.is_none()), 0.0);
+        for other in &self.list[..=index] {
+            let value = if other.is_relative() { other.value.mul(self.extent) } else { other.value };
+            most += value.hi.max(0.0);
+        }
+        if alone && most * (1.0 + MARGIN) <= self.extent.lo && 0.0 < own.lo {
+            return Interval { lo: own.lo, hi, odd: false };
+        }
+        up_to(hi)
+    }
+
+    /// Whether no piece of a slot is ever made.
+    pub(in crate::check) fn is_never(&self, index: usize) -> bool {
+        if let Some(pieces) = &self.pieces {
+            return !pieces.iter().any(|piece| piece.slot as usize == index);
+        }
+        let slot = &self.list[index];
+        slot.is_nothing()
+            || if slot.floats() {
+                slot.group.is_none() && self.fills(self.fixed())
+            } else {
+                self.fills(self.before(index, false))
+            }
+    }
+}
+
+impl Slot<'_> {
+    fn exact(&self) -> Option<cga_split::Size> {
+        let prefix = match self.size.prefix {
+            None => cga_split::Prefix::Absolute,
+            Some((Prefix::Relative, _)) => cga_split::Prefix::Relative,
+            Some((Prefix::Floating, _)) => cga_split::Prefix::Floating,
+        };
+        Some(cga_split::Size { prefix, value: self.value.known()? })
+    }
+}
+
+/// What whole splits do.
+impl Slots<'_> {
+    /// Whether a group has no slot that is ever made, whatever room there is.
+    pub(in crate::check) fn makes_nothing(&self, group: usize) -> bool {
+        self.list[self.groups[group].slots.clone()].iter().all(Slot::is_nothing)
+    }
+
+    /// Whether a slot is cut, or not made, in any case: what reaches beyond the end of the scope.
+    pub(in crate::check) fn is_cut(&self, index: usize) -> bool {
+        let plain = self.groups.is_empty() && !self.list[index].floats();
+        plain && !self.list[index].is_nothing() && self.exceeds(self.before(index, true))
+    }
+
+    /// What certainly is left at the end: of shares alone a share, of metres alone metres.
+    pub(in crate::check) fn rest(&self) -> Option<f64> {
+        if !self.groups.is_empty() || self.list.iter().any(Slot::floats) {
+            return None;
+        }
+        let mut sum = 0.0;
+        for slot in &self.list {
+            sum += slot.value.known()?.max(0.0);
+        }
+        let relative = self.list.iter().filter(|slot| slot.is_relative()).count();
+        let whole = match relative {
+            0 => self.extent.known()?,
+            all if all == self.list.len() => 1.0,
+            _ => return None,
+        };
+        (sum < whole * (1.0 - MARGIN)).then_some(whole - sum)
+    }
+
+    /// No more than the pieces that a repeat makes, when it is the whole split.
+    pub(in crate::check) fn at_least(&self, group: usize) -> Option<f64> {
+        let whole = self.groups.len() == 1 && self.groups[group].slots.len() == self.list.len();
+        let (mut share, mut metres, mut made) = (0.0, 0.0, 0.0);
+        for slot in self.list.iter().filter(|_| whole) {
+            let most = slot.value.hi.max(0.0);
+            let least = if slot.is_relative() { PIECE } else { PIECE * self.extent.hi };
+            if slot.is_relative() {
+                share += most
+            } else {
+                metres += most
+            }
+            made += if least < slot.value.lo { 1.0 } else { 0.0 };
+        }
+        let room = if metres == 0.0 { 1.0 / share } else { self.extent.lo / (metres + share * self.extent.lo) };
+        // Of the counts around it the one of least stretch is taken.
+        let count = (room * (1.0 - MARGIN) - 1.0) * made;
+        (0.0 < count && count.is_finite()).then_some(count)
+    }
+
+    /// Why a group repeats once, if that is always so.
+    pub(in crate::check) fn once(&self, group: usize) -> Option<String> {
+        let own = &self.list[self.groups[group].slots.clone()];
+        let shares: f64 = own.iter().map(|slot| slot.value.lo.max(0.0)).sum();
+        if self.groups.len() == 1 && own.iter().all(Slot::is_relative) && self.fills(Sum { share: shares, metres: 0.0 })
+        {
+            return Some(format!("its sizes add up to {} of the scope", (shares * 1e6).round() / 1e6));
+        }
+        let extent = self.extent.known().filter(|extent| LEAST < *extent && self.groups.len() == 1)?;
+        let once = self.count(group, extent)? == 1;
+        once.then(|| format!("the scope has {} along {}", (extent * 1e6).round() / 1e6, ["x", "y", "z"][self.axis]))
+    }
+}

@@ -1,0 +1,289 @@
+//! Follows a shape through the steps of a rule.
+
+use super::refine::refine;
+use super::shape::{Filling, Shape};
+use super::slots::Slots;
+use super::values::{Facts, Known, Value};
+use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, Expr, Name, Op, OpKind, Split};
+use crate::check::interval::Interval;
+use crate::check::{Tables, Use, split_adjust, split_axis, words};
+use crate::ops::{Effect, Operation, ShapeAttr};
+use crate::span::Span;
+
+/// What is met on the way.
+pub(in crate::check) enum Site<'s, 'a> {
+    /// A split along an axis of the scope.
+    Split(&'s Slots<'a>),
+    /// A condition of a `case`, where those before it have failed.
+    Condition(&'a Expr),
+    /// An expression that is computed.
+    Value(&'a Expr),
+    /// An attribute of the shape is set.
+    Set(&'static ShapeAttr, &'a Expr),
+    /// An operation with its arguments.
+    Operation(&'static Operation, &'a [Arg]),
+}
+
+/// Who is told of what is met and handed on.
+pub(super) trait Visit<'a> {
+    /// A shape goes on with a rule.
+    fn hand_on(&mut self, rule: u32, facts: Facts);
+    /// Something was met.
+    fn meet(&mut self, site: &Site<'_, 'a>, facts: &Facts);
+}
+
+/// A way through one rule.
+pub(super) struct Walk<'w> {
+    pub(super) tables: &'w Tables,
+    pub(super) known: &'w Known,
+    /// Whether sizes that steps set are forgotten.
+    pub(super) forgets: bool,
+}
+
+impl<'w> Walk<'w> {
+    /// Follows a shape; gives what is known at the end, nothing where no path gets there.
+    pub(super) fn steps<'a>(&self, ops: &'a [Op], facts: Facts, visit: &mut dyn Visit<'a>) -> Option<Facts> {
+        let mut facts = facts;
+        for op in ops {
+            facts = self.step(op, facts, visit)?;
+        }
+        Some(facts)
+    }
+
+    fn step<'a>(&self, op: &'a Op, mut facts: Facts, visit: &mut dyn Visit<'a>) -> Option<Facts> {
+        match &op.kind {
+            OpKind::Call(name, args) => {
+                self.meet_args(args, &facts, visit);
+                match self.tables.of(name) {
+                    Some(Use::Rule(rule)) => self.hand_on(rule, args, &facts, visit),
+                    Some(Use::Operation(row)) => {
+                        visit.meet(&Site::Operation(row, args), &facts);
+                        facts.shape = self.after(row, args, &facts, op.span);
+                    }
+                    Some(Use::SetShape(row)) => {
+                        args.get(1).into_iter().for_each(|arg| visit.meet(&Site::Set(row, &arg.value), &facts));
+                        if row.name.starts_with("scope.") {
+                            facts.shape = Shape::ANY;
+                        }
+                    }
+                    Some(Use::Leaf | Use::SetAttr(_)) => {}
+                    _ => facts.shape = Shape::ANY,
+                }
+            }
+            OpKind::Dynamic { rule, args, overrides, .. } => {
+                self.meet_args(args, &facts, visit);
+                for own in overrides {
+                    if let crate::ast::Override::Value(_, value) = own {
+                        visit.meet(&Site::Value(value), &facts);
+                    }
+                }
+                if let Some(Use::Rule(rule)) = self.tables.of(rule) {
+                    self.hand_on(rule, args, &facts, visit);
+                }
+            }
+            OpKind::Block(block) => self.block(block, &facts, visit),
+            OpKind::Leaf(_) => {}
+            OpKind::Nil => return None,
+            OpKind::Path(_, args) => {
+                self.meet_args(args, &facts, visit);
+                facts.shape = Shape::ANY;
+            }
+            OpKind::Push(ops) => _ = self.steps(ops, facts.clone(), visit),
+            OpKind::Split(split) => self.split(split, &facts, visit),
+            OpKind::Comp(comp) => self.comp(comp, &facts, visit),
+            OpKind::Case(arms, otherwise) => return self.case(arms, otherwise, facts, visit),
+            OpKind::Chance(arms, otherwise) => {
+                let arms = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
+                let ends: Vec<Facts> = arms.filter_map(|ops| self.steps(ops, facts.clone(), visit)).collect();
+                return joined(ends);
+            }
+            OpKind::Error => facts.shape = Shape::ANY,
+        }
+        Some(facts)
+    }
+
+    fn meet_args<'a>(&self, args: &'a [Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
+        args.iter().for_each(|arg| visit.meet(&Site::Value(&arg.value), facts));
+    }
+
+    fn value(&self, expr: &Expr, facts: &Facts) -> Value {
+        self.known.value(self.tables, expr, facts)
+    }
+
+    fn hand_on<'a>(&self, rule: u32, args: &[Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
+        let params = args.iter().map(|arg| self.value(&arg.value, facts)).collect();
+        visit.hand_on(rule, Facts { shape: facts.shape, params });
+    }
+
+    fn case<'a>(
+        &self,
+        arms: &'a [(Expr, Vec<Op>)],
+        otherwise: &'a [Op],
+        facts: Facts,
+        visit: &mut dyn Visit<'a>,
+    ) -> Option<Facts> {
+        // Whoever comes to a condition has failed those before it.
+        let (mut ends, mut left) = (Vec::new(), Some(facts));
+        for (condition, ops) in arms {
+            let Some(here) = left else { break };
+            visit.meet(&Site::Value(condition), &here);
+            visit.meet(&Site::Condition(condition), &here);
+            let truth = self.value(condition, &here).truth();
+            if truth != Some(false)
+                && let Some(inside) = refine(self, condition, true, here.clone())
+            {
+                ends.extend(self.steps(ops, inside, visit));
+            }
+            left = if truth == Some(true) { None } else { refine(self, condition, false, here) };
+        }
+        if let Some(here) = left {
+            ends.extend(self.steps(otherwise, here, visit));
+        }
+        joined(ends)
+    }
+
+    fn split<'a>(&self, split: &'a Split, facts: &Facts, visit: &mut dyn Visit<'a>) {
+        let bodies = |visit: &mut dyn Visit<'a>, shape: &dyn Fn(usize) -> Option<Shape>| {
+            let mut index = 0;
+            self.items(&split.items, &mut index, facts, visit, shape);
+        };
+        self.meet_args(split.args.get(1..).unwrap_or_default(), facts, visit);
+        let Some(axis) = split_axis(split).filter(|_| !split.is_by_area()) else {
+            return bodies(visit, &|_| Some(Shape::ANY));
+        };
+        let slots = Slots::new(split, axis as usize, facts, |size| self.value(&size.value, facts).number());
+        visit.meet(&Site::Split(&slots), facts);
+        let adjust = split_adjust(split);
+        bodies(visit, &|index| {
+            if facts.shape.is_flat(slots.axis) || slots.is_never(index) {
+                return None;
+            }
+            Some(facts.shape.part(slots.axis, slots.length(index), adjust, split.name.span))
+        });
+    }
+
+    /// The slots of a split: `shape` says what is known of a part, nothing when there never is one.
+    fn items<'a>(
+        &self,
+        items: &'a [crate::ast::SplitItem],
+        index: &mut usize,
+        facts: &Facts,
+        visit: &mut dyn Visit<'a>,
+        shape: &dyn Fn(usize) -> Option<Shape>,
+    ) {
+        for item in items {
+            match item {
+                crate::ast::SplitItem::Slot(size, ops) => {
+                    visit.meet(&Site::Value(&size.value), facts);
+                    let part = shape(*index);
+                    *index += 1;
+                    if let Some(shape) = part {
+                        self.steps(ops, Facts { shape, params: facts.params.clone() }, visit);
+                    }
+                }
+                crate::ast::SplitItem::Group(items, _) => self.items(items, index, facts, visit, shape),
+            }
+        }
+    }
+
+    fn comp<'a>(&self, comp: &'a Comp, facts: &Facts, visit: &mut dyn Visit<'a>) {
+        let word = |index: usize| comp.args.get(index).and_then(words::word);
+        let faces = word(0) == Some("f") && matches!(word(1), None | Some("zUp"));
+        for arm in &comp.arms {
+            // With the component as current shape.
+            visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
+            let shape = match (faces && arm.mode == ArmMode::Each, facts.shape.filling) {
+                (true, Filling::Box) => Shape::face_of_box(comp.name.span),
+                (true, _) => Shape::face(comp.name.span),
+                (false, _) => Shape::ANY,
+            };
+            self.steps(&arm.ops, Facts { shape, params: facts.params.clone() }, visit);
+        }
+    }
+
+    /// Operations with braces: what they make is any shape.
+    fn block<'a>(&self, block: &'a Block, facts: &Facts, visit: &mut dyn Visit<'a>) {
+        let any = || facts.on_any_shape();
+        // Some are computed on each edge.
+        self.meet_args(&block.args, &any(), visit);
+        for part in &block.parts {
+            match part {
+                BlockPart::Slots(items, _) => {
+                    self.items(items, &mut 0, facts, visit, &|_| Some(Shape::ANY));
+                }
+                BlockPart::Sections(list, _) => {
+                    for section in list {
+                        visit.meet(&Site::Value(&section.length.value), &any());
+                        self.steps(&section.ops, any(), visit);
+                    }
+                }
+                BlockPart::Arms(arms) => arms.iter().for_each(|arm| _ = self.steps(&arm.ops, any(), visit)),
+                BlockPart::Ops(list) => list.iter().for_each(|ops| _ = self.steps(ops, any(), visit)),
+            }
+        }
+    }
+
+    /// What an operation leaves of what was known.
+    fn after(&self, row: &'static Operation, args: &[Arg], facts: &Facts, span: Span) -> Shape {
+        let shape = facts.shape;
+        match row.scope {
+            Effect::Keeps => shape,
+            _ if self.forgets => Shape::ANY,
+            Effect::Sizes => match args {
+                [x, y, z] => self.sized(shape, [x, y, z], facts, span),
+                _ => Shape::ANY,
+            },
+            Effect::FillsWithBox if shape.has_room() => Shape { filling: Filling::Box, ..shape },
+            Effect::Fills if shape.has_room() => Shape { filling: Filling::Unknown, ..shape },
+            Effect::Any if row.name == "extrude" => match args {
+                [Arg { prefix: None, value, .. }] => shape.extruded(self.value(value, facts).number(), span),
+                _ => Shape::ANY,
+            },
+            Effect::Any | Effect::FillsWithBox | Effect::Fills => Shape::ANY,
+        }
+    }
+
+    fn sized(&self, shape: Shape, args: [&Arg; 3], facts: &Facts, span: Span) -> Shape {
+        let mut size = shape.size;
+        let mut refused = false;
+        for (size, arg) in size.iter_mut().zip(args) {
+            let number = self.value(&arg.value, facts).number().taken();
+            *size = match arg.prefix {
+                None => number,
+                Some(_) => {
+                    // What leads beyond the largest number leaves the scope as it is.
+                    let product = number.mul(*size);
+                    refused |= product.odd && !(-1.0 <= number.lo && number.hi <= 1.0);
+                    Interval { odd: false, ..product }
+                }
+            };
+        }
+        let sized = shape.sized(size, span);
+        if refused { sized.or(&shape) } else { sized }
+    }
+}
+
+/// What holds on all of some ways.
+fn joined(ends: Vec<Facts>) -> Option<Facts> {
+    ends.into_iter().reduce(|all, next| all.or(&next))
+}
+
+impl Facts {
+    pub(super) fn or(&self, other: &Facts) -> Facts {
+        let params = self.params.iter().zip(&other.params).map(|(a, b)| a.or(*b)).collect();
+        Facts { shape: self.shape.or(&other.shape), params }
+    }
+
+    pub(super) fn widen(&self, before: &Facts) -> Facts {
+        let params = self.params.iter().zip(&before.params).map(|(now, before)| now.widen(*before)).collect();
+        Facts { shape: self.shape.widen(&before.shape), params }
+    }
+}
+
+/// The name of what a step calls, for messages.
+pub(in crate::check) fn called(ops: &[Op]) -> Option<&Name> {
+    match ops {
+        [Op { kind: OpKind::Call(name, _) | OpKind::Leaf(name), .. }, ..] => Some(name),
+        _ => None,
+    }
+}
