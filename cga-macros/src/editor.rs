@@ -10,6 +10,7 @@ use cga_lang::ir::Type;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
+use crate::codegen::is_plain;
 use crate::door::Source;
 use crate::header::Header;
 
@@ -61,11 +62,6 @@ fn owners<'n>(list: &[&'n Named]) -> Vec<Vec<&'n Named>> {
         }
     }
     owners
-}
-
-/// Whether Rust takes a name as it is.
-fn is_plain(name: &str) -> bool {
-    syn::parse_str::<Ident>(name).is_ok()
 }
 
 /// A name at one of its tokens.

@@ -28,6 +28,7 @@ use crate::door::Source;
 use crate::header::{Header, HostType, Output};
 
 pub(crate) use names::Taken;
+pub(crate) use names::is_plain;
 pub(crate) use public::{Public, PublicAttr, public};
 
 /// What every part of the generator looks things up in.

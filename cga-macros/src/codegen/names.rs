@@ -82,6 +82,11 @@ pub(super) fn ident(name: &str, place: Span) -> Ident {
     }
 }
 
+/// Whether Rust takes a name as it is, in any edition.
+pub(crate) fn is_plain(name: &str) -> bool {
+    !NEVER.contains(&name) && !RESERVED.contains(&name) && syn::parse_str::<Ident>(name).is_ok()
+}
+
 /// Words that cannot be names even with `r#`.
 const NEVER: &[&str] = &["_", "self", "Self", "super", "crate"];
 
