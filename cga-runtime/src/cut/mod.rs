@@ -229,7 +229,10 @@ impl Cutter {
                 self.state.keep(mesh, face, tag, top, low | high);
             } else if top < bottom {
                 self.state.keep_flat(mesh, face, tag, top);
-            } else if places.len() > 3 && self.rough.clip(&mut self.state, mesh, face, tag) {
+            } else if places.len() > 3
+                && self.rough.may_be(mesh, corners.clone(), self.state.points.axis)
+                && self.rough.clip(&mut self.state, mesh, face, tag)
+            {
                 continue;
             } else if loops.len() > 1 || !self.simple.clip(&mut self.state, mesh, tag, corners, places, low, high) {
                 self.general.clip(&mut self.state, mesh, face, tag);

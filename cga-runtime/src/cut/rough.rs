@@ -5,6 +5,8 @@
 //! So the face is cut triangle by triangle. The edges between them are crossed like all others, so what was closed stays
 //! so, and together the pieces are the face, whatever the heights of its corners are.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
 use super::pieces::Rings;
@@ -33,21 +35,26 @@ impl Rough {
         self.steep = ACROSS_EPSILON * mesh.bounds().size().max_element();
     }
 
-    /// Cuts a face into its slabs; `false`, with nothing done, when it is not of this kind.
+    /// Whether a face may be of this kind, by its corners.
     #[inline]
-    pub(super) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) -> bool {
-        let (view, axis) = (mesh.face(face), state.points.axis);
-        let mut heights = view.corner_range().map(|corner| view.position(corner)[axis]);
+    pub(super) fn may_be(&self, mesh: &Mesh, corners: Range<usize>, axis: usize) -> bool {
+        let mut heights = mesh.corners[corners].iter().map(|&point| mesh.points[point as usize][axis]);
         let first = heights.next().unwrap_or(0.0);
         // Of nearly all faces the second or third corner tells.
-        if heights.any(|height| self.steep < (height - first).abs()) || !has_rough_line(&view, axis) {
-            return false;
-        }
-        self.clip_triangles(state, mesh, &view, tag);
-        true
+        heights.all(|height| (height - first).abs() <= self.steep)
     }
 
+    /// Cuts a face into its slabs; `false`, with nothing done, when it is not of this kind.
     #[cold]
+    pub(super) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) -> bool {
+        let view = mesh.face(face);
+        let is_rough = has_rough_line(&view, state.points.axis);
+        if is_rough {
+            self.clip_triangles(state, mesh, &view, tag);
+        }
+        is_rough
+    }
+
     fn clip_triangles(&mut self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>, tag: FaceTag) {
         let outline = face.loop_ranges().next().unwrap_or(0..0);
         self.triangles.clear();
@@ -99,7 +106,6 @@ impl Rough {
 
 /// Whether a face lies across an axis, and the line in which it meets planes there is lost in rounding: in that of its
 /// corners, which are not quite in its plane, or at least in that of any number as large.
-#[cold]
 fn has_rough_line(face: &FaceRef<'_>, axis: usize) -> bool {
     let corners = || face.corner_range().map(|corner| face.position(corner));
     let bounds = Bounds::of(corners());
