@@ -148,6 +148,7 @@ fn size_alone_changes_nothing() {
         primitive::cube().reversed(),
         prism(&ring(10, |i| if i % 2 == 0 { 3.0 } else { 1.0 }), &[], 2.0),
         turned(&prism(&ring(9, |i| if i % 3 == 0 { 3.0 } else { 1.0 }), &[], 2.0)),
+        prism(&square(0.0, 0.0, 8.0), &[square(2.0, 2.0, 3.0)], 2.0),
     ];
     for (number, solid) in solids.iter().enumerate() {
         for axis in AXES {

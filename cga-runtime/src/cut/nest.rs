@@ -68,9 +68,10 @@ impl Nest {
     /// Sorts the loops of a section into groups.
     pub(crate) fn sort(&mut self, section: &Section<'_>) {
         self.loops.clear();
+        let scale = about_one(section);
         let mut start = 0;
         for &end in section.ends {
-            self.loops.push(measure(section, start..end));
+            self.loops.push(measure(section, start..end, scale));
             start = end;
         }
         // A section that is inside out has its outlines clockwise.
@@ -206,7 +207,19 @@ impl Probe {
     }
 }
 
-fn measure(section: &Section<'_>, range: Range<usize>) -> Loop {
+/// What makes a section about as large as 1 when its areas would be beyond what a number holds.
+fn about_one(section: &Section<'_>) -> f64 {
+    const RANGE: std::ops::Range<f64> = 1e-100..1e100;
+    let Some(&first) = section.corners.first() else { return 1.0 };
+    let from = section.flat[first as usize];
+    let half =
+        section.corners.iter().map(|&corner| (section.flat[corner as usize] * 0.5 - from * 0.5).abs().max_element());
+    let half = half.fold(0.0, f64::max);
+    if half == 0.0 || RANGE.contains(&half) { 1.0 } else { libm::scalbn(1.0, -libm::ilogb(half)) }
+}
+
+/// The area of a loop and its box; the area of a section that is `scale` times as large.
+fn measure(section: &Section<'_>, range: Range<usize>, scale: f64) -> Loop {
     let ring = &section.corners[range.clone()];
     let from = section.flat[ring[0] as usize];
     let (mut low, mut high, mut area) = (from, from, 0.0);
@@ -214,7 +227,7 @@ fn measure(section: &Section<'_>, range: Range<usize>) -> Loop {
     for &corner in &ring[1..] {
         let p = section.flat[corner as usize];
         (low, high) = (low.min(p), high.max(p));
-        let here = p - from;
+        let here = p * scale - from * scale;
         area += last.perp_dot(here);
         last = here;
     }
