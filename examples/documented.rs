@@ -27,7 +27,8 @@ use cga::{Model, Settings, Shape};
 use captions::{areas, counts, heights, lengths, numbered};
 use pages::example::Example;
 use pages::{
-    comp, cutting, meshes, split_area, split_attribute, split_operation, subdivision_once, subdivision_repeat,
+    comp, components, cutting, meshes, split_area, split_attribute, split_operation, subdivision_once,
+    subdivision_repeat,
 };
 use sheet::Cell;
 
@@ -102,6 +103,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         cell(example, &plain, Camera::auto(bounds).looking_from(-33.0, 30.0).field_of_view(16.0), counts)
     });
     save("comp", sheet::draw(&views.collect::<Vec<_>>(), 2))?;
+
+    let views = components::ALL.iter().map(|example| {
+        let bounds = example.model(&plain).bounds();
+        cell(example, &plain, Camera::auto(bounds).looking_from(-33.0, 30.0).field_of_view(16.0), counts)
+    });
+    save("components", sheet::draw(&views.collect::<Vec<_>>(), 4))?;
 
     let path = std::env::args_os().nth(1);
     save("real-mesh", sheet::draw(&real_mesh::cells(path.as_deref().map(Path::new))?, 2))

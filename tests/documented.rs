@@ -34,7 +34,9 @@ mod thirty;
 /// Every example runs, leaves something and has nothing to complain about, and they can be told apart.
 #[test]
 fn all_examples_run() {
-    use pages::{comp, cutting, split_area, split_attribute, split_operation, subdivision_once, subdivision_repeat};
+    use pages::{
+        comp, components, cutting, split_area, split_attribute, split_operation, subdivision_once, subdivision_repeat,
+    };
     let pages = [
         split_operation::ALL,
         split_attribute::ALL,
@@ -43,6 +45,7 @@ fn all_examples_run() {
         subdivision_repeat::ALL,
         cutting::ALL,
         comp::ALL,
+        components::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {
@@ -52,5 +55,5 @@ fn all_examples_run() {
     }
     titles.sort_unstable();
     titles.dedup();
-    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 4);
+    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 4 + 19);
 }

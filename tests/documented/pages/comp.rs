@@ -14,7 +14,7 @@ fn ball() -> Shape {
 }
 
 /// A comb with six teeth to the front: with its sides it has six front faces.
-fn comb() -> Shape {
+pub(crate) fn comb() -> Shape {
     let tooth = |at: u32| {
         let x = 4.0 * f64::from(at);
         [[x, 10.0], [x + 2.0, 10.0], [x + 2.0, 6.0], [x + 4.0, 6.0]]

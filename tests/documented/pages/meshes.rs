@@ -1,7 +1,7 @@
 //! Meshes that the documents insert from files, made here: a lying cylinder, a tube, a sphere.
 
 use cga::mesh::FaceTag;
-use cga::{Mesh, MeshBuilder};
+use cga::{Color, Material, Mesh, MeshBuilder};
 
 /// Points on a circle about the x axis, counter-clockwise seen from +x, beginning on top.
 fn circle(builder: &mut MeshBuilder, sides: u32, radius: f64, x: f64) -> Vec<u32> {
@@ -76,4 +76,34 @@ pub(crate) fn sphere(sides: u32, rows: u32, radius: f64) -> Mesh {
         }
     }
     builder.build().expect("a sphere")
+}
+
+/// A trunk, a crown and three fruits: boxes, in groups and materials of the same names.
+///
+/// # Panics
+/// Never: its numbers are fine.
+pub(crate) fn tree() -> Mesh {
+    const PARTS: [(u32, [f64; 3], [f64; 3]); 5] = [
+        (0, [-0.4, 0.0, -0.4], [0.8, 4.0, 0.8]),
+        (1, [-2.5, 4.0, -2.5], [5.0, 4.0, 5.0]),
+        (2, [2.5, 5.0, 1.0], [0.6, 0.6, 0.6]),
+        (2, [-1.0, 6.5, 2.5], [0.6, 0.6, 0.6]),
+        (2, [1.0, 5.5, 2.5], [0.6, 0.6, 0.6]),
+    ];
+    let names = [("Bark", [0.42, 0.29, 0.17]), ("Foliage", [0.3, 0.6, 0.23]), ("Fruit", [0.94, 0.54, 0.11])];
+    let mut builder = MeshBuilder::new();
+    builder.groups(names.map(|(name, _)| name.to_owned()));
+    builder.materials(names.map(|(name, [r, g, b])| {
+        let mut material = Material::default();
+        (material.name, material.color) = (Some(name.into()), Some(Color::new(r, g, b)));
+        material
+    }));
+    for (part, low, size) in PARTS {
+        let corner = |i: usize| [0, 1, 2].map(|axis| low[axis] + if i >> axis & 1 == 1 { size[axis] } else { 0.0 });
+        let points: Vec<u32> = (0..8).map(|i| builder.point(corner(i))).collect();
+        for face in [[4, 5, 7, 6], [5, 1, 3, 7], [1, 0, 2, 3], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]] {
+            builder.face(&face.map(|i| points[i]), &[], FaceTag { group: part, material: part, ..FaceTag::PLAIN });
+        }
+    }
+    builder.build().expect("a tree")
 }
