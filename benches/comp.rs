@@ -107,6 +107,14 @@ fn best(runs: u32, mut work: impl FnMut()) -> Duration {
 }
 
 fn main() {
+    // `-- box` leaves the balls out.
+    if !std::env::args().any(|arg| arg == "box") {
+        balls();
+    }
+    boxes();
+}
+
+fn balls() {
     let settings = Settings::default();
     println!("ball, ns a face          faces     by hand   together       each");
     for rows in [50, 158, 500] {
@@ -131,6 +139,10 @@ fn main() {
             per_face(each)
         );
     }
+}
+
+fn boxes() {
+    let settings = Settings::default();
     let row = Shape::cuboid(1000.0, 1.0, 1.0);
     let count = |expected: usize, work: &dyn Fn(&mut Count)| {
         best(200, || {

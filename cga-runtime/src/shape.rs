@@ -290,7 +290,7 @@ impl<'a> ShapeRef<'a> {
 
     /// Puts the pivot elsewhere; scope, geometry and trim planes stay.
     pub(crate) fn set_pivot(&mut self, pivot: Frame) {
-        self.trims = self.trims.with(&self.pivot, &Trims::None, &pivot);
+        self.trims = self.trims.with(&self.pivot, Trims::None, &pivot);
         self.pivot = pivot;
     }
 

@@ -53,11 +53,15 @@ impl Trims {
     }
 
     /// These, of a shape with one pivot, and others, for a shape with another.
-    pub(crate) fn with(&self, pivot: &Frame, other: &Trims, other_pivot: &Frame) -> Trims {
-        match (self, other) {
-            (_, Trims::None) if pivot == other_pivot => self.clone(),
-            (_, Trims::None) => self.settled(pivot),
-            (Trims::None, _) => other.clone(),
+    #[inline]
+    pub(crate) fn with(&self, pivot: &Frame, other: Trims, other_pivot: &Frame) -> Trims {
+        if matches!(self, Trims::None) { other } else { self.joined(pivot, other, other_pivot) }
+    }
+
+    fn joined(&self, pivot: &Frame, other: Trims, other_pivot: &Frame) -> Trims {
+        match other {
+            Trims::None if pivot == other_pivot => self.clone(),
+            Trims::None => self.settled(pivot),
             _ => Trims::Planes(self.planes(pivot).iter().chain(&*other.planes(other_pivot)).copied().collect()),
         }
     }

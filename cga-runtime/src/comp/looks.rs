@@ -13,8 +13,8 @@ use crate::scope::Scope;
 #[derive(Clone, Debug)]
 pub(crate) struct Looks {
     scope: Scope,
-    /// From scope axes to those of the initial shape.
-    to_object: DMat3,
+    /// The axes of the initial shape.
+    object: DMat3,
     /// Makes selectors see a shape as if it were not mirrored: a negative size turns its faces inside out, and what a
     /// selector means is where they are, not where they look (*CGA changelog 2010.3*).
     outwards: f64,
@@ -26,7 +26,7 @@ impl Looks {
         let mirrored = (0..3).filter(|&axis| scope.size[axis] < 0.0).count() % 2 == 1;
         Looks {
             scope: *scope,
-            to_object: env.initial.object.axes.transpose() * scope.axes,
+            object: env.initial.object.axes,
             outwards: if mirrored { -1.0 } else { 1.0 },
             streets: env.initial.streets.clone(),
         }
@@ -47,7 +47,7 @@ impl Looks {
             (Axes::Scope, _) => direction.takes(normal),
             (Axes::World, _) => direction.takes(self.scope.axes * normal),
             (Axes::Street, Some(streets)) => streets.takes(direction, self.scope.axes * normal, at()),
-            (Axes::Object | Axes::Street, _) => direction.takes(self.to_object * normal),
+            (Axes::Object | Axes::Street, _) => direction.takes(self.object.transpose() * (self.scope.axes * normal)),
         }
     }
 }

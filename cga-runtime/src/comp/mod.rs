@@ -21,8 +21,9 @@ use std::sync::Arc;
 
 use crate::derive::Cx;
 use crate::env::Env;
+use crate::scope::{Axis, Frame, Scope};
 use crate::seed::{Seed, Tag};
-use crate::shape::{Counter, ShapeRef};
+use crate::shape::{Counter, Geometry, ShapeRef};
 use crate::sink::{Flow, Sink};
 use crate::trim::{Surface, Trims};
 
@@ -174,12 +175,11 @@ impl<'s> Parts<'s> {
         let looks = Looks::of(env, &parent.scope);
         let owners = Owners::choose(count, |number| {
             let mut candidate = Candidate::new(&source, &looks, parent, number, ordinal.wrapping_add(number as u32));
-            // What is degenerate is never selected.
-            let there = candidate.is(Word::All);
             let arm = arms.iter().enumerate().position(|(arm, Arm { select, .. })| match *select {
                 Select::Word(word) => candidate.is(word),
-                Select::Index(index) => there && index == number as f64,
-                Select::When => there && when(env, arm as u32, &mut candidate),
+                // What is degenerate is never selected.
+                Select::Index(index) => index == number as f64 && candidate.is(Word::All),
+                Select::When => candidate.is(Word::All) && when(env, arm as u32, &mut candidate),
             });
             arm.map(|arm| arm as u16)
         });
@@ -227,22 +227,42 @@ impl<'s> Parts<'s> {
     #[inline]
     fn part(&self, arm: &Arm, comp: Counter, components: &[u32]) -> ShapeRef<'s> {
         let parent = self.parent;
+        if let Source::Quads(quads) = &self.source {
+            // The façade path: nothing is copied that need not be.
+            let scope = quads.scope(components[0] as usize);
+            let own = if quads.are_sides() { Trims::Side(scope.size.truncate()) } else { Trims::None };
+            return self.shape(arm, comp, components[0], scope, scope.frame(), Geometry::Rect(Axis::Z), own);
+        }
         let Part { scope, pivot, geometry } = self.source.part(parent, self.align, components, arm.word());
-        let own = match (&self.source, &self.trims) {
-            _ if arm.mode != Mode::Each => Trims::None,
-            (Source::Quads(quads), _) if quads.are_sides() => Trims::Side(scope.size.truncate()),
-            (_, Some(surface)) => Trims::Face(surface.clone(), components[0]),
+        let own = match &self.trims {
+            Some(surface) if arm.mode == Mode::Each => Trims::Face(surface.clone(), components[0]),
             _ => Trims::None,
         };
+        self.shape(arm, comp, components[0], scope, pivot, geometry, own)
+    }
+
+    #[allow(clippy::too_many_arguments, reason = "they are what a shape is made of")]
+    #[inline(always)]
+    fn shape(
+        &self,
+        arm: &Arm,
+        comp: Counter,
+        component: u32,
+        scope: Scope,
+        pivot: Frame,
+        geometry: Geometry,
+        own: Trims,
+    ) -> ShapeRef<'s> {
+        let parent = self.parent;
         ShapeRef {
             scope,
             pivot,
             geometry,
-            seed: Seed::child(self.seed, Tag::Comp, self.ordinal.wrapping_add(components[0])),
+            seed: Seed::child(self.seed, Tag::Comp, self.ordinal.wrapping_add(component)),
             split: parent.split,
             comp,
             selector: arm.text,
-            trims: parent.trims.with(&parent.pivot, &own, &pivot),
+            trims: parent.trims.with(&parent.pivot, own, &pivot),
             state: parent.state.lend(),
         }
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use super::mesh_parts::MeshParts;
 use super::select::Word;
@@ -10,7 +10,6 @@ use super::source::Source;
 use super::{Align, Components};
 use crate::scope::{Axis, Frame, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
-use crate::sink::Quad;
 use crate::wire::{PlacedWire, Wire};
 
 /// Scope, pivot and geometry of a component, or of several together.
@@ -29,7 +28,8 @@ impl Source {
             return self.kept(parent, numbers, word);
         }
         match self {
-            Source::Quads(quads) => side(&quads.list[first]),
+            // Those are handed out as they are, unless a condition asks for their shapes.
+            Source::Quads(_) => self.kept(parent, numbers, word),
             Source::Mesh(parts) => {
                 if let [_] = numbers
                     && let Some(found) = parts.face_frame(first).filter(|found| found.rectangle)
@@ -71,16 +71,6 @@ impl Source {
         };
         Part { pivot: parent.pivot, ..part }
     }
-}
-
-/// The side of a box: x along its first edge, z outwards.
-#[inline]
-fn side(quad: &Quad) -> Part {
-    let (width, height) = (quad.u.length(), quad.v.length());
-    let (x, y) = (quad.u / width, quad.v / height);
-    let axes = DMat3::from_cols(x, y, x.cross(y));
-    let scope = Scope { origin: quad.origin, axes, size: DVec3::new(width, height, 0.0) };
-    Part { scope, pivot: scope.frame(), geometry: Geometry::Rect(Axis::Z) }
 }
 
 /// A mesh in the coordinates of a pivot.

@@ -108,7 +108,7 @@ pub(crate) enum RoofEdge {
 }
 
 impl Word {
-    #[inline]
+    #[inline(always)]
     pub(crate) fn sense(self) -> Sense {
         use Direction as D;
         let (axes, direction) = match self {

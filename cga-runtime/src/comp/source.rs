@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::candidate::Subcomponent;
 use super::looks::Looks;
@@ -12,10 +12,9 @@ use super::wire_parts::WireParts;
 use super::{Align, Arm, Components, Mode};
 use crate::env::Env;
 use crate::mesh::tag_matches;
-use crate::place;
+use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, ShapeRef};
 use crate::side::{EXTRUDED, Sides};
-use crate::sink::Quad;
 use crate::wire::Wire;
 
 /// A shape's components of one kind, by number.
@@ -66,7 +65,7 @@ impl Source {
     #[inline]
     pub(super) fn len(&self) -> usize {
         match self {
-            Source::Quads(quads) => quads.count,
+            Source::Quads(quads) => quads.len(),
             Source::Mesh(parts) => parts.len(),
             Source::Wire(parts) => parts.len(),
         }
@@ -92,32 +91,66 @@ impl Source {
     }
 }
 
-/// Sides of a box, or the one of a rectangle, that is neither flat nor turned inside out.
+/// Sides of a box, or the one of a rectangle, that is neither flat nor turned inside out. They need no mesh, and all that is
+/// asked of them follows from the scope.
 #[derive(Debug)]
 pub(super) struct Quads {
-    pub(super) list: [Quad; 6],
-    count: usize,
-    /// Outwards, in scope axes.
-    normals: [DVec3; 6],
+    scope: Scope,
+    /// Of a rectangle, the axis that it lies across.
+    across: Option<Axis>,
     sides: Sides,
 }
+
+/// Where the sides of a box look: front, right, back, left, top, bottom, as [`Cuboid::faces`](crate::sink::Cuboid::faces).
+const NORMALS: [DVec3; 6] = [DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y];
 
 impl Quads {
     #[inline]
     fn of(shape: &ShapeRef<'_>) -> Option<Self> {
-        let size = shape.scope.size;
-        let (list, count) = match shape.geometry {
-            Geometry::Box(_) if 0.0 < size.min_element() => (place::cuboid(&shape.scope).faces(), 6),
+        let (scope, size) = (shape.scope, shape.scope.size);
+        match shape.geometry {
+            Geometry::Box(sides) if 0.0 < size.min_element() => Some(Quads { scope, across: None, sides }),
             Geometry::Rect(axis) if (0..3).all(|at| at == axis.index() || 0.0 < size[at]) => {
-                (std::array::from_fn(|_| place::rect(&shape.scope, axis)), 1)
+                Some(Quads { scope, across: Some(axis), sides: Sides::PLAIN })
             }
-            _ => return None,
+            _ => None,
+        }
+    }
+
+    #[inline]
+    fn len(&self) -> usize {
+        if self.across.is_some() { 1 } else { 6 }
+    }
+
+    /// The side of a box that the only one of a rectangle looks like.
+    #[inline]
+    fn side_of(&self, number: usize) -> usize {
+        match self.across {
+            None => number,
+            Some(Axis::X) => 1,
+            Some(Axis::Y) => 4,
+            Some(Axis::Z) => 0,
+        }
+    }
+
+    /// The scope of a side: x along its first edge, z outwards.
+    #[inline]
+    pub(super) fn scope(&self, number: usize) -> Scope {
+        let Scope { origin, axes, size } = self.scope;
+        let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis];
+        let (width, height, depth) = (size.x, size.y, size.z);
+        // A rectangle lies at the low end of the axis that it looks along.
+        let far = |axis: DVec3, by: f64| if self.across.is_some() { DVec3::ZERO } else { axis * by };
+        let (from, axes, size) = match self.side_of(number) {
+            0 => (far(z, depth), [x, y, z], [width, height]),
+            1 => (z * depth + far(x, width), [-z, y, x], [depth, height]),
+            2 => (x * width, [-x, y, -z], [width, height]),
+            3 => (DVec3::ZERO, [z, y, -x], [depth, height]),
+            4 => (z * depth + far(y, height), [x, -z, y], [width, depth]),
+            _ => (DVec3::ZERO, [x, z, -y], [width, depth]),
         };
-        let to_scope = shape.scope.axes.transpose();
-        let normals =
-            std::array::from_fn(|side: usize| to_scope * list[side].u.cross(list[side].v).normalize_or_zero());
-        let sides = if let Geometry::Box(sides) = shape.geometry { sides } else { Sides::PLAIN };
-        Some(Quads { list, count, normals, sides })
+        let [x, y, z] = axes;
+        Scope { origin: origin + from, axes: DMat3::from_cols(x, y, z), size: DVec3::new(size[0], size[1], 0.0) }
     }
 
     #[inline]
@@ -125,11 +158,11 @@ impl Quads {
         match word.sense() {
             Sense::All => true,
             Sense::Looks(axes, direction) => {
-                let quad = &self.list[number];
-                looks.takes_at(axes, direction, self.normals[number], || quad.origin + (quad.u + quad.v) * 0.5)
+                let normal = NORMALS[self.side_of(number)];
+                looks.takes_at(axes, direction, normal, || self.scope(number).centre())
             }
             // A rectangle alone has no neighbours.
-            Sense::Border(border) => border == (self.count == 1),
+            Sense::Border(border) => border == self.across.is_some(),
             Sense::Roof(_) => false,
         }
     }
@@ -144,6 +177,6 @@ impl Quads {
 
     /// Whether the faces have neighbours.
     pub(super) fn are_sides(&self) -> bool {
-        self.count == 6
+        self.across.is_none()
     }
 }
