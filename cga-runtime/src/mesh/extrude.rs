@@ -118,18 +118,12 @@ impl AutoTags {
 pub(crate) fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
     /// Of more directions than this at a point, the others count whether they are new or not.
     const MOST_DIRECTIONS: usize = 64;
-    let mut around: Vec<(u32, u32)> = Vec::with_capacity(mesh.corners.len());
-    for (index, face) in mesh.faces().enumerate() {
-        around.extend(mesh.corners[face.corner_range()].iter().map(|&point| (point, index as u32)));
-    }
-    around.sort_unstable();
-    around.dedup();
+    let adjacency = mesh.adjacency();
     let face_normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
-    let mut normals = vec![DVec3::ZERO; mesh.points.len()];
     let mut directions: Vec<DVec3> = Vec::new();
-    for group in around.chunk_by(|a, b| a.0 == b.0) {
+    let at_point = |point: usize| {
         directions.clear();
-        for &(_, face) in group {
+        for face in adjacency.faces_around(point) {
             let normal = face_normals[face as usize];
             let known = |other: &DVec3| (*other - normal).length() <= COPLANAR_EPSILON;
             if MOST_DIRECTIONS <= directions.len() || !directions.iter().any(known) {
@@ -138,9 +132,9 @@ pub(crate) fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
         }
         let sum: DVec3 = directions.iter().sum();
         // What is left of normals that cancel out is rounding.
-        normals[group[0].0 as usize] = if sum.length() <= COPLANAR_EPSILON { DVec3::ZERO } else { unit(sum) };
-    }
-    normals
+        if sum.length() <= COPLANAR_EPSILON { DVec3::ZERO } else { unit(sum) }
+    };
+    (0..mesh.points.len()).map(at_point).collect()
 }
 
 /// How far each point goes up to a flat top.
