@@ -20,6 +20,7 @@ pub mod func;
 pub mod get;
 pub mod grammar;
 pub mod host;
+mod hull;
 pub mod later;
 pub mod material;
 pub mod mesh;

@@ -10,6 +10,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DVec2, DVec3};
 
 use crate::comp::frame::face_frame;
+use crate::hull::hull;
 use crate::mesh::{Mesh, unit};
 use crate::scope::Frame;
 use crate::tol::{ANGLE_EPSILON, PLANAR_EPSILON};
@@ -150,22 +151,7 @@ fn face_end(mesh: &Mesh, corner: usize) -> DVec3 {
 /// The corners of a polygon's convex hull: those that decide on which side of a line all of it is.
 fn convex_corners(outline: &[DVec3], normal: DVec3) -> Vec<DVec3> {
     let projection = crate::triangulate::Projection::along(normal);
-    let mut flat: Vec<(DVec2, DVec3)> = outline.iter().map(|&p| (projection.apply(p), p)).collect();
-    flat.sort_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.0.y.total_cmp(&b.0.y)));
-    let mut hull: Vec<(DVec2, DVec3)> = Vec::new();
-    for way in [1, -1] {
-        let start = hull.len();
-        let sorted: Box<dyn Iterator<Item = &(DVec2, DVec3)>> =
-            if way == 1 { Box::new(flat.iter()) } else { Box::new(flat.iter().rev()) };
-        for &(p, point) in sorted {
-            while start + 2 <= hull.len()
-                && crate::exact::orient(hull[hull.len() - 2].0, hull[hull.len() - 1].0, p) <= 0
-            {
-                hull.pop();
-            }
-            hull.push((p, point));
-        }
-        hull.pop();
-    }
-    hull.into_iter().map(|(_, point)| point).collect()
+    let mut corners: Vec<DVec3> = outline.to_vec();
+    hull(&mut corners, |&point| projection.apply(point));
+    corners
 }

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::refit::{CORNERS, refit};
 use crate::env::Env;
+use crate::hull::hull;
 use crate::shape::{Geometry, ShapeRef};
 use crate::tol::{ANGLE_EPSILON, AREA_EPSILON};
 
@@ -72,7 +73,7 @@ fn seen(shape: &ShapeRef<'_>, first: usize, second: usize) -> Vec<DVec2> {
 
 /// The direction of the longer side of the smallest rectangle around points.
 fn longer_side(points: &mut Vec<DVec2>) -> DVec2 {
-    hull(points);
+    hull(points, |point| *point);
     let mut best = (DVec2::X, extent(points, DVec2::X), extent(points, DVec2::Y));
     let count = points.len();
     let [mut far, mut deep, mut near] = [0; 3];
@@ -114,34 +115,4 @@ fn extent(points: &[DVec2], direction: DVec2) -> f64 {
         (low.min(p.dot(direction)), high.max(p.dot(direction)))
     });
     (ends.1 - ends.0).max(0.0)
-}
-
-/// The corners of the convex hull, counter-clockwise.
-fn hull(points: &mut Vec<DVec2>) {
-    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    points.dedup();
-    if points.len() < 3 {
-        return;
-    }
-    let mut corners: Vec<DVec2> = Vec::new();
-    for pass in 0..2 {
-        let start = corners.len();
-        let mut add = |p: DVec2| {
-            while start + 2 <= corners.len() {
-                let (a, b) = (corners[corners.len() - 2], corners[corners.len() - 1]);
-                if 0.0 < (b - a).perp_dot(p - a) {
-                    break;
-                }
-                corners.pop();
-            }
-            corners.push(p);
-        };
-        match pass {
-            0 => points.iter().for_each(|p| add(*p)),
-            _ => points.iter().rev().for_each(|p| add(*p)),
-        }
-        // The last is the first of the other half.
-        corners.pop();
-    }
-    *points = corners;
 }
