@@ -35,9 +35,7 @@ impl Part {
     #[inline]
     pub(super) fn keep_triangle(&mut self, source: &Mesh, tag: FaceTag, corners: Range<usize>, numbers: [u32; 3]) {
         self.whole += 1;
-        self.mesh.corners.extend_from_slice(&numbers);
-        self.end_loop();
-        self.end_face(tag);
+        self.piece(tag, numbers);
         self.copy_carried(source, corners);
     }
 
@@ -86,7 +84,7 @@ impl Part {
 
     /// Adds what corners of a piece carry besides their points.
     #[inline(always)]
-    fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
+    pub(super) fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
         if !source.uvs.is_empty() {
             for node in nodes {
                 let share = if node.is_corner() { 0.0 } else { points.share(node.place) };
@@ -107,17 +105,10 @@ impl Part {
         }
     }
 
-    /// Adds a piece that is one loop; the numbers of its points here are known.
+    /// Adds a piece that is one loop, without what its corners carry; the numbers of its points here are known.
     #[inline(always)]
-    pub(super) fn face<const N: usize>(
-        &mut self,
-        points: &Points,
-        source: &Mesh,
-        tag: FaceTag,
-        nodes: [(Node, u32); N],
-    ) {
-        self.mesh.corners.extend_from_slice(&nodes.map(|(_, number)| number));
-        self.carry(points, source, &nodes.map(|(node, _)| node));
+    pub(super) fn piece<const N: usize>(&mut self, tag: FaceTag, numbers: [u32; N]) {
+        self.mesh.corners.extend(numbers);
         self.end_loop();
         self.end_face(tag);
     }

@@ -52,6 +52,12 @@ impl Node {
         self.from == self.to
     }
 
+    /// Whether both are crossings of one edge of a face.
+    #[inline]
+    pub(super) fn is_on_edge_of(&self, other: &Node) -> bool {
+        !self.is_corner() && (self.from, self.to) == (other.from, other.to)
+    }
+
     #[inline]
     pub(super) fn class(&self) -> u32 {
         self.place.class
@@ -89,7 +95,7 @@ pub(super) struct Points {
     /// The points on each plane; there may be more of these than planes.
     pub(super) levels: Vec<Level>,
     /// Whether corners carry something that is mixed at crossings.
-    mixes: bool,
+    pub(super) mixes: bool,
     /// Edge to its one crossing's number on the plane, or to where its crossings begin in the list.
     edges: Edges,
     /// Numbers on their planes of the crossings of edges with several, from low to high.

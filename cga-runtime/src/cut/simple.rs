@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::first::first_node;
+use super::first::{first_node, first_node_of_band};
 use super::points::{Node, Place};
 use super::rim::Side;
 use super::state::State;
@@ -73,7 +73,10 @@ impl Simple {
                 part.dropped = true;
                 continue;
             }
-            let first = first_node(ahead.iter().chain(back), &corners);
+            let first = match (ahead, back) {
+                ([a, b], [c, d]) if a.is_on_edge_of(b) && c.is_on_edge_of(d) => first_node_of_band([a, c], &corners),
+                _ => first_node(ahead.iter().chain(back), &corners),
+            };
             let runs = match first.checked_sub(ahead.len()) {
                 None => [&ahead[first..], back, &ahead[..first]],
                 Some(first) => [&back[first..], ahead, &back[..first]],

@@ -31,20 +31,29 @@ pub(super) fn clip(
     let tip_is_below = l.place.class / 2 == plane;
     let (from, to) = if tip_is_below { (x, y) } else { (y, x) };
     rim.cut(plane, from.place.number, to.place.number);
-    // Nodes with their numbers in the slab of their piece.
     let (tip_side, rest_side) = if tip_is_below { (0, 1) } else { (1, 0) };
-    let inside = |node: Node| (node, node.place.number);
+    let [tip, rest] = [tip_side, rest_side].map(|side| plane as usize + side);
+    // Numbers in the slab of the piece.
+    let inside = [l, m, n].map(|node| node.place.number);
     let level = &points.levels[plane as usize];
-    let on_plane = |node: Node, side: usize| (node, level.numbers[node.place.number as usize][side]);
-    let (tip_x, tip_y) = (on_plane(x, tip_side), on_plane(y, tip_side));
-    let (rest_x, rest_y) = (on_plane(x, rest_side), on_plane(y, rest_side));
-    let (l, m, n) = (inside(l), inside(m), inside(n));
-    // The first edge is l m, n l or m n.
-    let (tip, rest) = match lone {
+    let [on_tip, on_rest] =
+        [tip_side, rest_side].map(|side| [x, y].map(|node| level.numbers[node.place.number as usize][side]));
+    let (tip_numbers, rest_numbers) = pieces(lone, inside, on_tip, on_rest);
+    parts[tip].piece(tag, tip_numbers);
+    parts[rest].piece(tag, rest_numbers);
+    if points.mixes {
+        let (tip_nodes, rest_nodes) = pieces(lone, [l, m, n], [x, y], [x, y]);
+        parts[tip].carry(points, mesh, &tip_nodes);
+        parts[rest].carry(points, mesh, &rest_nodes);
+    }
+}
+
+/// The corners of the tip and the rest, with the first edge first: that is l m, n l or m n.
+#[inline(always)]
+fn pieces<T>(lone: usize, [l, m, n]: [T; 3], [tip_x, tip_y]: [T; 2], [rest_x, rest_y]: [T; 2]) -> ([T; 3], [T; 4]) {
+    match lone {
         0 => ([l, tip_x, tip_y], [rest_x, m, n, rest_y]),
         1 => ([tip_y, l, tip_x], [n, rest_y, rest_x, m]),
         _ => ([tip_x, tip_y, l], [m, n, rest_y, rest_x]),
-    };
-    parts[plane as usize + tip_side].face(points, mesh, tag, tip);
-    parts[plane as usize + rest_side].face(points, mesh, tag, rest);
+    }
 }

@@ -99,12 +99,13 @@ impl Sweep {
             }
             first = end;
         }
-        // At one place, points that begin edges come last: edges that end there are gone by then.
+        // Loops go up and down in runs, which this sort merges. At one place, points that begin edges come last: edges that end
+        // there are gone by then.
         let late = |corner: u32| {
             let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
             below(points, corner, a) && below(points, corner, b)
         };
-        self.order.sort_unstable_by(|a, b| {
+        self.order.sort_by(|a, b| {
             let order = if a.y != b.y { a.y < b.y } else { a.x < b.x };
             if a.y == b.y && a.x == b.x {
                 (late(a.corner), a.corner).cmp(&(late(b.corner), b.corner))
