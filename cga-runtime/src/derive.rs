@@ -140,7 +140,7 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
         self.env.leaves += u64::from(shape.geometry.has_surface());
         let leaf = Leaf { rule, material: shape.state.material(), scope: &shape.scope };
         match &shape.geometry {
-            Geometry::Rect(axis) => self.sink.quad(&leaf, &place::rect(&shape.scope, *axis)),
+            Geometry::Rect(axis, _) => self.sink.quad(&leaf, &place::rect(&shape.scope, *axis)),
             Geometry::Box(_) => self.sink.cuboid(&leaf, &place::cuboid(&shape.scope)),
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Flow::Continue(()),
             Geometry::Mesh(placed) => {

@@ -74,6 +74,11 @@ impl Scope {
         self.origin + self.axes * (self.size * 0.5)
     }
 
+    /// Whether what is in it, turned any way, is far from where numbers end.
+    pub(crate) fn is_bounded(&self) -> bool {
+        (self.origin.abs() + self.size.abs()).element_sum() <= f64::MAX / 16.0
+    }
+
     /// The extent along an axis.
     pub fn extent(&self, axis: Axis) -> f64 {
         self.size[axis.index()]

@@ -8,7 +8,7 @@ use crate::get;
 use crate::material::list::{each_material_number, each_material_text};
 use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
 use crate::op::turn;
-use crate::scope::Frame;
+use crate::scope::{Frame, Scope};
 use crate::seed::Seed;
 use crate::shape::ShapeRef;
 use crate::text::Text;
@@ -178,12 +178,12 @@ fn move_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, position: DVec3, rotation
     let turned = shape.pivot.axes.transpose() * shape.scope.axes;
     let pivot =
         Frame { origin: object.to_world(position), axes: object.axes * turn(rotation.x, rotation.y, rotation.z) };
-    let origin = pivot.to_world(offset);
-    if !(pivot.origin.is_finite() && origin.is_finite()) {
+    let scope = Scope { origin: pivot.to_world(offset), axes: pivot.axes * turned, size: shape.scope.size };
+    if !(pivot.origin.is_finite() && scope.is_bounded()) {
         return env.fault(FaultKind::Value, "the pivot leads beyond the largest number; the shape stays as it is");
     }
     shape.set_pivot(pivot);
-    (shape.scope.origin, shape.scope.axes) = (origin, pivot.axes * turned);
+    shape.scope = scope;
 }
 
 /// An attribute of the grammar, for this shape and its descendants.

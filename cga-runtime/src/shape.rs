@@ -14,7 +14,7 @@ use crate::material::{Color, Material};
 use crate::mesh::Mesh;
 use crate::scope::{Axis, Frame, Scope};
 use crate::seed::{Seed, Tag};
-use crate::side::Sides;
+use crate::side::{Extruded, Sides};
 use crate::state::StateRef;
 use crate::text::Text;
 use crate::trim::Trims;
@@ -67,7 +67,8 @@ pub(crate) enum Geometry {
     /// Edges, or points alone.
     Wire(Arc<PlacedWire>),
     /// A rectangle in the scope's low plane across an axis, looking along that axis.
-    Rect(Axis),
+    /// It may be one that `extrude` made.
+    Rect(Axis, Option<Extruded>),
     /// The scope itself, closed, and which of its sides have tags.
     Box(Sides),
     /// Any mesh.
@@ -77,7 +78,7 @@ pub(crate) enum Geometry {
 impl Geometry {
     /// Whether there are faces, or may be.
     pub(crate) fn has_surface(&self) -> bool {
-        matches!(self, Geometry::Rect(_) | Geometry::Box(_) | Geometry::Mesh(_))
+        matches!(self, Geometry::Rect(..) | Geometry::Box(_) | Geometry::Mesh(_))
     }
 }
 
@@ -89,6 +90,8 @@ pub(crate) struct Placed {
     pub(crate) size: DVec3,
     /// An inserted asset that nothing has changed since.
     pub(crate) whole: bool,
+    /// Whether the mesh is mirrored itself, so that a scope with a negative size mirrors it back.
+    pub(crate) mirrored: bool,
 }
 
 impl Placed {
@@ -96,7 +99,7 @@ impl Placed {
     pub(crate) fn fitted(mesh: Mesh) -> Self {
         let bounds = mesh.bounds();
         let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
-        Placed { low, size: bounds.size(), mesh: Arc::new(mesh), whole: false }
+        Placed { low, size: bounds.size(), mesh: Arc::new(mesh), whole: false, mirrored: false }
     }
 
     /// Factor from mesh to scope lengths, for each axis.
@@ -123,7 +126,7 @@ impl Shape {
         let scope = Scope::new(DVec3::new(width, 0.0, depth));
         // *comp operation*, coordinate systems: the first edge is the front, and the pivot its first vertex.
         let pivot = Frame { origin: DVec3::new(0.0, 0.0, depth), axes: DMat3::IDENTITY };
-        Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y)) }
+        Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, None)) }
     }
 
     /// A box of that size, its corner at the origin.
@@ -191,7 +194,7 @@ impl Shape {
         let size = found.high - found.low;
         if found.rectangle {
             let scope = Scope { origin: first - axes.z_axis * size.y, axes, size: DVec3::new(size.x, 0.0, size.y) };
-            return Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y)) };
+            return Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, None)) };
         }
         let local = mesh.map(&DAffine3 { matrix3: axes.transpose(), translation: -(axes.transpose() * first) });
         let placed = Placed::fitted(local);
@@ -263,10 +266,10 @@ impl Shape {
         let square = (scope.axes.transpose() * scope.axes).abs_diff_eq(DMat3::IDENTITY, 1e-9);
         if !square {
             Err(Error::Shape("the axes of the shape are not at right angles and of length 1".into()))
-        } else if scope.origin.is_finite() && scope.size.is_finite() {
+        } else if scope.is_bounded() {
             Ok(())
         } else {
-            Err(Error::Shape("a size or position of the initial shape is not a finite number".into()))
+            Err(Error::Shape("a size or position of the initial shape is not a finite number, or beyond 1e307".into()))
         }
     }
 }
@@ -321,13 +324,26 @@ impl<'a> ShapeRef<'a> {
         self.change_material(|material| material.color = Some(color));
     }
 
+    /// Whether the faces look inwards because a negative size mirrors them. What selectors mean is where faces are (*CGA changelog
+    /// 2010.3*).
+    pub(crate) fn looks_inwards(&self) -> bool {
+        let (mut stretch, mut mirrored) = (self.scope.size, false);
+        match &self.geometry {
+            Geometry::Rect(axis, _) => stretch[axis.index()] = 1.0,
+            Geometry::Mesh(placed) => (stretch, mirrored) = (placed.stretch(stretch), placed.mirrored),
+            _ => {}
+        }
+        let odd = stretch.cmplt(DVec3::ZERO).bitmask().count_ones() % 2 == 1;
+        odd != mirrored
+    }
+
     /// The geometry as a mesh in scope coordinates: metres from the scope's origin corner, along its axes.
     pub fn to_mesh(&self) -> Arc<Mesh> {
         match &self.geometry {
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Arc::default(),
-            Geometry::Rect(axis) => {
+            Geometry::Rect(axis, extruded) => {
                 let local = Scope::new(self.scope.size);
-                Arc::new(Mesh::from_quad(&crate::place::rect(&local, *axis)))
+                Arc::new(Mesh::from_quad(&crate::place::rect(&local, *axis)).with_side(*extruded))
             }
             Geometry::Box(sides) => {
                 Arc::new(Mesh::from_cuboid(&crate::place::cuboid(&Scope::new(self.scope.size))).with_sides(*sides))
@@ -350,7 +366,7 @@ impl<'a> ShapeRef<'a> {
     /// Sets the size. A size of zero flattens the geometry for good.
     pub(crate) fn resize(&mut self, size: DVec3) {
         let grows = |axis: usize| match &self.geometry {
-            Geometry::Rect(normal) => normal.index() != axis,
+            Geometry::Rect(normal, _) => normal.index() != axis,
             Geometry::Box(_) => true,
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Mesh(_) => false,
         };
@@ -364,7 +380,7 @@ impl<'a> ShapeRef<'a> {
                 let keep = DVec3::select(size.cmpeq(DVec3::ZERO), DVec3::ZERO, DVec3::ONE);
                 let move_low = DAffine3 { matrix3: DMat3::from_diagonal(keep), translation: -placed.low * keep };
                 let mesh = Arc::new(placed.mesh.map(&move_low));
-                let flattened = Placed { mesh, low: DVec3::ZERO, size: placed.size * keep, whole: false };
+                let flattened = Placed { mesh, low: DVec3::ZERO, size: placed.size * keep, ..Placed::clone(placed) };
                 self.geometry = Geometry::Mesh(Arc::new(flattened));
             }
         }

@@ -5,8 +5,35 @@ use crate::mesh::TagSet;
 use crate::scope::Axis;
 use crate::text::Text;
 
-/// Tags of the original face, what rises from its outline and from its holes, and the face that was moved.
-pub(crate) const EXTRUDED: [&str; 4] = ["extrude.bottom", "extrude.side.outer", "extrude.side.inner", "extrude.top"];
+/// Where `extrude` made a face: the face that was there, what rises from its outline and from its holes, and the face that
+/// moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extruded {
+    Bottom,
+    Outer,
+    Inner,
+    Top,
+}
+
+impl Extruded {
+    pub(crate) const ALL: [Extruded; 4] = [Extruded::Bottom, Extruded::Outer, Extruded::Inner, Extruded::Top];
+
+    /// Its tag.
+    pub(crate) fn tag(self) -> &'static str {
+        match self {
+            Extruded::Bottom => "extrude.bottom",
+            Extruded::Outer => "extrude.side.outer",
+            Extruded::Inner => "extrude.side.inner",
+            Extruded::Top => "extrude.top",
+        }
+    }
+
+    /// Whose tag is the only one of a set.
+    pub(crate) fn of(set: &TagSet) -> Option<Self> {
+        let [name] = set.names() else { return None };
+        Extruded::ALL.into_iter().find(|extruded| **name == *extruded.tag())
+    }
+}
 
 /// Which sides of a box are as `extrude` made them: front, right, back, left, top, bottom.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,18 +62,19 @@ impl Sides {
         self.0 == 0
     }
 
-    /// The tag of a side, as a number in [`EXTRUDED`].
-    pub(crate) fn tag(self, side: usize) -> Option<usize> {
+    /// The tag of a side.
+    #[inline]
+    pub(crate) fn tag(self, side: usize) -> Option<Extruded> {
         let tag = match side {
-            4 => 3,
-            5 => 0,
-            _ => 1,
+            4 => Extruded::Top,
+            5 => Extruded::Bottom,
+            _ => Extruded::Outer,
         };
         (self.0 >> side & 1 == 1).then_some(tag)
     }
 }
 
-/// The sets of tags that [`Sides::tag`] counts in.
+/// The set of each of [`Extruded::ALL`].
 pub(crate) fn tag_sets() -> Vec<TagSet> {
-    EXTRUDED.iter().map(|name| TagSet::new([Text::from(*name)])).collect()
+    Extruded::ALL.iter().map(|extruded| TagSet::new([Text::from(extruded.tag())])).collect()
 }

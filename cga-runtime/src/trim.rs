@@ -5,6 +5,7 @@
 //! Only planes with all of the face on their near side count: those at reflex corners and at holes would cut off what
 //! stands on the face itself. (The reference makes its planes of limited extent instead, and says no more.)
 
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::{Arc, OnceLock};
 
 use glam::{DVec2, DVec3};
@@ -14,6 +15,7 @@ use crate::hull::hull;
 use crate::mesh::{Mesh, unit};
 use crate::scope::Frame;
 use crate::tol::{ANGLE_EPSILON, PLANAR_EPSILON};
+use crate::triangulate::Projection;
 
 /// A trim plane in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,13 +95,15 @@ pub(crate) struct Surface {
     mesh: Arc<Mesh>,
     /// The mesh's coordinates.
     frame: Frame,
+    /// The y axis of the pivots, in these; nothing where each face has its own.
+    up: Option<DVec3>,
     /// Planes of each face, once they were asked for.
     planes: OnceLock<Vec<OnceLock<Arc<[TrimPlane]>>>>,
 }
 
 impl Surface {
-    pub(crate) fn new(mesh: Arc<Mesh>, frame: Frame) -> Self {
-        Surface { mesh, frame, planes: OnceLock::new() }
+    pub(crate) fn new(mesh: Arc<Mesh>, frame: Frame, up: Option<DVec3>) -> Self {
+        Surface { mesh, frame, up, planes: OnceLock::new() }
     }
 
     fn planes(&self, face: u32) -> Arc<[TrimPlane]> {
@@ -111,10 +115,11 @@ impl Surface {
         let (mesh, adjacency) = (&self.mesh, self.mesh.adjacency());
         let face = mesh.face(index);
         let normal = face.normal();
-        let Some(pivot) = face_frame(mesh, index) else { return Arc::default() };
+        let Some(own) = face_frame(mesh, index) else { return Arc::default() };
+        let up = self.up.unwrap_or(own.frame.axes.y_axis);
         let outline: Vec<DVec3> = face.outline().collect();
         let size = outline.iter().map(|p| (*p - outline[0]).abs().max_element()).fold(0.0, f64::max);
-        let corners = convex_corners(&outline, normal);
+        let hull = Hull::of(outline.clone(), normal);
         let mut planes = Vec::new();
         for corner in face.corner_range() {
             let edge = adjacency.edge(corner as u32);
@@ -129,10 +134,10 @@ impl Surface {
             }
             let across = if across.dot(inwards) < 0.0 { -across } else { across };
             let flat = unit(inwards);
-            if corners.iter().any(|p| flat.dot(*p - a) < -PLANAR_EPSILON * size) {
+            if hull.right_of(along).any(|p| flat.dot(p - a) < -PLANAR_EPSILON * size) {
                 continue;
             }
-            let rise = libm::asin(along.dot(pivot.frame.axes.y_axis).abs().min(1.0)).to_degrees();
+            let rise = libm::asin(along.dot(up).abs().min(1.0)).to_degrees();
             planes.push(TrimPlane {
                 point: self.frame.to_world(a),
                 normal: self.frame.axes * across,
@@ -148,10 +153,34 @@ fn face_end(mesh: &Mesh, corner: usize) -> DVec3 {
     mesh.points()[mesh.corners()[next as usize] as usize]
 }
 
-/// The corners of a polygon's convex hull: those that decide on which side of a line all of it is.
-fn convex_corners(outline: &[DVec3], normal: DVec3) -> Vec<DVec3> {
-    let projection = crate::triangulate::Projection::along(normal);
-    let mut corners: Vec<DVec3> = outline.to_vec();
-    hull(&mut corners, |&point| projection.apply(point));
-    corners
+/// The convex hull of a polygon: its corners decide on which side of a line all of it is.
+struct Hull {
+    projection: Projection,
+    /// Counter-clockwise from the one that is leftmost.
+    corners: Vec<DVec3>,
+    /// Where the edges after them run; rising.
+    angles: Vec<f64>,
+}
+
+impl Hull {
+    fn of(mut corners: Vec<DVec3>, normal: DVec3) -> Self {
+        let projection = Projection::along(normal);
+        hull(&mut corners, |&point| projection.apply(point));
+        let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+        let angles = ends.map(|(a, b)| angle(projection.apply(*b) - projection.apply(*a))).collect();
+        Hull { projection, corners, angles }
+    }
+
+    /// The corner that is farthest to the right of a direction, and those beside it, lest rounding decides.
+    fn right_of(&self, along: DVec3) -> impl Iterator<Item = DVec3> {
+        let count = self.corners.len();
+        let at = self.angles.partition_point(|&own| own < angle(self.projection.apply(along)));
+        [at + count - 1, at, at + 1].into_iter().map(move |at| self.corners[at % count])
+    }
+}
+
+/// Of a direction, from downwards, left out, to downwards.
+fn angle(along: DVec2) -> f64 {
+    let angle = libm::atan2(along.y, along.x);
+    if angle <= -FRAC_PI_2 { angle + TAU } else { angle }
 }

@@ -1,8 +1,8 @@
 //! Edges and points without faces: what comps into edges and vertices make of several at once.
 
-use glam::{DAffine3, DVec3};
+use glam::DVec3;
 
-use crate::mesh::Bounds;
+use crate::mesh::{Bounds, unit};
 use crate::scope::Frame;
 use crate::shape::stretch;
 
@@ -35,10 +35,13 @@ impl Wire {
         self
     }
 
-    /// The same, stretched along the axes and moved.
-    pub(crate) fn map(&self, place: &DAffine3) -> Self {
+    /// The same, stretched along the axes, negative factors mirroring it, and moved.
+    pub(crate) fn stretched(&self, stretch: DVec3, by: DVec3) -> Self {
         let mut moved = self.clone();
-        moved.points.iter_mut().for_each(|point| *point = place.transform_point3(*point));
+        moved.points.iter_mut().for_each(|point| *point = *point * stretch + by);
+        // What is across stays so.
+        let squeeze = DVec3::select(stretch.cmpeq(DVec3::ZERO), DVec3::ONE, stretch.recip());
+        moved.normals.iter_mut().for_each(|normal| *normal = unit(*normal * squeeze));
         moved
     }
 
@@ -96,7 +99,6 @@ impl PlacedWire {
     /// In scope coordinates.
     pub(crate) fn in_scope(&self, size: DVec3) -> Wire {
         let stretch = stretch(self.size, size);
-        let matrix3 = glam::DMat3::from_diagonal(stretch);
-        self.wire.map(&DAffine3 { matrix3, translation: -self.low * stretch })
+        self.wire.stretched(stretch, -self.low * stretch)
     }
 }

@@ -1,7 +1,7 @@
 //! What conditions are asked about.
 
 use super::looks::Looks;
-use super::select::Word;
+use super::select::{Sense, Word};
 use super::source::Source;
 use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, ShapeRef};
@@ -38,6 +38,8 @@ pub struct Candidate<'c> {
     /// The seed's number.
     pub(super) ordinal: u32,
     shape: Option<ShapeRef<'c>>,
+    /// Whether it was found to be an edge of a roof.
+    pub(super) as_roof: bool,
 }
 
 impl<'c> Candidate<'c> {
@@ -48,13 +50,15 @@ impl<'c> Candidate<'c> {
         number: usize,
         ordinal: u32,
     ) -> Self {
-        Candidate { source, looks, parent, number, ordinal, shape: None }
+        Candidate { source, looks, parent, number, ordinal, shape: None, as_roof: false }
     }
 
     /// Whether a selector takes it.
     #[inline]
-    pub fn is(&self, word: Word) -> bool {
-        self.source.is(self.looks, self.number, word)
+    pub fn is(&mut self, word: Word) -> bool {
+        let takes = self.source.is(self.looks, self.number, word);
+        self.as_roof |= takes && matches!(word.sense(), Sense::Roof(_));
+        takes
     }
 
     /// Whether a query finds one of its tags, or one of its subcomponents'.
@@ -70,7 +74,7 @@ impl<'c> Candidate<'c> {
     pub fn shape(&mut self) -> &mut ShapeRef<'c> {
         let Candidate { source, parent, number, ordinal, shape, .. } = self;
         shape.get_or_insert_with(|| {
-            let part = source.kept(parent, &[*number as u32], None);
+            let part = source.kept(parent, &[*number as u32], false);
             ShapeRef {
                 scope: part.scope,
                 pivot: part.pivot,

@@ -8,6 +8,7 @@ use super::select::{Axes, Direction};
 use super::street::Streets;
 use crate::env::Env;
 use crate::scope::Scope;
+use crate::shape::ShapeRef;
 
 /// How a shape stands.
 #[derive(Clone, Debug)]
@@ -15,21 +16,25 @@ pub(crate) struct Looks {
     scope: Scope,
     /// The axes of the initial shape.
     object: DMat3,
-    /// Makes selectors see a shape as if it were not mirrored: a negative size turns its faces inside out, and what a
-    /// selector means is where they are, not where they look (*CGA changelog 2010.3*).
-    outwards: f64,
+    /// Whether the normals of faces point inwards.
+    pub(super) inwards: bool,
     streets: Option<Arc<Streets>>,
 }
 
 impl Looks {
-    pub(crate) fn of(env: &Env, scope: &Scope) -> Self {
-        let mirrored = (0..3).filter(|&axis| scope.size[axis] < 0.0).count() % 2 == 1;
+    pub(crate) fn of(env: &Env, shape: &ShapeRef<'_>) -> Self {
         Looks {
-            scope: *scope,
+            scope: shape.scope,
             object: env.initial.object.axes,
-            outwards: if mirrored { -1.0 } else { 1.0 },
+            inwards: shape.looks_inwards(),
             streets: env.initial.streets.clone(),
         }
+    }
+
+    /// Outwards, of the normal of a face or of several.
+    #[inline]
+    pub(crate) fn outwards(&self, normal: DVec3) -> DVec3 {
+        if self.inwards { -normal } else { normal }
     }
 
     /// Whether what has a unit normal, in scope axes, looks in a direction. Where it is, in scope coordinates, is asked for
@@ -42,7 +47,6 @@ impl Looks {
     /// The same of what is somewhere in the world.
     #[inline]
     pub(super) fn takes_at(&self, axes: Axes, direction: Direction, normal: DVec3, at: impl FnOnce() -> DVec3) -> bool {
-        let normal = normal * self.outwards;
         match (axes, &self.streets) {
             (Axes::Scope, _) => direction.takes(normal),
             (Axes::World, _) => direction.takes(self.scope.axes * normal),

@@ -11,10 +11,12 @@ use super::candidate::Subcomponent;
 use super::faces::extract;
 use super::frame::{FaceFrame, beside, face_frame, upright};
 use super::looks::Looks;
-use super::roof::roof_edge;
-use super::select::{Sense, Word};
+use super::roof::Roof;
+use super::select::{RoofEdge, Sense, Word};
 use crate::mesh::{Adjacency, FaceTag, Mesh, MeshBuilder, flip, unit};
 use crate::scope::Frame;
+use crate::side::Extruded;
+use crate::tol::{COPLANAR_EPSILON, UP_EPSILON};
 use crate::wire::Wire;
 
 /// A mesh in scope coordinates, seen as components of one kind.
@@ -30,6 +32,7 @@ pub(super) struct MeshParts {
     holes: Vec<[u32; 2]>,
     /// For each point whether an edge at the border ends there.
     border: OnceCell<Vec<bool>>,
+    roof: OnceCell<Roof>,
     /// The last query for tags, and which sets it finds.
     found: RefCell<(String, Vec<bool>)>,
 }
@@ -48,7 +51,16 @@ impl MeshParts {
                 holes.extend((1..face.loops().len()).map(|ring| [face.index() as u32, ring as u32]));
             }
         }
-        MeshParts { mesh, kind, normals, sets, holes, border: OnceCell::new(), found: RefCell::default() }
+        MeshParts {
+            mesh,
+            kind,
+            normals,
+            sets,
+            holes,
+            border: OnceCell::new(),
+            roof: OnceCell::new(),
+            found: RefCell::default(),
+        }
     }
 
     fn adjacency(&self) -> &Adjacency {
@@ -82,7 +94,11 @@ impl MeshParts {
 
     /// Where a component looks, of length 1; zero for one that is never selected.
     fn normal(&self, index: usize) -> DVec3 {
-        let sum = |faces: &mut dyn Iterator<Item = u32>| unit(faces.map(|face| self.normals[face as usize]).sum());
+        let sum = |faces: &mut dyn Iterator<Item = u32>| {
+            let sum: DVec3 = faces.map(|face| self.normals[face as usize]).sum();
+            // What is left of normals that cancel out is rounding.
+            if sum.length() <= COPLANAR_EPSILON { DVec3::ZERO } else { unit(sum) }
+        };
         match self.kind {
             Components::Faces => self.normals[index],
             Components::Groups | Components::Materials => DVec3::ZERO,
@@ -152,10 +168,16 @@ impl MeshParts {
         normal != DVec3::ZERO
             && match word.sense() {
                 Sense::All => true,
-                Sense::Looks(axes, direction) => looks.takes(axes, direction, normal, || self.place(index)),
+                Sense::Looks(axes, direction) => {
+                    // Edges and vertices of a face look out of it within its plane, whichever way it looks.
+                    let within = matches!(self.kind, Components::FaceEdges | Components::FaceVertices);
+                    let normal = if within { normal } else { looks.outwards(normal) };
+                    looks.takes(axes, direction, normal, || self.place(index))
+                }
                 Sense::Border(border) => self.at_border(index) == border,
                 Sense::Roof(kind) => {
-                    self.kind == Components::Edges && roof_edge(&self.mesh, &self.normals, index) == Some(kind)
+                    let roof = || Roof::new(&self.mesh, &self.normals, looks.inwards);
+                    self.kind == Components::Edges && self.roof.get_or_init(roof).edge(index) == Some(kind)
                 }
             }
     }
@@ -166,7 +188,9 @@ impl MeshParts {
         normal != DVec3::ZERO
             && match sense {
                 Sense::All => true,
-                Sense::Looks(axes, direction) => looks.takes(axes, direction, normal, || self.middle(face)),
+                Sense::Looks(axes, direction) => {
+                    looks.takes(axes, direction, looks.outwards(normal), || self.middle(face))
+                }
                 Sense::Border(border) => self.face_at_border(face) == border,
                 Sense::Roof(_) => false,
             }
@@ -236,14 +260,26 @@ impl MeshParts {
         })
     }
 
-    /// Of a face.
-    pub(super) fn face_frame(&self, index: usize) -> Option<FaceFrame> {
-        if self.kind == Components::Faces { face_frame(&self.mesh, index) } else { None }
+    /// Of a face that is a rectangle and carries nothing but a tag of `extrude` at most: its frame and that.
+    pub(super) fn rectangle(&self, index: usize) -> Option<(FaceFrame, Option<Extruded>)> {
+        let mesh = &self.mesh;
+        if self.kind != Components::Faces || !mesh.uvs.is_empty() || !mesh.normals.is_empty() {
+            return None;
+        }
+        let tag = mesh.face(index).tag();
+        if tag.group != FaceTag::NONE || tag.material != FaceTag::NONE {
+            return None;
+        }
+        let extruded = match mesh.tag_sets().get(tag.tags as usize) {
+            Some(set) if !set.names().is_empty() => Some(Extruded::of(set)?),
+            _ => None,
+        };
+        face_frame(mesh, index).filter(|found| found.rectangle).map(|found| (found, extruded))
     }
 
     /// The coordinate system of a component (*comp operation*); nothing for groups and materials, which keep that of the
     /// shape, nor for what is degenerate.
-    pub(super) fn frame(&self, index: usize, word: Option<Word>) -> Option<Frame> {
+    pub(super) fn frame(&self, index: usize, as_roof: bool) -> Option<Frame> {
         let frame = |origin, x: DVec3, z: DVec3| {
             // An average need not be perpendicular to the edge.
             let z = unit(z - x * z.dot(x));
@@ -255,7 +291,7 @@ impl MeshParts {
             Components::Groups | Components::Materials => None,
             Components::Holes => face_frame(&self.filled(&[index as u32]), 0).map(|found| found.frame),
             Components::Edges => {
-                let [a, b] = self.directed(index, word).map(|corner| self.at(corner));
+                let [a, b] = self.directed(index, as_roof).map(|corner| self.at(corner));
                 (a != b).then(|| frame(a, unit(b - a), self.normal(index)))?
             }
             Components::FaceEdges => {
@@ -270,18 +306,21 @@ impl MeshParts {
         }
     }
 
-    /// The ends of an edge: hips, valleys and ridges run upwards, eaves as the roof's face runs them (*comp operation*, roof
+    /// The ends of an edge. As one of a roof it runs upwards, or round the roof's face when it is an eave (*comp operation*, roof
     /// edges).
-    fn directed(&self, edge: usize, word: Option<Word>) -> [u32; 2] {
+    fn directed(&self, edge: usize, as_roof: bool) -> [u32; 2] {
         let [a, b] = self.end_corners(edge);
-        match word {
-            Some(Word::Hip | Word::Valley | Word::Ridge) if self.at(b).y < self.at(a).y => [b, a],
-            Some(Word::Eave) => {
+        match self.roof.get().filter(|_| as_roof).and_then(|roof| roof.edge(edge)) {
+            Some(RoofEdge::Eave) => {
                 let roof = |corner: &u32| 0.0 < self.face_normal(*corner as usize).y;
                 let corner = self.adjacency().uses(edge).iter().copied().find(roof).unwrap_or(a);
                 [corner, self.adjacency().next(corner)]
             }
-            _ => [a, b],
+            Some(_) => {
+                let [from, to] = [a, b].map(|corner| self.at(corner));
+                if unit(to - from).y < -UP_EPSILON { [b, a] } else { [a, b] }
+            }
+            None => [a, b],
         }
     }
 
@@ -319,7 +358,7 @@ impl MeshParts {
     }
 
     /// The edges or points of some components.
-    pub(super) fn wire(&self, indices: &[u32], word: Option<Word>) -> Wire {
+    pub(super) fn wire(&self, indices: &[u32], as_roof: bool) -> Wire {
         let mut wire = Wire::default();
         let mut numbers: HashMap<u32, u32> = HashMap::new();
         for &index in indices {
@@ -332,7 +371,7 @@ impl MeshParts {
             };
             match self.kind {
                 Components::Edges => {
-                    let edge = self.directed(index as usize, word).map(&mut number);
+                    let edge = self.directed(index as usize, as_roof).map(&mut number);
                     wire.edges.push(edge);
                 }
                 Components::FaceEdges => {

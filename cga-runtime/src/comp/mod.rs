@@ -109,13 +109,6 @@ impl Arm {
         };
         looks && self.mode != Mode::Connected
     }
-
-    fn word(&self) -> Option<Word> {
-        match self.select {
-            Select::Word(word) => Some(word),
-            _ => None,
-        }
-    }
 }
 
 /// No arm has a condition.
@@ -147,6 +140,8 @@ struct Parts<'s> {
     arms: &'s [Arm],
     owners: Owners,
     source: Source,
+    /// Whether each arm takes edges as those of a roof.
+    as_roof: Vec<bool>,
     trims: Option<Arc<Surface>>,
     seed: u64,
     ordinal: u32,
@@ -172,25 +167,36 @@ impl<'s> Parts<'s> {
         let count = source.len();
         let ordinal = shape.seed.reserve(count.min(u32::MAX as usize) as u32);
         let (seed, parent) = (shape.seed.value(), &*shape);
-        let looks = Looks::of(env, &parent.scope);
+        let looks = Looks::of(env, parent);
+        let mut as_roof = Vec::new();
         let owners = Owners::choose(count, |number| {
             let mut candidate = Candidate::new(&source, &looks, parent, number, ordinal.wrapping_add(number as u32));
-            let arm = arms.iter().enumerate().position(|(arm, Arm { select, .. })| match *select {
-                Select::Word(word) => candidate.is(word),
-                // What is degenerate is never selected.
-                Select::Index(index) => index == number as f64 && candidate.is(Word::All),
-                Select::When => candidate.is(Word::All) && when(env, arm as u32, &mut candidate),
+            let arm = arms.iter().enumerate().position(|(arm, Arm { select, .. })| {
+                candidate.as_roof = false;
+                match *select {
+                    Select::Word(word) => candidate.is(word),
+                    // What is degenerate is never selected.
+                    Select::Index(index) => index == number as f64 && candidate.is(Word::All),
+                    Select::When => candidate.is(Word::All) && when(env, arm as u32, &mut candidate),
+                }
             });
+            if candidate.as_roof
+                && let Some(arm) = arm
+            {
+                as_roof.resize(arms.len(), false);
+                as_roof[arm] = true;
+            }
             arm.map(|arm| arm as u16)
         });
         let trims = match &source {
             // *comp operation*: only faces, and only with `:`.
             Source::Mesh(parts) if components == Components::Faces && arms.iter().any(|arm| arm.mode == Mode::Each) => {
-                Some(Arc::new(Surface::new(parts.mesh.clone(), parent.scope.frame())))
+                let up = (align == Align::Keep).then(|| parent.scope.axes.transpose() * parent.pivot.axes.y_axis);
+                Some(Arc::new(Surface::new(parts.mesh.clone(), parent.scope.frame(), up)))
             }
             _ => None,
         };
-        ControlFlow::Continue(Parts { parent, align, arms, owners, source, trims, seed, ordinal })
+        ControlFlow::Continue(Parts { parent, align, arms, owners, source, as_roof, trims, seed, ordinal })
     }
 
     /// Calls with every part: its arm, the numbers of its components, and its shape.
@@ -203,20 +209,20 @@ impl<'s> Parts<'s> {
                     let total = mine().count();
                     for (index, component) in mine().enumerate() {
                         let counter = Counter::new(index, total);
-                        visit(number as u32, &[component], &mut self.part(arm, counter, &[component]))?;
+                        visit(number as u32, &[component], &mut self.part(number, counter, &[component]))?;
                     }
                 }
                 Mode::Together => {
                     let all: Vec<u32> = mine().collect();
                     if !all.is_empty() {
-                        visit(number as u32, &all, &mut self.part(arm, Counter::new(0, 1), &all))?;
+                        visit(number as u32, &all, &mut self.part(number, Counter::new(0, 1), &all))?;
                     }
                 }
                 Mode::Connected => {
                     let sets = owners::connected(&self.source, mine());
                     for (index, set) in sets.iter().enumerate() {
                         let counter = Counter::new(index, sets.len());
-                        visit(number as u32, set, &mut self.part(arm, counter, set))?;
+                        visit(number as u32, set, &mut self.part(number, counter, set))?;
                     }
                 }
             }
@@ -225,15 +231,24 @@ impl<'s> Parts<'s> {
     }
 
     #[inline]
-    fn part(&self, arm: &Arm, comp: Counter, components: &[u32]) -> ShapeRef<'s> {
-        let parent = self.parent;
+    fn part(&self, number: usize, comp: Counter, components: &[u32]) -> ShapeRef<'s> {
+        let (parent, arm) = (self.parent, &self.arms[number]);
         if let Source::Quads(quads) = &self.source {
             // The façade path: nothing is copied that need not be.
             let scope = quads.scope(components[0] as usize);
-            let own = if quads.are_sides() { Trims::Side(scope.size.truncate()) } else { Trims::None };
-            return self.shape(arm, comp, components[0], scope, scope.frame(), Geometry::Rect(Axis::Z), own);
+            let own = if quads.is_rectangle() { Trims::None } else { Trims::Side(scope.size.truncate()) };
+            return self.shape(
+                arm,
+                comp,
+                components[0],
+                scope,
+                scope.frame(),
+                Geometry::Rect(Axis::Z, quads.extruded(components[0] as usize)),
+                own,
+            );
         }
-        let Part { scope, pivot, geometry } = self.source.part(parent, self.align, components, arm.word());
+        let as_roof = self.as_roof.get(number) == Some(&true);
+        let Part { scope, pivot, geometry } = self.source.part(parent, self.align, components, as_roof);
         let own = match &self.trims {
             Some(surface) if arm.mode == Mode::Each => Trims::Face(surface.clone(), components[0]),
             _ => Trims::None,

@@ -5,11 +5,12 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::mesh_parts::MeshParts;
-use super::select::Word;
 use super::source::Source;
 use super::{Align, Components};
+use crate::mesh::{Bounds, Mesh};
 use crate::scope::{Axis, Frame, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::tol::PLANAR_EPSILON;
 use crate::wire::{PlacedWire, Wire};
 
 /// Scope, pivot and geometry of a component, or of several together.
@@ -20,57 +21,66 @@ pub(super) struct Part {
 }
 
 impl Source {
-    /// Of components with those numbers, set up from the first (*comp operation*).
+    /// Of components with those numbers, set up from the first; edges may be those of a roof (*comp operation*).
     #[inline]
-    pub(super) fn part(&self, parent: &ShapeRef<'_>, align: Align, numbers: &[u32], word: Option<Word>) -> Part {
+    pub(super) fn part(&self, parent: &ShapeRef<'_>, align: Align, numbers: &[u32], as_roof: bool) -> Part {
         let first = numbers[0] as usize;
         if align == Align::Keep {
-            return self.kept(parent, numbers, word);
+            return self.kept(parent, numbers, as_roof);
         }
         match self {
             // Those are handed out as they are, unless a condition asks for their shapes.
-            Source::Quads(_) => self.kept(parent, numbers, word),
+            Source::Quads(_) => self.kept(parent, numbers, as_roof),
             Source::Mesh(parts) => {
                 if let [_] = numbers
-                    && let Some(found) = parts.face_frame(first).filter(|found| found.rectangle)
+                    && let Some((found, extruded)) = parts.rectangle(first)
                 {
                     let pivot = in_world(&parent.scope, &found.frame);
                     let size = (found.high - found.low).extend(0.0);
                     let scope = Scope { origin: pivot.origin, axes: pivot.axes, size };
-                    return Part { scope, pivot, geometry: Geometry::Rect(Axis::Z) };
+                    return Part { scope, pivot, geometry: Geometry::Rect(Axis::Z, extruded) };
                 }
-                match parts.frame(first, word) {
-                    None => self.kept(parent, numbers, word),
+                match parts.frame(first, as_roof) {
+                    None => self.kept(parent, numbers, as_roof),
                     Some(frame) => match parts.surface(numbers, &frame) {
-                        Some(mesh) => surface(in_world(&parent.scope, &frame), Placed::fitted(mesh)),
-                        None => wire(in_world(&parent.scope, &frame), parts.wire(numbers, word).seen_from(&frame)),
+                        Some(mesh) => surface(in_world(&parent.scope, &frame), Placed::fitted(levelled(mesh))),
+                        None => wire(in_world(&parent.scope, &frame), parts.wire(numbers, as_roof).seen_from(&frame)),
                     },
                 }
             }
             Source::Wire(parts) => match parts.frame(first) {
                 Some(frame) => wire(in_world(&parent.scope, &frame), parts.wire(numbers).seen_from(&frame)),
-                None => self.kept(parent, numbers, word),
+                None => self.kept(parent, numbers, as_roof),
             },
         }
     }
 
     /// With the pivot and the axes of the shape (*comp operation*, noAlign).
-    pub(super) fn kept(&self, parent: &ShapeRef<'_>, numbers: &[u32], word: Option<Word>) -> Part {
+    pub(super) fn kept(&self, parent: &ShapeRef<'_>, numbers: &[u32], as_roof: bool) -> Part {
         let here = parent.scope.frame();
         let part = match self {
             // The mesh of a box has its sides in the same order.
             Source::Quads(_) => {
                 let parts = MeshParts::new(parent.to_mesh(), Components::Faces);
-                return Source::Mesh(parts).kept(parent, numbers, word);
+                return Source::Mesh(parts).kept(parent, numbers, as_roof);
             }
             Source::Mesh(parts) => match parts.surface(numbers, &Frame::WORLD) {
                 Some(mesh) => surface(here, Placed::fitted(mesh)),
-                None => wire(here, parts.wire(numbers, word)),
+                None => wire(here, parts.wire(numbers, as_roof)),
             },
             Source::Wire(parts) => wire(here, parts.wire(numbers)),
         };
         Part { pivot: parent.pivot, ..part }
     }
+}
+
+/// What lies in the xy plane but for rounding, as one triangle always does, put there: the z size of a face is zero.
+fn levelled(mut mesh: Mesh) -> Mesh {
+    let size = Bounds::of(mesh.points.iter().copied()).size();
+    if mesh.corners.len() == 3 || size.z <= PLANAR_EPSILON * size.max_element() {
+        mesh.points.iter_mut().for_each(|point| point.z = 0.0);
+    }
+    mesh
 }
 
 /// A mesh in the coordinates of a pivot.
@@ -97,7 +107,7 @@ fn wire(pivot: Frame, wire: Wire) -> Part {
 }
 
 fn is_along_x(end: DVec3) -> bool {
-    let near = crate::tol::PLANAR_EPSILON * end.x;
+    let near = PLANAR_EPSILON * end.x;
     end.y.abs() <= near && end.z.abs() <= near
 }
 

@@ -4,60 +4,78 @@
 //! valleys where the faces slope towards each other, hips where they touch an eave, else ridges. What looks down or
 //! sideways below or beside the roof does not count, so it is the same for a roof that is a closed volume.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::select::RoofEdge;
 use crate::mesh::{Mesh, unit};
 use crate::tol::UP_EPSILON;
 
-/// What an edge is of a roof; the normals are those of the mesh's faces.
-pub(super) fn roof_edge(mesh: &Mesh, normals: &[DVec3], edge: usize) -> Option<RoofEdge> {
-    match roof_faces(mesh, normals, edge) {
-        (Some(_), None) => is_level(mesh, edge).then_some(RoofEdge::Eave),
-        (Some(one), Some(other)) => {
-            let touches_eave = || {
-                let corner = mesh.adjacency().uses(edge)[0];
-                [corner, mesh.adjacency().next(corner)]
-                    .iter()
-                    .any(|&corner| eaves_at(mesh, normals, mesh.corners()[corner as usize] as usize))
-            };
-            Some(match () {
-                () if is_concave(mesh, normals, edge, one, other) => RoofEdge::Valley,
-                () if touches_eave() => RoofEdge::Hip,
-                () => RoofEdge::Ridge,
-            })
+/// A mesh seen as a roof.
+#[derive(Debug)]
+pub(super) struct Roof {
+    mesh: Arc<Mesh>,
+    /// Of the faces, outwards.
+    normals: Vec<DVec3>,
+    /// Which way an edge runs as seen from outside: with its face, or against it where that looks inwards.
+    sense: f64,
+    /// Whether an eave ends at each point.
+    eaves: Vec<bool>,
+}
+
+impl Roof {
+    /// With the normals of the faces, and whether these look inwards.
+    pub(super) fn new(mesh: &Arc<Mesh>, normals: &[DVec3], inwards: bool) -> Self {
+        let sense = if inwards { -1.0 } else { 1.0 };
+        let normals = normals.iter().map(|normal| normal * sense).collect();
+        let mut roof = Roof { mesh: mesh.clone(), normals, sense, eaves: vec![false; mesh.points().len()] };
+        for edge in 0..mesh.adjacency().edge_count() {
+            if matches!(roof.faces(edge), (Some(_), None)) && roof.is_level(edge) {
+                roof.ends(edge).into_iter().for_each(|point| roof.eaves[point] = true);
+            }
         }
-        _ => None,
+        roof
     }
-}
 
-/// The first two faces at an edge that look up.
-fn roof_faces(mesh: &Mesh, normals: &[DVec3], edge: usize) -> (Option<u32>, Option<u32>) {
-    let mut faces = mesh.adjacency().faces_at(edge).filter(|&face| UP_EPSILON < normals[face as usize].y);
-    (faces.next(), faces.next())
-}
+    /// What an edge is.
+    pub(super) fn edge(&self, edge: usize) -> Option<RoofEdge> {
+        match self.faces(edge) {
+            (Some(_), None) => self.is_level(edge).then_some(RoofEdge::Eave),
+            (Some(one), Some(other)) => Some(match () {
+                () if self.is_concave(edge, one, other) => RoofEdge::Valley,
+                () if self.ends(edge).into_iter().any(|point| self.eaves[point]) => RoofEdge::Hip,
+                () => RoofEdge::Ridge,
+            }),
+            _ => None,
+        }
+    }
 
-fn is_level(mesh: &Mesh, edge: usize) -> bool {
-    let [a, b] = mesh.edge_ends(edge);
-    a != b && unit(b - a).y.abs() <= UP_EPSILON
-}
+    /// The first two faces at an edge that look up.
+    fn faces(&self, edge: usize) -> (Option<u32>, Option<u32>) {
+        let mut faces = self.mesh.adjacency().faces_at(edge).filter(|&face| UP_EPSILON < self.normals[face as usize].y);
+        (faces.next(), faces.next())
+    }
 
-/// Whether an eave ends at a point.
-fn eaves_at(mesh: &Mesh, normals: &[DVec3], point: usize) -> bool {
-    let adjacency = mesh.adjacency();
-    adjacency.at(point).iter().any(|&corner| {
-        let edges = [corner, adjacency.before(corner)].map(|corner| adjacency.edge(corner));
-        edges.into_iter().any(|edge| matches!(roof_faces(mesh, normals, edge), (Some(_), None)) && is_level(mesh, edge))
-    })
-}
+    fn ends(&self, edge: usize) -> [usize; 2] {
+        let adjacency = self.mesh.adjacency();
+        let corner = adjacency.uses(edge)[0];
+        [corner, adjacency.next(corner)].map(|corner| self.mesh.corners()[corner as usize] as usize)
+    }
 
-/// Whether two faces slope towards each other: the inside of one is in front of the other.
-fn is_concave(mesh: &Mesh, normals: &[DVec3], edge: usize, one: u32, other: u32) -> bool {
-    let adjacency = mesh.adjacency();
-    let uses = adjacency.uses(edge);
-    let Some(&corner) = uses.iter().find(|&&corner| adjacency.face(corner) == one) else { return false };
-    let at = |corner: u32| mesh.points()[mesh.corners()[corner as usize] as usize];
-    let along = unit(at(adjacency.next(corner)) - at(corner));
-    let inwards = normals[one as usize].cross(along);
-    UP_EPSILON < inwards.dot(normals[other as usize])
+    fn is_level(&self, edge: usize) -> bool {
+        let [a, b] = self.mesh.edge_ends(edge);
+        a != b && unit(b - a).y.abs() <= UP_EPSILON
+    }
+
+    /// Whether two faces slope towards each other: the inside of one is in front of the other.
+    fn is_concave(&self, edge: usize, one: u32, other: u32) -> bool {
+        let adjacency = self.mesh.adjacency();
+        let uses = adjacency.uses(edge);
+        let Some(&corner) = uses.iter().find(|&&corner| adjacency.face(corner) == one) else { return false };
+        let at = |corner: u32| self.mesh.points()[self.mesh.corners()[corner as usize] as usize];
+        let along = unit(at(adjacency.next(corner)) - at(corner)) * self.sense;
+        let inwards = self.normals[one as usize].cross(along);
+        UP_EPSILON < inwards.dot(self.normals[other as usize])
+    }
 }

@@ -14,7 +14,7 @@ use crate::env::Env;
 use crate::mesh::tag_matches;
 use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, ShapeRef};
-use crate::side::{EXTRUDED, Sides};
+use crate::side::{Extruded, Sides};
 use crate::wire::Wire;
 
 /// A shape's components of one kind, by number.
@@ -96,9 +96,14 @@ impl Source {
 #[derive(Debug)]
 pub(super) struct Quads {
     scope: Scope,
-    /// Of a rectangle, the axis that it lies across.
-    across: Option<Axis>,
-    sides: Sides,
+    of: Of,
+}
+
+#[derive(Debug)]
+enum Of {
+    Box(Sides),
+    /// Across an axis.
+    Rectangle(Axis, Option<Extruded>),
 }
 
 /// Where the sides of a box look: front, right, back, left, top, bottom, as [`Cuboid::faces`](crate::sink::Cuboid::faces).
@@ -109,9 +114,9 @@ impl Quads {
     fn of(shape: &ShapeRef<'_>) -> Option<Self> {
         let (scope, size) = (shape.scope, shape.scope.size);
         match shape.geometry {
-            Geometry::Box(sides) if 0.0 < size.min_element() => Some(Quads { scope, across: None, sides }),
-            Geometry::Rect(axis) if (0..3).all(|at| at == axis.index() || 0.0 < size[at]) => {
-                Some(Quads { scope, across: Some(axis), sides: Sides::PLAIN })
+            Geometry::Box(sides) if 0.0 < size.min_element() => Some(Quads { scope, of: Of::Box(sides) }),
+            Geometry::Rect(axis, extruded) if (0..3).all(|at| at == axis.index() || 0.0 < size[at]) => {
+                Some(Quads { scope, of: Of::Rectangle(axis, extruded) })
             }
             _ => None,
         }
@@ -119,17 +124,17 @@ impl Quads {
 
     #[inline]
     fn len(&self) -> usize {
-        if self.across.is_some() { 1 } else { 6 }
+        if self.is_rectangle() { 1 } else { 6 }
     }
 
     /// The side of a box that the only one of a rectangle looks like.
     #[inline]
     fn side_of(&self, number: usize) -> usize {
-        match self.across {
-            None => number,
-            Some(Axis::X) => 1,
-            Some(Axis::Y) => 4,
-            Some(Axis::Z) => 0,
+        match self.of {
+            Of::Box(_) => number,
+            Of::Rectangle(Axis::X, _) => 1,
+            Of::Rectangle(Axis::Y, _) => 4,
+            Of::Rectangle(Axis::Z, _) => 0,
         }
     }
 
@@ -140,7 +145,7 @@ impl Quads {
         let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis];
         let (width, height, depth) = (size.x, size.y, size.z);
         // A rectangle lies at the low end of the axis that it looks along.
-        let far = |axis: DVec3, by: f64| if self.across.is_some() { DVec3::ZERO } else { axis * by };
+        let far = |axis: DVec3, by: f64| if self.is_rectangle() { DVec3::ZERO } else { axis * by };
         let (from, axes, size) = match self.side_of(number) {
             0 => (far(z, depth), [x, y, z], [width, height]),
             1 => (z * depth + far(x, width), [-z, y, x], [depth, height]),
@@ -162,21 +167,34 @@ impl Quads {
                 looks.takes_at(axes, direction, normal, || self.scope(number).centre())
             }
             // A rectangle alone has no neighbours.
-            Sense::Border(border) => border == self.across.is_some(),
+            Sense::Border(border) => border == self.is_rectangle(),
             Sense::Roof(_) => false,
         }
     }
 
     /// Whether a tag of a side is found, or of one beside it.
     pub(super) fn tagged(&self, number: usize, of: Option<Subcomponent>, query: &str) -> bool {
-        let has = |side: usize| self.sides.tag(side).is_some_and(|tag| tag_matches(query, EXTRUDED[tag]));
+        let has = |side: usize| self.extruded(side).is_some_and(|extruded| tag_matches(query, extruded.tag()));
+        if self.is_rectangle() {
+            return has(0);
+        }
         // Opposite sides of a box share no edge and no vertex.
         const OPPOSITE: [usize; 6] = [2, 3, 0, 1, 5, 4];
         if of.is_none() { has(number) } else { (0..6).any(|side| side != OPPOSITE[number] && has(side)) }
     }
 
-    /// Whether the faces have neighbours.
-    pub(super) fn are_sides(&self) -> bool {
-        self.across.is_none()
+    /// Where `extrude` made a face.
+    #[inline]
+    pub(super) fn extruded(&self, number: usize) -> Option<Extruded> {
+        match self.of {
+            Of::Rectangle(_, extruded) => extruded,
+            Of::Box(sides) => sides.tag(number),
+        }
+    }
+
+    /// Whether it is one face, without neighbours.
+    #[inline]
+    pub(super) fn is_rectangle(&self) -> bool {
+        matches!(self.of, Of::Rectangle(..))
     }
 }

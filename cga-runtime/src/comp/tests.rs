@@ -10,6 +10,8 @@ use crate::shape::{Geometry, Shape};
 use crate::side::Sides;
 use crate::sink::Flow;
 
+mod kept;
+
 const KINDS: [Components; 8] = [
     Components::Faces,
     Components::Edges,
@@ -322,9 +324,8 @@ fn facts_53_and_57_values_by_number() {
     assert_eq!(found.as_slice(), [5.0, 5.0, 0.0, 0.0]);
 }
 
-#[test]
-fn roof_edges_of_a_hip_roof_open_or_closed() {
-    // A hip roof over a rectangle, as in the reference's picture.
+/// A hip roof over a rectangle, as in the reference's picture, and the same with a floor.
+fn hip_roofs() -> [Mesh; 2] {
     let mut builder = MeshBuilder::new();
     let p = [[0., 0., 4.], [10., 0., 4.], [10., 0., 0.], [0., 0., 0.], [2., 2., 2.], [8., 2., 2.]]
         .map(|p| builder.point(p));
@@ -333,7 +334,12 @@ fn roof_edges_of_a_hip_roof_open_or_closed() {
     roof.iter().for_each(|face| _ = builder.face(face, &[], Default::default()));
     let mut closed = builder.clone();
     closed.face(&[p[3], p[2], p[1], p[0]], &[], Default::default());
-    for mesh in [builder.build().unwrap(), closed.build().unwrap()] {
+    [builder, closed].map(|builder| builder.build().unwrap())
+}
+
+#[test]
+fn roof_edges_of_a_hip_roof_open_or_closed() {
+    for mesh in hip_roofs() {
         let shape = Shape::mesh(mesh);
         let words = [Word::Eave, Word::Hip, Word::Valley, Word::Ridge].map(|word| arm(word, Mode::Each));
         let found = parts(&shape, Components::Edges, Align::ZUp, &words);

@@ -11,7 +11,7 @@ use super::face::unit;
 use super::map::flip;
 use super::table::PairTable;
 use super::{Bounds, FaceTag, Mesh, TagSet};
-use crate::side::EXTRUDED;
+use crate::side::Extruded;
 use crate::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
 /// Which way faces are pulled.
@@ -94,7 +94,7 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
 /// Tags that the result's faces get besides those of the faces they come from.
 struct AutoTags {
     sets: Vec<TagSet>,
-    /// For each tag of [`EXTRUDED`]: the set that a set becomes, and the last one for faces without.
+    /// For each tag of [`Extruded::ALL`]: the set that a set becomes, and the last one for faces without.
     of: [Vec<u32>; 4],
     last: u32,
 }
@@ -103,8 +103,8 @@ impl AutoTags {
     fn of(mesh: &Mesh) -> Self {
         let mut sets: Vec<TagSet> = Vec::new();
         let plain = TagSet::default();
-        let of = EXTRUDED.map(|name| {
-            let all = mesh.tag_sets.iter().chain([&plain]).map(|set| set.renewed("extrude", name));
+        let of = Extruded::ALL.map(|extruded| {
+            let all = mesh.tag_sets.iter().chain([&plain]).map(|set| set.renewed("extrude", extruded.tag()));
             let first = sets.len() as u32;
             sets.extend(all);
             (first..sets.len() as u32).collect()

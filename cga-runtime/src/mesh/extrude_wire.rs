@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::extrude::{Extrude, flat_top};
 use super::face::unit;
 use super::{FaceTag, Mesh, MeshBuilder, MeshError, TagSet};
-use crate::side::EXTRUDED;
+use crate::side::Extruded;
 use crate::text::Text;
 use crate::wire::Wire;
 
@@ -24,7 +24,7 @@ pub(crate) fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result
         Extrude::FlatTop(vector) => flat_top(&wire.points, vector, distance),
     };
     let mut builder = MeshBuilder::new();
-    builder.tag_sets([TagSet::new([Text::from(EXTRUDED[1])])]);
+    builder.tag_sets([TagSet::new([Text::from(Extruded::Outer.tag())])]);
     let low: Vec<u32> = wire.points.iter().map(|&point| builder.point(point)).collect();
     for (edge, normal) in wire.edges.iter().zip(&wire.normals) {
         let way = |point: u32| at_points.get(point as usize).copied().unwrap_or(*normal * distance);

@@ -1,7 +1,7 @@
 //! Rectangles and boxes as meshes.
 
 use super::{Derived, FaceEnds, FaceTag, Mesh, Tags};
-use crate::side::{Sides, tag_sets};
+use crate::side::{Extruded, Sides, tag_sets};
 use crate::sink::{Cuboid, Quad};
 
 /// Points of a box are numbered x + 2y + 4z; faces as [`Cuboid::faces`] has them, corners as [`Quad::corners`].
@@ -28,6 +28,15 @@ impl Mesh {
             derived,
             ..Mesh::default()
         }
+    }
+
+    /// A rectangle with the tag of the side that it was.
+    pub(crate) fn with_side(mut self, side: Option<Extruded>) -> Mesh {
+        if let Some(tag) = side {
+            self.tag_sets = tag_sets().into();
+            self.tags = Tags::uniform(1, FaceTag { tags: tag as u32, ..FaceTag::PLAIN });
+        }
+        self
     }
 
     /// A box with the tags of its sides.

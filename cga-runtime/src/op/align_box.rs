@@ -67,7 +67,7 @@ fn seen(shape: &ShapeRef<'_>, first: usize, second: usize) -> Vec<DVec2> {
         Geometry::Edge => vec![DVec2::ZERO, flat(DVec3::X * size.x)],
         Geometry::Wire(placed) => placed.in_scope(size).points.into_iter().map(flat).collect(),
         Geometry::Vertex => Vec::new(),
-        Geometry::Empty | Geometry::Rect(_) | Geometry::Box(_) => CORNERS.map(|corner| flat(size * corner)).to_vec(),
+        Geometry::Empty | Geometry::Rect(..) | Geometry::Box(_) => CORNERS.map(|corner| flat(size * corner)).to_vec(),
     }
 }
 

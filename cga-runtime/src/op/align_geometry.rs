@@ -219,7 +219,7 @@ impl<'a> Faces<'a> {
         let local = Scope::new(shape.scope.size);
         match &shape.geometry {
             Geometry::Mesh(placed) => Faces::Mesh(&placed.mesh, placed.to_scope(shape.scope.size)),
-            Geometry::Rect(axis) => Faces::Quad(place::rect(&local, *axis)),
+            Geometry::Rect(axis, _) => Faces::Quad(place::rect(&local, *axis)),
             Geometry::Box(_) => Faces::Box(place::cuboid(&local)),
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Faces::None,
         }

@@ -5,14 +5,14 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::Length;
-use super::insert::raise;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
-use crate::mesh::{Mesh, extrude_wire, point_normals};
+use crate::mesh::{Mesh, extrude_wire, point_normals, unit};
 use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
 use crate::side::Sides;
+use crate::tol::ANGLE_EPSILON;
 use crate::wire::Wire;
 
 /// The direction of an extrusion.
@@ -55,7 +55,7 @@ pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlon
     }
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex => {}
-        Geometry::Rect(axis) if shape.scope.size[axis.index()] == 0.0 && straight(&shape.scope, *axis, along) => {
+        Geometry::Rect(axis, _) if shape.scope.size[axis.index()] == 0.0 && straight(&shape.scope, *axis, along) => {
             if distance != 0.0 {
                 shape.scope = raised(&shape.scope, *axis, distance);
                 shape.geometry = Geometry::Box(Sides::GROWN);
@@ -162,7 +162,7 @@ fn stand(env: &mut Env, shape: &mut ShapeRef<'_>, grown: Mesh, up: DVec3, distan
     }
     let axes = shape.scope.axes;
     // In scope coordinates: turn them so that y is up.
-    let turn = raise(&DMat3::IDENTITY, up);
+    let turn = standing(up);
     let local = grown.map(&DAffine3 { matrix3: turn.transpose(), translation: DVec3::ZERO });
     let mut placed = Placed::fitted(local);
     let axes = axes * turn;
@@ -175,11 +175,20 @@ fn stand(env: &mut Env, shape: &mut ShapeRef<'_>, grown: Mesh, up: DVec3, distan
         origin += axes.y_axis * size.y;
         size.y = -size.y;
     }
-    if !(origin.is_finite() && size.is_finite()) {
+    let scope = Scope { origin, axes, size };
+    if !scope.is_bounded() {
         return env.fault(FaultKind::Value, BEYOND);
     }
-    shape.scope = Scope { origin, axes, size };
+    shape.scope = scope;
     shape.geometry = Geometry::Mesh(Arc::new(placed));
+}
+
+/// Axes of which y is given; x is the old one projected across it, and where that has no direction −y is (*extrude
+/// operation*).
+fn standing(up: DVec3) -> DMat3 {
+    let across = |old: DVec3| unit(old - up * up.dot(old));
+    let x = if 1.0 - up.x.abs() < ANGLE_EPSILON { across(DVec3::NEG_Y) } else { across(DVec3::X) };
+    DMat3::from_cols(x, up, x.cross(up))
 }
 
 #[cfg(test)]
@@ -257,7 +266,7 @@ mod tests {
             let shape = grown(Shape::rectangle(4.0, 5.0), along, 6.0);
             assert!(matches!(shape.geometry, Geometry::Box(_)) && shape.scope.size == DVec3::new(4.0, 6.0, 5.0));
             let shape = grown(Shape::rectangle(4.0, 5.0), along, 0.0);
-            assert!(matches!(shape.geometry, Geometry::Rect(Axis::Y)));
+            assert!(matches!(shape.geometry, Geometry::Rect(Axis::Y, _)));
         }
     }
 
@@ -294,6 +303,19 @@ mod tests {
                 extrude_along(env, &mut shape, along, Length::Relative(huge));
                 assert!(shape.scope.size.is_finite() && shape.scope.origin.is_finite());
                 assert!(shape.to_mesh().points().iter().all(|p| p.is_finite()));
+            }
+        }
+    }
+
+    #[test]
+    fn axes_stay_axes_where_x_is_upright_but_for_rounding() {
+        for degrees in 0..360 {
+            let (env, mut start) = (&mut Env::for_tests(), slope());
+            rotate(env, &mut start, 0.0, f64::from(degrees), 0.0);
+            rotate(env, &mut start, 0.0, 0.0, 90.0);
+            for (along, volume) in [(ExtrudeAlong::WorldUp, 2.0), (ExtrudeAlong::WorldUpFlatTop, 2.0)] {
+                let grown = grown(start.clone(), along, volume);
+                assert!(1.0 < grown.to_mesh().area());
             }
         }
     }

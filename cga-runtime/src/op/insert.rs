@@ -88,7 +88,7 @@ fn insert_box(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
 fn place(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>, mode: InsertMode) {
     let (low, size) = (mesh.bounds().low, mesh.bounds().size());
     arrange(env, shape, low, size, mode);
-    shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size, mesh, whole: true }));
+    shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size, mesh, whole: true, mirrored: false }));
     super::trim(env, shape);
 }
 
@@ -139,16 +139,6 @@ pub(crate) fn fit(shape: &mut ShapeRef<'_>, low: DVec3, size: DVec3) {
 }
 
 type Vec3Mask = [bool; 3];
-
-/// Turns the scope so that its y axis is `up`; x stays as near as it can, and the geometry in space stays where it is.
-/// Gives the map from old to new scope coordinates, without the offset.
-pub(crate) fn raise(axes: &DMat3, up: DVec3) -> DMat3 {
-    let x = (axes.x_axis - up * up.dot(axes.x_axis)).try_normalize();
-    // Looking along x: the old y takes its place.
-    let x =
-        x.or_else(|| (-axes.y_axis - up * up.dot(-axes.y_axis)).try_normalize()).unwrap_or(up.any_orthonormal_vector());
-    DMat3::from_cols(x, up, x.cross(up))
-}
 
 #[cfg(test)]
 mod tests {

@@ -28,8 +28,8 @@ pub fn mirror(env: &mut Env, shape: &mut ShapeRef<'_>, x: bool, y: bool, z: bool
     }
     let same = match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => true,
-        Geometry::Rect(Axis::X) => !x && !y,
-        Geometry::Rect(Axis::Y | Axis::Z) | Geometry::Box(_) => !y && !z,
+        Geometry::Rect(Axis::X, _) => !x && !y,
+        Geometry::Rect(Axis::Y | Axis::Z, _) | Geometry::Box(_) => !y && !z,
         Geometry::Mesh(_) => flips == [false; 3],
     };
     let Some(placed) = as_placed(shape).filter(|_| !same) else { return };

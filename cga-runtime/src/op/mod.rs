@@ -52,7 +52,7 @@ use crate::shape::ShapeRef;
 
 /// Goes back to the scope before an operation when numbers that are finite one by one have led out of what a number holds.
 pub(crate) fn settle(env: &mut Env, shape: &mut ShapeRef<'_>, before: &Scope, what: &str) {
-    if !(shape.scope.origin.is_finite() && shape.scope.size.is_finite()) {
+    if !shape.scope.is_bounded() {
         shape.scope = *before;
         env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
     }

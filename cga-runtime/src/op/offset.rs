@@ -46,7 +46,7 @@ pub fn offset(env: &mut Env, shape: &mut ShapeRef<'_>, distance: f64, keep: Offs
 
 /// A rectangle stays one: no mesh is needed. Whether that was so, or there is nothing to be done.
 fn rectangle(shape: &mut ShapeRef<'_>, distance: f64) -> bool {
-    let Geometry::Rect(across) = shape.geometry else { return false };
+    let Geometry::Rect(across, _) = shape.geometry else { return false };
     let mut to = Scope { ..shape.scope };
     for axis in (0..3).filter(|&axis| axis != across.index()) {
         if shape.scope.size[axis] <= 0.0 {

@@ -47,14 +47,14 @@ pub fn set_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, map: AxisMap, corner: 
             Geometry::Empty | Geometry::Vertex => {}
             Geometry::Edge => shape.geometry = seen_from(Wire::edge(old.size.x), &old, &scope),
             Geometry::Wire(placed) => shape.geometry = seen_from(placed.in_scope(old.size), &old, &scope),
-            Geometry::Rect(axis) if 0.0 <= old.size.min_element() && old.size[axis.index()] == 0.0 => {
-                match rectangle(&old, *axis, scope.axes) {
+            Geometry::Rect(axis, extruded) if 0.0 <= old.size.min_element() && old.size[axis.index()] == 0.0 => {
+                match rectangle(&old, *axis, *extruded, scope.axes) {
                     Some((_, geometry)) => shape.geometry = geometry,
                     None if !rearrange(env, shape, from, from.map(|axis| far[axis])) => return,
                     None => {}
                 }
             }
-            Geometry::Box(_) | Geometry::Rect(_) | Geometry::Mesh(_) => {
+            Geometry::Box(_) | Geometry::Rect(..) | Geometry::Mesh(_) => {
                 if !rearrange(env, shape, from, from.map(|axis| far[axis])) {
                     return;
                 }
@@ -111,7 +111,7 @@ pub(super) fn rearranged(placed: &Placed, scope: DVec3, from: [usize; 3], turned
         size[new] = placed.size[old];
     }
     let map = DAffine3 { matrix3: rows.transpose(), translation: DVec3::ZERO };
-    Placed { mesh: Arc::new(placed.mesh.map(&map)), low, size, whole: placed.whole }
+    Placed { mesh: Arc::new(placed.mesh.map(&map)), low, size, ..placed.clone() }
 }
 
 /// `mirrorScope(x, y, z)`: the scope begins at its other end along the axes named and runs back, so that its size changes
@@ -133,10 +133,11 @@ pub fn mirror_scope(env: &mut Env, shape: &mut ShapeRef<'_>, x: bool, y: bool, z
         for axis in (0..3).filter(|&axis| flips(axis) && !mirrored(axis)) {
             new.low[axis] += size[axis];
         }
+        new.mirrored ^= (0..3).filter(|&axis| mirrored(axis)).count() % 2 == 1;
         shape.geometry = Geometry::Mesh(Arc::new(new));
     }
     if let Geometry::Wire(placed) = &shape.geometry {
-        let wire = placed.in_scope(size).map(&DAffine3::from_translation(-size * share));
+        let wire = placed.in_scope(size).stretched(DVec3::ONE, -size * share);
         let size = size - size * share * 2.0;
         shape.geometry = Geometry::Wire(Arc::new(PlacedWire { wire, low: DVec3::ZERO, size }));
     }

@@ -157,7 +157,7 @@ fn fit_flat(shape: &mut ShapeRef<'_>, across: Axis) {
 /// A rectangle. Rectangles without a mesh begin otherwise where they lie across x.
 fn put_quad(env: &mut Env, shape: &mut ShapeRef<'_>, across: Axis) {
     if across != Axis::X {
-        shape.geometry = Geometry::Rect(across);
+        shape.geometry = Geometry::Rect(across, None);
         super::trim(env, shape);
     } else if let Some(mesh) = env.primitive(Made::Square { across }) {
         put(env, shape, mesh);
@@ -181,7 +181,7 @@ fn fill_to_size(env: &mut Env, shape: &mut ShapeRef<'_>, made: Made, size: DVec3
 /// Replaces the geometry by a mesh stretched to the scope.
 fn put(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>) {
     let bounds = mesh.bounds();
-    let placed = Placed { mesh, low: bounds.low, size: bounds.size(), whole: true };
+    let placed = Placed { mesh, low: bounds.low, size: bounds.size(), whole: true, mirrored: false };
     shape.geometry = Geometry::Mesh(Arc::new(placed));
     // A size of zero flattens it.
     shape.resize(shape.scope.size);

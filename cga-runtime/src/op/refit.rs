@@ -10,6 +10,7 @@ use crate::mesh::{Bounds, Mesh};
 use crate::place;
 use crate::scope::{Axis, Frame, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::side::Extruded;
 use crate::tol::ANGLE_EPSILON;
 use crate::wire::{PlacedWire, Wire};
 
@@ -25,8 +26,8 @@ pub(super) fn refit(env: &mut Env, shape: &mut ShapeRef<'_>, axes: DMat3, what: 
         Geometry::Box(sides) if stays && 0.0 < scope.size.min_element() => {
             Some((Scope { axes, ..scope }, Geometry::Box(*sides)))
         }
-        Geometry::Rect(axis) if 0.0 <= scope.size.min_element() => rectangle(&scope, *axis, axes),
-        Geometry::Mesh(placed) if stays && fits(placed) && 0.0 <= scope.size.min_element() => {
+        Geometry::Rect(axis, extruded) if 0.0 <= scope.size.min_element() => rectangle(&scope, *axis, *extruded, axes),
+        Geometry::Mesh(placed) if stays && fits(placed, scope.size) && 0.0 <= scope.size.min_element() => {
             Some((Scope { axes, ..scope }, Geometry::Mesh(placed.clone())))
         }
         Geometry::Edge if stays && 0.0 <= scope.size.x => {
@@ -37,7 +38,7 @@ pub(super) fn refit(env: &mut Env, shape: &mut ShapeRef<'_>, axes: DMat3, what: 
         Geometry::Vertex => Some((Scope { axes, size: DVec3::ZERO, ..scope }, Geometry::Vertex)),
         Geometry::Empty if stays => Some((Scope { axes, ..scope }, Geometry::Empty)),
         Geometry::Empty => Some((around(&scope, &turn, axes), Geometry::Empty)),
-        Geometry::Box(_) | Geometry::Rect(_) | Geometry::Mesh(_) => None,
+        Geometry::Box(_) | Geometry::Rect(..) | Geometry::Mesh(_) => None,
     };
     let found = match found {
         Some(found) => found,
@@ -54,10 +55,10 @@ pub(super) fn refit(env: &mut Env, shape: &mut ShapeRef<'_>, axes: DMat3, what: 
             });
             let whole = matches!(&shape.geometry, Geometry::Mesh(placed) if placed.whole);
             let new = Scope { origin: scope.origin + axes * placed.low, axes, size: placed.size };
-            (new, Geometry::Mesh(Arc::new(Placed { whole, ..placed })))
+            (new, Geometry::Mesh(Arc::new(Placed { whole, mirrored: shape.looks_inwards(), ..placed })))
         }
     };
-    if !(found.0.origin.is_finite() && found.0.size.is_finite() && axes.is_finite()) {
+    if !(found.0.is_bounded() && axes.is_finite()) {
         env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
         return false;
     }
@@ -77,10 +78,12 @@ pub(super) const CORNERS: [DVec3; 8] = [
     DVec3::new(1.0, 1.0, 1.0),
 ];
 
-/// Whether the scope of a mesh is stretched from the mesh's own box, as it is not where a split did not adjust it.
-fn fits(placed: &Placed) -> bool {
+/// Whether the scope of a mesh is stretched from the mesh's own box, as it is not where a split did not adjust it, nor where
+/// a flat mesh stands in a thick scope.
+fn fits(placed: &Placed, size: DVec3) -> bool {
     let bounds = placed.mesh.bounds();
-    !placed.mesh.is_empty() && placed.low == bounds.low && placed.size == bounds.size()
+    let thick = placed.size.cmpeq(DVec3::ZERO) & size.cmpne(DVec3::ZERO);
+    !placed.mesh.is_empty() && placed.low == bounds.low && placed.size == bounds.size() && !thick.any()
 }
 
 /// The box along other axes around the scope.
@@ -110,7 +113,12 @@ fn directions(axes: &DMat3, axis: Axis) -> [DVec3; 2] {
 }
 
 /// A rectangle along other axes, if it is one there, with the same first edge and looking the same way.
-pub(super) fn rectangle(scope: &Scope, axis: Axis, axes: DMat3) -> Option<(Scope, Geometry)> {
+pub(super) fn rectangle(
+    scope: &Scope,
+    axis: Axis,
+    extruded: Option<Extruded>,
+    axes: DMat3,
+) -> Option<(Scope, Geometry)> {
     let quad = place::rect(scope, axis);
     let (across, up) = (quad.u.length(), quad.v.length());
     let old = directions(&scope.axes, axis);
@@ -121,7 +129,7 @@ pub(super) fn rectangle(scope: &Scope, axis: Axis, axes: DMat3) -> Option<(Scope
             Axis::Y => (quad.origin + quad.v, DVec3::new(across, 0.0, up)),
             Axis::Z => (quad.origin, DVec3::new(across, up, 0.0)),
         };
-        near.then_some((Scope { origin, axes, size }, Geometry::Rect(new)))
+        near.then_some((Scope { origin, axes, size }, Geometry::Rect(new, extruded)))
     })
 }
 
@@ -141,15 +149,15 @@ pub(super) fn as_placed(shape: &ShapeRef<'_>) -> Option<Placed> {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => None,
         Geometry::Mesh(placed) => Some(Placed::clone(placed)),
-        Geometry::Box(_) => {
-            let mesh = Arc::new(Mesh::from_cuboid(&place::cuboid(&Scope::new(size))));
-            Some(Placed { mesh, low: DVec3::ZERO, size, whole: false })
+        Geometry::Box(sides) => {
+            let mesh = Arc::new(Mesh::from_cuboid(&place::cuboid(&Scope::new(size))).with_sides(*sides));
+            Some(Placed { mesh, low: DVec3::ZERO, size, whole: false, mirrored: false })
         }
-        Geometry::Rect(axis) => {
-            let mesh = Arc::new(Mesh::from_quad(&place::rect(&Scope::new(size), *axis)));
+        Geometry::Rect(axis, extruded) => {
+            let mesh = Arc::new(Mesh::from_quad(&place::rect(&Scope::new(size), *axis)).with_side(*extruded));
             let mut size = size;
             size[axis.index()] = 0.0;
-            Some(Placed { mesh, low: DVec3::ZERO, size, whole: false })
+            Some(Placed { mesh, low: DVec3::ZERO, size, whole: false, mirrored: false })
         }
     }
 }

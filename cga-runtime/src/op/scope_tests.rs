@@ -52,7 +52,7 @@ fn with_hole() -> Shape {
 
 fn rect(axis: Axis, size: [f64; 3]) -> Shape {
     let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
-    (shape.scope.size, shape.geometry) = (DVec3::from_array(size), Geometry::Rect(axis));
+    (shape.scope.size, shape.geometry) = (DVec3::from_array(size), Geometry::Rect(axis, None));
     shape
 }
 
@@ -259,10 +259,10 @@ fn boxes_and_rectangles_stay_what_they_are_where_they_can() {
     align_to_axes(env, wall, AlignAxes::WorldY);
     align_to_geometry_of(env, wall);
     mirror(env, wall, true, false, false);
-    assert!(matches!(wall.geometry, Geometry::Rect(Axis::Z)));
+    assert!(matches!(wall.geometry, Geometry::Rect(Axis::Z, _)));
     // On its back: the same rectangle, looking along y.
     align_to_indices(env, wall, UpAxis::YUp, 0.0, 0.0);
-    assert!(matches!(wall.geometry, Geometry::Rect(Axis::Y)));
+    assert!(matches!(wall.geometry, Geometry::Rect(Axis::Y, _)));
     assert!((wall.scope.size - DVec3::new(4.0, 0.0, 3.0)).length() < 1e-12);
     assert!(env.take_faults().0.is_empty());
 }

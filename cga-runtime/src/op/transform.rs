@@ -26,7 +26,7 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
     let old = shape.scope.size;
     let new =
         DVec3::new(x.of(old.x, env, "`s` along x"), y.of(old.y, env, "`s` along y"), z.of(old.z, env, "`s` along z"));
-    if new.is_finite() {
+    if (Scope { size: new, ..shape.scope }).is_bounded() {
         return shape.resize(new);
     }
     env.fault(FaultKind::Value, "`s` leads beyond the largest number; the shape stays as it is");
@@ -49,11 +49,12 @@ pub enum RotateAbout {
 /// `r(scopeOrigin | scopeCenter, x, y, z)` (*r operation*).
 pub fn rotate_about(env: &mut Env, shape: &mut ShapeRef<'_>, about: RotateAbout, x: f64, y: f64, z: f64) {
     let turn = turn(env.finite(x, "`r` about x"), env.finite(y, "`r` about y"), env.finite(z, "`r` about z"));
-    let centre = shape.scope.centre();
+    let (before, centre) = (shape.scope, shape.scope.centre());
     shape.scope.axes = shape.pivot.axes * turn * shape.pivot.axes.transpose() * shape.scope.axes;
     if about == RotateAbout::ScopeCenter {
         shape.scope.origin += centre - shape.scope.centre();
     }
+    settle(env, shape, &before, "`r`");
 }
 
 /// Rotation by degrees about x, then y, then z (*CGA Euler angles*).
@@ -104,13 +105,15 @@ pub enum CenterAxes {
 
 /// `center(axes)`: moves the scope so that its centre is that of `base`, along the axes named (*center operation*).
 /// `base` is the scope at the start of the rule, bracket or part.
-pub fn center(_: &mut Env, shape: &mut ShapeRef<'_>, base: &Scope, axes: CenterAxes) {
+pub fn center(env: &mut Env, shape: &mut ShapeRef<'_>, base: &Scope, axes: CenterAxes) {
     use CenterAxes::{X, Xy, Xyz, Xz, Y, Yz, Z};
     let along = DVec3::new(
         if matches!(axes, X | Xy | Xz | Xyz) { 1.0 } else { 0.0 },
         if matches!(axes, Y | Xy | Yz | Xyz) { 1.0 } else { 0.0 },
         if matches!(axes, Z | Xz | Yz | Xyz) { 1.0 } else { 0.0 },
     );
+    let before = shape.scope;
     let way = shape.scope.axes.transpose() * (base.centre() - shape.scope.centre());
     shape.scope.origin += shape.scope.axes * (way * along);
+    settle(env, shape, &before, "`center`");
 }

@@ -39,8 +39,11 @@ fn cut(shape: &mut ShapeRef<'_>, plane: &TrimPlane) {
     if kept.as_ref().is_some_and(|kept| Arc::ptr_eq(kept, &mesh)) {
         return;
     }
+    let mirrored = shape.looks_inwards();
     shape.geometry = match kept {
-        Some(mesh) => Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size: scope.size, whole: false })),
+        Some(mesh) => {
+            Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size: scope.size, whole: false, mirrored }))
+        }
         None => Geometry::Empty,
     };
 }
@@ -221,7 +224,7 @@ mod tests {
                 assert_eq!(part.trims.planes(&part.pivot).len(), 8);
                 0.0
             });
-            inner.geometry = Geometry::Rect(crate::scope::Axis::Z);
+            inner.geometry = Geometry::Rect(crate::scope::Axis::Z, None);
             on_faces(&inner, |_, again| {
                 assert_eq!(*again.trims.planes(&again.pivot), *inner.trims.planes(&inner.pivot));
                 0.0

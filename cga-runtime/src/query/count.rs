@@ -12,7 +12,7 @@ pub fn geometry_n_vertices(shape: &ShapeRef<'_>) -> f64 {
         Geometry::Vertex => 1.0,
         Geometry::Edge => 2.0,
         Geometry::Wire(placed) => placed.wire.points.len() as f64,
-        Geometry::Rect(_) => 4.0,
+        Geometry::Rect(..) => 4.0,
         Geometry::Box(_) => 8.0,
         Geometry::Mesh(placed) => placed.mesh.points().len() as f64,
     }
@@ -22,7 +22,7 @@ pub fn geometry_n_vertices(shape: &ShapeRef<'_>) -> f64 {
 pub fn geometry_n_faces(shape: &ShapeRef<'_>) -> f64 {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => 0.0,
-        Geometry::Rect(_) => 1.0,
+        Geometry::Rect(..) => 1.0,
         Geometry::Box(_) => 6.0,
         Geometry::Mesh(placed) => placed.mesh.face_count() as f64,
     }
@@ -34,7 +34,7 @@ pub fn geometry_n_edges(shape: &ShapeRef<'_>) -> f64 {
         Geometry::Empty | Geometry::Vertex => 0.0,
         Geometry::Edge => 1.0,
         Geometry::Wire(placed) => placed.wire.edges.len() as f64,
-        Geometry::Rect(_) => 4.0,
+        Geometry::Rect(..) => 4.0,
         Geometry::Box(_) => 12.0,
         Geometry::Mesh(placed) => placed.mesh.adjacency().edge_count() as f64,
     }
@@ -67,7 +67,7 @@ fn names(
 ) -> Array<Text> {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Array::default(),
-        Geometry::Rect(_) | Geometry::Box(_) => Array::from([Text::default()]),
+        Geometry::Rect(..) | Geometry::Box(_) => Array::from([Text::default()]),
         Geometry::Mesh(placed) => {
             let mut used: Vec<u32> = placed.mesh.tags.runs().iter().map(|(_, tag)| id(tag)).collect();
             used.sort_unstable();

@@ -11,11 +11,11 @@ use crate::shape::{Geometry, ShapeRef};
 /// Calls with the area, in square metres, of every face that looks where a word says (*geometry.area function*,
 /// *geometry.isOriented function*); other words than those for directions take all. A face without area looks nowhere.
 pub(super) fn selected(env: &Env, shape: &ShapeRef<'_>, word: Word, mut each: impl FnMut(f64)) {
-    let looks = Looks::of(env, &shape.scope);
+    let looks = Looks::of(env, shape);
     area_vectors(shape, |vector, at| {
         let length = vector.length();
         let takes = || match word.sense() {
-            Sense::Looks(axes, direction) => looks.takes(axes, direction, vector / length, || at),
+            Sense::Looks(axes, direction) => looks.takes(axes, direction, looks.outwards(vector / length), || at),
             _ => true,
         };
         if 0.0 < length && takes() {
@@ -29,7 +29,7 @@ pub(super) fn area_vectors(shape: &ShapeRef<'_>, mut each: impl FnMut(DVec3, DVe
     let local = crate::scope::Scope::new(shape.scope.size);
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => {}
-        Geometry::Rect(axis) => {
+        Geometry::Rect(axis, _) => {
             let quad = place::rect(&local, *axis);
             each(quad.u.cross(quad.v), quad.origin);
         }

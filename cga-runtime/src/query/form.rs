@@ -28,7 +28,7 @@ pub fn geometry_is_rectangular(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f
     let long = |axis: usize| shape.scope.size[axis] != 0.0;
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
-        Geometry::Rect(axis) => 0.0 <= tolerance && (0..3).all(|other| other == axis.index() || long(other)),
+        Geometry::Rect(axis, _) => 0.0 <= tolerance && (0..3).all(|other| other == axis.index() || long(other)),
         Geometry::Box(_) => 0.0 <= tolerance && (0..3).all(long),
         Geometry::Mesh(placed) => {
             let stretch = placed.stretch(shape.scope.size);
@@ -49,7 +49,7 @@ pub fn geometry_is_planar(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f64) -
     let tolerance = env.finite(tolerance, "the tolerance");
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
-        Geometry::Rect(_) | Geometry::Box(_) => 0.0 <= tolerance,
+        Geometry::Rect(..) | Geometry::Box(_) => 0.0 <= tolerance,
         Geometry::Mesh(placed) => 0.0 <= tolerance && is_planar(placed, shape.scope.size, tolerance),
     }
 }
@@ -79,7 +79,7 @@ pub fn geometry_is_oriented(env: &Env, shape: &ShapeRef<'_>, selector: Word) -> 
 /// `geometry.isClosedSurface()`: whether there are faces, and two of them at every edge (*geometry.isClosedSurface function*).
 pub fn geometry_is_closed_surface(shape: &ShapeRef<'_>) -> bool {
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(_) => false,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(..) => false,
         Geometry::Box(_) => true,
         Geometry::Mesh(placed) => {
             let adjacency = placed.mesh.adjacency();

@@ -14,7 +14,7 @@ use crate::tol::ANGLE_EPSILON;
 pub fn geometry_area(env: &Env, shape: &ShapeRef<'_>, selector: Word) -> f64 {
     let size = shape.scope.size.abs();
     match &shape.geometry {
-        Geometry::Rect(axis) if selector == Word::All => match axis {
+        Geometry::Rect(axis, _) if selector == Word::All => match axis {
             Axis::X => size.y * size.z,
             Axis::Y => size.x * size.z,
             Axis::Z => size.x * size.y,
@@ -34,7 +34,7 @@ pub fn geometry_area(env: &Env, shape: &ShapeRef<'_>, selector: Word) -> f64 {
 pub fn geometry_volume(shape: &ShapeRef<'_>) -> f64 {
     let size = shape.scope.size;
     match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(_) => 0.0,
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(..) => 0.0,
         _ if size.x == 0.0 || size.y == 0.0 || size.z == 0.0 => 0.0,
         Geometry::Box(_) => (size.x * size.y * size.z).abs(),
         Geometry::Mesh(placed) => {
@@ -57,7 +57,7 @@ pub fn geometry_height(shape: &ShapeRef<'_>) -> f64 {
             let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
             if low <= high { high - low } else { 0.0 }
         }
-        Geometry::Rect(axis) => {
+        Geometry::Rect(axis, _) => {
             let mut rises = (rise * size).abs();
             rises[axis.index()] = 0.0;
             rises.element_sum()
@@ -83,7 +83,7 @@ pub fn geometry_boundary_length(shape: &ShapeRef<'_>) -> f64 {
             let wire = placed.in_scope(size);
             (0..wire.edges.len()).map(|edge| wire.ends(edge)[0].distance(wire.ends(edge)[1])).sum()
         }
-        Geometry::Rect(axis) => {
+        Geometry::Rect(axis, _) => {
             let mut size = size.abs();
             size[axis.index()] = 0.0;
             2.0 * size.element_sum()

@@ -41,8 +41,8 @@ impl Profile {
         match &shape.geometry {
             Geometry::Empty | Geometry::Edge | Geometry::Vertex | Geometry::Wire(_) => Profile::Even(0.0),
             Geometry::Box(_) => Profile::Even(2.0 * along * (other + third)),
-            Geometry::Rect(normal) if *normal == axis => Profile::Even(0.0),
-            Geometry::Rect(normal) => {
+            Geometry::Rect(normal, _) if *normal == axis => Profile::Even(0.0),
+            Geometry::Rect(normal, _) => {
                 let mut sides = size;
                 sides[normal.index()] = 1.0;
                 Profile::Even(sides.element_product())

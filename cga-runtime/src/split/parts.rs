@@ -147,7 +147,7 @@ impl<'s> Parts<'s> {
                 };
                 Geometry::Box(sides.part(self.axis, piece.start == 0.0, is_last))
             }
-            Geometry::Rect(normal) if *normal != self.axis => Geometry::Rect(*normal),
+            Geometry::Rect(normal, extruded) if *normal != self.axis => Geometry::Rect(*normal, *extruded),
             Geometry::Edge if self.axis == Axis::X => Geometry::Edge,
             Geometry::Mesh(whole) => {
                 let slab = self.slabs.get(index).and_then(Option::as_ref);
@@ -168,7 +168,7 @@ impl<'s> Parts<'s> {
                 }
                 flat.clone()
             }
-            Geometry::Rect(_) | Geometry::Edge | Geometry::Vertex => Geometry::Empty,
+            Geometry::Rect(..) | Geometry::Edge | Geometry::Vertex => Geometry::Empty,
         }
     }
 
@@ -207,7 +207,7 @@ impl<'s> Parts<'s> {
             scope.size = bounds.size() * stretch;
             (low, fit) = (bounds.low, bounds.size());
         }
-        Geometry::Mesh(Arc::new(Placed { mesh: mesh.clone(), low, size: fit, whole: false }))
+        Geometry::Mesh(Arc::new(Placed { mesh: mesh.clone(), low, size: fit, whole: false, mirrored: whole.mirrored }))
     }
 }
 

@@ -41,7 +41,7 @@ fn rectangles_do_as_their_mesh_does() {
     };
     let quads = [Shape::rectangle(6.0, 4.0).at([3.0, 1.0, 2.0]), {
         let mut wall = Shape::cuboid(6.0, 4.0, 0.0);
-        wall.geometry = Geometry::Rect(crate::scope::Axis::Z);
+        wall.geometry = Geometry::Rect(crate::scope::Axis::Z, None);
         wall
     }];
     for quad in quads {
@@ -51,7 +51,7 @@ fn rectangles_do_as_their_mesh_does() {
             offset(env, &mut other, distance, OffsetFaces::Inside);
             assert!((plain.scope.size - other.scope.size).length() < 1e-12, "{distance}");
             assert!((plain.scope.origin - other.scope.origin).length() < 1e-12);
-            assert!(matches!(plain.geometry, Geometry::Rect(_)));
+            assert!(matches!(plain.geometry, Geometry::Rect(..)));
             let (a, b) = (plain.to_mesh(), other.to_mesh());
             assert_eq!((a.face_count(), a.face(0).outer().len()), (b.face_count(), b.face(0).outer().len()));
             let at = |mesh: &Mesh, i: usize| mesh.points()[mesh.face(0).outer()[i] as usize];
