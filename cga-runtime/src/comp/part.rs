@@ -62,7 +62,7 @@ impl Source {
             // The mesh of a box has its sides in the same order.
             Source::Quads(_) => {
                 let parts = MeshParts::new(parent.to_mesh(), Components::Faces);
-                return Source::Mesh(parts).kept(parent, numbers, as_roof);
+                return Source::Mesh(Box::new(parts)).kept(parent, numbers, as_roof);
             }
             Source::Mesh(parts) => match parts.surface(numbers, &Frame::WORLD) {
                 Some(mesh) => surface(here, Placed::fitted(mesh)),

@@ -177,6 +177,23 @@ impl Direction {
             Direction::Nutant => -STEEP < normal.y && normal.y <= -LEVEL,
         }
     }
+
+    /// Whether a side of a box in those axes does: front, right, back, left, top, bottom.
+    #[inline]
+    pub(crate) fn takes_side(self, side: usize) -> bool {
+        let sides = match self {
+            Direction::Front => 0b00_0001,
+            Direction::Right => 0b00_0010,
+            Direction::Back => 0b00_0100,
+            Direction::Left => 0b00_1000,
+            Direction::Top => 0b01_0000,
+            Direction::Bottom => 0b10_0000,
+            Direction::Horizontal => 0b11_0000,
+            Direction::Side | Direction::Vertical => 0b00_1111,
+            Direction::Aslant | Direction::Nutant => 0,
+        };
+        sides >> side & 1 == 1
+    }
 }
 
 /// The axis that a normal follows most, and whether forwards. Where two are equal, z comes before x before y: the
@@ -208,6 +225,15 @@ mod tests {
     fn at(degrees: f64) -> DVec3 {
         let (sin, cos) = libm::sincos(degrees.to_radians());
         DVec3::new(0.0, sin, cos)
+    }
+
+    #[test]
+    fn sides_of_boxes_are_taken_as_their_normals_are() {
+        use Direction::*;
+        let all = [Front, Back, Right, Left, Top, Bottom, Horizontal, Side, Aslant, Vertical, Nutant];
+        for (side, normal) in crate::comp::source::NORMALS.into_iter().enumerate() {
+            assert!(all.iter().all(|direction| direction.takes_side(side) == direction.takes(normal)), "{side}");
+        }
     }
 
     #[test]

@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 use super::candidate::Subcomponent;
 use super::looks::Looks;
 use super::mesh_parts::MeshParts;
-use super::select::{Sense, Word};
+use super::select::{Axes, Sense, Word};
 use super::wire_parts::WireParts;
 use super::{Align, Arm, Components, Mode};
 use crate::env::Env;
@@ -19,11 +19,10 @@ use crate::wire::Wire;
 
 /// A shape's components of one kind, by number.
 #[derive(Debug)]
-#[allow(clippy::large_enum_variant, reason = "the large one is the common one and must not allocate")]
 pub(super) enum Source {
     /// The faces of a box or a rectangle, handed out one by one.
     Quads(Quads),
-    Mesh(MeshParts),
+    Mesh(Box<MeshParts>),
     Wire(WireParts),
 }
 
@@ -56,7 +55,7 @@ impl Source {
                 }
                 let mesh = shape.to_mesh();
                 env.count_vertices(&mesh)?;
-                return ControlFlow::Continue(Source::Mesh(MeshParts::new(mesh, components)));
+                return ControlFlow::Continue(Source::Mesh(Box::new(MeshParts::new(mesh, components))));
             }
         };
         ControlFlow::Continue(Source::Wire(WireParts::new(wire, components)))
@@ -107,7 +106,7 @@ enum Of {
 }
 
 /// Where the sides of a box look: front, right, back, left, top, bottom, as [`Cuboid::faces`](crate::sink::Cuboid::faces).
-const NORMALS: [DVec3; 6] = [DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y];
+pub(super) const NORMALS: [DVec3; 6] = [DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y];
 
 impl Quads {
     #[inline]
@@ -139,7 +138,7 @@ impl Quads {
     }
 
     /// The scope of a side: x along its first edge, z outwards.
-    #[inline]
+    #[inline(always)]
     pub(super) fn scope(&self, number: usize) -> Scope {
         let Scope { origin, axes, size } = self.scope;
         let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis];
@@ -162,6 +161,7 @@ impl Quads {
     fn is(&self, looks: &Looks, number: usize, word: Word) -> bool {
         match word.sense() {
             Sense::All => true,
+            Sense::Looks(Axes::Scope, direction) => direction.takes_side(self.side_of(number)),
             Sense::Looks(axes, direction) => {
                 let normal = NORMALS[self.side_of(number)];
                 looks.takes_at(axes, direction, normal, || self.scope(number).centre())
