@@ -88,7 +88,7 @@ codes! {
     RuleNotReached "rule_not_reached" Warning "A rule that no run gets to.",
     EndlessRules "endless_rules" Error "Rules that call themselves on every path.",
     OnlyChanceEnds "only_chance_ends" Warning "Rules that call themselves until chance ends it.",
-    SelectorHidden "selector_hidden" Warning "A selector for which earlier ones leave nothing.",
+    SelectorHidden "selector_hidden" Warning "A selector that never finds anything: earlier ones leave nothing, or no component has that number.",
     NoEffect "no_effect" Warning "Operations on a shape of which nothing is made after them.",
     // What is declared.
     UnusedAttribute "unused_attribute" Warning "An attribute that nothing reads.",

@@ -1,7 +1,7 @@
 //! Selectors that find nothing left, as earlier ones take all that they could.
 
 use super::{Cx, Tables, Use};
-use crate::ast::{CompArm, Expr, ExprKind, OpKind};
+use crate::ast::{CompArm, Expr, ExprKind, OpKind, Unary};
 use crate::ast_walk::ops;
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
@@ -34,6 +34,10 @@ enum Takes {
 
 fn takes(selector: &Expr, tables: &Tables) -> Option<Takes> {
     match &selector.kind {
+        ExprKind::Unary(Unary::Minus, inner) => match inner.kind {
+            ExprKind::Number(number) => Some(Takes::Index(-number)),
+            _ => None,
+        },
         ExprKind::Name(name) => match tables.of(name)? {
             Use::Selector(word) => Some(Takes::Word(word)),
             _ => None,
@@ -49,23 +53,34 @@ fn arms(list: &[CompArm], tables: &Tables, diags: &mut Diags) {
     for arm in list {
         let Some(own) = takes(&arm.selector, tables) else { continue };
         let span = arm.selector.span;
+        if let Takes::Index(index) = own
+            && (index < 0.0 || index.fract() != 0.0)
+        {
+            let diag = never(diags, own, span);
+            diag.note("components have whole numbers, from 0 on").help("write another index, or leave it out");
+            continue;
+        }
         let one = before.iter().find(|(other, _)| covers(*other, own));
         let directions = if let Takes::Word(word) = own { directions(word) } else { 0 };
         if let Some((other, place)) = one {
             let text = shown(*other);
-            report(diags, own, span).related(format!("{text} takes all of them"), *place);
+            let diag = never(diags, own, span);
+            diag.note(ONCE).related(format!("{text} takes all of them"), *place);
+            diag.help(if *other == own { "leave it out" } else { "move it before the others, or leave it out" });
         } else if directions != 0 && directions & !taken == 0 && own != Takes::Word("all") {
-            report(diags, own, span).note("the selectors before it take every direction that it has");
+            let diag =
+                never(diags, own, span).note(ONCE).note("the selectors before it take every direction that it has");
+            diag.help("move it before the others, or leave it out");
         }
         taken |= directions;
         before.push((own, span));
     }
 }
 
-fn report(diags: &mut Diags, own: Takes, span: Span) -> &mut Diag {
-    let diag = diags.report(Code::SelectorHidden, span, format!("{} never finds anything", shown(own)));
-    diag.note("what one selector takes, the next ones cannot have");
-    diag.help("move it before the others, or leave it out")
+const ONCE: &str = "what one selector takes, the next ones cannot have";
+
+fn never(diags: &mut Diags, own: Takes, span: Span) -> &mut Diag {
+    diags.report(Code::SelectorHidden, span, format!("{} never finds anything", shown(own)))
 }
 
 fn shown(of: Takes) -> String {

@@ -204,6 +204,9 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         let suggested = near.is_some();
         diag.suggest(near);
+        if ops::selector(text).is_some() {
+            diag.note(format!("`{text}` selects components: it stands in the selectors of a `comp`, nowhere else"));
+        }
         if inline && !dotted && !suggested {
             diag.help(format!("write `#{text}` for a Rust value"));
         } else if let Some((first, _)) = text.split_once('.')
@@ -231,7 +234,12 @@ impl<'a> Scope<'_, 'a, '_> {
         let mut candidates: Vec<Use> = own.map(Use::Function).collect();
         let rows = builtins(text, args.len());
         if candidates.is_empty() && rows.is_empty() && !(args.len() == 1 && conversion(text).is_some()) {
-            args.iter().for_each(|arg| self.expr(arg));
+            // A word that the function takes is no name that is missing.
+            let is_word = |arg: &&Expr| {
+                let words = || ops::functions(text).flat_map(|row| row.params);
+                bare(arg).is_some_and(|word| words().any(|param| param.kind.has_word(word)))
+            };
+            args.iter().filter(|arg| !is_word(arg)).for_each(|arg| self.expr(arg));
             return self.unknown_call(name, args);
         }
         // Words are no names: they tell rows apart, and are not looked up.

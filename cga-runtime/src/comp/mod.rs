@@ -21,6 +21,7 @@ use std::sync::Arc;
 
 use crate::derive::Cx;
 use crate::env::Env;
+use crate::fault::FaultKind;
 use crate::scope::{Axis, Frame, Scope};
 use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, Geometry, ShapeRef};
@@ -160,7 +161,9 @@ impl<'s> Parts<'s> {
     ) -> ControlFlow<(), Self> {
         for arm in arms {
             if let Select::Index(number) = arm.select {
-                env.finite(number, "an index of `comp`");
+                if !number.is_finite() {
+                    env.fault(FaultKind::Value, format!("an index of `comp` is {number}; it takes nothing"));
+                }
             }
         }
         let source = Source::of(env, shape, components, align, arms)?;
