@@ -94,10 +94,12 @@ impl MeshParts {
 
     /// Where a component looks, of length 1; zero for one that is never selected.
     fn normal(&self, index: usize) -> DVec3 {
-        let sum = |faces: &mut dyn Iterator<Item = u32>| {
-            let sum: DVec3 = faces.map(|face| self.normals[face as usize]).sum();
-            // What is left of normals that cancel out is rounding.
-            if sum.length() <= COPLANAR_EPSILON { DVec3::ZERO } else { unit(sum) }
+        let mean = |faces: &mut dyn Iterator<Item = u32>| {
+            let mut normals = faces.map(|face| self.normals[face as usize]).filter(|normal| *normal != DVec3::ZERO);
+            let first = normals.next().unwrap_or_default();
+            let sum = normals.fold(first, |sum, normal| sum + normal);
+            // What is left of normals that cancel out is rounding: the first face's is taken.
+            if sum.length() <= COPLANAR_EPSILON { first } else { unit(sum) }
         };
         match self.kind {
             Components::Faces => self.normals[index],
@@ -105,13 +107,13 @@ impl MeshParts {
             Components::Holes => self.normals[self.holes[index][0] as usize],
             Components::Edges => {
                 let [a, b] = self.ends(index);
-                let normal = sum(&mut self.adjacency().faces_at(index));
-                // Faces back to back, or without area, leave it open.
+                let normal = mean(&mut self.adjacency().faces_at(index));
+                // Faces without area leave it open.
                 let normal = if normal == DVec3::ZERO { upright(unit(b - a)) } else { normal };
                 if a == b { DVec3::ZERO } else { normal }
             }
             Components::Vertices => {
-                let normal = sum(&mut self.adjacency().faces_around(index));
+                let normal = mean(&mut self.adjacency().faces_around(index));
                 if normal == DVec3::ZERO { DVec3::Y } else { normal }
             }
             Components::FaceEdges => {
@@ -281,9 +283,10 @@ impl MeshParts {
     /// shape, nor for what is degenerate.
     pub(super) fn frame(&self, index: usize, as_roof: bool) -> Option<Frame> {
         let frame = |origin, x: DVec3, z: DVec3| {
-            // An average need not be perpendicular to the edge.
+            // An average need not be perpendicular to the edge, and what is left of one along it is rounding.
+            let across = z - x * z.dot(x);
+            let z = if across.length() <= COPLANAR_EPSILON { upright(x) } else { unit(across) };
             let z = unit(z - x * z.dot(x));
-            let z = if z == DVec3::ZERO { upright(x) } else { z };
             Some(Frame { origin, axes: DMat3::from_cols(x, z.cross(x), z) })
         };
         match self.kind {
