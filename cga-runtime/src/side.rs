@@ -3,6 +3,7 @@
 
 use crate::mesh::TagSet;
 use crate::scope::Axis;
+use crate::sink::{Cuboid, Quad};
 use crate::text::Text;
 
 /// Where `extrude` made a face: the face that was there, what rises from its outline and from its holes, and the face that
@@ -35,13 +36,16 @@ impl Extruded {
     }
 }
 
-/// Which sides of a box are as `extrude` made them: front, right, back, left, top, bottom.
+/// Which sides of a box are as `extrude` made them, a bit each: front, right, back, left, top, bottom. One more bit is for
+/// the boxes that `primitiveCube` makes, which number their faces otherwise.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sides(u8);
 
 impl Sides {
-    /// None: a box that a primitive made.
+    /// None.
     pub(crate) const PLAIN: Sides = Sides(0);
+    /// None, of what `primitiveCube` makes.
+    pub(crate) const CUBE: Sides = Sides(0b100_0000);
     /// All.
     pub(crate) const GROWN: Sides = Sides(0b11_1111);
 
@@ -57,9 +61,23 @@ impl Sides {
         Sides(self.0 & !gone(low, is_first) & !gone(high, is_last))
     }
 
-    /// Whether no side has a tag.
+    /// Whether there is nothing to be said of the faces.
     pub(crate) fn is_plain(self) -> bool {
         self.0 == 0
+    }
+
+    /// The side that is a face: faces are numbered as sides are, but those of `primitiveCube` begin with the top and end
+    /// with the front. (*comp operation*, trim planes, shows that 5 is an upright one, and no more.)
+    #[inline]
+    pub(crate) fn side_of(self, face: usize) -> usize {
+        const OF_CUBE: [usize; 6] = [4, 5, 3, 2, 1, 0];
+        if self.0 & Sides::CUBE.0 == 0 { face } else { OF_CUBE[face] }
+    }
+
+    /// The faces of a box by number.
+    pub(crate) fn faces(self, cuboid: &Cuboid) -> [Quad; 6] {
+        let sides = cuboid.faces();
+        [0, 1, 2, 3, 4, 5].map(|face| sides[self.side_of(face)])
     }
 
     /// The tag of a side.

@@ -130,7 +130,7 @@ impl Quads {
     #[inline]
     fn side_of(&self, number: usize) -> usize {
         match self.of {
-            Of::Box(_) => number,
+            Of::Box(sides) => sides.side_of(number),
             Of::Rectangle(Axis::X, _) => 1,
             Of::Rectangle(Axis::Y, _) => 4,
             Of::Rectangle(Axis::Z, _) => 0,
@@ -188,7 +188,7 @@ impl Quads {
     pub(super) fn extruded(&self, number: usize) -> Option<Extruded> {
         match self.of {
             Of::Rectangle(_, extruded) => extruded,
-            Of::Box(sides) => sides.tag(number),
+            Of::Box(sides) => sides.tag(sides.side_of(number)),
         }
     }
 

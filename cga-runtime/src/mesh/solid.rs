@@ -39,12 +39,14 @@ impl Mesh {
         self
     }
 
-    /// A box with the tags of its sides.
+    /// A box with the tags of its sides, in the order of its faces.
     pub(crate) fn with_sides(mut self, sides: Sides) -> Mesh {
         if !sides.is_plain() {
+            let order = [0, 1, 2, 3, 4, 5].map(|face| sides.side_of(face));
+            self.corners = order.iter().flat_map(|side| &CUBOID_CORNERS[4 * side..4 * side + 4]).copied().collect();
             self.tag_sets = tag_sets().into();
             self.tags = Tags::default();
-            for side in 0..6 {
+            for side in order {
                 let tags = sides.tag(side).map_or(FaceTag::NONE, |tag| tag as u32);
                 self.tags.push(FaceTag { tags, ..FaceTag::PLAIN });
             }

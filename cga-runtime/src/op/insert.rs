@@ -81,7 +81,7 @@ pub(crate) fn z_up(mesh: &Mesh) -> Mesh {
 
 fn insert_box(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
-    shape.geometry = Geometry::Box(Sides::PLAIN);
+    shape.geometry = Geometry::Box(Sides::CUBE);
     super::trim(env, shape);
 }
 

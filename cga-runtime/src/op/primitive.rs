@@ -25,10 +25,10 @@ const MOST_SIDES: u32 = 100_000;
 /// A sphere has fewer of them, as it has a row for each division.
 const MOST_OF_SPHERE: u32 = 1000;
 
-/// `primitiveCube()` (*primitiveCube operation*).
+/// `primitiveCube()`: faces are top, bottom, left, back, right, front (*primitiveCube operation*).
 pub fn cube(env: &mut Env, shape: &mut ShapeRef<'_>) {
     fit(shape, DVec3::ZERO, DVec3::ONE);
-    shape.geometry = Geometry::Box(Sides::PLAIN);
+    shape.geometry = Geometry::Box(Sides::CUBE);
     super::trim(env, shape);
 }
 
@@ -37,7 +37,7 @@ pub fn cube_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, height: f
     let size =
         DVec3::new(env.finite(width, "the width"), env.finite(height, "the height"), env.finite(depth, "the depth"));
     stand(env, shape, size, Axis::Y);
-    shape.geometry = Geometry::Box(Sides::PLAIN);
+    shape.geometry = Geometry::Box(Sides::CUBE);
     super::trim(env, shape);
 }
 

@@ -33,8 +33,8 @@ pub(super) fn area_vectors(shape: &ShapeRef<'_>, mut each: impl FnMut(DVec3, DVe
             let quad = place::rect(&local, *axis);
             each(quad.u.cross(quad.v), quad.origin);
         }
-        Geometry::Box(_) => {
-            place::cuboid(&local).faces().iter().for_each(|face| each(face.u.cross(face.v), face.origin))
+        Geometry::Box(sides) => {
+            sides.faces(&place::cuboid(&local)).iter().for_each(|face| each(face.u.cross(face.v), face.origin))
         }
         Geometry::Mesh(placed) => {
             let stretch = placed.stretch(shape.scope.size);

@@ -125,7 +125,7 @@ X --> color("#ffe030") X.
 example! {
     /// What is put at a face is cut at upright trim planes.
     trim_upright, "comp operation, Trim planes, vertical", Shape::cuboid(10.0, 10.0, 10.0),
-    r##"Start --> comp(f) { front : X Front. | all : Rest. }
+    r##"Start --> s(10, 10, 10) primitiveCube() comp(f) { 5 : X Front. | all : Rest. }
 X --> s(15, '1, 2) center(x) color("#9fd06c") primitiveCube() X.
 "##
 }
@@ -133,7 +133,8 @@ X --> s(15, '1, 2) center(x) color("#9fd06c") primitiveCube() X.
 example! {
     /// And at level ones, when they are switched on.
     trim_level, "comp operation, Trim planes, both", Shape::cuboid(10.0, 10.0, 10.0),
-    r##"Start --> set(trim.horizontal, true) comp(f) { front : X Front. | all : Rest. }
+    r##"Start --> s(10, 10, 10) primitiveCube() set(trim.horizontal, true)
+  comp(f) { 5 : X Front. | all : Rest. }
 X --> s(15, 15, 2) center(xy) color("#9fd06c") primitiveCube() X.
 "##
 }

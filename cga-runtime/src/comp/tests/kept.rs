@@ -154,3 +154,17 @@ fn a_hull_of_many_corners_decides_as_all_corners_do() {
         }
     }
 }
+
+#[test]
+fn faces_of_a_cube_are_numbered_alike_with_and_without_a_mesh() {
+    let (env, mut cube) = (&mut Env::for_tests(), Shape::cuboid(2.0, 3.0, 4.0));
+    op::cube(env, &mut cube);
+    let [quads, mesh] = [cube.clone(), Shape::mesh(cube.to_mesh().as_ref().clone())]
+        .map(|shape| parts(&shape, Components::Faces, Align::ZUp, &[arm(Word::All, Mode::Each)]));
+    for ((.., a), (.., b)) in quads.iter().zip(&mesh) {
+        assert!((a.scope.origin - b.scope.origin).length() < 1e-12 && a.scope.axes.abs_diff_eq(b.scope.axes, 1e-12));
+    }
+    // *comp operation*, trim planes: number 5 is the upright one that the picture shows in front.
+    assert_eq!(quads[5].2.scope.axes.z_axis, DVec3::Z);
+    assert!(cube.to_mesh().is_closed() && cube.to_mesh().volume() == 24.0);
+}
