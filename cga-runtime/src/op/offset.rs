@@ -14,7 +14,7 @@ use crate::shape::{Geometry, ShapeRef};
 ///
 /// Each face is moved on its own: neighbours that shared an edge no longer do, so what is `inside` and what `border` can be
 /// told face by face. Texture coordinates and normals of new corners continue those of the face. The time grows with the
-/// square of a face's corners; of more than 5000 it is a fault, and the shape stays.
+/// square of a face's corners, to a second at most for 5000; of more it is a fault, and the shape stays.
 pub fn offset(env: &mut Env, shape: &mut ShapeRef<'_>, distance: f64, keep: OffsetFaces) {
     let distance = env.finite(distance, "the distance of `offset`");
     if distance == 0.0 || !shape.geometry.has_surface() {

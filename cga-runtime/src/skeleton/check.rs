@@ -6,11 +6,11 @@
 
 use glam::DVec2;
 
-use super::wavefront::{Line, Wavefront, twice_area};
+use super::wavefront::{Wavefront, twice_area};
 use super::{Left, Strip, Swept};
 use crate::exact::orient;
 use crate::mesh::check::winding;
-use crate::tol::MEETING_EPSILONS;
+use crate::tol::{MEETING_EPSILONS, TOUCH_EPSILON};
 
 /// So many times what touches is rounding.
 const SLACK: f64 = 16.0;
@@ -22,12 +22,34 @@ impl Wavefront {
         let rounding = MEETING_EPSILONS[0] * self.extent * self.extent;
         swept.points.iter().all(|p| p.is_finite())
             && swept.strips.iter().all(|strip| {
-                is_monotone(strip, &swept.points, &self.lines[strip.edge as usize], self.until, slack)
-                    && -rounding <= twice_area(&swept.points, &strip.ring)
+                self.is_monotone(strip, &swept.points, slack) && -rounding <= twice_area(&swept.points, &strip.ring)
             })
             && self.in_one_piece(&swept.strips, &swept.points, rounding)
             && !crosses(&swept.left, &swept.points, slack)
             && self.nests(swept)
+    }
+
+    /// Whether a strip runs along its edge once and comes back once, in front of it.
+    fn is_monotone(&self, strip: &Strip, points: &[DVec2], slack: f64) -> bool {
+        let line = &self.lines[strip.edge as usize];
+        let count = strip.ring.len();
+        let at = |i: usize| points[strip.ring[i % count] as usize];
+        let along: Vec<f64> = (0..count).map(|i| line.along.dot(at(i))).collect();
+        let height: Vec<f64> = (0..count).map(|i| line.normal().dot(at(i)) - line.at).collect();
+        let by = |a: &usize, b: &usize| along[*a].total_cmp(&along[*b]);
+        let (Some(low), Some(high)) = ((0..count).min_by(by), (0..count).max_by(by)) else { return false };
+        let runs = |from: usize, to: usize, sign: f64| {
+            let steps = (to + count - from) % count;
+            (from..from + steps).map(|i| (i % count, (i + 1) % count)).all(|(i, next)| {
+                let back = sign * (along[i] - along[next]);
+                // What moves nearly along the edge touches it long before it gets there.
+                let is_flat = (height[i] - height[next]).abs() <= self.epsilon;
+                back <= slack || (is_flat && back <= TOUCH_EPSILON * self.extent)
+            })
+        };
+        height.iter().all(|height| (-slack..=self.until + slack).contains(height))
+            && runs(low, high, 1.0)
+            && runs(high, low, -1.0)
     }
 
     /// Whether no edge has two strips, but for those that are rounding.
@@ -61,24 +83,6 @@ fn positions(ring: &[Left], points: &[DVec2]) -> Vec<DVec2> {
 
 fn area(ring: &[DVec2]) -> f64 {
     (1..ring.len() - 1).map(|i| (ring[i] - ring[0]).perp_dot(ring[i + 1] - ring[0])).sum()
-}
-
-/// Whether a strip runs along its edge once and comes back once, in front of it.
-fn is_monotone(strip: &Strip, points: &[DVec2], line: &Line, until: f64, slack: f64) -> bool {
-    let at = |i: usize| points[strip.ring[i % strip.ring.len()] as usize];
-    let count = strip.ring.len();
-    let along: Vec<f64> = (0..count).map(|i| line.along.dot(at(i))).collect();
-    let by = |a: &usize, b: &usize| along[*a].total_cmp(&along[*b]);
-    let (Some(low), Some(high)) = ((0..count).min_by(by), (0..count).max_by(by)) else { return false };
-    let runs = |from: usize, to: usize, sign: f64| {
-        let steps = (to + count - from) % count;
-        (from..from + steps).all(|i| -slack <= sign * (along[(i + 1) % count] - along[i % count]))
-    };
-    let heights = (0..count).all(|i| {
-        let height = line.normal().dot(at(i)) - line.at;
-        -slack <= height && height <= until + slack
-    });
-    heights && runs(low, high, 1.0) && runs(high, low, -1.0)
 }
 
 /// Whether what is left crosses itself by more than some slack.

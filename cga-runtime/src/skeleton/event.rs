@@ -1,141 +1,179 @@
-//! When things meet: a piece's ends each other, a corner that is not convex a piece.
+//! When events happen: an edge shrinks to nothing, a reflex vertex reaches an edge.
 
 use glam::DVec2;
 
 use super::Failure;
 use super::wavefront::{NONE, Wavefront};
 
-/// The first piece that a corner reaches, by the corner it starts at, and when.
+/// The first edge that a reflex vertex reaches, and when.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hit {
+pub(super) struct Split {
     pub(super) time: f64,
-    pub(super) piece: u32,
+    /// [`NONE`] when the edge has changed: then no edge is reached before the time.
+    pub(super) edge: u32,
 }
 
-impl Hit {
-    pub(super) const NEVER: Hit = Hit { time: f64::INFINITY, piece: NONE };
+impl Split {
+    pub(super) const NEVER: Split = Split { time: f64::INFINITY, edge: NONE };
+
+    /// Whether it has to be looked for again.
+    fn is_open(&self) -> bool {
+        self.edge == NONE && self.time < f64::INFINITY
+    }
 }
 
-/// Two that meet now, wherever rounding puts them.
+/// What happens now, wherever rounding puts it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Meeting {
-    /// The ends of the piece after this corner.
-    Ends(u32),
-    /// A corner and the piece after another.
-    Piece(u32, u32),
+pub(super) enum Event {
+    /// An edge has shrunk to nothing.
+    Edge(u32),
+    /// A vertex has reached an edge.
+    Split(u32, u32),
 }
 
 /// Things that come nearer more slowly than this do not.
 const SLOWEST: f64 = 1e-12;
 
 impl Wavefront {
-    /// When the next event is; never, if nothing meets any more.
-    pub(super) fn next_event(&self) -> f64 {
-        self.alive.iter().fold(f64::INFINITY, |time, &corner| {
-            let corner = &self.corners[corner as usize];
-            time.min(corner.collapse).min(corner.hit.time)
-        })
+    /// When the next event is; never, if there is none any more.
+    pub(super) fn next_event(&mut self) -> f64 {
+        let time = |front: &Self, vertex: u32| {
+            let vertex = &front.vertices[vertex as usize];
+            vertex.collapse.min(vertex.split.time)
+        };
+        loop {
+            let next = self.alive.iter().fold(f64::INFINITY, |next, &vertex| next.min(time(self, vertex)));
+            let soon = next + self.epsilon;
+            let is_due = |vertex: &u32| {
+                let split = &self.vertices[*vertex as usize].split;
+                split.is_open() && split.time <= soon
+            };
+            let open: Vec<u32> = self.alive.iter().copied().filter(is_due).collect();
+            if open.is_empty() {
+                return next;
+            }
+            for vertex in open {
+                self.vertices[vertex as usize].split = self.first_split(vertex, Split::NEVER, &self.alive);
+            }
+        }
     }
 
-    /// What meets now, or is so near that it touches.
-    pub(super) fn due(&self) -> Vec<Meeting> {
+    /// What happens now, or is so near that it touches.
+    pub(super) fn due(&self) -> Vec<Event> {
         let mut due = Vec::new();
         for &number in &self.alive {
-            let corner = &self.corners[number as usize];
-            if corner.collapse <= self.now || (corner.collapse.is_finite() && self.gap(number) <= self.epsilon) {
-                due.push(Meeting::Ends(number));
+            let vertex = &self.vertices[number as usize];
+            if vertex.collapse <= self.now || (vertex.collapse.is_finite() && self.length(number) <= self.epsilon) {
+                due.push(Event::Edge(number));
             }
-            let hit = corner.hit;
-            if hit.time <= self.now
-                || (hit.time.is_finite() && self.height(number, hit.piece, self.now) <= self.epsilon)
+            let split = vertex.split;
+            if split.edge != NONE
+                && (split.time <= self.now || self.height(number, split.edge, self.now) <= self.epsilon)
             {
-                due.push(Meeting::Piece(number, hit.piece));
+                due.push(Event::Split(number, split.edge));
             }
         }
         due
     }
 
-    /// Looks ahead from here, where these corners are new. None of them may be unable to move.
+    /// Looks ahead from here, where these vertices are new. None of them may be unable to move.
     pub(super) fn foresee(&mut self, made: &[u32]) -> Result<(), Failure> {
-        if made.iter().any(|&corner| self.corners[corner as usize].speed == DVec2::ZERO) {
+        if made.iter().any(|&vertex| self.vertices[vertex as usize].velocity == DVec2::ZERO) {
             return Err(Failure::Tangled);
         }
-        let mut pieces: Vec<u32> = made.iter().flat_map(|&c| [c, self.corners[c as usize].last]).collect();
-        pieces.sort_unstable();
-        pieces.dedup();
-        for &piece in &pieces {
-            self.corners[piece as usize].collapse = self.collapse(piece);
+        let mut changed: Vec<u32> = made.iter().flat_map(|&v| [v, self.vertices[v as usize].last]).collect();
+        changed.sort_unstable();
+        changed.dedup();
+        for &edge in &changed {
+            self.vertices[edge as usize].collapse = self.collapse(edge);
         }
+        let mut is_changed = vec![false; self.vertices.len()];
+        changed.iter().for_each(|&edge| is_changed[edge as usize] = true);
         for index in 0..self.alive.len() {
             let number = self.alive[index];
-            let corner = self.corners[number as usize];
-            if !corner.reaches {
+            let vertex = &self.vertices[number as usize];
+            if !vertex.reflex {
                 continue;
             }
-            let gone = |hit: Hit| {
-                hit.piece != NONE
-                    && (!self.corners[hit.piece as usize].alive || pieces.binary_search(&hit.piece).is_ok())
-            };
-            let anew = corner.born == self.now || gone(corner.hit);
-            let (mut hit, among) = if anew { (Hit::NEVER, &self.alive) } else { (corner.hit, &pieces) };
-            for &piece in among {
-                if let Some(time) = self.reach(number, piece, hit.time) {
-                    hit = Hit { time, piece };
+            let mut split = vertex.split;
+            self.vertices[number as usize].split = if vertex.born == self.now {
+                self.first_split(number, Split::NEVER, &self.alive)
+            } else {
+                let edge = split.edge as usize;
+                if split.edge != NONE && (!self.vertices[edge].alive || is_changed[edge]) {
+                    // Other edges are not reached before that one was.
+                    split.edge = NONE;
                 }
-            }
-            self.corners[number as usize].hit = hit;
+                self.first_split(number, split, &changed)
+            };
         }
         Ok(())
     }
 
-    /// How long a piece is now, along its edge.
-    fn gap(&self, piece: u32) -> f64 {
-        let corner = &self.corners[piece as usize];
-        let along = self.lines[corner.after as usize].along;
-        along.dot(self.at(corner.next, self.now) - self.at(piece, self.now))
+    /// How long an edge is now, along its line.
+    fn length(&self, edge: u32) -> f64 {
+        let start = &self.vertices[edge as usize];
+        let along = self.lines[start.after as usize].along;
+        along.dot(self.at(start.next, self.now) - self.at(edge, self.now))
     }
 
-    fn collapse(&self, piece: u32) -> f64 {
-        let corner = &self.corners[piece as usize];
-        let along = self.lines[corner.after as usize].along;
-        let closing = along.dot(corner.speed - self.corners[corner.next as usize].speed);
+    fn collapse(&self, edge: u32) -> f64 {
+        let start = &self.vertices[edge as usize];
+        let along = self.lines[start.after as usize].along;
+        let closing = along.dot(start.velocity - self.vertices[start.next as usize].velocity);
         if closing <= SLOWEST {
             return f64::INFINITY;
         }
-        self.now + self.gap(piece).max(0.0) / closing
+        self.now + self.length(edge).max(0.0) / closing
     }
 
-    /// How far a corner is in front of the line of a piece.
-    fn height(&self, corner: u32, piece: u32, time: f64) -> f64 {
-        let line = &self.lines[self.corners[piece as usize].after as usize];
-        line.normal().dot(self.at(corner, time)) - (line.at + time)
+    /// How far a vertex is in front of the line of an edge.
+    fn height(&self, vertex: u32, edge: u32, time: f64) -> f64 {
+        let line = &self.lines[self.vertices[edge as usize].after as usize];
+        line.normal().dot(self.at(vertex, time)) - (line.at + time)
     }
 
-    /// When a corner reaches a piece, if that is before some time.
-    fn reach(&self, number: u32, piece: u32, before: f64) -> Option<f64> {
-        let (corner, start) = (&self.corners[number as usize], &self.corners[piece as usize]);
-        if piece == number || start.next == number {
+    /// The first of some edges that a vertex reaches, if that is before what is known. Where that is open, it may be at the
+    /// same time: another part of the edge that was known.
+    fn first_split(&self, vertex: u32, known: Split, edges: &[u32]) -> Split {
+        let mut split = known;
+        for &edge in edges {
+            if let Some(time) = self.reach(vertex, edge, split) {
+                split = Split { time, edge };
+            }
+        }
+        split
+    }
+
+    /// When a vertex reaches an edge, if that is before another split.
+    fn reach(&self, number: u32, edge: u32, other: Split) -> Option<f64> {
+        let (vertex, start) = (&self.vertices[number as usize], &self.vertices[edge as usize]);
+        if edge == number || start.next == number {
             return None;
         }
         let line = &self.lines[start.after as usize];
-        let closing = 1.0 - line.normal().dot(corner.speed);
+        let closing = 1.0 - line.normal().dot(vertex.velocity);
         if closing <= SLOWEST {
             return None;
         }
-        let height = self.height(number, piece, self.now);
-        let time = self.now + height.max(0.0) / closing;
+        // From the birth of the vertex, so that parts of an edge are reached at the same time to the bit.
+        let time = (vertex.born + self.height(number, edge, vertex.born) / closing).max(self.now);
+        let sooner = time < other.time || (time == other.time && other.is_open());
         // Just beyond the end there may be something that touches.
-        let sooner = time < before && time <= self.until + self.epsilon;
-        if !sooner || height < -self.epsilon {
+        if !sooner || self.until + self.epsilon < time {
             return None;
         }
-        let end = &self.corners[start.next as usize];
-        if height <= self.epsilon && (start.node == corner.node || end.node == corner.node) {
+        let height = self.height(number, edge, self.now);
+        if height < -self.epsilon {
+            return None;
+        }
+        let end = &self.vertices[start.next as usize];
+        if height <= self.epsilon && (start.node == vertex.node || end.node == vertex.node) {
             // They came apart there.
             return None;
         }
         let at = self.at(number, time);
-        let behind = line.along.dot(at - self.at(piece, time));
+        let behind = line.along.dot(at - self.at(edge, time));
         let ahead = line.along.dot(self.at(start.next, time) - at);
         (-self.epsilon <= behind && -self.epsilon <= ahead).then_some(time)
     }

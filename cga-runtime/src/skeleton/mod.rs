@@ -1,25 +1,32 @@
 //! What the edges of a polygon sweep when they move inwards, each at the same speed: the faces of its straight skeleton up
 //! to a distance, and what is left inside.
 //!
-//! Edges have the region on their left; loops are outlines, holes, or, for the outside, both turned over. Edges move as a
-//! *wavefront*: pieces of edges between *corners*, which move along bisectors. Nothing changes but at *events*: a piece has
-//! shrunk to nothing, or a corner that is not convex reaches a piece. At the time of an event the wavefront *stops*
-//! ([`stop`]): everything that touches there, at whatever places, becomes one point a place, pieces that lie on each other
-//! cancel, and the pieces that are left are joined anew by angle ([`join`]). So events at the same time and place (squares,
-//! stars, corridors with parallel walls) are no special case.
+//! Edges have the region on their left; loops are outlines, holes, or, for the outside, both turned over. They move as a
+//! *wavefront*: loops of *vertices*, which move along bisectors, and of the edges between them, each on the *line* of an edge
+//! of the polygon ([`wavefront`]). Nothing changes but at *events* ([`event`]): an edge has shrunk to nothing, or a reflex
+//! vertex reaches an edge. Then everything that is in contact is found by position ([`contact`]): vertices that coincide are
+//! one *cluster*, clusters divide the edges that they touch into segments ([`arrangement`]), segments that lie on each other
+//! cancel ([`overlap`]), and those that are left are joined anew by angle ([`rejoin`]). So events at the same time and place
+//! (squares, stars, corridors with parallel walls) are no special case.
 //!
-//! Paths of corners are kept as directed arcs between shared points, each for the edges on both its sides. So the areas of
-//! all strips and of what is left add up to that of the polygon, whatever rounding does to single points. That strips do
-//! not overlap either is checked afterwards ([`check`]); where a wavefront went wrong, because edges run nearly but not
-//! quite into each other, it is tried again with another idea of what touches.
+//! Paths of vertices are kept as directed arcs between shared nodes, each for the edges on both its sides ([`trace`]). So the
+//! areas of all strips and of what is left add up to that of the polygon, whatever rounding does to single points. That
+//! strips do not overlap either is checked afterwards ([`check`]); where a wavefront went wrong, because edges run nearly but
+//! not quite into each other, it is tried again with another idea of what touches.
 //!
-//! Time is quadratic in the number of corners.
+//! Time is quadratic in the number of corners, whether few things happen at a time or all at once: an event looks through
+//! the wavefront a few times, and a vertex is compared with all of it when it is made and when it ends. Polygons of 1,000
+//! corners take 3 to 40 ms, those of 5,000 corners 50 ms to 1.2 s; up to eight times that where other ideas of what touches
+//! have to be tried.
 
+mod arrangement;
 mod check;
+mod contact;
+mod disjoint;
 mod event;
-mod join;
-mod links;
-mod stop;
+mod limits;
+mod overlap;
+mod rejoin;
 mod trace;
 mod wavefront;
 
@@ -38,7 +45,7 @@ pub(crate) struct Strip {
     pub(crate) edge: u32,
     /// Corners, counter-clockwise, as numbers of points. It begins with the edge itself, if that is part of it.
     pub(crate) ring: Vec<u32>,
-    /// For each side of the ring whether it is a piece of the wavefront at the end.
+    /// For each side of the ring whether it is an edge of the wavefront at the end.
     pub(crate) front: Vec<bool>,
 }
 

@@ -213,6 +213,39 @@ fn what_happens_at_once_stays_symmetric() {
     }
 }
 
+/// Thousands of edges, in one point or along one line.
+#[test]
+fn many_events_happen_at_once() {
+    let around = |count: u32, radius: &dyn Fn(u32) -> f64| -> Vec<(f64, f64)> {
+        let angle = |i: u32| TAU * f64::from(i) / f64::from(count);
+        (0..count).map(|i| (radius(i) * libm::cos(angle(i)), radius(i) * libm::sin(angle(i)))).collect()
+    };
+    let disk = around(1000, &|_| 1.0);
+    let spikes = around(800, &|i| if i % 2 == 0 { 1.0 } else { 0.5 });
+    let gear = around(800, &|i| if i / 2 % 2 == 0 { 1.0 } else { 0.8 });
+    let walls = (0..500).map(|i| (f64::from(i), 0.0)).chain((0..500).map(|i| (499.0 - f64::from(i), 10.0)));
+    for ring in [disk, spikes, gear, walls.collect()] {
+        let polygon = Polygon::of(&[&ring]);
+        for (polygon, distance) in [(polygon.inverted(), 0.01), (polygon, 6.0)] {
+            let swept = checked(&polygon, distance).unwrap();
+            assert_eq!((swept.strips.len(), swept.left.len()), (ring.len(), usize::from(distance < 1.0)));
+        }
+    }
+}
+
+/// Teeth of different lengths above one edge: each that reaches it divides what all others run towards.
+#[test]
+fn an_edge_is_reached_again_and_again() {
+    let rng = &mut Rng(3);
+    let tips: Vec<f64> = (0..150).map(|_| 1.0 + rng.unit()).collect();
+    let above = (0..150).rev().flat_map(|i| [(f64::from(i) + 0.8, 5.0), (f64::from(i) + 0.3, tips[i as usize])]);
+    let ring: Vec<(f64, f64)> = [(0.0, 0.0), (150.0, 0.0)].into_iter().chain(above).collect();
+    let polygon = Polygon::of(&[&ring]);
+    for distance in [0.45, 0.6, 0.8, 1.2] {
+        assert_eq!(checked(&polygon, distance).unwrap().strips.len(), ring.len(), "{distance}");
+    }
+}
+
 #[test]
 fn corners_that_are_none_divide_strips_and_nothing_else() {
     let plain = Polygon::of(&[&[(0.0, 0.0), (10.0, 0.0), (10.0, 4.0), (0.0, 4.0)]]);

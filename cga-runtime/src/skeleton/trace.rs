@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::Strip;
+use super::disjoint::DisjointSets;
 
 /// What a side of a strip is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,7 +40,7 @@ impl Arcs {
         }
     }
 
-    /// A piece of the wavefront at the end: its strip is on the right.
+    /// An edge of the wavefront at the end: its strip is on the right.
     pub(super) fn front(&mut self, from: u32, to: u32, edge: u32) {
         if from != to {
             self.of[edge as usize].push(Arc { from: to, to: from, side: Side::Front });
@@ -49,22 +50,17 @@ impl Arcs {
     /// For each point the one it becomes when arcs that are all but points are made so. The first points, those of the
     /// polygon, stay apart.
     pub(super) fn contracted(&self, points: &[DVec2], fixed: usize, epsilon: f64) -> Vec<u32> {
-        let mut same: Vec<u32> = (0..points.len() as u32).collect();
-        let root = |same: &[u32], mut point: u32| {
-            while same[point as usize] != point {
-                point = same[point as usize];
-            }
-            point
-        };
+        let mut same = DisjointSets::new(points.len());
         for arc in self.of.iter().flatten() {
             if points[arc.from as usize].distance(points[arc.to as usize]) <= epsilon {
-                let [a, b] = [arc.from, arc.to].map(|point| root(&same, point));
+                let [a, b] = [arc.from, arc.to].map(|point| same.find_and_shorten(point));
                 if fixed <= a.max(b) as usize {
-                    same[a.max(b) as usize] = a.min(b);
+                    same.unite(a, b);
                 }
             }
         }
-        (0..points.len() as u32).map(|point| root(&same, point)).collect()
+        same.flatten();
+        (0..points.len() as u32).map(|point| same.find(point)).collect()
     }
 
     /// Follows them, each point being the one it has become.

@@ -1,14 +1,15 @@
-//! The state of a wavefront: moving corners, joined in loops.
+//! The state of a wavefront: moving vertices, joined in loops.
 
 use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-use super::event::Hit;
+use super::event::Split;
+use super::limits::Limits;
 use super::trace::Arcs;
 use super::{Failure, Left, Swept};
 
-/// No corner.
+/// No vertex.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// What squares of lengths are sure of.
@@ -31,25 +32,25 @@ impl Line {
     }
 }
 
-/// A corner of the wavefront, and the piece from it to the next.
+/// A vertex of the wavefront, and the edge from it to the next.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Corner {
-    /// Where it started, as a point of the skeleton.
+pub(super) struct Vertex {
+    /// Where it started, as a node of the skeleton.
     pub(super) node: u32,
     pub(super) from: DVec2,
     pub(super) born: f64,
-    pub(super) speed: DVec2,
-    /// The edges of the piece before and the piece after.
+    pub(super) velocity: DVec2,
+    /// The lines of the edge before and the edge after.
     pub(super) before: u32,
     pub(super) after: u32,
     pub(super) last: u32,
     pub(super) next: u32,
     pub(super) alive: bool,
-    /// Whether other pieces can be met: it is not convex.
-    pub(super) reaches: bool,
-    /// When the piece after it has shrunk to nothing.
+    /// Whether it can reach other edges: it is not convex.
+    pub(super) reflex: bool,
+    /// When the edge after it shrinks to nothing.
     pub(super) collapse: f64,
-    pub(super) hit: Hit,
+    pub(super) split: Split,
 }
 
 /// Twice the area of a loop, negative when it runs clockwise.
@@ -58,7 +59,7 @@ pub(super) fn twice_area(points: &[DVec2], ring: &[u32]) -> f64 {
     (1..ring.len().saturating_sub(1)).map(|i| at(i).perp_dot(at(i + 1))).sum()
 }
 
-/// Whether two edges run against each other, so that no corner between them can move.
+/// Whether two lines run against each other, so that no vertex between them can move.
 pub(super) fn turn_back(a: &Line, b: &Line) -> bool {
     (a.along + b.along).length() < TURNED_BACK
 }
@@ -66,10 +67,12 @@ pub(super) fn turn_back(a: &Line, b: &Line) -> bool {
 #[derive(Debug)]
 pub(super) struct Wavefront {
     pub(super) lines: Vec<Line>,
-    pub(super) corners: Vec<Corner>,
-    /// Corners that are alive, in the order they were made.
+    pub(super) vertices: Vec<Vertex>,
+    /// Vertices that are alive, in the order they were made.
     pub(super) alive: Vec<u32>,
-    /// Points: first those that were given.
+    /// Where vertices that are alive were at the last event.
+    pub(super) positions: Vec<DVec2>,
+    /// Nodes of the skeleton: first the points that were given.
     pub(super) nodes: Vec<DVec2>,
     given: usize,
     pub(super) arcs: Arcs,
@@ -79,8 +82,7 @@ pub(super) struct Wavefront {
     pub(super) extent: f64,
     /// What is nearer than this touches.
     pub(super) epsilon: f64,
-    /// So many more times contacts may be looked for.
-    pub(super) patience: usize,
+    pub(super) limits: Limits,
     pub(super) now: f64,
     pub(super) until: f64,
 }
@@ -99,15 +101,16 @@ impl Wavefront {
         }
         let mut front = Wavefront {
             lines: Vec::new(),
-            corners: Vec::new(),
+            vertices: Vec::new(),
             alive: Vec::new(),
+            positions: Vec::new(),
             nodes: points.to_vec(),
             given: points.len(),
             arcs: Arcs::default(),
             unbounded,
             extent,
             epsilon: epsilon * extent,
-            patience: 16 * rings.iter().map(Vec::len).sum::<usize>() + 64,
+            limits: Limits::of(rings.iter().map(Vec::len).sum()),
             now: 0.0,
             until,
         };
@@ -124,9 +127,9 @@ impl Wavefront {
             let count = ring.len() as u32;
             for (i, &node) in (0..count).zip(ring) {
                 let [last, next] = [(i + count - 1) % count, (i + 1) % count].map(|k| start + k);
-                let corner = front.corner(node, last, start + i);
+                let vertex = front.vertex(node, last, start + i);
                 front.alive.push(start + i);
-                front.corners.push(Corner { last, next, ..corner });
+                front.push(Vertex { last, next, ..vertex });
             }
         }
         Ok(front)
@@ -136,7 +139,7 @@ impl Wavefront {
     pub(super) fn run(mut self) -> Result<Swept, Failure> {
         // What touches from the beginning: pinches, bridges to holes.
         let everything: Vec<u32> = self.alive.clone();
-        self.stop(&everything, &[])?;
+        self.handle(&[], &everything)?;
         self.foresee(&self.alive.clone())?;
         loop {
             let next = self.next_event();
@@ -145,57 +148,63 @@ impl Wavefront {
             if due.is_empty() {
                 return if self.now == self.until { self.finish() } else { Err(Failure::Tangled) };
             }
-            let made = self.stop(&[], &due)?;
+            let made = self.handle(&due, &[])?;
+            self.limits.make(made.len())?;
             self.foresee(&made)?;
         }
     }
 
-    /// Where a corner is at some time.
+    /// Where a vertex is at some time.
     #[inline]
-    pub(super) fn at(&self, corner: u32, time: f64) -> DVec2 {
-        let corner = &self.corners[corner as usize];
-        corner.from + corner.speed * (time - corner.born)
+    pub(super) fn at(&self, vertex: u32, time: f64) -> DVec2 {
+        let vertex = &self.vertices[vertex as usize];
+        vertex.from + vertex.velocity * (time - vertex.born)
     }
 
-    /// A corner between two pieces that starts now at a node, not joined to others yet.
-    pub(super) fn corner(&self, node: u32, before: u32, after: u32) -> Corner {
-        let [a, b] = [before, after].map(|edge| self.lines[edge as usize]);
-        // The sum of the normals lies on the bisector; the nearer it is to nothing, the faster the corner.
+    /// A vertex between the edges on two lines that starts now at a node, not joined to others yet.
+    pub(super) fn vertex(&self, node: u32, before: u32, after: u32) -> Vertex {
+        let [a, b] = [before, after].map(|line| self.lines[line as usize]);
+        // The sum of the normals lies on the bisector; the nearer it is to nothing, the faster the vertex.
         let sum = a.normal() + b.normal();
-        let speed = if turn_back(&a, &b) { DVec2::ZERO } else { sum * (2.0 / sum.length_squared()) };
-        Corner {
+        let velocity = if turn_back(&a, &b) { DVec2::ZERO } else { sum * (2.0 / sum.length_squared()) };
+        Vertex {
             node,
             from: self.nodes[node as usize],
             born: self.now,
-            speed,
+            velocity,
             before,
             after,
             last: NONE,
             next: NONE,
             alive: true,
-            reaches: a.along.perp_dot(b.along) <= crate::tol::STRAIGHT_EPSILON,
+            reflex: a.along.perp_dot(b.along) <= crate::tol::STRAIGHT_EPSILON,
             collapse: f64::INFINITY,
-            hit: Hit::NEVER,
+            split: Split::NEVER,
         }
+    }
+
+    pub(super) fn push(&mut self, vertex: Vertex) {
+        self.positions.push(vertex.from);
+        self.vertices.push(vertex);
     }
 
     /// Takes down where everything is at the end.
     fn finish(mut self) -> Result<Swept, Failure> {
-        let mut end = vec![NONE; self.corners.len()];
+        let mut end = vec![NONE; self.vertices.len()];
         for &number in &self.alive {
-            let corner = self.corners[number as usize];
+            let vertex = self.vertices[number as usize];
             let at = self.at(number, self.now);
-            end[number as usize] = if corner.born == self.now {
-                corner.node
+            end[number as usize] = if vertex.born == self.now {
+                vertex.node
             } else {
                 self.nodes.push(at);
                 self.nodes.len() as u32 - 1
             };
-            self.arcs.path(corner.node, end[number as usize], corner.before, corner.after);
+            self.arcs.path(vertex.node, end[number as usize], vertex.before, vertex.after);
         }
         for &number in &self.alive {
-            let corner = &self.corners[number as usize];
-            self.arcs.front(end[number as usize], end[corner.next as usize], corner.after);
+            let vertex = &self.vertices[number as usize];
+            self.arcs.front(end[number as usize], end[vertex.next as usize], vertex.after);
         }
         let same = self.arcs.contracted(&self.nodes, self.given, self.epsilon);
         end.iter_mut().filter(|end| **end != NONE).for_each(|end| *end = same[*end as usize]);
@@ -205,17 +214,17 @@ impl Wavefront {
     }
 
     fn loops(&self, end: &[u32]) -> Vec<Vec<Left>> {
-        let mut seen = vec![false; self.corners.len()];
+        let mut seen = vec![false; self.vertices.len()];
         let mut loops = Vec::new();
         for &start in &self.alive {
             let mut ring = Vec::new();
             let mut at = start;
             while !std::mem::replace(&mut seen[at as usize], true) {
-                let corner = &self.corners[at as usize];
-                if end[at as usize] != end[corner.next as usize] {
-                    ring.push(Left { point: end[at as usize], edge: corner.after });
+                let vertex = &self.vertices[at as usize];
+                if end[at as usize] != end[vertex.next as usize] {
+                    ring.push(Left { point: end[at as usize], edge: vertex.after });
                 }
-                at = corner.next;
+                at = vertex.next;
             }
             if 3 <= ring.len() {
                 loops.push(ring);

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use super::super::stop::to_segment;
+use super::super::contact::to_segment;
 use super::super::wavefront::twice_area;
 use crate::mesh::Mesh;
 use crate::mesh::check::winding;

@@ -1,0 +1,128 @@
+//! The arrangement of a wavefront at the time of an event: clusters of vertices, and the segments into which they divide
+//! edges.
+
+use super::contact::Contacts;
+use super::overlap::cancel;
+use super::wavefront::Wavefront;
+
+/// An end of a segment: a vertex that goes on, or a cluster where the wavefront changes, by the first vertex in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum End {
+    Vertex(u32),
+    Cluster(u32),
+}
+
+impl End {
+    pub(super) fn vertex(self) -> u32 {
+        let (End::Vertex(vertex) | End::Cluster(vertex)) = self;
+        vertex
+    }
+}
+
+/// An edge of the wavefront, or what is between clusters on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Segment {
+    pub(super) from: End,
+    pub(super) to: End,
+    pub(super) edge: u32,
+    /// Number of the line it is on.
+    pub(super) line: u32,
+}
+
+/// The segments that come to a cluster and that leave it, by number.
+#[derive(Debug)]
+pub(super) struct Incidence {
+    pub(super) cluster: u32,
+    pub(super) incoming: Vec<usize>,
+    pub(super) outgoing: Vec<usize>,
+}
+
+/// All segments with a cluster at one end at least.
+#[derive(Debug)]
+pub(super) struct Arrangement {
+    /// In the order of edges, then along them.
+    pub(super) segments: Vec<Segment>,
+    /// Pairs between the same clusters that run against each other; no longer among the segments.
+    pub(super) cancelled: Vec<[Segment; 2]>,
+    /// One a cluster where the wavefront changes, in the order of their first vertices.
+    pub(super) incidences: Vec<Incidence>,
+}
+
+impl Arrangement {
+    /// Divides the edges that have to do with clusters.
+    pub(super) fn of(front: &Wavefront, contacts: &Contacts) -> Self {
+        let cluster = |vertex: u32| contacts.cluster(vertex);
+        let next = |edge: u32| front.vertices[edge as usize].next;
+        let vertices = contacts.vertices();
+        // Vertices that nothing touches go on.
+        let mut changes = vec![false; front.vertices.len()];
+        for &vertex in vertices.iter().filter(|&&vertex| cluster(vertex) != vertex) {
+            changes[cluster(vertex) as usize] = true;
+        }
+        contacts.tips().for_each(|vertex| changes[cluster(vertex) as usize] = true);
+        let mut divisions: Vec<(u32, f64, u32)> = Vec::new();
+        for [edge, vertex] in contacts.on_edges() {
+            let here = cluster(vertex);
+            if here != cluster(edge) && here != cluster(next(edge)) {
+                changes[here as usize] = true;
+                let along = front.lines[front.vertices[edge as usize].after as usize].along;
+                divisions.push((edge, along.dot(front.positions[here as usize]), here));
+            }
+        }
+        divisions.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+        divisions.dedup_by_key(|division| (division.0, division.2));
+        let changing = vertices.iter().filter(|&&vertex| changes[cluster(vertex) as usize]);
+        let mut edges: Vec<u32> = changing.flat_map(|&v| [v, front.vertices[v as usize].last]).collect();
+        edges.extend(divisions.iter().map(|division| division.0));
+        edges.sort_unstable();
+        edges.dedup();
+        let end = |vertex: u32| {
+            let cluster = cluster(vertex);
+            if changes[cluster as usize] { End::Cluster(cluster) } else { End::Vertex(vertex) }
+        };
+        let mut segments: Vec<Segment> = Vec::new();
+        for &edge in &edges {
+            let first = divisions.partition_point(|division| division.0 < edge);
+            let on = divisions[first..].iter().take_while(|division| division.0 == edge);
+            let mut from = end(edge);
+            for to in on.map(|division| End::Cluster(division.2)).chain([end(next(edge))]) {
+                if from != to {
+                    segments.push(Segment { from, to, edge, line: front.vertices[edge as usize].after });
+                }
+                from = to;
+            }
+        }
+        let cancelled = cancel(&mut segments);
+        let clusters = vertices.iter().copied().filter(|&vertex| changes[vertex as usize]);
+        let incidences = incidences(clusters, &segments);
+        Arrangement { segments, cancelled, incidences }
+    }
+
+    /// The number of a cluster where the wavefront changes.
+    pub(super) fn number(&self, cluster: u32) -> Option<usize> {
+        number(&self.incidences, cluster)
+    }
+}
+
+fn number(incidences: &[Incidence], cluster: u32) -> Option<usize> {
+    incidences.binary_search_by_key(&cluster, |incidence| incidence.cluster).ok()
+}
+
+fn incidences(clusters: impl Iterator<Item = u32>, segments: &[Segment]) -> Vec<Incidence> {
+    let none = |cluster| Incidence { cluster, incoming: Vec::new(), outgoing: Vec::new() };
+    let mut incidences: Vec<Incidence> = clusters.map(none).collect();
+    for (segment, &Segment { from, to, .. }) in segments.iter().enumerate() {
+        let at = |end: End| match end {
+            End::Cluster(cluster) => number(&incidences, cluster),
+            End::Vertex(_) => None,
+        };
+        let ends = [at(from), at(to)];
+        if let Some(from) = ends[0] {
+            incidences[from].outgoing.push(segment);
+        }
+        if let Some(to) = ends[1] {
+            incidences[to].incoming.push(segment);
+        }
+    }
+    incidences
+}

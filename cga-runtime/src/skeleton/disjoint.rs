@@ -1,0 +1,65 @@
+//! Disjoint sets of numbers (union-find).
+
+/// Sets of the numbers below some count, each named by its smallest member.
+#[derive(Debug)]
+pub(super) struct DisjointSets {
+    /// A smaller member of the same set; of the smallest itself.
+    parent: Vec<u32>,
+}
+
+impl DisjointSets {
+    /// Every number alone.
+    pub(super) fn new(count: usize) -> Self {
+        DisjointSets { parent: (0..count as u32).collect() }
+    }
+
+    /// The smallest member of the set that a number is in.
+    #[inline]
+    pub(super) fn find(&self, mut number: u32) -> u32 {
+        while self.parent[number as usize] != number {
+            number = self.parent[number as usize];
+        }
+        number
+    }
+
+    /// Makes one set of two.
+    pub(super) fn unite(&mut self, a: u32, b: u32) {
+        let [a, b] = [a, b].map(|number| self.find_and_shorten(number));
+        self.parent[a.max(b) as usize] = a.min(b);
+    }
+
+    /// Makes every later [`find`](Self::find) a single step.
+    pub(super) fn flatten(&mut self) {
+        for number in 0..self.parent.len() {
+            // Smaller numbers are flat already.
+            self.parent[number] = self.parent[self.parent[number] as usize];
+        }
+    }
+
+    /// [`find`](Self::find), and makes later ones shorter.
+    pub(super) fn find_and_shorten(&mut self, mut number: u32) -> u32 {
+        while self.parent[number as usize] != number {
+            let above = self.parent[self.parent[number as usize] as usize];
+            self.parent[number as usize] = above;
+            number = above;
+        }
+        number
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sets_are_named_by_their_smallest_member() {
+        let mut sets = DisjointSets::new(7);
+        for [a, b] in [[5, 6], [4, 5], [1, 3], [6, 3]] {
+            sets.unite(a, b);
+        }
+        let names = |sets: &DisjointSets| (0..7).map(|number| sets.find(number)).collect::<Vec<_>>();
+        assert_eq!(names(&sets), [0, 1, 2, 1, 1, 1, 1]);
+        sets.flatten();
+        assert_eq!(names(&sets), sets.parent);
+    }
+}

@@ -1,0 +1,103 @@
+//! Segments that lie on each other, against each other: they touch as far as the shorter one reaches, and cancel when they
+//! have the same ends.
+
+use std::collections::BTreeMap;
+
+use super::Failure;
+use super::arrangement::{Arrangement, End, Segment};
+use super::contact::{Contacts, to_segment};
+use super::wavefront::{Wavefront, turn_back};
+
+impl Arrangement {
+    /// Finds segments of a cluster that lie on each other, so that the far end of the shorter one touches the other. Whether
+    /// there was any that is new. Pairs of segments that were there before have been looked at.
+    pub(super) fn find_overlaps(
+        &self,
+        front: &Wavefront,
+        contacts: &mut Contacts,
+        before: &[Segment],
+    ) -> Result<bool, Failure> {
+        let is_new = |segment: &Segment| {
+            let first = before.partition_point(|old| old.edge < segment.edge);
+            !before[first..].iter().take_while(|old| old.edge == segment.edge).any(|old| old == segment)
+        };
+        let is_new: Vec<bool> = self.segments.iter().map(is_new).collect();
+        let mut found = false;
+        for incidence in &self.incidences {
+            for &incoming in &incidence.incoming {
+                for &outgoing in &incidence.outgoing {
+                    if is_new[incoming] || is_new[outgoing] {
+                        found |= self.overlap(front, contacts, [incoming, outgoing], front.epsilon);
+                    }
+                }
+            }
+        }
+        if found {
+            return Ok(true);
+        }
+        // Where nothing is between them they meet, however far they seem to be from each other.
+        for pair in self.pairs(front) {
+            let [a, b] = pair.map(|segment| front.lines[self.segments[segment].line as usize]);
+            if turn_back(&a, &b) {
+                if !self.overlap(front, contacts, pair, f64::INFINITY) {
+                    return Err(Failure::Tangled);
+                }
+                found = true;
+            }
+        }
+        Ok(found)
+    }
+
+    /// Notes that a segment to a cluster and one from it touch, if they do. Whether that is new.
+    fn overlap(&self, front: &Wavefront, contacts: &mut Contacts, pair: [usize; 2], near: f64) -> bool {
+        let [incoming, outgoing] = pair.map(|segment| &self.segments[segment]);
+        let position = |end: End| front.positions[end.vertex() as usize];
+        let (far, here, end) = (position(incoming.from), position(incoming.to), position(outgoing.to));
+        let (a, b) = (far - here, end - here);
+        if a.dot(b) <= 0.0 {
+            return false;
+        }
+        let (vertex, edge, distance) = if b.length_squared() <= a.length_squared() {
+            (outgoing.to.vertex(), incoming.edge, to_segment(end, here, far))
+        } else {
+            (incoming.from.vertex(), outgoing.edge, to_segment(far, here, end))
+        };
+        if distance > near * near {
+            return false;
+        }
+        if vertex == edge || vertex == front.vertices[edge as usize].next {
+            contacts.tip(vertex)
+        } else {
+            contacts.touch(edge, vertex)
+        }
+    }
+}
+
+/// Takes out segments between the same clusters that run against each other.
+pub(super) fn cancel(segments: &mut Vec<Segment>) -> Vec<[Segment; 2]> {
+    // For each pair of clusters the segments from one to the other that have not been cancelled, the last first.
+    let mut between: BTreeMap<[End; 2], Vec<usize>> = BTreeMap::new();
+    for (number, segment) in segments.iter().enumerate().rev() {
+        if let (End::Cluster(_), End::Cluster(_)) = (segment.from, segment.to) {
+            between.entry([segment.from, segment.to]).or_default().push(number);
+        }
+    }
+    let mut gone = vec![false; segments.len()];
+    let mut cancelled = Vec::new();
+    for number in 0..segments.len() {
+        let segment = segments[number];
+        if gone[number] {
+            continue;
+        }
+        if let Some(against) = between.get_mut(&[segment.to, segment.from]).and_then(Vec::pop) {
+            if let Some(own) = between.get_mut(&[segment.from, segment.to]) {
+                own.pop();
+            }
+            (gone[number], gone[against]) = (true, true);
+            cancelled.push([segment, segments[against]]);
+        }
+    }
+    let mut gone = gone.into_iter();
+    segments.retain(|_| gone.next() == Some(false));
+    cancelled
+}
