@@ -1,5 +1,8 @@
 //! Faces with their outlines moved in or out, and strips for the difference (*offset operation*).
 //!
+//! A face is moved in the plane across its normal. Where it is not planar its parts are not either ([`relief`]): old points
+//! stay, and new ones get heights between those of the face.
+//!
 //! Each face gives what is inside its moved outline, in the order of the edges that come first there, then a strip for
 //! each of its edges, outline before holes. Its parts share their points, but not those of other faces: an edge that only one face uses is the
 //! border of what one face became. Moved inwards, strips look the way of the face and begin with the moved edge, where
@@ -19,6 +22,8 @@ use crate::cut::{Nest, Section};
 use crate::skeleton::{self, Failure, Left, Strip, Swept};
 use crate::tol::PLANAR_EPSILON;
 
+mod relief;
+
 /// Which faces an offset keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OffsetFaces {
@@ -30,16 +35,17 @@ pub enum OffsetFaces {
     Border,
 }
 
-/// Why a mesh has no offset.
+/// Why a face has no offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum OffsetError {
-    NotPlanar,
+    NoNormal,
     TooMany,
     Tangled,
 }
 
-/// The faces of a mesh moved inwards (a negative distance) or outwards. Faces without area give nothing.
-pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> Result<Mesh, OffsetError> {
+/// The faces of a mesh moved inwards (a negative distance) or outwards. Those that cannot be moved are as they were, with
+/// points of their own; they are given, too.
+pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Vec<(usize, OffsetError)>) {
     let mut made = Mesh {
         uvs: mesh.uvs.alike(0),
         groups: mesh.groups.clone(),
@@ -47,11 +53,35 @@ pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> Result<Me
         tag_sets: mesh.tag_sets.clone(),
         ..Mesh::default()
     };
-    for face in mesh.faces().filter(|face| face.normal() != DVec3::ZERO) {
-        Plane::of(&face)?.offset(distance, keep, &mut made)?;
+    let mut refused = Vec::new();
+    for face in mesh.faces() {
+        if let Err(why) = Plane::of(&face).and_then(|plane| plane.offset(distance, keep, &mut made)) {
+            refused.push((face.index(), why));
+            copy(&face, &mut made);
+        }
     }
     made.points = keep_used(&made.points, &mut made.corners);
-    Ok(made)
+    (made, refused)
+}
+
+/// A face as it is.
+fn copy(face: &FaceRef<'_>, made: &mut Mesh) {
+    let source = face.mesh;
+    let mut numbers = BTreeMap::new();
+    for ring in face.loop_ranges() {
+        for corner in ring {
+            let point = *numbers.entry(source.corners[corner]).or_insert_with(|| {
+                made.points.push(face.position(corner));
+                made.points.len() as u32 - 1
+            });
+            made.corners.push(point);
+            made.uvs.push_from(&source.uvs, |list| list[corner]);
+            made.normals.extend(source.normals.get(corner));
+        }
+        made.loop_ends.push(made.corners.len() as u32);
+    }
+    made.face_ends.push(made.loop_ends.len());
+    made.tags.push(face.tag());
 }
 
 /// A face laid flat.
@@ -59,8 +89,10 @@ struct Plane<'a> {
     face: FaceRef<'a>,
     origin: DVec3,
     axes: [DVec3; 2],
-    /// The points of the face, once each, and their numbers in the mesh.
+    normal: DVec3,
+    /// The points of the face, once each, how high they are above the plane, and their numbers in the mesh.
     flat: Vec<DVec2>,
+    heights: Vec<f64>,
     points: Vec<u32>,
     /// For each corner its point.
     corners: Vec<u32>,
@@ -69,29 +101,38 @@ struct Plane<'a> {
 impl<'a> Plane<'a> {
     fn of(face: &FaceRef<'a>) -> Result<Self, OffsetError> {
         let (normal, range) = (face.normal(), face.corner_range());
+        if normal == DVec3::ZERO {
+            return Err(OffsetError::NoNormal);
+        }
         let origin = face.position(range.start);
         let ring = face.outer().len();
         let edge = |i: usize| face.position(range.start + (i + 1) % ring) - face.position(range.start + i);
         let first = (0..ring).map(|i| unit(edge(i))).find(|edge| *edge != DVec3::ZERO).ok_or(OffsetError::Tangled)?;
         let x = unit(first - normal * first.dot(normal));
         let axes = [x, normal.cross(x)];
-        let mut plane = Plane { face: *face, origin, axes, flat: Vec::new(), points: Vec::new(), corners: Vec::new() };
-        let (mut off, mut extent) = (0.0f64, 0.0f64);
+        let (flat, heights) = (Vec::new(), Vec::new());
+        let mut plane =
+            Plane { face: *face, origin, axes, normal, flat, heights, points: Vec::new(), corners: Vec::new() };
+        let mut extent = 0.0f64;
         let mut numbers = BTreeMap::new();
         for corner in range {
             let point = face.mesh.corners[corner];
             let to = face.position(corner) - origin;
-            (off, extent) = (off.max(to.dot(normal).abs()), extent.max(to.abs().max_element()));
+            extent = extent.max(to.abs().max_element());
             let next = plane.flat.len() as u32;
             let number = *numbers.entry(point).or_insert(next);
             if number == next {
                 plane.flat.push(DVec2::new(to.dot(axes[0]), to.dot(axes[1])));
+                plane.heights.push(to.dot(normal));
                 plane.points.push(point);
             }
             plane.corners.push(number);
         }
-        // What follows is true in the plane; corners off it by rounding stay where they are.
-        if PLANAR_EPSILON * extent < off { Err(OffsetError::NotPlanar) } else { Ok(plane) }
+        // What is off it by rounding is in the plane.
+        if plane.heights.iter().all(|height| height.abs() <= PLANAR_EPSILON * extent) {
+            plane.heights.fill(0.0);
+        }
+        Ok(plane)
     }
 
     fn offset(&self, distance: f64, keep: OffsetFaces, made: &mut Mesh) -> Result<(), OffsetError> {
@@ -102,7 +143,8 @@ impl<'a> Plane<'a> {
             Failure::TooMany => OffsetError::TooMany,
             Failure::Tangled => OffsetError::Tangled,
         })?;
-        let mut part = Part::new(self, &swept, outwards, made);
+        let heights = relief::heights(&self.heights, &rings, &swept);
+        let mut part = Part::new(self, &swept, &heights, outwards, made);
         if keep != OffsetFaces::Border {
             part.inside(&edges);
         }
@@ -166,11 +208,14 @@ struct Part<'p, 'a> {
 
 impl<'p, 'a> Part<'p, 'a> {
     /// With its points in the mesh: old ones stay as they are, to the bit.
-    fn new(plane: &'p Plane<'a>, swept: &'p Swept, outwards: bool, made: &'p mut Mesh) -> Self {
+    fn new(plane: &'p Plane<'a>, swept: &'p Swept, heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
         let base = made.points.len() as u32;
         let old = plane.points.iter().map(|&point| plane.face.mesh.points[point as usize]);
-        let new = swept.points[plane.points.len()..].iter();
-        made.points.extend(old.chain(new.map(|p| plane.origin + plane.axes[0] * p.x + plane.axes[1] * p.y)));
+        let new = swept.points.iter().zip(heights).skip(plane.points.len());
+        let place = |(p, &height): (&DVec2, &f64)| {
+            plane.origin + plane.axes[0] * p.x + plane.axes[1] * p.y + plane.normal * height
+        };
+        made.points.extend(old.chain(new.map(place)));
         let spread = Spread::of(plane.corners.iter().map(|&point| plane.flat[point as usize]).collect());
         Part { plane, swept, spread, outwards, made, base }
     }

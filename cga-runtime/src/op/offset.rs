@@ -13,8 +13,12 @@ use crate::shape::{Geometry, ShapeRef};
 /// is too large, the geometry stays (*CGA changelog 2022.1*).
 ///
 /// Each face is moved on its own: neighbours that shared an edge no longer do, so what is `inside` and what `border` can be
-/// told face by face. Texture coordinates and normals of new corners continue those of the face. The time grows with the
-/// square of a face's corners, to a second at most for 5000; of more it is a fault, and the shape stays.
+/// told face by face. Texture coordinates and normals of new corners continue those of the face. A face that is not planar
+/// is moved across its normal and stays as bent as it was: its corners keep their places, and new points lie as high above
+/// its plane as its edges do beside them.
+///
+/// A face that cannot be moved stays as it is, with a fault that names it: one without a normal, one that touches itself,
+/// one with more than 5000 corners. The time grows with the square of a face's corners, to a second at most for 5000.
 pub fn offset(env: &mut Env, shape: &mut ShapeRef<'_>, distance: f64, keep: OffsetFaces) {
     let distance = env.finite(distance, "the distance of `offset`");
     if distance == 0.0 || !shape.geometry.has_surface() {
@@ -25,23 +29,42 @@ pub fn offset(env: &mut Env, shape: &mut ShapeRef<'_>, distance: f64, keep: Offs
         super::settle(env, shape, &before, "`offset`");
         return;
     }
-    let mesh = match offset_mesh(&shape.to_mesh(), distance, keep) {
-        Ok(mesh) if mesh.is_empty() => return,
-        Ok(mesh) => mesh,
-        Err(why) => {
-            let why = match why {
-                OffsetError::NotPlanar => "a face is not planar",
-                OffsetError::TooMany => "a face has too many corners",
-                OffsetError::Tangled => "the outline of a face touches itself or leads too far",
-            };
-            env.fault(FaultKind::Geometry, format!("`offset`: {why}; the shape stays as it is"));
-            return;
-        }
-    };
+    let (mesh, refused) = offset_mesh(&shape.to_mesh(), distance, keep);
+    report(env, &refused);
+    if mesh.face_count() == refused.len() {
+        return;
+    }
     if env.count_corners(mesh.corners().len() as u64).is_break() {
         return;
     }
     shape.set_mesh(mesh);
+}
+
+/// Says which faces stay, and why.
+fn report(env: &mut Env, refused: &[(usize, OffsetError)]) {
+    /// So many are named.
+    const NAMED: usize = 8;
+    for (why, one, more) in [
+        (OffsetError::NoNormal, "has no normal", "have no normal"),
+        (OffsetError::TooMany, "has too many corners", "have too many corners"),
+        (OffsetError::Tangled, "touches itself or leads too far", "touch themselves or lead too far"),
+    ] {
+        let faces: Vec<String> =
+            refused.iter().filter(|refused| refused.1 == why).map(|refused| refused.0.to_string()).collect();
+        let message = match &faces[..] {
+            [] => continue,
+            [face] => format!("`offset`: face {face} {one}; it stays as it is"),
+            [first @ .., last] if first.len() < NAMED => {
+                format!("`offset`: faces {} and {last} {more}; they stay as they are", first.join(", "))
+            }
+            _ => {
+                let (named, others) = faces.split_at(NAMED);
+                let count = others.len();
+                format!("`offset`: faces {} and {count} more {more}; they stay as they are", named.join(", "))
+            }
+        };
+        env.fault(FaultKind::Geometry, message);
+    }
 }
 
 /// A rectangle stays one: no mesh is needed. Whether that was so, or there is nothing to be done.

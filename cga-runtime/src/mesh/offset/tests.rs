@@ -1,6 +1,6 @@
 use glam::{DMat3, DVec3};
 
-use super::*;
+use super::{offset as offset_or_refuse, *};
 use crate::mesh::primitive::cube;
 use crate::mesh::{FaceTag, MeshBuilder, TagSet};
 use crate::text::Text;
@@ -8,6 +8,13 @@ use crate::text::Text;
 /// The outline of the reference's pictures, about: wide, with a notch from above.
 const NOTCHED: [(f64, f64); 9] =
     [(0.0, 0.0), (6.0, -2.5), (12.0, 0.0), (13.0, 5.0), (9.0, 9.0), (6.5, 8.0), (8.0, 4.0), (5.5, 3.0), (-2.0, 7.0)];
+
+/// Of faces that can all be moved.
+fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> Mesh {
+    let (made, refused) = offset_or_refuse(mesh, distance, keep);
+    assert_eq!(refused, []);
+    made
+}
 
 fn ring(points: &[(f64, f64)]) -> Vec<DVec3> {
     points.iter().map(|&(x, y)| DVec3::new(x, 0.0, -y)).collect()
@@ -45,8 +52,8 @@ fn first_edges_are_those_of_the_pictures() {
     let at = |mesh: &Mesh, face: usize, corner: usize| mesh.points()[mesh.face(face).outer()[corner] as usize];
     let along = |mesh: &Mesh, face: usize| (at(mesh, face, 1) - at(mesh, face, 0)).normalize();
     let edges: Vec<[DVec3; 2]> = (0..9).map(|i| [i, (i + 1) % 9].map(|i| ring(&NOTCHED)[i])).collect();
-    let inwards = offset(&mesh, -1.0, OffsetFaces::All).unwrap();
-    let outwards = offset(&mesh, 1.0, OffsetFaces::All).unwrap();
+    let inwards = offset(&mesh, -1.0, OffsetFaces::All);
+    let outwards = offset(&mesh, 1.0, OffsetFaces::All);
     assert_eq!((inwards.face_count(), outwards.face_count()), (10, 10));
     for made in [&inwards, &outwards] {
         assert_eq!(made.check(), []);
@@ -68,11 +75,11 @@ fn first_edges_are_those_of_the_pictures() {
 fn inside_and_border_add_up_to_the_face() {
     for mesh in [lot(&NOTCHED, &[]), courtyard()] {
         for distance in [-9.0, -3.0, -1.5, -1.0, -0.5, -1e-3, 1e-3, 0.5, 1.0, 1.5, 3.0, 40.0] {
-            let all = offset(&mesh, distance, OffsetFaces::All).unwrap();
+            let all = offset(&mesh, distance, OffsetFaces::All);
             assert_eq!(all.check(), []);
             assert!((signed_area(&all) - mesh.area()).abs() < 1e-9 * all.area(), "{distance}");
-            let inside = offset(&mesh, distance, OffsetFaces::Inside).unwrap();
-            let border = offset(&mesh, distance, OffsetFaces::Border).unwrap();
+            let inside = offset(&mesh, distance, OffsetFaces::Inside);
+            let border = offset(&mesh, distance, OffsetFaces::Border);
             assert_eq!(inside.face_count() + border.face_count(), all.face_count());
             assert!(inside.faces().all(|face| face.normal() == DVec3::Y));
             assert!(border.faces().all(|face| face.normal().y * distance < 0.0));
@@ -86,8 +93,8 @@ fn inside_and_border_add_up_to_the_face() {
 fn faces_at_the_border_are_told_by_their_edges() {
     for mesh in [lot(&NOTCHED, &[]), courtyard()] {
         for distance in [-1.5, -1.0, -0.5, 0.5, 1.0, 2.0] {
-            let inside = offset(&mesh, distance, OffsetFaces::Inside).unwrap().face_count();
-            let made = offset(&mesh, distance, OffsetFaces::All).unwrap();
+            let inside = offset(&mesh, distance, OffsetFaces::Inside).face_count();
+            let made = offset(&mesh, distance, OffsetFaces::All);
             for face in made.faces() {
                 let at_border = uses(&made, &face).contains(&1);
                 assert_eq!(at_border, inside <= face.index(), "{distance}, face {}", face.index());
@@ -98,7 +105,7 @@ fn faces_at_the_border_are_told_by_their_edges() {
 
 #[test]
 fn faces_share_points_with_their_own_parts_only() {
-    let made = offset(&cube(), -0.25, OffsetFaces::All).unwrap();
+    let made = offset(&cube(), -0.25, OffsetFaces::All);
     assert_eq!((made.face_count(), made.points().len()), (6 * 5, 6 * 8));
     assert_eq!(made.check(), []);
     assert!((made.area() - 6.0).abs() < 1e-12);
@@ -112,11 +119,11 @@ fn a_gap_that_closes_makes_a_hole() {
         [(0.0, 0.0), (10.0, 0.0), (10.0, 8.0), (5.5, 8.0), (5.5, 6.5), (8.0, 6.5), (8.0, 2.0), (2.0, 2.0), (2.0, 6.5)];
     let gap = [&gap[..], &[(4.5, 6.5), (4.5, 8.0), (0.0, 8.0)]].concat();
     let holes = |distance: f64| {
-        let made = offset(&lot(&gap, &[]), distance, OffsetFaces::Inside).unwrap();
+        let made = offset(&lot(&gap, &[]), distance, OffsetFaces::Inside);
         made.faces().map(|face| face.holes().len()).collect::<Vec<_>>()
     };
     assert_eq!([0.4, 1.0, 2.0, 2.5].map(holes), [vec![0], vec![1], vec![1], vec![0]]);
-    let ring = offset(&lot(&gap, &[]), 1.0, OffsetFaces::Inside).unwrap();
+    let ring = offset(&lot(&gap, &[]), 1.0, OffsetFaces::Inside);
     assert!((ring.area() - (12.0 * 10.0 - 4.0 * 2.5)).abs() < 1e-9);
 }
 
@@ -136,7 +143,7 @@ fn what_faces_and_corners_carry_goes_with_them() {
     builder.normals(&[DVec3::Y; 5]);
     let mesh = builder.build().unwrap();
     for distance in [-0.5, -2.0, 0.5, 2.0] {
-        let made = offset(&mesh, distance, OffsetFaces::All).unwrap();
+        let made = offset(&mesh, distance, OffsetFaces::All);
         assert_eq!((made.groups(), made.tag_sets(), made.check()), (mesh.groups(), mesh.tag_sets(), vec![]));
         for face in made.faces() {
             assert_eq!(face.tag(), tag);
@@ -158,24 +165,72 @@ fn turned_faces_give_turned_faces() {
     let turn = DMat3::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), 0.9);
     let there = glam::DAffine3 { matrix3: turn, translation: DVec3::new(300.0, -20.0, 7000.0) };
     for distance in [-1.5, -0.5, 0.5, 2.0] {
-        let a = offset(&mesh, distance, OffsetFaces::All).unwrap().map(&there);
-        let b = offset(&mesh.map(&there), distance, OffsetFaces::All).unwrap();
+        let a = offset(&mesh, distance, OffsetFaces::All).map(&there);
+        let b = offset(&mesh.map(&there), distance, OffsetFaces::All);
         assert_eq!((a.corners(), b.check()), (b.corners(), vec![]));
         assert!(a.points().iter().zip(b.points()).all(|(p, q)| p.distance(*q) < 1e-9));
     }
 }
 
-#[test]
-fn faces_that_are_not_planar_or_cross_themselves_are_refused() {
-    let face = |points: &[[f64; 3]]| {
-        let mut builder = MeshBuilder::new();
-        let points: Vec<u32> = points.iter().map(|&p| builder.point(p)).collect();
+fn faces(all: &[&[[f64; 3]]]) -> Mesh {
+    let mut builder = MeshBuilder::new();
+    for face in all {
+        let points: Vec<u32> = face.iter().map(|&p| builder.point(p)).collect();
         builder.face(&points, &[], FaceTag::PLAIN);
-        offset(&builder.build().unwrap(), -0.1, OffsetFaces::All).map(|mesh| mesh.face_count())
-    };
-    let bent = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 0.1, -4.0], [0.0, 0.0, -4.0]];
-    let bow = [[0.0, 0.0, 0.0], [4.0, 0.0, -4.0], [4.0, 0.0, 0.0], [0.0, 0.0, -3.0]];
-    let line = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [8.0, 0.0, 0.0]];
-    assert_eq!([&bent, &bow].map(|points| face(points)), [Err(OffsetError::NotPlanar), Err(OffsetError::Tangled)]);
-    assert_eq!(face(&line), Ok(0));
+    }
+    builder.build().unwrap()
+}
+
+const BOW: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [4.0, 0.0, -4.0], [4.0, 0.0, 0.0], [0.0, 0.0, -3.0]];
+const LINE: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [8.0, 0.0, 0.0]];
+
+fn bent(by: f64) -> [[f64; 3]; 4] {
+    [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, by, -4.0], [0.0, 0.0, -4.0]]
+}
+
+#[test]
+fn faces_that_cannot_be_moved_stay_among_others_that_can() {
+    let mesh = faces(&[&BOW, &bent(0.0), &LINE, &bent(0.1)]);
+    let at = |mesh: &Mesh, face: usize| mesh.face(face).outline().collect::<Vec<_>>();
+    for (keep, counts) in [(OffsetFaces::All, [5, 5]), (OffsetFaces::Inside, [1, 1]), (OffsetFaces::Border, [4, 4])] {
+        for distance in [-0.5, 0.5] {
+            let (made, refused) = offset_or_refuse(&mesh, distance, keep);
+            assert_eq!(refused, [(0, OffsetError::Tangled), (2, OffsetError::NoNormal)]);
+            let line = 1 + counts[0];
+            assert_eq!(made.face_count(), line + 1 + counts[1]);
+            assert_eq!((at(&made, 0), at(&made, line)), (at(&mesh, 0), at(&mesh, 2)));
+        }
+    }
+}
+
+/// Whatever a corner is off, old corners stay to the bit, parts share their points, and no height leaves those of the face.
+#[test]
+fn a_bent_face_stays_as_bent() {
+    for by in [1e-12, 1e-8, 1e-3, 0.1, 1.0] {
+        let mesh = faces(&[&bent(by)]);
+        let (face, flat) = (mesh.face(0), faces(&[&bent(0.0)]));
+        let from = face.outline().next().unwrap();
+        let heights: Vec<f64> = face.outline().map(|p| (p - from).dot(face.normal())).collect();
+        let (low, high) = heights.iter().fold((0.0f64, 0.0f64), |(low, high), &h| (low.min(h), high.max(h)));
+        for distance in [-3.0, -1.0, -1e-3, 1e-3, 1.0, 50.0] {
+            let made = offset(&mesh, distance, OffsetFaces::All);
+            let plain = offset(&flat, distance, OffsetFaces::All);
+            assert_eq!((made.corners(), made.face_count()), (plain.corners(), plain.face_count()));
+            let is_new = |p: &&DVec3| !face.outline().any(|q| q == **p);
+            assert_eq!(made.points().iter().filter(|p| !is_new(p)).count(), 4);
+            let slack = 1e-9 * (1.0 + distance.abs());
+            for (p, q) in made.points().iter().zip(plain.points()) {
+                let height = (*p - from).dot(face.normal());
+                assert!((low - slack..=high + slack).contains(&height), "{by}, {distance}: {height}");
+                assert!(p.distance(*q) <= 2.0 * by * (1.0 + distance.abs()) + slack, "{by}, {distance}: {p} {q}");
+            }
+            // Across the normal the areas add up as ever.
+            let sum: DVec3 = made.faces().map(|face| face.area_vector()).sum();
+            let along = |v: DVec3| v.dot(face.normal());
+            assert!((along(sum) - along(face.area_vector())).abs() < 1e-9 * (1.0 + distance * distance));
+        }
+        // A moved corner is near its own height.
+        let made = offset(&mesh, -1e-6, OffsetFaces::Inside);
+        assert!(made.face(0).outline().zip(face.outline()).all(|(p, q)| p.distance(q) < 1e-5));
+    }
 }
