@@ -15,6 +15,9 @@ pub(crate) const COPLANAR_EPSILON: f64 = 1e-9;
 /// Loops of a polygon that cross by less than this, relative to its extent, were meant to touch.
 pub(crate) const TOUCH_EPSILON: f64 = 1e-7;
 
+/// A loop may reach out of the one around it by this much, relative to the largest coordinate: crossings are rounded.
+pub(crate) const AROUND_EPSILON: f64 = 1e-12;
+
 /// Edges whose directions have a sine below this between them go straight on.
 pub(crate) const STRAIGHT_EPSILON: f64 = 1e-7;
 

@@ -10,7 +10,7 @@ use super::row::{Row, Spot};
 use crate::exact::orient;
 
 /// No outline.
-pub(super) const NONE: u32 = u32::MAX;
+const NONE: u32 = u32::MAX;
 /// Of loops that the sweep has not reached.
 const UNKNOWN: u32 = u32::MAX - 1;
 
@@ -18,7 +18,7 @@ const UNKNOWN: u32 = u32::MAX - 1;
 #[derive(Default)]
 pub(super) struct Sweep {
     /// For each loop the outline around it.
-    pub(super) around: Vec<u32>,
+    around: Vec<u32>,
     edges: Vec<Edge>,
     events: Vec<Event>,
     row: Row,
@@ -45,6 +45,12 @@ struct Event {
 }
 
 impl Sweep {
+    /// The outline around a loop, when the sweep has found one.
+    pub(super) fn around(&self, number: usize) -> Option<usize> {
+        let outline = self.around[number];
+        (outline < UNKNOWN).then_some(outline as usize)
+    }
+
     /// Fills `around` for the loops that count; `false` when they cross. Of a section that is inside out, outlines run
     /// clockwise.
     pub(super) fn find(

@@ -86,7 +86,8 @@ impl General {
         self.take_apart(state, mesh, &view, line);
         self.fragments.sort_by_key(|fragment| fragment.slab);
         let outline = view.loop_ranges().next().unwrap_or(0..0);
-        self.rings.start(Projection::along(view.normal()), tag, outline);
+        // In the coordinate that planes are told apart by, pieces are where they are exactly.
+        self.rings.start(Projection::keeping(state.points.axis, view.normal()), tag, outline);
         self.untouched.sort_by_key(|(slab, _)| *slab);
         let (mut from, mut loops) = (0, 0);
         let low = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).min().unwrap_or(0);

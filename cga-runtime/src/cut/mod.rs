@@ -23,11 +23,13 @@ mod part;
 mod pieces;
 mod plane;
 mod points;
+mod probe;
 mod rim;
 mod rough;
 mod row;
 mod simple;
 mod state;
+mod strips;
 mod triangle;
 mod twins;
 

@@ -55,6 +55,11 @@ impl Twins {
         self.first.get(&number).copied().unwrap_or((number, 0))
     }
 
+    /// Loops that are not the first of their kind, each with which one is; in no useful order.
+    pub(super) fn others(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.first.iter().map(|(&number, &(first, _))| (number, first))
+    }
+
     /// Of a kind, given by its first loop, the one with a number, from the start again beyond the last.
     pub(super) fn nth(&self, first: usize, number: usize) -> usize {
         self.all.get(&first).map_or(first, |all| all[number % all.len()])

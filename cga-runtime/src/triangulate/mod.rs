@@ -36,6 +36,22 @@ impl Projection {
         } else {
             2
         };
+        Projection::without(axis, normal)
+    }
+
+    /// Keeps a coordinate, unless next to nothing of the face would be left of it: drops that of the other two in which the
+    /// normal is longer.
+    pub(crate) fn keeping(kept: usize, normal: DVec3) -> Self {
+        const LEAST: f64 = 0.25;
+        let (u, v) = ((kept + 1) % 3, (kept + 2) % 3);
+        let axis = if normal[u].abs() >= normal[v].abs() { u } else { v };
+        if normal[axis].abs() < LEAST * normal[kept].abs() {
+            return Projection::along(normal);
+        }
+        Projection::without(axis, normal)
+    }
+
+    fn without(axis: usize, normal: DVec3) -> Self {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         if normal[axis] < 0.0 { Projection { u: v, v: u } } else { Projection { u, v } }
     }
