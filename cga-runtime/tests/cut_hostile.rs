@@ -63,6 +63,36 @@ fn an_island_that_touches_its_cavity_has_no_holes() {
 }
 
 #[test]
+fn inside_out_the_caps_are_the_same_turned_over() {
+    // Four that touch in a ring.
+    let ring = [[1.0, 0.0], [0.0, 1.0], [2.0, 1.0], [1.0, 2.0]];
+    let ring = together(&ring.map(|[x, y]| block([x, y, 0.0], [x + 1.0, y + 1.0, 1.0], false)));
+    let island = together(&[
+        block([0.0; 3], [4.0; 3], false),
+        block([1.0; 3], [3.0; 3], true),
+        block([1.75, 1.0, 1.75], [2.25, 2.25, 2.25], false),
+    ]);
+    for (mesh, at, expected) in [(ring, 0.5, 4), (island, 2.0, 2)] {
+        let caps = |mesh: Mesh| {
+            let cut = slabs(&Arc::new(mesh), Axis::Z, &[at]);
+            let parts = cut.parts.iter().flatten().map(|part| {
+                assert!(part.is_closed());
+                let caps = part.faces().filter(|face| face.tag().cap);
+                let mut found: Vec<(f64, usize, f64)> =
+                    caps.map(|cap| (cap.area(), cap.holes().len(), cap.normal().z)).collect();
+                found.sort_by(|a, b| a.partial_cmp(b).unwrap());
+                found
+            });
+            parts.collect::<Vec<_>>()
+        };
+        let (right, mut reversed) = (caps(mesh.clone()), caps(mesh.reversed()));
+        assert_eq!(right[0].len(), expected);
+        reversed.iter_mut().flatten().for_each(|(_, _, up)| *up = -*up);
+        assert_eq!(right, reversed);
+    }
+}
+
+#[test]
 fn what_is_there_twice_has_its_holes_twice() {
     let hollow = together(&[
         block([0.0; 3], [12.0; 3], false),

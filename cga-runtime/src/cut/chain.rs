@@ -1,12 +1,14 @@
 //! Edges in a plane where several meet at a point: which goes on as which.
 //!
 //! The inside is left of each edge. Going round a point counter-clockwise, an edge that leaves begins a sector of the
-//! inside and an edge that arrives ends one; so the two are paired like brackets. Loops paired that way do not cross.
+//! inside and an edge that arrives ends one; so the two are paired like brackets. Loops paired that way do not cross. Of a
+//! section that is inside out as a whole the inside is right of each edge: arriving begins a sector there, leaving ends it.
 
 use std::cmp::Ordering;
 
 use glam::DVec2;
 
+use super::nest::about_one;
 use crate::exact::orient;
 
 const NONE: u32 = u32::MAX;
@@ -44,7 +46,8 @@ pub(super) fn pair(chains: &mut Chains, edges: &[[u32; 2]], flat: &[DVec2]) {
     chains.next.resize(edges.len(), NONE);
     chains.arrived.clear();
     chains.arrived.resize(edges.len(), false);
-    (0..flat.len()).for_each(|point| chains.pair_at(edges, flat, point));
+    let inverted = is_inside_out(edges, flat);
+    (0..flat.len()).for_each(|point| chains.pair_at(edges, flat, point, inverted));
     chains.walk(edges);
 }
 
@@ -85,7 +88,7 @@ impl Chains {
         }
     }
 
-    fn pair_at(&mut self, edges: &[[u32; 2]], flat: &[DVec2], point: usize) {
+    fn pair_at(&mut self, edges: &[[u32; 2]], flat: &[DVec2], point: usize, inverted: bool) {
         self.round.clear();
         let all = &self.at[self.starts[point]..self.starts[point + 1]];
         self.round.extend(all.iter().copied().filter(|&item| !self.dead[item as usize / 2]));
@@ -98,15 +101,15 @@ impl Chains {
         self.brackets.clear();
         for turn in 0..2 {
             for &item in &self.round {
-                let edge = item / 2;
-                if item & 1 == 1 {
+                let (edge, leaves) = (item / 2, item & 1 == 1);
+                let is_paired = if leaves { self.arrived[edge as usize] } else { self.next[edge as usize] != NONE };
+                if leaves != inverted {
                     if turn == 0 {
                         self.brackets.push(edge);
                     }
-                } else if self.next[edge as usize] == NONE
-                    && let Some(leaving) = self.brackets.pop()
-                {
-                    self.next[edge as usize] = leaving;
+                } else if !is_paired && let Some(open) = self.brackets.pop() {
+                    let [arriving, leaving] = if leaves { [open, edge] } else { [edge, open] };
+                    self.next[arriving as usize] = leaving;
                     self.arrived[leaving as usize] = true;
                 }
             }
@@ -143,6 +146,15 @@ impl Chains {
             }
         }
     }
+}
+
+/// Whether edges, as far as they close, enclose more clockwise than counter-clockwise.
+fn is_inside_out(edges: &[[u32; 2]], flat: &[DVec2]) -> bool {
+    let Some(&[first, _]) = edges.first() else { return false };
+    let ends = edges.iter().flatten().map(|&end| flat[end as usize]);
+    let (from, scale) = (flat[first as usize], about_one(ends));
+    let at = |end: u32| flat[end as usize] * scale - from * scale;
+    edges.iter().map(|&[a, b]| at(a).perp_dot(at(b))).sum::<f64>() < 0.0
 }
 
 /// Sorts, equal ones in their order. Whatever the comparisons say (where products underflow they are not exact), it ends and

@@ -82,7 +82,7 @@ impl Nest {
         self.loops.clear();
         self.turns.clear();
         self.touched.clear();
-        let scale = about_one(section);
+        let scale = about_one(section.corners.iter().map(|&corner| section.flat[corner as usize]));
         self.scale = scale;
         let mut start = 0;
         for &end in section.ends {
@@ -219,14 +219,11 @@ impl Nest {
     }
 }
 
-/// What makes a section about as large as 1 when its areas would be beyond what a number holds.
-fn about_one(section: &Section<'_>) -> f64 {
+/// What makes a section of these corners about as large as 1 when its areas would be beyond what a number holds.
+pub(super) fn about_one(mut corners: impl Iterator<Item = DVec2>) -> f64 {
     const RANGE: std::ops::Range<f64> = 1e-100..1e100;
-    let Some(&first) = section.corners.first() else { return 1.0 };
-    let from = section.flat[first as usize];
-    let half =
-        section.corners.iter().map(|&corner| (section.flat[corner as usize] * 0.5 - from * 0.5).abs().max_element());
-    let half = half.fold(0.0, f64::max);
+    let Some(from) = corners.next() else { return 1.0 };
+    let half = corners.fold(0.0, |half: f64, corner| half.max((corner * 0.5 - from * 0.5).abs().max_element()));
     if half == 0.0 || RANGE.contains(&half) { 1.0 } else { libm::scalbn(1.0, -libm::ilogb(half)) }
 }
 
