@@ -95,7 +95,7 @@ impl Chains {
         let centre = flat[point];
         let other = |item: u32| flat[edges[item as usize / 2][(item & 1) as usize] as usize];
         if self.round.len() > 2 {
-            merge_sort(&mut self.round, &mut self.spare, &|a, b| by_angle(centre, other(a), other(b)));
+            merge_sort(&mut self.round, &mut self.spare, &|&a, &b| by_angle(centre, other(a), other(b)));
         }
         // Brackets on a circle: twice round, so that those open at the end are closed at the start.
         self.brackets.clear();
@@ -159,7 +159,7 @@ fn is_inside_out(edges: &[[u32; 2]], flat: &[DVec2]) -> bool {
 
 /// Sorts, equal ones in their order. Whatever the comparisons say (where products underflow they are not exact), it ends and
 /// loses nothing, and it takes n log n of them.
-fn merge_sort(list: &mut [u32], spare: &mut Vec<u32>, compare: &impl Fn(u32, u32) -> Ordering) {
+pub(super) fn merge_sort<T: Copy>(list: &mut [T], spare: &mut Vec<T>, compare: &impl Fn(&T, &T) -> Ordering) {
     if list.len() < 2 {
         return;
     }
@@ -171,7 +171,7 @@ fn merge_sort(list: &mut [u32], spare: &mut Vec<u32>, compare: &impl Fn(u32, u32
     let (mut left, mut right) = (0, middle);
     for at in 0..list.len() {
         let take_left =
-            left < middle && (right == list.len() || compare(spare[left], list[right]) != Ordering::Greater);
+            left < middle && (right == list.len() || compare(&spare[left], &list[right]) != Ordering::Greater);
         list[at] = if take_left { spare[left] } else { list[right] };
         *(if take_left { &mut left } else { &mut right }) += 1;
     }

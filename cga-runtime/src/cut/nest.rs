@@ -174,21 +174,24 @@ impl Nest {
         self.probes = probes;
     }
 
-    /// The same, of holes that have no outline that could hold them, for a point inside and outlines that could.
+    /// The same, of holes that have no outline that could hold them, for a point inside, if there is one, and outlines that
+    /// could.
     fn ask_inside(&mut self, section: &Section<'_>) {
         let mut left = SWEEP_FROM * section.corners.len();
         let probes = std::mem::take(&mut self.probes);
-        for &(hole, _) in &probes {
+        for (hole, beside) in &probes {
+            let hole = *hole;
             let own = &self.loops[hole];
             if own.outline.is_some_and(|outline| self.loops[outline].may_hold(own, self.scale)) {
                 continue;
             }
             let turned = |corner| self.strips.turned(section, corner);
-            let Some(probe) = Probe::inside(section.ring(&own.range), turned) else { continue };
+            let inside = Probe::inside(section.ring(&own.range), turned);
+            let probe = inside.as_ref().unwrap_or(beside);
             // Not more of a section than its size allows: only one that is broken has so many holes that nothing holds.
-            let Some(rest) = left.checked_sub(self.strips.of(&probe).len()) else { break };
+            let Some(rest) = left.checked_sub(self.strips.of(probe).len()) else { break };
             left = rest;
-            self.wind(section, &probe);
+            self.wind(section, probe);
             let found = self.smallest_around(|outline| outline.may_hold(&self.loops[hole], self.scale));
             self.loops[hole].outline = found.or(self.loops[hole].outline);
         }

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
+use super::weld::weld;
 use super::{Derived, FaceTag, Mesh, MeshError, TagSet, UvSets};
 use crate::material::Material;
 
@@ -219,32 +220,6 @@ impl MeshBuilder {
             && self.normals.iter().all(|n| n.is_finite());
         if finite { Ok(()) } else { Err(MeshError::NotFinite { point: self.points.len() }) }
     }
-}
-
-/// For each point the first one at the same place.
-pub(crate) fn weld(points: &[DVec3]) -> Vec<u32> {
-    let bits = |p: DVec3| (p + 0.0).to_array().map(f64::to_bits);
-    let size = (points.len().max(4) * 2).next_power_of_two();
-    let mut table = vec![u32::MAX; size];
-    let mut same = Vec::with_capacity(points.len());
-    for (i, &p) in points.iter().enumerate() {
-        let key = bits(p);
-        let mut hash = key.iter().fold(0u64, |h, &k| (h ^ k).wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(29));
-        hash ^= hash >> 32;
-        let mut at = hash as usize & (size - 1);
-        let first = loop {
-            match table[at] {
-                u32::MAX => {
-                    table[at] = i as u32;
-                    break i as u32;
-                }
-                other if bits(points[other as usize]) == key => break other,
-                _ => at = (at + 1) & (size - 1),
-            }
-        };
-        same.push(first);
-    }
-    same
 }
 
 /// The points that corners use, in their old order; the corners are renumbered. -0 becomes 0.

@@ -28,6 +28,7 @@ mod spread;
 pub(crate) mod table;
 mod tag;
 mod uv;
+mod weld;
 
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};

@@ -1,16 +1,26 @@
 //! A small hash table from pairs of indices to a number: edges.
 //!
-//! Open addressing, never walked in hash order for output, so nothing depends on the hash.
+//! Open addressing, never walked in hash order for output, so nothing depends on the hash. It is fixed, so that pairs can be
+//! chosen which all fall into one place of the table: those that are not near where they belong are in a tree.
+
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// Edge → number.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PairTable {
     slots: Vec<(u64, u32)>,
+    /// Pairs in the slots.
     len: usize,
+    /// Pairs that had no free slot near theirs.
+    crowd: BTreeMap<u64, u32>,
 }
 
 /// Never a pair: an edge has two different ends.
 const EMPTY: u64 = u64::MAX;
+
+/// How far from its own slot a pair is looked for: of usual pairs in a table that is half full none is that far.
+const NEAR: usize = 256;
 
 impl PairTable {
     pub(crate) fn with_capacity(pairs: usize) -> Self {
@@ -25,6 +35,7 @@ impl PairTable {
         self.slots.clear();
         self.slots.resize(size, (EMPTY, 0));
         self.len = 0;
+        self.crowd.clear();
     }
 
     /// Forgets everything, keeping a table that is not much too large.
@@ -34,6 +45,7 @@ impl PairTable {
         }
         self.slots.fill((EMPTY, 0));
         self.len = 0;
+        self.crowd.clear();
     }
 
     /// The number of a pair, put in as `initial` when it is new, and whether it was.
@@ -43,7 +55,7 @@ impl PairTable {
             self.grow();
         }
         let key = u64::from(a) << 32 | u64::from(b);
-        let at = self.find(key);
+        let Some(at) = self.find(key) else { return self.entry_in_crowd(key, initial) };
         let new = self.slots[at].0 == EMPTY;
         if new {
             self.slots[at] = (key, initial);
@@ -52,47 +64,100 @@ impl PairTable {
         (&mut self.slots[at].1, new)
     }
 
+    #[cold]
+    fn entry_in_crowd(&mut self, key: u64, initial: u32) -> (&mut u32, bool) {
+        match self.crowd.entry(key) {
+            Entry::Occupied(entry) => (entry.into_mut(), false),
+            Entry::Vacant(entry) => (entry.insert(initial), true),
+        }
+    }
+
     /// The number of a pair, when it is in.
     pub(crate) fn get(&self, a: u32, b: u32) -> Option<u32> {
         if self.slots.is_empty() {
             return None;
         }
-        let slot = self.slots[self.find(u64::from(a) << 32 | u64::from(b))];
+        let key = u64::from(a) << 32 | u64::from(b);
+        let Some(at) = self.find(key) else { return self.crowd.get(&key).copied() };
+        let slot = self.slots[at];
         (slot.0 != EMPTY).then_some(slot.1)
     }
 
     /// All pairs with their numbers, in no useful order.
     pub(crate) fn pairs(&self) -> impl Iterator<Item = ([u32; 2], u32)> + '_ {
-        let pair = |key: u64| [(key >> 32) as u32, key as u32];
-        self.slots.iter().filter(|slot| slot.0 != EMPTY).map(move |slot| (pair(slot.0), slot.1))
+        self.entries().map(|(key, number)| ([(key >> 32) as u32, key as u32], number))
     }
 
     /// All numbers, in no useful order.
     pub(crate) fn values(&self) -> impl Iterator<Item = u32> + '_ {
-        self.slots.iter().filter(|slot| slot.0 != EMPTY).map(|slot| slot.1)
+        self.entries().map(|(_, number)| number)
     }
 
+    fn entries(&self) -> impl Iterator<Item = (u64, u32)> + '_ {
+        let slots = self.slots.iter().copied().filter(|slot| slot.0 != EMPTY);
+        slots.chain(self.crowd.iter().map(|(&key, &number)| (key, number)))
+    }
+
+    /// Where a pair is or would be put; nothing when all near its slot are taken by others.
     #[inline]
-    fn find(&self, key: u64) -> usize {
+    fn find(&self, key: u64) -> Option<usize> {
         let mask = self.slots.len() - 1;
         let hash = key.wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        let mut at = (hash ^ (hash >> 32)) as usize & mask;
+        let own = (hash ^ (hash >> 32)) as usize;
+        let mut at = own & mask;
         while self.slots[at].0 != key && self.slots[at].0 != EMPTY {
             at = (at + 1) & mask;
+            if at == own.wrapping_add(NEAR) & mask {
+                return None;
+            }
         }
-        at
+        Some(at)
     }
 
     #[cold]
     fn grow(&mut self) {
-        let old = std::mem::take(&mut self.slots);
-        let size = (old.len() * 2).max(16);
-        self.slots.resize(size, (EMPTY, 0));
-        for slot in old {
-            if slot.0 != EMPTY {
-                let at = self.find(slot.0);
-                self.slots[at] = slot;
+        let old = std::mem::take(self);
+        self.reset(old.slots.len().max(8));
+        for (key, number) in old.entries() {
+            match self.find(key) {
+                Some(at) => {
+                    self.slots[at] = (key, number);
+                    self.len += 1;
+                }
+                None => drop(self.crowd.insert(key, number)),
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_made_to_crowd_are_all_found() {
+        // Of all pairs, those that fall into few slots of a table however large.
+        let crowded = |a: u32, b: u32| {
+            let hash = (u64::from(a) << 32 | u64::from(b)).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+            (hash ^ (hash >> 32)) & 0xffff < 16
+        };
+        let all = (0..4000).flat_map(|a| (a + 1..4000).map(move |b| (a, b)));
+        let pairs: Vec<(u32, u32)> = all.filter(|&(a, b)| crowded(a, b)).collect();
+        assert!(pairs.len() > 1500);
+        let mut table = PairTable::default();
+        for (number, &(a, b)) in pairs.iter().enumerate() {
+            assert_eq!(table.entry(a, b, number as u32), (&mut (number as u32), true));
+        }
+        assert!(!table.crowd.is_empty());
+        for (number, &(a, b)) in pairs.iter().enumerate() {
+            assert_eq!(table.entry(a, b, 0), (&mut (number as u32), false));
+            assert_eq!(table.get(a, b), Some(number as u32));
+            assert_eq!(table.get(b, a), None);
+        }
+        let mut found: Vec<_> = table.pairs().collect();
+        found.sort_by_key(|pair| pair.1);
+        assert!(found.into_iter().map(|pair| pair.0).eq(pairs.iter().map(|&(a, b)| [a, b])));
+        table.clear();
+        assert_eq!(table.get(pairs[1500].0, pairs[1500].1), None);
     }
 }
