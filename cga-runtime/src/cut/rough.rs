@@ -69,6 +69,19 @@ impl Rough {
         for at in 0..self.triangles.len() {
             self.clip_triangle(state, mesh, self.triangles[at].map(|corner| corner as usize));
         }
+        self.mark_unused(state, mesh, face);
+    }
+
+    /// A face that turns back on itself has corners that no triangle has: their points may be used by no other face.
+    fn mark_unused(&self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>) {
+        let mut used: Vec<u32> = self.triangles.iter().flatten().map(|&corner| mesh.corners[corner as usize]).collect();
+        used.sort_unstable();
+        for point in &mesh.corners[face.corner_range()] {
+            let place = state.points.places[*point as usize];
+            if place.class & 1 == 0 && used.binary_search(point).is_err() {
+                state.parts[place.class as usize / 2].dropped = true;
+            }
+        }
     }
 
     fn clip_triangle(&mut self, state: &mut State, mesh: &Mesh, corners: [usize; 3]) {
