@@ -20,8 +20,9 @@ pub(super) struct State {
 /// From this many slabs on, faces are counted before they are cut.
 const MANY_SLABS: usize = 8;
 
-/// About so many faces are counted; of large meshes this is not all.
+/// About so many faces are counted; of large meshes this is not all, unless there is a slab for every few of them.
 const SAMPLE: usize = 1 << 14;
+const FACES_A_SLAB: usize = 64;
 
 /// What a slab will hold.
 #[derive(Clone, Copy, Default)]
@@ -78,8 +79,9 @@ impl State {
             }));
             return;
         }
-        let each = mesh.face_count() / SAMPLE + 1;
-        for face in (0..mesh.face_count()).step_by(each) {
+        let faces = mesh.face_count();
+        let each = if faces / FACES_A_SLAB < slabs { 1 } else { faces / SAMPLE + 1 };
+        for face in (0..faces).step_by(each) {
             let loops = mesh.face_loops(face);
             let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
             let count = corners.len();
@@ -171,5 +173,29 @@ impl State {
         let inverted = *self.inverted.get_or_insert_with(|| mesh.is_inside_out());
         let above = if inverted { up > 0.0 } else { up < 0.0 };
         plane + u32::from(above)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::MeshBuilder;
+
+    #[test]
+    fn slabs_without_anything_get_no_room() {
+        // More triangles than are counted of a large mesh, and still fewer than slabs.
+        let mut builder = MeshBuilder::new();
+        let triangles = u32::try_from(SAMPLE).unwrap() + 1;
+        for i in 0..triangles {
+            let x = f64::from(i) * 4.0;
+            let corners = [[x, 0.0, 0.0], [x + 1.0, 0.0, 0.0], [x, 1.0, 0.0]].map(|point| builder.point(point));
+            builder.face(&corners, &[], FaceTag::PLAIN);
+        }
+        let mesh = builder.build().unwrap();
+        let mut state = State::default();
+        state.points.planes.extend((0..8 * triangles).map(|i| f64::from(i) * 0.5 + 0.25));
+        state.start(&mesh);
+        let corners: usize = state.parts.iter().map(|part| part.mesh.corners.capacity()).sum();
+        assert!(corners <= 10 * mesh.corners.len(), "{corners}");
     }
 }
