@@ -13,6 +13,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
+use super::class::Class;
 use super::pieces::Rings;
 use super::points::Node;
 use super::rim::Side;
@@ -27,9 +28,31 @@ struct Fragment {
     start: usize,
     /// The last node, which counts.
     end: usize,
-    /// The fragment that follows, and the nodes on the way to it.
+    /// The fragment that follows, and where the nodes on the way to it are in the list of ways.
     next: usize,
-    way: (usize, usize),
+    way_start: usize,
+    way_end: usize,
+}
+
+/// A loop that meets no plane.
+struct Untouched {
+    slab: u32,
+    nodes: Range<usize>,
+}
+
+/// A corner of the face on a plane, and its place along the line.
+struct OnPlane {
+    plane: u32,
+    along: f64,
+    node: usize,
+}
+
+/// An edge along a plane from node to node.
+struct PlaneEdge {
+    plane: u32,
+    nodes: [usize; 2],
+    /// 1 for an edge of the face, -1 for one that a piece got there.
+    count: i32,
 }
 
 /// An end of a fragment on a plane.
@@ -46,15 +69,16 @@ struct End {
 pub(super) struct General {
     nodes: Vec<Node>,
     fragments: Vec<Fragment>,
-    /// Loops that meet no plane, with their slab.
-    untouched: Vec<(u32, Range<usize>)>,
-    /// Corners of the face on planes: plane, place along the line, node.
-    on: Vec<(u32, f64, usize)>,
-    /// Edges of the face along planes, and edges made along them: plane, nodes, and by how much they count.
-    along: Vec<(u32, [usize; 2], i32)>,
+    untouched: Vec<Untouched>,
+    on_planes: Vec<OnPlane>,
+    plane_edges: Vec<PlaneEdge>,
+    /// Of one slab on one plane, from left to right.
     ends: Vec<End>,
+    /// Where the inside begins, without an end yet.
     open: Vec<End>,
+    /// Where it ends before it has begun, as happens when rounding swaps the two: paired with what begins next.
     early: Vec<End>,
+    /// Nodes on the ways between fragments.
     ways: Vec<usize>,
     rings: Rings,
 }
@@ -88,23 +112,22 @@ impl General {
         let outline = view.loop_ranges().next().unwrap_or(0..0);
         // In the coordinate that planes are told apart by, pieces are where they are exactly.
         self.rings.start(Projection::keeping(state.points.axis, view.normal()), tag, outline);
-        self.untouched.sort_by_key(|(slab, _)| *slab);
-        let (mut from, mut loops) = (0, 0);
-        let low = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).min().unwrap_or(0);
-        let high = self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|u| u.0)).max().unwrap_or(0);
-        for slab in low..=high {
-            let end = from + self.fragments[from..].iter().take_while(|f| f.slab == slab).count();
-            let group = from..end;
-            from = end;
+        self.untouched.sort_by_key(|ring| ring.slab);
+        let (mut next_fragment, mut next_untouched) = (0, 0);
+        let slabs = || self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|ring| ring.slab));
+        for slab in slabs().min().unwrap_or(0)..=slabs().max().unwrap_or(0) {
+            let count = self.fragments[next_fragment..].iter().take_while(|f| f.slab == slab).count();
+            let group = next_fragment..next_fragment + count;
+            next_fragment = group.end;
             if slab > 0 {
                 self.join(state, mesh, line, group.clone(), slab - 1, Side::Above);
             }
             self.join(state, mesh, line, group.clone(), slab, Side::Below);
             self.trace(group);
-            while let Some((_, range)) = self.untouched.get(loops).filter(|(at, _)| *at == slab) {
-                self.rings.nodes.extend_from_slice(&self.nodes[range.clone()]);
+            while let Some(ring) = self.untouched.get(next_untouched).filter(|ring| ring.slab == slab) {
+                self.rings.nodes.extend_from_slice(&self.nodes[ring.nodes.clone()]);
                 self.rings.end_ring();
-                loops += 1;
+                next_untouched += 1;
             }
             self.rings.emit(state, mesh, slab);
         }
@@ -116,8 +139,8 @@ impl General {
         self.nodes.clear();
         self.fragments.clear();
         self.untouched.clear();
-        self.on.clear();
-        self.along.clear();
+        self.on_planes.clear();
+        self.plane_edges.clear();
         self.ways.clear();
         for ring in face.loop_ranges() {
             let start = self.nodes.len();
@@ -127,8 +150,9 @@ impl General {
                 self.nodes.push(Node::corner(corner, here.1));
                 state.points.cross(&mut state.parts, mesh, here, there, &mut self.nodes);
             }
-            let Some(first) = self.nodes[start..].iter().position(|node| node.class() & 1 == 1) else {
-                self.untouched.push((self.nodes[start].class() / 2, start..self.nodes.len()));
+            let Some(first) = self.nodes[start..].iter().position(|node| node.class().is_on_plane()) else {
+                self.untouched
+                    .push(Untouched { slab: self.nodes[start].class().slab(), nodes: start..self.nodes.len() });
                 continue;
             };
             self.nodes[start..].rotate_left(first);
@@ -136,29 +160,31 @@ impl General {
             let mut last = start;
             for here in start + 1..self.nodes.len() {
                 let [a, b] = [last, here].map(|i| self.nodes[i]);
-                if b.class() & 1 == 0 {
+                if !b.class().is_on_plane() {
                     continue;
                 }
+                let plane = b.class().plane();
                 if here == last + 1 && a.class() == b.class() {
-                    self.along.push((b.class() / 2, [last, here], 1));
+                    self.plane_edges.push(PlaneEdge { plane, nodes: [last, here], count: 1 });
                 } else {
+                    // Without a node in between, from one plane to the next: below the upper one.
                     let inside = if here == last + 1 { a.class().max(b.class()) } else { self.nodes[last + 1].class() };
-                    let slab = inside / 2;
-                    self.fragments.push(Fragment { slab, start: last, end: here, next: usize::MAX, way: (0, 0) });
+                    let (slab, next) = (inside.slab(), usize::MAX);
+                    self.fragments.push(Fragment { slab, start: last, end: here, next, way_start: 0, way_end: 0 });
                 }
                 if b.is_corner() {
-                    self.on.push((b.class() / 2, place(state, mesh, line, b), here));
+                    self.on_planes.push(OnPlane { plane, along: place(state, mesh, line, b), node: here });
                 }
                 last = here;
             }
         }
-        self.on.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        self.on_planes.sort_by(|a, b| a.plane.cmp(&b.plane).then(a.along.total_cmp(&b.along)));
     }
 
     /// Pairs the ends that fragments of one slab have on one of its planes.
     fn join(&mut self, state: &mut State, mesh: &Mesh, line: Line, group: Range<usize>, plane: u32, side: Side) {
         self.ends.clear();
-        let class = 2 * plane + 1;
+        let class = Class::on(plane);
         for fragment in group {
             let Fragment { start, end, .. } = self.fragments[fragment];
             for (node, starts) in [(end, false), (start, true)] {
@@ -205,23 +231,23 @@ impl General {
         let [a, b] = [self.fragments[from.fragment].end, self.fragments[to.fragment].start];
         let low = from.along.min(to.along);
         let high = from.along.max(to.along);
-        let start = self.on.partition_point(|o| (o.0, o.1) <= (plane, low));
-        let end = self.on.partition_point(|o| (o.0, o.1) < (plane, high));
+        let start = self.on_planes.partition_point(|corner| (corner.plane, corner.along) <= (plane, low));
+        let end = self.on_planes.partition_point(|corner| (corner.plane, corner.along) < (plane, high));
         let way = self.ways.len();
         if start < end && self.open.is_empty() && self.early.is_empty() {
-            self.ways.extend(self.on[start..end].iter().map(|o| o.2));
+            self.ways.extend(self.on_planes[start..end].iter().map(|corner| corner.node));
             if to.along < from.along {
                 self.ways[way..].reverse();
             }
         }
-        self.fragments[from.fragment].next = to.fragment;
-        self.fragments[from.fragment].way = (way, self.ways.len());
+        let fragment = &mut self.fragments[from.fragment];
+        (fragment.next, fragment.way_start, fragment.way_end) = (to.fragment, way, self.ways.len());
         let mut last = a;
         for here in self.ways[way..].iter().copied().chain([b]) {
             let [p, q] = [last, here].map(|node| self.nodes[node].place);
             if p != q {
                 state.rim.edge(plane, p.number, q.number, side);
-                self.along.push((plane, [last, here], -1));
+                self.plane_edges.push(PlaneEdge { plane, nodes: [last, here], count: -1 });
             }
             last = here;
         }
@@ -236,7 +262,7 @@ impl General {
                 let fragment = self.fragments[at];
                 self.fragments[at].next = usize::MAX;
                 let run = fragment.start..fragment.end + 1;
-                run.chain(self.ways[fragment.way.0..fragment.way.1].iter().copied())
+                run.chain(self.ways[fragment.way_start..fragment.way_end].iter().copied())
                     .for_each(|node| self.rings.nodes.push(self.nodes[node]));
                 at = fragment.next;
             }
@@ -249,21 +275,21 @@ impl General {
     /// neighbour lacks its partner.
     fn close_flat(&mut self, state: &mut State, mesh: &Mesh) {
         let nodes = &self.nodes;
-        let key = |edge: &(u32, [usize; 2], i32)| {
-            let [a, b] = edge.1.map(|node| nodes[node].place.number);
-            (edge.0, a.min(b), a.max(b))
+        let key = |edge: &PlaneEdge| {
+            let [a, b] = edge.nodes.map(|node| nodes[node].place.number);
+            (edge.plane, a.min(b), a.max(b))
         };
-        self.along.sort_by_key(key);
+        self.plane_edges.sort_by_key(key);
         // By the point where they start; as many end at each.
         let mut left: BTreeMap<(u32, u32), Vec<[usize; 2]>> = BTreeMap::new();
-        for same in self.along.chunk_by(|a, b| key(a) == key(b)) {
-            let (plane, [a, b], _) = same[0];
-            let forward = |ends: [usize; 2]| nodes[ends[0]].place == nodes[a].place;
-            let net: i32 = same.iter().map(|&(_, ends, by)| if forward(ends) { by } else { -by }).sum();
-            let edge = if net > 0 { [a, b] } else { [b, a] };
-            let count = net.unsigned_abs() as usize;
-            if count != 0 {
-                left.entry((plane, nodes[edge[0]].place.number)).or_default().extend(std::iter::repeat_n(edge, count));
+        for same in self.plane_edges.chunk_by(|a, b| key(a) == key(b)) {
+            let PlaneEdge { plane, nodes: [a, b], .. } = same[0];
+            let is_forward = |edge: &PlaneEdge| nodes[edge.nodes[0]].place == nodes[a].place;
+            let net: i32 = same.iter().map(|edge| if is_forward(edge) { edge.count } else { -edge.count }).sum();
+            let missing = if net > 0 { [a, b] } else { [b, a] };
+            if net != 0 {
+                let from = left.entry((plane, nodes[missing[0]].place.number)).or_default();
+                from.extend(std::iter::repeat_n(missing, net.unsigned_abs() as usize));
             }
         }
         while let Some((&(plane, start), _)) = left.first_key_value() {

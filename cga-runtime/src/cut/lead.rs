@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
+use super::class::Span;
 use super::points::Node;
 use super::state::State;
 use crate::mesh::Mesh;
@@ -28,14 +29,12 @@ impl Lead {
     pub(super) fn find(&mut self, state: &mut State, mesh: &Mesh) {
         self.wall.clear();
         let first = mesh.face(0);
-        let classes = first.loops().flatten().map(|&point| state.points.places[point as usize].class);
-        let (low, high) = classes.fold((u32::MAX, 0), |(low, high), class| (low.min(class), high.max(class)));
-        let (bottom, top) = (low.div_ceil(2), high / 2);
-        self.slabs = if top < bottom {
-            let slab = state.slab_of_flat(mesh, 0, top);
+        let span = Span::of(first.loops().flatten().map(|&point| state.points.places[point as usize].class));
+        self.slabs = if span.is_flat() {
+            let slab = state.slab_of_flat(mesh, 0, span.low.plane());
             slab..slab + 1
         } else {
-            bottom..top + 1
+            span.bottom()..span.top() + 1
         };
         let everywhere = self.slabs == (0..state.points.planes.len() as u32 + 1);
         if everywhere {
@@ -55,12 +54,12 @@ impl Lead {
         }
         let points = &state.points;
         let wall = Wall::of(mesh, wall);
-        self.nodes.retain(|node| node.class() & 1 == 1);
+        self.nodes.retain(|node| node.class().is_on_plane());
         self.nodes.sort_by_key(Node::class);
         self.nodes.dedup_by_key(|node| node.place);
         let mut left = QUESTIONS;
         for met in self.nodes.chunk_by_mut(|a, b| a.class() == b.class()) {
-            let flat = |node: &Node| points.levels[node.class() as usize / 2].flat[node.place.number as usize];
+            let flat = |node: &Node| points.levels[node.class().plane() as usize].flat[node.place.number as usize];
             let from = flat(&met[0]);
             let reach = met.iter().fold(DVec2::ZERO, |reach, node| reach.max((flat(node) - from).abs()));
             let along = usize::from(reach.x < reach.y);
@@ -77,7 +76,7 @@ impl Lead {
             };
             self.wall.extend(met.windows(2).filter(is_wall).map(|pair| {
                 let [a, b] = [pair[0].place.number, pair[1].place.number];
-                (pair[0].class() / 2, [a.min(b), a.max(b)])
+                (pair[0].class().plane(), [a.min(b), a.max(b)])
             }));
         }
         self.wall.sort_unstable();
@@ -98,12 +97,13 @@ impl Lead {
     /// Whether a cap in that plane is to come first in that slab, rather than one in another plane, or at least when there is
     /// no other.
     pub(super) fn wants(&self, slab: u32, plane: u32) -> Option<Wish> {
-        match slab {
-            _ if self.slabs.contains(&slab) => None,
-            // The upper plane of a slab has its number.
-            _ if (slab < self.slabs.start) == (plane == slab) => Some(Wish::First),
-            _ => Some(Wish::Second),
+        if self.slabs.contains(&slab) {
+            return None;
         }
+        let first_face_is_above = slab < self.slabs.start;
+        // The upper plane of a slab has its number.
+        let is_upper = plane == slab;
+        Some(if is_upper == first_face_is_above { Wish::First } else { Wish::Second })
     }
 }
 

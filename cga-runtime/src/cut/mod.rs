@@ -13,6 +13,7 @@
 mod around;
 mod caps;
 mod chain;
+mod class;
 mod contour;
 mod edges;
 mod first;
@@ -47,6 +48,7 @@ pub(crate) use plane::above;
 pub use plane::{Plane, halves};
 
 use caps::Caps;
+use class::Span;
 use general::General;
 use points::Place;
 use rough::Rough;
@@ -134,21 +136,13 @@ impl Cutter {
         if mesh.is_empty() {
             return slabs;
         }
-        // Planes out of order would be met twice: each counts only when it is above all before it.
-        let rising = offsets.windows(2).all(|w| w[0] < w[1]) && offsets.iter().all(|o| !o.is_nan());
+        let all_rise = offsets.windows(2).all(|w| w[0] < w[1]) && offsets.iter().all(|o| !o.is_nan());
         let kept: Vec<usize>;
         let sorted: Vec<f64>;
-        let (planes, slab_of): (&[f64], Option<&[usize]>) = if rising {
+        let (planes, slab_of): (&[f64], Option<&[usize]>) = if all_rise {
             (offsets, None)
         } else {
-            let mut top = f64::NEG_INFINITY;
-            kept = (0..offsets.len())
-                .filter(|&i| {
-                    let above = top < offsets[i];
-                    top = if above { offsets[i] } else { top };
-                    above
-                })
-                .collect();
+            kept = rising(offsets);
             sorted = kept.iter().map(|&i| offsets[i]).collect();
             (&sorted, Some(&kept))
         };
@@ -206,39 +200,46 @@ impl Cutter {
             let places = &self.block[corners.start - block_start..corners.end - block_start];
             if let [p, q, r] = *places {
                 // By far the most faces of large meshes are triangles inside one slab.
-                if p.class == q.class && q.class == r.class && p.class & 1 == 0 {
-                    let part = &mut self.state.parts[p.class as usize / 2];
+                if p.class == q.class && q.class == r.class && !p.class.is_on_plane() {
+                    let part = &mut self.state.parts[p.class.slab() as usize];
                     part.keep_triangle(mesh, tag, corners, [p.number, q.number, r.number]);
                     continue;
                 }
             }
-            let (mut low, mut high) = (u32::MAX, 0);
-            for place in places {
-                low = low.min(place.class);
-                high = high.max(place.class);
-            }
-            // The lowest and highest slab it has a part in; the other way round when it lies in a plane.
-            let (bottom, top) = (low.div_ceil(2), high / 2);
+            let span = Span::of(places.iter().map(|place| place.class));
+            let (bottom, top) = (span.bottom(), span.top());
             if let [p, q, r] = *places
-                && (p.class | q.class | r.class) & 1 == 0
-                && high == low + 2
+                && !(p.class.is_on_plane() | q.class.is_on_plane() | r.class.is_on_plane())
+                && top == bottom + 1
             {
                 let lone = if q.class == r.class { 0 } else { 1 + usize::from(p.class == q.class) };
                 triangle::clip(&mut self.state, mesh, tag, corners, [p, q, r], bottom, lone);
                 continue;
             }
             if bottom == top {
-                self.state.keep(mesh, face, tag, top, low | high);
-            } else if top < bottom {
-                self.state.keep_flat(mesh, face, tag, top);
+                self.state.keep(mesh, face, tag, top, span.touches_plane());
+            } else if span.is_flat() {
+                self.state.keep_flat(mesh, face, tag, span.low.plane());
             } else if places.len() > 3
                 && self.rough.may_be(mesh, corners.clone(), self.state.points.axis)
                 && self.rough.clip(&mut self.state, mesh, face, tag)
             {
                 continue;
-            } else if loops.len() > 1 || !self.simple.clip(&mut self.state, mesh, tag, corners, places, low, high) {
+            } else if loops.len() > 1 || !self.simple.clip(&mut self.state, mesh, tag, corners, places, span) {
                 self.general.clip(&mut self.state, mesh, face, tag);
             }
         }
     }
+}
+
+/// Which offsets are above all before them: planes out of order would be met twice.
+fn rising(offsets: &[f64]) -> Vec<usize> {
+    let mut kept: Vec<usize> = Vec::new();
+    for (index, &offset) in offsets.iter().enumerate() {
+        let top = kept.last().map_or(f64::NEG_INFINITY, |&last| offsets[last]);
+        if top < offset {
+            kept.push(index);
+        }
+    }
+    kept
 }

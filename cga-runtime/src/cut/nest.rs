@@ -90,49 +90,56 @@ impl Nest {
             start = end;
         }
         // A section that is inside out has its outlines clockwise.
-        self.inverted = self.loops.iter().map(|l| l.area).sum::<f64>() < 0.0;
+        self.inverted = self.loops.iter().map(|ring| ring.area).sum::<f64>() < 0.0;
         if self.inverted {
-            self.loops.iter_mut().for_each(|l| l.area = -l.area);
+            self.loops.iter_mut().for_each(|ring| ring.area = -ring.area);
         }
-        let outlines = self.loops.iter().filter(|l| l.is_outline()).count();
+        let outlines = self.loops.iter().filter(|ring| ring.is_outline()).count();
         if outlines < self.loops.len() && outlines != 0 {
             self.assign(section);
         }
+        self.group();
+    }
+
+    /// Lists each outline with its holes behind it, all in the order they were found.
+    fn group(&mut self) {
         self.order.clear();
         self.ends.clear();
-        if self.loops.iter().all(|l| l.outline.is_none()) {
-            for l in &self.loops {
-                self.order.push(l.range.clone());
+        if self.loops.iter().all(|ring| ring.outline.is_none()) {
+            for ring in &self.loops {
+                self.order.push(ring.range.clone());
                 self.ends.push(self.order.len());
             }
             return;
         }
-        // Holes behind their outlines, all in the order they were found.
-        let mut count = vec![0usize; self.loops.len() + 1];
-        for (index, l) in self.loops.iter().enumerate() {
-            count[l.outline.unwrap_or(index) + 1] += 1;
+        // Where each group starts: behind as many loops as are in the groups before.
+        let mut starts = vec![0usize; self.loops.len() + 1];
+        for (index, ring) in self.loops.iter().enumerate() {
+            starts[ring.outline.unwrap_or(index) + 1] += 1;
         }
-        (0..self.loops.len()).for_each(|i| count[i + 1] += count[i]);
+        (0..self.loops.len()).for_each(|index| starts[index + 1] += starts[index]);
         self.order.resize(self.loops.len(), 0..0);
-        let mut fill: Vec<usize> = count.clone();
-        for (index, l) in self.loops.iter().enumerate() {
-            if l.outline.is_none() {
-                self.order[count[index]] = l.range.clone();
-                fill[index] += 1;
+        let mut next = starts.clone();
+        for (index, ring) in self.loops.iter().enumerate() {
+            if ring.outline.is_none() {
+                self.order[starts[index]] = ring.range.clone();
+                next[index] += 1;
             }
         }
-        for l in &self.loops {
-            if let Some(outline) = l.outline {
-                self.order[fill[outline]] = l.range.clone();
-                fill[outline] += 1;
+        for ring in &self.loops {
+            if let Some(outline) = ring.outline {
+                self.order[next[outline]] = ring.range.clone();
+                next[outline] += 1;
             }
         }
-        self.ends.extend((0..self.loops.len()).filter(|&i| self.loops[i].outline.is_none()).map(|i| count[i + 1]));
+        let outlines = (0..self.loops.len()).filter(|&index| self.loops[index].outline.is_none());
+        self.ends.extend(outlines.map(|outline| starts[outline + 1]));
     }
 
+    /// Finds an outline for each hole.
     fn assign(&mut self, section: &Section<'_>) {
         let Nest { loops, inverted, twins, strips, sweep, probes, .. } = self;
-        twins.find(section, loops.iter().map(|l| (l.range.clone(), l.low, l.high)));
+        twins.find(section, loops.iter().map(|ring| (ring.range.clone(), ring.low, ring.high)));
         // Rounding depends on where a loop starts. Of an area of about 0 that may be the sign.
         for (number, first) in twins.others() {
             loops[number].area = loops[first].area;
@@ -140,9 +147,9 @@ impl Nest {
         let is_first = |number: usize| twins.first(number).0 == number;
         strips.fill(section, loops, is_first);
         probes.clear();
-        for (hole, l) in loops.iter().enumerate().filter(|(hole, l)| !l.is_outline() && is_first(*hole)) {
+        for (hole, ring) in loops.iter().enumerate().filter(|(hole, ring)| !ring.is_outline() && is_first(*hole)) {
             let turned = |corner| strips.turned(section, corner);
-            probes.push((hole, Probe::beside(section.ring(&l.range), *inverted, turned)));
+            probes.push((hole, Probe::beside(section.ring(&ring.range), *inverted, turned)));
         }
         let asked: usize = probes.iter().map(|(_, probe)| strips.of(probe).len()).sum();
         let is_outline = |number: usize| loops[number].is_outline();

@@ -51,10 +51,10 @@ impl Part {
     /// The number of a point in this slab; on a plane it is given when first asked for.
     #[inline]
     pub(super) fn number(&mut self, points: &mut Points, place: Place, slab: u32) -> u32 {
-        if place.class & 1 == 0 {
+        if !place.class.is_on_plane() {
             return place.number;
         }
-        let plane = place.class / 2;
+        let plane = place.class.plane();
         let numbers = &mut points.levels[plane as usize].numbers[place.number as usize];
         let number = &mut numbers[usize::from(slab != plane)];
         if *number != NONE {

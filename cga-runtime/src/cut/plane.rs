@@ -9,6 +9,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec2, DVec3};
 
 use super::caps::texture_axes;
+use super::points::NONE;
 use super::{Cutter, OpenChain, Slabs};
 use crate::mesh::{Mesh, unit};
 
@@ -121,15 +122,15 @@ impl Cutter {
     /// Takes the parts back from the frame; the points on the plane are given. Corners from those numbers on are those of caps.
     fn restore(&mut self, mesh: &Mesh, met: &[DVec3], caps: [usize; 2], normal: DVec3) {
         let (parts, points) = (&mut self.state.parts, &self.state.points);
-        let inside = points.places.iter().zip(&mesh.points).filter(|(place, _)| place.class != 1);
+        let inside = points.places.iter().zip(&mesh.points).filter(|(place, _)| !place.class.is_on_plane());
         for (place, point) in inside {
-            parts[place.class as usize / 2].mesh.points[place.number as usize] = *point;
+            parts[place.class.slab() as usize].mesh.points[place.number as usize] = *point;
         }
         for (numbers, point) in points.levels[0].numbers.iter().zip(met) {
             for (part, number) in parts.iter_mut().zip(numbers) {
                 // Not every part has every point on the plane.
-                if let Some(own) = part.mesh.points.get_mut(*number as usize) {
-                    *own = *point;
+                if *number != NONE {
+                    part.mesh.points[*number as usize] = *point;
                 }
             }
         }

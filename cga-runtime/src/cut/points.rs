@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
+use super::class::{Class, Span};
 use super::edges::Edges;
 use super::part::Part;
 use crate::mesh::Mesh;
@@ -17,8 +18,7 @@ pub(super) const NONE: u32 = u32::MAX;
 /// Where a point is among the planes, and which one it is there. Read at random for each corner, so it is kept small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place {
-    /// 2s strictly inside slab s, 2j + 1 on plane j.
-    pub(super) class: u32,
+    pub(super) class: Class,
     /// Its number in the slab or on the plane.
     pub(super) number: u32,
 }
@@ -26,7 +26,7 @@ pub(super) struct Place {
 impl Place {
     /// A point on a plane.
     pub(super) fn on(plane: u32, number: u32) -> Self {
-        Place { class: 2 * plane + 1, number }
+        Place { class: Class::on(plane), number }
     }
 }
 
@@ -59,7 +59,7 @@ impl Node {
     }
 
     #[inline]
-    pub(super) fn class(&self) -> u32 {
+    pub(super) fn class(&self) -> Class {
         self.place.class
     }
 }
@@ -109,12 +109,13 @@ impl Points {
         let axis = *axis;
         places.clear();
         if let [plane] = planes[..] {
-            let class = |x: f64| 2 * u32::from(plane < x) + u32::from(plane == x);
+            let class = |x: f64| if plane == x { Class::on(0) } else { Class::inside(u32::from(plane < x)) };
             places.extend(mesh.points.iter().map(|p| Place { class: class(p[axis]), number: 0 }));
         } else {
-            let class = |x: f64| -> u32 {
-                let below = planes.partition_point(|&o| o < x) as u32;
-                2 * below + u32::from(planes.get(below as usize) == Some(&x))
+            let class = |x: f64| {
+                let below = planes.partition_point(|&o| o < x);
+                let is_on_plane = planes.get(below) == Some(&x);
+                if is_on_plane { Class::on(below as u32) } else { Class::inside(below as u32) }
             };
             places.extend(mesh.points.iter().map(|p| Place { class: class(p[axis]), number: 0 }));
         }
@@ -162,13 +163,13 @@ impl Points {
         if node.is_corner() {
             return mesh.points[mesh.corners[node.from as usize] as usize];
         }
-        self.lift(node.class() / 2, node.place.number)
+        self.lift(node.class().plane(), node.place.number)
     }
 
     /// Of a mesh that was cut by one plane with other points than its own: where the points on the plane are between its own.
     pub(super) fn on_plane_of(&self, own: &[DVec3], cut: &[DVec3]) -> Vec<DVec3> {
         let mut list = vec![DVec3::ZERO; self.levels[0].flat.len()];
-        for (place, point) in self.places.iter().zip(own).filter(|(place, _)| place.class == 1) {
+        for (place, point) in self.places.iter().zip(own).filter(|(place, _)| place.class == Class::on(0)) {
             list[place.number as usize] = *point;
         }
         for (ends, number) in self.edges.all() {
@@ -180,7 +181,7 @@ impl Points {
 
     /// How far along its edge a crossing is.
     pub(super) fn share(&self, place: Place) -> f64 {
-        self.levels[place.class as usize / 2].shares[place.number as usize]
+        self.levels[place.class.plane() as usize].shares[place.number as usize]
     }
 
     /// The crossing of the edge from one corner to another with the one plane that is between them.
@@ -205,8 +206,8 @@ impl Points {
         nodes: &mut Vec<Node>,
     ) {
         let rises = from.1.class < to.1.class;
-        let (low, high) = if rises { (from.1.class, to.1.class) } else { (to.1.class, from.1.class) };
-        let planes = low.div_ceil(2)..high / 2;
+        let [low, high] = if rises { [from.1.class, to.1.class] } else { [to.1.class, from.1.class] };
+        let planes = Span { low, high }.planes();
         if planes.is_empty() {
             return;
         }

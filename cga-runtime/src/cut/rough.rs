@@ -9,6 +9,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use super::class::Span;
 use super::pieces::Rings;
 use super::points::Node;
 use super::rim::Side;
@@ -78,8 +79,8 @@ impl Rough {
         used.sort_unstable();
         for point in &mesh.corners[face.corner_range()] {
             let place = state.points.places[*point as usize];
-            if place.class & 1 == 0 && used.binary_search(point).is_err() {
-                state.parts[place.class as usize / 2].dropped = true;
+            if !place.class.is_on_plane() && used.binary_search(point).is_err() {
+                state.parts[place.class.slab() as usize].dropped = true;
             }
         }
     }
@@ -92,21 +93,18 @@ impl Rough {
             let [from, to] = [at, next].map(|i| (corners[i], places[i]));
             state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
         }
-        let [low, high] = [places.iter().min_by_key(|p| p.class), places.iter().max_by_key(|p| p.class)]
-            .map(|place| place.map_or(0, |place| place.class));
-        let (bottom, top) = (low.div_ceil(2), high / 2);
-        let slabs = if bottom <= top {
-            bottom..=top
-        } else {
-            let slab = state.slab_of_triangle(mesh, places, top);
+        let span = Span::of(places.iter().map(|place| place.class));
+        let slabs = if span.is_flat() {
+            let slab = state.slab_of_triangle(mesh, places, span.low.plane());
             slab..=slab
+        } else {
+            span.slabs()
         };
         for slab in slabs {
-            let is_inside = |node: &&Node| 2 * slab <= node.class() + 1 && node.class() <= 2 * slab + 1;
-            let inside = self.nodes.iter().filter(is_inside);
+            let inside = self.nodes.iter().filter(|node| node.class().touches(slab));
             for (a, b) in inside.clone().zip(inside.clone().cycle().skip(1)) {
-                if a.class() & 1 == 1 && a.class() == b.class() {
-                    let plane = a.class() / 2;
+                if a.class().is_on_plane() && a.class() == b.class() {
+                    let plane = a.class().plane();
                     state.rim.edge(plane, a.place.number, b.place.number, Side::of(slab, plane));
                 }
             }

@@ -5,6 +5,7 @@
 
 use std::ops::Range;
 
+use super::class::{Class, Span};
 use super::first::{first_node, first_node_of_band};
 use super::points::{Node, Place};
 use super::rim::Side;
@@ -22,8 +23,7 @@ pub(super) struct Simple {
 
 impl Simple {
     /// Cuts a face of one loop into its slabs; `false`, with nothing done, when it is not of this kind. `places` are those of
-    /// its corners, `low` and `high` its lowest and highest class.
-    #[allow(clippy::too_many_arguments)]
+    /// its corners, and `span` is what they span.
     pub(super) fn clip(
         &mut self,
         state: &mut State,
@@ -31,16 +31,15 @@ impl Simple {
         tag: FaceTag,
         corners: Range<usize>,
         places: &[Place],
-        low: u32,
-        high: u32,
+        span: Span,
     ) -> bool {
-        if !self.walk(state, mesh, corners.clone(), places, low, high) {
+        if !self.walk(state, mesh, corners.clone(), places, span) {
             return false;
         }
         let (mut up, mut down) = (0, self.down.len());
         let State { parts, points, rim, .. } = state;
-        for slab in low.div_ceil(2)..=high / 2 {
-            let ceiling = 2 * slab + 1;
+        for slab in span.slabs() {
+            let ceiling = Class::on(slab);
             let up_start = up;
             while up < self.up.len() && self.up[up].class() <= ceiling {
                 up += 1;
@@ -88,10 +87,10 @@ impl Simple {
             part.end_face(tag);
         }
         // Edges along the lowest and the highest plane; the way up has them.
-        for (level, side) in [(low, Side::Above), (high, Side::Below)] {
-            if level & 1 == 1 {
+        for (level, side) in [(span.low, Side::Above), (span.high, Side::Below)] {
+            if level.is_on_plane() {
                 for pair in self.up.windows(2).filter(|pair| pair[0].class() == level && pair[1].class() == level) {
-                    rim.edge(level / 2, pair[0].place.number, pair[1].place.number, side);
+                    rim.edge(level.plane(), pair[0].place.number, pair[1].place.number, side);
                 }
             }
         }
@@ -99,17 +98,9 @@ impl Simple {
     }
 
     /// Fills both ways; `false` when the loop is not of this kind.
-    fn walk(
-        &mut self,
-        state: &mut State,
-        mesh: &Mesh,
-        corners: Range<usize>,
-        places: &[Place],
-        low: u32,
-        high: u32,
-    ) -> bool {
+    fn walk(&mut self, state: &mut State, mesh: &Mesh, corners: Range<usize>, places: &[Place], span: Span) -> bool {
         // First the shape of the way, by classes alone: crossings are made only for good.
-        if places.len() > 3 && !is_simple(places.iter().map(|place| place.class), low, high) {
+        if places.len() > 3 && !is_simple(places.iter().map(|place| place.class), span) {
             return false;
         }
         self.up.clear();
@@ -118,8 +109,9 @@ impl Simple {
         let after = |i: usize| if i + 1 == count { 0 } else { i + 1 };
         let node = |i: usize| Node::corner(corners.start + i, places[i]);
         let mut before = places[count - 1].class;
-        let Some(start) =
-            places.iter().position(|place| std::mem::replace(&mut before, place.class) != low && place.class == low)
+        let Some(start) = places
+            .iter()
+            .position(|place| std::mem::replace(&mut before, place.class) != span.low && place.class == span.low)
         else {
             return false;
         };
@@ -127,7 +119,7 @@ impl Simple {
         loop {
             self.up.push(node(here));
             let next = after(here);
-            if places[here].class == high && places[next].class != high {
+            if places[here].class == span.high && places[next].class != span.high {
                 break;
             }
             let [a, b] = [here, next].map(|i| (corners.start + i, places[i]));
@@ -148,14 +140,14 @@ impl Simple {
 }
 
 /// Whether a cycle of classes rises once and falls once, without running along a plane in between.
-fn is_simple(classes: impl Iterator<Item = u32> + Clone, low: u32, high: u32) -> bool {
+fn is_simple(classes: impl Iterator<Item = Class> + Clone, span: Span) -> bool {
     let mut turns = 0;
     let mut rising = None;
     let mut last = None;
     for class in classes.clone().chain(classes) {
         if let Some(last) = last {
             if class == last {
-                if class & 1 == 1 && class != low && class != high {
+                if class.is_on_plane() && class != span.low && class != span.high {
                     return false;
                 }
             } else {
@@ -174,19 +166,19 @@ fn is_simple(classes: impl Iterator<Item = u32> + Clone, low: u32, high: u32) ->
 
 #[cfg(test)]
 mod tests {
-    use super::is_simple;
+    use super::*;
 
     #[test]
     fn one_rise_and_one_fall_are_simple() {
-        let simple = |classes: &[u32]| {
-            is_simple(classes.iter().copied(), *classes.iter().min().unwrap(), *classes.iter().max().unwrap())
-        };
-        assert!(simple(&[0, 2, 4]));
-        assert!(simple(&[4, 0, 2]));
-        assert!(simple(&[1, 1, 3, 5, 5, 3]));
-        assert!(simple(&[0, 0, 2, 2, 4, 2]));
-        assert!(!simple(&[0, 2, 0, 2]));
-        assert!(!simple(&[0, 3, 3, 4, 2]));
-        assert!(!simple(&[0, 4, 1, 4]));
+        let simple = |classes: &[Class]| is_simple(classes.iter().copied(), Span::of(classes.iter().copied()));
+        let slabs = |slabs: &[u32]| simple(&slabs.iter().map(|&slab| Class::inside(slab)).collect::<Vec<_>>());
+        assert!(slabs(&[0, 1, 2]));
+        assert!(slabs(&[2, 0, 1]));
+        assert!(slabs(&[0, 0, 1, 1, 2, 1]));
+        assert!(!slabs(&[0, 1, 0, 1]));
+        let (inside, on) = (Class::inside, Class::on);
+        assert!(simple(&[on(0), on(0), on(1), on(2), on(2), on(1)]));
+        assert!(!simple(&[inside(0), on(1), on(1), inside(2), inside(1)]));
+        assert!(!simple(&[inside(0), inside(2), on(0), inside(2)]));
     }
 }

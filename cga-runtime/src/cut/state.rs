@@ -1,5 +1,6 @@
 //! What all steps of a cut share, and the faces that stay whole.
 
+use super::class::Span;
 use super::part::Part;
 use super::points::{NONE, Place, Points};
 use super::rim::{Rim, Side};
@@ -50,10 +51,10 @@ impl State {
         let State { points, parts, .. } = self;
         for (index, &p) in mesh.points.iter().enumerate() {
             let class = points.places[index].class;
-            points.places[index].number = if class & 1 == 0 {
-                parts[class as usize / 2].add_point(p)
+            points.places[index].number = if class.is_on_plane() {
+                points.add(class.plane(), p, 0.0, [NONE; 2])
             } else {
-                points.add(class / 2, p, 0.0, [NONE; 2])
+                parts[class.slab() as usize].add_point(p)
             };
         }
         self.rim.reset();
@@ -66,7 +67,7 @@ impl State {
         let slabs = points.planes.len() + 1;
         room.clear();
         room.resize(slabs + 1, Room::default());
-        points.places.iter().for_each(|place| room[place.class as usize / 2].points += 1);
+        points.places.iter().for_each(|place| room[place.class.slab() as usize].points += 1);
         parts.clear();
         if slabs < MANY_SLABS {
             // Few: a share of the faces as their share of the points suggests, and of small meshes enough for any cut.
@@ -85,11 +86,8 @@ impl State {
             let loops = mesh.face_loops(face);
             let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
             let count = corners.len();
-            let (low, high) = mesh.corners[corners].iter().fold((u32::MAX, 0), |(low, high), &point| {
-                let class = points.places[point as usize].class;
-                (low.min(class), high.max(class))
-            });
-            let (bottom, top) = (low.div_ceil(2) as usize, high as usize / 2);
+            let span = Span::of(mesh.corners[corners].iter().map(|&point| points.places[point as usize].class));
+            let (bottom, top) = (span.bottom() as usize, span.top() as usize);
             if bottom < top {
                 // One that reaches far says little of the others.
                 let many = if top - bottom < MANY_SLABS { each } else { 1 };
@@ -111,8 +109,8 @@ impl State {
         }));
     }
 
-    /// A face that is all in one slab. `classes` is odd when it touches a plane.
-    pub(super) fn keep(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, slab: u32, classes: u32) {
+    /// A face that is all in one slab.
+    pub(super) fn keep(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, slab: u32, touches_plane: bool) {
         let State { parts, points, .. } = self;
         let part = &mut parts[slab as usize];
         part.whole += 1;
@@ -127,7 +125,7 @@ impl State {
         part.mesh.loop_ends.extend(mesh.loop_ends[loops].iter().map(|end| end - base + shift));
         part.end_face(tag);
         part.copy_carried(mesh, corners);
-        if classes & 1 != 0 {
+        if touches_plane {
             self.edges_on_planes(mesh, face, slab);
         }
     }
@@ -137,8 +135,9 @@ impl State {
             let mut last = ring[ring.len() - 1];
             for &here in ring {
                 let [a, b] = [last, here].map(|point| self.points.places[point as usize]);
-                if b.class & 1 == 1 && a.class == b.class {
-                    self.rim.edge(b.class / 2, a.number, b.number, Side::of(slab, b.class / 2));
+                if b.class.is_on_plane() && a.class == b.class {
+                    let plane = b.class.plane();
+                    self.rim.edge(plane, a.number, b.number, Side::of(slab, plane));
                 }
                 last = here;
             }
@@ -149,7 +148,7 @@ impl State {
     /// to the other.
     pub(super) fn keep_flat(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, plane: u32) {
         let slab = self.slab_of_flat(mesh, face, plane);
-        self.keep(mesh, face, tag, slab, 1);
+        self.keep(mesh, face, tag, slab, true);
     }
 
     /// The slab of a face in a plane.

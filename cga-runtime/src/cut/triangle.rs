@@ -28,7 +28,7 @@ pub(super) fn clip(
     let [l, m, n] = [corner(lone), corner(lone + 1), corner(lone + 2)];
     let x = points.crossing(parts, mesh, plane, l.from as usize, m.from as usize);
     let y = points.crossing(parts, mesh, plane, n.from as usize, l.from as usize);
-    let tip_is_below = l.place.class / 2 == plane;
+    let tip_is_below = l.place.class.slab() == plane;
     let (from, to) = if tip_is_below { (x, y) } else { (y, x) };
     rim.cut(plane, from.place.number, to.place.number);
     let (tip_side, rest_side) = if tip_is_below { (0, 1) } else { (1, 0) };

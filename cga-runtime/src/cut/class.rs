@@ -1,0 +1,119 @@
+//! Where heights are among the planes of a cut.
+
+use std::ops::{Range, RangeInclusive};
+
+/// In a slab or on a plane; in the order of heights. Slab 0 is below plane 0, slab 1 between planes 0 and 1, and so on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Class(u32);
+
+impl Class {
+    /// Strictly inside a slab.
+    #[inline]
+    pub(super) fn inside(slab: u32) -> Self {
+        Class(2 * slab)
+    }
+
+    #[inline]
+    pub(super) fn on(plane: u32) -> Self {
+        Class(2 * plane + 1)
+    }
+
+    #[inline]
+    pub(super) fn is_on_plane(self) -> bool {
+        self.0 & 1 == 1
+    }
+
+    /// The plane it is on.
+    #[inline]
+    pub(super) fn plane(self) -> u32 {
+        self.0 / 2
+    }
+
+    /// The slab it is in; of a plane, the slab below.
+    #[inline]
+    pub(super) fn slab(self) -> u32 {
+        self.0 / 2
+    }
+
+    /// The slab it is in; of a plane, the slab above.
+    #[inline]
+    fn slab_above(self) -> u32 {
+        self.0.div_ceil(2)
+    }
+
+    /// Whether it is in a slab or on one of its planes.
+    pub(super) fn touches(self, slab: u32) -> bool {
+        self.slab() == slab || self.slab_above() == slab
+    }
+}
+
+/// From one class up to another.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    pub(super) low: Class,
+    pub(super) high: Class,
+}
+
+impl Span {
+    /// Of several classes; there is one at least.
+    #[inline]
+    pub(super) fn of(classes: impl Iterator<Item = Class>) -> Self {
+        let none = Span { low: Class(u32::MAX), high: Class(0) };
+        classes.fold(none, |span, class| Span { low: span.low.min(class), high: span.high.max(class) })
+    }
+
+    /// The lowest slab it has a part in.
+    #[inline]
+    pub(super) fn bottom(self) -> u32 {
+        self.low.slab_above()
+    }
+
+    /// The highest slab it has a part in.
+    #[inline]
+    pub(super) fn top(self) -> u32 {
+        self.high.slab()
+    }
+
+    /// Whether all of it is on one plane: it has a part in no slab.
+    #[inline]
+    pub(super) fn is_flat(self) -> bool {
+        self.top() < self.bottom()
+    }
+
+    /// Whether it ends on a plane.
+    #[inline]
+    pub(super) fn touches_plane(self) -> bool {
+        self.low.is_on_plane() || self.high.is_on_plane()
+    }
+
+    /// The slabs it has a part in.
+    #[inline]
+    pub(super) fn slabs(self) -> RangeInclusive<u32> {
+        self.bottom()..=self.top()
+    }
+
+    /// The planes strictly between its ends.
+    #[inline]
+    pub(super) fn planes(self) -> Range<u32> {
+        self.bottom()..self.top()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spans_know_their_slabs_and_planes() {
+        let span = |low, high| Span { low, high };
+        let (inside, on) = (Class::inside, Class::on);
+        assert!(inside(0) < on(0) && on(0) < inside(1) && inside(1) < on(1));
+        assert_eq!(span(inside(1), inside(3)).slabs(), 1..=3);
+        assert_eq!(span(inside(1), inside(3)).planes(), 1..3);
+        assert_eq!(span(on(0), on(2)).slabs(), 1..=2);
+        assert_eq!(span(on(0), on(2)).planes(), 1..2);
+        assert_eq!(span(inside(1), on(1)).slabs(), 1..=1);
+        assert!(span(on(2), on(2)).is_flat() && !span(inside(2), inside(2)).is_flat());
+        assert!(on(1).touches(1) && on(1).touches(2) && !on(1).touches(3) && inside(1).touches(1));
+    }
+}
