@@ -67,12 +67,13 @@ fn inside_out_the_caps_are_the_same_turned_over() {
     // Four that touch in a ring.
     let ring = [[1.0, 0.0], [0.0, 1.0], [2.0, 1.0], [1.0, 2.0]];
     let ring = together(&ring.map(|[x, y]| block([x, y, 0.0], [x + 1.0, y + 1.0, 1.0], false)));
-    let island = together(&[
-        block([0.0; 3], [4.0; 3], false),
-        block([1.0; 3], [3.0; 3], true),
-        block([1.75, 1.0, 1.75], [2.25, 2.25, 2.25], false),
-    ]);
-    for (mesh, at, expected) in [(ring, 0.5, 4), (island, 2.0, 2)] {
+    // A cavity with an island at each side.
+    let mut blocks = vec![block([0.0; 3], [4.0; 3], false), block([1.0; 3], [3.0; 3], true)];
+    for [x, y] in [[1.75, 1.0], [1.75, 2.5], [1.0, 1.75], [2.5, 1.75]] {
+        blocks.push(block([x, y, 1.75], [x + 0.5, y + 0.5, 2.25], false));
+    }
+    let islands = together(&blocks);
+    for (mesh, at, expected) in [(ring, 0.5, 4), (islands, 2.0, 5)] {
         let caps = |mesh: Mesh| {
             let cut = slabs(&Arc::new(mesh), Axis::Z, &[at]);
             let parts = cut.parts.iter().flatten().map(|part| {
