@@ -160,10 +160,10 @@ impl<'s> Parts<'s> {
         mut when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
     ) -> ControlFlow<(), Self> {
         for arm in arms {
-            if let Select::Index(number) = arm.select {
-                if !number.is_finite() {
-                    env.fault(FaultKind::Value, format!("an index of `comp` is {number}; it takes nothing"));
-                }
+            if let Select::Index(number) = arm.select
+                && !number.is_finite()
+            {
+                env.fault(FaultKind::Value, format!("an index of `comp` is {number}; it takes nothing"));
             }
         }
         let source = Source::of(env, shape, components, align, arms)?;

@@ -10,7 +10,8 @@ use crate::mesh::{Mesh, unit};
 use crate::place;
 use crate::scope::{Frame, Scope};
 use crate::shape::{Geometry, ShapeRef};
-use crate::sink::Quad;
+use crate::side::Sides;
+use crate::sink::{Cuboid, Quad};
 use crate::tol::TIE_EPSILON;
 
 /// Which face is taken.
@@ -210,7 +211,7 @@ fn whole(env: &mut Env, number: f64, what: &str, count: usize) -> Option<usize> 
 enum Faces<'a> {
     None,
     Quad(Quad),
-    Box([Quad; 6]),
+    Box(Cuboid, Sides),
     Mesh(&'a Mesh, DAffine3),
 }
 
@@ -220,7 +221,7 @@ impl<'a> Faces<'a> {
         match &shape.geometry {
             Geometry::Mesh(placed) => Faces::Mesh(&placed.mesh, placed.to_scope(shape.scope.size)),
             Geometry::Rect(axis, _) => Faces::Quad(place::rect(&local, *axis)),
-            Geometry::Box(sides) => Faces::Box(sides.faces(&place::cuboid(&local))),
+            Geometry::Box(sides) => Faces::Box(place::cuboid(&local), *sides),
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Faces::None,
         }
     }
@@ -229,7 +230,7 @@ impl<'a> Faces<'a> {
         match self {
             Faces::None => 0,
             Faces::Quad(_) => 1,
-            Faces::Box(_) => 6,
+            Faces::Box(..) => 6,
             Faces::Mesh(mesh, _) => mesh.face_count(),
         }
     }
@@ -240,7 +241,7 @@ impl<'a> Faces<'a> {
         match self {
             Faces::None => DVec3::ZERO,
             Faces::Quad(quad) => twice(quad),
-            Faces::Box(faces) => twice(&faces[face]),
+            Faces::Box(cuboid, sides) => twice(&sides.faces(cuboid)[face]),
             Faces::Mesh(mesh, place) => {
                 let [x, y, z] = [place.matrix3.x_axis.x, place.matrix3.y_axis.y, place.matrix3.z_axis.z];
                 mesh.face(face).area_vector() * DVec3::new(y * z, z * x, x * y)
@@ -257,7 +258,7 @@ impl<'a> Faces<'a> {
         match self {
             Faces::None => {}
             Faces::Quad(quad) => around(quad),
-            Faces::Box(faces) => around(&faces[face]),
+            Faces::Box(cuboid, sides) => around(&sides.faces(cuboid)[face]),
             Faces::Mesh(mesh, place) => {
                 let at = |point: u32| place.transform_point3(mesh.points()[point as usize]);
                 for ring in mesh.face(face).loops() {
