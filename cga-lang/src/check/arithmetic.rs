@@ -20,10 +20,20 @@ pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
             let diag = diags.report(Code::DivisionByZero, right.span, what);
             diag.note("operations take the result as 0, with a fault");
         }
-        ExprKind::Case(arms, _) => {
-            for (condition, _) in arms {
+        ExprKind::Case(arms, other) => {
+            for (condition, value) in arms {
                 branches::check(condition, facts, flow, cx, diags);
+                check(condition, facts, flow, cx, diags);
+                // What is never computed may be anything.
+                let truth = flow.value(condition, facts).truth();
+                if truth != Some(false) {
+                    check(value, facts, flow, cx, diags);
+                }
+                if truth == Some(true) {
+                    return;
+                }
             }
+            return check(other, facts, flow, cx, diags);
         }
         ExprKind::Call(name, args) => {
             if let Some(Use::Builtin(row)) = cx.tables.of(name) {

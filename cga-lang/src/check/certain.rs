@@ -32,7 +32,7 @@ pub(super) fn check(cx: &mut Cx) {
         let own = if program.roots.contains(&item.instance) { &joined } else { &alone };
         own.visit(&cx.globals, rule, &mut |site, facts| {
             if let Site::Split(slots) = site {
-                size::check(slots, facts, &mut diags);
+                size::check(slots, facts, &cx.tables, &mut diags);
                 repeat::check(slots, &mut diags);
             }
         });

@@ -33,7 +33,7 @@ pub(super) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
         flow.visit(&cx.globals, rule, &mut |site, facts| {
             let Site::Split(slots) = site else { return };
             let mut diags = Diags::new();
-            size::check(slots, facts, &mut diags);
+            size::check(slots, facts, &cx.tables, &mut diags);
             repeat::check(slots, &mut diags);
             list.extend(diags.finish().into_iter().filter(|diag| is_told(diag, slots)).map(|diag| {
                 let mut diag = Diag { level: Level::Warning, ..diag };
@@ -57,7 +57,11 @@ fn is_told(diag: &Diag, slots: &Slots) -> bool {
 /// Says which defaults it is.
 fn reason(diag: &mut Diag, slots: &Slots, tables: &Tables, cx: &Cx) {
     let mut attrs = Vec::new();
-    slots.list.iter().for_each(|slot| read(&slot.size.value, tables, &mut attrs));
+    // A slot depends on those before it, one that floats on all.
+    let at = slots.list.iter().position(|slot| slot.size.span == diag.span && !slot.floats());
+    let count = at.map_or(slots.list.len(), |at| at + 1);
+    slots.list[..count].iter().for_each(|slot| read(&slot.size.value, tables, &mut attrs));
+    attrs.sort_unstable();
     attrs.dedup();
     for &attr in &attrs {
         let name = &cx.globals.attrs[attr as usize].decl.name;

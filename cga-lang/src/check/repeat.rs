@@ -45,7 +45,8 @@ pub(super) fn check(slots: &Slots, diags: &mut Diags) {
 
 /// The last piece of a repeat of shares, when it is much smaller than its slot: what it gets, and what it should.
 fn sliver(slots: &Slots) -> Option<(f64, f64)> {
-    let pieces = slots.shares().filter(|_| slots.groups.len() == 1)?;
+    let alone = matches!(&slots.groups[..], [group] if group.slots.len() == slots.list.len());
+    let pieces = slots.shares().filter(|_| alone)?;
     let last = pieces.last()?;
     let own = slots.list[last.slot as usize].value.known()?;
     (MARGIN < last.length && last.length < SLIVER * own).then_some((last.length, own))

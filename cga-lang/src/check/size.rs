@@ -2,6 +2,7 @@
 
 use super::flow::{Facts, Slot, Slots, Sum, called};
 use super::interval::Interval;
+use super::{Tables, branches};
 use crate::ast::Arg;
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
@@ -9,14 +10,14 @@ use crate::diag::{Diag, Diags};
 /// A rest is worth a word when it is less than that share of the thinnest slot: more looks as if it was meant.
 const HARDLY: f64 = 0.5;
 
-pub(super) fn check(slots: &Slots, facts: &Facts, diags: &mut Diags) {
+pub(super) fn check(slots: &Slots, facts: &Facts, tables: &Tables, diags: &mut Diags) {
     if facts.shape.is_flat(slots.axis) {
         return flat(slots, facts, diags);
     }
     for (index, slot) in slots.list.iter().enumerate() {
         // A group without any is reported as such.
         if slot.is_nothing() && !slot.group.is_some_and(|group| slots.makes_nothing(group)) {
-            nothing(slot, diags);
+            nothing(slot, tables, diags);
         } else if !slot.is_nothing() && slots.is_never(index) {
             starved(slots, index, facts, diags);
         }
@@ -72,7 +73,11 @@ fn flat(slots: &Slots, facts: &Facts, diags: &mut Diags) {
     }
 }
 
-fn nothing(slot: &Slot, diags: &mut Diags) {
+fn nothing(slot: &Slot, tables: &Tables, diags: &mut Diags) {
+    if slot.value.known() == Some(0.0) && branches::is_switch(&slot.size.value, tables) {
+        // A part that its author has turned off.
+        return;
+    }
     let message = match slot.value.known() {
         Some(size) => format!("this size is {}: {} is never made", shown(size), label(slot)),
         None => format!("this size is never positive: {} is never made", label(slot)),

@@ -295,13 +295,18 @@ impl Slots<'_> {
 
     /// Why a group repeats once, if that is always so.
     pub(in crate::check) fn once(&self, group: usize) -> Option<String> {
-        let own = &self.list[self.groups[group].slots.clone()];
+        let mut within = self.groups[group].slots.clone();
+        let own = &self.list[within.clone()];
+        // It may not happen at all.
+        if self.groups.len() != 1 || within.any(|index| self.list[index].is_nothing() || self.is_never(index)) {
+            return None;
+        }
         let shares: f64 = own.iter().map(|slot| slot.value.lo.max(0.0)).sum();
-        if self.groups.len() == 1 && own.iter().all(Slot::is_relative) && self.fills(Sum { share: shares, metres: 0.0 })
-        {
+        let alone = own.len() == self.list.len();
+        if alone && own.iter().all(Slot::is_relative) && self.fills(Sum { share: shares, metres: 0.0 }) {
             return Some(format!("its sizes add up to {} of the scope", (shares * 1e6).round() / 1e6));
         }
-        let extent = self.extent.known().filter(|extent| LEAST < *extent && self.groups.len() == 1)?;
+        let extent = self.extent.known().filter(|extent| LEAST < *extent)?;
         let once = self.count(group, extent)? == 1;
         once.then(|| format!("the scope has {} along {}", (extent * 1e6).round() / 1e6, ["x", "y", "z"][self.axis]))
     }

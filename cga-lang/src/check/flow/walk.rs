@@ -280,10 +280,10 @@ impl Facts {
     }
 }
 
-/// The name of what a step calls, for messages.
+/// The name of what a slot becomes when that is all, for messages.
 pub(in crate::check) fn called(ops: &[Op]) -> Option<&Name> {
     match ops {
-        [Op { kind: OpKind::Call(name, _) | OpKind::Leaf(name), .. }, ..] => Some(name),
+        [Op { kind: OpKind::Call(name, _) | OpKind::Leaf(name), .. }] => Some(name),
         _ => None,
     }
 }
