@@ -76,7 +76,8 @@ impl Scope {
 
     /// Whether what is in it, turned any way, is far from where numbers end.
     pub(crate) fn is_bounded(&self) -> bool {
-        (self.origin.abs() + self.size.abs()).element_sum() <= f64::MAX / 16.0
+        // Squares of lengths must be numbers too.
+        (self.origin.abs() + self.size.abs()).element_sum() <= 1e150
     }
 
     /// The extent along an axis.
