@@ -9,8 +9,10 @@ use crate::token::{Sym, Tok, Tokens};
 use std::ops::Range;
 
 mod decode;
+mod slips;
 
 pub use decode::decode;
+pub use slips::{NO_UNITS, without_unit};
 
 /// Tokens of a text, and where each stands in it.
 #[derive(Clone, Debug, Default)]
@@ -46,6 +48,7 @@ impl<'a> Lexer<'a> {
             match c {
                 // A byte order mark is in the middle where files were put together.
                 c if c.is_whitespace() || c == '\u{feff}' => self.at += c.len_utf8(),
+                '#' | '\'' if self.holds_colour() => self.colour(start),
                 '#' => _ = self.line(),
                 '/' if self.rest().starts_with("///") && !self.rest().starts_with("////") => self.doc(start),
                 '/' if self.rest().starts_with("//") => _ = self.line(),
@@ -133,15 +136,44 @@ impl<'a> Lexer<'a> {
         let digits = &self.text[start..self.at];
         let tail = self.skip_while(continues_name);
         if !tail.is_empty() {
-            let number = &self.text[start..self.at];
-            self.bad(start, Code::BadNumber, format!("`{number}` is neither a number nor a name"))
-                .help(format!("write `{digits} {tail}`, or begin the name with a letter"));
+            let message = format!("`{}` is neither a number nor a name", &self.text[start..self.at]);
+            if let Some(value) = digits.parse().ok().and_then(|value| without_unit(value, tail)) {
+                let span = self.push(start, Tok::Number(value));
+                let diag = self.diags.report(Code::BadNumber, span, message);
+                diag.note(NO_UNITS).help(format!("write `{value}`"));
+            } else {
+                let help = "put an operator between a number and a name, or begin the name with a letter";
+                self.bad(start, Code::BadNumber, message).help(help);
+            }
             return;
         }
         match digits.parse::<f64>() {
             Ok(value) if value.is_finite() => _ = self.push(start, Tok::Number(value)),
             _ => _ = self.bad(start, Code::BadNumber, "this number is too large"),
         }
+    }
+
+    /// Whether a colour stands here that was meant as text: `#ff0000`, `'#ff0000'`.
+    fn holds_colour(&self) -> bool {
+        let rest = self.rest().strip_prefix('\'').unwrap_or(self.rest());
+        let Some(length) = slips::colour(rest) else { return false };
+        match self.tokens.as_slice().last() {
+            Some(Tok::Sym(Sym::LParen | Sym::LBracket | Sym::Comma)) => slips::is_no_comment(&rest[length..], true),
+            Some(Tok::Sym(Sym::Assign | Sym::EqEq | Sym::NotEq)) => slips::is_no_comment(&rest[length..], false),
+            _ => false,
+        }
+    }
+
+    /// A colour that is not written as text.
+    fn colour(&mut self, start: usize) {
+        let quoted = self.peek() == Some('\'');
+        self.at += usize::from(quoted);
+        let text = &self.rest()[..slips::colour(self.rest()).unwrap_or_default()];
+        self.at += text.len();
+        self.at += usize::from(quoted && self.peek() == Some('\''));
+        let span = self.push(start, Tok::Str(text.to_owned()));
+        let diag = self.diags.report(Code::Syntax, span, "a colour is text, and `#` begins a comment");
+        diag.help(format!("write `\"{text}\"`"));
     }
 
     fn name(&mut self, start: usize) {
@@ -231,6 +263,7 @@ fn lookalike(c: char) -> Option<(Option<Sym>, &'static str)> {
         '‐' | '‑' | '‒' | '–' | '—' | '−' => (Some(Sym::Minus), "the plain `-`"),
         '→' | '⟶' | '➔' => (Some(Sym::Arrow), "`-->`"),
         '×' | '·' | '∗' | '⋅' => (Some(Sym::Star), "`*`"),
+        '°' => (None, "angles without a sign: they are degrees"),
         '÷' => (Some(Sym::Slash), "`/`"),
         '≤' => (Some(Sym::LessEq), "`<=`"),
         '≥' => (Some(Sym::GreaterEq), "`>=`"),

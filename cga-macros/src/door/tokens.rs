@@ -2,6 +2,7 @@
 
 use cga_lang::code::Code;
 use cga_lang::diag::{Diag, Diags};
+use cga_lang::lex::{NO_UNITS, without_unit};
 use cga_lang::span::Span as TokenSpan;
 use cga_lang::token::{Sym, Tok, Tokens};
 use proc_macro2::{Delimiter, Group, Literal, Spacing, Span, TokenStream, TokenTree};
@@ -152,10 +153,17 @@ impl Reader {
     fn number(&mut self, written: &str, first: Span, last: Span) {
         match written.replace('_', "").parse::<f64>() {
             Ok(value) if value.is_finite() => _ = self.push(Tok::Number(value), first, last),
-            _ => {
-                let help = "write it in digits, like `12` or `0.5`";
-                self.bad(first, last, format!("`{written}` is no number in CGA"), help);
-            }
+            _ => match number_and_unit(written) {
+                Some(value) => {
+                    let at = self.push(Tok::Number(value), first, last);
+                    let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is no number in CGA"));
+                    diag.note(NO_UNITS).help(format!("write `{value}`"));
+                }
+                None => {
+                    let help = "write it in digits, like `12` or `0.5`";
+                    self.bad(first, last, format!("`{written}` is no number in CGA"), help);
+                }
+            },
         }
     }
 
@@ -198,6 +206,13 @@ impl Reader {
                     let help = "CGA's own annotations begin with `@`";
                     self.bad(span, group.span(), "attributes have no meaning inside rules".into(), help);
                 }
+                return 2;
+            }
+            // `#00ff00` begins with a number.
+            Some(TokenTree::Literal(digits)) if is_colour(&digits.to_string()) => {
+                let at = self.push(Tok::Str(format!("#{digits}")), span, digits.span());
+                let diag = self.diags.report(Code::Syntax, at, "a colour is text, and `#` begins a Rust value");
+                diag.help(format!("write `\"#{digits}\"`"));
                 return 2;
             }
             _ => {
@@ -272,6 +287,18 @@ impl Reader {
 fn is_apart(left: Span, right: Span) -> bool {
     let (end, start) = (left.end(), right.start());
     end.line < start.line || (end.line == start.line && end.column < start.column)
+}
+
+/// The value of a number with a unit behind it.
+fn number_and_unit(written: &str) -> Option<f64> {
+    let unit = written.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.' || c == '_');
+    let digits = written.strip_suffix(unit)?.replace('_', "");
+    without_unit(digits.parse().ok()?, unit)
+}
+
+/// Whether `#` before it makes a colour.
+fn is_colour(digits: &str) -> bool {
+    matches!(digits.len(), 3 | 6 | 8) && digits.bytes().all(|byte| byte.is_ascii_hexdigit())
 }
 
 /// The signs that stand together there without a space.

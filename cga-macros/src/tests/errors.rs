@@ -66,6 +66,19 @@ fn names_are_emitted_whatever_is_wrong() {
 }
 
 #[test]
+fn habits_of_other_languages_are_named_once() {
+    for (rules, message, help) in [
+        ("Lot --> extrude(3m) X.", "`3m` is no number in CGA", "write `3`"),
+        ("Lot --> split(x) { 2.5cm : X. | ~1 : Y. }", "`2.5cm` is no number in CGA", "write `0.025`"),
+        ("Lot --> color(#00ff00) X.", "a colour is text", "write `\"#00ff00\"`"),
+    ] {
+        let list = errors(&format!("grammar A; {rules}"));
+        assert!(list.len() == 1 && list[0].starts_with(message), "{rules}: {list:?}");
+        assert!(list[0].contains(&format!("help: {help}")), "{rules}: {list:?}");
+    }
+}
+
+#[test]
 fn text_is_quoted_with_its_line() {
     let list = errors("grammar A = \"Lot --> X.\nX --> splat(x) { ~1 : X. }\n\";");
     assert_eq!(list.len(), 1, "{list:?}");
