@@ -197,6 +197,8 @@ impl<'a> Scope<'_, 'a, '_> {
         let is_rule = !globals.rules(at, text).is_empty();
         let inner = self.inner.iter().map(|inner| inner.text.as_str());
         let near = globals.meant(at, text, Kind::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
+        let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
+        let near = truth.or(near);
         let (inline, dotted) = (self.door() == Door::Inline, text.contains('.'));
         let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
         if is_rule {

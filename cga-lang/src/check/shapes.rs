@@ -304,6 +304,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 *target
             }
             (None, Some(None)) => return,
+            (None, None) if self.cx.globals.is_lost(self.at, &import.text) => return,
             (None, None) => {
                 let near = nearest(&import.text, self.cx.globals.near(self.at, Kind::Imports)).map(str::to_owned);
                 let message = format!("there is no import `{}`", import.text);

@@ -17,7 +17,11 @@ struct Arms<T> {
 
 impl Parser<'_> {
     pub(super) fn at_branch(&self) -> bool {
-        self.is_word("case") || self.at_percent()
+        self.at_case() || self.at_percent()
+    }
+
+    fn at_case(&self) -> bool {
+        self.is_word("case") || self.at_if()
     }
 
     pub(super) fn at_percent(&self) -> bool {
@@ -58,25 +62,39 @@ impl Parser<'_> {
         Ok((Expr { kind, span }, depth))
     }
 
+    /// Passes over `case` or what was written for it.
+    fn case_word(&mut self) -> Parsed<()> {
+        if self.is_word("case") {
+            self.bump();
+            Ok(())
+        } else if self.is_word("else") {
+            self.else_if_for_case();
+            Ok(())
+        } else {
+            self.if_for_case()
+        }
+    }
+
     fn arms<T>(
         &mut self,
         mut arm: impl FnMut(&mut Self) -> Parsed<T>,
         otherwise: impl FnOnce(&mut Self) -> Parsed<T>,
     ) -> Parsed<Arms<T>> {
         let start = self.at;
-        let first_is_case = self.is_word("case");
+        let first_is_case = self.at_case();
         let mut arms = Arms { cases: Vec::new(), chances: Vec::new(), otherwise: None, deepest: 0 };
         let mut mixed = false;
-        while self.at_branch() && self.tick() {
-            if self.is_word("case") != first_is_case && !mixed {
+        while (self.at_branch() || (first_is_case && self.at_else_if())) && self.tick() {
+            let case = !self.at_percent();
+            if case != first_is_case && !mixed {
                 mixed = true;
                 let span = self.span();
                 self.diags
                     .report(Code::MixedBranches, span, "conditions and percentages in one block")
                     .help("put one of them inside the other: `case a : 30% : X else : Y else : Z`");
             }
-            if self.is_word("case") {
-                self.bump();
+            if case {
+                self.case_word()?;
                 let (condition, depth) = self.nested(Self::deep_expr)?;
                 arms.deepest = arms.deepest.max(depth);
                 self.expect(Sym::Colon)?;

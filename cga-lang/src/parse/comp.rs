@@ -61,6 +61,10 @@ impl Parser<'_> {
     }
 
     fn arm_mode(&mut self) -> Parsed<ArmMode> {
+        let arrow = self.nth_is(1, Sym::Greater) && !self.is(Sym::Colon);
+        if arrow && self.slipped_colon("the selector") {
+            return Ok(ArmMode::Each);
+        }
         if self.eat(Sym::Assign) {
             return Ok(if self.eat(Sym::Colon) { ArmMode::Connected } else { ArmMode::Together });
         }

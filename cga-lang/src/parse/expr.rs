@@ -14,6 +14,9 @@ pub(super) type Part = (Expr, u32);
 /// The level of `+` and `-`: what a size prefix reaches over.
 const ADDITIVE: u8 = 5;
 
+/// The level of `==`, the lowest above `&&`.
+const COMPARISON: u8 = 3;
+
 fn operator(token: &Tok) -> Option<(Binary, u8)> {
     let Tok::Sym(sym) = token else { return None };
     Some(match sym {
@@ -69,20 +72,35 @@ impl Parser<'_> {
         Ok(Arg { prefix, value, span: self.span_from(start) })
     }
 
-    /// The operator here: which, its level, whether it works element by element, how many tokens it has.
-    fn operator(&self) -> Option<(Binary, u8, bool, usize)> {
+    /// The operator here: which, its level, whether it works element by element, how many tokens it has. With what
+    /// stands for it, if that is none in CGA.
+    fn operator(&self) -> Option<(Binary, u8, bool, usize, Option<Sym>)> {
         let each = self.is(Sym::Dot);
+        let meant = match (self.peek()?, self.nth(1)) {
+            (Tok::Sym(Sym::Less), Some(Tok::Sym(Sym::Greater))) => Some((Sym::NotEq, 2)),
+            // An arrow.
+            (Tok::Sym(Sym::Minus), Some(Tok::Sym(Sym::Greater))) => return None,
+            (Tok::Ident(_), _) => Some((self.operator_word()?, 1)),
+            _ => None,
+        };
+        if let Some((meant, length)) = meant {
+            let (op, level) = operator(&Tok::Sym(meant))?;
+            return Some((op, level, false, length, Some(meant)));
+        }
         let length = 1 + usize::from(each);
         let (op, level) = self.nth(length - 1).and_then(operator)?;
-        Some((op, level, each, length))
+        Some((op, level, each, length, None))
     }
 
     fn binary(&mut self, least: u8) -> Parsed<Part> {
         let start = self.at;
         let (mut left, mut depth) = self.unary()?;
-        while let Some((op, level, each, length)) = self.operator() {
+        while let Some((op, level, each, length, meant)) = self.operator() {
             if level < least || !self.tick() {
                 break;
+            }
+            if let Some(meant) = meant {
+                self.no_operator(length, meant);
             }
             let at = self.span().to(self.span_at(self.at + length - 1));
             self.at += length;
@@ -113,6 +131,7 @@ impl Parser<'_> {
                 self.misplaced_prefix();
                 return Err(Reported);
             }
+            _ if self.at_not() => return self.negation(),
             _ => return self.primary(),
         };
         self.at += 1 + usize::from(each);
@@ -120,6 +139,17 @@ impl Parser<'_> {
         let depth = self.deepen(depth)?;
         let operand = Box::new(operand);
         let kind = if each { ExprKind::EachUnary(op, operand) } else { ExprKind::Unary(op, operand) };
+        Ok((Expr { kind, span: self.span_from(start) }, depth))
+    }
+
+    /// At the word `not`, which in other languages reaches over comparisons.
+    fn negation(&mut self) -> Parsed<Part> {
+        let start = self.at;
+        self.bump();
+        let (operand, depth) = self.nested(|parser| parser.binary(COMPARISON))?;
+        let depth = self.deepen(depth)?;
+        self.not_for_bang(start);
+        let kind = ExprKind::Unary(Unary::Not, Box::new(operand));
         Ok((Expr { kind, span: self.span_from(start) }, depth))
     }
 

@@ -4,6 +4,7 @@
 //! stand, a dot joins names if the first of them is an import of this grammar.
 
 use super::layout::pairs;
+use super::slips::is_type;
 use crate::token::{Sym, Tok};
 use std::collections::HashSet;
 
@@ -54,15 +55,20 @@ impl<'a> Heads<'a> {
 
     /// `import id (styles) : "path" (overrides)`.
     fn import(&mut self, position: usize) {
+        if let Some(Tok::Str(path)) = self.at(position + 1) {
+            // Without a prefix the name of the file was meant as one.
+            self.imports.insert(stem(path));
+        }
         let Some(id) = self.word(position + 1) else { return };
         let mut next = position + 2;
         if self.is(next, Sym::LParen) {
             next = self.pair(next).map_or(next, |close| close + 1);
         }
+        // Without its colon it is still clear what the dots behind its name mean.
+        self.imports.insert(id);
         if !self.is(next, Sym::Colon) {
             return;
         }
-        self.imports.insert(id);
         if matches!(self.at(next + 1), Some(Tok::Str(_))) && self.is(next + 2, Sym::LParen) {
             self.overrides.insert(next + 2);
         }
@@ -139,6 +145,17 @@ impl<'a> Heads<'a> {
             Some("start" | "extension") => name && self.head(position + 1).is_some_and(Head::is_sure),
             _ => false,
         }
+    }
+
+    /// Whether the name at a position is that of an attribute or constant with a type before it, or the type behind it.
+    pub(super) fn behind_type(&self, position: usize) -> bool {
+        let word = |back: usize| position.checked_sub(back).and_then(|position| self.word(position));
+        let declares = |back: usize| matches!(word(back), Some("attr" | "const"));
+        (word(1).is_some_and(is_type) && declares(2))
+            || (self.word(position).is_some_and(is_type)
+                && position.checked_sub(1).is_some_and(|before| self.is(before, Sym::Colon))
+                && word(2).is_some()
+                && declares(3))
     }
 
     /// How a declaration of the name at a position goes on, if there is one.
@@ -235,6 +252,12 @@ impl<'a> Heads<'a> {
         let before = (position.saturating_sub(LONGEST_HEAD)..position).rev().filter_map(|before| self.at(before));
         before.take_while(parts).any(|token| token.ident() == Some("case"))
     }
+}
+
+/// The name of a file without its folder and ending.
+pub(super) fn stem(path: &str) -> &str {
+    let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+    name.split_once('.').map_or(name, |(stem, _)| stem)
 }
 
 /// Whether it is a sign that an operand follows.

@@ -19,7 +19,7 @@ impl Parser<'_> {
             return Err(Reported);
         }
         let Some(Tok::Str(path)) = self.peek() else {
-            self.expected("the path of a rule file in quotes")
+            self.expected_only("the path of a rule file in quotes")
                 .help(format!("write `import {} : \"file.cga\"`", id.text));
             return Err(Reported);
         };

@@ -1,6 +1,7 @@
 //! Declarations: rules, attributes, constants, functions.
 
-use super::head::Head;
+use super::head::{Head, stem};
+use super::slips::is_type;
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Annotation, Ast, Body, Decl, Expr, ExprKind, Name, Op, OpKind, Role};
 use crate::code::Code;
@@ -98,6 +99,9 @@ impl Parser<'_> {
         if keyword || role != Role::Plain {
             self.bump();
         }
+        if keyword {
+            self.type_before_name(word);
+        }
         let head = self.layout.head(self.at);
         if !keyword && head.is_none() {
             return self.no_declaration();
@@ -110,6 +114,7 @@ impl Parser<'_> {
         let body = match head.filter(|_| !keyword) {
             None => {
                 let known = self.value_name(&name, if word == "attr" { "an attribute" } else { "a constant" }, &params);
+                self.type_behind_name(|| format!("{word} {} = …", name.text));
                 self.expect(Sym::Assign).inspect_err(|_| lose(self))?;
                 let value = self.body_expr();
                 if !known {
@@ -192,11 +197,20 @@ impl Parser<'_> {
             return self.fail("a declaration");
         }
         let word = self.peek().and_then(Tok::ident);
+        if word.is_some_and(is_type) && self.layout.head(self.at + 1) == Some(Head::Function) {
+            self.type_before_name("attr");
+            return Err(Reported);
+        }
         let near = word.and_then(|word| nearest(word, DECLARATIONS.iter().copied()).filter(|near| *near != word));
         let help = match word {
             _ if near.is_some() => "",
             Some("style") => "a style has a name: write `style Name`",
-            Some("import") => "write `import prefix : \"file.cga\"`",
+            Some("import") => {
+                if let Some(Tok::Str(path)) = self.nth(1) {
+                    self.lost.push(stem(path).to_owned());
+                }
+                "write `import prefix : \"file.cga\"`"
+            }
             Some("version") => "write `version \"2025.1\"`",
             _ => "write `Name --> …`, `attr name = …`, `const name = …` or `name = …`",
         };
@@ -238,8 +252,10 @@ impl Parser<'_> {
         let close = self.closing()?;
         self.bump();
         while self.at < close && self.tick() {
+            self.type_before_parameter();
             match self.take_name() {
                 Some(name) => {
+                    self.type_behind_name(|| name.text.clone());
                     self.not_a_keyword(&name);
                     self.no_dollar(&name, "a parameter");
                     params.push(name);

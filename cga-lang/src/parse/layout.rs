@@ -22,6 +22,8 @@ pub(super) struct Layout<'a> {
     bad: Vec<u32>,
     /// Names of rules.
     rules: HashSet<&'a str>,
+    /// Names of everything that is declared.
+    declared: HashSet<&'a str>,
 }
 
 impl<'a> Layout<'a> {
@@ -45,6 +47,7 @@ impl<'a> Layout<'a> {
             borders: vec![length as u32; length + 1],
             bad,
             rules: HashSet::new(),
+            declared: HashSet::new(),
         };
         layout.find_starts();
         for position in (0..length).rev() {
@@ -66,8 +69,12 @@ impl<'a> Layout<'a> {
                 if head.is_some_and(Head::is_sure) || self.heads.keyword(position) {
                     open = Open::default();
                     self.starts[position] = true;
-                } else if head.is_some() && open.is_empty() {
+                } else if head.is_some() && open.is_empty() && !self.heads.behind_type(position) {
                     self.starts[position] = true;
+                }
+                if self.starts[position] {
+                    self.declared.insert(name);
+                    self.declared.extend(self.heads.at(position + 1).and_then(Tok::ident));
                 }
                 if head.is_some_and(|head| head != Head::Function) && name_end == position + 1 {
                     self.rules.insert(name);
@@ -138,9 +145,19 @@ impl<'a> Layout<'a> {
         self.starts.get(position).copied().unwrap_or(true)
     }
 
+    /// The first position from one on where a declaration begins.
+    pub(super) fn border(&self, position: usize) -> usize {
+        self.borders.get(position).map_or(self.len(), |&border| border as usize)
+    }
+
     /// Whether a rule of that name is declared.
     pub(super) fn has_rule(&self, name: &str) -> bool {
         self.rules.contains(name)
+    }
+
+    /// Whether something of that name is declared.
+    pub(super) fn declares(&self, name: &str) -> bool {
+        self.declared.contains(name)
     }
 
     /// The position of the bracket that closes the one at `position`.
@@ -157,7 +174,7 @@ impl<'a> Layout<'a> {
 
     /// Whether something unreadable stands between a position and the end of the declaration.
     pub(super) fn bad_until_border(&self, position: usize) -> bool {
-        let border = self.borders.get(position + 1).map_or(self.len(), |&border| border as usize);
+        let border = self.border(position + 1);
         let bad = |position: usize| self.bad.get(position).or(self.bad.last()).copied().unwrap_or(0);
         bad(position) < bad(border)
     }

@@ -15,6 +15,7 @@ mod item;
 mod layout;
 mod op;
 mod report;
+mod slips;
 mod split;
 mod style;
 mod with;

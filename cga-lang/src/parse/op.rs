@@ -19,6 +19,9 @@ impl Parser<'_> {
                     if in_arm {
                         break;
                     }
+                    if self.at_if() {
+                        return self.if_behind_steps();
+                    }
                     let span = self.span();
                     self.diags
                         .report(Code::BranchNotFirst, span, "a branch block must come first in a rule's body")

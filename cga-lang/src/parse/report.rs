@@ -3,6 +3,7 @@
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::code::Code;
 use crate::diag::Diag;
+use crate::lex::{NO_UNITS, without_unit};
 use crate::span::Span;
 use crate::token::{Sym, Tok};
 
@@ -24,6 +25,9 @@ impl Parser<'_> {
 
     /// Reports that something else was expected here, with what is usually meant.
     pub(super) fn expected(&mut self, what: &str) -> &mut Diag {
+        if let Some(value) = self.number_with_unit() {
+            return self.expected_only(what).note(NO_UNITS).help(format!("write `{value}`"));
+        }
         let help = match self.peek() {
             _ if self.at_border() => None,
             Some(Tok::Sym(Sym::Assign)) => Some("two values are compared with `==`"),
@@ -41,6 +45,15 @@ impl Parser<'_> {
         match help {
             Some(help) => diag.help(help),
             None => diag,
+        }
+    }
+
+    /// What the number right before is without the unit that stands here.
+    fn number_with_unit(&self) -> Option<f64> {
+        let unit = self.peek().and_then(Tok::ident).filter(|_| !self.at_border())?;
+        match self.layout.at(self.at.checked_sub(1)?)? {
+            Tok::Number(value) => without_unit(*value, unit),
+            _ => None,
         }
     }
 

@@ -42,7 +42,7 @@ impl Parser<'_> {
             return Err(Reported);
         }
         let size = self.arg()?;
-        if !self.eat(Sym::Colon) {
+        if !self.eat(Sym::Colon) && !self.slipped_colon("the size") {
             return self.fail("`:` after the size");
         }
         let ops = self.ops(false)?;

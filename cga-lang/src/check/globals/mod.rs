@@ -226,6 +226,8 @@ impl<'a> Globals<'a> {
             match self.program.instances[at].imports.get(first) {
                 Some(Some(next)) => (at, rest) = (*next, behind),
                 Some(None) => return Way::Missing,
+                // The import itself could not be read.
+                None if self.names[at].lost.contains(first) => return Way::Missing,
                 None => break,
             }
         }
