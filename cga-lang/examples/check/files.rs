@@ -2,7 +2,7 @@
 
 use cga_lang::compile::Door;
 use cga_lang::lex::{Lexed, decode, lex};
-use cga_lang::link::{Files, Unit, candidates};
+use cga_lang::link::{Files, Unit, candidates, folder};
 use cga_lang::snippet::Quote;
 use std::collections::HashMap;
 use std::fs;
@@ -112,6 +112,12 @@ impl Files for Library {
         let here = std::env::current_dir().unwrap_or_default();
         let number = self.load(found.strip_prefix(here).unwrap_or(&found))?;
         Ok(self.unit(number))
+    }
+
+    fn beside(&mut self, path: &str, from: &str) -> Vec<String> {
+        let Ok(from) = std::path::absolute(from) else { return Vec::new() };
+        let entries = fs::read_dir(folder(path, &from.to_string_lossy())).into_iter().flatten().flatten();
+        entries.filter_map(|entry| entry.file_name().into_string().ok()).collect()
     }
 }
 

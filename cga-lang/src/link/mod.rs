@@ -22,7 +22,7 @@ use std::ops::Range;
 
 pub(crate) use copies::{Copies, Types, Wanted};
 pub(crate) use overrides::dynamic_calls;
-pub use paths::candidates;
+pub use paths::{candidates, folder};
 pub(crate) use style::Styles;
 
 /// Most instances a program may have: files that import each other twice, level by level, would become millions.
@@ -55,6 +55,12 @@ pub trait Files {
     /// # Errors
     /// Why there is none, as a message goes on after "cannot import `path`: ".
     fn open(&mut self, path: &str, from: &str) -> Result<Unit, String>;
+
+    /// The names of the files in the folder to which a path leads that stands in the file `from`: one of them may have
+    /// been meant where there is none of that name.
+    fn beside(&mut self, _path: &str, _from: &str) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// There are no files.
@@ -342,7 +348,11 @@ impl Link<'_> {
             Ok(unit) => self.unit(unit),
             Err(why) => {
                 let message = format!("cannot import `{}`: {why}", import.path);
-                self.diags.report(Code::CannotImport, import.path_span, message);
+                let mut names = self.files.beside(&import.path, &from_name);
+                // A folder has no order of its own.
+                names.sort();
+                let near = paths::like(&import.path, &names);
+                self.diags.report(Code::CannotImport, import.path_span, message).suggest(near);
                 return None;
             }
         };

@@ -1,7 +1,12 @@
 //! Where an imported file may be.
 
+use crate::suggest::nearest;
+
 /// Folders above the importing file that are looked into.
 const MOST_FOLDERS: usize = 16;
+
+/// How the names of rule files end.
+const ENDING: &str = ".cga";
 
 /// The names a file may have that `from` imports as `path`, the likeliest first. All are written with `/`.
 ///
@@ -45,6 +50,20 @@ pub fn candidates(path: &str, from: &str) -> Vec<String> {
     list
 }
 
+/// The folder in which the file is that `from` imports as `path`, as far as its own place says.
+pub fn folder(path: &str, from: &str) -> String {
+    let name = candidates(path, from).swap_remove(0);
+    name.rsplit_once('/').map_or(String::new(), |(folder, _)| if folder.is_empty() { "/" } else { folder }.to_owned())
+}
+
+/// A path to the rule file most like it among some names of files in its folder.
+pub(super) fn like(path: &str, names: &[String]) -> Option<String> {
+    let (folder, name) = path.split_at(path.rfind(['/', '\\']).map_or(0, |slash| slash + 1));
+    let others = names.iter().filter(|other| *other != name).filter_map(|other| other.strip_suffix(ENDING));
+    let near = nearest(name.strip_suffix(ENDING)?, others)?;
+    Some(format!("{folder}{near}{ENDING}"))
+}
+
 /// Without `.` and, as far as possible, without `..`.
 fn normal(path: &str) -> String {
     let mut parts: Vec<&str> = Vec::new();
@@ -60,7 +79,18 @@ fn normal(path: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::candidates;
+    use super::{candidates, folder, like};
+
+    #[test]
+    fn a_name_like_it_is_found_in_the_folder() {
+        let names = ["imp.cga", "walls.cga", "wall.txt"].map(str::to_owned);
+        assert_eq!(like("Imp.cga", &names).as_deref(), Some("imp.cga"));
+        assert_eq!(like("../lib/wals.cga", &names).as_deref(), Some("../lib/walls.cga"));
+        assert_eq!(like("roof.cga", &names), None);
+        assert_eq!(folder("../lib/x.cga", "city/rules/a.cga"), "city/lib");
+        assert_eq!(folder("x.cga", "a.cga"), "");
+        assert_eq!(folder("x.cga", "/a.cga"), "/");
+    }
 
     #[test]
     fn the_importing_files_folder_comes_first() {

@@ -139,7 +139,8 @@ impl<'a> Heads<'a> {
     pub(super) fn keyword(&self, position: usize) -> bool {
         let name = self.word(position + 1).is_some();
         match self.word(position) {
-            Some("attr" | "const" | "import") => name,
+            Some("attr" | "const") => name,
+            Some("import") => name || matches!(self.at(position + 1), Some(Tok::Str(_))),
             Some("version") => matches!(self.at(position + 1), Some(Tok::Str(_))),
             Some("style") => name && self.head(position + 1).is_none(),
             Some("start" | "extension") => name && self.head(position + 1).is_some_and(Head::is_sure),

@@ -1,6 +1,6 @@
 //! `import id(styles) : "path" (overrides)`, and `id(overrides).Rule(arguments)` in a rule.
 
-use super::head::Head;
+use super::head::{Head, stem};
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Annotation, Body, Decl, Import, Name, Op, OpKind, Override, Role};
 use crate::code::Code;
@@ -28,6 +28,16 @@ impl Parser<'_> {
         let overrides = if self.is(Sym::LParen) { Some(self.overrides()?) } else { None };
         let span = self.span_from(start);
         Ok(Import { annotations, id, styles, path: path.clone(), path_span, overrides, span })
+    }
+
+    /// At the word `import` with a path right behind it. The name of the file was meant as the prefix.
+    pub(super) fn import_without_prefix<T>(&mut self) -> Parsed<T> {
+        if let Some(Tok::Str(path)) = self.nth(1) {
+            self.lost.push(stem(path).to_owned());
+        }
+        self.syntax(self.at, "expected a declaration, found `import`").help("write `import prefix : \"file.cga\"`");
+        self.at += 2;
+        Err(Reported)
     }
 
     fn import_styles(&mut self) -> Parsed<Vec<Name>> {

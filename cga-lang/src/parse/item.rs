@@ -1,6 +1,6 @@
 //! Declarations: rules, attributes, constants, functions.
 
-use super::head::{Head, stem};
+use super::head::Head;
 use super::slips::is_type;
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Annotation, Ast, Body, Decl, Expr, ExprKind, Name, Op, OpKind, Role};
@@ -75,6 +75,7 @@ impl Parser<'_> {
                 }
                 return Ok(());
             }
+            "import" if matches!(self.nth(1), Some(Tok::Str(_))) => return self.import_without_prefix(),
             "style" if next_is_name && self.layout.head(self.at + 1).is_none() => {
                 *style = self.style(ast, annotations)?;
                 return Ok(());
@@ -205,12 +206,7 @@ impl Parser<'_> {
         let help = match word {
             _ if near.is_some() => "",
             Some("style") => "a style has a name: write `style Name`",
-            Some("import") => {
-                if let Some(Tok::Str(path)) = self.nth(1) {
-                    self.lost.push(stem(path).to_owned());
-                }
-                "write `import prefix : \"file.cga\"`"
-            }
+            Some("import") => "write `import prefix : \"file.cga\"`",
             Some("version") => "write `version \"2025.1\"`",
             _ => "write `Name --> …`, `attr name = …`, `const name = …` or `name = …`",
         };

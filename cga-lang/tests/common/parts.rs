@@ -3,7 +3,7 @@
 use super::{annotate, compare, door, fixtures, strip};
 use cga_lang::compile::{Compiled, Door, compile_files};
 use cga_lang::lex::{Lexed, lex};
-use cga_lang::link::{Files, Unit, candidates};
+use cga_lang::link::{Files, Unit, candidates, folder};
 use cga_lang::snippet::bytes;
 use cga_lang::span::Span;
 use std::fs;
@@ -67,6 +67,12 @@ impl Files for Parts<'_> {
         let names = candidates(path, from);
         let number = names.iter().find_map(|name| self.list.iter().position(|part| part.name == *name));
         number.map(|number| self.unit(number)).ok_or_else(|| "there is no such part".into())
+    }
+
+    fn beside(&mut self, path: &str, from: &str) -> Vec<String> {
+        let folder = folder(path, from);
+        let names = self.list.iter().map(|part| part.name.rsplit_once('/').unwrap_or(("", &part.name)));
+        names.filter(|(own, _)| *own == folder).map(|(_, name)| name.to_owned()).collect()
     }
 }
 

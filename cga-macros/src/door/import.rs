@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use cga_lang::compile::Door;
 use cga_lang::lex::lex;
-use cga_lang::link::{Files, Unit, candidates};
+use cga_lang::link::{Files, Unit, candidates, folder};
 use proc_macro2::{Literal, TokenStream};
 
 use super::TextPlace;
@@ -46,6 +46,15 @@ impl Files for Imports {
             self.opened.push(TextPlace { name: name.clone(), written: text, ranges: lexed.ranges });
         }
         Ok(Unit { name: name.clone(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+    }
+
+    fn beside(&mut self, path: &str, from: &str) -> Vec<String> {
+        let folder = folder(path, from);
+        if folder.starts_with("..") || folder.starts_with('/') {
+            return Vec::new();
+        }
+        let entries = std::fs::read_dir(self.root.join(folder)).into_iter().flatten().flatten();
+        entries.filter_map(|entry| entry.file_name().into_string().ok()).collect()
     }
 }
 
