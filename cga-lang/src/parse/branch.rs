@@ -68,11 +68,19 @@ impl Parser<'_> {
             self.bump();
             Ok(())
         } else if self.is_word("else") {
-            self.else_if_for_case();
-            Ok(())
+            self.else_if_for_case()
         } else {
             self.if_for_case()
         }
+    }
+
+    /// Behind a condition.
+    fn colon_of_case(&mut self) -> Parsed<()> {
+        if self.is(Sym::LBrace) && !self.at_border() {
+            self.expected("`:`").help("a branch has no braces: write `case condition : … else : …`");
+            return Err(Reported);
+        }
+        self.expect(Sym::Colon)
     }
 
     fn arms<T>(
@@ -97,7 +105,7 @@ impl Parser<'_> {
                 self.case_word()?;
                 let (condition, depth) = self.nested(Self::deep_expr)?;
                 arms.deepest = arms.deepest.max(depth);
-                self.expect(Sym::Colon)?;
+                self.colon_of_case()?;
                 let body = self.nested(&mut arm)?;
                 arms.cases.push((condition, body));
             } else if let Some(&Tok::Number(value)) = self.peek() {

@@ -61,7 +61,7 @@ impl Parser<'_> {
     }
 
     fn arm_mode(&mut self) -> Parsed<ArmMode> {
-        let arrow = self.nth_is(1, Sym::Greater) && !self.is(Sym::Colon);
+        let arrow = self.is(Sym::Arrow) || (self.nth_is(1, Sym::Greater) && !self.is(Sym::Colon));
         if arrow && self.slipped_colon("the selector") {
             return Ok(ArmMode::Each);
         }

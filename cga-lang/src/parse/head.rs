@@ -5,6 +5,7 @@
 
 use super::layout::pairs;
 use super::slips::is_type;
+use crate::ops;
 use crate::token::{Sym, Tok};
 use std::collections::HashSet;
 
@@ -162,7 +163,15 @@ impl<'a> Heads<'a> {
     /// How a declaration of the name at a position goes on, if there is one.
     pub(super) fn head(&self, position: usize) -> Option<Head> {
         // `case h = 3 :` means `==`, and the parser says so.
-        self.head_behind(position, self.name_end(position)).filter(|head| head.is_sure() || !self.in_value(position))
+        self.head_behind(position, self.name_end(position))
+            .filter(|head| if head.is_sure() { !self.is_selector(position) } else { !self.in_value(position) })
+    }
+
+    /// Whether the name of a selector begins an arm at a position, whatever separates it from its operations.
+    fn is_selector(&self, position: usize) -> bool {
+        let begins = |before| self.is(before, Sym::LBrace) || self.is(before, Sym::Bar);
+        position.checked_sub(1).is_some_and(begins)
+            && self.word(position).is_some_and(|word| ops::selector(word).is_some())
     }
 
     /// The same between the parentheses of an import.

@@ -30,6 +30,7 @@ impl Parser<'_> {
         }
         let help = match self.peek() {
             _ if self.at_border() => None,
+            Some(Tok::Sym(Sym::Assign)) if self.nth_is(1, Sym::Greater) => Some("write `>=`"),
             Some(Tok::Sym(Sym::Assign)) => Some("two values are compared with `==`"),
             Some(Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_)) if what == STEP => {
                 Some("put `|` between the slots of a split")

@@ -35,7 +35,7 @@ impl Parser<'_> {
             && !self.at_border()
             && self.begins_operand(1)
             && !self.layout.declares(self.peek().and_then(Tok::ident).unwrap_or_default())
-            && (self.colon_of_condition(self.at + 1).is_some() || self.braces_of_if().is_some())
+            && (self.colon_of_condition(self.at + 1).is_some() || self.braces(self.at + 1).is_some())
     }
 
     /// Whether a value may begin `ahead` of here, and nothing else that goes on behind a name.
@@ -69,9 +69,10 @@ impl Parser<'_> {
         None
     }
 
-    /// `if (condition) {`: the position of the closing parenthesis.
-    fn braces_of_if(&self) -> Option<usize> {
-        let close = self.layout.close(self.at + 1).filter(|_| self.nth_is(1, Sym::LParen))?;
+    /// `if (condition) {`, with the parenthesis at a position: that of the closing one.
+    fn braces(&self, open: usize) -> Option<usize> {
+        let is_open = self.layout.at(open).is_some_and(|token| token.is(Sym::LParen));
+        let close = self.layout.close(open).filter(|_| is_open)?;
         self.layout.at(close + 1).is_some_and(|token| token.is(Sym::LBrace)).then_some(close)
     }
 
@@ -79,7 +80,7 @@ impl Parser<'_> {
     /// stand in braces.
     pub(super) fn if_for_case(&mut self) -> Parsed<()> {
         let word = self.peek().map_or(String::new(), Tok::describe);
-        if let Some(close) = self.braces_of_if() {
+        if let Some(close) = self.braces(self.at + 1) {
             let condition = self.written(self.at + 2, close);
             self.syntax(self.at, format!("a condition begins with `case`, not with {word}"))
                 .help(format!("write `case {condition} : … else : …`"));
@@ -97,7 +98,7 @@ impl Parser<'_> {
     pub(super) fn if_behind_steps<T>(&mut self) -> Parsed<T> {
         let word = self.peek().map_or(String::new(), Tok::describe);
         let colon = self.colon_of_condition(self.at + 1);
-        let condition = match (colon, self.braces_of_if()) {
+        let condition = match (colon, self.braces(self.at + 1)) {
             (None, Some(close)) => self.written(self.at + 2, close),
             (colon, _) => self.written(self.at + 1, colon.unwrap_or(self.at + 1)),
         };
@@ -111,17 +112,21 @@ impl Parser<'_> {
         let next = self.nth(1).and_then(Tok::ident);
         self.is_word("else")
             && next.is_some_and(|word| word == "case" || is_if(word))
-            && self.colon_of_condition(self.at + 2).is_some()
+            && (self.colon_of_condition(self.at + 2).is_some() || self.braces(self.at + 2).is_some())
     }
 
-    /// At such an `else`: passes over it and what stands for `case` behind it.
-    pub(super) fn else_if_for_case(&mut self) {
-        let colon = self.colon_of_condition(self.at + 2).unwrap_or(self.at + 2);
-        let condition = self.written(self.at + 2, colon);
+    /// At such an `else`: passes over it and what stands for `case` behind it. Fails where the arms stand in braces.
+    pub(super) fn else_if_for_case(&mut self) -> Parsed<()> {
+        let from = self.at + 2;
+        let braces = self.braces(from);
+        let help = match (braces, self.colon_of_condition(from)) {
+            (Some(close), _) => format!("write `case {} : … else : …`", self.written(from + 1, close)),
+            (None, colon) => format!("write `case {} :`", self.written(from, colon.unwrap_or(from))),
+        };
         let span = self.span().to(self.span_at(self.at + 1));
-        self.syntax_over(self.at, span, "further conditions begin with `case` too, `else` is what remains")
-            .help(format!("write `case {condition} :`"));
+        self.syntax_over(self.at, span, "further conditions begin with `case` too, `else` is what remains").help(help);
         self.at += 2;
+        if braces.is_some() { Err(Reported) } else { Ok(()) }
     }
 
     /// The operator that a word here stands for between two values.
@@ -168,7 +173,7 @@ impl Parser<'_> {
     fn separator(&self) -> Option<usize> {
         match (self.peek()?, self.nth(1)) {
             (Tok::Sym(Sym::Assign | Sym::Minus), Some(Tok::Sym(Sym::Greater))) => Some(2),
-            (Tok::Sym(Sym::Assign), _) => Some(1),
+            (Tok::Sym(Sym::Assign | Sym::Arrow), _) => Some(1),
             _ => None,
         }
     }
