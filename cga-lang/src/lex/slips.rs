@@ -15,7 +15,7 @@ const UNITS: &[(&str, f64)] = &[
 ];
 
 /// Bytes looked through for a bracket; a bound keeps this linear.
-const FARTHEST: usize = 4000;
+const FARTHEST: usize = 500;
 
 /// Why there are no units.
 pub const NO_UNITS: &str = "there are no units: lengths are metres, angles are degrees";
