@@ -5,7 +5,7 @@ use glam::{DMat3, DVec2, DVec3};
 
 use crate::mesh::{FaceRef, Mesh};
 use crate::scope::Frame;
-use crate::tol::ANGLE_EPSILON;
+use crate::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
 /// A face's own coordinate system and its box in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +56,15 @@ pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
 pub(super) fn upright(x: DVec3) -> DVec3 {
     let up = crate::mesh::unit(DVec3::Y - x * x.y);
     if 1.0 - x.y.abs() < ANGLE_EPSILON || up == DVec3::ZERO { crate::mesh::unit(DVec3::Z - x * x.z) } else { up }
+}
+
+/// Axes with x given and z as near as can be to where something looks.
+pub(super) fn along(x: DVec3, looks: DVec3) -> DMat3 {
+    // A mean need not be perpendicular to the edge, and what is left of one along it is rounding.
+    let across = looks - x * looks.dot(x);
+    let z = if across.length() <= COPLANAR_EPSILON { upright(x) } else { crate::mesh::unit(across) };
+    let z = crate::mesh::unit(z - x * z.dot(x));
+    DMat3::from_cols(x, z.cross(x), z)
 }
 
 /// The x axis across a z axis: as near to the x axis of the shape as can be, and so it turns with it.

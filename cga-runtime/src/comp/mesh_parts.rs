@@ -4,12 +4,12 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use super::Components;
 use super::candidate::Subcomponent;
 use super::faces::extract;
-use super::frame::{FaceFrame, beside, face_frame, upright};
+use super::frame::{FaceFrame, along, beside, face_frame, upright};
 use super::looks::Looks;
 use super::roof::Roof;
 use super::select::{RoofEdge, Sense, Word};
@@ -282,13 +282,7 @@ impl MeshParts {
     /// The coordinate system of a component (*comp operation*); nothing for groups and materials, which keep that of the
     /// shape, nor for what is degenerate.
     pub(super) fn frame(&self, index: usize, as_roof: bool) -> Option<Frame> {
-        let frame = |origin, x: DVec3, z: DVec3| {
-            // An average need not be perpendicular to the edge, and what is left of one along it is rounding.
-            let across = z - x * z.dot(x);
-            let z = if across.length() <= COPLANAR_EPSILON { upright(x) } else { unit(across) };
-            let z = unit(z - x * z.dot(x));
-            Some(Frame { origin, axes: DMat3::from_cols(x, z.cross(x), z) })
-        };
+        let frame = |origin, x: DVec3, looks: DVec3| Some(Frame { origin, axes: along(x, looks) });
         match self.kind {
             Components::Faces => face_frame(&self.mesh, index).map(|found| found.frame),
             Components::Groups | Components::Materials => None,
@@ -313,10 +307,10 @@ impl MeshParts {
     /// edges).
     fn directed(&self, edge: usize, as_roof: bool) -> [u32; 2] {
         let [a, b] = self.end_corners(edge);
-        match self.roof.get().filter(|_| as_roof).and_then(|roof| roof.edge(edge)) {
+        let Some(roof) = self.roof.get().filter(|_| as_roof) else { return [a, b] };
+        match roof.edge(edge) {
             Some(RoofEdge::Eave) => {
-                let roof = |corner: &u32| 0.0 < self.face_normal(*corner as usize).y;
-                let corner = self.adjacency().uses(edge).iter().copied().find(roof).unwrap_or(a);
+                let corner = roof.corner(edge).unwrap_or(a);
                 [corner, self.adjacency().next(corner)]
             }
             Some(_) => {

@@ -57,6 +57,13 @@ impl Roof {
         (faces.next(), faces.next())
     }
 
+    /// Where the first face at an edge that looks up begins with it.
+    pub(super) fn corner(&self, edge: usize) -> Option<u32> {
+        let adjacency = self.mesh.adjacency();
+        let face = self.faces(edge).0?;
+        adjacency.uses(edge).iter().copied().find(|&corner| adjacency.face(corner) == face)
+    }
+
     fn ends(&self, edge: usize) -> [usize; 2] {
         let adjacency = self.mesh.adjacency();
         let corner = adjacency.uses(edge)[0];
@@ -71,8 +78,7 @@ impl Roof {
     /// Whether two faces slope towards each other: the inside of one is in front of the other.
     fn is_concave(&self, edge: usize, one: u32, other: u32) -> bool {
         let adjacency = self.mesh.adjacency();
-        let uses = adjacency.uses(edge);
-        let Some(&corner) = uses.iter().find(|&&corner| adjacency.face(corner) == one) else { return false };
+        let Some(corner) = self.corner(edge) else { return false };
         let at = |corner: u32| self.mesh.points()[self.mesh.corners()[corner as usize] as usize];
         let along = unit(at(adjacency.next(corner)) - at(corner)) * self.sense;
         let inwards = self.normals[one as usize].cross(along);

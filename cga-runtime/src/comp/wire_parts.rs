@@ -1,9 +1,9 @@
 //! The components of edges and points that have no faces.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use super::Components;
-use super::frame::{beside, upright};
+use super::frame::{along, beside, upright};
 use super::looks::Looks;
 use super::select::{Sense, Word};
 use crate::mesh::{point_normals, unit};
@@ -80,16 +80,14 @@ impl WireParts {
     }
 
     pub(super) fn frame(&self, index: usize) -> Option<Frame> {
-        let along = self.along(index);
+        let edge = self.along(index);
         let normal = self.normal(index);
-        let x = if along == DVec3::ZERO { beside(normal) } else { along };
-        let z = unit(normal - x * normal.dot(x));
-        let z = if z == DVec3::ZERO { upright(x) } else { z };
+        let x = if edge == DVec3::ZERO { beside(normal) } else { edge };
         let origin = match self.kind {
             Components::Edges | Components::FaceEdges => self.wire.ends(index)[0],
             _ => self.point(index),
         };
-        Some(Frame { origin, axes: DMat3::from_cols(x, z.cross(x), z) })
+        Some(Frame { origin, axes: along(x, normal) })
     }
 
     pub(super) fn wire(&self, indices: &[u32]) -> Wire {

@@ -43,7 +43,7 @@ pub fn align_to_axes(env: &mut Env, shape: &mut ShapeRef<'_>, to: AlignAxes) {
 
 /// Axes of which one is given, and a second is the old one projected across it: x, for x itself z. Where that has no
 /// direction the third is projected in its place.
-fn upright(old: &DMat3, to: DVec3, axis: usize) -> DMat3 {
+pub(super) fn upright(old: &DMat3, to: DVec3, axis: usize) -> DMat3 {
     let across = |other: usize| unit(old.col(other) - to * to.dot(old.col(other)));
     // Too short to have a direction.
     let short = |other: usize| 1.0 - old.col(other).dot(to).abs() < crate::tol::ANGLE_EPSILON;

@@ -5,14 +5,14 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::Length;
+use super::align::upright;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
-use crate::mesh::{Mesh, extrude_wire, point_normals, unit};
+use crate::mesh::{Mesh, extrude_wire, point_normals};
 use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
 use crate::side::Sides;
-use crate::tol::ANGLE_EPSILON;
 use crate::wire::Wire;
 
 /// The direction of an extrusion.
@@ -162,7 +162,7 @@ fn stand(env: &mut Env, shape: &mut ShapeRef<'_>, grown: Mesh, up: DVec3, distan
     }
     let axes = shape.scope.axes;
     // In scope coordinates: turn them so that y is up.
-    let turn = standing(up);
+    let turn = upright(&DMat3::IDENTITY, up, 1);
     let local = grown.map(&DAffine3 { matrix3: turn.transpose(), translation: DVec3::ZERO });
     let mut placed = Placed::fitted(local);
     let axes = axes * turn;
@@ -181,14 +181,6 @@ fn stand(env: &mut Env, shape: &mut ShapeRef<'_>, grown: Mesh, up: DVec3, distan
     }
     shape.scope = scope;
     shape.geometry = Geometry::Mesh(Arc::new(placed));
-}
-
-/// Axes of which y is given; x is the old one projected across it, and where that has no direction −y is (*extrude
-/// operation*).
-fn standing(up: DVec3) -> DMat3 {
-    let across = |old: DVec3| unit(old - up * up.dot(old));
-    let x = if 1.0 - up.x.abs() < ANGLE_EPSILON { across(DVec3::NEG_Y) } else { across(DVec3::X) };
-    DMat3::from_cols(x, up, x.cross(up))
 }
 
 #[cfg(test)]
