@@ -20,7 +20,8 @@ pub enum Spelling {
 
 /// The text of a tree, one declaration a line: imports first, then everything else in source order.
 pub fn print(ast: &Ast, spelling: Spelling) -> String {
-    let mut out = Printer { out: String::new(), spelling };
+    let mut out =
+        Printer { out: String::new(), spelling, imports: ast.imports.iter().map(|import| &*import.id.text).collect() };
     for annotation in &ast.head {
         out.annotation(annotation);
     }
@@ -52,12 +53,14 @@ pub fn print(ast: &Ast, spelling: Spelling) -> String {
     out.out
 }
 
-struct Printer {
+struct Printer<'a> {
     out: String,
     spelling: Spelling,
+    /// Their prefixes.
+    imports: Vec<&'a str>,
 }
 
-impl Printer {
+impl Printer<'_> {
     fn word(&mut self, text: &str) {
         self.out.push_str(text);
     }

@@ -4,7 +4,7 @@ mod common;
 
 use cga_lang::code::Code;
 use cga_lang::compile::{Door, compile, compile_text};
-use cga_lang::diag::{Diag, Diags, Level};
+use cga_lang::diag::{Diags, Level};
 use cga_lang::ir_print::print;
 use cga_lang::lex::{decode, lex};
 use cga_lang::parse::parse;
@@ -175,9 +175,7 @@ fn try_printed(tokens: &Tokens) {
     let mut diags = Diags::new();
     let ast = parse(tokens, &mut diags);
     let odd = |token: &Tok| matches!(token, Tok::Host(_) | Tok::Bad | Tok::Doc(_));
-    // Arguments behind a leaf do nothing and are not printed, though they keep `lib.(2) lib.Wall` apart.
-    let unprinted = |diag: &Diag| diag.level == Level::Error || diag.message.starts_with("a leaf has no arguments");
-    if diags.finish().iter().any(unprinted) || tokens.as_slice().iter().any(odd) {
+    if diags.finish().iter().any(|diag| diag.level == Level::Error) || tokens.as_slice().iter().any(odd) {
         return;
     }
     let text = print_tree(&ast, Spelling::Text);

@@ -4,7 +4,7 @@ use super::Printer;
 use crate::ast::{Annotation, Body, Decl, Import, Name, Override, Role, Style};
 use crate::token::push_quoted;
 
-impl Printer {
+impl Printer<'_> {
     pub(super) fn annotation(&mut self, annotation: &Annotation) {
         self.word("@");
         self.word(&annotation.name.text);

@@ -4,7 +4,7 @@ use super::Printer;
 use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::token::push_quoted;
 
-impl Printer {
+impl Printer<'_> {
     pub(super) fn expr(&mut self, expr: &Expr) {
         match &expr.kind {
             ExprKind::Number(value) => self.word(&value.to_string()),

@@ -3,7 +3,7 @@
 use super::{Printer, Spelling};
 use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, CompArm, Name, Op, OpKind, Percent, Prefix, Split, SplitItem};
 
-impl Printer {
+impl Printer<'_> {
     pub(super) fn ops(&mut self, ops: &[Op]) {
         for op in ops {
             self.word(" ");
@@ -16,7 +16,8 @@ impl Printer {
             OpKind::Call(name, args) => self.call(name, args),
             OpKind::Leaf(name) => {
                 self.word(&name.text);
-                self.word(".");
+                // After the prefix of an import a name would go on; arguments, which do nothing, keep them apart.
+                self.word(if self.imports.contains(&&*name.text) { ".()" } else { "." });
             }
             OpKind::Nil => self.word("NIL"),
             OpKind::Path(name, args) => {
