@@ -45,6 +45,7 @@ codes! {
     MixedBranches "mixed_branches" Error "Conditions and percentages in one block.",
     BranchNotFirst "branch_not_first" Error "A `case` or percentage block after other operations.",
     MissingSize "missing_size" Error "A slot of a split without a size.",
+    EmptyGroup "empty_group" Error "A split, a group or a comp with nothing in it.",
     MisplacedPrefix "misplaced_prefix" Error "`'` or `~` where no size stands.",
     StrayQuote "stray_quote" Warning "A `'` behind a size.",
     NotImplemented "not_implemented" Warning "A part of CGA that is known and does nothing yet.",

@@ -1,5 +1,6 @@
 //! What stands in expressions: division by zero, texture layers that do not exist, conditions that are always the same.
 
+use super::branches::Turn;
 use super::flow::{Facts, Flow, Value};
 use super::{Cx, Use, branches, colour};
 use crate::ast::{Arg, Binary, Expr, ExprKind};
@@ -21,19 +22,22 @@ pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
             diag.note("operations take the result as 0, with a fault");
         }
         ExprKind::Case(arms, other) => {
-            for (condition, value) in arms {
-                branches::check(condition, facts, flow, cx, diags);
-                check(condition, facts, flow, cx, diags);
-                // What is never computed may be anything.
-                let truth = flow.value(condition, facts).truth();
-                if truth != Some(false) {
-                    check(value, facts, flow, cx, diags);
+            // What is never computed may be anything.
+            let (mut left, conditions) = (Some(facts.clone()), arms.iter().map(|arm| &arm.0).collect::<Vec<_>>());
+            for (at, (condition, value)) in arms.iter().enumerate() {
+                let Some(here) = left else { return };
+                let (before, is_last) = (&conditions[..at], at + 1 == arms.len());
+                branches::check(&Turn { condition, before, is_last, first: facts }, &here, flow, cx, diags);
+                check(condition, &here, flow, cx, diags);
+                if let Some(inside) = flow.known.past(condition, true, here.clone()) {
+                    check(value, &inside, flow, cx, diags);
                 }
-                if truth == Some(true) {
-                    return;
-                }
+                left = flow.known.past(condition, false, here);
             }
-            return check(other, facts, flow, cx, diags);
+            if let Some(here) = left {
+                check(other, &here, flow, cx, diags);
+            }
+            return;
         }
         ExprKind::Call(name, args) => {
             if let Some(Use::Builtin(row)) = cx.tables.of(name) {
@@ -58,7 +62,7 @@ pub(super) fn operation(row: &Operation, args: &[Arg], facts: &Facts, flow: &Flo
 fn layers<'e>(params: &[Param], args: impl Iterator<Item = &'e Expr>, facts: &Facts, flow: &Flow, diags: &mut Diags) {
     for (_, arg) in params.iter().zip(args).filter(|(param, _)| param.name.starts_with("uvSet")) {
         let Value::Number(number) = flow.value(arg, facts) else { continue };
-        if number.odd || 0.0 <= number.hi && number.lo <= LAST_LAYER {
+        if number.is_odd() || 0.0 <= number.hi && number.lo <= LAST_LAYER {
             continue;
         }
         let shown = number.known().map_or_else(|| "this".to_owned(), super::size::shown);

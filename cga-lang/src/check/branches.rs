@@ -6,39 +6,161 @@ use super::{Cx, Tables, Use};
 use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
+use crate::ir::ChoiceValues;
+use crate::suggest::nearest;
+
+/// A condition of a `case`, among the others there.
+pub(super) struct Turn<'t, 'e> {
+    pub(super) condition: &'e Expr,
+    /// Those before it, which have failed.
+    pub(super) before: &'t [&'e Expr],
+    pub(super) is_last: bool,
+    /// What is known where the `case` begins.
+    pub(super) first: &'t Facts,
+}
 
 /// Looks at a condition of a `case`.
-pub(super) fn check(condition: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
-    let Some(truth) = flow.value(condition, facts).truth() else { return };
+pub(super) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
+    let condition = turn.condition;
+    let Some(truth) = flow.value(condition, facts).truth() else {
+        // A part of it may be wrong even so.
+        if let Some(stray) = unlisted(condition, cx)
+            && let Some(truth) = flow.value(stray.part, facts).truth()
+        {
+            stray.report(always(stray.part, truth, diags));
+        }
+        return again(turn, cx, diags);
+    };
     if is_decided_by_switch(condition, truth, facts, flow, &cx.tables) {
         return;
     }
-    let word = if truth { "true" } else { "false" };
-    let diag = diags.report(Code::CaseAlways, condition.span, format!("this condition is always {word}"));
-    reasons(condition, truth, facts, flow, diag);
+    // Whoever names the last of all possibilities, has to write `else` even so.
+    if truth && turn.is_last && flow.value(condition, turn.first).truth().is_none() {
+        return;
+    }
+    let diag = always(condition, truth, diags);
+    if let Some(stray) = unlisted(condition, cx) {
+        stray.report(diag);
+    }
+    let mut notes = Vec::new();
+    reasons(condition, truth, facts, flow, &mut notes);
+    notes.dedup();
+    for note in notes {
+        diag.note(note);
+    }
     diag.note(if truth { "what comes after it is never done" } else { "what it leads to is never done" });
 }
 
-/// Says what is known of the numbers that are compared, where that decides.
-fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, diag: &mut Diag) {
-    match &condition.kind {
-        ExprKind::Unary(Unary::Not, operand) => reasons(operand, !truth, facts, flow, diag),
+fn always<'d>(condition: &Expr, truth: bool, diags: &'d mut Diags) -> &'d mut Diag {
+    let word = if truth { "true" } else { "false" };
+    diags.report(Code::CaseAlways, condition.span, format!("this condition is always {word}"))
+}
+
+/// A comparison of an attribute with a text that it never has.
+struct Stray<'e> {
+    part: &'e Expr,
+    attr: &'e str,
+    text: &'e str,
+    /// What may be meant.
+    near: Option<&'e str>,
+}
+
+impl Stray<'_> {
+    fn report(&self, diag: &mut Diag) {
+        let Stray { attr, text, .. } = self;
+        diag.note(format!("`@Enum` of `{attr}` has no \"{text}\""));
+        diag.help(match self.near {
+            Some(near) => format!("did you mean \"{near}\"?"),
+            None => format!("write one of the values in its `@Enum`, or add \"{text}\" there"),
+        });
+    }
+}
+
+/// Looks for one in a condition.
+fn unlisted<'e>(condition: &'e Expr, cx: &'e Cx) -> Option<Stray<'e>> {
+    let (name, text) = match &condition.kind {
+        ExprKind::Unary(Unary::Not, operand) => return unlisted(operand, cx),
         ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => {
-            for side in [left, right] {
-                if flow.value(side, facts).truth() == Some(truth) {
-                    reasons(side, truth, facts, flow, diag);
-                }
+            return unlisted(left, cx).or_else(|| unlisted(right, cx));
+        }
+        ExprKind::Binary(Binary::Eq | Binary::Ne, _, left, right) => match (&left.kind, &right.kind) {
+            (ExprKind::Name(name), ExprKind::Text(text)) | (ExprKind::Text(text), ExprKind::Name(name)) => (name, text),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let Some(Use::Attr(attr)) = cx.tables.of(name) else { return None };
+    let choices = cx.tables.attrs.get(attr as usize)?.choices.as_ref().filter(|choices| choices.restricted)?;
+    let ChoiceValues::Texts(list) = &choices.values else { return None };
+    let near = nearest(text, list.iter().map(String::as_str));
+    (!list.contains(text)).then_some(Stray { part: condition, attr: &name.text, text, near })
+}
+
+/// A condition that has failed before, word for word.
+fn again(turn: &Turn, cx: &Cx, diags: &mut Diags) {
+    let (condition, tokens) = (turn.condition, cx.globals.program.tokens.as_slice());
+    let written = |expr: &Expr| tokens.get(expr.span.first as usize..=expr.span.last as usize);
+    let Some(first) = turn.before.iter().find(|first| written(first) == written(condition)) else { return };
+    if !is_settled(condition, &cx.tables) {
+        return;
+    }
+    let diag = always(condition, false, diags);
+    diag.related("the same condition comes before it", first.span);
+    diag.note("what it leads to is never done");
+}
+
+/// Whether an expression is the same whenever it is computed on one shape: without chance, without Rust.
+fn is_settled(expr: &Expr, tables: &Tables) -> bool {
+    let own = match &expr.kind {
+        ExprKind::Name(name) | ExprKind::Call(name, _) => match tables.of(name) {
+            Some(Use::Builtin(row)) => row.pure || row.name.starts_with("geometry."),
+            Some(Use::Function(_)) | None => false,
+            Some(_) => true,
+        },
+        ExprKind::Path(..) | ExprKind::Chance(..) | ExprKind::Error => false,
+        _ => true,
+    };
+    own && expr.parts().into_iter().all(|part| is_settled(part, tables))
+}
+
+/// Collects what is known of the values that are compared, where that decides.
+fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, notes: &mut Vec<String>) {
+    match &condition.kind {
+        ExprKind::Unary(Unary::Not, operand) => reasons(operand, !truth, facts, flow, notes),
+        ExprKind::Binary(op @ (Binary::And | Binary::Or), _, left, right) => {
+            if flow.value(left, facts).truth() == Some(truth) {
+                reasons(left, truth, facts, flow, notes);
+            }
+            if flow.value(right, facts).truth() == Some(truth) {
+                return reasons(right, truth, facts, flow, notes);
+            }
+            // Or it follows from the other.
+            let goes_on = *op == Binary::And;
+            if let Some(facts) = flow.known.past(left, goes_on, facts.clone()).filter(|_| notes.is_empty()) {
+                reasons(right, truth, &facts, flow, notes);
             }
         }
         ExprKind::Binary(_, _, left, right) => {
             for side in [left, right] {
-                let ExprKind::Name(name) = &side.kind else { continue };
-                if let Value::Number(here) = flow.value(side, facts) {
-                    diag.note(format!("`{}` is {} here", name.text, range(here)));
+                if let (ExprKind::Name(name), Some(here)) = (&side.kind, told(side, facts, flow)) {
+                    notes.push(format!("`{}` is {here} here", name.text));
                 }
             }
         }
+        ExprKind::Name(name) => {
+            notes.extend(told(condition, facts, flow).map(|here| format!("`{}` is {here} here", name.text)));
+        }
         _ => {}
+    }
+}
+
+/// A value as messages show it, if something is known.
+fn told(expr: &Expr, facts: &Facts, flow: &Flow) -> Option<String> {
+    match flow.value(expr, facts) {
+        Value::Number(number) => Some(range(number)).filter(|_| number.lo.is_finite() || number.hi.is_finite()),
+        Value::Truth(Some(truth)) => Some(truth.to_string()),
+        Value::Text(set) => flow.known.told(set),
+        _ => None,
     }
 }
 

@@ -19,7 +19,7 @@ pub(super) fn check(cx: &mut Cx) {
         // are judged by values and other conditions.
         values.visit(&cx.globals, rule, &mut |site, facts| match site {
             Site::Split(_) => {}
-            Site::Condition(condition) => branches::check(condition, facts, &values, cx, &mut diags),
+            Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
             Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
             Site::Operation(row, args) => {
                 arithmetic::operation(row, args, facts, &values, &mut diags);

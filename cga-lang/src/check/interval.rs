@@ -1,43 +1,80 @@
 //! The number domain of the checks: which values a number may have.
 //!
 //! Runs compute in `f64`, rounding to the nearest, and so do these: rounding never turns two results around, so the ends of
-//! an interval bound what a run computes with the same operation, bit for bit. What may be no number, or infinite, is
-//! *odd*; nothing is said about comparisons with it.
+//! an interval bound what a run computes with the same operation, bit for bit. Whether it may be infinite, or no number at
+//! all, is kept beside: what is no number is neither less than anything nor equal to it.
 
-/// Numbers from `lo` to `hi`, and whether there may be others that are none.
+use crate::ast::Binary;
+
+/// Numbers from `lo` to `hi`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Interval {
     pub(super) lo: f64,
     pub(super) hi: f64,
-    /// Whether it may be infinite or no number.
-    pub(super) odd: bool,
+    /// Whether it may be an end that is infinite; without this such an end stands for any number however large.
+    infinite: bool,
+    /// Whether it may be no number.
+    nan: bool,
 }
 
 impl Interval {
     /// Anything a float can be.
-    pub(super) const ALL: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY, odd: true };
+    pub(super) const ALL: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY, infinite: true, nan: true };
+    /// Any number that is finite.
+    pub(super) const FINITE: Interval =
+        Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY, infinite: false, nan: false };
     /// What is always there and never negative, like an extent.
-    pub(super) const EXTENT: Interval = Interval { lo: 0.0, hi: f64::INFINITY, odd: false };
-    pub(super) const ZERO: Interval = Interval { lo: 0.0, hi: 0.0, odd: false };
-    const UNIT: Interval = Interval { lo: -1.0, hi: 1.0, odd: false };
+    pub(super) const EXTENT: Interval = Interval { lo: 0.0, ..Interval::FINITE };
+    pub(super) const ZERO: Interval = Interval::finite(0.0, 0.0);
+    const UNIT: Interval = Interval::finite(-1.0, 1.0);
 
-    pub(super) fn point(value: f64) -> Interval {
-        if value.is_finite() { Interval { lo: value, hi: value, odd: false } } else { Interval::ALL }
+    /// Finite numbers between two ends; infinite ends stand for any number however large.
+    pub(super) const fn finite(lo: f64, hi: f64) -> Interval {
+        Interval { lo, hi, infinite: false, nan: false }
     }
 
-    /// From one number to another, in either order.
+    pub(super) fn point(value: f64) -> Interval {
+        if value.is_finite() { Interval::finite(value, value) } else { Interval::ALL }
+    }
+
+    /// From one number to another, in either order, both included.
     pub(super) fn between(a: f64, b: f64) -> Interval {
-        if a.is_nan() || b.is_nan() { Interval::ALL } else { Interval { lo: a.min(b), hi: a.max(b), odd: false } }
+        if a.is_nan() || b.is_nan() { Interval::ALL } else { Interval::result(a.min(b), a.max(b), false) }
     }
 
     /// The number, if there is only one.
     pub(super) fn known(self) -> Option<f64> {
-        (self.lo == self.hi && !self.odd).then_some(self.lo)
+        (self.lo == self.hi && self.lo.is_finite() && !self.nan).then_some(self.lo)
+    }
+
+    /// Whether it may be infinite or no number.
+    pub(super) fn is_odd(self) -> bool {
+        self.infinite || self.nan
+    }
+
+    /// What of it is finite.
+    pub(super) fn tame(self) -> Interval {
+        Interval { infinite: false, nan: false, ..self }
+    }
+
+    /// What of it can be compared: not what is no number.
+    pub(super) fn ordered(self) -> Interval {
+        Interval { nan: false, ..self }
+    }
+
+    /// Whether it may be no number.
+    pub(super) fn may_be_nan(self) -> bool {
+        self.nan
     }
 
     /// What is in one of two.
     pub(super) fn or(self, other: Interval) -> Interval {
-        Interval { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi), odd: self.odd || other.odd }
+        Interval {
+            lo: self.lo.min(other.lo),
+            hi: self.hi.max(other.hi),
+            infinite: self.infinite || other.infinite,
+            nan: self.nan || other.nan,
+        }
     }
 
     /// Ends that have moved since `before` move on to zero or as far as there is.
@@ -56,57 +93,65 @@ impl Interval {
         } else {
             f64::INFINITY
         };
-        Interval { lo, hi, odd: self.odd }
+        Interval { lo, hi, ..self }
     }
 
-    /// As operations take it: what is no number counts as zero (*CGA changelog 2013.1*).
+    /// As operations take it: what is not finite counts as zero (*CGA changelog 2013.1*).
     pub(super) fn taken(self) -> Interval {
-        if self.odd { Interval { odd: false, ..self }.or(Interval::ZERO) } else { self }
+        if self.is_odd() { self.tame().or(Interval::ZERO) } else { self }
     }
 
     /// The result of an operation of which only the ends are known: where they run out of numbers, so may the result.
-    fn result(lo: f64, hi: f64, odd: bool) -> Interval {
+    fn result(lo: f64, hi: f64, nan: bool) -> Interval {
         if lo.is_nan() || hi.is_nan() {
             return Interval::ALL;
         }
-        Interval { lo, hi, odd: odd || !lo.is_finite() || !hi.is_finite() }
+        Interval { lo, hi, infinite: !lo.is_finite() || !hi.is_finite(), nan }
     }
 
     pub(super) fn neg(self) -> Interval {
-        Interval { lo: -self.hi, hi: -self.lo, odd: self.odd }
+        Interval { lo: -self.hi, hi: -self.lo, ..self }
     }
 
     pub(super) fn add(self, other: Interval) -> Interval {
-        Interval::result(self.lo + other.lo, self.hi + other.hi, self.odd || other.odd)
+        let (up, down) =
+            (|of: Interval| of.infinite && of.hi.is_infinite(), |of: Interval| of.infinite && of.lo.is_infinite());
+        let cancel = up(self) && down(other) || down(self) && up(other);
+        Interval::result(self.lo + other.lo, self.hi + other.hi, cancel || self.nan || other.nan)
     }
 
     pub(super) fn sub(self, other: Interval) -> Interval {
         self.add(other.neg())
     }
 
+    fn has_zero(self) -> bool {
+        self.lo <= 0.0 && 0.0 <= self.hi
+    }
+
     pub(super) fn mul(self, other: Interval) -> Interval {
-        // Nothing times whatever there is, is nothing; what is no number is odd already.
+        // Nothing times whatever number there is, is nothing.
         let times = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
         let all =
             [times(self.lo, other.lo), times(self.lo, other.hi), times(self.hi, other.lo), times(self.hi, other.hi)];
         let (lo, hi) = ends(all);
-        Interval::result(lo, hi, self.odd || other.odd)
+        let none = self.infinite && other.has_zero() || other.infinite && self.has_zero();
+        Interval::result(lo, hi, none || self.nan || other.nan)
     }
 
     pub(super) fn div(self, other: Interval) -> Interval {
-        if other.lo <= 0.0 && 0.0 <= other.hi {
+        if other.has_zero() {
             return Interval::ALL;
         }
         // An unbounded number by an unbounded one comes near everything of its sign, zero included.
         let by = |a: f64, b: f64| if a == 0.0 || b.is_infinite() { 0.0 } else { a / b };
         let all = [by(self.lo, other.lo), by(self.lo, other.hi), by(self.hi, other.lo), by(self.hi, other.hi)];
         let (lo, hi) = ends(all);
-        Interval::result(lo, hi, self.odd || other.odd)
+        Interval::result(lo, hi, self.infinite && other.infinite || self.nan || other.nan)
     }
 
     /// The remainder, with the sign of the dividend.
     pub(super) fn rem(self, other: Interval) -> Interval {
-        if other.lo <= 0.0 && 0.0 <= other.hi || self.odd || other.odd {
+        if other.has_zero() {
             return Interval::ALL;
         }
         if let (Some(a), Some(b)) = (self.known(), other.known()) {
@@ -115,7 +160,7 @@ impl Interval {
         let most = other.lo.abs().max(other.hi.abs());
         let lo = if self.lo < 0.0 { self.lo.max(-most) } else { 0.0 };
         let hi = if 0.0 < self.hi { self.hi.min(most) } else { 0.0 };
-        Interval { lo, hi, odd: false }
+        Interval { nan: self.is_odd() || other.nan, ..Interval::finite(lo, hi) }
     }
 
     pub(super) fn abs(self) -> Interval {
@@ -124,21 +169,30 @@ impl Interval {
         } else if self.hi <= 0.0 {
             self.neg()
         } else {
-            Interval { lo: 0.0, hi: self.hi.max(-self.lo), odd: self.odd }
+            Interval { lo: 0.0, hi: self.hi.max(-self.lo), ..self }
         }
     }
 
     pub(super) fn min(self, other: Interval) -> Interval {
-        Interval { lo: self.lo.min(other.lo), hi: self.hi.min(other.hi), odd: false }.unless(self.odd || other.odd)
+        self.of_both(other, self.lo.min(other.lo), self.hi.min(other.hi))
     }
 
     pub(super) fn max(self, other: Interval) -> Interval {
-        Interval { lo: self.lo.max(other.lo), hi: self.hi.max(other.hi), odd: false }.unless(self.odd || other.odd)
+        self.of_both(other, self.lo.max(other.lo), self.hi.max(other.hi))
+    }
+
+    /// One of two numbers.
+    fn of_both(self, other: Interval, lo: f64, hi: f64) -> Interval {
+        if self.nan || other.nan {
+            return Interval::ALL;
+        }
+        let infinite = (self.infinite || other.infinite) && (lo.is_infinite() || hi.is_infinite());
+        Interval { lo, hi, infinite, nan: false }
     }
 
     /// What a function of the language makes of its arguments, as far as it is known.
     pub(super) fn function(name: &str, args: &[Interval]) -> Interval {
-        let rising = |of: fn(f64) -> f64, arg: Interval| Interval::result(of(arg.lo), of(arg.hi), arg.odd);
+        let rising = |of: fn(f64) -> f64, arg: Interval| Interval { lo: of(arg.lo), hi: of(arg.hi), ..arg };
         match (name, args) {
             ("floor", [a]) => rising(f64::floor, *a),
             ("ceil", [a]) => rising(f64::ceil, *a),
@@ -147,11 +201,11 @@ impl Interval {
             ("abs", [a]) => a.abs(),
             ("min", [a, b]) => a.min(*b),
             ("max", [a, b]) => a.max(*b),
-            ("sin" | "cos", [a]) if !a.odd => Interval::UNIT,
+            ("sin" | "cos", [a]) => Interval { nan: a.is_odd(), ..Interval::UNIT },
             ("float", [a]) => *a,
             ("rand", []) => Interval::between(0.0, 1.0),
-            ("rand", [max]) if !max.odd => max.or(Interval::ZERO),
-            ("rand", [min, max]) if !min.odd && !max.odd => min.or(*max).about(),
+            ("rand", [max]) if !max.is_odd() => max.or(Interval::ZERO),
+            ("rand", [min, max]) if !min.is_odd() && !max.is_odd() => min.or(*max).about(),
             _ => Interval::ALL,
         }
     }
@@ -159,29 +213,42 @@ impl Interval {
     /// With room for what is computed in several steps and off by last bits.
     fn about(self) -> Interval {
         let room = (self.lo.abs() + self.hi.abs()) * 1e-15;
-        Interval::result(self.lo - room, self.hi + room, self.odd)
-    }
-
-    /// Itself, or anything.
-    fn unless(self, odd: bool) -> Interval {
-        if odd { Interval::ALL } else { self }
+        Interval::result(self.lo - room, self.hi + room, self.nan)
     }
 
     /// Whether it is less than the other: `None` when that depends.
     pub(super) fn less(self, other: Interval) -> Option<bool> {
         match () {
-            () if self.odd || other.odd => None,
-            () if self.hi < other.lo => Some(true),
+            () if self.hi < other.lo && !self.nan && !other.nan => Some(true),
             () if other.hi <= self.lo => Some(false),
             () => None,
         }
+    }
+
+    /// Whether it is no more than the other: `None` when that depends.
+    pub(super) fn at_most(self, other: Interval) -> Option<bool> {
+        match () {
+            () if self.hi <= other.lo && !self.nan && !other.nan => Some(true),
+            () if other.hi < self.lo => Some(false),
+            () => None,
+        }
+    }
+
+    /// What of it compares so with some number of another. Ends stay in, so that it does not matter whether they are.
+    pub(super) fn compared(mut self, op: Binary, with: Interval) -> Option<Interval> {
+        match op {
+            Binary::Lt | Binary::Le => self.hi = self.hi.min(with.hi),
+            Binary::Gt | Binary::Ge => self.lo = self.lo.max(with.lo),
+            _ => (self.lo, self.hi) = (self.lo.max(with.lo), self.hi.min(with.hi)),
+        }
+        self.infinite &= self.lo.is_infinite() || self.hi.is_infinite();
+        (self.lo <= self.hi).then_some(self)
     }
 
     /// Whether both are the same number.
     pub(super) fn same(self, other: Interval) -> Option<bool> {
         match (self.known(), other.known()) {
             (Some(a), Some(b)) => Some(a == b),
-            _ if self.odd || other.odd => None,
             _ => (self.hi < other.lo || other.hi < self.lo).then_some(false),
         }
     }
@@ -198,17 +265,28 @@ mod tests {
 
     const SOME: &[f64] = &[-1e300, -7.5, -1.0, -0.1, 0.0, 0.1, 0.3, 1.0, 2.0, 3.2, 60.0, 1e300];
 
+    /// Between any two numbers of the list, as they are, without bounds, and with all that is no number.
     fn intervals() -> impl Iterator<Item = Interval> {
-        SOME.iter().flat_map(|a| SOME.iter().map(|b| Interval::between(*a, *b)))
+        let between = SOME.iter().flat_map(|a| SOME.iter().map(|b| Interval::between(*a, *b)));
+        let open = SOME.iter().flat_map(|a| {
+            let (up, down) = (Interval { lo: *a, ..Interval::FINITE }, Interval { hi: *a, ..Interval::FINITE });
+            [up, down, Interval { infinite: true, ..up }, Interval { infinite: true, nan: true, ..down }]
+        });
+        between.chain(open).chain([Interval::FINITE, Interval::ALL, Interval { nan: true, ..Interval::UNIT }])
     }
 
-    /// Numbers of an interval: its ends and what of the list is between.
+    /// Some numbers of an interval.
     fn members(of: Interval) -> impl Iterator<Item = f64> {
-        SOME.iter().copied().filter(move |value| of.lo <= *value && *value <= of.hi)
+        let odd = [f64::INFINITY, f64::NEG_INFINITY, f64::NAN, f64::MAX, f64::MIN];
+        SOME.iter().copied().chain(odd).filter(move |value| has(of, *value))
     }
 
     fn has(interval: Interval, value: f64) -> bool {
-        if value.is_finite() { interval.lo <= value && value <= interval.hi } else { interval.odd }
+        match value {
+            value if value.is_nan() => interval.nan,
+            value if value.is_infinite() => interval.infinite && (interval.lo == value || interval.hi == value),
+            value => interval.lo <= value && value <= interval.hi,
+        }
     }
 
     #[test]
@@ -237,15 +315,25 @@ mod tests {
     fn functions_and_comparisons_hold_for_every_number() {
         for a in intervals() {
             for x in members(a) {
-                for (name, exact) in [("floor", x.floor()), ("ceil", x.ceil()), ("abs", x.abs())] {
+                for (name, exact) in [
+                    ("floor", x.floor()),
+                    ("ceil", x.ceil()),
+                    ("rint", x.round_ties_even()),
+                    ("sqrt", x.sqrt()),
+                    ("abs", x.abs()),
+                ] {
                     assert!(has(Interval::function(name, &[a]), exact), "{name} of {x} in {a:?}");
                 }
+                assert!(a.known().is_none_or(|known| known == x));
+                assert!(has(a.taken(), if x.is_finite() { x } else { 0.0 }));
             }
             for b in intervals() {
+                let joined = a.or(b);
+                let (less, at_most, same) = (a.less(b), a.at_most(b), a.same(b));
                 for (x, y) in members(a).flat_map(|x| members(b).map(move |y| (x, y))) {
-                    assert!(a.less(b).is_none_or(|less| less == (x < y)), "{x} < {y}");
-                    assert!(a.same(b).is_none_or(|same| same == (x == y)), "{x} == {y}");
-                    let joined = a.or(b);
+                    assert!(less.is_none_or(|less| less == (x < y)), "{x} < {y}");
+                    assert!(at_most.is_none_or(|at_most| at_most == (x <= y)), "{x} <= {y}");
+                    assert!(same.is_none_or(|same| same == (x == y)), "{x} == {y}");
                     assert!(has(joined, x) && has(joined, y) && has(joined.widen(a), y));
                 }
             }
@@ -253,12 +341,15 @@ mod tests {
     }
 
     #[test]
-    fn what_may_be_no_number_is_compared_with_nothing_and_taken_as_zero() {
+    fn what_is_no_number_is_neither_less_nor_the_same_and_is_taken_as_zero() {
         let odd = Interval::point(1.0).div(Interval::ZERO);
         assert_eq!(odd, Interval::ALL);
         assert_eq!(odd.less(Interval::ZERO), None);
         let large = Interval::point(f64::MAX).add(Interval::point(f64::MAX));
-        assert!(large.odd && large.taken().lo == 0.0);
+        assert!(large.is_odd() && large.taken().lo == 0.0);
+        let beyond = Interval { nan: true, ..Interval::finite(5.0, 7.0) };
+        let (two, nine) = (Interval::point(2.0), Interval::point(9.0));
+        assert_eq!((beyond.less(two), beyond.same(two), beyond.less(nine)), (Some(false), Some(false), None));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! What stands in the braces is told by the operation's row in the table. Of an operation that has none it is guessed,
 //! so that the rest of the rule can be read; whoever checks names says that there is no such operation.
 
+use super::comp::ARM;
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Arg, Block, BlockPart, Name, Op, OpKind, Section, Split};
 use crate::ops::{self, Block as Braces};
@@ -32,7 +33,7 @@ impl Parser<'_> {
                 BlockPart::Slots(items, repeat)
             }
             Braces::Sections => return self.perimeter(name, args),
-            Braces::Arms => BlockPart::Arms(self.between_bars(Self::arm)?),
+            Braces::Arms => BlockPart::Arms(self.parts(ARM, Self::arm)?),
             Braces::Ops | Braces::Inline | Braces::None => BlockPart::Ops(self.operands(&name, 1)?),
             Braces::Operands => BlockPart::Ops(self.operands(&name, 2)?),
         };
@@ -107,10 +108,10 @@ impl Parser<'_> {
     }
 
     fn perimeter(&mut self, name: Name, args: Vec<Arg>) -> Parsed<OpKind> {
-        let sections = self.between_bars(Self::section)?;
+        let sections = self.parts("length : depth : operations", Self::section)?;
         let mut parts = vec![BlockPart::Sections(sections, self.eat(Sym::Star))];
         if self.is(Sym::LBrace) {
-            parts.push(BlockPart::Arms(self.between_bars(Self::arm)?));
+            parts.push(BlockPart::Arms(self.parts(ARM, Self::arm)?));
         } else {
             self.expected("`{`").help("write `{ remainder : operations }` behind the sections");
         }

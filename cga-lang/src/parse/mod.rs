@@ -233,6 +233,30 @@ impl<'a> Parser<'a> {
         (result, found)
     }
 
+    /// Reads the parts of a split or comp in the braces here; `form` is what one looks like.
+    fn parts<T>(&mut self, form: &str, mut item: impl FnMut(&mut Self) -> Parsed<T>) -> Parsed<Vec<T>> {
+        let close = self.closing()?;
+        if close == self.at + 1 {
+            let span = self.span().to(self.span_at(close));
+            let list = if self.layout.beside_bad(close) { &mut self.muted } else { &mut self.diags };
+            let diag = list.report(Code::EmptyGroup, span, "nothing stands in these braces");
+            diag.help(format!("write `{form}` in them"));
+            self.at = close + 1;
+            return Ok(Vec::new());
+        }
+        self.between_bars(|parser| {
+            let at = match parser.is(Sym::Bar) {
+                true => parser.at,
+                false if parser.at == close => close - 1,
+                false => return item(parser),
+            };
+            let side = if parser.at == close { "behind" } else { "before" };
+            let diag = parser.syntax(at, format!("nothing stands {side} this `|`"));
+            diag.help(format!("leave out the `|`, or write `{form}` {side} it"));
+            Err(Reported)
+        })
+    }
+
     /// Reads what stands between `|` in the braces here, one call of `item` each, and passes over the closing brace.
     /// An item that fails is left out.
     fn between_bars<T>(&mut self, mut item: impl FnMut(&mut Self) -> Parsed<T>) -> Parsed<Vec<T>> {

@@ -4,10 +4,13 @@
 //! calls agree on; one that a run begins with knows nothing. What a rule is called with in a cycle is widened, so that this
 //! ends. With an error somewhere nobody knows who calls whom, and rules know only what they say themselves.
 
+mod facts;
+mod known;
 mod refine;
 mod shape;
 mod slots;
-mod values;
+mod texts;
+mod value;
 mod walk;
 
 use super::{Globals, Item, Tables, Use};
@@ -15,8 +18,10 @@ use crate::ast::{Body, Op, OpKind};
 use crate::ast_walk::ops;
 use crate::graph::components;
 
+pub(super) use facts::Facts;
+pub(super) use known::{Attrs, Known};
 pub(super) use slots::{MARGIN, Slot, Slots, Sum};
-pub(super) use values::{Attrs, Facts, Known, Value};
+pub(super) use value::Value;
 pub(super) use walk::{Site, called};
 
 use walk::{Visit, Walk};
@@ -29,8 +34,7 @@ const MOST_VISITS: u32 = 12;
 
 /// What is known of a grammar.
 pub(super) struct Flow<'f> {
-    tables: &'f Tables,
-    pub(super) known: Known,
+    pub(super) known: Known<'f>,
     /// By rule: what is known where it begins. `None`: nobody calls it.
     entries: Vec<Option<Facts>>,
     forgets: bool,
@@ -82,9 +86,9 @@ pub(super) fn body<'a>(item: &Item<'a>) -> &'a [Op] {
 
 impl<'f> Flow<'f> {
     /// Finds out what is known. Without `calls` each rule stands alone.
-    pub(super) fn new(globals: &Globals, tables: &'f Tables, calls: Option<&Calls>, mode: Attrs) -> Flow<'f> {
+    pub(super) fn new(globals: &Globals<'f>, tables: &'f Tables, calls: Option<&Calls>, mode: Attrs) -> Flow<'f> {
         let known = Known::new(globals, tables, mode);
-        let mut flow = Flow { tables, known, entries: vec![None; globals.rules.len()], forgets: false };
+        let mut flow = Flow { known, entries: vec![None; globals.rules.len()], forgets: false };
         let Some(calls) = calls else { return flow };
         for &start in &calls.starts {
             flow.entries[start] = Some(Facts::any(globals.rules[start].decl.params.len()));
@@ -107,7 +111,7 @@ impl<'f> Flow<'f> {
     }
 
     /// What values and conditions alone say: sizes that steps set are forgotten.
-    pub(super) fn of_values(globals: &Globals, tables: &'f Tables) -> Flow<'f> {
+    pub(super) fn of_values(globals: &Globals<'f>, tables: &'f Tables) -> Flow<'f> {
         Flow { forgets: true, ..Flow::new(globals, tables, None, Attrs::Accepted) }
     }
 
@@ -152,10 +156,10 @@ impl<'f> Flow<'f> {
         let mut facts = self.entries[rule].clone().unwrap_or_else(|| Facts::any(item.decl.params.len()));
         for (_, local) in &item.decl.locals {
             visit.meet(&Site::Value(local), &facts);
-            let value = self.known.value(self.tables, local, &facts);
+            let value = self.known.value(local, &facts);
             facts.params.push(value);
         }
-        let walk = Walk { tables: self.tables, known: &self.known, forgets: self.forgets };
+        let walk = Walk { known: &self.known, forgets: self.forgets };
         walk.steps(body(item), facts, visit);
     }
 
@@ -166,7 +170,7 @@ impl<'f> Flow<'f> {
 
     /// What is known of an expression.
     pub(super) fn value(&self, expr: &crate::ast::Expr, facts: &Facts) -> Value {
-        self.known.value(self.tables, expr, facts)
+        self.known.value(expr, facts)
     }
 }
 

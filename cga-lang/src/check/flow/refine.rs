@@ -1,7 +1,8 @@
 //! What a condition says of the values in it, for whoever has come past it.
 
-use super::values::Facts;
-use super::walk::Walk;
+use super::facts::{Facts, Global};
+use super::known::Known;
+use super::value::Value;
 use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::check::Use;
 use crate::check::interval::Interval;
@@ -10,89 +11,135 @@ use crate::check::interval::Interval;
 enum Place {
     Size(usize),
     Param(usize),
+    Global(Global),
 }
 
-/// What is known where a condition is true, or false; nothing where that cannot be.
-pub(super) fn refine(walk: &Walk, condition: &Expr, truth: bool, facts: Facts) -> Option<Facts> {
-    match &condition.kind {
-        ExprKind::Unary(Unary::Not, operand) => refine(walk, operand, !truth, facts),
-        ExprKind::Binary(Binary::And, _, left, right) if truth => {
-            refine(walk, right, true, refine(walk, left, true, facts)?)
+impl Known<'_> {
+    /// What is known where a condition is true, or false; nothing where that cannot be.
+    pub(super) fn refine(&self, condition: &Expr, truth: bool, facts: Facts, depth: u32) -> Option<Facts> {
+        match &condition.kind {
+            ExprKind::Unary(Unary::Not, operand) => self.refine(operand, !truth, facts, depth),
+            ExprKind::Binary(Binary::And, _, left, right) if truth => {
+                self.refine(right, true, self.refine(left, true, facts, depth)?, depth)
+            }
+            ExprKind::Binary(Binary::Or, _, left, right) if !truth => {
+                self.refine(right, false, self.refine(left, false, facts, depth)?, depth)
+            }
+            ExprKind::Binary(op, _, left, right) => {
+                let Some(holds) = Holds::new(*op, truth) else { return Some(facts) };
+                if self.place(left).is_none() && self.place(right).is_none() {
+                    return Some(facts);
+                }
+                let (a, b) = (self.within(left, &facts, depth), self.within(right, &facts, depth));
+                let facts = self.narrow(left, &holds, b, facts)?;
+                self.narrow(right, &holds.turned(), a, facts)
+            }
+            ExprKind::Name(_) => self.narrow(condition, &Holds::SAME, Value::Truth(Some(truth)), facts),
+            _ => Some(facts),
         }
-        ExprKind::Binary(Binary::Or, _, left, right) if !truth => {
-            refine(walk, right, false, refine(walk, left, false, facts)?)
-        }
-        ExprKind::Binary(op, _, left, right) => {
-            let Some(op) = settled(*op, truth) else { return Some(facts) };
-            let (a, b) = (number(walk, left, &facts), number(walk, right, &facts));
-            let facts = narrow(walk, left, op, b, facts)?;
-            narrow(walk, right, turned(op), a, facts)
-        }
-        _ => Some(facts),
     }
-}
 
-fn number(walk: &Walk, expr: &Expr, facts: &Facts) -> Interval {
-    walk.known.value(walk.tables, expr, facts).number()
-}
-
-/// The comparison that holds.
-fn settled(op: Binary, truth: bool) -> Option<Binary> {
-    Some(match (op, truth) {
-        (Binary::Lt, true) | (Binary::Ge, false) => Binary::Lt,
-        (Binary::Le, true) | (Binary::Gt, false) => Binary::Le,
-        (Binary::Gt, true) | (Binary::Le, false) => Binary::Gt,
-        (Binary::Ge, true) | (Binary::Lt, false) => Binary::Ge,
-        (Binary::Eq, true) | (Binary::Ne, false) => Binary::Eq,
-        _ => return None,
-    })
-}
-
-fn turned(op: Binary) -> Binary {
-    match op {
-        Binary::Lt => Binary::Gt,
-        Binary::Le => Binary::Ge,
-        Binary::Gt => Binary::Lt,
-        Binary::Ge => Binary::Le,
-        other => other,
-    }
-}
-
-fn place(walk: &Walk, expr: &Expr) -> Option<Place> {
-    let ExprKind::Name(name) = &expr.kind else { return None };
-    match walk.tables.of(name)? {
-        Use::Param(index) => Some(Place::Param(index as usize)),
-        Use::Shape(row) => match row.name {
-            "scope.sx" => Some(Place::Size(0)),
-            "scope.sy" => Some(Place::Size(1)),
-            "scope.sz" => Some(Place::Size(2)),
+    fn place(&self, expr: &Expr) -> Option<Place> {
+        let ExprKind::Name(name) = &expr.kind else { return None };
+        match self.tables.of(name)? {
+            Use::Param(index) => Some(Place::Param(index as usize)),
+            Use::Attr(index) if self.is_constant(index) => Some(Place::Global(Global::Attr(index))),
+            Use::Const(index) => Some(Place::Global(Global::Const(index))),
+            Use::Shape(row) => match row.name {
+                "scope.sx" => Some(Place::Size(0)),
+                "scope.sy" => Some(Place::Size(1)),
+                "scope.sz" => Some(Place::Size(2)),
+                _ => None,
+            },
             _ => None,
-        },
-        _ => None,
+        }
+    }
+
+    /// Cuts off what a comparison with something rules out.
+    fn narrow(&self, expr: &Expr, holds: &Holds, with: Value, mut facts: Facts) -> Option<Facts> {
+        let Some(place) = self.place(expr) else { return Some(facts) };
+        let narrowed = holds.narrowed(self.within(expr, &facts, 0), with)?;
+        match place {
+            Place::Size(axis) => facts.shape.size[axis] = narrowed.number().tame(),
+            Place::Param(index) => {
+                if let Some(param) = facts.params.get_mut(index) {
+                    *param = narrowed;
+                }
+            }
+            Place::Global(global) => facts.set_global(global, narrowed),
+        }
+        Some(facts)
     }
 }
 
-/// Cuts off what a comparison rules out. Ends stay in, so that it does not matter whether they are.
-fn narrow(walk: &Walk, expr: &Expr, op: Binary, with: Interval, mut facts: Facts) -> Option<Facts> {
-    let Some(place) = place(walk, expr) else { return Some(facts) };
-    // What is no number compares as it likes.
-    if with.odd {
-        return Some(facts);
+/// A comparison, and whether that it holds or that it does not is known.
+struct Holds {
+    op: Binary,
+    truth: bool,
+}
+
+impl Holds {
+    const SAME: Holds = Holds { op: Binary::Eq, truth: true };
+
+    fn new(op: Binary, truth: bool) -> Option<Holds> {
+        match op {
+            Binary::Ne => Some(Holds { op: Binary::Eq, truth: !truth }),
+            Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge | Binary::Eq => Some(Holds { op, truth }),
+            _ => None,
+        }
     }
-    let value = match place {
-        Place::Size(axis) => &mut facts.shape.size[axis],
-        Place::Param(index) => match facts.params.get_mut(index) {
-            Some(super::values::Value::Number(number)) => number,
-            _ => return Some(facts),
-        },
-    };
-    if value.odd {
-        return Some(facts);
+
+    /// With the sides the other way round.
+    fn turned(&self) -> Holds {
+        let op = match self.op {
+            Binary::Lt => Binary::Gt,
+            Binary::Le => Binary::Ge,
+            Binary::Gt => Binary::Lt,
+            Binary::Ge => Binary::Le,
+            other => other,
+        };
+        Holds { op, truth: self.truth }
     }
-    match op {
-        Binary::Lt | Binary::Le => value.hi = value.hi.min(with.hi),
-        Binary::Gt | Binary::Ge => value.lo = value.lo.max(with.lo),
-        _ => (value.lo, value.hi) = (value.lo.max(with.lo), value.hi.min(with.hi)),
+
+    /// What is left of a value on the left side, with that on the right; nothing where nothing is.
+    fn narrowed(&self, value: Value, with: Value) -> Option<Value> {
+        Some(match (value, with) {
+            (Value::Number(number), Value::Number(with)) => Value::Number(self.number(number, with)?),
+            (Value::Any, Value::Number(with)) => Value::Number(self.number(Interval::ALL, with)?),
+            (Value::Text(_) | Value::Any, Value::Text(with)) => {
+                let texts = if let Value::Text(texts) = value { texts } else { super::texts::TextSet::ANY };
+                Value::Text(if self.truth { texts.and(with)? } else { texts.without(with)? })
+            }
+            (Value::Truth(_) | Value::Any, Value::Truth(Some(with))) => {
+                let here = with == self.truth;
+                if value.truth() == Some(!here) {
+                    return None;
+                }
+                Value::Truth(Some(here))
+            }
+            _ => value,
+        })
     }
-    (value.lo <= value.hi).then_some(facts)
+
+    fn number(&self, number: Interval, with: Interval) -> Option<Interval> {
+        if self.truth {
+            // What is no number compares with nothing.
+            return number.ordered().compared(self.op, with);
+        }
+        let contrary = match self.op {
+            Binary::Lt => Binary::Ge,
+            Binary::Le => Binary::Gt,
+            Binary::Gt => Binary::Le,
+            Binary::Ge => Binary::Lt,
+            _ => return Some(number),
+        };
+        // A comparison fails with what is no number, too.
+        if with.may_be_nan() {
+            return Some(number);
+        }
+        match number.compared(contrary, with) {
+            None if number.may_be_nan() => Some(number),
+            found => found,
+        }
+    }
 }

@@ -7,9 +7,6 @@ use crate::span::Span;
 /// Thinner than anything that a split divides: faces are planar but for rounding.
 const THIN: f64 = 1e-9;
 
-/// Any size of a scope: always a number, perhaps negative.
-const ANY_SIZE: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY, odd: false };
-
 /// What fills the scope, as far as parts of it keep the sizes of their slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::check) enum Filling {
@@ -32,12 +29,13 @@ pub(in crate::check) struct Shape {
 }
 
 impl Shape {
-    /// Nothing is known.
-    pub(in crate::check) const ANY: Shape = Shape { size: [ANY_SIZE; 3], since: [None; 3], filling: Filling::Unknown };
+    /// Nothing is known. Sizes are always finite, perhaps negative.
+    pub(in crate::check) const ANY: Shape =
+        Shape { size: [Interval::FINITE; 3], since: [None; 3], filling: Filling::Unknown };
 
     /// A face, from that comp: without depth.
     pub(super) fn face(from: Span) -> Shape {
-        let depth = Interval { lo: 0.0, hi: THIN, odd: false };
+        let depth = Interval::finite(0.0, THIN);
         let size = [Interval::EXTENT, Interval::EXTENT, depth];
         Shape { size, since: [None, None, Some(from)], filling: Filling::Unknown }
     }
@@ -101,7 +99,7 @@ impl Shape {
         if distance.known() == Some(0.0) {
             return *self;
         }
-        if distance.odd || distance.lo <= 0.0 && 0.0 <= distance.hi {
+        if distance.is_odd() || distance.lo <= 0.0 && 0.0 <= distance.hi {
             return Shape::ANY;
         }
         Shape { size: [x, distance, y], since: [self.since[0], Some(by), self.since[1]], filling: Filling::Box }
@@ -114,7 +112,7 @@ impl Shape {
             let most = if at == axis { length.hi } else { size.abs().hi };
             // Boxes of meshes are off by last bits.
             let most = most + most * MARGIN;
-            *size = Interval { lo: if 0.0 <= size.lo { 0.0 } else { -most }, hi: most, odd: false };
+            *size = Interval::finite(if 0.0 <= size.lo { 0.0 } else { -most }, most);
         }
         part.since[axis] = Some(by);
         part

@@ -1,6 +1,6 @@
 //! What is known of the sizes of a split, and where it is solved.
 
-use super::values::Facts;
+use super::facts::Facts;
 use crate::ast::{Arg, Op, Prefix, Split, SplitItem};
 use crate::check::interval::Interval;
 use crate::span::Span;
@@ -198,7 +198,7 @@ impl<'a> Slots<'a> {
             return own.unwrap_or(Interval::EXTENT);
         }
         let slot = &self.list[index];
-        let up_to = |most: f64| Interval { lo: 0.0, hi: most.max(0.0), odd: false };
+        let up_to = |most: f64| Interval::finite(0.0, most.max(0.0));
         if slot.floats() {
             return up_to(self.extent.hi);
         }
@@ -211,7 +211,7 @@ impl<'a> Slots<'a> {
             most += value.hi.max(0.0);
         }
         if alone && most * (1.0 + MARGIN) <= self.extent.lo && 0.0 < own.lo {
-            return Interval { lo: own.lo, hi, odd: false };
+            return Interval::finite(own.lo, hi);
         }
         up_to(hi)
     }

@@ -1,12 +1,13 @@
 //! Follows a shape through the steps of a rule.
 
-use super::refine::refine;
+use super::facts::Facts;
+use super::known::Known;
 use super::shape::{Filling, Shape};
 use super::slots::Slots;
-use super::values::{Facts, Known, Value};
+use super::value::Value;
 use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, Expr, Name, Op, OpKind, Split};
-use crate::check::interval::Interval;
-use crate::check::{Tables, Use, split_adjust, split_axis, words};
+use crate::check::branches::Turn;
+use crate::check::{Use, split_adjust, split_axis, words};
 use crate::ops::{Effect, Operation, ShapeAttr};
 use crate::span::Span;
 
@@ -15,7 +16,7 @@ pub(in crate::check) enum Site<'s, 'a> {
     /// A split along an axis of the scope.
     Split(&'s Slots<'a>),
     /// A condition of a `case`, where those before it have failed.
-    Condition(&'a Expr),
+    Condition(&'s Turn<'s, 'a>),
     /// An expression that is computed.
     Value(&'a Expr),
     /// An attribute of the shape is set.
@@ -34,8 +35,7 @@ pub(super) trait Visit<'a> {
 
 /// A way through one rule.
 pub(super) struct Walk<'w> {
-    pub(super) tables: &'w Tables,
-    pub(super) known: &'w Known,
+    pub(super) known: &'w Known<'w>,
     /// Whether sizes that steps set are forgotten.
     pub(super) forgets: bool,
 }
@@ -54,7 +54,7 @@ impl<'w> Walk<'w> {
         match &op.kind {
             OpKind::Call(name, args) => {
                 self.meet_args(args, &facts, visit);
-                match self.tables.of(name) {
+                match self.known.tables.of(name) {
                     Some(Use::Rule(rule)) => self.hand_on(rule, args, &facts, visit),
                     Some(Use::Operation(row)) => {
                         visit.meet(&Site::Operation(row, args), &facts);
@@ -77,7 +77,9 @@ impl<'w> Walk<'w> {
                         visit.meet(&Site::Value(value), &facts);
                     }
                 }
-                if let Some(Use::Rule(rule)) = self.tables.of(rule) {
+                if let Some(Use::Rule(rule)) = self.known.tables.of(rule) {
+                    // Attributes and constants of the import begin anew.
+                    let facts = Facts { globals: Vec::new(), ..facts.clone() };
                     self.hand_on(rule, args, &facts, visit);
                 }
             }
@@ -107,12 +109,12 @@ impl<'w> Walk<'w> {
     }
 
     fn value(&self, expr: &Expr, facts: &Facts) -> Value {
-        self.known.value(self.tables, expr, facts)
+        self.known.value(expr, facts)
     }
 
     fn hand_on<'a>(&self, rule: u32, args: &[Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
         let params = args.iter().map(|arg| self.value(&arg.value, facts)).collect();
-        visit.hand_on(rule, Facts { shape: facts.shape, params });
+        visit.hand_on(rule, facts.with(params));
     }
 
     fn case<'a>(
@@ -123,18 +125,17 @@ impl<'w> Walk<'w> {
         visit: &mut dyn Visit<'a>,
     ) -> Option<Facts> {
         // Whoever comes to a condition has failed those before it.
-        let (mut ends, mut left) = (Vec::new(), Some(facts));
-        for (condition, ops) in arms {
+        let (mut ends, mut left) = (Vec::new(), Some(facts.clone()));
+        let conditions: Vec<&'a Expr> = arms.iter().map(|(condition, _)| condition).collect();
+        for (at, (condition, ops)) in arms.iter().enumerate() {
             let Some(here) = left else { break };
             visit.meet(&Site::Value(condition), &here);
-            visit.meet(&Site::Condition(condition), &here);
-            let truth = self.value(condition, &here).truth();
-            if truth != Some(false)
-                && let Some(inside) = refine(self, condition, true, here.clone())
-            {
+            let turn = Turn { condition, before: &conditions[..at], is_last: at + 1 == arms.len(), first: &facts };
+            visit.meet(&Site::Condition(&turn), &here);
+            if let Some(inside) = self.known.past(condition, true, here.clone()) {
                 ends.extend(self.steps(ops, inside, visit));
             }
-            left = if truth == Some(true) { None } else { refine(self, condition, false, here) };
+            left = self.known.past(condition, false, here);
         }
         if let Some(here) = left {
             ends.extend(self.steps(otherwise, here, visit));
@@ -178,7 +179,7 @@ impl<'w> Walk<'w> {
                     let part = shape(*index);
                     *index += 1;
                     if let Some(shape) = part {
-                        self.steps(ops, Facts { shape, params: facts.params.clone() }, visit);
+                        self.steps(ops, facts.on(shape), visit);
                     }
                 }
                 crate::ast::SplitItem::Group(items, _) => self.items(items, index, facts, visit, shape),
@@ -197,7 +198,7 @@ impl<'w> Walk<'w> {
                 (true, _) => Shape::face(comp.name.span),
                 (false, _) => Shape::ANY,
             };
-            self.steps(&arm.ops, Facts { shape, params: facts.params.clone() }, visit);
+            self.steps(&arm.ops, facts.on(shape), visit);
         }
     }
 
@@ -253,8 +254,8 @@ impl<'w> Walk<'w> {
                 Some(_) => {
                     // What leads beyond the largest number leaves the scope as it is.
                     let product = number.mul(*size);
-                    refused |= product.odd && !(-1.0 <= number.lo && number.hi <= 1.0);
-                    Interval { odd: false, ..product }
+                    refused |= product.is_odd() && !(-1.0 <= number.lo && number.hi <= 1.0);
+                    product.tame()
                 }
             };
         }
@@ -266,18 +267,6 @@ impl<'w> Walk<'w> {
 /// What holds on all of some ways.
 fn joined(ends: Vec<Facts>) -> Option<Facts> {
     ends.into_iter().reduce(|all, next| all.or(&next))
-}
-
-impl Facts {
-    pub(super) fn or(&self, other: &Facts) -> Facts {
-        let params = self.params.iter().zip(&other.params).map(|(a, b)| a.or(*b)).collect();
-        Facts { shape: self.shape.or(&other.shape), params }
-    }
-
-    pub(super) fn widen(&self, before: &Facts) -> Facts {
-        let params = self.params.iter().zip(&before.params).map(|(now, before)| now.widen(*before)).collect();
-        Facts { shape: self.shape.widen(&before.shape), params }
-    }
 }
 
 /// The name of what a slot becomes when that is all, for messages.
