@@ -4,7 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// The wording of rustc around ours belongs to one version.
+/// The wording of rustc around ours belongs to one version. `cga-macros/src/tests/ui.rs` asks for our first lines in all of
+/// them.
 const RUSTC: &str = "rustc 1.95.";
 
 #[test]

@@ -3,3 +3,4 @@
 mod doors;
 mod errors;
 mod expand;
+mod ui;

@@ -1,0 +1,34 @@
+use cga::cga;
+
+cga! {
+    pub grammar Misspelt;
+    import walls : "tests/ui/door/wals.cga"
+    Lot --> extrude(12) comp(f) { side : walls.Wall | top : Roof. }
+}
+
+cga! {
+    pub grammar MisspeltText = r#"
+        import walls : "tests/ui/door/wals.cga"
+        Lot --> extrude(12) comp(f) { side : walls.Wall | top : Roof. }"#;
+}
+
+cga! {
+    pub grammar Broken;
+    import tower : "tests/ui/door/tower.cga"
+    Lot --> split(x) { ~1 : tower.Lot | 6 : Garden. }
+}
+
+cga! {
+    @Deny(unused_import)
+    pub grammar Unused;
+    import walls : "tests/ui/door/walls.cga"
+    Lot --> extrude(12) Wall.
+}
+
+cga! {
+    pub grammar UnusedText = r#"
+        import walls : "tests/ui/door/walls.cga"
+        Lot --> extrude(12) Wall."#;
+}
+
+fn main() {}

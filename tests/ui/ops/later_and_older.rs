@@ -1,0 +1,25 @@
+#![deny(warnings)]
+
+use cga::cga;
+
+cga! {
+    pub grammar Later;
+    Lot --> extrude(12) cleanupGeometry(all, 0.1) Tower.
+}
+
+cga! {
+    pub grammar LaterText = "
+        Lot --> extrude(12) cleanupGeometry(all, 0.1) Tower.";
+}
+
+cga! {
+    pub grammar Older;
+    Lot --> extrude(world.y, 12) Tower.
+}
+
+cga! {
+    pub grammar OlderText = "
+        Lot --> extrude(world.y, 12) Tower.";
+}
+
+fn main() {}
