@@ -142,8 +142,12 @@ impl Reader {
         } else if let Some(text) = super::content::value(literal) {
             self.push_one(Tok::Str(text), span);
         } else if written.starts_with('\'') {
-            let help = "inline, write a relative size as `^0.5` and text as \"…\"";
-            self.bad(span, span, format!("Rust reads {written} as a character"), help);
+            let inside = written.trim_matches('\'');
+            let help = match inside.parse::<u8>() {
+                Ok(_) => format!("inline, write `^{inside}`"),
+                Err(_) => "inline, write a relative size as `^0.5` and text as \"…\"".into(),
+            };
+            self.bad(span, span, format!("Rust reads `{written}` as a character"), &help);
         } else {
             self.bad(span, span, format!("`{written}` has no meaning in CGA"), "text is written \"…\"");
         }
@@ -153,15 +157,20 @@ impl Reader {
     fn number(&mut self, written: &str, first: Span, last: Span) {
         match written.replace('_', "").parse::<f64>() {
             Ok(value) if value.is_finite() => _ = self.push(Tok::Number(value), first, last),
-            _ => match number_and_unit(written) {
+            Ok(_) => {
+                let at = self.push(Tok::Bad, first, last);
+                self.diags.report(Code::BadNumber, at, "this number is too large");
+            }
+            Err(_) => match number_and_unit(written) {
                 Some(value) => {
                     let at = self.push(Tok::Number(value), first, last);
                     let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is no number in CGA"));
                     diag.note(NO_UNITS).help(format!("write `{value}`"));
                 }
                 None => {
-                    let help = "write it in digits, like `12` or `0.5`";
-                    self.bad(first, last, format!("`{written}` is no number in CGA"), help);
+                    let at = self.push(Tok::Bad, first, last);
+                    let diag = self.diags.report(Code::BadNumber, at, format!("`{written}` is no number in CGA"));
+                    diag.help("write it in digits, like `12` or `0.5`");
                 }
             },
         }
@@ -276,7 +285,12 @@ impl Reader {
             }
             None => {
                 let sign = run.chars().next().unwrap_or_default();
-                self.bad(span, span, format!("`{sign}` has no meaning in CGA"), "take it away");
+                let help = match sign {
+                    '&' => "write `&&`",
+                    '?' => "write `case condition : a else : b`",
+                    _ => "take it away",
+                };
+                self.bad(span, span, format!("`{sign}` has no meaning in CGA"), help);
                 1
             }
         }
