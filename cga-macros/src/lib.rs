@@ -72,7 +72,7 @@ fn expand(input: TokenStream) -> TokenStream {
     };
     let mut imports = door::Imports::new();
     let compiled = compile_files(source.unit(), &mut imports, &header.levels);
-    source.import(&compiled, imports.texts());
+    source.import(&compiled, imports.opened());
     let findings = report::findings(&compiled.diags, &source);
     let output = match &compiled.grammar {
         Some(grammar) if !findings.has_errors => codegen::grammar(grammar, &header, &source),

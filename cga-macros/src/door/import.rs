@@ -15,7 +15,14 @@ pub(crate) struct Imports {
     /// The package's folder.
     root: PathBuf,
     /// In the order in which they were opened first.
-    opened: Vec<TextPlace>,
+    opened: Vec<Imported>,
+}
+
+/// A file that was imported.
+pub(crate) struct Imported {
+    pub(super) text: TextPlace,
+    /// The path behind the `import` of the rules themselves that led to it.
+    pub(super) path: String,
 }
 
 impl Imports {
@@ -24,8 +31,8 @@ impl Imports {
         Imports { root, opened: Vec::new() }
     }
 
-    /// The texts, by name.
-    pub(crate) fn texts(self) -> Vec<TextPlace> {
+    /// The files.
+    pub(crate) fn opened(self) -> Vec<Imported> {
         self.opened
     }
 }
@@ -42,8 +49,11 @@ impl Files for Imports {
         };
         let text = text(&self.root.join(name)).map_err(|error| error.to_string())?;
         let lexed = lex(&text);
-        if !self.opened.iter().any(|place| place.name == *name) {
-            self.opened.push(TextPlace { name: name.clone(), written: text, ranges: lexed.ranges });
+        let named = |name: &str| self.opened.iter().find(|file| file.text.name == name);
+        if named(name).is_none() {
+            let path = named(from).map_or(path, |file| &file.path).to_owned();
+            let text = TextPlace { name: name.clone(), written: text, ranges: lexed.ranges };
+            self.opened.push(Imported { text, path });
         }
         Ok(Unit { name: name.clone(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
     }
@@ -59,6 +69,6 @@ impl Files for Imports {
 }
 
 /// Makes the build follow the imported files.
-pub(super) fn follow<'t>(texts: impl Iterator<Item = &'t TextPlace>) -> TokenStream {
-    texts.map(|text| tracking(&Literal::string(&text.name))).collect()
+pub(super) fn follow(files: &[Imported]) -> TokenStream {
+    files.iter().map(|file| tracking(&Literal::string(&file.text.name))).collect()
 }

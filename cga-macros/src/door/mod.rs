@@ -10,10 +10,10 @@ use cga_lang::compile::{Compiled, Door};
 use cga_lang::diag::Diag;
 use cga_lang::link::{Piece, Unit};
 use cga_lang::span;
-use cga_lang::token::Tokens;
+use cga_lang::token::{Sym, Tok, Tokens};
 use proc_macro2::{Ident, Span, TokenStream};
 
-pub(crate) use import::Imports;
+pub(crate) use import::{Imported, Imports};
 
 use crate::header::{Body, Header};
 
@@ -23,9 +23,9 @@ pub(crate) struct Source {
     findings: Vec<Diag>,
     hosts: Vec<Host>,
     place: Place,
-    /// Texts of imported files.
-    imported: Vec<TextPlace>,
-    /// Where each file is among the tokens that spans count, with its text in `imported`; `None` for the rules themselves.
+    /// Imported files.
+    imported: Vec<Imported>,
+    /// Where each file is among the tokens that spans count, with its number in `imported`; `None` for the rules themselves.
     pieces: Vec<(Piece, Option<usize>)>,
 }
 
@@ -112,20 +112,20 @@ impl Source {
     }
 
     /// Takes over what was imported.
-    pub(crate) fn import(&mut self, compiled: &Compiled, texts: Vec<TextPlace>) {
-        let text = |piece: &Piece| {
+    pub(crate) fn import(&mut self, compiled: &Compiled, imported: Vec<Imported>) {
+        let number = |piece: &Piece| {
             let name = compiled.files.get(piece.file)?;
-            if piece.file == 0 { None } else { texts.iter().position(|text| text.name == *name) }
+            if piece.file == 0 { None } else { imported.iter().position(|file| file.text.name == *name) }
         };
-        self.pieces = compiled.pieces.iter().map(|piece| (piece.clone(), text(piece))).collect();
-        self.imported = texts;
+        self.pieces = compiled.pieces.iter().map(|piece| (piece.clone(), number(piece))).collect();
+        self.imported = imported;
     }
 
-    /// The imported text a token belongs to, if any, and the token's number there.
-    fn locate(&self, token: u32) -> (Option<&TextPlace>, u32) {
+    /// The imported file a token belongs to, if any, and the token's number there.
+    fn locate(&self, token: u32) -> (Option<&Imported>, u32) {
         let at = self.pieces.partition_point(|(piece, _)| piece.tokens.start <= token);
         match at.checked_sub(1).map(|at| &self.pieces[at]) {
-            Some((piece, text)) => (text.map(|text| &self.imported[text]), token - piece.tokens.start),
+            Some((piece, file)) => (file.map(|file| &self.imported[file]), token - piece.tokens.start),
             None => (None, token),
         }
     }
@@ -144,14 +144,28 @@ impl Source {
     /// The text a token stands in, and the token's number there; `None` for inline rules.
     pub(crate) fn text(&self, token: u32) -> Option<(&TextPlace, u32)> {
         match (self.locate(token), &self.place) {
-            ((Some(text), token), _) | ((None, token), Place::Text { text, .. }) => Some((text, token)),
+            ((Some(Imported { text, .. }), token), _) | ((None, token), Place::Text { text, .. }) => {
+                Some((text, token))
+            }
             ((None, _), Place::Inline { .. }) => None,
         }
     }
 
-    /// Where a run of tokens begins and ends.
+    /// Where a run of tokens begins and ends; of an imported file the path that led to it.
     pub(crate) fn span(&self, span: span::Span) -> (Span, Span) {
-        (self.ends(span.first).0, self.ends(span.last).1)
+        let path = self.locate(span.first).0.and_then(|file| self.path_of(file));
+        path.unwrap_or_else(|| (self.ends(span.first).0, self.ends(span.last).1))
+    }
+
+    /// Where inline rules name the path that led to a file.
+    fn path_of(&self, file: &Imported) -> Option<(Span, Span)> {
+        let Place::Inline { spans, .. } = &self.place else { return None };
+        let is_import = |tokens: &[Tok]| match tokens {
+            [import, _, Tok::Sym(Sym::Colon), Tok::Str(path)] => import.ident() == Some("import") && *path == file.path,
+            _ => false,
+        };
+        let at = self.tokens.as_slice().windows(4).position(is_import)?;
+        spans.get(at + 3).copied()
     }
 
     /// Where a token begins. Past the end: the end.
@@ -203,6 +217,6 @@ impl Source {
             Place::Inline { .. } => TokenStream::new(),
             Place::Text { tracking, .. } => tracking.clone(),
         };
-        own.into_iter().chain(import::follow(self.imported.iter())).collect()
+        own.into_iter().chain(import::follow(&self.imported)).collect()
     }
 }

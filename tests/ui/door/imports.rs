@@ -12,10 +12,17 @@ cga! {
         Lot --> extrude(12) comp(f) { side : walls.Wall | top : Roof. }"#;
 }
 
+// The mistake is in `tower.cga`.
 cga! {
     pub grammar Broken;
     import tower : "tests/ui/door/tower.cga"
     Lot --> split(x) { ~1 : tower.Lot | 6 : Garden. }
+}
+
+cga! {
+    pub grammar BrokenFarther;
+    import town : "tests/ui/door/town.cga"
+    Lot --> split(x) { ~1 : town.Block | 6 : Garden. }
 }
 
 cga! {
