@@ -181,7 +181,7 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
     // A break with no error is the sink's.
     let mut flow = if cx.env.error.is_some() { Flow::Break(()) } else { Flow::Continue(()) };
     if flow.is_continue() {
-        flow = R::start(&values, &mut cx, start, shape.clone());
+        flow = R::start(&values, &mut cx, start, shape.without_trim_planes());
     }
     while flow.is_continue() {
         let Some(next) = cx.waiting.pop_front() else { break };

@@ -404,6 +404,11 @@ impl<'a> ShapeRef<'a> {
         }
     }
 
+    /// The same shape as one that a run begins with: trim planes are where earlier operations put them.
+    pub(crate) fn without_trim_planes(&self) -> Shape {
+        Shape { trims: Trims::None, ..self.detach() }
+    }
+
     /// The same shape, borrowing nothing.
     pub(crate) fn detach(&self) -> Shape {
         Shape {

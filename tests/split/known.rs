@@ -39,6 +39,7 @@ macro_rules! twins {
                     Shape::cuboid(7.0, 4.0, 2.0),
                     Shape::line([0.0; 3], [3.0, 1.0, 0.0]).unwrap(),
                     Shape::footprint(&[[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [2.0, 1.0]], &[]).unwrap(),
+                    Shape::footprint(&[[0., 0.], [0., 6.], [3., 6.], [3., 3.], [6., 3.], [6., 0.]], &[]).unwrap(),
                 ];
                 let mut seen = 0;
                 for shape in &shapes {
@@ -82,6 +83,11 @@ twins! {
         primitiveQuad() split(x) { ~1 : C. | ~2 : D. } comp(f) { all : split(x) { ~1 : E. | 2 : F. } }
         s(five, five, five) i("nowhere.obj") split(x) { ~1 : G. | ~1 : H. } center(xyz) split(z) { ~1 : I. }
     }
+    operations_that_leave_the_scope_alone {
+        Lot --> s(five, three, 1) primitiveCube() reverseNormals() split(x) { tenth : A. | ~1 : split(x) { ~tenth : B. | ~1 : split(z) { tenth : C. } } }
+        mirror(true, false, true) split(y) { tenth : D. | ~1 : E. } trim() split(z) { tenth : F. | ~1 : split(y) { three : G. } }
+        i("nowhere.obj") split(x, noAdjust) { three : split(x) { 1 : H. | ~1 : I. } | ~1 : J. }
+    }
     rules_called_from_many_places {
         Lot --> s(five, three, 1) primitiveCube() Part(1) s(three, three, 1) Part(2) t(1, 1, 1) r(0, 30, 0) color("#ff0000") Part(3) Only(1) Only(2)
         Part(n) --> split(x) { ~1 : A. | n : Inner(n) } split(y) { ~1 : B. | 1 : C. }
@@ -94,6 +100,10 @@ twins! {
     }
     things_the_macro_leaves_to_the_run {
         Lot --> s(five, three, 1) primitiveCube() split(x) { ~0.01 : A. }* splitArea(x) { 1 : B. | ~1 : C. } split(x) { rand(1) : D. | ~1 : split(y) { ~1 : E. } }
+    }
+    boxes_that_are_cut_at_trim_planes {
+        Lot --> extrude(4) comp(f) { side : Wall | all : X. }
+        Wall --> s(three, 4, three) primitiveCube() split(x) { 1.5 : split(z) { 1 : A. | ~1 : B. } | ~1 : split(z) { ~1 : C. | 1 : D. } }
     }
     too_small_for_the_run {
         Lot --> s(0.0000001, three, 1) primitiveCube() split(x) { ~1 : A. | ~1 : B. }

@@ -149,7 +149,7 @@ fn sizes(list: &[Op], tables: &Tables) -> bool {
     ops(list, &mut |op| {
         found |= match &op.kind {
             OpKind::Call(name, _) => match tables.of(name) {
-                Some(Use::Operation(row)) => row.scope != Effect::Keeps,
+                Some(Use::Operation(row)) => !matches!(row.scope, Effect::Keeps | Effect::KeepsSize),
                 Some(Use::Rule(_) | Use::Leaf | Use::SetAttr(_)) => false,
                 _ => true,
             },

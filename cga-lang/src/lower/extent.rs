@@ -18,15 +18,29 @@ struct Known {
     size: [Option<f64>; 3],
     /// The geometry is a box that fills the scope, so parts of it fill their slots.
     solid: bool,
+    /// Trim planes may cut what is put into the scope.
+    trimmed: bool,
 }
 
-const NOTHING: Known = Known { size: [None; 3], solid: false };
+const NOTHING: Known = Known { size: [None; 3], solid: false, trimmed: true };
+
+/// Of an initial shape, which has no trim planes.
+const INITIAL: Known = Known { trimmed: false, ..NOTHING };
 
 impl Known {
     /// What holds on both ways.
     fn and(self, other: Known) -> Known {
         let both = |axis: usize| self.size[axis].filter(|size| other.size[axis] == Some(*size));
-        Known { size: [both(0), both(1), both(2)], solid: self.solid && other.solid }
+        Known {
+            size: [both(0), both(1), both(2)],
+            solid: self.solid && other.solid,
+            trimmed: self.trimmed || other.trimmed,
+        }
+    }
+
+    /// With another scope.
+    fn moved_on(self) -> Known {
+        Known { trimmed: self.trimmed, ..NOTHING }
     }
 
     /// Whether it certainly extends along all axes.
@@ -41,7 +55,7 @@ impl Known {
         });
         let (Some(x), Some(y), Some(z)) = (sizes.next().flatten(), sizes.next().flatten(), sizes.next().flatten())
         else {
-            return NOTHING;
+            return self.moved_on();
         };
         let sized = Known { size: [x, y, z], ..self };
         // A box without an extent is flat for good.
@@ -74,7 +88,7 @@ pub(super) fn solve_known(grammar: &mut Grammar) {
     let mut entries: Vec<Option<Known>> = vec![None; grammar.rules.len()];
     let mut changed: Vec<RuleId> = Vec::new();
     for start in &grammar.starts {
-        entries[start.rule.0 as usize] = Some(NOTHING);
+        entries[start.rule.0 as usize] = Some(INITIAL);
         changed.push(start.rule);
     }
     // What a rule knows only shrinks, so this ends.
@@ -136,12 +150,13 @@ fn after(step: &Step, known: Known) -> Known {
     match step {
         Step::Do(row, args, _) => match row.scope {
             Effect::Keeps => known,
+            Effect::KeepsSize => Known { solid: false, ..known },
             Effect::Sizes => known.resize(args),
-            Effect::FillsWithBox if known.has_room() => Known { solid: true, ..known },
+            Effect::FillsWithBox if known.has_room() => Known { solid: !known.trimmed, ..known },
             Effect::Fills if known.has_room() => Known { solid: false, ..known },
-            Effect::Any | Effect::FillsWithBox | Effect::Fills => NOTHING,
+            Effect::Any | Effect::FillsWithBox | Effect::Fills => known.moved_on(),
         },
-        Step::SetShape(row, ..) if row.name.starts_with("scope.") => NOTHING,
+        Step::SetShape(row, ..) if row.name.starts_with("scope.") => known.moved_on(),
         Step::Rust(..) => NOTHING,
         _ => known,
     }
@@ -150,7 +165,7 @@ fn after(step: &Step, known: Known) -> Known {
 /// What is known of the parts in a slot.
 fn part(split: &Split, slot: usize, known: Known) -> Known {
     if split.adjust && !known.solid {
-        return NOTHING;
+        return known.moved_on();
     }
     let mut part = known;
     let axis = split.axis as usize;

@@ -61,6 +61,8 @@ pub enum Effect {
     Any,
     /// Nothing; the geometry stays in its place in the scope too.
     Keeps,
+    /// Nothing, but the geometry in it changes.
+    KeepsSize,
     /// Sets it: `s`.
     Sizes,
     /// Puts a box into a scope that has a size along all axes, and leaves that as it is.

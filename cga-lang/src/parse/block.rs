@@ -33,7 +33,7 @@ impl Parser<'_> {
                 BlockPart::Slots(items, repeat)
             }
             Braces::Sections => return self.perimeter(name, args),
-            Braces::Arms => BlockPart::Arms(self.parts(ARM, Self::arm)?),
+            Braces::Arms => BlockPart::Arms(self.between_bars(Some(ARM), Self::arm)?),
             Braces::Ops | Braces::Inline | Braces::None => BlockPart::Ops(self.operands(&name, 1)?),
             Braces::Operands => BlockPart::Ops(self.operands(&name, 2)?),
         };
@@ -90,7 +90,7 @@ impl Parser<'_> {
     /// Steps on so many sides of `|`. What cannot be read is an error step.
     fn operands(&mut self, name: &Name, count: usize) -> Parsed<Vec<Vec<Op>>> {
         let close = self.closing()?;
-        let list = self.between_bars(|parser| {
+        let list = self.between_bars(None, |parser| {
             let start = parser.at;
             Ok(parser.ops(false).unwrap_or_else(|Reported| {
                 parser.skip_to_bar(close);
@@ -108,10 +108,10 @@ impl Parser<'_> {
     }
 
     fn perimeter(&mut self, name: Name, args: Vec<Arg>) -> Parsed<OpKind> {
-        let sections = self.parts("length : depth : operations", Self::section)?;
+        let sections = self.between_bars(Some("length : depth : operations"), Self::section)?;
         let mut parts = vec![BlockPart::Sections(sections, self.eat(Sym::Star))];
         if self.is(Sym::LBrace) {
-            parts.push(BlockPart::Arms(self.parts(ARM, Self::arm)?));
+            parts.push(BlockPart::Arms(self.between_bars(Some(ARM), Self::arm)?));
         } else {
             self.expected("`{`").help("write `{ remainder : operations }` behind the sections");
         }

@@ -12,7 +12,7 @@ impl Parser<'_> {
     /// Behind the word `comp`.
     pub(super) fn comp(&mut self, name: Name) -> Parsed<OpKind> {
         let args = self.comp_args("operations", Self::args)?;
-        let arms = self.parts(ARM, Self::arm)?;
+        let arms = self.between_bars(Some(ARM), Self::arm)?;
         self.not_repeated("comp");
         Ok(OpKind::Comp(Comp { name, args, arms }))
     }
@@ -21,7 +21,7 @@ impl Parser<'_> {
     pub(super) fn comp_value(&mut self, name: Name, start: usize) -> Parsed<Part> {
         let args = self.comp_args("value", |parser| parser.call_args("comp"))?;
         let mut deepest = args.iter().map(|(_, depth)| *depth).max().unwrap_or(0);
-        let arms = self.parts("selector : value", |parser| {
+        let arms = self.between_bars(Some("selector : value"), |parser| {
             let (selector, one) = parser.deep_expr()?;
             let mode = parser.arm_mode()?;
             let (value, other) = parser.deep_expr()?;

@@ -233,38 +233,16 @@ impl<'a> Parser<'a> {
         (result, found)
     }
 
-    /// Reads the parts of a split or comp in the braces here; `form` is what one looks like.
-    fn parts<T>(&mut self, form: &str, mut item: impl FnMut(&mut Self) -> Parsed<T>) -> Parsed<Vec<T>> {
-        let close = self.closing()?;
-        if close == self.at + 1 {
-            let span = self.span().to(self.span_at(close));
-            let list = if self.layout.beside_bad(close) { &mut self.muted } else { &mut self.diags };
-            let diag = list.report(Code::EmptyGroup, span, "nothing stands in these braces");
-            diag.help(format!("write `{form}` in them"));
-            self.at = close + 1;
-            return Ok(Vec::new());
-        }
-        self.between_bars(|parser| {
-            let at = match parser.is(Sym::Bar) {
-                true => parser.at,
-                false if parser.at == close => close - 1,
-                false => return item(parser),
-            };
-            let side = if parser.at == close { "behind" } else { "before" };
-            let diag = parser.syntax(at, format!("nothing stands {side} this `|`"));
-            diag.help(format!("leave out the `|`, or write `{form}` {side} it"));
-            Err(Reported)
-        })
-    }
-
     /// Reads what stands between `|` in the braces here, one call of `item` each, and passes over the closing brace.
-    /// An item that fails is left out.
-    fn between_bars<T>(&mut self, mut item: impl FnMut(&mut Self) -> Parsed<T>) -> Parsed<Vec<T>> {
+    /// An item that fails is left out. `form` is what an item looks like, where there has to be one.
+    fn between_bars<T>(&mut self, form: Option<&str>, mut item: impl FnMut(&mut Self) -> Parsed<T>) -> Parsed<Vec<T>> {
         let close = self.closing()?;
         self.bump();
         let mut items = Vec::new();
         while self.tick() {
-            if let Ok(one) = self.bracketed(false, &mut item) {
+            if let Some(form) = form.filter(|_| self.at == close || self.is(Sym::Bar)) {
+                self.missing_part(form, close);
+            } else if let Ok(one) = self.bracketed(false, &mut item) {
                 items.push(one);
                 if self.at < close && self.is(Sym::Comma) {
                     self.syntax(self.at, "`|` stands between slots").help("write `|` for `,`");
@@ -283,6 +261,21 @@ impl<'a> Parser<'a> {
         }
         self.at = close + 1;
         Ok(items)
+    }
+
+    /// Nothing stands here, before a `|` or the end of the braces.
+    fn missing_part(&mut self, form: &str, close: usize) {
+        let before = self.at - 1;
+        if self.at == close && self.layout.at(before).is_some_and(|token| token.is(Sym::LBrace)) {
+            let span = self.span_at(before).to(self.span());
+            let list = if self.layout.beside_bad(close) { &mut self.muted } else { &mut self.diags };
+            let diag = list.report(Code::EmptyGroup, span, "nothing stands in these braces");
+            diag.help(format!("write `{form}` in them"));
+            return;
+        }
+        let (at, side) = if self.at == close { (before, "behind") } else { (self.at, "before") };
+        let diag = self.syntax(at, format!("nothing stands {side} this `|`"));
+        diag.help(format!("leave out the `|`, or write `{form}` {side} it"));
     }
 
     /// Skips to the end of what stands between `|`.

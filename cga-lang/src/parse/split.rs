@@ -22,7 +22,7 @@ impl Parser<'_> {
     }
 
     pub(super) fn items(&mut self) -> Parsed<(Vec<SplitItem>, bool)> {
-        let items = self.parts("size : operations", Self::slot)?;
+        let items = self.between_bars(Some("size : operations"), Self::slot)?;
         Ok((items, self.eat(Sym::Star)))
     }
 

@@ -26,6 +26,11 @@ impl Facts {
         Facts { shape: Shape::ANY, params: vec![Value::Any; params], globals: Vec::new() }
     }
 
+    /// Nothing but that a run begins there.
+    pub(super) fn initial(params: usize) -> Facts {
+        Facts { shape: Shape::INITIAL, ..Facts::any(params) }
+    }
+
     /// The same values on another shape.
     pub(super) fn on(&self, shape: Shape) -> Facts {
         Facts { shape, params: self.params.clone(), globals: self.globals.clone() }

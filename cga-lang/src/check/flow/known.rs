@@ -177,37 +177,43 @@ impl<'f> Known<'f> {
             },
             ExprKind::Unary(Unary::Not, operand) => Value::Truth(value(operand).truth().map(|truth| !truth)),
             ExprKind::Binary(op @ (Binary::And | Binary::Or), _, left, right) => {
-                let (goes_on, left_is) = (*op == Binary::And, value(left));
-                if left_is.truth() == Some(!goes_on) {
-                    return left_is;
-                }
-                // Both are computed, but the right side counts only where the left one does not decide.
-                match self.refine(left, goes_on, facts.clone(), depth) {
-                    Some(facts) => Value::binary(*op, left_is, self.within(right, &facts, depth)),
-                    None => Value::Truth(Some(!goes_on)),
-                }
+                self.both(*op, left, right, facts, depth)
             }
             ExprKind::Binary(op, _, left, right) => Value::binary(*op, value(left), value(right)),
-            ExprKind::Case(arms, otherwise) => {
-                let (mut found, mut left) = (None, Some(facts.clone()));
-                for (condition, result) in arms {
-                    let Some(here) = left else { break };
-                    let truth = self.within(condition, &here, depth).truth();
-                    let refined = |truth| self.refine(condition, truth, here.clone(), depth);
-                    if let Some(inside) = refined(true).filter(|_| truth != Some(false)) {
-                        let result = self.within(result, &inside, depth);
-                        found = Some(found.map_or(result, |found: Value| found.or(result)));
-                    }
-                    left = refined(false).filter(|_| truth != Some(true));
-                }
-                let otherwise = left.map(|here| self.within(otherwise, &here, depth));
-                found.into_iter().chain(otherwise).reduce(Value::or).unwrap_or(Value::Any)
-            }
+            ExprKind::Case(arms, otherwise) => self.case(arms, otherwise, facts, depth),
             ExprKind::Chance(arms, otherwise) => {
                 arms.iter().fold(value(otherwise), |all, (_, result)| all.or(value(result)))
             }
             _ => Value::Any,
         }
+    }
+
+    /// `&&` or `||`. Both sides are computed, but the right one counts only where the left one does not decide.
+    fn both(&self, op: Binary, left: &Expr, right: &Expr, facts: &Facts, depth: u32) -> Value {
+        let (goes_on, left_is) = (op == Binary::And, self.within(left, facts, depth));
+        if left_is.truth() == Some(!goes_on) {
+            return left_is;
+        }
+        match self.refine(left, goes_on, facts.clone(), depth) {
+            Some(facts) => Value::binary(op, left_is, self.within(right, &facts, depth)),
+            None => Value::Truth(Some(!goes_on)),
+        }
+    }
+
+    fn case(&self, arms: &[(Expr, Expr)], otherwise: &Expr, facts: &Facts, depth: u32) -> Value {
+        let (mut found, mut left) = (None, Some(facts.clone()));
+        for (condition, result) in arms {
+            let Some(here) = left else { break };
+            let truth = self.within(condition, &here, depth).truth();
+            let refined = |truth| self.refine(condition, truth, here.clone(), depth);
+            if let Some(inside) = refined(true).filter(|_| truth != Some(false)) {
+                let result = self.within(result, &inside, depth);
+                found = Some(found.map_or(result, |found: Value| found.or(result)));
+            }
+            left = refined(false).filter(|_| truth != Some(true));
+        }
+        let otherwise = left.map(|here| self.within(otherwise, &here, depth));
+        found.into_iter().chain(otherwise).reduce(Value::or).unwrap_or(Value::Any)
     }
 
     fn used(&self, found: Use, args: Vec<Value>, facts: &Facts, depth: u32) -> Value {

@@ -91,7 +91,7 @@ impl<'f> Flow<'f> {
         let mut flow = Flow { known, entries: vec![None; globals.rules.len()], forgets: false };
         let Some(calls) = calls else { return flow };
         for &start in &calls.starts {
-            flow.entries[start] = Some(Facts::any(globals.rules[start].decl.params.len()));
+            flow.entries[start] = Some(Facts::initial(globals.rules[start].decl.params.len()));
         }
         let mut called = vec![false; globals.rules.len()];
         for (caller, callees) in calls.edges.iter().enumerate() {
@@ -102,7 +102,7 @@ impl<'f> Flow<'f> {
             for &rule in &component {
                 // Nobody knows how a rule that no other calls is used.
                 if !called[rule] && flow.entries[rule].is_none() {
-                    flow.entries[rule] = Some(Facts::any(globals.rules[rule].decl.params.len()));
+                    flow.entries[rule] = Some(Facts::initial(globals.rules[rule].decl.params.len()));
                 }
             }
             flow.settle(globals, component);

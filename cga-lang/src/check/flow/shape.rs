@@ -26,24 +26,44 @@ pub(in crate::check) struct Shape {
     /// The step that a size comes from, where it is one.
     pub(in crate::check) since: [Option<Span>; 3],
     pub(in crate::check) filling: Filling,
+    /// Trim planes may cut what is put into the scope.
+    pub(in crate::check) trimmed: bool,
 }
 
 impl Shape {
     /// Nothing is known. Sizes are always finite, perhaps negative.
     pub(in crate::check) const ANY: Shape =
-        Shape { size: [Interval::FINITE; 3], since: [None; 3], filling: Filling::Unknown };
+        Shape { size: [Interval::FINITE; 3], since: [None; 3], filling: Filling::Unknown, trimmed: true };
+
+    /// An initial shape: without trim planes.
+    pub(super) const INITIAL: Shape = Shape { trimmed: false, ..Shape::ANY };
+
+    /// With another scope, of which nothing is known.
+    pub(super) fn moved_on(&self) -> Shape {
+        Shape { trimmed: self.trimmed, ..Shape::ANY }
+    }
 
     /// A face, from that comp: without depth.
     pub(super) fn face(from: Span) -> Shape {
-        let depth = Interval::finite(0.0, THIN);
-        let size = [Interval::EXTENT, Interval::EXTENT, depth];
-        Shape { size, since: [None, None, Some(from)], filling: Filling::Unknown }
+        let size = [Interval::EXTENT, Interval::EXTENT, Interval::finite(0.0, THIN)];
+        Shape { size, since: [None, None, Some(from)], ..Shape::ANY }
     }
 
-    /// A face of a box: a rectangle.
-    pub(super) fn face_of_box(from: Span) -> Shape {
-        let face = Shape::face(from);
-        Shape { size: [face.size[0], face.size[1], Interval::ZERO], filling: Filling::Sheet, ..face }
+    /// What a selector takes of its faces, from that comp, where it is a box: rectangles. Without a selector any of them.
+    pub(super) fn face_of_box(&self, selector: Option<&str>, from: Span) -> Shape {
+        let [x, y, z] = [0, 1, 2].map(|axis| (self.extent(axis), self.since[axis]));
+        let either =
+            |a: (Interval, Option<Span>), b: (Interval, Option<Span>)| (a.0.or(b.0), a.1.filter(|_| a.1 == b.1));
+        // The sides stand upright; those above and below lie along the scope.
+        let (width, height) = match selector {
+            Some("front" | "back") => (x, y),
+            Some("left" | "right") => (z, y),
+            Some("side" | "vertical") => (either(x, z), y),
+            Some("top" | "bottom" | "horizontal") => (x, z),
+            _ => (either(x, z), either(y, z)),
+        };
+        let (size, since) = ([width.0, height.0, Interval::ZERO], [width.1, height.1, Some(from)]);
+        Shape { size, since, filling: Filling::Sheet, trimmed: true }
     }
 
     /// The extent along an axis, never negative.
@@ -66,7 +86,7 @@ impl Shape {
         let size = [0, 1, 2].map(|axis| self.size[axis].or(other.size[axis]));
         let since = [0, 1, 2].map(|axis| self.since[axis].filter(|_| self.since[axis] == other.since[axis]));
         let filling = if self.filling == other.filling { self.filling } else { Filling::Unknown };
-        Shape { size, since, filling }
+        Shape { size, since, filling, trimmed: self.trimmed || other.trimmed }
     }
 
     pub(super) fn widen(&self, before: &Shape) -> Shape {
@@ -87,22 +107,23 @@ impl Shape {
             Filling::Sheet if size[2] == Interval::ZERO && 0.0 < size[0].lo && 0.0 < size[1].lo => Filling::Sheet,
             _ => Filling::Unknown,
         };
-        Shape { size, since, filling }
+        Shape { size, since, filling, ..*self }
     }
 
     /// After `extrude`: a rectangle without depth becomes a box whose y axis is the way it grew.
     pub(super) fn extruded(&self, distance: Interval, by: Span) -> Shape {
         let [x, y, z] = self.size;
         if self.filling != Filling::Sheet || z != Interval::ZERO || x.lo < 0.0 || y.lo < 0.0 {
-            return Shape::ANY;
+            return self.moved_on();
         }
         if distance.known() == Some(0.0) {
             return *self;
         }
         if distance.is_odd() || distance.lo <= 0.0 && 0.0 <= distance.hi {
-            return Shape::ANY;
+            return self.moved_on();
         }
-        Shape { size: [x, distance, y], since: [self.since[0], Some(by), self.since[1]], filling: Filling::Box }
+        let since = [self.since[0], Some(by), self.since[1]];
+        Shape { size: [x, distance, y], since, filling: Filling::Box, ..*self }
     }
 
     /// A part that shrinks to what is in it: no larger than its slot and the shape.

@@ -5,7 +5,7 @@ use super::known::Known;
 use super::shape::{Filling, Shape};
 use super::slots::Slots;
 use super::value::Value;
-use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, Expr, Name, Op, OpKind, Split};
+use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, Expr, ExprKind, Name, Op, OpKind, Split};
 use crate::check::branches::Turn;
 use crate::check::{Use, split_adjust, split_axis, words};
 use crate::ops::{Effect, Operation, ShapeAttr};
@@ -63,7 +63,7 @@ impl<'w> Walk<'w> {
                     Some(Use::SetShape(row)) => {
                         args.get(1).into_iter().for_each(|arg| visit.meet(&Site::Set(row, &arg.value), &facts));
                         if row.name.starts_with("scope.") {
-                            facts.shape = Shape::ANY;
+                            facts.shape = facts.shape.moved_on();
                         }
                     }
                     Some(Use::Leaf | Use::SetAttr(_)) => {}
@@ -189,12 +189,20 @@ impl<'w> Walk<'w> {
 
     fn comp<'a>(&self, comp: &'a Comp, facts: &Facts, visit: &mut dyn Visit<'a>) {
         let word = |index: usize| comp.args.get(index).and_then(words::word);
-        let faces = word(0) == Some("f") && matches!(word(1), None | Some("zUp"));
+        let (faces, z_up) = (word(0) == Some("f"), word(1) == Some("zUp"));
+        let faces = faces && (z_up || word(1).is_none());
         for arm in &comp.arms {
             // With the component as current shape.
             visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
+            let selector = match &arm.selector.kind {
+                ExprKind::Name(name) => match self.known.tables.of(name) {
+                    Some(Use::Selector(word)) => Some(word),
+                    _ => None,
+                },
+                _ => None,
+            };
             let shape = match (faces && arm.mode == ArmMode::Each, facts.shape.filling) {
-                (true, Filling::Box) => Shape::face_of_box(comp.name.span),
+                (true, Filling::Box) if !z_up => facts.shape.face_of_box(selector, comp.name.span),
                 (true, _) => Shape::face(comp.name.span),
                 (false, _) => Shape::ANY,
             };
@@ -229,18 +237,20 @@ impl<'w> Walk<'w> {
         let shape = facts.shape;
         match row.scope {
             Effect::Keeps => shape,
-            _ if self.forgets => Shape::ANY,
+            Effect::KeepsSize => Shape { filling: Filling::Unknown, ..shape },
+            _ if self.forgets => shape.moved_on(),
             Effect::Sizes => match args {
                 [x, y, z] => self.sized(shape, [x, y, z], facts, span),
-                _ => Shape::ANY,
+                _ => shape.moved_on(),
             },
-            Effect::FillsWithBox if shape.has_room() => Shape { filling: Filling::Box, ..shape },
+            Effect::FillsWithBox if shape.has_room() && !shape.trimmed => Shape { filling: Filling::Box, ..shape },
+            Effect::FillsWithBox if shape.has_room() => Shape { filling: Filling::Unknown, ..shape },
             Effect::Fills if shape.has_room() => Shape { filling: Filling::Unknown, ..shape },
             Effect::Any if row.name == "extrude" => match args {
                 [Arg { prefix: None, value, .. }] => shape.extruded(self.value(value, facts).number(), span),
-                _ => Shape::ANY,
+                _ => shape.moved_on(),
             },
-            Effect::Any | Effect::FillsWithBox | Effect::Fills => Shape::ANY,
+            Effect::Any | Effect::FillsWithBox | Effect::Fills => shape.moved_on(),
         }
     }
 

@@ -60,7 +60,10 @@ pub(super) static ROWS: &[Operation] = &[
         op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis"),
         "write `extrude(world.up, …)` to extrude upwards",
     ),
-    op("i", "insert", &[text("filePath")], "replaces the geometry by an asset that fills the scope"),
+    with(
+        Effect::Fills,
+        op("i", "insert", &[text("filePath")], "replaces the geometry by an asset that fills the scope"),
+    ),
     op(
         "i",
         "insert_with",

@@ -1,7 +1,7 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
-use super::super::{Block, Default, Operation, Param, boolean, float, or, text, word};
-use super::{block, later, old, op};
+use super::super::{Block, Default, Effect, Operation, Param, boolean, float, or, text, word};
+use super::{block, later, old, op, with};
 
 const CLEANUP: Param = word(
     "components",
@@ -55,19 +55,22 @@ pub(super) static ROWS: &[Operation] = &[
     later("convexify", &[], "cuts concave faces into convex ones"),
     later("convexify", &[float("maxLength")], "cuts concave faces where the cut is short"),
     later("deleteHoles", &[], "fills the holes of faces"),
-    op("reverseNormals", "reverse_normals", &[], "turns every face over"),
+    with(Effect::KeepsSize, op("reverseNormals", "reverse_normals", &[], "turns every face over")),
     later("setNormals", &[NORMALS], "sets the normals of vertices"),
     later("softenNormals", &[float("angle")], "smooths edges flatter than an angle"),
-    op(
-        "mirror",
-        "mirror",
-        &[boolean("xFlip"), boolean("yFlip"), boolean("zFlip")],
-        "mirrors the geometry inside its scope",
+    with(
+        Effect::KeepsSize,
+        op(
+            "mirror",
+            "mirror",
+            &[boolean("xFlip"), boolean("yFlip"), boolean("zFlip")],
+            "mirrors the geometry inside its scope",
+        ),
     ),
     later("rectify", &[float("angle")], "turns edges that nearly follow the scope's axes to them"),
     later("reduceGeometry", &[float("tolerance")], "removes vertices and changes the form as little as it can"),
     later("resetGeometry", &[], "takes the geometry of the initial shape again"),
-    op("trim", "trim", &[], "cuts the geometry at the trim planes"),
+    with(Effect::KeepsSize, op("trim", "trim", &[], "cuts the geometry at the trim planes")),
     later("tag", &[text("name"), TAGGED], "gives components a tag"),
     later("deleteTags", &[], "removes all tags"),
     later("deleteTags", &[text("tagQuery"), UNTAGGED], "removes the tags that match"),
