@@ -98,8 +98,9 @@ codes! {
     UnusedImport "unused_import" Warning "An import that nothing names.",
     Shadowing "shadowing" Warning "A parameter or local value that hides something of the grammar.",
     // Geometry.
-    NotAColor "not_a_color" Error "Text where a colour must stand, that is none.",
+    NotAColor "not_a_color" Error "Text where a colour must stand, or a part of a colour, that is none.",
     UnknownUvSet "unknown_uv_set" Error "A uv set that does not exist.",
+    SplitWithoutUv "split_without_uv" Warning "A split in texture space before there are texture coordinates.",
     DivisionByZero "division_by_zero" Warning "A division by what is always zero.",
     // Values.
     PercentOver100 "percent_over_100" Error "Percentages that add up to more than 100.",

@@ -42,7 +42,8 @@ pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
         ExprKind::Call(name, args) => {
             if let Some(Use::Builtin(row)) = cx.tables.of(name) {
                 layers(row.params, args.iter(), facts, flow, diags);
-                colour::check(cx.globals.program, row.params, args.iter(), diags);
+                let args: Vec<&Expr> = args.iter().collect();
+                colour::check(cx.globals.program, row.params, &args, facts, flow, diags);
             }
         }
         _ => {}

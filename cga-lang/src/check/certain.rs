@@ -2,7 +2,9 @@
 
 use super::flow::{Attrs, Calls, Facts, Flow, Site};
 use super::readings::Readings;
-use super::{Cx, arithmetic, branches, colour, defaults, ends, hidden, reach, repeat, size, trailing, unused};
+use super::texture::Projected;
+use super::{Cx, arithmetic, branches, colour, defaults, ends, hidden, reach, repeat, size, texture, trailing, unused};
+use crate::ast::Expr;
 use crate::diag::Diags;
 
 pub(super) fn check(cx: &mut Cx) {
@@ -12,29 +14,33 @@ pub(super) fn check(cx: &mut Cx) {
     let alone = Flow::new(&cx.globals, &cx.tables, None, Attrs::Accepted);
     let values = Flow::of_values(&cx.globals, &cx.tables);
     let joined = Flow::new(&cx.globals, &cx.tables, calls.as_ref(), Attrs::Accepted);
+    let projected = Projected::new(cx, &alone);
     let mut readings = Readings::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
         let mut diags = Diags::new();
         // A rule may be made for more than what its calls give it today, and rules ask for sizes that they have set: conditions
         // are judged by values and other conditions.
         values.visit(&cx.globals, rule, &mut |site, facts| match site {
-            Site::Split(_) => {}
+            Site::Split(_) | Site::TextureSplit(..) => {}
             Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
             Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
             Site::Operation(row, args) => {
                 arithmetic::operation(row, args, facts, &values, &mut diags);
-                colour::check(program, row.params, args.iter().map(|arg| &arg.value), &mut diags);
+                let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
+                colour::check(program, row.params, &args, facts, &values, &mut diags);
             }
             Site::Set(row, value) if row.name == "material.color.rgb" => colour::text(program, value, &mut diags),
             Site::Set(..) => {}
         });
         // Nobody knows who else imports a file.
         let own = if program.roots.contains(&item.instance) { &joined } else { &alone };
-        own.visit(&cx.globals, rule, &mut |site, facts| {
-            if let Site::Split(slots) = site {
+        own.visit(&cx.globals, rule, &mut |site, facts| match site {
+            Site::Split(slots) => {
                 size::check(slots, facts, &cx.tables, &mut diags);
                 repeat::check(slots, &mut diags);
             }
+            Site::TextureSplit(split, set) => texture::check(split, *set, projected, facts, &mut diags),
+            _ => {}
         });
         readings.add(program, item.decl.name.id(), diags.finish());
     }

@@ -1,5 +1,8 @@
-//! Text that should be a colour and is none. Among Rust an error; old text keeps running, with a fault.
+//! Colours that are none: text is an error among Rust, and old text keeps running, with a fault; numbers are cut to what
+//! there is.
 
+use super::flow::{Facts, Flow};
+use super::size::shown;
 use crate::ast::{Expr, ExprKind};
 use crate::code::Code;
 use crate::compile::Door;
@@ -8,10 +11,43 @@ use crate::link::Program;
 use crate::ops::Param;
 
 /// Looks at the arguments of an operation or function.
-pub(super) fn check<'e>(program: &Program, params: &[Param], args: impl Iterator<Item = &'e Expr>, diags: &mut Diags) {
-    for (_, arg) in params.iter().zip(args).filter(|(param, _)| param.name == "hexValue") {
+pub(super) fn check(
+    program: &Program,
+    params: &[Param],
+    args: &[&Expr],
+    facts: &Facts,
+    flow: &Flow,
+    diags: &mut Diags,
+) {
+    let known = |name: &str| params.iter().position(|param| param.name == name).and_then(|at| args.get(at).copied());
+    if let Some(arg) = known("hexValue") {
         text(program, arg, diags);
     }
+    let parts = ["red", "green", "blue", "opacity"].map(known);
+    let stray = parts.into_iter().flatten().find(|part| {
+        let number = flow.value(part, facts).number();
+        number.hi < 0.0 || 1.0 < number.lo
+    });
+    let Some(stray) = stray else { return };
+    let number = flow.value(stray, facts).number().known();
+    let what = number.map_or_else(|| "this".to_owned(), shown);
+    let message = format!("{what} is no part of a colour");
+    let diag = diags.report_as(Code::NotAColor, Level::Warning, stray.span, message);
+    diag.note("red, green, blue and opacity go from 0 to 1");
+    match hex(parts.into_iter().flatten().map(|part| flow.value(part, facts).number().known())) {
+        Some(hex) => diag.help(format!("write \"{hex}\" for all of them")),
+        None => diag.help("write a number from 0 to 1"),
+    };
+}
+
+/// The colour that is meant by numbers from 0 to 255.
+fn hex(parts: impl Iterator<Item = Option<f64>>) -> Option<String> {
+    let parts: Vec<f64> = parts.collect::<Option<_>>()?;
+    let is_byte = |part: &f64| (*part == 0.0 || (2.0..=255.0).contains(part)) && part.fract() == 0.0;
+    let are_bytes = parts.iter().all(is_byte);
+    let are_large = parts.iter().any(|part| 10.0 < *part);
+    let digits = || parts.iter().map(|part| format!("{:02x}", *part as u8)).collect::<String>();
+    (are_bytes && are_large).then(|| format!("#{}", digits()))
 }
 
 /// Looks at a value that must be a colour.

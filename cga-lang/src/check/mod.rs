@@ -26,6 +26,7 @@ mod repeat;
 mod selectors;
 mod shapes;
 mod size;
+mod texture;
 mod trailing;
 mod types;
 mod unused;

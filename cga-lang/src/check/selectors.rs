@@ -42,9 +42,7 @@ impl<'a> Scope<'_, 'a, '_> {
             self.cx.diags.report(Code::UnknownAxis, split.name.span, message);
             return;
         };
-        if let Some("u" | "v") = words::word(axis)
-            && !split.is_by_area()
-        {
+        if split.is_in_texture_space() {
             self.not_implemented(axis.span, "a split in texture space", None);
             if let Some(space) = split.args.get(1) {
                 self.word("split", ["uvSpace", "unitSpace"].into_iter(), space);

@@ -2,7 +2,7 @@
 
 use super::names::Scope;
 use super::{Door, Use, selectors};
-use crate::ast::{Arg, Expr, ExprKind};
+use crate::ast::{Arg, Expr, ExprKind, Split};
 use crate::code::Code;
 use crate::ops::{Operation, Param, ParamKind};
 use crate::span::Span;
@@ -11,6 +11,13 @@ use crate::suggest::nearest;
 /// An argument that is a bare word.
 pub(super) fn word(arg: &Arg) -> Option<&str> {
     plain(arg).and_then(selectors::bare)
+}
+
+impl Split {
+    /// Whether it divides texture space, `split(u, …)` or `split(v, …)`.
+    pub(crate) fn is_in_texture_space(&self) -> bool {
+        !self.is_by_area() && matches!(self.args.first().and_then(word), Some("u" | "v"))
+    }
 }
 
 /// An argument without a prefix.

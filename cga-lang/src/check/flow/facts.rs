@@ -1,6 +1,7 @@
 //! What is known where an expression or a step stands.
 
 use super::shape::Shape;
+use super::uvs::UvSets;
 use super::value::Value;
 
 /// A value that stays the same while a shape goes on, by index.
@@ -18,12 +19,13 @@ pub(in crate::check) struct Facts {
     pub(in crate::check) params: Vec<Value>,
     /// What conditions on the way say of attributes and constants; each once, in order.
     pub(super) globals: Vec<(Global, Value)>,
+    pub(in crate::check) uvs: UvSets,
 }
 
 impl Facts {
     /// Nothing is known.
     pub(in crate::check) fn any(params: usize) -> Facts {
-        Facts { shape: Shape::ANY, params: vec![Value::Any; params], globals: Vec::new() }
+        Facts { shape: Shape::ANY, params: vec![Value::Any; params], globals: Vec::new(), uvs: UvSets::ANY }
     }
 
     /// Nothing but that a run begins there.
@@ -33,7 +35,7 @@ impl Facts {
 
     /// The same values on another shape.
     pub(super) fn on(&self, shape: Shape) -> Facts {
-        Facts { shape, params: self.params.clone(), globals: self.globals.clone() }
+        Facts { shape, params: self.params.clone(), globals: self.globals.clone(), uvs: self.uvs }
     }
 
     /// The same values on a shape of which nothing is known.
@@ -43,7 +45,7 @@ impl Facts {
 
     /// The same shape, with other parameters.
     pub(super) fn with(&self, params: Vec<Value>) -> Facts {
-        Facts { shape: self.shape, params, globals: self.globals.clone() }
+        Facts { shape: self.shape, params, globals: self.globals.clone(), uvs: self.uvs }
     }
 
     /// What conditions say of an attribute or a constant.
@@ -73,6 +75,7 @@ impl Facts {
     fn joined(&self, other: &Facts, shape: Shape, join: fn(Value, Value) -> Value) -> Facts {
         let params = self.params.iter().zip(&other.params).map(|(a, b)| join(*a, *b)).collect();
         let both = |(which, value): &(Global, Value)| Some((*which, join(*value, other.global(*which)?)));
-        Facts { shape, params, globals: self.globals.iter().filter_map(both).collect() }
+        let globals = self.globals.iter().filter_map(both).collect();
+        Facts { shape, params, globals, uvs: self.uvs.or(other.uvs) }
     }
 }

@@ -10,6 +10,7 @@ mod refine;
 mod shape;
 mod slots;
 mod texts;
+mod uvs;
 mod value;
 mod walk;
 

@@ -4,6 +4,7 @@ use super::facts::Facts;
 use super::known::Known;
 use super::shape::{Filling, Shape};
 use super::slots::Slots;
+use super::uvs::UvSets;
 use super::value::Value;
 use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, Expr, ExprKind, Name, Op, OpKind, Split};
 use crate::check::branches::Turn;
@@ -15,6 +16,8 @@ use crate::span::Span;
 pub(in crate::check) enum Site<'s, 'a> {
     /// A split along an axis of the scope.
     Split(&'s Slots<'a>),
+    /// A split along an axis of a uv set.
+    TextureSplit(&'a Split, u32),
     /// A condition of a `case`, where those before it have failed.
     Condition(&'s Turn<'s, 'a>),
     /// An expression that is computed.
@@ -58,6 +61,7 @@ impl<'w> Walk<'w> {
                     Some(Use::Rule(rule)) => self.hand_on(rule, args, &facts, visit),
                     Some(Use::Operation(row)) => {
                         visit.meet(&Site::Operation(row, args), &facts);
+                        facts.uvs = facts.uvs.after(row, self.uv_set(args.first(), &facts));
                         facts.shape = self.after(row, args, &facts, op.span);
                     }
                     Some(Use::SetShape(row)) => {
@@ -88,7 +92,7 @@ impl<'w> Walk<'w> {
             OpKind::Nil => return None,
             OpKind::Path(_, args) => {
                 self.meet_args(args, &facts, visit);
-                facts.shape = Shape::ANY;
+                facts = Facts { uvs: UvSets::ANY, ..facts.on_any_shape() };
             }
             OpKind::Push(ops) => _ = self.steps(ops, facts.clone(), visit),
             OpKind::Split(split) => self.split(split, &facts, visit),
@@ -110,6 +114,12 @@ impl<'w> Walk<'w> {
 
     fn value(&self, expr: &Expr, facts: &Facts) -> Value {
         self.known.value(expr, facts)
+    }
+
+    /// The number of a uv set, where it is known.
+    fn uv_set(&self, arg: Option<&Arg>, facts: &Facts) -> Option<u32> {
+        let number = self.value(&arg?.value, facts).number().known()?;
+        (0.0..10.0).contains(&number).then_some(number as u32)
     }
 
     fn hand_on<'a>(&self, rule: u32, args: &[Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
@@ -149,6 +159,11 @@ impl<'w> Walk<'w> {
             self.items(&split.items, &mut index, facts, visit, shape);
         };
         self.meet_args(split.args.get(1..).unwrap_or_default(), facts, visit);
+        if split.is_in_texture_space()
+            && let Some(set) = self.uv_set(split.args.get(2), facts)
+        {
+            visit.meet(&Site::TextureSplit(split, set), facts);
+        }
         let Some(axis) = split_axis(split).filter(|_| !split.is_by_area()) else {
             return bodies(visit, &|_| Some(Shape::ANY));
         };

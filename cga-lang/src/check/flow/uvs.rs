@@ -1,0 +1,58 @@
+//! Which texture coordinates a shape may have.
+
+use crate::ops::{Effect, Operation};
+
+/// The uv sets of the language (*texturing*).
+const ALL: u16 = (1 << 10) - 1;
+
+/// Operations that make no texture coordinates though they change the geometry.
+const MAKES_NONE: &[&str] =
+    &["extrude", "offset", "taper", "roofGable", "roofHip", "roofPyramid", "roofShed", "roofRidge"];
+
+/// What is known of the uv sets of a shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::check) struct UvSets {
+    /// A bit for each that it may have.
+    may: u16,
+    /// A bit for each with a projection that is set up and not made yet.
+    awaits: u16,
+}
+
+impl UvSets {
+    /// Nothing is known.
+    pub(super) const ANY: UvSets = UvSets { may: ALL, awaits: 0 };
+
+    /// What holds for both.
+    pub(super) fn or(self, other: UvSets) -> UvSets {
+        UvSets { may: self.may | other.may, awaits: self.awaits & other.awaits }
+    }
+
+    /// Whether there certainly is no such set.
+    pub(in crate::check) fn lacks(self, set: u32) -> bool {
+        set < 10 && self.may & 1 << set == 0
+    }
+
+    /// Whether its projection is certainly set up and not made.
+    pub(in crate::check) fn awaits(self, set: u32) -> bool {
+        set < 10 && self.awaits & 1 << set != 0
+    }
+
+    /// After an operation; `set` is its first argument where that is the number of a set that is known.
+    pub(super) fn after(self, row: &Operation, set: Option<u32>) -> UvSets {
+        let bit = set.filter(|set| *set < 10).map(|set| 1u16 << set);
+        let UvSets { may, awaits } = self;
+        match (row.name, bit) {
+            ("setupProjection" | "setupUV", bit) => UvSets { may, awaits: awaits | bit.unwrap_or(0) },
+            ("projectUV" | "bakeUV", Some(bit)) => UvSets { may: may | bit, awaits: awaits & !bit },
+            ("deleteUV", Some(bit)) => UvSets { may: may & !bit, awaits },
+            // They have the first set only (*primitiveCube operation*).
+            (name, _) if name.starts_with("primitive") => UvSets { may: 1, awaits },
+            (name, _) if MAKES_NONE.contains(&name) => self,
+            ("translateUV" | "scaleUV" | "rotateUV" | "normalizeUV" | "tileUV" | "offsetUV" | "deleteUV", _) => self,
+            _ if matches!(row.scope, Effect::Keeps | Effect::KeepsSize | Effect::Sizes) => self,
+            (name, _) if name.ends_with("Scope") || name.starts_with("alignScope") || name == "setPivot" => self,
+            ("projectUV" | "bakeUV", None) => UvSets::ANY,
+            _ => UvSets { may: ALL, awaits },
+        }
+    }
+}
