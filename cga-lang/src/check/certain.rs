@@ -3,9 +3,11 @@
 use super::flow::{Attrs, Calls, Facts, Flow, Site};
 use super::readings::Readings;
 use super::texture::Projected;
-use super::{Cx, arithmetic, branches, colour, defaults, ends, hidden, reach, repeat, size, texture, trailing, unused};
+use super::{
+    Cx, Item, arithmetic, branches, colour, defaults, ends, hidden, reach, repeat, size, texture, trailing, unused,
+};
 use crate::ast::Expr;
-use crate::diag::Diags;
+use crate::diag::{Diag, Diags};
 
 pub(super) fn check(cx: &mut Cx) {
     let program = cx.globals.program;
@@ -33,15 +35,16 @@ pub(super) fn check(cx: &mut Cx) {
             Site::Set(..) => {}
         });
         // Nobody knows who else imports a file.
-        let own = if program.roots.contains(&item.instance) { &joined } else { &alone };
-        own.visit(&cx.globals, rule, &mut |site, facts| match site {
-            Site::Split(slots) => {
-                size::check(slots, facts, &cx.tables, &mut diags);
-                repeat::check(slots, &mut diags);
+        let is_root = program.roots.contains(&item.instance);
+        let mut list = divisions(rule, if is_root { &joined } else { &alone }, projected, cx);
+        if is_root && !list.is_empty() {
+            let anyway = divisions(rule, &alone, projected, cx);
+            let is_so = |diag: &Diag| anyway.iter().any(|other| (other.code, other.span) == (diag.code, diag.span));
+            for diag in list.iter_mut().filter(|diag| !is_so(diag)) {
+                callers(diag, item, joined.is_called(rule));
             }
-            Site::TextureSplit(split, set) => texture::check(split, *set, projected, facts, &mut diags),
-            _ => {}
-        });
+        }
+        diags.append(list);
         readings.add(program, item.decl.name.id(), diags.finish());
     }
     for item in cx.globals.values() {
@@ -61,4 +64,27 @@ pub(super) fn check(cx: &mut Cx) {
     }
     cx.diags.append(certain);
     found.into_iter().for_each(|list| cx.diags.append(list));
+}
+
+/// What splits of a rule certainly do.
+fn divisions(rule: usize, flow: &Flow, projected: Projected, cx: &Cx) -> Vec<Diag> {
+    let mut diags = Diags::new();
+    flow.visit(&cx.globals, rule, &mut |site, facts| match site {
+        Site::Split(slots) => {
+            size::check(slots, facts, &cx.tables, &mut diags);
+            repeat::check(slots, &mut diags);
+        }
+        Site::TextureSplit(split, set) => texture::check(split, *set, projected, facts, &mut diags),
+        _ => {}
+    });
+    diags.finish()
+}
+
+/// Says of what is so because of how a rule is called, that it is.
+fn callers(diag: &mut Diag, item: &Item, is_called: bool) {
+    let name = &item.decl.name.text;
+    if is_called {
+        let start = if item.decl.params.is_empty() { "; a run that begins with it may differ" } else { "" };
+        diag.note(format!("so it is wherever `{name}` is called{start}"));
+    }
 }

@@ -38,6 +38,8 @@ pub(super) struct Flow<'f> {
     pub(super) known: Known<'f>,
     /// By rule: what is known where it begins. `None`: nobody calls it.
     entries: Vec<Option<Facts>>,
+    /// By rule: whether another calls it.
+    called: Vec<bool>,
     forgets: bool,
 }
 
@@ -89,20 +91,24 @@ impl<'f> Flow<'f> {
     /// Finds out what is known. Without `calls` each rule stands alone.
     pub(super) fn new(globals: &Globals<'f>, tables: &'f Tables, calls: Option<&Calls>, mode: Attrs) -> Flow<'f> {
         let known = Known::new(globals, tables, mode);
-        let mut flow = Flow { known, entries: vec![None; globals.rules.len()], forgets: false };
+        let mut flow = Flow {
+            known,
+            entries: vec![None; globals.rules.len()],
+            called: vec![false; globals.rules.len()],
+            forgets: false,
+        };
         let Some(calls) = calls else { return flow };
         for &start in &calls.starts {
             flow.entries[start] = Some(Facts::initial(globals.rules[start].decl.params.len()));
         }
-        let mut called = vec![false; globals.rules.len()];
         for (caller, callees) in calls.edges.iter().enumerate() {
-            callees.iter().filter(|callee| **callee != caller).for_each(|&callee| called[callee] = true);
+            callees.iter().filter(|callee| **callee != caller).for_each(|&callee| flow.called[callee] = true);
         }
         // Whoever calls comes before the called.
         for component in components(&calls.edges).into_iter().rev() {
             for &rule in &component {
                 // Nobody knows how a rule that no other calls is used.
-                if !called[rule] && flow.entries[rule].is_none() {
+                if !flow.called[rule] && flow.entries[rule].is_none() {
                     flow.entries[rule] = Some(Facts::initial(globals.rules[rule].decl.params.len()));
                 }
             }
@@ -162,6 +168,11 @@ impl<'f> Flow<'f> {
         }
         let walk = Walk { known: &self.known, forgets: self.forgets };
         walk.steps(body(item), facts, visit);
+    }
+
+    /// Whether another rule calls it.
+    pub(super) fn is_called(&self, rule: usize) -> bool {
+        self.called[rule]
     }
 
     /// Shows what is met on the way through a rule.
