@@ -250,7 +250,7 @@ impl<'a> Lexer<'a> {
         if let Some(wrong) = wrong {
             self.diags
                 .report(Code::BadEscape, span, format!("`{wrong}` means nothing in a string, the backslash stays"))
-                .help("write `\\\\` for a backslash");
+                .help("write `\\\\` for a backslash, or `/` in a path");
         }
     }
 }

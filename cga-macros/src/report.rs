@@ -1,5 +1,6 @@
 //! Findings → compiler errors and warnings.
 
+use cga_lang::code::Code;
 use cga_lang::diag::{Diag, Level};
 use cga_lang::snippet::place;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
@@ -54,17 +55,30 @@ fn message(diag: &Diag, source: &Source) -> String {
         let related = |place: cga_lang::span::Span| source.line(place.first);
         return format!("{}\n{}", diag.message, place(&text.written, &text.ranges, &text.name, span, diag, &related));
     }
-    let mut message = diag.message.clone();
+    // What Rust itself cannot read is quoted as it stands there.
+    let spelled = |line: &str| if diag.code == Code::UnknownCharacter { line.to_owned() } else { spelled(line) };
+    let mut message = spelled(&diag.message);
     for note in &diag.notes {
-        message.push_str(&format!("\nnote: {}", note.text));
+        message.push_str(&format!("\nnote: {}", spelled(&note.text)));
         if let Some(line) = note.related.and_then(|place| source.line(place.first)) {
             message.push_str(&format!(" ({line})"));
         }
     }
     for help in &diag.help {
-        message.push_str(&format!("\nhelp: {help}"));
+        message.push_str(&format!("\nhelp: {}", spelled(help)));
     }
     message
+}
+
+/// As one writes it among Rust: relative sizes with `^`, where that stands for code.
+pub(crate) fn spelled(line: &str) -> String {
+    let (mut out, mut is_code, mut is_text) = (String::with_capacity(line.len()), false, false);
+    for c in line.chars() {
+        is_code ^= c == '`';
+        is_text = is_code && (is_text ^ (c == '"'));
+        out.push(if c == '\'' && is_code && !is_text { '^' } else { c });
+    }
+    out
 }
 
 /// A compiler error underlined from one place to another: rustc takes the span of the first and the last token.
@@ -90,5 +104,16 @@ fn warning(place: Span, code: &str, message: &str) -> TokenStream {
             const #name: () = ();
             #name
         };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spelled;
+
+    #[test]
+    fn code_is_spelled_as_among_rust() {
+        assert_eq!(spelled("write `'0.3` for 30 % of the rule's scope"), "write `^0.3` for 30 % of the rule's scope");
+        assert_eq!(spelled("`print(\"it's\") s('1, 1, 1)` isn't"), "`print(\"it's\") s(^1, 1, 1)` isn't");
     }
 }

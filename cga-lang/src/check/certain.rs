@@ -4,7 +4,8 @@ use super::flow::{Attrs, Calls, Facts, Flow, Site};
 use super::readings::Readings;
 use super::texture::Projected;
 use super::{
-    Cx, Item, arithmetic, branches, colour, defaults, ends, hidden, reach, repeat, size, texture, trailing, unused,
+    Cx, Item, arithmetic, assets, branches, colour, defaults, ends, hidden, reach, repeat, size, texture, trailing,
+    unused,
 };
 use crate::ast::Expr;
 use crate::diag::{Diag, Diags};
@@ -22,17 +23,20 @@ pub(super) fn check(cx: &mut Cx) {
         let mut diags = Diags::new();
         // A rule may be made for more than what its calls give it today, and rules ask for sizes that they have set: conditions
         // are judged by values and other conditions.
-        values.visit(&cx.globals, rule, &mut |site, facts| match site {
-            Site::Split(_) | Site::TextureSplit(..) => {}
-            Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
-            Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
-            Site::Operation(row, args) => {
-                arithmetic::operation(row, args, facts, &values, &mut diags);
-                let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
-                colour::check(program, row.params, &args, facts, &values, &mut diags);
+        values.visit(&cx.globals, rule, &mut |site, facts| {
+            assets::check(site, facts, cx, &mut diags);
+            match site {
+                Site::Split(_) | Site::TextureSplit(..) => {}
+                Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
+                Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
+                Site::Operation(row, args) => {
+                    arithmetic::operation(row, args, facts, &values, &mut diags);
+                    let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
+                    colour::check(program, row.params, &args, facts, &values, &mut diags);
+                }
+                Site::Set(row, value) if row.name == "material.color.rgb" => colour::text(program, value, &mut diags),
+                Site::Set(..) => {}
             }
-            Site::Set(row, value) if row.name == "material.color.rgb" => colour::text(program, value, &mut diags),
-            Site::Set(..) => {}
         });
         // Nobody knows who else imports a file.
         let is_root = program.roots.contains(&item.instance);
@@ -53,6 +57,7 @@ pub(super) fn check(cx: &mut Cx) {
         let locals = item.decl.locals.iter().map(|(_, value)| value).filter(|_| item.is_own());
         for value in locals.chain(item.value().map(|(value, _)| value)) {
             arithmetic::check(value, &facts, &values, cx, &mut diags);
+            assets::expression(value, &facts, cx, &mut diags);
         }
         readings.add(program, item.decl.name.id(), diags.finish());
     }

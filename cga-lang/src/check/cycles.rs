@@ -5,6 +5,9 @@ use crate::ast::{Expr, ExprKind};
 use crate::code::Code;
 use crate::graph::{components, is_cycle};
 
+/// Of longer cycles not all are named line by line.
+const MOST_TOLD: usize = 4;
+
 /// Finds cycles among attributes, constants and functions, and the order in which values can be computed.
 pub(super) fn find(cx: &mut Cx) {
     let items: Vec<&Item> = cx.globals.values().collect();
@@ -30,30 +33,37 @@ pub(super) fn find(cx: &mut Cx) {
         settle(&component, &items, &cx.tables, numbering, &mut ends);
         let cyclic = is_cycle(&component, &edges);
         let value = component.iter().copied().find(|&node| node < first_function);
+        // The others of a cycle.
+        let way = |node: usize| {
+            let others = component.iter().filter(|&&other| other != node).map(|&other| {
+                // As the blamed one's file would write it, or as the main file does.
+                let (other, near) = (items[other], items[other].instance == items[node].instance);
+                format!("`{}`", if near { &other.decl.name.text } else { &other.name })
+            });
+            match others.collect::<Vec<_>>() {
+                others if others.is_empty() => String::new(),
+                others => format!(" by way of {}", others.join(", ")),
+            }
+        };
         if let (true, Some(node)) = (cyclic, value) {
-            let item = items[node];
-            let others: Vec<String> = component
-                .iter()
-                .filter(|&&other| other != node)
-                .map(|&other| {
-                    // As the blamed one's file would write it, or as the main file does.
-                    let (other, near) = (items[other], items[other].instance == item.instance);
-                    format!("`{}`", if near { &other.decl.name.text } else { &other.name })
-                })
-                .collect();
-            let message = if others.is_empty() {
-                format!("`{}` needs its own value", item.decl.name.text)
-            } else {
-                format!("`{}` needs its own value, by way of {}", item.decl.name.text, others.join(", "))
-            };
-            cx.diags.report(Code::InitCycle, item.decl.name.span, message);
+            let name = &items[node].decl.name;
+            let message = format!("`{}` needs its own value{}", name.text, way(node));
+            let diag = cx.diags.report(Code::InitCycle, name.span, message);
+            for &other in component.iter().filter(|&&other| other != node).take(MOST_TOLD) {
+                let other = &items[other].decl.name;
+                diag.related(format!("`{}` is declared", other.text), other.span);
+            }
+            diag.help(match component.len() {
+                1 => "give it a value that does not need it",
+                _ => "give one of them a value that does not need the others",
+            });
         } else if let (true, Some(&node)) = (cyclic, component.iter().find(|&&node| !ends[node])) {
             let item = items[node];
             cx.diags
                 .report(
                     Code::EndlessFunction,
                     item.decl.name.span,
-                    format!("`{}` calls itself and never ends", item.decl.name.text),
+                    format!("`{}` calls itself{} and never ends", item.decl.name.text, way(node)),
                 )
                 .help("a recursive function needs a `case` with a branch that does not call it");
         }

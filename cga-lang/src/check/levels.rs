@@ -53,7 +53,7 @@ fn read(cx: &mut Cx, annotation: &Annotation, place: Option<Span>) {
             None => {
                 let lints = Code::ALL.iter().filter(|code| code.is_lint()).map(|code| code.name());
                 cx.diags
-                    .report(Code::UnknownCode, arg.value.span, "there is no finding of that name")
+                    .report(Code::UnknownCode, arg.value.span, format!("there is no finding `{word}`"))
                     .suggest(nearest(word, lints));
             }
         }

@@ -6,6 +6,7 @@
 mod annotations;
 mod arithmetic;
 mod arity;
+mod assets;
 mod branches;
 mod certain;
 mod colour;

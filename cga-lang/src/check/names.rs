@@ -342,7 +342,8 @@ impl<'a> Scope<'_, 'a, '_> {
             // Written fractions like 33.3 add up with an error in the last digits.
             if 100.0 + 1e-9 < sum {
                 let message = format!("the percentages up to here add up to {}", (sum * 1e6).round() / 1e6);
-                self.cx.diags.report(Code::PercentOver100, percent.span, message);
+                let diag = self.cx.diags.report(Code::PercentOver100, percent.span, message);
+                diag.help("make them smaller: `else` gets what is left of 100");
                 return;
             }
         }

@@ -103,6 +103,7 @@ impl<'a> Scope<'_, 'a, '_> {
             Prefix::Relative => diag.note("only lengths can be relative to the scope"),
             Prefix::Floating => diag.note("only the sizes of a split can float"),
         };
+        diag.help("leave it out");
     }
 
     /// An operation or a rule.

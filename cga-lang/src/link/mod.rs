@@ -5,6 +5,7 @@
 //! imports of one file share nothing, as CGA wants it; what styles have in common is found again after lowering
 //! (`share.rs`).
 
+mod asset;
 mod copies;
 mod overrides;
 mod paths;
@@ -20,6 +21,8 @@ use crate::token::Tokens;
 use std::collections::HashMap;
 use std::ops::Range;
 
+pub use asset::Asset;
+pub(crate) use asset::Assets;
 pub(crate) use copies::{Copies, Types, Wanted};
 pub(crate) use overrides::dynamic_calls;
 pub use paths::{candidates, folder};
@@ -61,6 +64,16 @@ pub trait Files {
     fn beside(&mut self, _path: &str, _from: &str) -> Vec<String> {
         Vec::new()
     }
+
+    /// What is known of a file that rules name: a mesh, an image, a table. `None` where nothing is.
+    fn asset(&mut self, _name: &str) -> Option<Asset> {
+        None
+    }
+
+    /// Whether there is a folder for such files.
+    fn has_assets(&self) -> bool {
+        false
+    }
 }
 
 /// There are no files.
@@ -98,6 +111,7 @@ pub(crate) struct Program {
     /// The root's instances by style: `Default`, then the others in source order.
     pub(crate) roots: Vec<InstanceId>,
     pub(crate) copies: Copies,
+    pub(crate) assets: Assets,
 }
 
 /// A file with a style in force, in one place.
@@ -147,6 +161,7 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
             instances: Vec::new(),
             roots: Vec::new(),
             copies: Copies::default(),
+            assets: Assets::default(),
         },
     };
     let file = link.unit(root);
@@ -162,6 +177,7 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
         let root = link.instance(file, style, style, origin.clone());
         link.program.roots.push(root);
     }
+    link.program.assets = Assets::new(&link.program.tokens, link.files);
     link.program
 }
 

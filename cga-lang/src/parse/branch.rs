@@ -96,7 +96,7 @@ impl Parser<'_> {
             let case = !self.at_percent();
             if case != first_is_case && !mixed {
                 mixed = true;
-                let span = self.span();
+                let span = self.span().to(self.span_at(if case { self.at } else { self.at + 1 }));
                 self.diags
                     .report(Code::MixedBranches, span, "conditions and percentages in one block")
                     .help("put one of them inside the other: `case a : 30% : X else : Y else : Z`");
@@ -109,7 +109,7 @@ impl Parser<'_> {
                 let body = self.nested(&mut arm)?;
                 arms.cases.push((condition, body));
             } else if let Some(&Tok::Number(value)) = self.peek() {
-                let percent = Percent { value, span: self.span() };
+                let percent = Percent { value, span: self.span().to(self.span_at(self.at + 1)) };
                 self.at += 3;
                 let body = self.nested(&mut arm)?;
                 arms.chances.push((percent, body));

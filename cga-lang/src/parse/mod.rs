@@ -200,9 +200,15 @@ impl<'a> Parser<'a> {
             return Ok(close);
         }
         let (span, open) = (self.span(), self.peek().map_or("bracket".into(), Tok::describe));
+        let close = match self.peek() {
+            Some(Tok::Sym(Sym::LParen)) => ")",
+            Some(Tok::Sym(Sym::LBracket)) => "]",
+            _ => "}",
+        };
         // Where something could not be read, the bracket may be part of it.
         let list = if self.layout.bad_until_border(self.at) { &mut self.muted } else { &mut self.diags };
-        list.report(Code::UnclosedBracket, span, format!("this {open} is never closed"));
+        let diag = list.report(Code::UnclosedBracket, span, format!("this {open} is never closed"));
+        diag.help(format!("write `{close}` where it should end"));
         Err(Reported)
     }
 

@@ -22,10 +22,14 @@ impl Parser<'_> {
                     if self.at_if() {
                         return self.if_behind_steps();
                     }
-                    let span = self.span();
+                    let (last, written) = match self.at_percent() {
+                        true => (self.at + 1, "[ 50% : … else : … ]"),
+                        false => (self.at, "[ case … else : … ]"),
+                    };
+                    let span = self.span().to(self.span_at(last));
                     self.diags
                         .report(Code::BranchNotFirst, span, "a branch block must come first in a rule's body")
-                        .help("put it in brackets: `[ case … else : … ]`");
+                        .help(format!("put it in brackets: `{written}`"));
                 }
                 let branch = self.branch_ops(in_arm)?;
                 ops.push(branch);

@@ -39,6 +39,15 @@ impl Parser<'_> {
             Some(Tok::Sym(Sym::Quote)) => {
                 Some("`'` and `^` stand before a relative size; a power is `pow(base, exponent)`")
             }
+            Some(Tok::Sym(Sym::Star))
+                if self
+                    .at
+                    .checked_sub(1)
+                    .and_then(|at| self.layout.at(at))
+                    .is_some_and(|token| token.is(Sym::Star)) =>
+            {
+                Some("a power is `pow(base, exponent)`")
+            }
             Some(Tok::Sym(Sym::Star)) if what == STEP => Some("`*` stands behind the `}` of what it repeats"),
             _ => None,
         };
@@ -88,6 +97,9 @@ impl Parser<'_> {
             Some(Tok::Sym(Sym::RParen | Sym::RBrace | Sym::RBracket)) => {
                 self.syntax(self.at, format!("this {found} closes nothing"))
             }
+            Some(Tok::Sym(Sym::Semi)) => self
+                .syntax(self.at, "nothing ends a declaration")
+                .help("leave out the `;`: the next one begins by itself"),
             _ => self.syntax(self.at, format!("unexpected {found}")),
         };
     }

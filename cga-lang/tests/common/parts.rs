@@ -3,7 +3,7 @@
 use super::{annotate, compare, door, fixtures, strip};
 use cga_lang::compile::{Compiled, Door, compile_files};
 use cga_lang::lex::{Lexed, lex};
-use cga_lang::link::{Files, Unit, candidates, folder};
+use cga_lang::link::{Asset, Files, Unit, candidates, folder};
 use cga_lang::snippet::bytes;
 use cga_lang::span::Span;
 use std::fs;
@@ -73,6 +73,22 @@ impl Files for Parts<'_> {
         let folder = folder(path, from);
         let names = self.list.iter().map(|part| part.name.rsplit_once('/').unwrap_or(("", &part.name)));
         names.filter(|(own, _)| *own == folder).map(|(_, name)| name.to_owned()).collect()
+    }
+
+    fn asset(&mut self, name: &str) -> Option<Asset> {
+        let part = self.list.iter().find(|part| part.name == name || part.name == format!("assets/{name}"));
+        Some(match part {
+            Some(part) if name.ends_with(".obj") => Asset::obj(&self.text[part.range.clone()]),
+            Some(_) => Asset::There,
+            None => {
+                let names = self.list.iter().map(|part| part.name.trim_start_matches("assets/").to_owned());
+                Asset::Missing(names.collect())
+            }
+        })
+    }
+
+    fn has_assets(&self) -> bool {
+        self.list.iter().any(|part| part.name.starts_with("assets/"))
     }
 }
 

@@ -1,14 +1,20 @@
 //! Files that rules import: looked for below the package, like the file behind `in`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use cga_lang::compile::Door;
 use cga_lang::lex::lex;
-use cga_lang::link::{Files, Unit, candidates, folder};
+use cga_lang::link::{Asset, Files, Unit, candidates, folder};
 use proc_macro2::{Literal, TokenStream};
 
 use super::TextPlace;
 use super::file::{text, tracking};
+
+/// Larger meshes are there, and no more is known of them.
+const LARGEST_MESH: u64 = 1 << 26;
+
+/// Files in a folder that are looked at for one that may have been meant.
+const MOST_BESIDE: usize = 10_000;
 
 /// Opens imported files and remembers them: findings quote from them, and the build follows them.
 pub(crate) struct Imports {
@@ -44,8 +50,10 @@ impl Files for Imports {
         let names: Vec<String> = candidates(path, from).into_iter().filter(inside).collect();
         let found = names.iter().find(|name| self.root.join(name).is_file());
         let Some(name) = found else {
-            let first = names.first().map_or(path, String::as_str);
-            return Err(format!("there is no file `{first}` in the package"));
+            return Err(match names.first() {
+                Some(first) if first != path => format!("there is no file `{first}` in the package"),
+                _ => "there is no such file in the package".into(),
+            });
         };
         let text = text(&self.root.join(name)).map_err(|error| error.to_string())?;
         let lexed = lex(&text);
@@ -66,9 +74,58 @@ impl Files for Imports {
         let entries = std::fs::read_dir(self.root.join(folder)).into_iter().flatten().flatten();
         entries.filter_map(|entry| entry.file_name().into_string().ok()).collect()
     }
+
+    fn asset(&mut self, name: &str) -> Option<Asset> {
+        // As runs look for it (*Asset search*).
+        let places = [self.root.join("assets").join(name), self.root.join(name)];
+        let Some(path) = places.iter().find(|path| path.is_file()) else {
+            return Some(Asset::Missing(places.iter().flat_map(|path| beside(path, name)).collect()));
+        };
+        let is_mesh = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
+        let is_small = path.metadata().is_ok_and(|data| data.len() <= LARGEST_MESH);
+        let bytes = (is_mesh && is_small).then(|| std::fs::read(path).ok()).flatten();
+        Some(bytes.map_or(Asset::There, |bytes| Asset::obj(&String::from_utf8_lossy(&bytes))))
+    }
+
+    fn has_assets(&self) -> bool {
+        self.root.join("assets").is_dir()
+    }
+}
+
+/// The names of the files in the folder of one that is not there, as rules write them.
+fn beside(path: &Path, name: &str) -> Vec<String> {
+    let entries = path.parent().and_then(|folder| std::fs::read_dir(folder).ok()).into_iter().flatten().flatten();
+    let names = entries.take(MOST_BESIDE).filter_map(|entry| entry.file_name().into_string().ok());
+    let folder = name.rfind('/').map_or("", |at| &name[..=at]);
+    names.map(|own| format!("{folder}{own}")).collect()
 }
 
 /// Makes the build follow the imported files.
 pub(super) fn follow(files: &[Imported]) -> TokenStream {
     files.iter().map(|file| tracking(&Literal::string(&file.text.name))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn assets_are_those_of_the_package() {
+        let root = std::env::temp_dir().join(format!("cga-assets-{}", std::process::id()));
+        std::fs::create_dir_all(root.join("assets/wood")).unwrap();
+        let write = |name: &str, text: &str| std::fs::write(root.join(name), text).unwrap();
+        write("assets/tree.obj", "g Bark\nf 1 2 3\n");
+        write("assets/wood/oak.png", "");
+        write("table.csv", "1;2");
+        let mut files = Imports { root: root.clone(), opened: Vec::new() };
+        assert!(files.has_assets());
+        let groups = vec!["Bark".to_owned()];
+        assert_eq!(files.asset("tree.obj"), Some(Asset::Mesh { has_faces: true, groups, materials: Vec::new() }));
+        assert_eq!(files.asset("table.csv"), Some(Asset::There));
+        assert_eq!(files.asset("wood/oak.png"), Some(Asset::There));
+        assert_eq!(files.asset("wood/elm.png"), Some(Asset::Missing(vec!["wood/oak.png".to_owned()])));
+        assert!(matches!(files.asset("wood"), Some(Asset::Missing(names)) if names.contains(&"tree.obj".to_owned())));
+        std::fs::remove_dir_all(&root).unwrap();
+        assert!(!files.has_assets());
+    }
 }

@@ -44,7 +44,7 @@ pub(super) struct Below;
 impl Files for Below {
     fn open(&mut self, path: &str, from: &str) -> Result<Unit, String> {
         let found = candidates(path, from).into_iter().find(|name| root().join(name).is_file());
-        let name = found.ok_or_else(|| format!("there is no file `{path}` in the package"))?;
+        let name = found.ok_or("there is no such file in the package")?;
         let text = fs::read_to_string(root().join(&name)).map_err(|error| error.to_string())?;
         let lexed = lex(&text);
         Ok(Unit { name, tokens: lexed.tokens, door: Door::Text, found: lexed.diags })

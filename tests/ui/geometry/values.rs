@@ -5,6 +5,11 @@ cga! {
     Lot --> color("red") t(1 / 0, 0, 0) A.
     @Allow(not_implemented)
     Wall --> projectUV(10) A.
+    @Deny(not_a_color)
+    Roof --> color(255, 128, 0) A.
+    @Allow(not_implemented)
+    @Deny(split_without_uv)
+    Street --> setupProjection(0, scope.xy, 1, 1) split(u, uvSpace, 0) { 0.5 : A. | ~1 : A. }
 }
 
 fn main() {}

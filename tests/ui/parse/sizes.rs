@@ -11,6 +11,11 @@ cga! {
 }
 
 cga! {
+    pub grammar NoSlot;
+    Facade --> split(x) { 1 : Pillar. | { }* | 1 : Pillar. }
+}
+
+cga! {
     pub grammar Floating;
     Lot --> s(~1, 12, ^1) Tower.
 }

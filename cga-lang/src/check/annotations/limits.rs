@@ -207,7 +207,10 @@ fn bounds(cx: &mut Cx, span: Span, args: &[AnnotationArg]) -> Option<Range> {
     match (min, max) {
         (Some(min), Some(max)) if min <= max => Some(Range { min, max, step, restricted }),
         (Some(min), Some(max)) => {
-            wrong(cx, span, format!("this range is empty: {max} is less than {min}"));
+            let last = args.last().map_or(span, |arg| arg.value.span);
+            let place = args.first().map_or(span, |arg| arg.name.as_ref().map_or(arg.value.span, |name| name.span));
+            wrong(cx, place.to(last), format!("this range is empty: {max} is less than {min}"))
+                .help(format!("write `@Range(min = {max}, max = {min})`"));
             None
         }
         _ => {

@@ -264,7 +264,9 @@ impl Starts {
             .map(|(index, _)| *index as u32);
         if let (None, Some((_, first))) = (found, rules.first()) {
             let message = format!("`{}` has parameters, and so has every rule: no run can begin", first.decl.name.text);
-            cx.diags.report(Code::NoStartRule, first.decl.name.span, message);
+            let diag = cx.diags.report(Code::NoStartRule, first.decl.name.span, message);
+            let values = vec!["…"; first.decl.params.len()].join(", ");
+            diag.help(format!("write a rule without any, such as `Lot --> {}({values})`", first.decl.name.text));
         }
         found
     }

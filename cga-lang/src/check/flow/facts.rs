@@ -20,12 +20,20 @@ pub(in crate::check) struct Facts {
     /// What conditions on the way say of attributes and constants; each once, in order.
     pub(super) globals: Vec<(Global, Value)>,
     pub(in crate::check) uvs: UvSets,
+    /// What was inserted, as long as the shape is that or parts of it: the token of the file's name.
+    pub(in crate::check) asset: Option<u32>,
 }
 
 impl Facts {
     /// Nothing is known.
     pub(in crate::check) fn any(params: usize) -> Facts {
-        Facts { shape: Shape::ANY, params: vec![Value::Any; params], globals: Vec::new(), uvs: UvSets::ANY }
+        Facts {
+            shape: Shape::ANY,
+            params: vec![Value::Any; params],
+            globals: Vec::new(),
+            uvs: UvSets::ANY,
+            asset: None,
+        }
     }
 
     /// Nothing but that a run begins there.
@@ -35,7 +43,7 @@ impl Facts {
 
     /// The same values on another shape.
     pub(super) fn on(&self, shape: Shape) -> Facts {
-        Facts { shape, params: self.params.clone(), globals: self.globals.clone(), uvs: self.uvs }
+        Facts { shape, ..self.clone() }
     }
 
     /// The same values on a shape of which nothing is known.
@@ -45,7 +53,7 @@ impl Facts {
 
     /// The same shape, with other parameters.
     pub(super) fn with(&self, params: Vec<Value>) -> Facts {
-        Facts { shape: self.shape, params, globals: self.globals.clone(), uvs: self.uvs }
+        Facts { params, ..self.clone() }
     }
 
     /// What conditions say of an attribute or a constant.
@@ -76,6 +84,7 @@ impl Facts {
         let params = self.params.iter().zip(&other.params).map(|(a, b)| join(*a, *b)).collect();
         let both = |(which, value): &(Global, Value)| Some((*which, join(*value, other.global(*which)?)));
         let globals = self.globals.iter().filter_map(both).collect();
-        Facts { shape, params, globals, uvs: self.uvs.or(other.uvs) }
+        let asset = self.asset.filter(|_| self.asset == other.asset);
+        Facts { shape, params, globals, uvs: self.uvs.or(other.uvs), asset }
     }
 }

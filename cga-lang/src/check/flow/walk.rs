@@ -62,6 +62,7 @@ impl<'w> Walk<'w> {
                     Some(Use::Operation(row)) => {
                         visit.meet(&Site::Operation(row, args), &facts);
                         facts.uvs = facts.uvs.after(row, self.uv_set(args.first(), &facts));
+                        facts.asset = asset_after(row, args, facts.asset);
                         facts.shape = self.after(row, args, &facts, op.span);
                     }
                     Some(Use::SetShape(row)) => {
@@ -92,7 +93,7 @@ impl<'w> Walk<'w> {
             OpKind::Nil => return None,
             OpKind::Path(_, args) => {
                 self.meet_args(args, &facts, visit);
-                facts = Facts { uvs: UvSets::ANY, ..facts.on_any_shape() };
+                facts = Facts { uvs: UvSets::ANY, asset: None, ..facts.on_any_shape() };
             }
             OpKind::Push(ops) => _ = self.steps(ops, facts.clone(), visit),
             OpKind::Split(split) => self.split(split, &facts, visit),
@@ -227,7 +228,7 @@ impl<'w> Walk<'w> {
 
     /// Operations with braces: what they make is any shape.
     fn block<'a>(&self, block: &'a Block, facts: &Facts, visit: &mut dyn Visit<'a>) {
-        let any = || facts.on_any_shape();
+        let any = || Facts { asset: None, ..facts.on_any_shape() };
         // Some are computed on each edge.
         self.meet_args(&block.args, &any(), visit);
         for part in &block.parts {
@@ -287,6 +288,16 @@ impl<'w> Walk<'w> {
         let sized = shape.sized(size, span);
         if refused { sized.or(&shape) } else { sized }
     }
+}
+
+/// What the geometry is of behind an operation: the token of a file's name, as long as it is that or parts of it.
+fn asset_after(row: &Operation, args: &[Arg], before: Option<u32>) -> Option<u32> {
+    if row.name == "i" {
+        let name = args.first()?;
+        return matches!(name.value.kind, ExprKind::Text(_)).then_some(name.value.span.first);
+    }
+    let stays = matches!(row.scope, Effect::Keeps | Effect::KeepsSize | Effect::Sizes) || row.name.ends_with("Scope");
+    before.filter(|_| stays)
 }
 
 /// What holds on all of some ways.

@@ -1,0 +1,118 @@
+//! Files that rules name: what is known of them while compiling.
+
+use super::Files;
+use crate::token::{Tok, Tokens};
+use std::collections::HashMap;
+
+/// Names that are looked for; of more nothing is known.
+const MOST: usize = 2000;
+
+/// What is known of a file that rules name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Asset {
+    /// There is none of that name; one of these may have been meant.
+    Missing(Vec<String>),
+    /// There is one.
+    There,
+    /// It is a mesh.
+    Mesh {
+        /// Whether there are faces in it.
+        has_faces: bool,
+        /// The groups that it names.
+        groups: Vec<String>,
+        /// The materials that it names.
+        materials: Vec<String>,
+    },
+}
+
+impl Asset {
+    /// What the statements of an OBJ file say (*Asset search*; groups are `g` and `o`, materials `usemtl`).
+    pub fn obj(text: &str) -> Asset {
+        let (mut has_faces, mut groups, mut materials) = (false, Vec::new(), Vec::new());
+        for line in text.split(['\n', '\r']).map(|line| line.split('#').next().unwrap_or_default().trim()) {
+            let (keyword, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+            let list = match keyword.to_ascii_lowercase().as_str() {
+                "g" | "o" => &mut groups,
+                "usemtl" => &mut materials,
+                "f" => {
+                    has_faces = true;
+                    continue;
+                }
+                _ => continue,
+            };
+            let name = rest.trim();
+            if !name.is_empty() && !list.iter().any(|known| known == name) {
+                list.push(name.to_owned());
+            }
+        }
+        Asset::Mesh { has_faces, groups, materials }
+    }
+}
+
+/// The files that texts of a program name.
+#[derive(Default)]
+pub(crate) struct Assets {
+    by_name: HashMap<String, Asset>,
+    /// Whether the package is where assets are.
+    are_here: bool,
+}
+
+impl Assets {
+    /// Asks for all texts that look like names of files.
+    pub(super) fn new(tokens: &Tokens, files: &mut dyn Files) -> Assets {
+        let mut assets = Assets { by_name: HashMap::new(), are_here: files.has_assets() };
+        for token in tokens.as_slice() {
+            let Tok::Str(name) = token else { continue };
+            if !is_file_name(name) || assets.by_name.contains_key(name) || MOST <= assets.by_name.len() {
+                continue;
+            }
+            let Some(asset) = files.asset(name) else { continue };
+            assets.are_here |= !matches!(asset, Asset::Missing(_));
+            assets.by_name.insert(name.clone(), asset);
+        }
+        assets
+    }
+
+    /// What is known of a file. Where none at all is found they are somewhere else.
+    pub(crate) fn of(&self, name: &str) -> Option<&Asset> {
+        self.by_name.get(name).filter(|_| self.are_here)
+    }
+}
+
+/// Whether a text is the name of a file below a folder, other than rules.
+fn is_file_name(text: &str) -> bool {
+    let Some((stem, extension)) = text.rsplit_once('.') else { return false };
+    let is_extension = (2..=5).contains(&extension.len()) && extension.bytes().all(|byte| byte.is_ascii_alphanumeric());
+    let leaves = text.starts_with('/') || text.split('/').any(|part| matches!(part, ".." | ""));
+    let is_plain = !text.contains(['\\', ':', '*', '?', '\n', '"', '<', '>', '|', '$']);
+    is_extension && is_plain && !leaves && !stem.is_empty() && !extension.eq_ignore_ascii_case("cga")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files_are_told_from_other_text() {
+        for name in ["tree.obj", "facade/brick wall.jpg", "a.b.png", "table.csv"] {
+            assert!(is_file_name(name), "{name}");
+        }
+        for text in ["tree", "builtin:cube", "../tree.obj", "/tree.obj", "a//b.png", ".obj", "3.5", "roof.x", "lib.cga"]
+        {
+            assert!(!is_file_name(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn an_obj_file_names_its_groups_and_materials() {
+        let found = Asset::obj(
+            "# tree\nmtllib tree.mtl\nv 0 0 0\no Tree\ng  Bark # rough\nusemtl Brown\nf 1 2 3\ng\nG Leaves\ng Bark\n",
+        );
+        let Asset::Mesh { has_faces, groups, materials } = found else { panic!("a mesh") };
+        assert!(has_faces);
+        assert_eq!(
+            (groups, materials),
+            (vec!["Tree".into(), "Bark".into(), "Leaves".into()], vec!["Brown".to_string()])
+        );
+    }
+}
