@@ -47,8 +47,16 @@ pub(in crate::check) struct Slots<'a> {
     pub(in crate::check) list: Vec<Slot<'a>>,
     pub(in crate::check) groups: Vec<Group>,
     pattern: Vec<Item>,
-    /// The pieces, where everything is known.
-    pub(in crate::check) pieces: Option<Vec<Piece>>,
+    /// By slot: no less than what those before it take that come before it whenever it is made.
+    before: Vec<Sum>,
+    /// By slot: no more than what it and all before it take in metres.
+    most: Vec<f64>,
+    /// No less than what all slots take that do not float and are always there.
+    fixed: Sum,
+    /// Whether there are no others.
+    all_fixed: bool,
+    /// By slot, where everything is known: the lengths of its pieces.
+    pieces: Option<Vec<Option<Interval>>>,
 }
 
 /// A sum of sizes: a share of the extent, and metres.
@@ -58,6 +66,12 @@ pub(in crate::check) struct Sum {
     pub(in crate::check) metres: f64,
 }
 
+impl Sum {
+    fn plus(self, other: Sum) -> Sum {
+        Sum { share: self.share + other.share, metres: self.metres + other.metres }
+    }
+}
+
 impl Slot<'_> {
     pub(in crate::check) fn floats(&self) -> bool {
         matches!(self.size.prefix, Some((Prefix::Floating, _)))
@@ -65,6 +79,17 @@ impl Slot<'_> {
 
     pub(in crate::check) fn is_relative(&self) -> bool {
         matches!(self.size.prefix, Some((Prefix::Relative, _)))
+    }
+
+    /// No less than what it takes of an extent: nothing where it floats.
+    fn least(&self, extent: Interval) -> Sum {
+        let least = self.value.lo.max(0.0);
+        match () {
+            () if self.floats() => Sum::default(),
+            () if self.is_relative() => Sum { share: if PIECE < least { least } else { 0.0 }, metres: 0.0 },
+            // What is tiny beside the extent makes no piece.
+            () => Sum { share: 0.0, metres: if extent.hi * PIECE < least { least } else { 0.0 } },
+        }
     }
 
     /// Whether it certainly makes no piece, whatever room there is.
@@ -77,11 +102,32 @@ impl<'a> Slots<'a> {
     /// Reads a split; `value` evaluates a size.
     pub(super) fn new(split: &'a Split, axis: usize, facts: &Facts, value: impl Fn(&Arg) -> Interval) -> Slots<'a> {
         let extent = facts.shape.extent(axis);
+        let (list, groups, pattern) = (Vec::new(), Vec::new(), Vec::new());
+        let (before, most, fixed) = (Vec::new(), Vec::new(), Sum::default());
         let mut slots =
-            Slots { split, axis, extent, list: Vec::new(), groups: Vec::new(), pattern: Vec::new(), pieces: None };
+            Slots { split, axis, extent, list, groups, pattern, before, most, fixed, all_fixed: false, pieces: None };
         slots.items(&split.items, split.repeat, None, &value);
+        slots.add_up();
         slots.pieces = slots.solved();
         slots
+    }
+
+    /// Adds up what slots take, from the first on. Those of a group come before what is in that group alone, as it may not
+    /// repeat at all; floats take what is left, and may take nothing.
+    fn add_up(&mut self) {
+        let (mut outer, mut inner) = (Sum::default(), vec![Sum::default(); self.groups.len()]);
+        let mut most = 0.0;
+        for slot in &self.list {
+            let of_group = slot.group.map_or(Sum::default(), |group| inner[group]);
+            self.before.push(outer.plus(of_group));
+            let own = slot.group.map_or(&mut outer, |group| &mut inner[group]);
+            *own = own.plus(slot.least(self.extent));
+            let value = if slot.is_relative() { slot.value.mul(self.extent) } else { slot.value };
+            most += value.hi.max(0.0);
+            self.most.push(most);
+        }
+        self.fixed = outer;
+        self.all_fixed = self.list.iter().all(|slot| !slot.floats() && slot.group.is_none());
     }
 
     fn items(
@@ -118,13 +164,21 @@ impl<'a> Slots<'a> {
     }
 
     /// The pieces, where the extent and all sizes are known numbers.
-    fn solved(&self) -> Option<Vec<Piece>> {
+    fn solved(&self) -> Option<Vec<Option<Interval>>> {
         let extent = self.extent.known().filter(|extent| 0.0 < *extent)?;
         let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
         let sizes = sizes?;
         let mut lengths = vec![0.0; sizes.len()];
         let solution = solve(&self.pattern, &sizes, &mut lengths, extent);
-        (solution.at_most() <= MOST_PIECES).then(|| solution.pieces())
+        if MOST_PIECES < solution.at_most() {
+            return None;
+        }
+        let mut made: Vec<Option<Interval>> = vec![None; self.list.len()];
+        for piece in solution.pieces() {
+            let (own, length) = (&mut made[piece.slot as usize], Interval::point(piece.length));
+            *own = Some(own.map_or(length, |own| own.or(length)));
+        }
+        Some(made)
     }
 
     /// The pieces of what has only known shares in it, in an extent of 1: they are the same shares of any.
@@ -146,37 +200,14 @@ impl<'a> Slots<'a> {
     }
 
     /// No less than what the slots before one take that come before it whenever it is made, itself included if asked.
-    /// Floats take what is left, and may take nothing.
     pub(in crate::check) fn before(&self, index: usize, itself: bool) -> Sum {
-        let own = &self.list[index];
-        let counts = |(at, slot): &(usize, &Slot)| {
-            (*at < index || itself && *at == index)
-                && !slot.floats()
-                && (slot.group.is_none() || slot.group == own.group)
-        };
-        self.sum(self.list.iter().enumerate().filter(counts).map(|(_, slot)| slot))
+        let before = self.before[index];
+        if itself { before.plus(self.list[index].least(self.extent)) } else { before }
     }
 
     /// No less than what all slots take that do not float and are always there.
     pub(in crate::check) fn fixed(&self) -> Sum {
-        self.sum(self.list.iter().filter(|slot| !slot.floats() && slot.group.is_none()))
-    }
-
-    fn sum<'s>(&self, slots: impl Iterator<Item = &'s Slot<'a>>) -> Sum
-    where
-        'a: 's,
-    {
-        let mut sum = Sum::default();
-        for slot in slots {
-            let least = slot.value.lo.max(0.0);
-            if slot.is_relative() {
-                sum.share += if PIECE < least { least } else { 0.0 };
-            } else {
-                // What is tiny beside the extent makes no piece.
-                sum.metres += if self.extent.hi * PIECE < least { least } else { 0.0 };
-            }
-        }
-        sum
+        self.fixed
     }
 
     /// Whether a sum fills the scope, whatever its extent.
@@ -193,9 +224,7 @@ impl<'a> Slots<'a> {
     /// What the length of a slot's pieces may be.
     pub(super) fn length(&self, index: usize) -> Interval {
         if let Some(pieces) = &self.pieces {
-            let own = pieces.iter().filter(|piece| piece.slot as usize == index);
-            let own = own.map(|piece| Interval::point(piece.length)).reduce(Interval::or);
-            return own.unwrap_or(Interval::EXTENT);
+            return pieces[index].unwrap_or(Interval::EXTENT);
         }
         let slot = &self.list[index];
         let up_to = |most: f64| Interval::finite(0.0, most.max(0.0));
@@ -205,12 +234,8 @@ impl<'a> Slots<'a> {
         let own = if slot.is_relative() { slot.value.mul(self.extent) } else { slot.value };
         let hi = own.hi.min(self.extent.hi);
         // Whole, where all before it certainly leaves that much room.
-        let (alone, mut most) = (self.list.iter().all(|slot| !slot.floats() && slot.group.is_none()), 0.0);
-        for other in &self.list[..=index] {
-            let value = if other.is_relative() { other.value.mul(self.extent) } else { other.value };
-            most += value.hi.max(0.0);
-        }
-        if alone && most * (1.0 + MARGIN) <= self.extent.lo && 0.0 < own.lo {
+        let most = self.most[index];
+        if self.all_fixed && most * (1.0 + MARGIN) <= self.extent.lo && 0.0 < own.lo {
             return Interval::finite(own.lo, hi);
         }
         up_to(hi)
@@ -219,7 +244,7 @@ impl<'a> Slots<'a> {
     /// Whether no piece of a slot is ever made.
     pub(in crate::check) fn is_never(&self, index: usize) -> bool {
         if let Some(pieces) = &self.pieces {
-            return !pieces.iter().any(|piece| piece.slot as usize == index);
+            return pieces[index].is_none();
         }
         let slot = &self.list[index];
         slot.is_nothing()
