@@ -1,5 +1,6 @@
 //! Files that rules import: looked for below the package, like the file behind `in`.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use cga_lang::compile::Door;
@@ -22,6 +23,8 @@ pub(crate) struct Imports {
     root: PathBuf,
     /// In the order in which they were opened first.
     opened: Vec<Imported>,
+    /// What is in the folders that were looked at.
+    listed: HashMap<PathBuf, Vec<String>>,
 }
 
 /// A file that was imported.
@@ -34,7 +37,7 @@ pub(crate) struct Imported {
 impl Imports {
     pub(crate) fn new() -> Self {
         let root = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
-        Imports { root, opened: Vec::new() }
+        Imports { root, opened: Vec::new(), listed: HashMap::new() }
     }
 
     /// The files.
@@ -79,7 +82,7 @@ impl Files for Imports {
         // As runs look for it (*Asset search*).
         let places = [self.root.join("assets").join(name), self.root.join(name)];
         let Some(path) = places.iter().find(|path| path.is_file()) else {
-            return Some(Asset::Missing(places.iter().flat_map(|path| beside(path, name)).collect()));
+            return Some(Asset::Missing(places.iter().flat_map(|path| self.named_beside(path, name)).collect()));
         };
         let is_mesh = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
         let is_small = path.metadata().is_ok_and(|data| data.len() <= LARGEST_MESH);
@@ -92,12 +95,17 @@ impl Files for Imports {
     }
 }
 
-/// The names of the files in the folder of one that is not there, as rules write them.
-fn beside(path: &Path, name: &str) -> Vec<String> {
-    let entries = path.parent().and_then(|folder| std::fs::read_dir(folder).ok()).into_iter().flatten().flatten();
-    let names = entries.take(MOST_BESIDE).filter_map(|entry| entry.file_name().into_string().ok());
-    let folder = name.rfind('/').map_or("", |at| &name[..=at]);
-    names.map(|own| format!("{folder}{own}")).collect()
+impl Imports {
+    /// The names of the files in the folder of one that is not there, as rules write them.
+    fn named_beside(&mut self, path: &Path, name: &str) -> Vec<String> {
+        let Some(folder) = path.parent() else { return Vec::new() };
+        let names = self.listed.entry(folder.to_owned()).or_insert_with(|| {
+            let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_BESIDE);
+            entries.filter_map(|entry| entry.file_name().into_string().ok()).collect()
+        });
+        let prefix = name.rfind('/').map_or("", |at| &name[..=at]);
+        names.iter().map(|own| format!("{prefix}{own}")).collect()
+    }
 }
 
 /// Makes the build follow the imported files.
@@ -117,7 +125,7 @@ mod tests {
         write("assets/tree.obj", "g Bark\nf 1 2 3\n");
         write("assets/wood/oak.png", "");
         write("table.csv", "1;2");
-        let mut files = Imports { root: root.clone(), opened: Vec::new() };
+        let mut files = Imports { root: root.clone(), opened: Vec::new(), listed: HashMap::new() };
         assert!(files.has_assets());
         let groups = vec!["Bark".to_owned()];
         assert_eq!(files.asset("tree.obj"), Some(Asset::Mesh { has_faces: true, groups, materials: Vec::new() }));
