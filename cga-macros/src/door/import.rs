@@ -15,7 +15,7 @@ use super::file::{text, tracking};
 const LARGEST_MESH: u64 = 1 << 26;
 
 /// Files in a folder that are looked at for one that may have been meant.
-const MOST_BESIDE: usize = 10_000;
+const MOST_BESIDE: usize = 500;
 
 /// Opens imported files and remembers them: findings quote from them, and the build follows them.
 pub(crate) struct Imports {
