@@ -117,7 +117,7 @@ fn is_settled(expr: &Expr, tables: &Tables) -> bool {
             Some(Use::Function(_)) | None => false,
             Some(_) => true,
         },
-        ExprKind::Path(..) | ExprKind::Chance(..) | ExprKind::Error => false,
+        ExprKind::Path(..) | ExprKind::Host(_) | ExprKind::Chance(..) | ExprKind::Error => false,
         _ => true,
     };
     own && expr.parts().into_iter().all(|part| is_settled(part, tables))
