@@ -29,6 +29,8 @@ struct Writer {
     random: Random,
     text: String,
     marks: u32,
+    /// The ends of what the attributes `a`, `b` and `c` may be; nothing where that is anything.
+    ends: [Option<[f64; 2]>; 3],
     /// How many parameters each of [`RULES`] has beside its depth.
     params: [usize; RULES.len()],
 }
@@ -55,7 +57,7 @@ impl Here {
 pub(crate) fn write(seed: u64) -> String {
     let mut random = Random(seed);
     let params = [0; RULES.len()].map(|_| random.below(3));
-    let mut writer = Writer { random, text: format!("// Seed {seed}.\n"), marks: FIRST_MARK, params };
+    let mut writer = Writer { random, text: format!("// Seed {seed}.\n"), marks: FIRST_MARK, ends: [None; 3], params };
     writer.values();
     writer.text.push_str(TOOLS);
     writer.rules();

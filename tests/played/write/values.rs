@@ -12,11 +12,12 @@ const COMPARISONS: [&str; 8] = ["<", "<=", ">", ">=", "<", ">", "==", "!="];
 impl Writer {
     /// Attributes, constants and functions.
     pub(super) fn values(&mut self) {
-        for name in ["a", "b", "c"] {
+        for (index, name) in ["a", "b", "c"].into_iter().enumerate() {
             let low = self.random.below(7) as f64 / 2.0 - 1.0;
             let high = low + *self.random.pick(&[0.0, 0.5, 1.0, 3.0, 50.0]);
             let declaration = match self.random.below(10) {
                 0..6 => {
+                    self.ends[index] = Some([low, high]);
                     let default = if self.chance(50) { low } else { high };
                     let restricted = if self.chance(10) { ", restricted = false" } else { "" };
                     format!("@Range(min = {low}, max = {high}{restricted})\nattr {name} = {default}\n")
@@ -131,7 +132,12 @@ impl Writer {
             "kind" => format!("kind {} \"{}\"", self.of(&["==", "!="]), self.of(&["low", "high", "other"])),
             _ => {
                 let op = self.of(&COMPARISONS);
-                let with = if self.chance(80) { self.number_alone() } else { self.plain(here) };
+                let index = ["a", "b", "c"].into_iter().position(|name| name == subject);
+                let with = match index.and_then(|index| self.ends[index]) {
+                    Some(ends) if self.chance(40) => format!("({})", self.random.pick(&ends)),
+                    _ if self.chance(80) => self.number_alone(),
+                    _ => self.plain(here),
+                };
                 format!("{subject} {op} {with}")
             }
         }
