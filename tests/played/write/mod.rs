@@ -142,7 +142,7 @@ impl Writer {
         let aside = format!("print({other}) Around(d + 2)");
         let end = format!("print({other}) End.");
         let condition = self.condition(here, 1);
-        let text = match self.random.below(9) {
+        let text = match self.random.below(10) {
             0 => again("d + 1"),
             1 => format!("t(1, 0, 0) [ {} ] X.", again("d + 1")),
             2 => format!("case d > 5 : {end} else : {}", again("d + 1")),
@@ -151,6 +151,7 @@ impl Writer {
             5 => format!("0% : {end} else : {}", again("d + 1")),
             6 => format!("100% : {} else : {end}", again("d + 1")),
             7 => format!("50% : {} else : {aside}", again("d + 1")),
+            8 => format!("50% : {} else : {end}", again("d + 1")),
             _ => {
                 let seen = format!("set(at, seen({}, scope.sx) + \";0.5;1\") print(at)", self.mark());
                 let [piece, last] = [mark, other].map(|mark| format!("print(piece({mark}, scope.sx))"));

@@ -15,7 +15,8 @@ enum Item {
 impl Writer {
     pub(super) fn split(&mut self, here: Here) {
         let axis = self.of(&["x", "x", "x", "y", "y", "z", "z"]);
-        if self.chance(70) {
+        // Parts have sizes of their own to know.
+        if self.chance(if here.depth < 3 { 45 } else { 75 }) {
             let known = ["10", "5", "3", "8", "4"];
             let list: &[&str] = if self.chance(70) { &known } else { &["10", "0.5", "0", "a", "m", "'1"] };
             let [a, b, c] = [0; 3].map(|_| self.of(list));
@@ -41,7 +42,7 @@ impl Writer {
     /// What a split has in braces, and whether a `*` follows.
     fn items(&mut self, here: Here) -> (Vec<Item>, bool) {
         let slot = |prefix: &'static str, text: &str| Item::Slot(prefix, text.into());
-        match self.random.below(17) {
+        match self.random.below(18) {
             0 => ((0..2 + self.random.below(3)).map(|_| slot("'", self.of(&SHARES))).collect(), false),
             1..4 => ((0..2 + self.random.below(3)).map(|_| slot("", self.of(&METRES))).collect(), false),
             4 | 5 => {
@@ -62,6 +63,10 @@ impl Writer {
                 (vec![first, slot("~", self.of(&["1", "2", "1"])), slot("'", self.of(&SHARES))], false)
             }
             12 => (vec![slot("", self.of(&METRES)), slot("~", "1"), slot("", self.of(&METRES))], false),
+            13 => {
+                let group = Item::Group(vec![slot("", self.of(&METRES))], true);
+                (vec![group, slot(self.of(&["~", "", "'"]), "1")], false)
+            }
             _ => (self.any_items(here, 0), self.chance(25)),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::{Here, RULES, Writer};
 
-const SELECTORS: [&str; 19] = [
+const SELECTORS: [&str; 22] = [
     "front",
     "front",
     "back",
@@ -21,7 +21,10 @@ const SELECTORS: [&str; 19] = [
     "world.up",
     "0",
     "1",
-    "inside",
+    "front",
+    "top",
+    "top",
+    "bottom",
 ];
 
 impl Writer {
@@ -91,7 +94,7 @@ impl Writer {
         }
         let kind = self.of(&["f", "f", "f", "f", "e", "v", "fe", "g", "f, zUp"]);
         self.line(here, &format!("comp({kind}) {{"));
-        for arm in 0..1 + self.random.below(4) {
+        for arm in 0..1 + self.random.below(5) {
             let selector =
                 if kind.starts_with('f') && kind != "fe" { self.of(&SELECTORS) } else { self.of(&["all", "0", "1"]) };
             let (bar, mode) = (if arm == 0 { " " } else { "|" }, self.of(&[":", ":", ":", ":", "="]));

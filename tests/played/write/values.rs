@@ -114,11 +114,14 @@ impl Writer {
 
     /// What conditions ask about, the same one often several times.
     pub(super) fn subject(&mut self, here: Here) -> String {
-        match self.random.below(12) {
+        match self.random.below(13) {
             0 => "on".into(),
             1 => "kind".into(),
             2 => self.number(here, 1),
-            3 => format!("f({})", self.plain(here)),
+            3 | 12 => {
+                let plain = self.plain(here);
+                self.of(&["f(?)", "g(?)", "abs(?)", "sqrt(?)", "max(?, 2)", "? % 3"]).replace('?', &plain)
+            }
             4 | 5 => self.of(&["scope.sx", "scope.sy", "scope.sz"]).into(),
             6..8 if !here.params.is_empty() => self.of(here.params).into(),
             _ => self.of(&["a", "b", "c", "a", "b", "u", "m"]).into(),
