@@ -14,8 +14,8 @@ const MOST_LEAVES: usize = 300;
 /// The rules that runs begin with, some more often.
 const STARTS: [&str; 10] = ["Lot", "Lot", "Lot", "Lot", "Lot", "Lot", "Side", "Side", "Round", "Many"];
 
-/// What attributes without a range are set to.
-const WILD: [f64; 20] = [
+/// What attributes without a range are set to, often to what is no number: comparisons with it are all false.
+const WILD: [f64; 22] = [
     0.0,
     1.0,
     -1.0,
@@ -36,6 +36,8 @@ const WILD: [f64; 20] = [
     f64::NEG_INFINITY,
     0.25,
     4.0,
+    f64::NAN,
+    f64::NAN,
 ];
 
 /// What initial shapes measure, most of them.

@@ -119,7 +119,7 @@ impl Writer {
             1 => "kind".into(),
             2 => self.number(here, 1),
             3 | 12 => {
-                let plain = self.plain(here);
+                let plain = if self.chance(60) { self.of(&["a", "b", "c", "u"]).into() } else { self.plain(here) };
                 self.of(&["f(?)", "g(?)", "abs(?)", "sqrt(?)", "max(?, 2)", "? % 3"]).replace('?', &plain)
             }
             4 | 5 => self.of(&["scope.sx", "scope.sy", "scope.sz"]).into(),
