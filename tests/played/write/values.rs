@@ -138,6 +138,10 @@ impl Writer {
                 let index = ["a", "b", "c"].into_iter().position(|name| name == subject);
                 let with = match index.and_then(|index| self.ends[index]) {
                     Some(ends) if self.chance(40) => format!("({})", self.random.pick(&ends)),
+                    // Functions have ends too.
+                    _ if subject.contains(['(', '%']) && self.chance(50) => {
+                        self.of(&["(-1)", "0", "2", "3", "5"]).into()
+                    }
                     _ if self.chance(80) => self.number_alone(),
                     _ => self.plain(here),
                 };
