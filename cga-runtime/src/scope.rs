@@ -74,10 +74,12 @@ impl Scope {
         self.origin + self.axes * (self.size * 0.5)
     }
 
+    /// Sizes that a scope may have: squares of lengths must be numbers too. The macro counts on it (`lower/extent.rs`).
+    pub(crate) const MOST_SIZE: f64 = 1e149;
+
     /// Whether what is in it, turned any way, is far from where numbers end.
     pub(crate) fn is_bounded(&self) -> bool {
-        // Squares of lengths must be numbers too.
-        (self.origin.abs() + self.size.abs()).element_sum() <= 1e150
+        self.origin.abs().element_sum() <= 1e150 && self.size.abs().max_element() <= Scope::MOST_SIZE
     }
 
     /// The extent along an axis.

@@ -269,7 +269,7 @@ impl Shape {
         } else if scope.is_bounded() {
             Ok(())
         } else {
-            Err(Error::Shape("a size or position of the initial shape is not a finite number, or beyond 1e150".into()))
+            Err(Error::Shape("a size or position of the initial shape is no number, or too large".into()))
         }
     }
 }

@@ -98,6 +98,10 @@ twins! {
         Lot --> s(five, three, 1) primitiveCube() split(x) { none : A. | minus : B. | 1 / none : C. | ~1 : D. | ~(none / none) : E. | ^minus : F. }
         s(1 / none, 1, 1) split(x) { 1 : G. } split(y) { ~1 : H. } s(five, 1, 1) split(x) { 1 : I. }*
     }
+    sizes_beyond_what_a_scope_may_have {
+        Lot --> s(10, 20, 10) primitiveCube() s(five * 1e300, 5, ^1) split(y) { 5 : A. | ~6 : B. }
+        s(1e300, 7, ^1e200) split(y) { 2 : C. | ~1 : split(x) { three : D. | ~1 : E. } } s(1e140, 1, 1) split(x) { ^0.5 : F. | ~1 : G. }
+    }
     things_the_macro_leaves_to_the_run {
         Lot --> s(five, three, 1) primitiveCube() split(x) { ~0.01 : A. }* splitArea(x) { 1 : B. | ~1 : C. } split(x) { rand(1) : D. | ~1 : split(y) { ~1 : E. } }
     }

@@ -49,31 +49,27 @@ impl Known {
     }
 
     fn resize(self, args: &[Arg]) -> Known {
-        let mut sizes = args.iter().zip(self.size).map(|(arg, old)| match arg {
-            Arg::Length(size) => new_size(size, old),
-            Arg::Value(_) | Arg::Word(_) => None,
-        });
-        let (Some(x), Some(y), Some(z)) = (sizes.next().flatten(), sizes.next().flatten(), sizes.next().flatten())
-        else {
-            return self.moved_on();
-        };
-        let sized = Known { size: [x, y, z], ..self };
+        let mut size = [None; 3];
+        for ((size, arg), old) in size.iter_mut().zip(args).zip(self.size) {
+            if let Arg::Length(length) = arg {
+                *size = new_size(length, old);
+            }
+        }
+        let sized = Known { size, ..self };
         // A box without an extent is flat for good.
         Known { solid: self.solid && sized.has_room(), ..sized }
     }
 }
 
-/// What a length makes of a size: itself unknown, or known to be finite. `None` when it may be no number, as then `s` does
-/// nothing at all.
-#[allow(clippy::option_option, reason = "unknown and refused are different answers")]
-fn new_size(size: &Size, old: Option<f64>) -> Option<Option<f64>> {
-    match (size.prefix, constant(size), old) {
-        (Prefix::Absolute, Some(metres), _) => Some(Some(if metres.is_finite() { metres } else { 0.0 })),
-        (Prefix::Absolute, None, _) => Some(None),
-        (_, Some(share), Some(old)) => Some(share * old).filter(|size| size.is_finite()).map(Some),
-        (_, Some(share), None) if share.abs() <= 1.0 => Some(None),
-        _ => None,
-    }
+/// Sizes that a scope may have: what is larger leaves it as it is (*s operation* of the runtime).
+const MOST_SIZE: f64 = 1e149;
+
+/// What a length makes of a size, where that is known.
+fn new_size(length: &Size, old: Option<f64>) -> Option<f64> {
+    let number = constant(length)?;
+    let number = if number.is_finite() { number } else { 0.0 };
+    let new = if length.prefix == Prefix::Absolute { number } else { number * old? };
+    if new.abs() <= MOST_SIZE { Some(new) } else { old }
 }
 
 fn constant(size: &Size) -> Option<f64> {

@@ -21,15 +21,19 @@ pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, 
     settle(env, shape, &before, "`t`");
 }
 
-/// `s(x, y, z)`: sets the size; the origin corner stays (*s operation*).
+/// `s(x, y, z)`: sets the size; the origin corner stays (*s operation*). A size beyond 1e149 m leaves the scope's own along
+/// that axis.
 pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) {
     let old = shape.scope.size;
-    let new =
+    let mut new =
         DVec3::new(x.of(old.x, env, "`s` along x"), y.of(old.y, env, "`s` along y"), z.of(old.z, env, "`s` along z"));
-    if (Scope { size: new, ..shape.scope }).is_bounded() {
-        return shape.resize(new);
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        if Scope::MOST_SIZE < new[axis].abs() {
+            new[axis] = old[axis];
+            env.fault(FaultKind::Value, format!("`s` leads beyond 1e149 along {name}; that size stays as it is"));
+        }
     }
-    env.fault(FaultKind::Value, "`s` leads beyond the largest number; the shape stays as it is");
+    shape.resize(new);
 }
 
 /// `r(x, y, z)`: turns about the pivot's axes, x then y then z, around the scope's origin (*r operation*).

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
+use super::refit::as_placed;
 use crate::cut::{self, Plane};
 use crate::env::Env;
 use crate::shape::{Geometry, Placed, ShapeRef};
@@ -34,23 +35,25 @@ fn cut(shape: &mut ShapeRef<'_>, plane: &TrimPlane) {
     if -near <= below {
         return;
     }
-    let mesh = shape.to_mesh();
+    // In a scope whose sizes are positive: negative ones mirror what is in it.
+    let (size, sign) = (scope.size.abs(), DVec3::ONE.copysign(scope.size));
+    let Some(placed) = as_placed(shape) else { return };
+    let place = placed.to_scope(size);
+    let mesh = if place == DAffine3::IDENTITY { placed.mesh } else { Arc::new(placed.mesh.map(&place)) };
+    let local = Plane { point: local.point * sign, normal: local.normal * sign };
     let kept = cut::above(&mesh, &local, near);
     if kept.as_ref().is_some_and(|kept| Arc::ptr_eq(kept, &mesh)) {
         return;
     }
-    let mirrored = shape.looks_inwards();
     shape.geometry = match kept {
-        Some(mesh) => {
-            Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size: scope.size, whole: false, mirrored }))
-        }
+        Some(mesh) => Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size, whole: false, ..placed })),
         None => Geometry::Empty,
     };
 }
 
 #[cfg(test)]
 mod tests {
-    use glam::{DAffine3, DMat3};
+    use glam::DMat3;
 
     use super::*;
     use crate::comp::select::Word;
@@ -104,6 +107,31 @@ mod tests {
                 assert!(!geometry_is_closed_surface(part), "it stays open where it is cut");
                 0.0
             });
+        }
+    }
+
+    #[test]
+    fn what_is_cut_in_a_mirrored_scope_is_divided_as_it_lies() {
+        let halves = |y: f64, work: fn(&mut Env, &mut ShapeRef<'_>)| {
+            on_faces(&Shape::cuboid(3.0, 4.0, 5.0), |env, part| {
+                part.scope.size += DVec3::new(5.0, 0.0, 4.0);
+                part.scope.origin +=
+                    part.scope.axes * DVec3::new(0.0, if y < 0.0 { part.scope.size.y } else { 0.0 }, 0.0);
+                part.scope.size.y *= y;
+                work(env, part);
+                let low = part.scope.size.y.min(0.0);
+                let bounds = part.to_mesh().bounds();
+                assert!(low - 1e-9 <= bounds.low.y && bounds.high.y <= low + part.scope.size.y.abs() + 1e-9);
+                let Geometry::Mesh(placed) = &part.geometry else { panic!("the planes cut it") };
+                assert!(0.0 <= placed.size.min_element());
+                geometry_area(env, part, Word::All)
+            })
+        };
+        for work in [op::cube, op::cylinder] {
+            let (upright, mirrored) = (halves(1.0, work), halves(-1.0, work));
+            for (a, b) in upright.iter().zip(&mirrored) {
+                assert!((a - b).abs() < 1e-9 * a, "{upright:?} {mirrored:?}");
+            }
         }
     }
 

@@ -242,7 +242,9 @@ impl<'f> Known<'f> {
                 "scope.sx" => Value::Number(facts.shape.size[0]),
                 "scope.sy" => Value::Number(facts.shape.size[1]),
                 "scope.sz" => Value::Number(facts.shape.size[2]),
-                "split.index" | "split.total" => Value::Number(Interval::EXTENT),
+                // Before the first split it is -1 of 0.
+                "split.index" => Value::Number(Interval::finite(-1.0, f64::INFINITY)),
+                "split.total" => Value::Number(Interval::EXTENT),
                 _ => Value::of(Some(row.ty)),
             },
             _ => Value::Any,

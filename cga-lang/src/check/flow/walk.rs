@@ -12,6 +12,9 @@ use crate::check::{Use, split_adjust, split_axis, words};
 use crate::ops::{Effect, Operation, ShapeAttr};
 use crate::span::Span;
 
+/// Sizes that a scope may have (*s operation* of the runtime).
+const MOST_SIZE: f64 = 1e149;
+
 /// What is met on the way.
 pub(in crate::check) enum Site<'s, 'a> {
     /// A split along an axis of the scope.
@@ -272,21 +275,15 @@ impl<'w> Walk<'w> {
 
     fn sized(&self, shape: Shape, args: [&Arg; 3], facts: &Facts, span: Span) -> Shape {
         let mut size = shape.size;
-        let mut refused = false;
         for (size, arg) in size.iter_mut().zip(args) {
             let number = self.value(&arg.value, facts).number().taken();
-            *size = match arg.prefix {
-                None => number,
-                Some(_) => {
-                    // What leads beyond the largest number leaves the scope as it is.
-                    let product = number.mul(*size);
-                    refused |= product.is_odd() && !(-1.0 <= number.lo && number.hi <= 1.0);
-                    product.tame()
-                }
-            };
+            let (old, is_share) = (*size, arg.prefix.is_some());
+            let new = if is_share { number.mul(old) } else { number };
+            // What is too large for a scope leaves it as it is; a share of what it has is not.
+            let is_small = is_share && -1.0 <= number.lo && number.hi <= 1.0 || new.abs().hi <= MOST_SIZE;
+            *size = if is_small { new.tame() } else { new.tame().or(old) };
         }
-        let sized = shape.sized(size, span);
-        if refused { sized.or(&shape) } else { sized }
+        shape.sized(size, span)
     }
 }
 
