@@ -67,6 +67,9 @@ fn message(diag: &Diag, source: &Source) -> String {
     for help in &diag.help {
         message.push_str(&format!("\nhelp: {}", spelled(help)));
     }
+    if diag.level == Level::Error && diag.code.is_lint() {
+        message.push_str(&format!("\nnote: this is `{}`, whose level can be changed", diag.code.name()));
+    }
     message
 }
 

@@ -39,11 +39,12 @@ pub(super) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
         return;
     }
     let diag = always(condition, truth, diags);
+    let mut notes = Vec::new();
     if let Some(stray) = unlisted(condition, cx) {
         stray.report(diag);
+    } else {
+        reasons(condition, truth, facts, flow, &mut notes);
     }
-    let mut notes = Vec::new();
-    reasons(condition, truth, facts, flow, &mut notes);
     notes.dedup();
     for note in notes {
         diag.note(note);

@@ -2,7 +2,7 @@
 
 use super::globals::Item;
 use super::{Cx, arity};
-use crate::ast::{Decl, Role};
+use crate::ast::{Body, Decl, Role};
 use crate::code::Code;
 use crate::diag::Diags;
 use crate::ir::Type;
@@ -122,5 +122,8 @@ fn duplicate(diags: &mut Diags, decl: &Decl, what: &str, first: &Decl) {
         count => format!(" with {count} parameters"),
     };
     let message = format!("{what} `{}`{params} is declared twice", decl.name.text);
-    diags.report(Code::DuplicateName, decl.name.span, message).related("first declared", first.name.span);
+    let diag = diags.report(Code::DuplicateName, decl.name.span, message).related("first declared", first.name.span);
+    if matches!((&first.body, &decl.body), (Body::Attr(_), Body::Function(_))) && decl.params.is_empty() {
+        diag.help(format!("rules give an attribute another value with `set({}, …)`", decl.name.text));
+    }
 }

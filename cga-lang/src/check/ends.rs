@@ -9,6 +9,7 @@ use crate::code::Code;
 use crate::diag::{Diag, Diags, Level};
 use crate::graph::{components, is_cycle};
 use crate::ops::Effect;
+use crate::span::Span;
 
 /// What counts as an end of a cycle.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -61,10 +62,29 @@ pub(super) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
                 diag.note("only percentages decide whether it goes on")
             }
         };
+        let itself = component.len() == 1;
+        if let Some(call) = call_of(body(&globals.rules[rule]), rule, &cx.tables).filter(|_| itself) {
+            diag.related("it calls itself", call);
+            diag.help(format!("write `{}.` for a leaf", name.text));
+        }
         diag.help("write a `case` with a branch that does not call it, as in `case scope.sx < 0.1 : … else : …`");
         readings.add(program, name.id(), diags.finish());
     }
     readings.agreed(program)
+}
+
+/// Where some steps name a rule first.
+fn call_of(list: &[Op], wanted: usize, tables: &Tables) -> Option<Span> {
+    let mut found = None;
+    ops(list, &mut |op| {
+        if let OpKind::Call(name, args) = &op.kind
+            && args.is_empty()
+            && tables.of(name) == Some(Use::Rule(wanted as u32))
+        {
+            found = found.or(Some(name.span));
+        }
+    });
+    found
 }
 
 /// The rules of cycles in which every path comes back to such a rule.

@@ -210,7 +210,7 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.note(format!("`{text}` selects components: it stands in the selectors of a `comp`, nowhere else"));
         }
         if inline && !dotted && !suggested {
-            diag.help(format!("write `#{text}` for a Rust value"));
+            diag.help(format!("write `#{text}` for a Rust value, `\"{text}\"` for text"));
         } else if let Some((first, _)) = text.split_once('.')
             && !ops::all_shape_attrs().any(|row| row.name.starts_with(first))
             && !self.cx.globals.program.instances[at].imports.contains_key(first)

@@ -192,7 +192,12 @@ impl<'a> Scope<'_, 'a, '_> {
         let here = || ops::selectors().filter(|row| row.on.has(place) && row.old.is_none()).map(|row| row.name);
         let all: Vec<String> = here().filter(|name| !name.contains('.')).map(|name| format!("`{name}`")).collect();
         let near = nearest(&name.text, here()).filter(|near| *near != name.text);
+        let by_name =
+            [(Places::GROUPS, "groups"), (Places::MATERIALS, "materials")].into_iter().find(|(kind, _)| *kind == place);
         let diag = self.cx.diags.report(Code::UnknownSelector, name.span, message);
+        if let Some((_, list)) = by_name.filter(|_| near.is_none()) {
+            return diag.help(format!("one of a name is `findFirst(geometry.{list}, \"{}\")`", name.text));
+        }
         diag.suggest(near).note(format!("there are {}", all.join(", ")))
     }
 }

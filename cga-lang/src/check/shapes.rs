@@ -204,7 +204,7 @@ impl<'a> Scope<'_, 'a, '_> {
         }
         diag.suggest(near);
         if others.is_empty() && count == 0 && !text.contains('.') {
-            diag.help(format!("write `{text}.` for a leaf"));
+            diag.help(format!("write `{text}.` for a leaf, or declare it: `{text} --> …`"));
         }
         self.note(name, Use::Leaf);
     }
@@ -393,8 +393,14 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let others = ops::all_shape_attrs().filter(|row| row.set.is_some()).map(|row| row.name);
-        let near = globals.meant(self.at, text, Kind::Attrs, others);
+        let part = |row: &&ops::ShapeAttr| row.name.rsplit('.').next() == Some(text);
+        let longer = ops::all_shape_attrs().filter(|row| row.set.is_some()).find(part).map(|row| row.name.to_owned());
+        let near = longer.or_else(|| globals.meant(self.at, text, Kind::Attrs, others).map(|near| near.to_string()));
+        let is_operation = ops::operations(text).next().is_some();
         let message = format!("there is no attribute `{text}`");
-        self.cx.diags.report(Code::UnknownName, span, message).suggest(near);
+        let diag = self.cx.diags.report(Code::UnknownName, span, message).suggest(near);
+        if is_operation {
+            diag.help(format!("`{text}` is an operation: write `{text}(…)`"));
+        }
     }
 }

@@ -132,6 +132,8 @@ pub(crate) struct Instance {
     pub(crate) layers: Vec<Layer>,
     /// By the token of the import's name in a dynamic call with rules: the instance made for it.
     pub(crate) dynamic: HashMap<u32, InstanceId>,
+    /// Whether anything may be declared where it could not be read.
+    pub(crate) is_torn: bool,
     file: usize,
 }
 
@@ -248,6 +250,8 @@ impl Link<'_> {
         let unit = &self.units[file];
         let found = unit.found.iter().map(|diag| diag.clone().moved(|span| span.behind(tokens.start)));
         self.diags.append(found.collect());
+        // It has swallowed what stands behind it.
+        let is_torn = unit.found.iter().any(|diag| matches!(diag.code, Code::UnclosedComment | Code::UnclosedString));
         let ast = parse_part(&self.program.tokens, tokens.clone(), self.diags);
         self.program.pieces.push(Piece { file, tokens, from: 0 });
         let styles = Styles::new(&ast, style, self.diags);
@@ -264,6 +268,7 @@ impl Link<'_> {
             imports: HashMap::new(),
             layers,
             dynamic: HashMap::new(),
+            is_torn,
             file,
         });
         for import in &imports {

@@ -31,7 +31,11 @@ impl Parser<'_> {
     /// A branch block of steps; `in_arm` as for [`Parser::ops`].
     pub(super) fn branch_ops(&mut self, in_arm: bool) -> Parsed<Op> {
         let start = self.at;
-        let arms = self.arms(|parser| parser.ops(true), |parser| parser.ops(in_arm))?;
+        let arms = self.arms(
+            |parser| parser.ops(true),
+            |parser| parser.ops(in_arm),
+            "end it with `else : …`; `else : NIL` makes nothing",
+        )?;
         let otherwise = arms.otherwise.unwrap_or_default();
         let kind = if arms.cases.is_empty() {
             OpKind::Chance(arms.chances, otherwise)
@@ -45,7 +49,7 @@ impl Parser<'_> {
     pub(super) fn branch_value(&mut self) -> Parsed<Part> {
         let start = self.at;
         let mut deepest = 0;
-        let arms = self.arms(Self::deep_expr, Self::deep_expr)?;
+        let arms = self.arms(Self::deep_expr, Self::deep_expr, "end it with `else : …` and a value")?;
         let span = self.span_from(start);
         let mut value = |(value, depth): Part| {
             deepest = deepest.max(depth);
@@ -87,6 +91,7 @@ impl Parser<'_> {
         &mut self,
         mut arm: impl FnMut(&mut Self) -> Parsed<T>,
         otherwise: impl FnOnce(&mut Self) -> Parsed<T>,
+        help: &str,
     ) -> Parsed<Arms<T>> {
         let start = self.at;
         let first_is_case = self.at_case();
@@ -134,7 +139,7 @@ impl Parser<'_> {
             (start + 1, "these percentages have no `else`")
         };
         let span = self.span_at(start).to(self.span_at(last));
-        self.diags.report(Code::MissingElse, span, message).help("end it with `else : …`; `else : NIL` makes nothing");
+        self.diags.report(Code::MissingElse, span, message).help(help);
         if mixed { Err(Reported) } else { Ok(arms) }
     }
 }

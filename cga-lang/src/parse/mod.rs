@@ -251,7 +251,7 @@ impl<'a> Parser<'a> {
             } else if let Ok(one) = self.bracketed(false, &mut item) {
                 items.push(one);
                 if self.at < close && self.is(Sym::Comma) {
-                    self.syntax(self.at, "`|` stands between slots").help("write `|` for `,`");
+                    self.syntax(self.at, "`|` stands between the parts").help("write `|` for `,`");
                     self.bump();
                     continue;
                 }

@@ -6,6 +6,7 @@ use super::report::STEP;
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Arg, Expr, ExprKind, Op, OpKind};
 use crate::code::Code;
+use crate::ops;
 use crate::token::{Sym, Tok};
 
 impl Parser<'_> {
@@ -40,7 +41,7 @@ impl Parser<'_> {
             }
             match self.peek() {
                 Some(Tok::Sym(Sym::Bar | Sym::RBrace | Sym::RBracket | Sym::RParen)) => break,
-                Some(Tok::Sym(Sym::Comma)) if self.comma_ends || self.size_follows() => break,
+                Some(Tok::Sym(Sym::Comma)) if self.comma_ends || self.size_follows() || self.arm_follows() => break,
                 Some(Tok::Sym(sym @ (Sym::Semi | Sym::Comma))) => {
                     let help = match sym {
                         Sym::Semi => "leave out the `;`: a rule runs to the next declaration",
@@ -59,6 +60,12 @@ impl Parser<'_> {
     /// Whether a size stands behind the next token: then that should have been a `|`.
     fn size_follows(&self) -> bool {
         matches!(self.nth(1), Some(Tok::Number(_) | Tok::Sym(Sym::Tilde | Sym::Quote)))
+    }
+
+    /// Whether an arm of a comp stands behind the next token, as in `top : Roof, side : Wall`.
+    fn arm_follows(&self) -> bool {
+        matches!(self.nth(1), Some(Tok::Ident(word)) if word != "case" && ops::selector(word).is_some())
+            && matches!(self.nth(2), Some(Tok::Sym(Sym::Colon | Sym::Assign)))
     }
 
     pub(super) fn op(&mut self) -> Parsed<Op> {

@@ -4,11 +4,22 @@ use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::code::Code;
 use crate::diag::Diag;
 use crate::lex::{NO_UNITS, without_unit};
+use crate::ops::operations;
 use crate::span::Span;
+use crate::suggest::nearest;
 use crate::token::{Sym, Tok};
 
 /// What a rule's body consists of.
 pub(super) const STEP: &str = "an operation or a rule";
+
+/// What begins the last branch, here and elsewhere.
+const ELSE: [&str; 3] = ["else", "default", "otherwise"];
+
+/// Words that declare something.
+const DECLARING: [&str; 6] = ["attr", "const", "style", "import", "version", "extension"];
+
+/// Words that declare something in other languages.
+const ELSEWHERE: [&str; 8] = ["let", "var", "fn", "func", "function", "def", "static", "attribute"];
 
 impl Parser<'_> {
     /// Reports a mistake at a position; not where the door has found something unreadable right beside it.
@@ -28,34 +39,44 @@ impl Parser<'_> {
         if let Some(value) = self.number_with_unit() {
             return self.expected_only(what).note(NO_UNITS).help(format!("write `{value}`"));
         }
-        let help = match self.peek() {
-            _ if self.at_border() => None,
-            Some(Tok::Sym(Sym::Assign)) if self.nth_is(1, Sym::Greater) => Some("write `>=`"),
-            Some(Tok::Sym(Sym::Assign)) => Some("two values are compared with `==`"),
-            Some(Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_)) if what == STEP => {
-                Some("put `|` between the slots of a split")
-            }
-            Some(Tok::Sym(Sym::Colon)) if what == STEP => Some("put `|` between the parts of a split or comp"),
-            Some(Tok::Sym(Sym::Quote)) => {
-                Some("`'` and `^` stand before a relative size; a power is `pow(base, exponent)`")
-            }
-            Some(Tok::Sym(Sym::Star))
-                if self
-                    .at
-                    .checked_sub(1)
-                    .and_then(|at| self.layout.at(at))
-                    .is_some_and(|token| token.is(Sym::Star)) =>
-            {
-                Some("a power is `pow(base, exponent)`")
-            }
-            Some(Tok::Sym(Sym::Star)) if what == STEP => Some("`*` stands behind the `}` of what it repeats"),
-            _ => None,
-        };
+        let help = self.meant(what);
         let diag = self.expected_only(what);
         match help {
             Some(help) => diag.help(help),
             None => diag,
         }
+    }
+
+    /// What is usually meant by what stands here.
+    fn meant(&self, what: &str) -> Option<String> {
+        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
+        let follows = |sym: Sym| before.is_some_and(|token| token.is(sym));
+        let word = before.and_then(Tok::ident);
+        let help = match self.peek()? {
+            _ if self.at_border() => return None,
+            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Greater) => "write `>=`",
+            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Less) => "write `<=`",
+            Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Bang) => "write `!=`",
+            Tok::Sym(Sym::Assign) => "two values are compared with `==`",
+            Tok::Number(value) if what == STEP && word.is_some_and(|word| operations(word).next().is_some()) => {
+                return Some(format!("write `{}({value})`", word.unwrap_or_default()));
+            }
+            Tok::Number(value) if what == STEP && self.nth_is(1, Sym::Colon) && 0.0 < *value && *value <= 100.0 => {
+                return Some(format!("put `|` between the slots of a split; a percentage is `{value}% :`"));
+            }
+            Tok::Sym(Sym::Tilde | Sym::Quote) | Tok::Number(_) if what == STEP => {
+                "put `|` between the slots of a split"
+            }
+            Tok::Sym(Sym::Colon) if what == STEP && word.and_then(|word| nearest(word, ELSE)).is_some() => {
+                "did you mean `else`?"
+            }
+            Tok::Sym(Sym::Colon) if what == STEP => "put `|` between the parts of a split or comp",
+            Tok::Sym(Sym::Quote) => "`'` stands before a relative size; a power is `pow(base, exponent)`",
+            Tok::Sym(Sym::Star) if follows(Sym::Star) => "a power is `pow(base, exponent)`",
+            Tok::Sym(Sym::Star) if what == STEP => "`*` stands behind the `}` of what it repeats",
+            _ => return None,
+        };
+        Some(help.to_owned())
     }
 
     /// What the number right before is without the unit that stands here.
@@ -100,6 +121,18 @@ impl Parser<'_> {
             Some(Tok::Sym(Sym::Semi)) => self
                 .syntax(self.at, "nothing ends a declaration")
                 .help("leave out the `;`: the next one begins by itself"),
+            Some(Tok::Ident(word)) => {
+                let near = nearest(word, DECLARING).map(|near| format!("did you mean `{near}`?"));
+                let help = near.or_else(|| {
+                    let is_other = ELSEWHERE.contains(&word.as_str());
+                    is_other.then(|| "write `name = value`, `name(parameters) = value` or `const name = value`".into())
+                });
+                let diag = self.syntax(self.at, format!("unexpected {found}"));
+                if let Some(help) = help {
+                    diag.help(help);
+                }
+                diag
+            }
             _ => self.syntax(self.at, format!("unexpected {found}")),
         };
     }

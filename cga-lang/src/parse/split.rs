@@ -36,9 +36,13 @@ impl Parser<'_> {
         }
         if self.at_percent() && !self.has_else() {
             let span = self.span().to(self.span_at(self.at + 1));
+            let written = match self.peek() {
+                Some(Tok::Number(percent)) => Some((percent * 1e6).round() / 1e8),
+                _ => None,
+            };
             self.diags
                 .report(Code::Syntax, span, "the size of a slot is no percentage")
-                .help("write `'0.3` for 30 % of the scope");
+                .help(written.map_or("write `'0.3` for 30 % of the scope".into(), |share| format!("write `'{share}`")));
             return Err(Reported);
         }
         let size = self.arg()?;

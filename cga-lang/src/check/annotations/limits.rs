@@ -5,6 +5,8 @@ use super::{AttrInfo, wrong};
 use crate::ast::{AnnotationArg, Decl, Expr, ExprKind};
 use crate::check::globals::Kind;
 use crate::check::{Cx, Use};
+use crate::code::Code;
+use crate::diag::Level;
 use crate::ir::{AttrId, ChoiceValues, Choices, Presentation, Range, Type};
 use crate::span::Span;
 use crate::suggest::nearest;
@@ -109,6 +111,7 @@ impl Limits {
                 _ => info.choices = Some(choices),
             }
         }
+        stray_default(cx, decl, info);
         // Sliders that do not restrict (*annotations*), unless something else is said.
         let max = match info.presentation {
             Presentation::Angle => 360.0,
@@ -118,6 +121,34 @@ impl Limits {
         if info.choices.is_none() {
             info.range = info.range.or(Some(Range { min: 0.0, max, step: 0.0, restricted: false }));
         }
+    }
+}
+
+/// A default that is none of the values which others are held to.
+fn stray_default(cx: &mut Cx, decl: &Decl, info: &AttrInfo) {
+    let Some(value) = decl.value() else { return };
+    let known = number(value);
+    let range = info.range.filter(|range| range.restricted);
+    let stray = range.zip(known).filter(|(range, known)| *known < range.min || range.max < *known);
+    let choices = info.choices.as_ref().filter(|choices| choices.restricted).map(|choices| &choices.values);
+    let name = &decl.name.text;
+    let (message, near) = match (stray, choices, &value.kind) {
+        (Some((range, _)), ..) => {
+            (format!("the default of `{name}` is not between {} and {}", range.min, range.max), None)
+        }
+        (_, Some(ChoiceValues::Texts(list)), ExprKind::Text(text)) if !list.contains(text) => {
+            let near = nearest(text, list.iter().map(String::as_str)).map(|near| format!("did you mean \"{near}\"?"));
+            (format!("the default of `{name}` is not in its `@Enum`"), near)
+        }
+        (_, Some(ChoiceValues::Floats(list)), _) if known.is_some_and(|known| !list.contains(&known)) => {
+            (format!("the default of `{name}` is not in its `@Enum`"), None)
+        }
+        _ => return,
+    };
+    let diag = cx.diags.report_as(Code::BadAnnotation, Level::Warning, value.span, message);
+    diag.note("a program that has set it to something else cannot set it back");
+    if let Some(near) = near {
+        diag.help(near);
     }
 }
 

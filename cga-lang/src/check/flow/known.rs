@@ -237,6 +237,12 @@ impl<'f> Known<'f> {
                 let args: Vec<Interval> = args.iter().map(|arg| arg.number()).collect();
                 Value::Number(Interval::function(row.name, &args))
             }
+            // A chance is true less often than always, and more often than never.
+            Use::Builtin(row) if row.name == "p" => Value::Truth(match args[..] {
+                [Value::Number(chance)] if 1.0 < chance.lo && !chance.is_odd() => Some(true),
+                [Value::Number(chance)] if chance.hi < 0.0 && !chance.is_odd() => Some(false),
+                _ => None,
+            }),
             Use::Builtin(row) => Value::of(Some(row.ty)),
             Use::Shape(row) => match row.name {
                 "scope.sx" => Value::Number(facts.shape.size[0]),

@@ -238,7 +238,7 @@ impl<'a> Globals<'a> {
     pub(crate) fn is_lost(&self, from: InstanceId, name: &str) -> bool {
         match self.way(from, name) {
             Way::Missing => true,
-            Way::To(at, rest) => self.names[at].lost.contains(rest),
+            Way::To(at, rest) => self.program.instances[at].is_torn || self.names[at].lost.contains(rest),
         }
     }
 
