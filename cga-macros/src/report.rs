@@ -49,6 +49,12 @@ pub(crate) fn findings(list: &[Diag], source: &Source) -> Findings {
 
 /// The lines of a finding; behind a text door with the text it speaks of.
 fn message(diag: &Diag, source: &Source) -> String {
+    // Warnings show their code anyway.
+    let mut diag = diag.clone();
+    if diag.level == Level::Error && diag.code.is_lint() {
+        diag.note(format!("this is `{}`, whose level can be changed", diag.code.name()));
+    }
+    let diag = &diag;
     if let Some((text, first)) = source.text(diag.span.first) {
         let token = |token: u32| source.text(token).map_or(token, |(_, token)| token);
         let span = cga_lang::span::Span { first, last: token(diag.span.last) };
@@ -66,9 +72,6 @@ fn message(diag: &Diag, source: &Source) -> String {
     }
     for help in &diag.help {
         message.push_str(&format!("\nhelp: {}", spelled(help)));
-    }
-    if diag.level == Level::Error && diag.code.is_lint() {
-        message.push_str(&format!("\nnote: this is `{}`, whose level can be changed", diag.code.name()));
     }
     message
 }

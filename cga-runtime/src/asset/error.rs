@@ -31,7 +31,7 @@ pub enum AssetError {
 impl fmt::Display for AssetError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            AssetError::NoFolder => f.write_str("no asset folder is set"),
+            AssetError::NoFolder => f.write_str("no asset folder is set (`Settings::assets`)"),
             AssetError::Outside => f.write_str("assets are looked up below the asset folder only"),
             AssetError::File { message, .. } | AssetError::Broken(message) => f.write_str(message),
             AssetError::Format(wanted) => f.write_str(wanted),

@@ -208,7 +208,7 @@ mod tests {
         assert_eq!(asset_info(env, "missing.obj".into(), Sx), 0.0);
         assert_eq!(
             env.take_faults().0[0].message,
-            "`missing.obj` cannot be measured: no asset folder is set; 0 is used instead"
+            "`missing.obj` cannot be measured: no asset folder is set (`Settings::assets`); 0 is used instead"
         );
     }
 

@@ -5,10 +5,10 @@ const _: () = {
     unknown_annotation
 };
 ::core::compile_error! {
-    "there is no rule `extrud`\nhelp: did you mean `extrude`?"
+    "there is no rule `extrud`\nnote: this is `undefined_rule`, whose level can be changed\nhelp: did you mean `extrude`?"
 }
 ::core::compile_error! {
-    "there is no rule `splot`\nhelp: did you mean `split`?\nhelp: write `splot.` for a leaf"
+    "there is no rule `splot`\nnote: this is `undefined_rule`, whose level can be changed\nhelp: did you mean `split`?\nhelp: write `splot.` for a leaf, or declare it: `splot --> …`"
 }
 const _: () = {
     #[deprecated(note = "`NIL` has removed the shape, nothing happens here")]
