@@ -130,9 +130,10 @@ fn operations_on_the_way_to_a_rule_change_no_random_numbers_below() {
 }
 
 #[test]
-fn an_old_default_outside_of_its_range_is_no_mistake() {
+fn an_old_default_outside_of_its_range_runs() {
     cga! {
         grammar Old;
+        @Allow(stray_default)
         @Range(1, 10)
         attr height = 24
         Lot --> extrude(height) A.

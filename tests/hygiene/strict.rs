@@ -22,7 +22,7 @@ cga! {
     /// Has some of everything.
     pub(crate) grammar Strict;
     /// How high.
-    @Range(min = 1, max = 1000000)
+    @Range(min = 1, max = 100000000)
     attr height = 12345678.9
     attr about = "text"
     attr computed = rand(1, height)

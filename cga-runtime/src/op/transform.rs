@@ -27,11 +27,10 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
     let old = shape.scope.size;
     let mut new =
         DVec3::new(x.of(old.x, env, "`s` along x"), y.of(old.y, env, "`s` along y"), z.of(old.z, env, "`s` along z"));
-    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-        if Scope::MOST_SIZE < new[axis].abs() {
-            new[axis] = old[axis];
-            env.fault(FaultKind::Value, format!("`s` leads beyond 1e149 along {name}; that size stays as it is"));
-        }
+    let too_large = new.abs().cmpgt(DVec3::splat(Scope::MOST_SIZE));
+    if too_large.any() {
+        new = DVec3::select(too_large, old, new);
+        env.fault(FaultKind::Value, "`s` leads beyond 1e149 metres; such a size stays as it is");
     }
     shape.resize(new);
 }

@@ -15,6 +15,14 @@ cga! {
 }
 
 cga! {
+    pub grammar Default;
+    @Deny(stray_default)
+    @Enum("flat", "gable")
+    attr roof = "gabel"
+    Lot --> label(roof) Tower.
+}
+
+cga! {
     pub grammar Finding;
     @Allow(slot_never_maid)
     Lot --> split(x) { ^0.2 : Wall. | ~1 : Window. }

@@ -6,7 +6,6 @@ use crate::ast::{AnnotationArg, Decl, Expr, ExprKind};
 use crate::check::globals::Kind;
 use crate::check::{Cx, Use};
 use crate::code::Code;
-use crate::diag::Level;
 use crate::ir::{AttrId, ChoiceValues, Choices, Presentation, Range, Type};
 use crate::span::Span;
 use crate::suggest::nearest;
@@ -145,7 +144,7 @@ fn stray_default(cx: &mut Cx, decl: &Decl, info: &AttrInfo) {
         }
         _ => return,
     };
-    let diag = cx.diags.report_as(Code::BadAnnotation, Level::Warning, value.span, message);
+    let diag = cx.diags.report(Code::StrayDefault, value.span, message);
     diag.note("a program that has set it to something else cannot set it back");
     if let Some(near) = near {
         diag.help(near);
