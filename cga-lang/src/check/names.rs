@@ -215,7 +215,13 @@ impl<'a> Scope<'_, 'a, '_> {
             && !ops::all_shape_attrs().any(|row| row.name.starts_with(first))
             && !self.cx.globals.program.instances[at].imports.contains_key(first)
         {
-            diag.note(format!("there is no import `{first}`"));
+            let all = ops::all_functions().map(|row| row.name).filter(|name| name.split('.').next() == Some(first));
+            let mut all: Vec<String> = all.map(|name| format!("`{name}`")).collect();
+            all.dedup();
+            match all.is_empty() {
+                true => diag.note(format!("there is no import `{first}`")),
+                false => diag.note(format!("there are {}", all.join(", "))),
+            };
         }
     }
 

@@ -198,11 +198,15 @@ impl<'a> Scope<'_, 'a, '_> {
             (format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied())), None)
         };
         let level = if inline { Level::Error } else { Level::Warning };
+        let is_value = self.lookup(text).is_some() && count == 0;
         let diag = self.cx.diags.report_as(Code::UndefinedRule, level, name.span, message);
         if !inline {
             diag.note(format!("it becomes a leaf named `{text}`"));
         }
         diag.suggest(near);
+        if is_value {
+            diag.note(format!("`{text}` is a value, and does nothing to the shape"));
+        }
         if others.is_empty() && count == 0 && !text.contains('.') {
             diag.help(format!("write `{text}.` for a leaf, or declare it: `{text} --> …`"));
         }

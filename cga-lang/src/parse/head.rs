@@ -211,7 +211,8 @@ impl<'a> Heads<'a> {
         if !names {
             return None;
         }
-        let slips: [&[Sym]; 4] = [
+        let slips: [&[Sym]; 5] = [
+            &[Sym::Minus, Sym::Arrow],
             &[Sym::Minus, Sym::Greater],
             &[Sym::Minus, Sym::Minus, Sym::Greater],
             &[Sym::Assign, Sym::Greater],

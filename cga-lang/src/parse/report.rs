@@ -57,6 +57,7 @@ impl Parser<'_> {
             Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Greater) => "write `>=`",
             Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Less) => "write `<=`",
             Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Bang) => "write `!=`",
+            Tok::Sym(Sym::Assign) if self.is_behind_set() => "write `,`: as in `set(name, value)`",
             Tok::Sym(Sym::Assign) => "two values are compared with `==`",
             Tok::Number(value) if what == STEP && word.is_some_and(|word| operations(word).next().is_some()) => {
                 return Some(format!("write `{}({value})`", word.unwrap_or_default()));
@@ -70,6 +71,10 @@ impl Parser<'_> {
             Tok::Sym(Sym::Colon) if what == STEP && word.and_then(|word| nearest(word, ELSE)).is_some() => {
                 "did you mean `else`?"
             }
+            Tok::Sym(Sym::Colon) if what == STEP && word.is_some_and(|word| operations(word).next().is_none()) => {
+                let name = word.unwrap_or_default();
+                return Some(format!("put `|` between the parts of a split or comp; a rule begins with `{name} -->`"));
+            }
             Tok::Sym(Sym::Colon) if what == STEP => "put `|` between the parts of a split or comp",
             Tok::Sym(Sym::Quote) => "`'` stands before a relative size; a power is `pow(base, exponent)`",
             Tok::Sym(Sym::Star) if follows(Sym::Star) => "a power is `pow(base, exponent)`",
@@ -77,6 +82,16 @@ impl Parser<'_> {
             _ => return None,
         };
         Some(help.to_owned())
+    }
+
+    /// Whether the name that is set stands right before.
+    fn is_behind_set(&self) -> bool {
+        let before = |back: usize| self.at.checked_sub(back).and_then(|at| self.layout.at(at));
+        let (mut back, is_part) = (1, |token: &Tok| token.ident().is_some() || token.is(Sym::Dot));
+        while before(back).is_some_and(is_part) && back < 8 {
+            back += 1;
+        }
+        before(back).is_some_and(|token| token.is(Sym::LParen)) && before(back + 1).and_then(Tok::ident) == Some("set")
     }
 
     /// What the number right before is without the unit that stands here.
