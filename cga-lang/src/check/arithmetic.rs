@@ -21,24 +21,7 @@ pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
             let diag = diags.report(Code::DivisionByZero, right.span, what);
             diag.note("operations take the result as 0, with a fault");
         }
-        ExprKind::Case(arms, other) => {
-            // What is never computed may be anything.
-            let (mut left, conditions) = (Some(facts.clone()), arms.iter().map(|arm| &arm.0).collect::<Vec<_>>());
-            for (at, (condition, value)) in arms.iter().enumerate() {
-                let Some(here) = left else { return };
-                let (before, is_last) = (&conditions[..at], at + 1 == arms.len());
-                branches::check(&Turn { condition, before, is_last, first: facts }, &here, flow, cx, diags);
-                check(condition, &here, flow, cx, diags);
-                if let Some(inside) = flow.known.past(condition, true, here.clone()) {
-                    check(value, &inside, flow, cx, diags);
-                }
-                left = flow.known.past(condition, false, here);
-            }
-            if let Some(here) = left {
-                check(other, &here, flow, cx, diags);
-            }
-            return;
-        }
+        ExprKind::Case(arms, other) => return case(arms, other, facts, (facts, &mut Vec::new()), flow, cx, diags),
         ExprKind::Call(name, args) => {
             if let Some(Use::Builtin(row)) = cx.tables.of(name) {
                 layers(row.params, args.iter(), facts, flow, diags);
@@ -52,6 +35,37 @@ pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
     let component = matches!(expr.kind, ExprKind::Comp(_)).then(|| facts.on_any_shape());
     let facts = component.as_ref().unwrap_or(facts);
     expr.parts().into_iter().for_each(|part| check(part, facts, flow, cx, diags));
+}
+
+/// Looks at a `case`. `first` is what was known where its first condition stands, with the conditions since: it may stand
+/// behind the `else` of another.
+fn case<'e>(
+    arms: &'e [(Expr, Expr)],
+    other: &'e Expr,
+    facts: &Facts,
+    (first, before): (&Facts, &mut Vec<&'e Expr>),
+    flow: &Flow,
+    cx: &Cx,
+    diags: &mut Diags,
+) {
+    // What is never computed may be anything.
+    let mut left = Some(facts.clone());
+    for (at, (condition, value)) in arms.iter().enumerate() {
+        let Some(here) = left else { return };
+        let is_last = at + 1 == arms.len();
+        branches::check(&Turn { condition, before, is_last, first }, &here, flow, cx, diags);
+        before.push(condition);
+        check(condition, &here, flow, cx, diags);
+        if let Some(inside) = flow.known.past(condition, true, here.clone()) {
+            check(value, &inside, flow, cx, diags);
+        }
+        left = flow.known.past(condition, false, here);
+    }
+    match (left, &other.kind) {
+        (Some(here), ExprKind::Case(arms, other)) => case(arms, other, &here, (first, before), flow, cx, diags),
+        (Some(here), _) => check(other, &here, flow, cx, diags),
+        (None, _) => {}
+    }
 }
 
 /// Looks at the arguments of an operation.

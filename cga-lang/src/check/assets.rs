@@ -8,6 +8,7 @@ use crate::diag::Diags;
 use crate::link::Asset;
 use crate::ops::Param;
 use crate::suggest::nearest;
+use crate::token::Tok;
 
 /// Looks at what is met on the way through a rule.
 pub(super) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
@@ -92,7 +93,7 @@ fn within(list: &Expr, text: &Expr, token: u32, cx: &Cx, diags: &mut Diags) {
         return;
     };
     let file = match cx.globals.program.tokens.as_slice().get(token as usize) {
-        Some(crate::token::Tok::Str(file)) => file,
+        Some(Tok::Str(file)) => file,
         _ => return,
     };
     let Some(Asset::Mesh { has_faces: true, groups, materials }) = cx.globals.program.assets.of(file) else { return };

@@ -12,10 +12,10 @@ use crate::suggest::nearest;
 /// A condition of a `case`, among the others there.
 pub(super) struct Turn<'t, 'e> {
     pub(super) condition: &'e Expr,
-    /// Those before it, which have failed.
+    /// Those before it, which have failed: also of a `case` that it stands in behind `else`.
     pub(super) before: &'t [&'e Expr],
     pub(super) is_last: bool,
-    /// What is known where the `case` begins.
+    /// What is known where the first of them stands.
     pub(super) first: &'t Facts,
 }
 
@@ -43,7 +43,7 @@ pub(super) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
     if let Some(stray) = unlisted(condition, cx) {
         stray.report(diag);
     } else {
-        reasons(condition, truth, facts, flow, &mut notes);
+        reasons(condition, truth, facts, flow, "here", &mut notes);
     }
     notes.dedup();
     for note in notes {
@@ -69,10 +69,10 @@ struct Stray<'e> {
 impl Stray<'_> {
     fn report(&self, diag: &mut Diag) {
         let Stray { attr, text, .. } = self;
-        diag.note(format!("`@Enum` of `{attr}` has no \"{text}\""));
+        diag.note(format!("\"{text}\" is none of the values that `{attr}` may have"));
         diag.help(match self.near {
             Some(near) => format!("did you mean \"{near}\"?"),
-            None => format!("write one of the values in its `@Enum`, or add \"{text}\" there"),
+            None => format!("write one of those in its annotation, or add \"{text}\" there"),
         });
     }
 }
@@ -125,31 +125,33 @@ fn is_settled(expr: &Expr, tables: &Tables) -> bool {
 }
 
 /// Collects what is known of the values that are compared, where that decides.
-fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, notes: &mut Vec<String>) {
+fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, place: &str, notes: &mut Vec<String>) {
     match &condition.kind {
-        ExprKind::Unary(Unary::Not, operand) => reasons(operand, !truth, facts, flow, notes),
+        ExprKind::Unary(Unary::Not, operand) => reasons(operand, !truth, facts, flow, place, notes),
         ExprKind::Binary(op @ (Binary::And | Binary::Or), _, left, right) => {
             if flow.value(left, facts).truth() == Some(truth) {
-                reasons(left, truth, facts, flow, notes);
+                reasons(left, truth, facts, flow, place, notes);
             }
             if flow.value(right, facts).truth() == Some(truth) {
-                return reasons(right, truth, facts, flow, notes);
+                return reasons(right, truth, facts, flow, place, notes);
             }
             // Or it follows from the other.
             let goes_on = *op == Binary::And;
             if let Some(facts) = flow.known.past(left, goes_on, facts.clone()).filter(|_| notes.is_empty()) {
-                reasons(right, truth, &facts, flow, notes);
+                let place =
+                    if goes_on { "where the part before it is true" } else { "where the part before it is false" };
+                reasons(right, truth, &facts, flow, place, notes);
             }
         }
         ExprKind::Binary(_, _, left, right) => {
             for side in [left, right] {
                 if let (ExprKind::Name(name), Some(here)) = (&side.kind, told(side, facts, flow)) {
-                    notes.push(format!("`{}` is {here} here", name.text));
+                    notes.push(format!("`{}` is {here} {place}", name.text));
                 }
             }
         }
         ExprKind::Name(name) => {
-            notes.extend(told(condition, facts, flow).map(|here| format!("`{}` is {here} here", name.text)));
+            notes.extend(told(condition, facts, flow).map(|here| format!("`{}` is {here} {place}", name.text)));
         }
         _ => {}
     }
@@ -158,7 +160,9 @@ fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, notes: &mu
 /// A value as messages show it, if something is known.
 fn told(expr: &Expr, facts: &Facts, flow: &Flow) -> Option<String> {
     match flow.value(expr, facts) {
-        Value::Number(number) => Some(range(number)).filter(|_| number.lo.is_finite() || number.hi.is_finite()),
+        Value::Number(number) if number.lo.is_finite() || number.hi.is_finite() => {
+            Some(format!("{}{}", range(number), if number.may_be_nan() { ", or no number" } else { "" }))
+        }
         Value::Truth(Some(truth)) => Some(truth.to_string()),
         Value::Text(set) => flow.known.told(set),
         _ => None,
@@ -171,6 +175,7 @@ fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flo
         flow.value(side, facts).truth() == Some(truth) && is_decided_by_switch(side, truth, facts, flow, tables)
     };
     is_switch(condition, tables)
+        || is_literal(condition)
         || match (&condition.kind, truth) {
             (ExprKind::Unary(Unary::Not, operand), _) => decides(operand, !truth),
             // One side is enough, or one of the two it takes.
@@ -179,6 +184,14 @@ fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flo
             }
             _ => false,
         }
+}
+
+/// Whether an expression has no names at all: `1 == 1` is a switch, too.
+fn is_literal(expr: &Expr) -> bool {
+    matches!(
+        expr.kind,
+        ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Unary(..) | ExprKind::Binary(..)
+    ) && expr.parts().into_iter().all(is_literal)
 }
 
 /// Whether an expression is a bare `true` or `false`, or made of constants alone: a switch that its author sets by hand.

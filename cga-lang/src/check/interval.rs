@@ -2,7 +2,8 @@
 //!
 //! Runs compute in `f64`, rounding to the nearest, and so do these: rounding never turns two results around, so the ends of
 //! an interval bound what a run computes with the same operation, bit for bit. Whether it may be infinite, or no number at
-//! all, is kept beside: what is no number is neither less than anything nor equal to it.
+//! all, is kept beside. Comparisons are those of the language: where one side is no number, `<` and `<=` are true, and `>`,
+//! `>=` and `==` are false.
 
 use crate::ast::Binary;
 
@@ -192,13 +193,17 @@ impl Interval {
 
     /// What a function of the language makes of its arguments, as far as it is known.
     pub(super) fn function(name: &str, args: &[Interval]) -> Interval {
-        let rising = |of: fn(f64) -> f64, arg: Interval| Interval { lo: of(arg.lo), hi: of(arg.hi), ..arg };
+        // Runs take what is not finite as zero.
+        let rising = |of: fn(f64) -> f64, arg: Interval| {
+            let arg = arg.taken();
+            Interval { lo: of(arg.lo), hi: of(arg.hi), ..arg }
+        };
         match (name, args) {
             ("floor", [a]) => rising(f64::floor, *a),
             ("ceil", [a]) => rising(f64::ceil, *a),
             ("rint", [a]) => rising(f64::round_ties_even, *a),
             ("sqrt", [a]) if 0.0 <= a.lo => rising(f64::sqrt, *a),
-            ("abs", [a]) => a.abs(),
+            ("abs", [a]) => a.taken().abs(),
             ("min", [a, b]) => a.min(*b),
             ("max", [a, b]) => a.max(*b),
             ("sin" | "cos", [a]) => Interval { nan: a.is_odd(), ..Interval::UNIT },
@@ -216,20 +221,20 @@ impl Interval {
         Interval::result(self.lo - room, self.hi + room, self.nan)
     }
 
-    /// Whether it is less than the other: `None` when that depends.
+    /// What `<` says: `None` when that depends. `>=` says the contrary.
     pub(super) fn less(self, other: Interval) -> Option<bool> {
         match () {
-            () if self.hi < other.lo && !self.nan && !other.nan => Some(true),
-            () if other.hi <= self.lo => Some(false),
+            () if self.hi < other.lo => Some(true),
+            () if other.hi <= self.lo && !self.nan && !other.nan => Some(false),
             () => None,
         }
     }
 
-    /// Whether it is no more than the other: `None` when that depends.
+    /// What `<=` says: `None` when that depends. `>` says the contrary.
     pub(super) fn at_most(self, other: Interval) -> Option<bool> {
         match () {
-            () if self.hi <= other.lo && !self.nan && !other.nan => Some(true),
-            () if other.hi < self.lo => Some(false),
+            () if self.hi <= other.lo => Some(true),
+            () if other.hi < self.lo && !self.nan && !other.nan => Some(false),
             () => None,
         }
     }
@@ -315,24 +320,26 @@ mod tests {
     fn functions_and_comparisons_hold_for_every_number() {
         for a in intervals() {
             for x in members(a) {
+                // As operations take it.
+                let x_taken = if x.is_finite() { x } else { 0.0 };
                 for (name, exact) in [
-                    ("floor", x.floor()),
-                    ("ceil", x.ceil()),
-                    ("rint", x.round_ties_even()),
-                    ("sqrt", x.sqrt()),
-                    ("abs", x.abs()),
+                    ("floor", x_taken.floor()),
+                    ("ceil", x_taken.ceil()),
+                    ("rint", x_taken.round_ties_even()),
+                    ("sqrt", x_taken.sqrt()),
+                    ("abs", x_taken.abs()),
                 ] {
                     assert!(has(Interval::function(name, &[a]), exact), "{name} of {x} in {a:?}");
                 }
                 assert!(a.known().is_none_or(|known| known == x));
-                assert!(has(a.taken(), if x.is_finite() { x } else { 0.0 }));
+                assert!(has(a.taken(), x_taken));
             }
             for b in intervals() {
                 let joined = a.or(b);
                 let (less, at_most, same) = (a.less(b), a.at_most(b), a.same(b));
                 for (x, y) in members(a).flat_map(|x| members(b).map(move |y| (x, y))) {
-                    assert!(less.is_none_or(|less| less == (x < y)), "{x} < {y}");
-                    assert!(at_most.is_none_or(|at_most| at_most == (x <= y)), "{x} <= {y}");
+                    assert!(less.is_none_or(|less| less != (x >= y)), "{x} < {y}");
+                    assert!(at_most.is_none_or(|at_most| at_most != (x > y)), "{x} <= {y}");
                     assert!(same.is_none_or(|same| same == (x == y)), "{x} == {y}");
                     assert!(has(joined, x) && has(joined, y) && has(joined.widen(a), y));
                 }
@@ -341,7 +348,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_neither_less_nor_the_same_and_is_taken_as_zero() {
+    fn what_is_no_number_is_less_than_anything_and_is_taken_as_zero() {
         let odd = Interval::point(1.0).div(Interval::ZERO);
         assert_eq!(odd, Interval::ALL);
         assert_eq!(odd.less(Interval::ZERO), None);
@@ -349,7 +356,7 @@ mod tests {
         assert!(large.is_odd() && large.taken().lo == 0.0);
         let beyond = Interval { nan: true, ..Interval::finite(5.0, 7.0) };
         let (two, nine) = (Interval::point(2.0), Interval::point(9.0));
-        assert_eq!((beyond.less(two), beyond.same(two), beyond.less(nine)), (Some(false), Some(false), None));
+        assert_eq!((beyond.less(two), beyond.same(two), beyond.less(nine)), (None, Some(false), Some(true)));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Slots that are never made, always cut or leave a gap.
 
-use super::flow::{Facts, Slot, Slots, Sum, called};
+use super::flow::{Face, Facts, Slot, Slots, Sum, called};
 use super::interval::Interval;
 use super::{Tables, branches};
 use crate::ast::Arg;
@@ -35,17 +35,25 @@ fn label(slot: &Slot) -> String {
 
 /// A number as messages show it.
 pub(super) fn shown(number: f64) -> String {
-    format!("{}", (number * 1e6).round() / 1e6)
+    let rounded = (number * 1e6).round() / 1e6;
+    // Not what is small, and no zero with a sign.
+    if rounded == 0.0 && number != 0.0 { format!("{number:e}") } else { format!("{}", rounded + 0.0) }
+}
+
+/// A bound as messages show it, without what rounding may add.
+pub(super) fn about(number: f64) -> String {
+    shown((number * 1e4).round() / 1e4)
 }
 
 /// Numbers as messages show them: "3", "between 3 and 60", "3 or more".
 pub(super) fn range(of: Interval) -> String {
-    match (of.known(), of.lo.is_finite(), of.hi.is_finite()) {
-        (Some(number), ..) => shown(number),
-        (None, true, true) => format!("between {} and {}", shown(of.lo), shown(of.hi)),
-        (None, true, false) => format!("{} or more", shown(of.lo)),
-        (None, false, true) => format!("{} or less", shown(of.hi)),
-        (None, false, false) => "any number".into(),
+    match (of.lo == of.hi, of.lo.is_finite(), of.hi.is_finite()) {
+        (true, ..) => shown(of.lo),
+        (false, true, true) if shown(of.lo) == shown(of.hi) => format!("about {}", shown(of.lo)),
+        (false, true, true) => format!("between {} and {}", shown(of.lo), shown(of.hi)),
+        (false, true, false) => format!("{} or more", shown(of.lo)),
+        (false, false, true) => format!("{} or less", shown(of.hi)),
+        (false, false, false) => "any number".into(),
     }
 }
 
@@ -63,12 +71,16 @@ pub(super) fn axis(slots: &Slots) -> &'static str {
 fn flat(slots: &Slots, facts: &Facts, diags: &mut Diags) {
     let name = axis(slots);
     let span = slots.split.args.first().map_or(slots.split.name.span, |arg: &Arg| arg.span);
-    let message = format!("the shape has no extent along {name}: it is never split");
+    let face = facts.shape.is_face().filter(|_| slots.axis == 2);
+    let message = match face {
+        Some(Face::Any) => format!("a planar face has no extent along {name}: it is never split"),
+        _ => format!("the shape has no extent along {name}: it is never split"),
+    };
     let diag = diags.report(Code::FlatSplit, span, message);
     if let Some(place) = facts.shape.since[slots.axis] {
         diag.related(format!("it is flat along {name}"), place);
     }
-    if slots.axis == 2 && facts.shape.is_face() {
+    if face.is_some() {
         diag.help("a face lies in x and y: write `split(x)` or `split(y)`");
     }
 }
@@ -94,7 +106,7 @@ fn quantity(slots: &Slots, sum: Sum) -> String {
     let (extent, axis) = (slots.extent, axis(slots));
     let room = match extent.known() {
         Some(extent) => format!("and the scope has {} along {axis}", shown(extent)),
-        None => format!("and the scope has {} at most along {axis}", shown(extent.hi)),
+        None => format!("and the scope has {} at most along {axis}", about(extent.hi)),
     };
     match sum {
         Sum { metres: 0.0, share } => format!("{} of the scope", shown(share)),

@@ -1,8 +1,8 @@
 //! Files that rules name: what is known of them while compiling.
 
 use super::Files;
-use crate::token::{Tok, Tokens};
-use std::collections::HashMap;
+use crate::token::{Sym, Tok, Tokens};
+use std::collections::{HashMap, HashSet};
 
 /// Names that are looked for; of more nothing is known.
 const MOST: usize = 2000;
@@ -55,12 +55,21 @@ pub(crate) struct Assets {
     by_name: HashMap<String, Asset>,
     /// Whether the package is where assets are.
     are_here: bool,
+    /// Files of which the rules ask whether they exist.
+    asked_for: HashSet<String>,
 }
 
 impl Assets {
     /// Asks for all texts that look like names of files.
     pub(super) fn new(tokens: &Tokens, files: &mut dyn Files) -> Assets {
-        let mut assets = Assets { by_name: HashMap::new(), are_here: files.has_assets() };
+        let mut assets = Assets { are_here: files.has_assets(), ..Assets::default() };
+        for part in tokens.as_slice().windows(3) {
+            if let [Tok::Ident(word), Tok::Sym(Sym::LParen), Tok::Str(name)] = part
+                && word == "fileExists"
+            {
+                assets.asked_for.insert(name.clone());
+            }
+        }
         for token in tokens.as_slice() {
             let Tok::Str(name) = token else { continue };
             if !is_file_name(name) || assets.by_name.contains_key(name) || MOST <= assets.by_name.len() {
@@ -73,9 +82,10 @@ impl Assets {
         assets
     }
 
-    /// What is known of a file. Where none at all is found they are somewhere else.
+    /// What is known of a file. Where none at all is found they are somewhere else; one that rules ask for may be missing.
     pub(crate) fn of(&self, name: &str) -> Option<&Asset> {
-        self.by_name.get(name).filter(|_| self.are_here)
+        let may_lack = |asset: &&Asset| matches!(asset, Asset::Missing(_)) && self.asked_for.contains(name);
+        self.by_name.get(name).filter(|asset| self.are_here && !may_lack(asset))
     }
 }
 

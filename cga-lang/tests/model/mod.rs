@@ -294,9 +294,11 @@ impl<'m> Model<'m> {
             ExprKind::Binary(Binary::Or, a, b) => self.truth(a, here) | self.truth(b, here),
             ExprKind::Binary(op, a, b) => {
                 let (a, b) = (self.number(a, here), self.number(b, here));
+                // What is no number is less than anything.
+                let odd = a.is_nan() || b.is_nan();
                 match op {
-                    Binary::Lt => a < b,
-                    Binary::Le => a <= b,
+                    Binary::Lt => a < b || odd,
+                    Binary::Le => a <= b || odd,
                     Binary::Gt => a > b,
                     Binary::Ge => a >= b,
                     Binary::Eq => a == b,
@@ -348,6 +350,8 @@ impl<'m> Model<'m> {
                 match (row.name, args.as_slice()) {
                     ("min", [a, b]) => a.min(*b),
                     ("max", [a, b]) => a.max(*b),
+                    // What is not finite counts as zero.
+                    ("abs" | "floor", [a]) if !a.is_finite() => 0.0,
                     ("abs", [a]) => a.abs(),
                     ("floor", [a]) => a.floor(),
                     ("rand", [a, b]) => a + (b - a) * self.random.below(9) as f64 / 8.0,

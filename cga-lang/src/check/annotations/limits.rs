@@ -137,10 +137,10 @@ fn stray_default(cx: &mut Cx, decl: &Decl, info: &AttrInfo) {
         }
         (_, Some(ChoiceValues::Texts(list)), ExprKind::Text(text)) if !list.contains(text) => {
             let near = nearest(text, list.iter().map(String::as_str)).map(|near| format!("did you mean \"{near}\"?"));
-            (format!("the default of `{name}` is not in its `@Enum`"), near)
+            (format!("the default of `{name}` is none of the values it may have"), near)
         }
         (_, Some(ChoiceValues::Floats(list)), _) if known.is_some_and(|known| !list.contains(&known)) => {
-            (format!("the default of `{name}` is not in its `@Enum`"), None)
+            (format!("the default of `{name}` is none of the values it may have"), None)
         }
         _ => return,
     };

@@ -17,6 +17,15 @@ const DEEPEST: u32 = 3;
 /// Steps that are taken to find out a value: what takes more may be anything.
 const MOST_STEPS: u32 = 20_000;
 
+/// Steps for all values of a program; after these each has few.
+const MOST_IN_ALL: u64 = 4_000_000;
+
+/// Steps for a value then.
+const FEW_STEPS: u32 = 200;
+
+/// Functions with more parameters and locals count as what they are with any.
+const MOST_LOCALS: usize = 40;
+
 /// What attributes count as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::check) enum Attrs {
@@ -40,6 +49,8 @@ pub(in crate::check) struct Known<'f> {
     changing: HashSet<u32>,
     /// How many steps are left.
     steps: Cell<u32>,
+    /// How many were taken for values so far.
+    taken: Cell<u64>,
 }
 
 impl<'f> Known<'f> {
@@ -57,7 +68,8 @@ impl<'f> Known<'f> {
             functions: vec![Value::Any; globals.functions.len()],
             bodies: globals.functions.iter().enumerate().map(body).collect(),
             changing: tables.targets.values().copied().collect(),
-            steps: Cell::new(0),
+            steps: Cell::new(MOST_STEPS),
+            taken: Cell::new(0),
         };
         known.changing.extend(tables.uses.values().filter_map(|found| match found {
             Use::SetAttr(index) => Some(*index),
@@ -80,7 +92,7 @@ impl<'f> Known<'f> {
         let Some((value, _)) = item.value() else { return Value::Any };
         let mut facts = Facts::any(if item.is_own() { item.decl.params.len() } else { 0 });
         if item.is_own() {
-            self.steps.set(MOST_STEPS);
+            self.begin();
             self.enter_locals(item.decl, &mut facts, 0);
         }
         self.value(value, &facts)
@@ -104,8 +116,9 @@ impl<'f> Known<'f> {
             Init::Flows(outer) => self.attrs[outer as usize],
             _ => self.alone(item),
         };
-        // What the host program sets is held to these; a default need not be.
-        let info = self.tables.attrs.get(index);
+        // What the host program sets is held to these; a default need not be. An attribute has one field, whatever the style.
+        let first = globals.attrs.iter().position(|other| other.name == item.name).unwrap_or(index);
+        let info = self.tables.attrs.get(first);
         let range = info.and_then(|info| info.range).filter(|range| range.restricted);
         if let (Some(range), Value::Number(_)) = (range, any) {
             return Value::Number(Interval::between(range.min, range.max)).or(default);
@@ -141,13 +154,22 @@ impl<'f> Known<'f> {
 
     /// What is known of an expression.
     pub(in crate::check) fn value(&self, expr: &Expr, facts: &Facts) -> Value {
-        self.steps.set(MOST_STEPS);
+        self.begin();
         self.within(expr, facts, 0)
+    }
+
+    /// Begins to count steps anew.
+    fn begin(&self) {
+        let most = |taken: u64| if taken < MOST_IN_ALL { MOST_STEPS } else { FEW_STEPS };
+        let taken = self.taken.get();
+        let taken = taken + u64::from(most(taken).saturating_sub(self.steps.get()));
+        self.taken.set(taken);
+        self.steps.set(most(taken));
     }
 
     /// What is known where a condition is true, or false; nothing where it never is.
     pub(in crate::check) fn past(&self, condition: &Expr, truth: bool, facts: Facts) -> Option<Facts> {
-        self.steps.set(MOST_STEPS);
+        self.begin();
         if self.within(condition, &facts, 0).truth() == Some(!truth) {
             return None;
         }
@@ -222,7 +244,9 @@ impl<'f> Known<'f> {
             Use::Attr(index) => facts.global(Global::Attr(index)).unwrap_or(self.attrs[index as usize]),
             Use::Const(index) => facts.global(Global::Const(index)).unwrap_or(self.consts[index as usize]),
             Use::Function(index) => match self.bodies[index as usize] {
-                Some((decl, body)) if depth < DEEPEST && decl.params.len() == args.len() => {
+                Some((decl, body))
+                    if depth < DEEPEST && decl.params.len() == args.len() && decl.locals.len() < MOST_LOCALS =>
+                {
                     let mut inside = facts.with(args);
                     self.enter_locals(decl, &mut inside, depth + 1);
                     self.within(body, &inside, depth + 1)

@@ -21,6 +21,7 @@ use crate::graph::components;
 
 pub(super) use facts::Facts;
 pub(super) use known::{Attrs, Known};
+pub(super) use shape::Face;
 pub(super) use slots::{MARGIN, Slot, Slots, Sum};
 pub(super) use value::Value;
 pub(super) use walk::{Site, called};

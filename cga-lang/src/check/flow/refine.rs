@@ -2,6 +2,7 @@
 
 use super::facts::{Facts, Global};
 use super::known::Known;
+use super::texts::TextSet;
 use super::value::Value;
 use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::check::Use;
@@ -31,10 +32,10 @@ impl Known<'_> {
                     return Some(facts);
                 }
                 let (a, b) = (self.within(left, &facts, depth), self.within(right, &facts, depth));
-                let facts = self.narrow(left, &holds, b, facts)?;
-                self.narrow(right, &holds.turned(), a, facts)
+                let facts = self.narrow(left, holds, b, facts)?;
+                self.narrow(right, holds.turned(), a, facts)
             }
-            ExprKind::Name(_) => self.narrow(condition, &Holds::SAME, Value::Truth(Some(truth)), facts),
+            ExprKind::Name(_) => self.narrow(condition, Holds::SAME, Value::Truth(Some(truth)), facts),
             _ => Some(facts),
         }
     }
@@ -56,11 +57,16 @@ impl Known<'_> {
     }
 
     /// Cuts off what a comparison with something rules out.
-    fn narrow(&self, expr: &Expr, holds: &Holds, with: Value, mut facts: Facts) -> Option<Facts> {
+    fn narrow(&self, expr: &Expr, holds: Holds, with: Value, mut facts: Facts) -> Option<Facts> {
         let Some(place) = self.place(expr) else { return Some(facts) };
         let narrowed = holds.narrowed(self.within(expr, &facts, 0), with)?;
         match place {
-            Place::Size(axis) => facts.shape.size[axis] = narrowed.number().tame(),
+            Place::Size(axis) => {
+                let size = narrowed.number().tame();
+                if facts.shape.size[axis] != size {
+                    (facts.shape.size[axis], facts.shape.since[axis]) = (size, None);
+                }
+            }
             Place::Param(index) => {
                 if let Some(param) = facts.params.get_mut(index) {
                     *param = narrowed;
@@ -72,25 +78,33 @@ impl Known<'_> {
     }
 }
 
-/// A comparison, and whether that it holds or that it does not is known.
+/// A comparison that holds for the value on its left side, or an equation that does not.
+#[derive(Clone, Copy)]
 struct Holds {
     op: Binary,
-    truth: bool,
+    /// What is no number makes it hold, too.
+    or_nan: bool,
 }
 
 impl Holds {
-    const SAME: Holds = Holds { op: Binary::Eq, truth: true };
+    const SAME: Holds = Holds { op: Binary::Eq, or_nan: false };
 
+    /// What holds where a comparison is true, or false.
     fn new(op: Binary, truth: bool) -> Option<Holds> {
-        match op {
-            Binary::Ne => Some(Holds { op: Binary::Eq, truth: !truth }),
-            Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge | Binary::Eq => Some(Holds { op, truth }),
-            _ => None,
-        }
+        let (op, or_nan) = match (op, truth) {
+            (Binary::Lt, true) | (Binary::Ge, false) => (Binary::Lt, true),
+            (Binary::Le, true) | (Binary::Gt, false) => (Binary::Le, true),
+            (Binary::Gt, true) | (Binary::Le, false) => (Binary::Gt, false),
+            (Binary::Ge, true) | (Binary::Lt, false) => (Binary::Ge, false),
+            (Binary::Eq, true) | (Binary::Ne, false) => (Binary::Eq, false),
+            (Binary::Ne, true) | (Binary::Eq, false) => (Binary::Ne, true),
+            _ => return None,
+        };
+        Some(Holds { op, or_nan })
     }
 
     /// With the sides the other way round.
-    fn turned(&self) -> Holds {
+    fn turned(self) -> Holds {
         let op = match self.op {
             Binary::Lt => Binary::Gt,
             Binary::Le => Binary::Ge,
@@ -98,20 +112,25 @@ impl Holds {
             Binary::Ge => Binary::Le,
             other => other,
         };
-        Holds { op, truth: self.truth }
+        Holds { op, ..self }
     }
 
     /// What is left of a value on the left side, with that on the right; nothing where nothing is.
-    fn narrowed(&self, value: Value, with: Value) -> Option<Value> {
+    fn narrowed(self, value: Value, with: Value) -> Option<Value> {
+        let is_same = self.op == Binary::Eq;
         Some(match (value, with) {
             (Value::Number(number), Value::Number(with)) => Value::Number(self.number(number, with)?),
             (Value::Any, Value::Number(with)) => Value::Number(self.number(Interval::ALL, with)?),
             (Value::Text(_) | Value::Any, Value::Text(with)) => {
-                let texts = if let Value::Text(texts) = value { texts } else { super::texts::TextSet::ANY };
-                Value::Text(if self.truth { texts.and(with)? } else { texts.without(with)? })
+                let texts = if let Value::Text(texts) = value { texts } else { TextSet::ANY };
+                match self.op {
+                    Binary::Eq => Value::Text(texts.and(with)?),
+                    Binary::Ne => Value::Text(texts.without(with)?),
+                    _ => value,
+                }
             }
             (Value::Truth(_) | Value::Any, Value::Truth(Some(with))) => {
-                let here = with == self.truth;
+                let here = with == is_same;
                 if value.truth() == Some(!here) {
                     return None;
                 }
@@ -121,25 +140,17 @@ impl Holds {
         })
     }
 
-    fn number(&self, number: Interval, with: Interval) -> Option<Interval> {
-        if self.truth {
-            // What is no number compares with nothing.
-            return number.ordered().compared(self.op, with);
-        }
-        let contrary = match self.op {
-            Binary::Lt => Binary::Ge,
-            Binary::Le => Binary::Gt,
-            Binary::Gt => Binary::Le,
-            Binary::Ge => Binary::Lt,
-            _ => return Some(number),
-        };
-        // A comparison fails with what is no number, too.
-        if with.may_be_nan() {
-            return Some(number);
-        }
-        match number.compared(contrary, with) {
-            None if number.may_be_nan() => Some(number),
-            found => found,
+    /// Ends stay in, so that it does not matter whether they are.
+    fn number(self, number: Interval, with: Interval) -> Option<Interval> {
+        match self.op {
+            Binary::Ne => Some(number),
+            _ if !self.or_nan => number.ordered().compared(self.op, with),
+            // It may hold because of the other side.
+            _ if with.may_be_nan() => Some(number),
+            _ => match number.compared(self.op, with) {
+                None if number.may_be_nan() => Some(number),
+                found => found,
+            },
         }
     }
 }

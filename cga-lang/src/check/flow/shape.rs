@@ -1,11 +1,13 @@
 //! What is known of a shape on its way through the rules.
 
-use super::slots::MARGIN;
 use crate::check::interval::Interval;
 use crate::span::Span;
 
-/// Thinner than anything that a split divides: faces are planar but for rounding.
+/// Thinner than anything that a split divides.
 const THIN: f64 = 1e-9;
+
+/// What boxes around parts of meshes may be off by, in metres and as a share: points far from the origin are rounded.
+const ROUGH: f64 = 1e-7;
 
 /// What fills the scope, as far as parts of it keep the sizes of their slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +20,14 @@ pub(in crate::check) enum Filling {
     Unknown,
 }
 
+/// A face of a comp.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::check) enum Face {
+    /// It is certainly planar.
+    Flat,
+    Any,
+}
+
 /// What is known of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::check) struct Shape {
@@ -28,12 +38,19 @@ pub(in crate::check) struct Shape {
     pub(in crate::check) filling: Filling,
     /// Trim planes may cut what is put into the scope.
     pub(in crate::check) trimmed: bool,
+    /// It is a face as a comp has made it, perhaps stretched in x and y: flat along z if it is planar.
+    pub(super) is_face: bool,
 }
 
 impl Shape {
     /// Nothing is known. Sizes are always finite, perhaps negative.
-    pub(in crate::check) const ANY: Shape =
-        Shape { size: [Interval::FINITE; 3], since: [None; 3], filling: Filling::Unknown, trimmed: true };
+    pub(in crate::check) const ANY: Shape = Shape {
+        size: [Interval::FINITE; 3],
+        since: [None; 3],
+        filling: Filling::Unknown,
+        trimmed: true,
+        is_face: false,
+    };
 
     /// An initial shape: without trim planes.
     pub(super) const INITIAL: Shape = Shape { trimmed: false, ..Shape::ANY };
@@ -43,10 +60,9 @@ impl Shape {
         Shape { trimmed: self.trimmed, ..Shape::ANY }
     }
 
-    /// A face, from that comp: without depth.
+    /// A face, from that comp. Those that are not planar have a depth.
     pub(super) fn face(from: Span) -> Shape {
-        let size = [Interval::EXTENT, Interval::EXTENT, Interval::finite(0.0, THIN)];
-        Shape { size, since: [None, None, Some(from)], ..Shape::ANY }
+        Shape { size: [Interval::EXTENT; 3], since: [None, None, Some(from)], is_face: true, ..Shape::ANY }
     }
 
     /// What a selector takes of its faces, from that comp, where it is a box: rectangles. Without a selector any of them.
@@ -63,7 +79,7 @@ impl Shape {
             _ => (either(x, z), either(y, z)),
         };
         let (size, since) = ([width.0, height.0, Interval::ZERO], [width.1, height.1, Some(from)]);
-        Shape { size, since, filling: Filling::Sheet, trimmed: true }
+        Shape { size, since, filling: Filling::Sheet, trimmed: true, is_face: true }
     }
 
     /// The extent along an axis, never negative.
@@ -71,14 +87,18 @@ impl Shape {
         self.size[axis].abs()
     }
 
-    /// Whether it certainly has no extent along an axis.
+    /// Whether it certainly has no extent along an axis, as long as a face is planar.
     pub(in crate::check) fn is_flat(&self, axis: usize) -> bool {
-        self.extent(axis).hi <= 2.0 * THIN
+        self.extent(axis).hi <= 2.0 * THIN || self.is_face && axis == 2
     }
 
-    /// Whether it is flat as a face is.
-    pub(in crate::check) fn is_face(&self) -> bool {
-        self.filling == Filling::Sheet || 0.0 < self.size[2].hi && self.size[2].hi <= 2.0 * THIN
+    /// Whether it is flat as a face is: whatever form that has, or if it is planar.
+    pub(in crate::check) fn is_face(&self) -> Option<Face> {
+        match self.is_face {
+            true if self.size[2] == Interval::ZERO => Some(Face::Flat),
+            true => Some(Face::Any),
+            false => None,
+        }
     }
 
     /// What holds for both.
@@ -86,7 +106,8 @@ impl Shape {
         let size = [0, 1, 2].map(|axis| self.size[axis].or(other.size[axis]));
         let since = [0, 1, 2].map(|axis| self.since[axis].filter(|_| self.since[axis] == other.since[axis]));
         let filling = if self.filling == other.filling { self.filling } else { Filling::Unknown };
-        Shape { size, since, filling, trimmed: self.trimmed || other.trimmed }
+        let (trimmed, is_face) = (self.trimmed || other.trimmed, self.is_face && other.is_face);
+        Shape { size, since, filling, trimmed, is_face }
     }
 
     pub(super) fn widen(&self, before: &Shape) -> Shape {
@@ -107,7 +128,7 @@ impl Shape {
             Filling::Sheet if size[2] == Interval::ZERO && 0.0 < size[0].lo && 0.0 < size[1].lo => Filling::Sheet,
             _ => Filling::Unknown,
         };
-        Shape { size, since, filling, ..*self }
+        Shape { size, since, filling, is_face: self.is_face && kept(2), ..*self }
     }
 
     /// After `extrude`: a rectangle without depth becomes a box whose y axis is the way it grew.
@@ -123,7 +144,7 @@ impl Shape {
             return self.moved_on();
         }
         let since = [self.since[0], Some(by), self.since[1]];
-        Shape { size: [x, distance, y], since, filling: Filling::Box, ..*self }
+        Shape { size: [x, distance, y], since, filling: Filling::Box, is_face: false, ..*self }
     }
 
     /// A part that shrinks to what is in it: no larger than its slot and the shape.
@@ -131,8 +152,7 @@ impl Shape {
         let mut part = Shape { filling: Filling::Unknown, ..*self };
         for (at, size) in part.size.iter_mut().enumerate() {
             let most = if at == axis { length.hi } else { size.abs().hi };
-            // Boxes of meshes are off by last bits.
-            let most = most + most * MARGIN;
+            let most = most + most * ROUGH + ROUGH;
             *size = Interval::finite(if 0.0 <= size.lo { 0.0 } else { -most }, most);
         }
         part.since[axis] = Some(by);

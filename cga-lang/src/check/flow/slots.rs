@@ -335,7 +335,7 @@ impl Slots<'_> {
         let are_metres = !own.iter().any(Slot::is_relative);
         let is_range = self.extent.known().is_none() && LEAST < self.extent.hi;
         if alone && are_metres && is_range && self.extent.hi * (1.0 + MARGIN) <= metres {
-            let (metres, extent) = ((metres * 1e6).round() / 1e6, (self.extent.hi * 1e6).round() / 1e6);
+            let (metres, extent) = ((metres * 1e6).round() / 1e6, (self.extent.hi * 1e4).round() / 1e4);
             let axis = ["x", "y", "z"][self.axis];
             return Some(format!("its sizes add up to {metres}, and the scope has {extent} at most along {axis}"));
         }

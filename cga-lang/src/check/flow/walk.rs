@@ -101,7 +101,10 @@ impl<'w> Walk<'w> {
             OpKind::Push(ops) => _ = self.steps(ops, facts.clone(), visit),
             OpKind::Split(split) => self.split(split, &facts, visit),
             OpKind::Comp(comp) => self.comp(comp, &facts, visit),
-            OpKind::Case(arms, otherwise) => return self.case(arms, otherwise, facts, visit),
+            OpKind::Case(arms, otherwise) => {
+                let first = facts.clone();
+                return self.case(arms, otherwise, facts, &first, &mut Vec::new(), visit);
+            }
             OpKind::Chance(arms, otherwise) => {
                 let arms = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
                 let ends: Vec<Facts> = arms.filter_map(|ops| self.steps(ops, facts.clone(), visit)).collect();
@@ -136,23 +139,31 @@ impl<'w> Walk<'w> {
         arms: &'a [(Expr, Vec<Op>)],
         otherwise: &'a [Op],
         facts: Facts,
+        first: &Facts,
+        before: &mut Vec<&'a Expr>,
         visit: &mut dyn Visit<'a>,
     ) -> Option<Facts> {
         // Whoever comes to a condition has failed those before it.
-        let (mut ends, mut left) = (Vec::new(), Some(facts.clone()));
-        let conditions: Vec<&'a Expr> = arms.iter().map(|(condition, _)| condition).collect();
+        let (mut ends, mut left) = (Vec::new(), Some(facts));
         for (at, (condition, ops)) in arms.iter().enumerate() {
             let Some(here) = left else { break };
             visit.meet(&Site::Value(condition), &here);
-            let turn = Turn { condition, before: &conditions[..at], is_last: at + 1 == arms.len(), first: &facts };
+            let turn = Turn { condition, before, is_last: at + 1 == arms.len(), first };
             visit.meet(&Site::Condition(&turn), &here);
+            before.push(condition);
             if let Some(inside) = self.known.past(condition, true, here.clone()) {
                 ends.extend(self.steps(ops, inside, visit));
             }
             left = self.known.past(condition, false, here);
         }
         if let Some(here) = left {
-            ends.extend(self.steps(otherwise, here, visit));
+            ends.extend(match otherwise {
+                // The list goes on.
+                [Op { kind: OpKind::Case(arms, otherwise), .. }] => {
+                    self.case(arms, otherwise, here, first, before, visit)
+                }
+                _ => self.steps(otherwise, here, visit),
+            });
         }
         joined(ends)
     }
