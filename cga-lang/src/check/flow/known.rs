@@ -15,10 +15,10 @@ use std::collections::HashSet;
 const DEEPEST: u32 = 3;
 
 /// Steps that are taken to find out a value: what takes more may be anything.
-const MOST_STEPS: u32 = 20_000;
+const MOST_STEPS: u32 = 5_000;
 
 /// Steps for all values of a program; after these each has few.
-const MOST_IN_ALL: u64 = 4_000_000;
+const MOST_IN_ALL: u64 = 1_000_000;
 
 /// Steps for a value then.
 const FEW_STEPS: u32 = 200;
@@ -226,6 +226,9 @@ impl<'f> Known<'f> {
         let (mut found, mut left) = (None, Some(facts.clone()));
         for (condition, result) in arms {
             let Some(here) = left else { break };
+            if self.steps.get() == 0 {
+                return Value::Any;
+            }
             let truth = self.within(condition, &here, depth).truth();
             let refined = |truth| self.refine(condition, truth, here.clone(), depth);
             if let Some(inside) = refined(true).filter(|_| truth != Some(false)) {
