@@ -233,7 +233,9 @@ impl Starts {
         let Some(span) = start else { return };
         if !decl.params.is_empty() {
             let message = format!("`{}` has parameters, so a run cannot begin with it", decl.name.text);
-            wrong(cx, span, message);
+            let name = &decl.name.text;
+            let values = vec!["…"; decl.params.len()].join(", ");
+            wrong(cx, span, message).help(format!("mark a rule that calls it, such as `Lot --> {name}({values})`"));
             return;
         }
         // All of them can be started; a run begins with the first, or with the first of its style.

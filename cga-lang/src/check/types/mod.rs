@@ -20,6 +20,7 @@ use crate::hash::FastMap;
 use crate::ir::Type;
 use crate::link::Wanted;
 use crate::span::Span;
+use crate::token::Tok;
 use generic::Stage;
 use open::Open;
 use std::collections::HashMap;
@@ -187,13 +188,24 @@ impl<'a> Infer<'_, 'a, '_> {
         let Some(got) = self.vars.known(var) else { return };
         let why = self.vars.why(var).filter(|why| *why != span);
         let message = format!("{who} needs a {}, got a {}", ty.word(), got.word());
+        // Text that is a number, as one token.
+        let quoted = match self.cx.globals.program.tokens.as_slice().get(span.first as usize) {
+            Some(Tok::Str(text)) if span.first == span.last => {
+                text.trim().parse::<f64>().ok().filter(|it| it.is_finite())
+            }
+            _ => None,
+        };
         let diag = self.cx.diags.report(Code::TypeMismatch, span, message);
         if let Some(why) = why {
             diag.related(format!("found to be a {}", got.word()), why);
         }
         match (ty, got) {
             (Type::Text, _) => _ = diag.help("write `str(…)`"),
-            (Type::Float, Type::Text) => _ = diag.help("write `float(…)`"),
+            (Type::Float, Type::Text) => {
+                _ = diag.help(
+                    quoted.map_or("write `float(…)`".into(), |number| format!("write `{number}`, without quotes")),
+                );
+            }
             (Type::Bool, Type::Float) => _ = diag.help("write a comparison, as in `… != 0`"),
             (Type::Float, Type::Floats) => {
                 _ = diag.help("write `…[0]` for one element; `.+`, `.*` and so on go over all")
