@@ -235,7 +235,8 @@ impl Starts {
             let message = format!("`{}` has parameters, so a run cannot begin with it", decl.name.text);
             let name = &decl.name.text;
             let values = vec!["…"; decl.params.len()].join(", ");
-            wrong(cx, span, message).help(format!("mark a rule that calls it, such as `Lot --> {name}({values})`"));
+            let outer = if name == "Lot" { "Site" } else { "Lot" };
+            wrong(cx, span, message).help(format!("mark a rule that calls it, such as `{outer} --> {name}({values})`"));
             return;
         }
         // All of them can be started; a run begins with the first, or with the first of its style.
