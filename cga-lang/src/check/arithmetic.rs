@@ -19,7 +19,7 @@ pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
         {
             let what = if *op == Binary::Div { "this divides by zero" } else { "the remainder of zero is no number" };
             let diag = diags.report(Code::DivisionByZero, right.span, what);
-            diag.note("operations take the result as 0, with a fault");
+            diag.note("the result is no number: operations take it as 0, with a fault");
         }
         ExprKind::Case(arms, other) => return case(arms, other, facts, (facts, &mut Vec::new()), flow, cx, diags),
         ExprKind::Call(name, args) => {

@@ -40,7 +40,7 @@ pub(super) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
     }
     let diag = always(condition, truth, diags);
     let mut notes = Vec::new();
-    if let Some(stray) = unlisted(condition, cx) {
+    if let Some(stray) = unlisted(condition, cx).filter(|stray| stray.part.span == bare(condition).span) {
         stray.report(diag);
     } else {
         reasons(condition, truth, facts, flow, "here", &mut notes);
@@ -74,6 +74,14 @@ impl Stray<'_> {
             Some(near) => format!("did you mean \"{near}\"?"),
             None => format!("write one of those in its annotation, or add \"{text}\" there"),
         });
+    }
+}
+
+/// A condition without `!` before it.
+fn bare(condition: &Expr) -> &Expr {
+    match &condition.kind {
+        ExprKind::Unary(Unary::Not, operand) => bare(operand),
+        _ => condition,
     }
 }
 
@@ -129,15 +137,16 @@ fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, place: &st
     match &condition.kind {
         ExprKind::Unary(Unary::Not, operand) => reasons(operand, !truth, facts, flow, place, notes),
         ExprKind::Binary(op @ (Binary::And | Binary::Or), _, left, right) => {
-            if flow.value(left, facts).truth() == Some(truth) {
-                reasons(left, truth, facts, flow, place, notes);
-            }
-            if flow.value(right, facts).truth() == Some(truth) {
-                return reasons(right, truth, facts, flow, place, notes);
+            let mut is_told = false;
+            for side in [left, right] {
+                if flow.value(side, facts).truth() == Some(truth) {
+                    reasons(side, truth, facts, flow, place, notes);
+                    is_told = true;
+                }
             }
             // Or it follows from the other.
             let goes_on = *op == Binary::And;
-            if let Some(facts) = flow.known.past(left, goes_on, facts.clone()).filter(|_| notes.is_empty()) {
+            if let Some(facts) = flow.known.past(left, goes_on, facts.clone()).filter(|_| !is_told) {
                 let place =
                     if goes_on { "where the part before it is true" } else { "where the part before it is false" };
                 reasons(right, truth, &facts, flow, place, notes);

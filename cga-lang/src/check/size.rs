@@ -37,7 +37,8 @@ fn label(slot: &Slot) -> String {
 pub(super) fn shown(number: f64) -> String {
     let rounded = (number * 1e6).round() / 1e6;
     // Not what is small, and no zero with a sign.
-    if rounded == 0.0 && number != 0.0 { format!("{number:e}") } else { format!("{}", rounded + 0.0) }
+    let is_far = rounded == 0.0 && number != 0.0 || 1e15 < number.abs();
+    if is_far { format!("{number:e}") } else { format!("{}", rounded + 0.0) }
 }
 
 /// A bound as messages show it, without what rounding may add.
@@ -127,7 +128,11 @@ fn starved(slots: &Slots, index: usize, facts: &Facts, diags: &mut Diags) {
     if slots.fills(sum) {
         diag.note(format!("{which} add up to {}", quantity(slots, sum)));
     } else if let Some(extent) = slots.extent.known() {
-        diag.note(format!("the other slots take all of the {} along {}", shown(extent), axis(slots)));
+        let others = (0..slots.list.len()).any(|other| other != index && !slots.is_never(other));
+        diag.note(match others {
+            true => format!("the other slots take all of the {} along {}", shown(extent), axis(slots)),
+            false => format!("it is too small, or the scope too large with {} along {}", shown(extent), axis(slots)),
+        });
     }
     let cut = (0..index).find(|&before| !slots.is_never(before) && slots.is_cut(before));
     if let Some(cut) = cut.filter(|_| !slot.floats()) {

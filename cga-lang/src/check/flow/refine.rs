@@ -65,6 +65,8 @@ impl Known<'_> {
                 let size = narrowed.number().tame();
                 if facts.shape.size[axis] != size {
                     (facts.shape.size[axis], facts.shape.since[axis]) = (size, None);
+                    // A face with a depth is not planar.
+                    facts.shape.is_face &= axis != 2 || size.lo <= 0.0 && 0.0 <= size.hi;
                 }
             }
             Place::Param(index) => {

@@ -3,10 +3,8 @@
 use crate::check::interval::Interval;
 use crate::span::Span;
 
-/// Thinner than anything that a split divides.
-const THIN: f64 = 1e-9;
-
-/// What boxes around parts of meshes may be off by, in metres and as a share: points far from the origin are rounded.
+/// What boxes around parts of meshes may be off by, in metres and as a share: points far from the origin are rounded. It is
+/// enough up to a million kilometres.
 const ROUGH: f64 = 1e-7;
 
 /// What fills the scope, as far as parts of it keep the sizes of their slots.
@@ -89,7 +87,7 @@ impl Shape {
 
     /// Whether it certainly has no extent along an axis, as long as a face is planar.
     pub(in crate::check) fn is_flat(&self, axis: usize) -> bool {
-        self.extent(axis).hi <= 2.0 * THIN || self.is_face && axis == 2
+        self.extent(axis) == Interval::ZERO || self.is_face && axis == 2
     }
 
     /// Whether it is flat as a face is: whatever form that has, or if it is planar.
@@ -119,16 +117,20 @@ impl Shape {
         self.size.iter().all(|size| size.hi < 0.0 || 0.0 < size.lo)
     }
 
-    /// After `s`, with what the arguments are in metres.
-    pub(super) fn sized(&self, size: [Interval; 3], by: Span) -> Shape {
-        let kept = |axis: usize| size[axis] == self.size[axis];
-        let since = [0, 1, 2].map(|axis| if kept(axis) { self.since[axis] } else { Some(by) });
+    /// After `s`, with what the arguments are in metres, and which leave the size as it is.
+    pub(super) fn sized(&self, size: [Interval; 3], kept: [bool; 3], by: Span) -> Shape {
+        let since = [0, 1, 2].map(|axis| if kept[axis] { self.since[axis] } else { Some(by) });
         let filling = match self.filling {
             Filling::Box if size.iter().all(|size| size.hi < 0.0 || 0.0 < size.lo) => Filling::Box,
             Filling::Sheet if size[2] == Interval::ZERO && 0.0 < size[0].lo && 0.0 < size[1].lo => Filling::Sheet,
             _ => Filling::Unknown,
         };
-        Shape { size, since, filling, is_face: self.is_face && kept(2), ..*self }
+        Shape { size, since, filling, is_face: self.is_face && kept[2], ..*self }
+    }
+
+    /// With other geometry that fills it.
+    pub(super) fn filled(&self, filling: Filling) -> Shape {
+        Shape { filling, is_face: false, ..*self }
     }
 
     /// After `extrude`: a rectangle without depth becomes a box whose y axis is the way it grew.

@@ -273,9 +273,8 @@ impl<'w> Walk<'w> {
                 [x, y, z] => self.sized(shape, [x, y, z], facts, span),
                 _ => shape.moved_on(),
             },
-            Effect::FillsWithBox if shape.has_room() && !shape.trimmed => Shape { filling: Filling::Box, ..shape },
-            Effect::FillsWithBox if shape.has_room() => Shape { filling: Filling::Unknown, ..shape },
-            Effect::Fills if shape.has_room() => Shape { filling: Filling::Unknown, ..shape },
+            Effect::FillsWithBox if shape.has_room() && !shape.trimmed => shape.filled(Filling::Box),
+            Effect::FillsWithBox | Effect::Fills if shape.has_room() => shape.filled(Filling::Unknown),
             Effect::Any if row.name == "extrude" => match args {
                 [Arg { prefix: None, value, .. }] => shape.extruded(self.value(value, facts).number(), span),
                 _ => shape.moved_on(),
@@ -285,16 +284,17 @@ impl<'w> Walk<'w> {
     }
 
     fn sized(&self, shape: Shape, args: [&Arg; 3], facts: &Facts, span: Span) -> Shape {
-        let mut size = shape.size;
-        for (size, arg) in size.iter_mut().zip(args) {
+        let (mut size, mut kept) = (shape.size, [false; 3]);
+        for ((size, kept), arg) in size.iter_mut().zip(&mut kept).zip(args) {
             let number = self.value(&arg.value, facts).number().taken();
             let (old, is_share) = (*size, arg.prefix.is_some());
             let new = if is_share { number.mul(old) } else { number };
             // What is too large for a scope leaves it as it is; a share of what it has is not.
             let is_small = is_share && -1.0 <= number.lo && number.hi <= 1.0 || new.abs().hi <= MOST_SIZE;
             *size = if is_small { new.tame() } else { new.tame().or(old) };
+            *kept = is_share && number.known() == Some(1.0);
         }
-        shape.sized(size, span)
+        shape.sized(size, kept, span)
     }
 }
 
