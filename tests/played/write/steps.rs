@@ -101,6 +101,13 @@ impl Writer {
             let mark = self.mark();
             self.line(here, &format!("{bar} {selector} {mode} print({mark})"));
             if kind.starts_with('f') && self.chance(12) {
+                if self.chance(50) {
+                    let depth = self.of(&["scope.sx", "scope.sy", "abs(a)", "'1"]);
+                    self.line(here.deeper(), &format!("s('1, '1, {depth})"));
+                }
+                if self.chance(20) {
+                    self.line(here.deeper(), "primitiveCube()");
+                }
                 self.split_along(here.deeper(), "z");
             } else {
                 self.steps(here.deeper());
