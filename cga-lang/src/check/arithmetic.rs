@@ -1,7 +1,6 @@
 //! What stands in expressions: division by zero, texture layers that do not exist, conditions that are always the same.
 
-use super::branches::Turn;
-use super::flow::{Facts, Flow, Value};
+use super::flow::{Facts, Flow, Turn, Value};
 use super::{Cx, Use, branches, colour};
 use crate::ast::{Arg, Binary, Expr, ExprKind};
 use crate::code::Code;

@@ -1,6 +1,6 @@
 //! Conditions that are always true or always false.
 
-use super::flow::{Facts, Flow, Value};
+use super::flow::{Facts, Flow, Turn, Value};
 use super::size::range;
 use super::{Cx, Tables, Use};
 use crate::ast::{Binary, Expr, ExprKind, Unary};
@@ -8,16 +8,6 @@ use crate::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ir::ChoiceValues;
 use crate::suggest::nearest;
-
-/// A condition of a `case`, among the others there.
-pub(super) struct Turn<'t, 'e> {
-    pub(super) condition: &'e Expr,
-    /// Those before it, which have failed: also of a `case` that it stands in behind `else`.
-    pub(super) before: &'t [&'e Expr],
-    pub(super) is_last: bool,
-    /// What is known where the first of them stands.
-    pub(super) first: &'t Facts,
-}
 
 /// Looks at a condition of a `case`.
 pub(super) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
@@ -99,8 +89,7 @@ fn unlisted<'e>(condition: &'e Expr, cx: &'e Cx) -> Option<Stray<'e>> {
         _ => return None,
     };
     let Some(Use::Attr(attr)) = cx.tables.of(name) else { return None };
-    let choices = cx.tables.attrs.get(attr as usize)?.choices.as_ref().filter(|choices| choices.restricted)?;
-    let ChoiceValues::Texts(list) = &choices.values else { return None };
+    let ChoiceValues::Texts(list) = cx.tables.attrs.get(attr as usize)?.held_to_choices()? else { return None };
     let near = nearest(text, list.iter().map(String::as_str));
     (!list.contains(text)).then_some(Stray { part: condition, attr: &name.text, text, near })
 }
@@ -146,7 +135,7 @@ fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, place: &st
             }
             // Or it follows from the other.
             let goes_on = *op == Binary::And;
-            if let Some(facts) = flow.known.past(left, goes_on, facts.clone()).filter(|_| !is_told) {
+            if !is_told && let Some(facts) = flow.known.past(left, goes_on, facts.clone()) {
                 let place =
                     if goes_on { "where the part before it is true" } else { "where the part before it is false" };
                 reasons(right, truth, &facts, flow, place, notes);

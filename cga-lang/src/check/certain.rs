@@ -1,6 +1,6 @@
 //! Runs the checks that follow from what is known of shapes and values.
 
-use super::flow::{Attrs, Calls, Facts, Flow, Site};
+use super::flow::{Attrs, Calls, Facts, Flow, Known, Site};
 use super::readings::Readings;
 use super::texture::Projected;
 use super::{
@@ -14,9 +14,10 @@ pub(super) fn check(cx: &mut Cx) {
     let program = cx.globals.program;
     // With an error somewhere nobody knows who calls whom.
     let calls = (!cx.diags.has_errors()).then(|| Calls::new(&cx.globals, &cx.tables));
-    let alone = Flow::new(&cx.globals, &cx.tables, None, Attrs::Accepted);
-    let values = Flow::of_values(&cx.globals, &cx.tables);
-    let joined = Flow::new(&cx.globals, &cx.tables, calls.as_ref(), Attrs::Accepted);
+    let known = Known::new(&cx.globals, &cx.tables, Attrs::Accepted);
+    let alone = Flow::new(&cx.globals, &known, None);
+    let values = Flow::of_values(&cx.globals, &known);
+    let joined = Flow::new(&cx.globals, &known, calls.as_ref());
     let projected = Projected::new(cx, &alone);
     let mut readings = Readings::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! What holds for the defaults of attributes only: a host program may set them to anything.
 
-use super::flow::{Attrs, Calls, Flow, Site, Slots};
+use super::flow::{Attrs, Calls, Flow, Known, Site, Slots};
 use super::readings::Readings;
 use super::{Cx, Tables, Use, repeat, size};
 use crate::ast::{Expr, ExprKind};
@@ -23,7 +23,8 @@ const TOLD: &[Code] = &[
 /// Looks for them; `certain` is what holds in any case.
 pub(super) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
     let program = cx.globals.program;
-    let flow = Flow::new(&cx.globals, &cx.tables, Some(calls), Attrs::Defaults);
+    let known = Known::new(&cx.globals, &cx.tables, Attrs::Defaults);
+    let flow = Flow::new(&cx.globals, &known, Some(calls));
     let mut readings = Readings::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {

@@ -5,7 +5,7 @@
 //! nothing.
 
 use crate::ir::{Anew, Arg, Grammar, Measure, Prefix, RuleId, Size, Solved, Split, Step, Target, Value};
-use crate::ops::Effect;
+use crate::ops::{Effect, MOST_SIZE};
 use cga_split::solve;
 
 /// Splits with more pieces are solved while rules run: the pieces would take more room than the arithmetic takes time.
@@ -60,9 +60,6 @@ impl Known {
         Known { solid: self.solid && sized.has_room(), ..sized }
     }
 }
-
-/// Sizes that a scope may have: what is larger leaves it as it is (*s operation* of the runtime).
-const MOST_SIZE: f64 = 1e149;
 
 /// What a length makes of a size, where that is known.
 fn new_size(length: &Size, old: Option<f64>) -> Option<f64> {

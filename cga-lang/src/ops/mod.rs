@@ -54,6 +54,9 @@ pub struct Operation {
     pub about: &'static str,
 }
 
+/// Sizes that a scope may have, in metres: what is larger leaves it as it is along that axis (*s operation* of the runtime).
+pub(crate) const MOST_SIZE: f64 = 1e149;
+
 /// What an operation does to the size of the scope, as far as it is known while compiling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {

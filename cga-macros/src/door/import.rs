@@ -74,8 +74,7 @@ impl Files for Imports {
         if folder.starts_with("..") || folder.starts_with('/') {
             return Vec::new();
         }
-        let entries = std::fs::read_dir(self.root.join(folder)).into_iter().flatten().flatten();
-        entries.filter_map(|entry| entry.file_name().into_string().ok()).collect()
+        names(&self.root.join(folder)).collect()
     }
 
     fn asset(&mut self, name: &str) -> Option<Asset> {
@@ -99,13 +98,16 @@ impl Imports {
     /// The names of the files in the folder of one that is not there, as rules write them.
     fn named_beside(&mut self, path: &Path, name: &str) -> Vec<String> {
         let Some(folder) = path.parent() else { return Vec::new() };
-        let names = self.listed.entry(folder.to_owned()).or_insert_with(|| {
-            let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_BESIDE);
-            entries.filter_map(|entry| entry.file_name().into_string().ok()).collect()
-        });
+        let names = self.listed.entry(folder.to_owned()).or_insert_with(|| names(folder).take(MOST_BESIDE).collect());
         let prefix = name.rfind('/').map_or("", |at| &name[..=at]);
         names.iter().map(|own| format!("{prefix}{own}")).collect()
     }
+}
+
+/// What is in a folder, in no order.
+fn names(folder: &Path) -> impl Iterator<Item = String> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.filter_map(|entry| entry.file_name().into_string().ok())
 }
 
 /// Makes the build follow the imported files.

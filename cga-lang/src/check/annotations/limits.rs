@@ -127,11 +127,9 @@ impl Limits {
 fn stray_default(cx: &mut Cx, decl: &Decl, info: &AttrInfo) {
     let Some(value) = decl.value() else { return };
     let known = number(value);
-    let range = info.range.filter(|range| range.restricted);
-    let stray = range.zip(known).filter(|(range, known)| *known < range.min || range.max < *known);
-    let choices = info.choices.as_ref().filter(|choices| choices.restricted).map(|choices| &choices.values);
+    let stray = info.held_to_range().zip(known).filter(|(range, known)| *known < range.min || range.max < *known);
     let name = &decl.name.text;
-    let (message, near) = match (stray, choices, &value.kind) {
+    let (message, near) = match (stray, info.held_to_choices(), &value.kind) {
         (Some((range, _)), ..) => {
             (format!("the default of `{name}` is not between {} and {}", range.min, range.max), None)
         }

@@ -9,7 +9,7 @@ use super::{Cx, Door, Item};
 use crate::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
 use crate::code::Code;
 use crate::diag::{Diag, Level};
-use crate::ir::{Choices, Presentation, Range, Type};
+use crate::ir::{ChoiceValues, Choices, Presentation, Range, Type};
 use crate::link::{InstanceId, Program};
 use crate::span::Span;
 use crate::suggest::nearest;
@@ -28,6 +28,18 @@ pub(crate) struct AttrInfo {
     pub(crate) doc: String,
     pub(crate) order: Option<f64>,
     pub(crate) hidden: bool,
+}
+
+impl AttrInfo {
+    /// The range that a run holds the attribute to.
+    pub(crate) fn held_to_range(&self) -> Option<Range> {
+        self.range.filter(|range| range.restricted)
+    }
+
+    /// The values that a run holds the attribute to.
+    pub(crate) fn held_to_choices(&self) -> Option<&ChoiceValues> {
+        self.choices.as_ref().filter(|choices| choices.restricted).map(|choices| &choices.values)
+    }
 }
 
 /// What annotations and comments say about a rule.

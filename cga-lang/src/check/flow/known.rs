@@ -6,10 +6,10 @@ use super::value::Value;
 use crate::ast::{Binary, Decl, Expr, ExprKind, Unary};
 use crate::check::globals::{Globals, Init, Item};
 use crate::check::interval::Interval;
-use crate::check::{Tables, Use};
+use crate::check::{AttrInfo, Tables, Use};
 use crate::ir::{ChoiceValues, Type};
 use std::cell::Cell;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 /// Functions in functions that are computed with their arguments; deeper down they count as what they are with any.
 const DEEPEST: u32 = 3;
@@ -18,7 +18,7 @@ const DEEPEST: u32 = 3;
 const MOST_STEPS: u32 = 5_000;
 
 /// Steps for all values of a program; after these each has few.
-const MOST_IN_ALL: u64 = 1_000_000;
+const MOST_IN_ALL: u64 = 3_000_000;
 
 /// Steps for a value then.
 const FEW_STEPS: u32 = 200;
@@ -54,7 +54,7 @@ pub(in crate::check) struct Known<'f> {
 }
 
 impl<'f> Known<'f> {
-    pub(super) fn new(globals: &Globals<'f>, tables: &'f Tables, mode: Attrs) -> Known<'f> {
+    pub(in crate::check) fn new(globals: &Globals<'f>, tables: &'f Tables, mode: Attrs) -> Known<'f> {
         let (attrs, consts) = (globals.attrs.len(), globals.consts.len());
         let body = |(index, item): (usize, &Item<'f>)| {
             let (value, _) = item.value().filter(|_| item.is_own() && !tables.recursive.contains(&(index as u32)))?;
@@ -75,9 +75,14 @@ impl<'f> Known<'f> {
             Use::SetAttr(index) => Some(*index),
             _ => None,
         }));
+        let mut first: HashMap<&str, usize> = HashMap::new();
+        for (index, item) in globals.attrs.iter().enumerate() {
+            first.entry(&item.name).or_insert(index);
+        }
         for &node in &tables.order {
             if node < attrs {
-                known.attrs[node] = known.attr(globals, node, mode);
+                let first = first[globals.attrs[node].name.as_str()];
+                known.attrs[node] = known.attr(globals, node, first, mode);
             } else if node < attrs + consts {
                 known.consts[node - attrs] = known.alone(&globals.consts[node - attrs]);
             } else if !tables.recursive.contains(&((node - attrs - consts) as u32)) {
@@ -106,7 +111,8 @@ impl<'f> Known<'f> {
         }
     }
 
-    fn attr(&self, globals: &Globals, index: usize, mode: Attrs) -> Value {
+    /// The value of an attribute; `first` is the number of the first of its name.
+    fn attr(&self, globals: &Globals, index: usize, first: usize, mode: Attrs) -> Value {
         let item = &globals.attrs[index];
         let any = Value::of(self.tables.types.get(&item.decl.name.id()).copied());
         if self.changing.contains(&(index as u32)) {
@@ -117,14 +123,11 @@ impl<'f> Known<'f> {
             _ => self.alone(item),
         };
         // What the host program sets is held to these; a default need not be. An attribute has one field, whatever the style.
-        let first = globals.attrs.iter().position(|other| other.name == item.name).unwrap_or(index);
         let info = self.tables.attrs.get(first);
-        let range = info.and_then(|info| info.range).filter(|range| range.restricted);
-        if let (Some(range), Value::Number(_)) = (range, any) {
+        if let (Some(range), Value::Number(_)) = (info.and_then(AttrInfo::held_to_range), any) {
             return Value::Number(Interval::between(range.min, range.max)).or(default);
         }
-        let choices = info.and_then(|info| info.choices.as_ref()).filter(|choices| choices.restricted);
-        let all = match (choices.map(|choices| &choices.values), any) {
+        let all = match (info.and_then(AttrInfo::held_to_choices), any) {
             (Some(ChoiceValues::Floats(list)), Value::Number(_)) => {
                 list.iter().map(|value| Interval::point(*value)).reduce(Interval::or).map(Value::Number)
             }

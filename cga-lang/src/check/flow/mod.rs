@@ -24,7 +24,7 @@ pub(super) use known::{Attrs, Known};
 pub(super) use shape::Face;
 pub(super) use slots::{MARGIN, Slot, Slots, Sum};
 pub(super) use value::Value;
-pub(super) use walk::{Site, called};
+pub(super) use walk::{Site, Turn, called};
 
 use walk::{Visit, Walk};
 
@@ -36,7 +36,7 @@ const MOST_VISITS: u32 = 12;
 
 /// What is known of a grammar.
 pub(super) struct Flow<'f> {
-    pub(super) known: Known<'f>,
+    pub(super) known: &'f Known<'f>,
     /// By rule: what is known where it begins. `None`: nobody calls it.
     entries: Vec<Option<Facts>>,
     /// By rule: whether another calls it.
@@ -90,8 +90,7 @@ pub(super) fn body<'a>(item: &Item<'a>) -> &'a [Op] {
 
 impl<'f> Flow<'f> {
     /// Finds out what is known. Without `calls` each rule stands alone.
-    pub(super) fn new(globals: &Globals<'f>, tables: &'f Tables, calls: Option<&Calls>, mode: Attrs) -> Flow<'f> {
-        let known = Known::new(globals, tables, mode);
+    pub(super) fn new(globals: &Globals, known: &'f Known<'f>, calls: Option<&Calls>) -> Flow<'f> {
         let mut flow = Flow {
             known,
             entries: vec![None; globals.rules.len()],
@@ -119,8 +118,8 @@ impl<'f> Flow<'f> {
     }
 
     /// What values and conditions alone say: sizes that steps set are forgotten.
-    pub(super) fn of_values(globals: &Globals<'f>, tables: &'f Tables) -> Flow<'f> {
-        Flow { forgets: true, ..Flow::new(globals, tables, None, Attrs::Accepted) }
+    pub(super) fn of_values(globals: &Globals, known: &'f Known<'f>) -> Flow<'f> {
+        Flow { forgets: true, ..Flow::new(globals, known, None) }
     }
 
     /// Follows shapes through the rules of a cycle until nothing new is known.
@@ -167,7 +166,7 @@ impl<'f> Flow<'f> {
             let value = self.known.value(local, &facts);
             facts.params.push(value);
         }
-        let walk = Walk { known: &self.known, forgets: self.forgets };
+        let walk = Walk { known: self.known, forgets: self.forgets };
         walk.steps(body(item), facts, visit);
     }
 

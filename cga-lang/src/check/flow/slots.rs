@@ -3,6 +3,7 @@
 use super::facts::Facts;
 use crate::ast::{Arg, Op, Prefix, Split, SplitItem};
 use crate::check::interval::Interval;
+use crate::check::size::{about, axis, shown};
 use crate::span::Span;
 use cga_split::{Item, Piece, solve};
 
@@ -329,18 +330,17 @@ impl Slots<'_> {
         let shares: f64 = own.iter().map(|slot| slot.value.lo.max(0.0)).sum();
         let alone = own.len() == self.list.len();
         if alone && own.iter().all(Slot::is_relative) && self.fills(Sum { share: shares, metres: 0.0 }) {
-            return Some(format!("its sizes add up to {} of the scope", (shares * 1e6).round() / 1e6));
+            return Some(format!("its sizes add up to {} of the scope", shown(shares)));
         }
         let metres: f64 = own.iter().map(|slot| slot.value.lo.max(0.0)).sum();
         let are_metres = !own.iter().any(Slot::is_relative);
         let is_range = self.extent.known().is_none() && LEAST < self.extent.hi;
         if alone && are_metres && is_range && self.extent.hi * (1.0 + MARGIN) <= metres {
-            let (metres, extent) = ((metres * 1e6).round() / 1e6, (self.extent.hi * 1e4).round() / 1e4);
-            let axis = ["x", "y", "z"][self.axis];
-            return Some(format!("its sizes add up to {metres}, and the scope has {extent} at most along {axis}"));
+            let (sum, most, axis) = (shown(metres), about(self.extent.hi), axis(self));
+            return Some(format!("its sizes add up to {sum}, and the scope has {most} at most along {axis}"));
         }
         let extent = self.extent.known().filter(|extent| LEAST < *extent)?;
         let once = self.count(group, extent)? == 1;
-        once.then(|| format!("the scope has {} along {}", (extent * 1e6).round() / 1e6, ["x", "y", "z"][self.axis]))
+        once.then(|| format!("the scope has {} along {}", shown(extent), axis(self)))
     }
 }

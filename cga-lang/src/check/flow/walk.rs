@@ -7,13 +7,9 @@ use super::slots::Slots;
 use super::uvs::UvSets;
 use super::value::Value;
 use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, Expr, ExprKind, Name, Op, OpKind, Split};
-use crate::check::branches::Turn;
 use crate::check::{Use, split_adjust, split_axis, words};
-use crate::ops::{Effect, Operation, ShapeAttr};
+use crate::ops::{Effect, MOST_SIZE, Operation, ShapeAttr};
 use crate::span::Span;
-
-/// Sizes that a scope may have (*s operation* of the runtime).
-const MOST_SIZE: f64 = 1e149;
 
 /// What is met on the way.
 pub(in crate::check) enum Site<'s, 'a> {
@@ -29,6 +25,16 @@ pub(in crate::check) enum Site<'s, 'a> {
     Set(&'static ShapeAttr, &'a Expr),
     /// An operation with its arguments.
     Operation(&'static Operation, &'a [Arg]),
+}
+
+/// A condition of a `case`, among the others there.
+pub(in crate::check) struct Turn<'t, 'e> {
+    pub(in crate::check) condition: &'e Expr,
+    /// Those before it, which have failed: also of a `case` that it stands in behind `else`.
+    pub(in crate::check) before: &'t [&'e Expr],
+    pub(in crate::check) is_last: bool,
+    /// What is known where the first of them stands.
+    pub(in crate::check) first: &'t Facts,
 }
 
 /// Who is told of what is met and handed on.
