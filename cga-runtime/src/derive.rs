@@ -140,8 +140,8 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
         self.env.leaves += u64::from(shape.geometry.has_surface());
         let leaf = Leaf { rule, material: shape.state.material(), scope: &shape.scope };
         match &shape.geometry {
-            Geometry::Rect(axis, _) => self.sink.quad(&leaf, &place::rect(&shape.scope, *axis)),
-            Geometry::Box(_) => self.sink.cuboid(&leaf, &place::cuboid(&shape.scope)),
+            Geometry::Rect(axis, unit) => self.sink.quad(&leaf, &place::rectangle(&shape.scope, *axis, *unit)),
+            Geometry::Box(unit) => self.sink.cuboid(&leaf, &place::cuboid(&shape.scope, *unit)),
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Flow::Continue(()),
             Geometry::Mesh(placed) => {
                 let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);

@@ -20,6 +20,7 @@ use crate::sink::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, q
 use crate::sink::stats::Stats;
 use crate::sink::table::Table;
 use crate::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+use crate::unit::UnitMesh;
 
 /// The leaves of a run.
 #[derive(Clone, Debug, Default)]
@@ -44,9 +45,9 @@ struct Record {
 #[derive(Clone, Copy, Debug)]
 enum Stored {
     /// The rectangle in the scope's low plane across an axis.
-    Rect(Axis),
+    Rect(Axis, UnitMesh),
     /// The whole scope.
-    Full,
+    Full(UnitMesh),
     Quad(u32),
     Cuboid(u32),
     Mesh(u32),
@@ -117,8 +118,8 @@ impl<'a> LeafView<'a> {
             (mesh, placement)
         };
         match self.record.stored {
-            Stored::Rect(axis) => Geometry::Quad(place::rect(&self.record.scope, axis)),
-            Stored::Full => Geometry::Cuboid(place::cuboid(&self.record.scope)),
+            Stored::Rect(axis, unit) => Geometry::Quad(place::rectangle(&self.record.scope, axis, unit)),
+            Stored::Full(unit) => Geometry::Cuboid(place::cuboid(&self.record.scope, unit)),
             Stored::Quad(index) => Geometry::Quad(model.quads[index as usize]),
             Stored::Cuboid(index) => Geometry::Cuboid(model.cuboids[index as usize]),
             Stored::Mesh(index) => {
@@ -155,8 +156,8 @@ impl<'a> LeafView<'a> {
     /// or a box, shared otherwise.
     pub fn mesh(&self) -> (Arc<Mesh>, DAffine3) {
         match self.geometry() {
-            Geometry::Quad(quad) => (Arc::new(Mesh::from_quad(&quad)), DAffine3::IDENTITY),
-            Geometry::Cuboid(cuboid) => (Arc::new(Mesh::from_cuboid(&cuboid)), DAffine3::IDENTITY),
+            Geometry::Quad(quad) => (Arc::new(quad.to_mesh()), DAffine3::IDENTITY),
+            Geometry::Cuboid(cuboid) => (Arc::new(cuboid.to_mesh()), DAffine3::IDENTITY),
             Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => (mesh.clone(), *placement),
         }
     }
@@ -165,10 +166,7 @@ impl<'a> LeafView<'a> {
     pub fn bounds(&self) -> Bounds {
         match self.geometry() {
             Geometry::Quad(quad) => Bounds::of(quad.corners()),
-            Geometry::Cuboid(cuboid) => {
-                let faces = cuboid.faces();
-                Bounds::of(faces[0].corners().into_iter().chain(faces[2].corners()))
-            }
+            Geometry::Cuboid(cuboid) => Bounds::of(cuboid.corners()),
             Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => {
                 Bounds::of(mesh.points.iter().map(|&point| placement.transform_point3(point)))
             }
@@ -320,20 +318,22 @@ impl Model {
 
 impl Sink for Model {
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        let implied = [Axis::Z, Axis::Y, Axis::X].into_iter().find(|&axis| *quad == place::rect(leaf.scope, axis));
+        let implied = [Axis::Z, Axis::Y, Axis::X]
+            .into_iter()
+            .find(|&axis| *quad == place::rectangle(leaf.scope, axis, quad.unit));
         let stored = implied.map_or_else(
             || {
                 self.quads.push(*quad);
                 Stored::Quad((self.quads.len() - 1) as u32)
             },
-            Stored::Rect,
+            |axis| Stored::Rect(axis, quad.unit),
         );
         self.push(leaf, stored)
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        if *cuboid == place::cuboid(leaf.scope) {
-            return self.push(leaf, Stored::Full);
+        if *cuboid == place::cuboid(leaf.scope, cuboid.unit) {
+            return self.push(leaf, Stored::Full(cuboid.unit));
         }
         self.cuboids.push(*cuboid);
         let index = (self.cuboids.len() - 1) as u32;

@@ -12,12 +12,13 @@ use crate::comp::street::Streets;
 use crate::fault::Error;
 use crate::material::{Color, Material};
 use crate::mesh::Mesh;
+use crate::place;
 use crate::scope::{Axis, Frame, Scope};
 use crate::seed::{Seed, Tag};
-use crate::side::{Extruded, Sides};
 use crate::state::StateRef;
 use crate::text::Text;
 use crate::trim::Trims;
+use crate::unit::UnitMesh;
 use crate::wire::PlacedWire;
 
 /// A shape that owns all it has: what a run starts with and what operations written in Rust get.
@@ -67,10 +68,9 @@ pub(crate) enum Geometry {
     /// Edges, or points alone.
     Wire(Arc<PlacedWire>),
     /// A rectangle in the scope's low plane across an axis, looking along that axis.
-    /// It may be one that `extrude` made.
-    Rect(Axis, Option<Extruded>),
-    /// The scope itself, closed, and which of its sides have tags.
-    Box(Sides),
+    Rect(Axis, UnitMesh),
+    /// The scope itself, closed.
+    Box(UnitMesh),
     /// Any mesh.
     Mesh(Arc<Placed>),
 }
@@ -126,12 +126,12 @@ impl Shape {
         let scope = Scope::new(DVec3::new(width, 0.0, depth));
         // *comp operation*, coordinate systems: the first edge is the front, and the pivot its first vertex.
         let pivot = Frame { origin: DVec3::new(0.0, 0.0, depth), axes: DMat3::IDENTITY };
-        Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, None)) }
+        Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y, None))) }
     }
 
     /// A box of that size, its corner at the origin.
     pub fn cuboid(width: f64, height: f64, depth: f64) -> Self {
-        Shape::with(Scope::new(DVec3::new(width, height, depth)), Geometry::Box(Sides::PLAIN))
+        Shape::with(Scope::new(DVec3::new(width, height, depth)), Geometry::Box(UnitMesh::cuboid()))
     }
 
     /// A straight line in the world, in metres: its scope's x axis runs along it, the y axis is as upright as that lets it
@@ -194,7 +194,7 @@ impl Shape {
         let size = found.high - found.low;
         if found.rectangle {
             let scope = Scope { origin: first - axes.z_axis * size.y, axes, size: DVec3::new(size.x, 0.0, size.y) };
-            return Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, None)) };
+            return Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y, None))) };
         }
         let local = mesh.map(&DAffine3 { matrix3: axes.transpose(), translation: -(axes.transpose() * first) });
         let placed = Placed::fitted(local);
@@ -341,13 +341,7 @@ impl<'a> ShapeRef<'a> {
     pub fn to_mesh(&self) -> Arc<Mesh> {
         match &self.geometry {
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Arc::default(),
-            Geometry::Rect(axis, extruded) => {
-                let local = Scope::new(self.scope.size);
-                Arc::new(Mesh::from_quad(&crate::place::rect(&local, *axis)).with_side(*extruded))
-            }
-            Geometry::Box(sides) => {
-                Arc::new(Mesh::from_cuboid(&crate::place::cuboid(&Scope::new(self.scope.size))).with_sides(*sides))
-            }
+            Geometry::Rect(_, unit) | Geometry::Box(unit) => place::mesh(*unit, self.scope.size),
             Geometry::Mesh(placed) => {
                 let place = placed.to_scope(self.scope.size);
                 if place == DAffine3::IDENTITY { placed.mesh.clone() } else { Arc::new(placed.mesh.map(&place)) }

@@ -206,7 +206,7 @@ fn nested_tubes_keep_their_holes_also_inside_out_and_beside_boxes_that_touch() {
 fn an_open_mesh_stays_open() {
     // A box without lid and a sheet.
     let cube = primitive::cube();
-    let all: Vec<u32> = (0..6).filter(|&face| face != 4).collect();
+    let all: Vec<u32> = (0..6).filter(|&face| face != 1).collect();
     let open = Arc::new(cga_runtime::comp::faces::extract(&cube, &all, &cga_runtime::scope::Frame::WORLD));
     let cut = slabs(&open, Axis::X, &[0.5]);
     assert_eq!(cut.open.len(), 1);

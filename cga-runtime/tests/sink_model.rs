@@ -16,8 +16,8 @@ fn leaves_come_back_as_they_were() {
     let red = color(1.0, 0.0, 0.0);
     let quads = [
         front(dvec3(1.0, 2.0, 3.0), 4.0, 5.0),
-        Quad { origin: dvec3(0.0, 0.0, 2.0), u: DVec3::X, v: DVec3::Z * -2.0 },
-        Quad { origin: DVec3::ONE, u: dvec3(0.3, 0.4, 0.0), v: DVec3::Z },
+        Quad::new(dvec3(0.0, 0.0, 2.0), DVec3::X, DVec3::Z * -2.0),
+        Quad::new(DVec3::ONE, dvec3(0.3, 0.4, 0.0), DVec3::Z),
     ];
     quads.iter().for_each(|quad| fill.quad("Q", &red, *quad));
     let boxes = [upright(DVec3::ONE, dvec3(1.0, 2.0, 3.0)), upright(DVec3::ONE, dvec3(1.0, -2.0, 3.0))];
@@ -37,7 +37,7 @@ fn leaves_come_back_as_they_were() {
 fn geometry_that_fills_a_turned_scope_is_exact() {
     let axes = DMat3::from_rotation_y(0.7) * DMat3::from_rotation_x(0.3);
     let scope = Scope { origin: dvec3(0.1, 0.2, 0.3), axes, size: dvec3(1.1, 2.2, 0.0) };
-    let quad = Quad { origin: scope.origin, u: axes.x_axis * 1.1, v: axes.y_axis * 2.2 };
+    let quad = Quad::new(scope.origin, axes.x_axis * 1.1, axes.y_axis * 2.2);
     let mut model = Model::new();
     let leaf = Leaf { rule: "Q", material: &color(1.0, 1.0, 1.0), scope: &scope };
     assert!(model.quad(&leaf, &quad).is_continue());

@@ -24,7 +24,7 @@ pub(crate) fn with_scopes(model: &Model, width: f64) -> Model {
         for at in 0..4 {
             let [from, to, next] = [0, 1, 2].map(|step| corners[(at + step) % 4]);
             let inwards = (next - to).normalize_or_zero() * width;
-            let strip = Quad { origin: from + lift, u: to - from, v: inwards };
+            let strip = Quad::new(from + lift, to - from, inwards);
             let scope = Scope { origin: strip.origin, ..*leaf.scope() };
             let _ = out.quad(&Leaf { rule: "Edge", material: &material, scope: &scope }, &strip);
         }

@@ -101,7 +101,7 @@ mod tests {
             assert_eq!(found.frame.axes.z_axis, mesh.face(face).normal());
             assert_eq!(found.frame.origin, mesh.points()[mesh.face(face).outer()[0] as usize]);
         }
-        assert_eq!(face_frame(&mesh, 1).unwrap().frame.axes.y_axis, DVec3::Y);
+        assert_eq!(face_frame(&mesh, 2).unwrap().frame.axes.y_axis, DVec3::Y);
     }
 
     #[test]

@@ -13,9 +13,9 @@ use super::frame::{FaceFrame, along, beside, face_frame, upright};
 use super::looks::Looks;
 use super::roof::Roof;
 use super::select::{RoofEdge, Sense, Word};
+use crate::extruded::Extruded;
 use crate::mesh::{Adjacency, FaceTag, Mesh, MeshBuilder, flip, unit};
 use crate::scope::Frame;
-use crate::side::Extruded;
 use crate::tol::{COPLANAR_EPSILON, UP_EPSILON};
 use crate::wire::Wire;
 

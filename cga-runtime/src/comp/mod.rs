@@ -22,7 +22,7 @@ use std::sync::Arc;
 use crate::derive::Cx;
 use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::scope::{Axis, Frame, Scope};
+use crate::scope::{Frame, Scope};
 use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, Geometry, ShapeRef};
 use crate::sink::{Flow, Sink};
@@ -246,7 +246,7 @@ impl<'s> Parts<'s> {
                 components[0],
                 scope,
                 scope.frame(),
-                Geometry::Rect(Axis::Z, quads.extruded(components[0] as usize)),
+                quads.alone(components[0] as usize),
                 own,
             );
         }

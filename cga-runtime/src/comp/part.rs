@@ -11,6 +11,7 @@ use crate::mesh::{Bounds, Mesh};
 use crate::scope::{Axis, Frame, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
 use crate::tol::PLANAR_EPSILON;
+use crate::unit::UnitMesh;
 use crate::wire::{PlacedWire, Wire};
 
 /// Scope, pivot and geometry of a component, or of several together.
@@ -38,7 +39,11 @@ impl Source {
                     let pivot = in_world(&parent.scope, &found.frame);
                     let size = (found.high - found.low).extend(0.0);
                     let scope = Scope { origin: pivot.origin, axes: pivot.axes, size };
-                    return Part { scope, pivot, geometry: Geometry::Rect(Axis::Z, extruded) };
+                    return Part {
+                        scope,
+                        pivot,
+                        geometry: Geometry::Rect(Axis::Z, UnitMesh::rectangle(Axis::Z, extruded)),
+                    };
                 }
                 match parts.frame(first, as_roof) {
                     None => self.kept(parent, numbers, as_roof),

@@ -231,7 +231,7 @@ mod tests {
     fn sides_of_boxes_are_taken_as_their_normals_are() {
         use Direction::*;
         let all = [Front, Back, Right, Left, Top, Bottom, Horizontal, Side, Aslant, Vertical, Nutant];
-        for (side, normal) in crate::comp::source::NORMALS.into_iter().enumerate() {
+        for (side, normal) in crate::unit::NORMALS.into_iter().enumerate() {
             assert!(all.iter().all(|direction| direction.takes_side(side) == direction.takes(normal)), "{side}");
         }
     }

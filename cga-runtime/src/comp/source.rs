@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use super::candidate::Subcomponent;
 use super::looks::Looks;
@@ -14,7 +14,7 @@ use crate::env::Env;
 use crate::mesh::tag_matches;
 use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, ShapeRef};
-use crate::side::{Extruded, Sides};
+use crate::unit::{NORMALS, UnitFace, UnitMesh};
 use crate::wire::Wire;
 
 /// A shape's components of one kind, by number.
@@ -95,27 +95,20 @@ impl Source {
 #[derive(Debug)]
 pub(super) struct Quads {
     scope: Scope,
-    of: Of,
+    unit: UnitMesh,
 }
-
-#[derive(Debug)]
-enum Of {
-    Box(Sides),
-    /// Across an axis.
-    Rectangle(Axis, Option<Extruded>),
-}
-
-/// Where the sides of a box look: front, right, back, left, top, bottom, as [`Cuboid::faces`](crate::sink::Cuboid::faces).
-pub(super) const NORMALS: [DVec3; 6] = [DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y];
 
 impl Quads {
     #[inline]
     fn of(shape: &ShapeRef<'_>) -> Option<Self> {
         let (scope, size) = (shape.scope, shape.scope.size);
         match shape.geometry {
-            Geometry::Box(sides) if 0.0 < size.min_element() => Some(Quads { scope, of: Of::Box(sides) }),
-            Geometry::Rect(axis, extruded) if (0..3).all(|at| at == axis.index() || 0.0 < size[at]) => {
-                Some(Quads { scope, of: Of::Rectangle(axis, extruded) })
+            Geometry::Box(unit) if 0.0 < size.min_element() => Some(Quads { scope, unit }),
+            Geometry::Rect(across, unit) if (0..3).all(|at| at == across.index() || 0.0 < size[at]) => {
+                // It lies at the low end of the axis that it looks along.
+                let mut scope = scope;
+                scope.size[across.index()] = 0.0;
+                Some(Quads { scope, unit })
             }
             _ => None,
         }
@@ -123,47 +116,30 @@ impl Quads {
 
     #[inline]
     fn len(&self) -> usize {
-        if self.is_rectangle() { 1 } else { 6 }
+        self.unit.faces().len()
     }
 
-    /// The side of a box that the only one of a rectangle looks like.
     #[inline]
-    fn side_of(&self, number: usize) -> usize {
-        match self.of {
-            Of::Box(sides) => sides.side_of(number),
-            Of::Rectangle(Axis::X, _) => 1,
-            Of::Rectangle(Axis::Y, _) => 4,
-            Of::Rectangle(Axis::Z, _) => 0,
-        }
+    fn face(&self, number: usize) -> &'static UnitFace {
+        &self.unit.faces()[number]
     }
 
     /// The scope of a side: x along its first edge, z outwards.
     #[inline(always)]
     pub(super) fn scope(&self, number: usize) -> Scope {
-        let Scope { origin, axes, size } = self.scope;
-        let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis];
-        let (width, height, depth) = (size.x, size.y, size.z);
-        // A rectangle lies at the low end of the axis that it looks along.
-        let far = |axis: DVec3, by: f64| if self.is_rectangle() { DVec3::ZERO } else { axis * by };
-        let (from, axes, size) = match self.side_of(number) {
-            0 => (far(z, depth), [x, y, z], [width, height]),
-            1 => (z * depth + far(x, width), [-z, y, x], [depth, height]),
-            2 => (x * width, [-x, y, -z], [width, height]),
-            3 => (DVec3::ZERO, [z, y, -x], [depth, height]),
-            4 => (z * depth + far(y, height), [x, -z, y], [width, depth]),
-            _ => (DVec3::ZERO, [x, z, -y], [width, depth]),
-        };
-        let [x, y, z] = axes;
-        Scope { origin: origin + from, axes: DMat3::from_cols(x, y, z), size: DVec3::new(size[0], size[1], 0.0) }
+        let (Scope { origin, axes, size }, face) = (self.scope, self.face(number));
+        let [width, height] = [face.axes.x_axis, face.axes.y_axis].map(|axis| axis.abs().dot(size));
+        let from = axes * (face.origin * size);
+        Scope { origin: origin + from, axes: axes * face.axes, size: DVec3::new(width, height, 0.0) }
     }
 
     #[inline]
     fn is(&self, looks: &Looks, number: usize, word: Word) -> bool {
         match word.sense() {
             Sense::All => true,
-            Sense::Looks(Axes::Scope, direction) => direction.takes_side(self.side_of(number)),
+            Sense::Looks(Axes::Scope, direction) => direction.takes_side(usize::from(self.face(number).side)),
             Sense::Looks(axes, direction) => {
-                let normal = NORMALS[self.side_of(number)];
+                let normal = NORMALS[usize::from(self.face(number).side)];
                 looks.takes_at(axes, direction, normal, || self.scope(number).centre())
             }
             // A rectangle alone has no neighbours.
@@ -174,27 +150,24 @@ impl Quads {
 
     /// Whether a tag of a side is found, or of one beside it.
     pub(super) fn tagged(&self, number: usize, of: Option<Subcomponent>, query: &str) -> bool {
-        let has = |side: usize| self.extruded(side).is_some_and(|extruded| tag_matches(query, extruded.tag()));
-        if self.is_rectangle() {
-            return has(0);
+        let has = |face: &UnitFace| face.extruded.is_some_and(|extruded| tag_matches(query, extruded.tag()));
+        if of.is_none() {
+            return has(self.face(number));
         }
         // Opposite sides of a box share no edge and no vertex.
-        const OPPOSITE: [usize; 6] = [2, 3, 0, 1, 5, 4];
-        if of.is_none() { has(number) } else { (0..6).any(|side| side != OPPOSITE[number] && has(side)) }
+        let outwards = self.face(number).axes.z_axis;
+        self.unit.faces().iter().any(|face| face.axes.z_axis != -outwards && has(face))
     }
 
-    /// Where `extrude` made a face.
+    /// A side alone.
     #[inline]
-    pub(super) fn extruded(&self, number: usize) -> Option<Extruded> {
-        match self.of {
-            Of::Rectangle(_, extruded) => extruded,
-            Of::Box(sides) => sides.tag(sides.side_of(number)),
-        }
+    pub(super) fn alone(&self, number: usize) -> Geometry {
+        Geometry::Rect(Axis::Z, UnitMesh::rectangle(Axis::Z, self.face(number).extruded))
     }
 
     /// Whether it is one face, without neighbours.
     #[inline]
     pub(super) fn is_rectangle(&self) -> bool {
-        matches!(self.of, Of::Rectangle(..))
+        self.len() == 1
     }
 }

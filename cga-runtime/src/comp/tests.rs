@@ -7,8 +7,8 @@ use super::{Align, Arm, Components, Mode, Parts, Select, comp_values, never};
 use crate::env::Env;
 use crate::mesh::{Extrude, Mesh, MeshBuilder, extrude, primitive};
 use crate::shape::{Geometry, Shape};
-use crate::side::Sides;
 use crate::sink::Flow;
+use crate::unit::UnitMesh;
 
 mod kept;
 
@@ -389,7 +389,7 @@ fn streets_decide_what_is_front() {
     assert_eq!(numbers(&Shape::rectangle(6.0, 4.0)), [0.0, 3.0, 1.0, 2.0], "without streets, as of the object");
     // Walls over the lot look as its edges do.
     let mut walls = lot.clone();
-    walls.geometry = Geometry::Box(Sides::PLAIN);
+    walls.geometry = Geometry::Box(UnitMesh::cuboid());
     walls.scope.size.y = 3.0;
     let arms = words.map(|word| arm(word, Mode::Each));
     let value = |_: &mut Env, arm: u32, _: &mut crate::shape::ShapeRef<'_>| f64::from(arm) + 1.0;

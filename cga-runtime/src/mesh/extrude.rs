@@ -11,7 +11,7 @@ use super::face::unit;
 use super::map::flip;
 use super::table::PairTable;
 use super::{Bounds, FaceTag, Mesh, TagSet};
-use crate::side::Extruded;
+use crate::extruded::Extruded;
 use crate::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
 /// Which way faces are pulled.
@@ -62,17 +62,10 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
         }
         let own = face.tag();
         let tag = |part: usize| FaceTag { cap: false, tags: tags.of[part][own.tags.min(tags.last) as usize], ..own };
-        for (number, ring) in face.loop_ranges().enumerate() {
-            let tag = tag(if number == 0 { 1 } else { 2 });
-            for corner in ring.clone() {
-                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
-                if !joints.inner[corner] {
-                    let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
-                    grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
-                }
-            }
-        }
-        for top in [true, false] {
+        // Vertices of the bottom come first, then those of the top; faces likewise, the sides after them.
+        face.corner_range().for_each(|corner| _ = grown.low(corner));
+        face.corner_range().for_each(|corner| _ = grown.high(corner, body, way));
+        for top in [false, true] {
             for ring in face.loop_ranges() {
                 let mut order: Vec<usize> = ring.collect();
                 if !top {
@@ -86,6 +79,16 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
                 grown.end_loop();
             }
             grown.end_face(tag(if top { 3 } else { 0 }));
+        }
+        for (number, ring) in face.loop_ranges().enumerate() {
+            let tag = tag(if number == 0 { 1 } else { 2 });
+            for corner in ring.clone() {
+                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
+                if !joints.inner[corner] {
+                    let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
+                    grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
+                }
+            }
         }
     }
     grown.mesh
@@ -293,10 +296,12 @@ mod tests {
         assert!(body.is_closed() && body.check().is_empty());
         assert_eq!(body.volume(), 12.0);
         let normals: Vec<DVec3> = body.faces().map(|f| f.normal()).collect();
-        assert_eq!(normals, [DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y]);
-        let first = body.face(0).outer();
-        assert_eq!(body.points()[first[0] as usize], base.points()[0]);
-        assert_eq!(body.points()[first[1] as usize], base.points()[1]);
+        assert_eq!(normals, [DVec3::NEG_Y, DVec3::Y, DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X]);
+        // The bottom keeps the first edge, reversed; vertices go around the bottom, then around the top.
+        let faces: Vec<&[u32]> = body.faces().map(|face| face.outer()).collect();
+        assert_eq!(faces[..3], [[1, 0, 3, 2], [4, 5, 6, 7], [0, 1, 5, 4]]);
+        assert_eq!(faces[3..], [[1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]);
+        assert_eq!(body.points()[..4], base.points()[..]);
         assert_eq!(extrude(&base, Extrude::FaceNormal, -3.0).volume(), -12.0);
         assert_eq!(extrude(&base, Extrude::Vector(DVec3::Y), 3.0).volume(), 12.0);
     }
@@ -358,7 +363,7 @@ mod tests {
         let body = extrude(&folded(), Extrude::VertexNormal, 3.0);
         // Over the fold along the average, which is upright; beside it along the slopes' normals.
         let fold = body.points().iter().filter(|p| p.z == 0.0).map(|p| p.y).collect::<Vec<_>>();
-        assert_eq!(fold, [1.0, 4.0, 1.0, 4.0]);
+        assert_eq!(fold, [1.0, 1.0, 4.0, 4.0]);
         assert_eq!(extrude(&folded(), Extrude::FaceNormal, 3.0).face_count(), 12);
         let inwards = extrude(&folded(), Extrude::VertexNormal, -0.5);
         assert!(inwards.is_closed() && inwards.volume() < 0.0);

@@ -23,7 +23,7 @@ mod measure;
 pub(crate) mod offset;
 mod polygon;
 pub mod primitive;
-mod solid;
+pub(crate) mod solid;
 mod spread;
 pub(crate) mod table;
 mod tag;

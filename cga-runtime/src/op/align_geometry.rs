@@ -10,7 +10,6 @@ use crate::mesh::{Mesh, unit};
 use crate::place;
 use crate::scope::{Frame, Scope};
 use crate::shape::{Geometry, ShapeRef};
-use crate::side::Sides;
 use crate::sink::{Cuboid, Quad};
 use crate::tol::TIE_EPSILON;
 
@@ -211,7 +210,7 @@ fn whole(env: &mut Env, number: f64, what: &str, count: usize) -> Option<usize> 
 enum Faces<'a> {
     None,
     Quad(Quad),
-    Box(Cuboid, Sides),
+    Box(Cuboid),
     Mesh(&'a Mesh, DAffine3),
 }
 
@@ -220,8 +219,8 @@ impl<'a> Faces<'a> {
         let local = Scope::new(shape.scope.size);
         match &shape.geometry {
             Geometry::Mesh(placed) => Faces::Mesh(&placed.mesh, placed.to_scope(shape.scope.size)),
-            Geometry::Rect(axis, _) => Faces::Quad(place::rect(&local, *axis)),
-            Geometry::Box(sides) => Faces::Box(place::cuboid(&local), *sides),
+            Geometry::Rect(axis, unit) => Faces::Quad(place::rectangle(&local, *axis, *unit)),
+            Geometry::Box(unit) => Faces::Box(place::cuboid(&local, *unit)),
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Faces::None,
         }
     }
@@ -241,7 +240,7 @@ impl<'a> Faces<'a> {
         match self {
             Faces::None => DVec3::ZERO,
             Faces::Quad(quad) => twice(quad),
-            Faces::Box(cuboid, sides) => twice(&sides.faces(cuboid)[face]),
+            Faces::Box(cuboid) => twice(&cuboid.faces()[face]),
             Faces::Mesh(mesh, place) => {
                 let [x, y, z] = [place.matrix3.x_axis.x, place.matrix3.y_axis.y, place.matrix3.z_axis.z];
                 mesh.face(face).area_vector() * DVec3::new(y * z, z * x, x * y)
@@ -258,7 +257,7 @@ impl<'a> Faces<'a> {
         match self {
             Faces::None => {}
             Faces::Quad(quad) => around(quad),
-            Faces::Box(cuboid, sides) => around(&sides.faces(cuboid)[face]),
+            Faces::Box(cuboid) => around(&cuboid.faces()[face]),
             Faces::Mesh(mesh, place) => {
                 let at = |point: u32| place.transform_point3(mesh.points()[point as usize]);
                 for ring in mesh.face(face).loops() {

@@ -12,7 +12,7 @@ use crate::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
 use crate::mesh::{Mesh, extrude_wire, point_normals};
 use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
-use crate::side::Sides;
+use crate::unit::grown_axes;
 use crate::wire::Wire;
 
 /// The direction of an extrusion.
@@ -55,10 +55,11 @@ pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlon
     }
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex => {}
-        Geometry::Rect(axis, _) if shape.scope.size[axis.index()] == 0.0 && straight(&shape.scope, *axis, along) => {
+        Geometry::Rect(axis, unit) if shape.scope.size[axis.index()] == 0.0 && straight(&shape.scope, *axis, along) => {
             if distance != 0.0 {
+                let unit = unit.grown(*axis);
                 shape.scope = raised(&shape.scope, *axis, distance);
-                shape.geometry = Geometry::Box(Sides::GROWN);
+                shape.geometry = Geometry::Box(unit);
             }
         }
         _ => {
@@ -115,16 +116,11 @@ fn straight(scope: &Scope, axis: Axis, along: ExtrudeAlong) -> bool {
 
 /// The scope of a rectangle across `axis` that has grown along it.
 fn raised(scope: &Scope, axis: Axis, distance: f64) -> Scope {
-    let (o, s, [x, y, z]) = (scope.origin, scope.size, [scope.axes.x_axis, scope.axes.y_axis, scope.axes.z_axis]);
-    match axis {
-        Axis::Y => Scope { size: DVec3::new(s.x, distance, s.z), ..*scope },
-        Axis::Z => {
-            Scope { origin: o + y * s.y, axes: DMat3::from_cols(x, z, -y), size: DVec3::new(s.x, distance, s.y) }
-        }
-        Axis::X => {
-            Scope { origin: o + y * s.y, axes: DMat3::from_cols(-y, x, z), size: DVec3::new(s.y, distance, s.z) }
-        }
-    }
+    let turn = grown_axes(axis);
+    // The old height runs against one of the new axes.
+    let up = if axis == Axis::Y { DVec3::ZERO } else { scope.axes.y_axis * scope.size.y };
+    let [width, depth] = [turn.x_axis, turn.z_axis].map(|along| along.abs().dot(scope.size));
+    Scope { origin: scope.origin + up, axes: scope.axes * turn, size: DVec3::new(width, distance, depth) }
 }
 
 fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, how: Extrude, distance: f64) {

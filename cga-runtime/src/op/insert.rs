@@ -10,8 +10,8 @@ use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::mesh::Mesh;
 use crate::shape::{Geometry, Placed, ShapeRef};
-use crate::side::Sides;
 use crate::text::Text;
+use crate::unit::UnitMesh;
 
 /// Which axis of an asset, or of an aligned scope, is its height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,7 +81,7 @@ pub(crate) fn z_up(mesh: &Mesh) -> Mesh {
 
 fn insert_box(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
-    shape.geometry = Geometry::Box(Sides::CUBE);
+    shape.geometry = Geometry::Box(UnitMesh::cube());
     super::trim(env, shape);
 }
 

@@ -47,8 +47,8 @@ pub fn set_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, map: AxisMap, corner: 
             Geometry::Empty | Geometry::Vertex => {}
             Geometry::Edge => shape.geometry = seen_from(Wire::edge(old.size.x), &old, &scope),
             Geometry::Wire(placed) => shape.geometry = seen_from(placed.in_scope(old.size), &old, &scope),
-            Geometry::Rect(axis, extruded) if 0.0 <= old.size.min_element() && old.size[axis.index()] == 0.0 => {
-                match rectangle(&old, *axis, *extruded, scope.axes) {
+            Geometry::Rect(axis, unit) if 0.0 <= old.size.min_element() && old.size[axis.index()] == 0.0 => {
+                match rectangle(&old, *axis, *unit, scope.axes) {
                     Some((_, geometry)) => shape.geometry = geometry,
                     None if !rearrange(env, shape, from, from.map(|axis| far[axis])) => return,
                     None => {}

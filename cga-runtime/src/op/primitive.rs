@@ -16,7 +16,7 @@ use crate::mesh::Mesh;
 use crate::mesh::primitive::Made;
 use crate::scope::Axis;
 use crate::shape::{Geometry, Placed, ShapeRef};
-use crate::side::Sides;
+use crate::unit::UnitMesh;
 
 /// Sides and divisions when none are given.
 const USUAL: u32 = 16;
@@ -25,10 +25,10 @@ const MOST_SIDES: u32 = 100_000;
 /// A sphere has fewer of them, as it has a row for each division.
 const MOST_OF_SPHERE: u32 = 1000;
 
-/// `primitiveCube()`: faces are top, bottom, left, back, right, front (*primitiveCube operation*).
+/// `primitiveCube()`: faces are bottom, top, front, right, back, left (*primitiveCube operation*).
 pub fn cube(env: &mut Env, shape: &mut ShapeRef<'_>) {
     fit(shape, DVec3::ZERO, DVec3::ONE);
-    shape.geometry = Geometry::Box(Sides::CUBE);
+    shape.geometry = Geometry::Box(UnitMesh::cube());
     super::trim(env, shape);
 }
 
@@ -37,7 +37,7 @@ pub fn cube_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, height: f
     let size =
         DVec3::new(env.finite(width, "the width"), env.finite(height, "the height"), env.finite(depth, "the depth"));
     stand(env, shape, size, Axis::Y);
-    shape.geometry = Geometry::Box(Sides::CUBE);
+    shape.geometry = Geometry::Box(UnitMesh::cube());
     super::trim(env, shape);
 }
 
@@ -157,7 +157,7 @@ fn fit_flat(shape: &mut ShapeRef<'_>, across: Axis) {
 /// A rectangle. Rectangles without a mesh begin otherwise where they lie across x.
 fn put_quad(env: &mut Env, shape: &mut ShapeRef<'_>, across: Axis) {
     if across != Axis::X {
-        shape.geometry = Geometry::Rect(across, None);
+        shape.geometry = Geometry::Rect(across, UnitMesh::rectangle(across, None));
         super::trim(env, shape);
     } else if let Some(mesh) = env.primitive(Made::Square { across }) {
         put(env, shape, mesh);

@@ -6,12 +6,12 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::mesh::{Bounds, Mesh};
+use crate::mesh::Bounds;
 use crate::place;
 use crate::scope::{Axis, Frame, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
-use crate::side::Extruded;
 use crate::tol::ANGLE_EPSILON;
+use crate::unit::UnitMesh;
 use crate::wire::{PlacedWire, Wire};
 
 /// Gives the scope other axes and makes it the box of the geometry along these. Says whether it did: not so with a fault,
@@ -23,10 +23,10 @@ pub(super) fn refit(env: &mut Env, shape: &mut ShapeRef<'_>, axes: DMat3, what: 
     let turn = scope.axes.transpose() * axes;
     let stays = turn.abs_diff_eq(DMat3::IDENTITY, ANGLE_EPSILON);
     let found = match &shape.geometry {
-        Geometry::Box(sides) if stays && 0.0 < scope.size.min_element() => {
-            Some((Scope { axes, ..scope }, Geometry::Box(*sides)))
+        Geometry::Box(unit) if stays && 0.0 < scope.size.min_element() => {
+            Some((Scope { axes, ..scope }, Geometry::Box(*unit)))
         }
-        Geometry::Rect(axis, extruded) if 0.0 <= scope.size.min_element() => rectangle(&scope, *axis, *extruded, axes),
+        Geometry::Rect(axis, unit) if 0.0 <= scope.size.min_element() => rectangle(&scope, *axis, *unit, axes),
         Geometry::Mesh(placed) if stays && fits(placed, scope.size) && 0.0 <= scope.size.min_element() => {
             Some((Scope { axes, ..scope }, Geometry::Mesh(placed.clone())))
         }
@@ -103,7 +103,7 @@ fn wire(scope: &Scope, turn: &DMat3, axes: DMat3, wire: Wire) -> (Scope, Geometr
     (new, Geometry::Wire(Arc::new(placed)))
 }
 
-/// The directions of a rectangle's first two edges, as [`place::rect`] has them.
+/// The directions of a rectangle's first two edges, as [`place::rectangle`] has them.
 fn directions(axes: &DMat3, axis: Axis) -> [DVec3; 2] {
     match axis {
         Axis::X => [-axes.z_axis, axes.y_axis],
@@ -113,13 +113,8 @@ fn directions(axes: &DMat3, axis: Axis) -> [DVec3; 2] {
 }
 
 /// A rectangle along other axes, if it is one there, with the same first edge and looking the same way.
-pub(super) fn rectangle(
-    scope: &Scope,
-    axis: Axis,
-    extruded: Option<Extruded>,
-    axes: DMat3,
-) -> Option<(Scope, Geometry)> {
-    let quad = place::rect(scope, axis);
+pub(super) fn rectangle(scope: &Scope, axis: Axis, unit: UnitMesh, axes: DMat3) -> Option<(Scope, Geometry)> {
+    let quad = place::rectangle(scope, axis, unit);
     let (across, up) = (quad.u.length(), quad.v.length());
     let old = directions(&scope.axes, axis);
     [Axis::X, Axis::Y, Axis::Z].into_iter().find_map(|new| {
@@ -129,7 +124,7 @@ pub(super) fn rectangle(
             Axis::Y => (quad.origin + quad.v, DVec3::new(across, 0.0, up)),
             Axis::Z => (quad.origin, DVec3::new(across, up, 0.0)),
         };
-        near.then_some((Scope { origin, axes, size }, Geometry::Rect(new, extruded)))
+        near.then_some((Scope { origin, axes, size }, Geometry::Rect(new, unit.across(new))))
     })
 }
 
@@ -149,14 +144,9 @@ pub(super) fn as_placed(shape: &ShapeRef<'_>) -> Option<Placed> {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => None,
         Geometry::Mesh(placed) => Some(Placed::clone(placed)),
-        Geometry::Box(sides) => {
-            let mesh = Arc::new(Mesh::from_cuboid(&place::cuboid(&Scope::new(size))).with_sides(*sides));
-            Some(Placed { mesh, low: DVec3::ZERO, size, whole: false, mirrored: false })
-        }
-        Geometry::Rect(axis, extruded) => {
-            let mesh = Arc::new(Mesh::from_quad(&place::rect(&Scope::new(size), *axis)).with_side(*extruded));
-            let mut size = size;
-            size[axis.index()] = 0.0;
+        Geometry::Box(unit) | Geometry::Rect(_, unit) => {
+            let mesh = place::mesh(*unit, size);
+            let size = mesh.bounds().size();
             Some(Placed { mesh, low: DVec3::ZERO, size, whole: false, mirrored: false })
         }
     }

@@ -8,6 +8,7 @@ use super::*;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
 use crate::shape::{Geometry, Placed, Shape};
+use crate::unit::UnitMesh;
 
 type Step = dyn Fn(&mut Env, &mut Shape);
 
@@ -52,7 +53,8 @@ fn with_hole() -> Shape {
 
 fn rect(axis: Axis, size: [f64; 3]) -> Shape {
     let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
-    (shape.scope.size, shape.geometry) = (DVec3::from_array(size), Geometry::Rect(axis, None));
+    (shape.scope.size, shape.geometry) =
+        (DVec3::from_array(size), Geometry::Rect(axis, UnitMesh::rectangle(axis, None)));
     shape
 }
 

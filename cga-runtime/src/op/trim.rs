@@ -62,7 +62,7 @@ mod tests {
     use crate::op;
     use crate::query::{geometry_area, geometry_is_closed_surface};
     use crate::shape::Shape;
-    use crate::side::Sides;
+    use crate::unit::UnitMesh;
 
     /// What some work makes of each face, by number.
     fn on_faces(shape: &Shape, mut work: impl FnMut(&mut Env, &mut ShapeRef<'_>) -> f64) -> Vec<f64> {
@@ -85,7 +85,7 @@ mod tests {
     }
 
     fn cuboid_mesh(size: DVec3) -> Shape {
-        let cube = Mesh::from_cuboid(&crate::place::cuboid(&crate::scope::Scope::new(size)));
+        let cube = crate::place::cuboid(&crate::scope::Scope::new(size), UnitMesh::cuboid()).to_mesh();
         Shape::mesh(cube)
     }
 
@@ -247,12 +247,12 @@ mod tests {
             assert_eq!(part.trims.planes(&part.pivot).len(), 4);
             let mut inner = part.detach();
             inner.scope.size.z = 2.0;
-            inner.geometry = Geometry::Box(Sides::PLAIN);
+            inner.geometry = Geometry::Box(UnitMesh::cuboid());
             on_faces(&inner, |_, part| {
                 assert_eq!(part.trims.planes(&part.pivot).len(), 8);
                 0.0
             });
-            inner.geometry = Geometry::Rect(crate::scope::Axis::Z, None);
+            inner.geometry = Geometry::Rect(crate::scope::Axis::Z, UnitMesh::rectangle(crate::scope::Axis::Z, None));
             on_faces(&inner, |_, again| {
                 assert_eq!(*again.trims.planes(&again.pivot), *inner.trims.planes(&inner.pivot));
                 0.0

@@ -29,12 +29,12 @@ pub(super) fn area_vectors(shape: &ShapeRef<'_>, mut each: impl FnMut(DVec3, DVe
     let local = crate::scope::Scope::new(shape.scope.size);
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => {}
-        Geometry::Rect(axis, _) => {
-            let quad = place::rect(&local, *axis);
+        Geometry::Rect(axis, unit) => {
+            let quad = place::rectangle(&local, *axis, *unit);
             each(quad.u.cross(quad.v), quad.origin);
         }
-        Geometry::Box(sides) => {
-            sides.faces(&place::cuboid(&local)).iter().for_each(|face| each(face.u.cross(face.v), face.origin))
+        Geometry::Box(unit) => {
+            place::cuboid(&local, *unit).faces().iter().for_each(|face| each(face.u.cross(face.v), face.origin))
         }
         Geometry::Mesh(placed) => {
             let stretch = placed.stretch(shape.scope.size);

@@ -193,7 +193,7 @@ mod tests {
 
     fn block() -> Mesh {
         let scope = Scope { origin: DVec3::new(0.5, 0.55, 0.6), ..Scope::new(DVec3::new(0.2, 0.3, 0.4)) };
-        Mesh::from_cuboid(&crate::place::cuboid(&scope))
+        crate::place::cuboid(&scope, crate::unit::UnitMesh::cube()).to_mesh()
     }
 
     #[test]

@@ -13,7 +13,7 @@ use crate::scope::{Axis, Frame, Scope};
 use crate::seed::Seed;
 use crate::settings::Settings;
 use crate::shape::{Geometry, Placed, Shape};
-use crate::side::Sides;
+use crate::unit::UnitMesh;
 
 const SELECTORS: [Word; 27] = {
     use Word::*;
@@ -124,9 +124,9 @@ fn boxes_and_rectangles_answer_as_their_meshes_do() {
         let scope = random_scope(&mut seed);
         // Where two directions are equally near, rounding decides: turned scopes have no such ties.
         let scope = if round % 2 == 0 { Scope { axes: DMat3::IDENTITY, ..scope } } else { scope };
-        for geometry in [Geometry::Empty, Geometry::Box(Sides::PLAIN)]
+        for geometry in [Geometry::Empty, Geometry::Box(UnitMesh::cuboid())]
             .into_iter()
-            .chain([Axis::X, Axis::Y, Axis::Z].map(|axis| Geometry::Rect(axis, None)))
+            .chain([Axis::X, Axis::Y, Axis::Z].map(|axis| Geometry::Rect(axis, UnitMesh::rectangle(axis, None))))
         {
             let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
             (shape.scope, shape.geometry) = (scope, geometry);
@@ -238,7 +238,7 @@ fn selectors_follow_their_axes() {
     assert!(geometry_is_oriented(env, wall, F::Top) && !geometry_is_oriented(env, wall, F::Side));
     // *CGA changelog 2017.0*: front becomes back when the depth is negative.
     let mut builder = MeshBuilder::new();
-    for quad in &crate::place::cuboid(&Scope::new(DVec3::ONE)).faces()[..2] {
+    for quad in &crate::place::cuboid(&Scope::new(DVec3::ONE), UnitMesh::cuboid()).faces()[..2] {
         let ring = quad.corners().map(|p| builder.point(p));
         builder.face(&ring, &[], FaceTag::PLAIN);
     }
@@ -284,7 +284,7 @@ fn an_edge_of_four_faces_closes_nothing() {
     let mut builder = MeshBuilder::new();
     let corner = |low: DVec3| Scope { origin: low, ..Scope::new(DVec3::ONE) };
     for low in [DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0)] {
-        for quad in crate::place::cuboid(&corner(low)).faces() {
+        for quad in crate::place::cuboid(&corner(low), UnitMesh::cuboid()).faces() {
             let ring = quad.corners().map(|p| builder.point(p));
             builder.face(&ring, &[], FaceTag::PLAIN);
         }

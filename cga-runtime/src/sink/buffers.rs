@@ -236,27 +236,17 @@ impl Sink for Buffers {
         let Some(start) = self.room(24) else { return ControlFlow::Break(()) };
         self.leaf(leaf);
         let [x, y, z] = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
-        let o = cuboid.origin - self.origin;
-        let (ox, oy) = (o + x, o + y);
-        let oxy = ox + y;
         // Each corner is rounded once, so the three faces that meet there agree.
-        let low = [o, ox, oxy, oy].map(short);
-        let high = [o + z, ox + z, oxy + z, oy + z].map(short);
+        let corners = Cuboid { origin: cuboid.origin - self.origin, ..*cuboid }.corners().map(short);
         // From cross products, not from the axes: they turn round together with the winding when a side is negative.
         let [right, top, front] = [y.cross(z), z.cross(x), x.cross(y)].map(unit).map(short);
         let [left, bottom, back] = [right, top, front].map(|n| n.map(|c| -c));
-        let face = |n: [f32; 3], corners: [[f32; 3]; 4]| corners.map(|p| vertex(p, n));
-        self.vertices.extend_from_slice(
-            [
-                face(front, [high[0], high[1], high[2], high[3]]),
-                face(right, [high[1], low[1], low[2], high[2]]),
-                face(back, [low[1], low[0], low[3], low[2]]),
-                face(left, [low[0], high[0], high[3], low[3]]),
-                face(top, [high[3], high[2], low[2], low[3]]),
-                face(bottom, [low[0], low[1], high[1], high[0]]),
-            ]
-            .as_flattened(),
-        );
+        let normals = [front, right, back, left, top, bottom];
+        let faces = cuboid.unit.sides().each_ref().map(|face| {
+            let normal = normals[usize::from(face.side)];
+            face.corners.map(|corner| vertex(corners[usize::from(corner)], normal))
+        });
+        self.vertices.extend_from_slice(faces.as_flattened());
         self.indices
             .extend_from_slice([0, 4, 8, 12, 16, 20].map(|f| [0, 1, 2, 0, 2, 3].map(|i| start + f + i)).as_flattened());
         self.pad_uvs();

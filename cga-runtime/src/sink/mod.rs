@@ -20,11 +20,13 @@ pub mod table;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::DAffine3;
 
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::scope::Scope;
+
+pub use crate::place::{Cuboid, Quad};
 
 /// Go on, or stop the run.
 pub type Flow = ControlFlow<()>;
@@ -40,59 +42,16 @@ pub struct Leaf<'a> {
     pub scope: &'a Scope,
 }
 
-/// A flat rectangle: corners `origin`, `origin + u`, `origin + u + v`, `origin + v`, counter-clockwise seen from
-/// where `u × v` points. A side may have length zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quad {
-    /// First corner, in the world.
-    pub origin: DVec3,
-    /// First side.
-    pub u: DVec3,
-    /// Last side, from the origin.
-    pub v: DVec3,
-}
-
-impl Quad {
-    /// The four corners, counter-clockwise.
-    pub fn corners(&self) -> [DVec3; 4] {
-        [self.origin, self.origin + self.u, self.origin + self.u + self.v, self.origin + self.v]
-    }
-}
-
-/// A closed box: `origin` and three edges. When `sides` is left-handed (a negative scope size) its faces look inwards.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cuboid {
-    /// The corner at (0, 0, 0), in the world.
-    pub origin: DVec3,
-    /// The three edges from it, as columns; orthogonal, not unit.
-    pub sides: DMat3,
-}
-
-impl Cuboid {
-    /// The six faces: front, right, back, left (counter-clockwise seen from above), top, bottom.
-    pub fn faces(&self) -> [Quad; 6] {
-        let (o, [x, y, z]) = (self.origin, [self.sides.x_axis, self.sides.y_axis, self.sides.z_axis]);
-        [
-            Quad { origin: o + z, u: x, v: y },
-            Quad { origin: o + z + x, u: -z, v: y },
-            Quad { origin: o + x, u: -x, v: y },
-            Quad { origin: o, u: z, v: y },
-            Quad { origin: o + z + y, u: x, v: -z },
-            Quad { origin: o, u: x, v: z },
-        ]
-    }
-}
-
 /// Takes the leaves of a run. Only [`Sink::mesh`] must be written; the others turn their geometry into a mesh by default.
 pub trait Sink {
     /// A rectangle.
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        self.mesh(leaf, &Arc::new(Mesh::from_quad(quad)), &DAffine3::IDENTITY)
+        self.mesh(leaf, &Arc::new(quad.to_mesh()), &DAffine3::IDENTITY)
     }
 
     /// A box.
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        self.mesh(leaf, &Arc::new(Mesh::from_cuboid(cuboid)), &DAffine3::IDENTITY)
+        self.mesh(leaf, &Arc::new(cuboid.to_mesh()), &DAffine3::IDENTITY)
     }
 
     /// An inserted asset that nothing has cut since: the same mesh many times, each with a placement of its own.

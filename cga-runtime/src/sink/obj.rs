@@ -115,8 +115,8 @@ impl<W: Write> Sink for Obj<W> {
         let (rule, material) = (self.table.rule(leaf.rule), self.table.material(leaf.material));
         self.run(rule, material);
         let start = self.points;
-        quad.corners().into_iter().for_each(|corner| self.point(corner));
-        self.polygon([1, 2, 3, 4].map(|i| start + i));
+        quad.points().into_iter().for_each(|point| self.point(point));
+        self.polygon(quad.unit.mesh().corners().iter().map(|&corner| start + 1 + u64::from(corner)));
         self.flush()
     }
 
@@ -124,11 +124,10 @@ impl<W: Write> Sink for Obj<W> {
         let (rule, material) = (self.table.rule(leaf.rule), self.table.material(leaf.material));
         self.run(rule, material);
         let start = self.points;
-        let [front, _, back, ..] = cuboid.faces();
-        front.corners().into_iter().chain(back.corners()).for_each(|corner| self.point(corner));
-        // Seen from the front: 1 2 3 4 counter-clockwise from below left, 5 6 7 8 behind 2 1 4 3.
-        for face in [[1, 2, 3, 4], [2, 5, 8, 3], [5, 6, 7, 8], [6, 1, 4, 7], [4, 3, 8, 7], [6, 5, 2, 1]] {
-            self.polygon(face.map(|i| start + i));
+        let (corners, unit) = (cuboid.corners(), cuboid.unit);
+        unit.numbers().for_each(|number| self.point(corners[usize::from(number)]));
+        for face in unit.mesh().faces() {
+            self.polygon(face.outer().iter().map(|&corner| start + 1 + u64::from(corner)));
         }
         self.flush()
     }

@@ -123,10 +123,7 @@ impl Sink for Stats {
         let volume = cuboid_volume(cuboid);
         self.add(leaf, 12, 24, cuboid_area(cuboid), volume);
         self.checksum += volume;
-        for face in &cuboid.faces()[..4] {
-            self.reach(face.origin);
-            self.reach(face.origin + face.v);
-        }
+        cuboid.corners().into_iter().for_each(|corner| self.reach(corner));
         ControlFlow::Continue(())
     }
 

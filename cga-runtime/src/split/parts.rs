@@ -14,6 +14,7 @@ use crate::scope::{Axis, Scope};
 use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, Geometry, Placed, ShapeRef};
 use crate::sink::Flow;
+use crate::unit::Band;
 use crate::wire::{PlacedWire, Wire};
 
 /// Pieces in a row, however they are known.
@@ -140,14 +141,10 @@ impl<'s> Parts<'s> {
     fn geometry(&self, index: usize, piece: Piece, scope: &mut Scope) -> Geometry {
         match &self.parent.geometry {
             Geometry::Empty => Geometry::Empty,
-            Geometry::Box(sides) => {
-                let is_last = self.index == self.total && {
-                    let extent = self.parent.scope.extent(self.axis).abs();
-                    extent - (piece.start + piece.length) <= crate::tol::PLANAR_EPSILON * extent
-                };
-                Geometry::Box(sides.part(self.axis, piece.start == 0.0, is_last))
+            Geometry::Box(unit) => Geometry::Box(unit.part(self.axis, self.band(piece))),
+            Geometry::Rect(across, unit) if *across != self.axis => {
+                Geometry::Rect(*across, unit.part(self.axis, self.band(piece)))
             }
-            Geometry::Rect(normal, extruded) if *normal != self.axis => Geometry::Rect(*normal, *extruded),
             Geometry::Edge if self.axis == Axis::X => Geometry::Edge,
             Geometry::Mesh(whole) => {
                 let slab = self.slabs.get(index).and_then(Option::as_ref);
@@ -170,6 +167,16 @@ impl<'s> Parts<'s> {
             }
             Geometry::Rect(..) | Geometry::Edge | Geometry::Vertex => Geometry::Empty,
         }
+    }
+
+    /// Where the piece made last is in a box or a rectangle.
+    #[inline]
+    fn band(&self, piece: Piece) -> Band {
+        let is_last = self.index == self.total && {
+            let extent = self.parent.scope.extent(self.axis).abs();
+            extent - (piece.start + piece.length) <= crate::tol::PLANAR_EPSILON * extent
+        };
+        Band::of(piece.start == 0.0, is_last)
     }
 
     /// A part of a wire, in scope coordinates of the parent.

@@ -16,11 +16,11 @@ pub fn color(r: f64, g: f64, b: f64) -> Arc<Material> {
 
 /// The front of a scope.
 pub fn front(origin: DVec3, width: f64, height: f64) -> Quad {
-    Quad { origin, u: DVec3::X * width, v: DVec3::Y * height }
+    Quad::new(origin, DVec3::X * width, DVec3::Y * height)
 }
 
 pub fn upright(origin: DVec3, size: DVec3) -> Cuboid {
-    Cuboid { origin, sides: DMat3::from_diagonal(size) }
+    Cuboid::new(origin, DMat3::from_diagonal(size))
 }
 
 /// Adds leaves with less to write.
@@ -113,11 +113,7 @@ pub fn tower(floors: usize) -> Model {
 pub fn mixed() -> Model {
     let mut fill = Fill(Model::new());
     let plain = Arc::new(Material::UNSET);
-    fill.quad(
-        "Lot",
-        &color(0.4, 0.6, 0.3),
-        Quad { origin: dvec3(0.0, 0.0, 10.0), u: DVec3::X * 10.0, v: DVec3::Z * -10.0 },
-    );
+    fill.quad("Lot", &color(0.4, 0.6, 0.3), Quad::new(dvec3(0.0, 0.0, 10.0), DVec3::X * 10.0, DVec3::Z * -10.0));
     fill.cuboid("Box", &color(0.9, 0.2, 0.1), upright(dvec3(1.0, 0.0, 1.0), dvec3(2.0, 3.0, 2.0)));
     fill.mesh("Plate", &plain, &plate(), DAffine3::from_translation(dvec3(5.0, 0.0, 5.0)));
     fill.mesh("Sign", &plain, &textured(), DAffine3::from_translation(dvec3(1.0, 3.0, 8.0)));

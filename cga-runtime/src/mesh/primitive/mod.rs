@@ -10,25 +10,27 @@ mod cylinder;
 mod disk;
 mod sphere;
 
-use glam::{DMat3, DVec2, DVec3};
+use glam::{DVec2, DVec3};
 
+use super::solid::{corner, square, unit_box};
 use super::{Derived, FaceEnds, FaceTag, Mesh, Tags, UvSets};
 use crate::scope::Axis;
-use crate::sink::{Cuboid, Quad};
 
 pub use cone::cone;
 pub use cylinder::cylinder;
 pub use disk::disk;
 pub use sphere::sphere;
 
-/// A box: six faces in the order of [`Cuboid::faces`], closed.
+/// A closed box: bottom, top, front, right, back, left (*primitiveCube operation*). Vertices go around the floor, then
+/// around the top.
 pub fn cube() -> Mesh {
-    Mesh::from_cuboid(&Cuboid { origin: DVec3::ZERO, sides: DMat3::IDENTITY })
+    let points = [0, 1, 5, 4, 2, 3, 7, 6].map(corner);
+    unit_box(points, [[0, 1, 2, 3], [7, 6, 5, 4], [3, 2, 6, 7], [2, 1, 5, 6], [1, 0, 4, 5], [0, 3, 7, 4]])
 }
 
 /// A square on the ground that faces up; its first edge runs along x, at z = 1.
 pub fn quad() -> Mesh {
-    Mesh::from_quad(&Quad { origin: DVec3::Z, u: DVec3::X, v: DVec3::NEG_Z })
+    square(Axis::Y, None)
 }
 
 /// A primitive that is a mesh, by what it is made of.

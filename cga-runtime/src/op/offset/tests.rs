@@ -2,7 +2,9 @@ use glam::DVec3;
 
 use super::*;
 use crate::mesh::{FaceTag, Mesh, MeshBuilder};
+use crate::scope::Axis;
 use crate::shape::Shape;
+use crate::unit::UnitMesh;
 
 fn faults(env: &mut Env) -> Vec<String> {
     env.take_faults().0.into_iter().map(|fault| fault.message).collect()
@@ -41,7 +43,7 @@ fn rectangles_do_as_their_mesh_does() {
     };
     let quads = [Shape::rectangle(6.0, 4.0).at([3.0, 1.0, 2.0]), {
         let mut wall = Shape::cuboid(6.0, 4.0, 0.0);
-        wall.geometry = Geometry::Rect(crate::scope::Axis::Z, None);
+        wall.geometry = Geometry::Rect(Axis::Z, UnitMesh::rectangle(Axis::Z, None));
         wall
     }];
     for quad in quads {

@@ -1,0 +1,232 @@
+//! The meshes of boxes and rectangles, with sides of length 1.
+//!
+//! A box or a rectangle needs no mesh of its own: its scope says where its corners are. The rest of its mesh (the order of
+//! faces and vertices, the first edge of each face, tags) is one of few unit meshes. They are shared by all boxes of a
+//! program, and equal ones are one, so a box carries no more than a reference. What a cut or an extrusion makes of a unit
+//! mesh is found once, by cutting or extruding that mesh: a box is numbered as the equal mesh is, by construction.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::cut;
+use crate::extruded::Extruded;
+use crate::mesh::{Extrude, Mesh, extrude, primitive, solid};
+use crate::scope::Axis;
+
+/// The mesh of a box or a rectangle that is 1 long along each of its axes. The rectangle lies at 0 on the axis across it.
+#[derive(Clone, Copy)]
+pub(crate) struct UnitMesh(&'static Unit);
+
+struct Unit {
+    mesh: Arc<Mesh>,
+    /// Of a rectangle all the same.
+    faces: [UnitFace; 6],
+    /// What is between two planes across an axis, by axis and [`Band`].
+    parts: [OnceLock<UnitMesh>; 9],
+    grown: OnceLock<UnitMesh>,
+}
+
+/// A face of a unit mesh.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct UnitFace {
+    /// Where it looks: front, right, back, left, top or bottom, as [`NORMALS`] counts.
+    pub(crate) side: u8,
+    /// Its corners from the first edge on, as numbers x + 2y + 4z.
+    pub(crate) corners: [u8; 4],
+    /// The first corner.
+    pub(crate) origin: DVec3,
+    /// x along the first edge, z outwards.
+    pub(crate) axes: DMat3,
+    pub(crate) extruded: Option<Extruded>,
+}
+
+/// The normals of the sides of a box: front, right, back, left, top, bottom.
+pub(crate) const NORMALS: [DVec3; 6] = [DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y];
+
+/// Which part of a box a piece is: at the low end of the axis, between two cuts, at the high end, or all of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Band {
+    Low,
+    Middle,
+    High,
+    All,
+}
+
+impl Band {
+    /// Of a piece that begins at the low end, or ends at the high end.
+    #[inline]
+    pub(crate) fn of(is_first: bool, is_last: bool) -> Self {
+        match (is_first, is_last) {
+            (true, true) => Band::All,
+            (true, false) => Band::Low,
+            (false, true) => Band::High,
+            (false, false) => Band::Middle,
+        }
+    }
+}
+
+impl UnitMesh {
+    /// The box that a run can begin with.
+    pub(crate) fn cuboid() -> Self {
+        static CUBOID: OnceLock<UnitMesh> = OnceLock::new();
+        *CUBOID.get_or_init(|| UnitMesh::shared(solid::cuboid()))
+    }
+
+    /// The box that `primitiveCube` makes.
+    pub(crate) fn cube() -> Self {
+        static CUBE: OnceLock<UnitMesh> = OnceLock::new();
+        *CUBE.get_or_init(|| UnitMesh::shared(primitive::cube()))
+    }
+
+    /// A rectangle across an axis, looking along it, and its tag.
+    #[inline]
+    pub(crate) fn rectangle(across: Axis, extruded: Option<Extruded>) -> Self {
+        const TAGS: usize = 1 + Extruded::ALL.len();
+        static RECTANGLES: [OnceLock<UnitMesh>; 3 * TAGS] = [const { OnceLock::new() }; 3 * TAGS];
+        let number = TAGS * across.index() + extruded.map_or(0, |extruded| 1 + extruded as usize);
+        *RECTANGLES[number].get_or_init(|| UnitMesh::shared(solid::square(across, extruded)))
+    }
+
+    /// The one that equals a mesh of which all corners are at 0 or 1.
+    fn shared(mesh: Mesh) -> Self {
+        static ALL: Mutex<BTreeMap<Vec<u32>, UnitMesh>> = Mutex::new(BTreeMap::new());
+        // Nothing can be half done in the map when a thread ends.
+        let mut all = ALL.lock().unwrap_or_else(PoisonError::into_inner);
+        *all.entry(key(&mesh)).or_insert_with(|| UnitMesh(Box::leak(Box::new(Unit::new(mesh)))))
+    }
+
+    pub(crate) fn mesh(self) -> &'static Arc<Mesh> {
+        &self.0.mesh
+    }
+
+    /// Its faces, in order.
+    pub(crate) fn faces(self) -> &'static [UnitFace] {
+        &self.0.faces[..self.0.mesh.face_count()]
+    }
+
+    /// The faces of a box, in order.
+    #[inline]
+    pub(crate) fn sides(self) -> &'static [UnitFace; 6] {
+        &self.0.faces
+    }
+
+    /// The corners that its vertices are, in order, as numbers x + 2y + 4z.
+    pub(crate) fn numbers(self) -> impl Iterator<Item = u8> {
+        self.0.mesh.points().iter().map(|&point| number_of(point))
+    }
+
+    /// What a split across an axis makes of it, stretched to length 1 again.
+    #[inline]
+    pub(crate) fn part(self, axis: Axis, band: Band) -> Self {
+        match band {
+            Band::All => self,
+            _ => *self.0.parts[3 * axis.index() + band as usize].get_or_init(|| self.cut(axis, band)),
+        }
+    }
+
+    #[cold]
+    fn cut(self, axis: Axis, band: Band) -> Self {
+        let slabs = cut::slabs(&self.0.mesh, axis, &[0.25, 0.75]);
+        match slabs.parts.get(band as usize) {
+            Some(Some(part)) => UnitMesh::shared(stretched(part)),
+            _ => self,
+        }
+    }
+
+    /// The box that `extrude` makes of a rectangle: y is the direction in which it grew, x is as near as can be to the old x.
+    #[inline]
+    pub(crate) fn grown(self, across: Axis) -> Self {
+        *self.0.grown.get_or_init(|| {
+            let axes = grown_axes(across);
+            let turn = DAffine3 { matrix3: axes.transpose(), translation: DVec3::ZERO };
+            UnitMesh::shared(stretched(&extrude(&self.0.mesh, Extrude::FaceNormal, 1.0).map(&turn)))
+        })
+    }
+
+    /// The same rectangle across another axis.
+    pub(crate) fn across(self, axis: Axis) -> Self {
+        let [face, ..] = &self.0.faces;
+        let turned = UnitMesh::rectangle(axis, face.extruded);
+        let (from, to) = (&self.0.mesh, &turned.0.mesh);
+        let mut points = from.points().to_vec();
+        for (here, there) in from.corners().iter().zip(to.corners()) {
+            points[*here as usize] = to.points()[*there as usize];
+        }
+        UnitMesh::shared(Mesh { corners: from.corners.clone(), ..to.with_points(points) })
+    }
+}
+
+/// The axes of what grows out of a rectangle, as the rectangle's scope sees them.
+pub(crate) fn grown_axes(across: Axis) -> DMat3 {
+    match across {
+        Axis::X => DMat3::from_cols(DVec3::NEG_Y, DVec3::X, DVec3::Z),
+        Axis::Y => DMat3::IDENTITY,
+        Axis::Z => DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y),
+    }
+}
+
+impl Unit {
+    fn new(mesh: Mesh) -> Self {
+        let face = |number: usize| UnitFace::of(&mesh, number % mesh.face_count());
+        Unit {
+            faces: [0, 1, 2, 3, 4, 5].map(face),
+            parts: [const { OnceLock::new() }; 9],
+            grown: OnceLock::new(),
+            mesh: Arc::new(mesh),
+        }
+    }
+}
+
+impl UnitFace {
+    fn of(mesh: &Mesh, number: usize) -> Self {
+        let face = mesh.face(number);
+        let mut corners = [0; 4];
+        for (corner, point) in corners.iter_mut().zip(face.outline()) {
+            *corner = number_of(point);
+        }
+        let [origin, next, _, last] = corners.map(solid::corner);
+        let [x, y] = [next - origin, last - origin];
+        let axes = DMat3::from_cols(x, y, x.cross(y));
+        let side = NORMALS.iter().position(|normal| *normal == axes.z_axis).unwrap_or_default();
+        let extruded = mesh.tag_sets().get(face.tag().tags as usize).and_then(Extruded::of);
+        UnitFace { side: side as u8, corners, origin, axes, extruded }
+    }
+}
+
+/// The number of a corner of the unit box.
+fn number_of(point: DVec3) -> u8 {
+    point.cmpgt(DVec3::splat(0.5)).bitmask() as u8
+}
+
+/// The mesh with its box stretched to length 1; what is flat is at 0.
+fn stretched(mesh: &Mesh) -> Mesh {
+    let bounds = mesh.bounds();
+    let middle = (bounds.low + bounds.high) * 0.5;
+    let at = |point: &DVec3| DVec3::select(point.cmpgt(middle), DVec3::ONE, DVec3::ZERO);
+    mesh.with_points(mesh.points().iter().map(at).collect())
+}
+
+/// All that tells unit meshes apart.
+fn key(mesh: &Mesh) -> Vec<u32> {
+    let points = mesh.points().iter().map(|&point| u32::from(number_of(point)));
+    let faces = mesh.faces().flat_map(|face| {
+        let tags = mesh.tag_sets().get(face.tag().tags as usize).and_then(Extruded::of);
+        [tags.map_or(0, |tag| 1 + tag as u32), u32::from(face.tag().cap)]
+    });
+    points.chain(mesh.corners().iter().copied()).chain(faces).collect()
+}
+
+impl PartialEq for UnitMesh {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self.0, other.0)
+    }
+}
+
+impl std::fmt::Debug for UnitMesh {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let faces = self.faces().iter().map(|face| face.corners);
+        f.debug_list().entries(faces).finish()
+    }
+}
