@@ -97,6 +97,8 @@ pub(crate) struct Initial {
     pub(crate) start_rule: &'static str,
     /// The streets at its edges, if any.
     pub(crate) streets: Option<Arc<Streets>>,
+    /// Whether boxes and rectangles are held as meshes.
+    pub(crate) as_meshes: bool,
 }
 
 /// Rules that led to a deferred call, shared by all calls deferred under them.
@@ -127,7 +129,13 @@ impl Env {
         let extent = shape.scope.size.abs().max_element();
         let name = shape.state.get().map_or_else(Text::default, |state| state.name.clone());
         Env {
-            initial: Initial { object: shape.pivot, name, start_rule, streets: shape.find_streets() },
+            initial: Initial {
+                object: shape.pivot,
+                name,
+                start_rule,
+                streets: shape.find_streets(),
+                as_meshes: shape.state.get().is_some_and(|state| state.as_meshes),
+            },
             // The largest number marks a run that has ended; see `limit`.
             settings: Settings {
                 limits: Limits { shapes: settings.limits.shapes.min(u64::MAX - 1), ..settings.limits },

@@ -251,6 +251,15 @@ impl Shape {
         self
     }
 
+    /// The same shape for a run in which every box and rectangle is held as a mesh. No result depends on it; tests compare
+    /// both.
+    #[doc(hidden)]
+    pub fn held_as_meshes(mut self) -> Self {
+        self.state.change().as_meshes = true;
+        self.hold_as_mesh();
+        self
+    }
+
     /// How its edges lie to the streets.
     pub(crate) fn find_streets(&self) -> Option<Arc<Streets>> {
         let widths = self.state.get().map(|state| &*state.street_widths).filter(|widths| !widths.is_empty())?;
@@ -346,6 +355,17 @@ impl<'a> ShapeRef<'a> {
                 let place = placed.to_scope(self.scope.size);
                 if place == DAffine3::IDENTITY { placed.mesh.clone() } else { Arc::new(placed.mesh.map(&place)) }
             }
+        }
+    }
+
+    /// Makes a box or a rectangle a mesh.
+    pub(crate) fn hold_as_mesh(&mut self) {
+        if let Geometry::Rect(_, unit) | Geometry::Box(unit) = self.geometry {
+            let (mesh, bounds) = (unit.mesh().clone(), unit.mesh().bounds());
+            let placed = Placed { mesh, low: bounds.low, size: bounds.size(), whole: false, mirrored: false };
+            self.geometry = Geometry::Mesh(Arc::new(placed));
+            // A size of zero flattens it.
+            self.resize(self.scope.size);
         }
     }
 

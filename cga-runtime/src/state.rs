@@ -17,6 +17,8 @@ pub(crate) struct State {
     pub(crate) name: Text,
     /// Of the initial shape: the width of the street at each edge.
     pub(crate) street_widths: Arc<[f64]>,
+    /// Of the initial shape: whether boxes and rectangles are held as meshes, which changes no result.
+    pub(crate) as_meshes: bool,
 }
 
 /// Which trim planes cut what is inserted (*trim attribute*).
@@ -38,6 +40,7 @@ impl Default for State {
             trim: Trim::DEFAULT,
             name: Text::default(),
             street_widths: Arc::default(),
+            as_meshes: false,
         }
     }
 }

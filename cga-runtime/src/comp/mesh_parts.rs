@@ -24,6 +24,8 @@ use crate::wire::Wire;
 pub(super) struct MeshParts {
     pub(super) mesh: Arc<Mesh>,
     kind: Components,
+    /// Whether rectangles are held as meshes.
+    as_meshes: bool,
     /// Of the faces; zero for those without area.
     normals: Vec<DVec3>,
     /// Faces of each group or material.
@@ -38,7 +40,7 @@ pub(super) struct MeshParts {
 }
 
 impl MeshParts {
-    pub(super) fn new(mesh: Arc<Mesh>, kind: Components) -> Self {
+    pub(super) fn new(mesh: Arc<Mesh>, kind: Components, as_meshes: bool) -> Self {
         let normals = mesh.faces().map(|face| face.normal()).collect();
         let sets = match kind {
             Components::Groups => sets(&mesh, mesh.groups().len(), |tag| tag.group),
@@ -54,6 +56,7 @@ impl MeshParts {
         MeshParts {
             mesh,
             kind,
+            as_meshes,
             normals,
             sets,
             holes,
@@ -265,7 +268,7 @@ impl MeshParts {
     /// Of a face that is a rectangle and carries nothing but a tag of `extrude` at most: its frame and that.
     pub(super) fn rectangle(&self, index: usize) -> Option<(FaceFrame, Option<Extruded>)> {
         let mesh = &self.mesh;
-        if self.kind != Components::Faces || !mesh.uvs.is_empty() || !mesh.normals.is_empty() {
+        if self.as_meshes || self.kind != Components::Faces || !mesh.uvs.is_empty() || !mesh.normals.is_empty() {
             return None;
         }
         let tag = mesh.face(index).tag();

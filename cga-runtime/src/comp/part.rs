@@ -66,7 +66,7 @@ impl Source {
         let part = match self {
             // The mesh of a box has its sides in the same order.
             Source::Quads(_) => {
-                let parts = MeshParts::new(parent.to_mesh(), Components::Faces);
+                let parts = MeshParts::new(parent.to_mesh(), Components::Faces, false);
                 return Source::Mesh(Box::new(parts)).kept(parent, numbers, as_roof);
             }
             Source::Mesh(parts) => match parts.surface(numbers, &Frame::WORLD) {

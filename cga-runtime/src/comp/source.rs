@@ -55,7 +55,11 @@ impl Source {
                 }
                 let mesh = shape.to_mesh();
                 env.count_vertices(&mesh)?;
-                return ControlFlow::Continue(Source::Mesh(Box::new(MeshParts::new(mesh, components))));
+                return ControlFlow::Continue(Source::Mesh(Box::new(MeshParts::new(
+                    mesh,
+                    components,
+                    env.initial.as_meshes,
+                ))));
             }
         };
         ControlFlow::Continue(Source::Wire(WireParts::new(wire, components)))

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
+use super::primitive::fill_plainly;
 use super::settle;
 use crate::asset::AssetError;
 use crate::env::Env;
@@ -81,8 +82,7 @@ pub(crate) fn z_up(mesh: &Mesh) -> Mesh {
 
 fn insert_box(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
-    shape.geometry = Geometry::Box(UnitMesh::cube());
-    super::trim(env, shape);
+    fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()));
 }
 
 fn place(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>, mode: InsertMode) {

@@ -28,8 +28,7 @@ const MOST_OF_SPHERE: u32 = 1000;
 /// `primitiveCube()`: faces are bottom, top, front, right, back, left (*primitiveCube operation*).
 pub fn cube(env: &mut Env, shape: &mut ShapeRef<'_>) {
     fit(shape, DVec3::ZERO, DVec3::ONE);
-    shape.geometry = Geometry::Box(UnitMesh::cube());
-    super::trim(env, shape);
+    fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()));
 }
 
 /// `primitiveCube(width, height, depth)` (*primitiveCube operation*).
@@ -37,8 +36,7 @@ pub fn cube_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, height: f
     let size =
         DVec3::new(env.finite(width, "the width"), env.finite(height, "the height"), env.finite(depth, "the depth"));
     stand(env, shape, size, Axis::Y);
-    shape.geometry = Geometry::Box(UnitMesh::cube());
-    super::trim(env, shape);
+    fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()));
 }
 
 /// `primitiveCylinder()`, with 16 sides, along y (*primitiveCylinder operation*).
@@ -157,8 +155,7 @@ fn fit_flat(shape: &mut ShapeRef<'_>, across: Axis) {
 /// A rectangle. Rectangles without a mesh begin otherwise where they lie across x.
 fn put_quad(env: &mut Env, shape: &mut ShapeRef<'_>, across: Axis) {
     if across != Axis::X {
-        shape.geometry = Geometry::Rect(across, UnitMesh::rectangle(across, None));
-        super::trim(env, shape);
+        fill_plainly(env, shape, Geometry::Rect(across, UnitMesh::rectangle(across, None)));
     } else if let Some(mesh) = env.primitive(Made::Square { across }) {
         put(env, shape, mesh);
     }
@@ -176,6 +173,15 @@ fn fill_to_size(env: &mut Env, shape: &mut ShapeRef<'_>, made: Made, size: DVec3
     let Some(mesh) = env.primitive(made) else { return };
     stand(env, shape, mesh.bounds().size() * size, across);
     put(env, shape, mesh);
+}
+
+/// Replaces the geometry by a box or a rectangle.
+pub(super) fn fill_plainly(env: &mut Env, shape: &mut ShapeRef<'_>, geometry: Geometry) {
+    shape.geometry = geometry;
+    if env.initial.as_meshes {
+        shape.hold_as_mesh();
+    }
+    super::trim(env, shape);
 }
 
 /// Replaces the geometry by a mesh stretched to the scope.
