@@ -24,7 +24,7 @@ pub struct Quad {
 impl Quad {
     /// A rectangle with that corner and those sides.
     pub fn new(origin: DVec3, u: DVec3, v: DVec3) -> Self {
-        Quad { origin, u, v, unit: UnitMesh::rectangle(Axis::Z, None) }
+        Quad { origin, u, v, unit: UnitMesh::rectangle(Axis::Z) }
     }
 
     /// The four corners, counter-clockwise.
@@ -66,8 +66,8 @@ impl Cuboid {
     /// The six faces in the order in which `comp(f)` counts them, each from its first edge on.
     pub fn faces(&self) -> [Quad; 6] {
         self.unit.sides().map(|face| {
-            let [u, v] = [self.sides * face.axes.x_axis, self.sides * face.axes.y_axis];
-            Quad::new(self.origin + self.sides * face.origin, u, v)
+            let axes = face.axes(&self.sides);
+            Quad::new(self.origin + self.sides * face.origin, axes.x_axis, axes.y_axis)
         })
     }
 

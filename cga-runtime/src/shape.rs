@@ -50,6 +50,7 @@ impl Counter {
     /// *split attribute*, *comp attribute*: before the first operation the index is -1 and the total 0.
     pub(crate) const NONE: Counter = Counter { index: -1, total: 0 };
 
+    #[inline]
     pub(crate) fn new(index: usize, total: usize) -> Self {
         let cap = |n: usize| n.min(i32::MAX as usize);
         Counter { index: cap(index) as i32, total: cap(total) as u32 }
@@ -126,7 +127,7 @@ impl Shape {
         let scope = Scope::new(DVec3::new(width, 0.0, depth));
         // *comp operation*, coordinate systems: the first edge is the front, and the pivot its first vertex.
         let pivot = Frame { origin: DVec3::new(0.0, 0.0, depth), axes: DMat3::IDENTITY };
-        Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y, None))) }
+        Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y))) }
     }
 
     /// A box of that size, its corner at the origin.
@@ -194,7 +195,7 @@ impl Shape {
         let size = found.high - found.low;
         if found.rectangle {
             let scope = Scope { origin: first - axes.z_axis * size.y, axes, size: DVec3::new(size.x, 0.0, size.y) };
-            return Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y, None))) };
+            return Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y))) };
         }
         let local = mesh.map(&DAffine3 { matrix3: axes.transpose(), translation: -(axes.transpose() * first) });
         let placed = Placed::fitted(local);

@@ -11,8 +11,8 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::cut;
-use crate::extruded::Extruded;
 use crate::mesh::{Extrude, Mesh, extrude, primitive, solid};
+use crate::provenance::Provenance;
 use crate::scope::Axis;
 
 /// The mesh of a box or a rectangle that is 1 long along each of its axes. The rectangle lies at 0 on the axis across it.
@@ -23,6 +23,7 @@ struct Unit {
     mesh: Arc<Mesh>,
     /// Of a rectangle all the same.
     faces: [UnitFace; 6],
+    face_count: usize,
     /// What is between two planes across an axis, by axis and [`Band`].
     parts: [OnceLock<UnitMesh>; 9],
     grown: OnceLock<UnitMesh>,
@@ -31,19 +32,42 @@ struct Unit {
 /// A face of a unit mesh.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnitFace {
-    /// Where it looks: front, right, back, left, top or bottom, as [`NORMALS`] counts.
-    pub(crate) side: u8,
+    pub(crate) side: Side,
     /// Its corners from the first edge on, as numbers x + 2y + 4z.
     pub(crate) corners: [u8; 4],
     /// The first corner.
     pub(crate) origin: DVec3,
-    /// x along the first edge, z outwards.
-    pub(crate) axes: DMat3,
-    pub(crate) extruded: Option<Extruded>,
+    /// The axes of the box that its own are, each with a sign: x along the first edge, z outwards.
+    pub(crate) along: [(Axis, f64); 3],
+    pub(crate) provenance: Provenance,
 }
 
-/// The normals of the sides of a box: front, right, back, left, top, bottom.
-pub(crate) const NORMALS: [DVec3; 6] = [DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y];
+/// A side of a box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    Front,
+    Right,
+    Back,
+    Left,
+    Top,
+    Bottom,
+}
+
+impl Side {
+    pub(crate) const ALL: [Side; 6] = [Side::Front, Side::Right, Side::Back, Side::Left, Side::Top, Side::Bottom];
+
+    /// Where it looks.
+    pub(crate) const fn normal(self) -> DVec3 {
+        match self {
+            Side::Front => DVec3::Z,
+            Side::Right => DVec3::X,
+            Side::Back => DVec3::NEG_Z,
+            Side::Left => DVec3::NEG_X,
+            Side::Top => DVec3::Y,
+            Side::Bottom => DVec3::NEG_Y,
+        }
+    }
+}
 
 /// Which part of a box a piece is: at the low end of the axis, between two cuts, at the high end, or all of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,13 +104,18 @@ impl UnitMesh {
         *CUBE.get_or_init(|| UnitMesh::shared(primitive::cube()))
     }
 
-    /// A rectangle across an axis, looking along it, and its tag.
+    /// A rectangle across an axis, looking along it.
+    pub(crate) fn rectangle(across: Axis) -> Self {
+        UnitMesh::face(across, Provenance::Unknown)
+    }
+
+    /// A face alone, as a rectangle across an axis that looks along it.
     #[inline]
-    pub(crate) fn rectangle(across: Axis, extruded: Option<Extruded>) -> Self {
-        const TAGS: usize = 1 + Extruded::ALL.len();
-        static RECTANGLES: [OnceLock<UnitMesh>; 3 * TAGS] = [const { OnceLock::new() }; 3 * TAGS];
-        let number = TAGS * across.index() + extruded.map_or(0, |extruded| 1 + extruded as usize);
-        *RECTANGLES[number].get_or_init(|| UnitMesh::shared(solid::square(across, extruded)))
+    pub(crate) fn face(across: Axis, provenance: Provenance) -> Self {
+        const COUNT: usize = 3 * Provenance::COUNT;
+        static RECTANGLES: [OnceLock<UnitMesh>; COUNT] = [const { OnceLock::new() }; COUNT];
+        *RECTANGLES[Provenance::COUNT * across.index() + provenance.number()]
+            .get_or_init(|| UnitMesh::shared(solid::square(across, provenance)))
     }
 
     /// The one that equals a mesh of which all corners are at 0 or 1.
@@ -103,7 +132,12 @@ impl UnitMesh {
 
     /// Its faces, in order.
     pub(crate) fn faces(self) -> &'static [UnitFace] {
-        &self.0.faces[..self.0.mesh.face_count()]
+        &self.0.faces[..self.face_count()]
+    }
+
+    #[inline]
+    pub(crate) fn face_count(self) -> usize {
+        self.0.face_count
     }
 
     /// The faces of a box, in order.
@@ -120,26 +154,33 @@ impl UnitMesh {
     /// What a split across an axis makes of it, stretched to length 1 again.
     #[inline]
     pub(crate) fn part(self, axis: Axis, band: Band) -> Self {
-        match band {
-            Band::All => self,
-            _ => *self.0.parts[3 * axis.index() + band as usize].get_or_init(|| self.cut(axis, band)),
+        if band == Band::All {
+            return self;
+        }
+        match self.0.parts[3 * axis.index() + band as usize].get() {
+            Some(part) => *part,
+            None => self.cut(axis, band),
         }
     }
 
     #[cold]
     fn cut(self, axis: Axis, band: Band) -> Self {
-        let slabs = cut::slabs(&self.0.mesh, axis, &[0.25, 0.75]);
-        match slabs.parts.get(band as usize) {
+        let made = || match cut::slabs(&self.0.mesh, axis, &[0.25, 0.75]).parts.get(band as usize) {
             Some(Some(part)) => UnitMesh::shared(stretched(part)),
             _ => self,
-        }
+        };
+        *self.0.parts[3 * axis.index() + band as usize].get_or_init(made)
     }
 
     /// The box that `extrude` makes of a rectangle: y is the direction in which it grew, x is as near as can be to the old x.
     #[inline]
     pub(crate) fn grown(self, across: Axis) -> Self {
         *self.0.grown.get_or_init(|| {
-            let axes = grown_axes(across);
+            let axes = match across {
+                Axis::X => DMat3::from_cols(DVec3::NEG_Y, DVec3::X, DVec3::Z),
+                Axis::Y => DMat3::IDENTITY,
+                Axis::Z => DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y),
+            };
             let turn = DAffine3 { matrix3: axes.transpose(), translation: DVec3::ZERO };
             UnitMesh::shared(stretched(&extrude(&self.0.mesh, Extrude::FaceNormal, 1.0).map(&turn)))
         })
@@ -148,7 +189,7 @@ impl UnitMesh {
     /// The same rectangle across another axis.
     pub(crate) fn across(self, axis: Axis) -> Self {
         let [face, ..] = &self.0.faces;
-        let turned = UnitMesh::rectangle(axis, face.extruded);
+        let turned = UnitMesh::face(axis, face.provenance);
         let (from, to) = (&self.0.mesh, &turned.0.mesh);
         let mut points = from.points().to_vec();
         for (here, there) in from.corners().iter().zip(to.corners()) {
@@ -158,20 +199,12 @@ impl UnitMesh {
     }
 }
 
-/// The axes of what grows out of a rectangle, as the rectangle's scope sees them.
-pub(crate) fn grown_axes(across: Axis) -> DMat3 {
-    match across {
-        Axis::X => DMat3::from_cols(DVec3::NEG_Y, DVec3::X, DVec3::Z),
-        Axis::Y => DMat3::IDENTITY,
-        Axis::Z => DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y),
-    }
-}
-
 impl Unit {
     fn new(mesh: Mesh) -> Self {
         let face = |number: usize| UnitFace::of(&mesh, number % mesh.face_count());
         Unit {
             faces: [0, 1, 2, 3, 4, 5].map(face),
+            face_count: mesh.face_count(),
             parts: [const { OnceLock::new() }; 9],
             grown: OnceLock::new(),
             mesh: Arc::new(mesh),
@@ -188,10 +221,29 @@ impl UnitFace {
         }
         let [origin, next, _, last] = corners.map(solid::corner);
         let [x, y] = [next - origin, last - origin];
-        let axes = DMat3::from_cols(x, y, x.cross(y));
-        let side = NORMALS.iter().position(|normal| *normal == axes.z_axis).unwrap_or_default();
-        let extruded = mesh.tag_sets().get(face.tag().tags as usize).and_then(Extruded::of);
-        UnitFace { side: side as u8, corners, origin, axes, extruded }
+        let outwards = x.cross(y);
+        let along = |direction: DVec3| {
+            let axis = [Axis::X, Axis::Y, Axis::Z].into_iter().find(|axis| direction[axis.index()] != 0.0);
+            (axis.unwrap_or(Axis::X), direction.element_sum())
+        };
+        let side = Side::ALL.into_iter().find(|side| side.normal() == outwards).unwrap_or(Side::Front);
+        let provenance = Provenance::of(mesh, face.tag()).unwrap_or_default();
+        UnitFace { side, corners, origin, along: [x, y, outwards].map(along), provenance }
+    }
+
+    /// Its own axes in a scope with those: x along the first edge, z outwards.
+    #[inline]
+    pub(crate) fn axes(&self, scope: &DMat3) -> DMat3 {
+        let columns = [scope.x_axis, scope.y_axis, scope.z_axis];
+        let [x, y, z] = self.along.map(|(axis, sign)| columns[axis.index()] * sign);
+        DMat3::from_cols(x, y, z)
+    }
+
+    /// How long it is along its first edge, and across, in a scope of that size.
+    #[inline]
+    pub(crate) fn extent(&self, size: DVec3) -> [f64; 2] {
+        let sizes = [size.x, size.y, size.z];
+        [self.along[0], self.along[1]].map(|(axis, _)| sizes[axis.index()])
     }
 }
 
@@ -211,10 +263,7 @@ fn stretched(mesh: &Mesh) -> Mesh {
 /// All that tells unit meshes apart.
 fn key(mesh: &Mesh) -> Vec<u32> {
     let points = mesh.points().iter().map(|&point| u32::from(number_of(point)));
-    let faces = mesh.faces().flat_map(|face| {
-        let tags = mesh.tag_sets().get(face.tag().tags as usize).and_then(Extruded::of);
-        [tags.map_or(0, |tag| 1 + tag as u32), u32::from(face.tag().cap)]
-    });
+    let faces = mesh.faces().map(|face| Provenance::of(mesh, face.tag()).unwrap_or_default().number() as u32);
     points.chain(mesh.corners().iter().copied()).chain(faces).collect()
 }
 

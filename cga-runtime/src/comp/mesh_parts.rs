@@ -13,8 +13,8 @@ use super::frame::{FaceFrame, along, beside, face_frame, upright};
 use super::looks::Looks;
 use super::roof::Roof;
 use super::select::{RoofEdge, Sense, Word};
-use crate::extruded::Extruded;
 use crate::mesh::{Adjacency, FaceTag, Mesh, MeshBuilder, flip, unit};
+use crate::provenance::Provenance;
 use crate::scope::Frame;
 use crate::tol::{COPLANAR_EPSILON, UP_EPSILON};
 use crate::wire::Wire;
@@ -265,21 +265,14 @@ impl MeshParts {
         })
     }
 
-    /// Of a face that is a rectangle and carries nothing but a tag of `extrude` at most: its frame and that.
-    pub(super) fn rectangle(&self, index: usize) -> Option<(FaceFrame, Option<Extruded>)> {
+    /// The frame of a face that is a rectangle and carries nothing but where it comes from.
+    pub(super) fn rectangle(&self, index: usize) -> Option<(FaceFrame, Provenance)> {
         let mesh = &self.mesh;
         if self.as_meshes || self.kind != Components::Faces || !mesh.uvs.is_empty() || !mesh.normals.is_empty() {
             return None;
         }
-        let tag = mesh.face(index).tag();
-        if tag.group != FaceTag::NONE || tag.material != FaceTag::NONE {
-            return None;
-        }
-        let extruded = match mesh.tag_sets().get(tag.tags as usize) {
-            Some(set) if !set.names().is_empty() => Some(Extruded::of(set)?),
-            _ => None,
-        };
-        face_frame(mesh, index).filter(|found| found.rectangle).map(|found| (found, extruded))
+        let provenance = Provenance::of(mesh, mesh.face(index).tag())?;
+        face_frame(mesh, index).filter(|found| found.rectangle).map(|found| (found, provenance))
     }
 
     /// The coordinate system of a component (*comp operation*); nothing for groups and materials, which keep that of the

@@ -34,7 +34,7 @@ impl Source {
             Source::Quads(_) => self.kept(parent, numbers, as_roof),
             Source::Mesh(parts) => {
                 if let [_] = numbers
-                    && let Some((found, extruded)) = parts.rectangle(first)
+                    && let Some((found, provenance)) = parts.rectangle(first)
                 {
                     let pivot = in_world(&parent.scope, &found.frame);
                     let size = (found.high - found.low).extend(0.0);
@@ -42,7 +42,7 @@ impl Source {
                     return Part {
                         scope,
                         pivot,
-                        geometry: Geometry::Rect(Axis::Z, UnitMesh::rectangle(Axis::Z, extruded)),
+                        geometry: Geometry::Rect(Axis::Z, UnitMesh::face(Axis::Z, provenance)),
                     };
                 }
                 match parts.frame(first, as_roof) {

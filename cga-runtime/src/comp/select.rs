@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::unit;
+
 /// A word that selects components (*comp operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "the names say it: those of the language")]
@@ -178,9 +180,9 @@ impl Direction {
         }
     }
 
-    /// Whether a side of a box in those axes does: front, right, back, left, top, bottom.
+    /// Whether it takes a side of a box in those axes.
     #[inline]
-    pub(crate) fn takes_side(self, side: usize) -> bool {
+    pub(crate) fn takes_side(self, side: unit::Side) -> bool {
         let sides = match self {
             Direction::Front => 0b00_0001,
             Direction::Right => 0b00_0010,
@@ -192,7 +194,7 @@ impl Direction {
             Direction::Side | Direction::Vertical => 0b00_1111,
             Direction::Aslant | Direction::Nutant => 0,
         };
-        sides >> side & 1 == 1
+        sides >> side as u32 & 1 == 1
     }
 }
 
@@ -231,8 +233,11 @@ mod tests {
     fn sides_of_boxes_are_taken_as_their_normals_are() {
         use Direction::*;
         let all = [Front, Back, Right, Left, Top, Bottom, Horizontal, Side, Aslant, Vertical, Nutant];
-        for (side, normal) in crate::unit::NORMALS.into_iter().enumerate() {
-            assert!(all.iter().all(|direction| direction.takes_side(side) == direction.takes(normal)), "{side}");
+        for side in unit::Side::ALL {
+            assert!(
+                all.iter().all(|direction| direction.takes_side(side) == direction.takes(side.normal())),
+                "{side:?}"
+            );
         }
     }
 

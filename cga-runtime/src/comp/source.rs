@@ -11,10 +11,9 @@ use super::select::{Axes, Sense, Word};
 use super::wire_parts::WireParts;
 use super::{Align, Arm, Components, Mode};
 use crate::env::Env;
-use crate::mesh::tag_matches;
 use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, ShapeRef};
-use crate::unit::{NORMALS, UnitFace, UnitMesh};
+use crate::unit::{UnitFace, UnitMesh};
 use crate::wire::Wire;
 
 /// A shape's components of one kind, by number.
@@ -120,30 +119,30 @@ impl Quads {
 
     #[inline]
     fn len(&self) -> usize {
-        self.unit.faces().len()
+        self.unit.face_count()
     }
 
     #[inline]
     fn face(&self, number: usize) -> &'static UnitFace {
-        &self.unit.faces()[number]
+        &self.unit.sides()[number]
     }
 
     /// The scope of a side: x along its first edge, z outwards.
     #[inline(always)]
     pub(super) fn scope(&self, number: usize) -> Scope {
         let (Scope { origin, axes, size }, face) = (self.scope, self.face(number));
-        let [width, height] = [face.axes.x_axis, face.axes.y_axis].map(|axis| axis.abs().dot(size));
+        let [width, height] = face.extent(size);
         let from = axes * (face.origin * size);
-        Scope { origin: origin + from, axes: axes * face.axes, size: DVec3::new(width, height, 0.0) }
+        Scope { origin: origin + from, axes: face.axes(&axes), size: DVec3::new(width, height, 0.0) }
     }
 
     #[inline]
     fn is(&self, looks: &Looks, number: usize, word: Word) -> bool {
         match word.sense() {
             Sense::All => true,
-            Sense::Looks(Axes::Scope, direction) => direction.takes_side(usize::from(self.face(number).side)),
+            Sense::Looks(Axes::Scope, direction) => direction.takes_side(self.face(number).side),
             Sense::Looks(axes, direction) => {
-                let normal = NORMALS[usize::from(self.face(number).side)];
+                let normal = self.face(number).side.normal();
                 looks.takes_at(axes, direction, normal, || self.scope(number).centre())
             }
             // A rectangle alone has no neighbours.
@@ -154,19 +153,18 @@ impl Quads {
 
     /// Whether a tag of a side is found, or of one beside it.
     pub(super) fn tagged(&self, number: usize, of: Option<Subcomponent>, query: &str) -> bool {
-        let has = |face: &UnitFace| face.extruded.is_some_and(|extruded| tag_matches(query, extruded.tag()));
         if of.is_none() {
-            return has(self.face(number));
+            return self.face(number).provenance.is_tagged(query);
         }
         // Opposite sides of a box share no edge and no vertex.
-        let outwards = self.face(number).axes.z_axis;
-        self.unit.faces().iter().any(|face| face.axes.z_axis != -outwards && has(face))
+        let behind = -self.face(number).side.normal();
+        self.unit.faces().iter().any(|face| face.side.normal() != behind && face.provenance.is_tagged(query))
     }
 
     /// A side alone.
     #[inline]
     pub(super) fn alone(&self, number: usize) -> Geometry {
-        Geometry::Rect(Axis::Z, UnitMesh::rectangle(Axis::Z, self.face(number).extruded))
+        Geometry::Rect(Axis::Z, UnitMesh::face(Axis::Z, self.face(number).provenance))
     }
 
     /// Whether it is one face, without neighbours.

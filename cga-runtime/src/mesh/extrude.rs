@@ -11,7 +11,7 @@ use super::face::unit;
 use super::map::flip;
 use super::table::PairTable;
 use super::{Bounds, FaceTag, Mesh, TagSet};
-use crate::extruded::Extruded;
+use crate::provenance::Extruded;
 use crate::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
 /// Which way faces are pulled.

@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::extrude::{Extrude, flat_top};
 use super::face::unit;
 use super::{FaceTag, Mesh, MeshBuilder, MeshError, TagSet};
-use crate::extruded::Extruded;
+use crate::provenance::Extruded;
 use crate::text::Text;
 use crate::wire::Wire;
 

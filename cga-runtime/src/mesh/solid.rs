@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Derived, FaceEnds, FaceTag, Mesh, Tags};
-use crate::extruded::{Extruded, tag_sets};
+use crate::provenance::{Provenance, tag_sets};
 use crate::scope::Axis;
 
 /// The box that a run can begin with: front, right, back, left (counter-clockwise seen from above), top, bottom. Vertices
@@ -33,9 +33,9 @@ pub(crate) fn corner(number: u8) -> DVec3 {
     DVec3::new(f64::from(number & 1), f64::from(number >> 1 & 1), f64::from(number >> 2 & 1))
 }
 
-/// A square at 0 of the axis across it, looking along that axis, with the tag of a face that `extrude` made. Its first edge
-/// is the lowest one; of a square on the ground the front one.
-pub(crate) fn square(across: Axis, extruded: Option<Extruded>) -> Mesh {
+/// A square at 0 of the axis across it, looking along that axis. Its first edge is the lowest one; of a square on
+/// the ground the front one.
+pub(crate) fn square(across: Axis, provenance: Provenance) -> Mesh {
     let derived = Derived::default();
     let _ = derived.closed.set(false);
     let corners: [u8; 4] = match across {
@@ -43,14 +43,14 @@ pub(crate) fn square(across: Axis, extruded: Option<Extruded>) -> Mesh {
         Axis::Y => [4, 5, 1, 0],
         Axis::Z => [0, 1, 3, 2],
     };
-    let tag = FaceTag { tags: extruded.map_or(FaceTag::NONE, |tag| tag as u32), ..FaceTag::PLAIN };
+    let sets = if let Provenance::Extruded(_) = provenance { tag_sets() } else { Vec::new() };
     Mesh {
         points: corners.map(corner).to_vec(),
         corners: vec![0, 1, 2, 3],
         loop_ends: vec![4],
         face_ends: FaceEnds::single(1),
-        tags: Tags::uniform(1, tag),
-        tag_sets: extruded.map_or_else(Vec::new, |_| tag_sets()).into(),
+        tags: Tags::uniform(1, provenance.face_tag()),
+        tag_sets: sets.into(),
         derived,
         ..Mesh::default()
     }

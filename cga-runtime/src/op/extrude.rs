@@ -12,7 +12,6 @@ use crate::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
 use crate::mesh::{Mesh, extrude_wire, point_normals};
 use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, Placed, ShapeRef};
-use crate::unit::grown_axes;
 use crate::wire::Wire;
 
 /// The direction of an extrusion.
@@ -116,11 +115,16 @@ fn straight(scope: &Scope, axis: Axis, along: ExtrudeAlong) -> bool {
 
 /// The scope of a rectangle across `axis` that has grown along it.
 fn raised(scope: &Scope, axis: Axis, distance: f64) -> Scope {
-    let turn = grown_axes(axis);
-    // The old height runs against one of the new axes.
-    let up = if axis == Axis::Y { DVec3::ZERO } else { scope.axes.y_axis * scope.size.y };
-    let [width, depth] = [turn.x_axis, turn.z_axis].map(|along| along.abs().dot(scope.size));
-    Scope { origin: scope.origin + up, axes: scope.axes * turn, size: DVec3::new(width, distance, depth) }
+    let (o, s, [x, y, z]) = (scope.origin, scope.size, [scope.axes.x_axis, scope.axes.y_axis, scope.axes.z_axis]);
+    match axis {
+        Axis::Y => Scope { size: DVec3::new(s.x, distance, s.z), ..*scope },
+        Axis::Z => {
+            Scope { origin: o + y * s.y, axes: DMat3::from_cols(x, z, -y), size: DVec3::new(s.x, distance, s.y) }
+        }
+        Axis::X => {
+            Scope { origin: o + y * s.y, axes: DMat3::from_cols(-y, x, z), size: DVec3::new(s.y, distance, s.z) }
+        }
+    }
 }
 
 fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, how: Extrude, distance: f64) {

@@ -155,7 +155,7 @@ fn fit_flat(shape: &mut ShapeRef<'_>, across: Axis) {
 /// A rectangle. Rectangles without a mesh begin otherwise where they lie across x.
 fn put_quad(env: &mut Env, shape: &mut ShapeRef<'_>, across: Axis) {
     if across != Axis::X {
-        fill_plainly(env, shape, Geometry::Rect(across, UnitMesh::rectangle(across, None)));
+        fill_plainly(env, shape, Geometry::Rect(across, UnitMesh::rectangle(across)));
     } else if let Some(mesh) = env.primitive(Made::Square { across }) {
         put(env, shape, mesh);
     }

@@ -53,8 +53,7 @@ fn with_hole() -> Shape {
 
 fn rect(axis: Axis, size: [f64; 3]) -> Shape {
     let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
-    (shape.scope.size, shape.geometry) =
-        (DVec3::from_array(size), Geometry::Rect(axis, UnitMesh::rectangle(axis, None)));
+    (shape.scope.size, shape.geometry) = (DVec3::from_array(size), Geometry::Rect(axis, UnitMesh::rectangle(axis)));
     shape
 }
 

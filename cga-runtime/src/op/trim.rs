@@ -252,7 +252,7 @@ mod tests {
                 assert_eq!(part.trims.planes(&part.pivot).len(), 8);
                 0.0
             });
-            inner.geometry = Geometry::Rect(crate::scope::Axis::Z, UnitMesh::rectangle(crate::scope::Axis::Z, None));
+            inner.geometry = Geometry::Rect(crate::scope::Axis::Z, UnitMesh::rectangle(crate::scope::Axis::Z));
             on_faces(&inner, |_, again| {
                 assert_eq!(*again.trims.planes(&again.pivot), *inner.trims.planes(&inner.pivot));
                 0.0

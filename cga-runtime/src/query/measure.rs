@@ -7,7 +7,7 @@ use crate::comp::select::Word;
 use crate::env::Env;
 use crate::scope::Axis;
 use crate::shape::{Geometry, ShapeRef};
-use crate::tol::ANGLE_EPSILON;
+use crate::tol::{ANGLE_EPSILON, TIE_EPSILON};
 
 /// `geometry.area(selector)`: the sum of the areas of the faces, holes taken off, in square metres (*geometry.area
 /// function*).
@@ -116,7 +116,8 @@ pub fn geometry_angle(shape: &ShapeRef<'_>, angle: AngleType) -> f64 {
         let normal = shape.scope.axes * crate::mesh::unit(vector);
         let level = (normal.x * normal.x + normal.z * normal.z).sqrt();
         let slope = libm::atan2(level, normal.y.abs()).to_degrees();
-        if steepest.0 < slope && ANGLE_EPSILON < level {
+        // Opposite faces are equally steep but for rounding.
+        if steepest.0 + TIE_EPSILON < slope && ANGLE_EPSILON < level {
             let azimuth = libm::atan2(normal.x, -normal.z).to_degrees().rem_euclid(360.0);
             // Just below 0 rounds to 360.
             steepest = (slope, if azimuth < 360.0 { azimuth } else { 0.0 });

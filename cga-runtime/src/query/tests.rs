@@ -126,7 +126,7 @@ fn boxes_and_rectangles_answer_as_their_meshes_do() {
         let scope = if round % 2 == 0 { Scope { axes: DMat3::IDENTITY, ..scope } } else { scope };
         for geometry in [Geometry::Empty, Geometry::Box(UnitMesh::cuboid())]
             .into_iter()
-            .chain([Axis::X, Axis::Y, Axis::Z].map(|axis| Geometry::Rect(axis, UnitMesh::rectangle(axis, None))))
+            .chain([Axis::X, Axis::Y, Axis::Z].map(|axis| Geometry::Rect(axis, UnitMesh::rectangle(axis))))
         {
             let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
             (shape.scope, shape.geometry) = (scope, geometry);

@@ -242,11 +242,14 @@ impl Sink for Buffers {
         let [right, top, front] = [y.cross(z), z.cross(x), x.cross(y)].map(unit).map(short);
         let [left, bottom, back] = [right, top, front].map(|n| n.map(|c| -c));
         let normals = [front, right, back, left, top, bottom];
-        let faces = cuboid.unit.sides().each_ref().map(|face| {
-            let normal = normals[usize::from(face.side)];
-            face.corners.map(|corner| vertex(corners[usize::from(corner)], normal))
-        });
-        self.vertices.extend_from_slice(faces.as_flattened());
+        let mut vertices = [[[0.0; 6]; 4]; 6];
+        for (to, face) in vertices.iter_mut().zip(cuboid.unit.sides()) {
+            let normal = normals[face.side as usize];
+            for (to, corner) in to.iter_mut().zip(face.corners) {
+                *to = vertex(corners[usize::from(corner % 8)], normal);
+            }
+        }
+        self.vertices.extend_from_slice(vertices.as_flattened());
         self.indices
             .extend_from_slice([0, 4, 8, 12, 16, 20].map(|f| [0, 1, 2, 0, 2, 3].map(|i| start + f + i)).as_flattened());
         self.pad_uvs();

@@ -209,9 +209,12 @@ impl<'s> Parts<'s> {
             if !bounds.low.is_finite() {
                 return Geometry::Empty;
             }
-            let moved: DVec3 = (bounds.low - low) * stretch;
+            // Along an axis that it spans but for rounding the slot is its scope, as of a box.
+            let near = crate::tol::PLANAR_EPSILON * fit;
+            let spans = (bounds.low - low).abs().cmple(near) & (bounds.high - (low + fit)).abs().cmple(near);
+            let moved = DVec3::select(spans, DVec3::ZERO, (bounds.low - low) * stretch);
             scope.origin += scope.axes * moved;
-            scope.size = bounds.size() * stretch;
+            scope.size = DVec3::select(spans, scope.size, bounds.size() * stretch);
             (low, fit) = (bounds.low, bounds.size());
         }
         Geometry::Mesh(Arc::new(Placed { mesh: mesh.clone(), low, size: fit, whole: false, mirrored: whole.mirrored }))

@@ -14,6 +14,7 @@ use glam::{DVec2, DVec3};
 
 use super::solid::{corner, square, unit_box};
 use super::{Derived, FaceEnds, FaceTag, Mesh, Tags, UvSets};
+use crate::provenance::Provenance;
 use crate::scope::Axis;
 
 pub use cone::cone;
@@ -30,7 +31,7 @@ pub fn cube() -> Mesh {
 
 /// A square on the ground that faces up; its first edge runs along x, at z = 1.
 pub fn quad() -> Mesh {
-    square(Axis::Y, None)
+    square(Axis::Y, Provenance::Unknown)
 }
 
 /// A primitive that is a mesh, by what it is made of.

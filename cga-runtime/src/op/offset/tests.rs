@@ -43,7 +43,7 @@ fn rectangles_do_as_their_mesh_does() {
     };
     let quads = [Shape::rectangle(6.0, 4.0).at([3.0, 1.0, 2.0]), {
         let mut wall = Shape::cuboid(6.0, 4.0, 0.0);
-        wall.geometry = Geometry::Rect(Axis::Z, UnitMesh::rectangle(Axis::Z, None));
+        wall.geometry = Geometry::Rect(Axis::Z, UnitMesh::rectangle(Axis::Z));
         wall
     }];
     for quad in quads {
