@@ -78,7 +78,7 @@ impl Trims {
     }
 }
 
-/// Two upright planes and two level ones, all leaning out at 45 degrees.
+/// Two level planes and two upright ones, all leaning out at 45 degrees.
 fn side(size: DVec2, pivot: &Frame) -> [TrimPlane; 4] {
     let [x, y, z] = [pivot.axes.x_axis, pivot.axes.y_axis, pivot.axes.z_axis];
     let far = pivot.origin + x * size.x + y * size.y;
@@ -86,7 +86,8 @@ fn side(size: DVec2, pivot: &Frame) -> [TrimPlane; 4] {
         // What is kept lies inwards of the edge, and the more so the farther behind the face.
         TrimPlane { point, normal: (inwards + z).normalize(), horizontal }
     };
-    [plane(pivot.origin, x, false), plane(far, -x, false), plane(pivot.origin, y, true), plane(far, -y, true)]
+    // Round the face from its first edge on.
+    [plane(pivot.origin, y, true), plane(far, -x, false), plane(far, -y, true), plane(pivot.origin, x, false)]
 }
 
 /// A surface whose faces were handed out.

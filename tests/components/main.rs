@@ -4,6 +4,7 @@
 
 mod conditions;
 mod facts;
+mod order;
 mod tags;
 mod values;
 
