@@ -186,6 +186,15 @@ impl UnitMesh {
         })
     }
 
+    /// The same mirrored about its middle, its faces looking outwards as before.
+    pub(crate) fn mirrored(self, flips: [bool; 3]) -> Self {
+        let mesh = &self.0.mesh;
+        let far = DVec3::from_array(flips.map(f64::from));
+        let mirrored = mesh.with_points(mesh.points().iter().map(|&point| (far - point).abs()).collect());
+        let is_odd = flips.iter().filter(|flip| **flip).count() % 2 == 1;
+        UnitMesh::shared(if is_odd { mirrored.reversed() } else { mirrored })
+    }
+
     /// The same rectangle across another axis.
     pub(crate) fn across(self, axis: Axis) -> Self {
         let [face, ..] = &self.0.faces;

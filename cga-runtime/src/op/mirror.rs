@@ -7,13 +7,11 @@ use glam::DVec3;
 use super::pivot::rearranged;
 use super::refit::as_placed;
 use crate::env::Env;
-use crate::scope::Axis;
 use crate::shape::{Geometry, Placed, ShapeRef};
 use crate::wire::PlacedWire;
 
 /// `mirror(x, y, z)`: mirrors the geometry about the middle of its scope, which stays (*mirror operation*). What looked
-/// outwards does so afterwards; texture coordinates stay with their corners. A box or a rectangle that begins with the same
-/// edge as before stays one, the sides of the box being numbered from the front as always.
+/// outwards does so afterwards; texture coordinates stay with their corners.
 pub fn mirror(env: &mut Env, shape: &mut ShapeRef<'_>, x: bool, y: bool, z: bool) {
     let flips = [x, y, z];
     if let Geometry::Wire(placed) = &shape.geometry {
@@ -26,13 +24,14 @@ pub fn mirror(env: &mut Env, shape: &mut ShapeRef<'_>, x: bool, y: bool, z: bool
         shape.geometry = Geometry::Wire(Arc::new(PlacedWire { wire, low: DVec3::ZERO, size }));
         return;
     }
-    let same = match &shape.geometry {
-        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => true,
-        Geometry::Rect(Axis::X, _) => !x && !y,
-        Geometry::Rect(Axis::Y | Axis::Z, _) | Geometry::Box(_) => !y && !z,
-        Geometry::Mesh(_) => flips == [false; 3],
-    };
-    let Some(placed) = as_placed(shape).filter(|_| !same) else { return };
+    if flips == [false; 3] {
+        return;
+    }
+    if let Some(geometry) = unit_mirrored(&shape.geometry, flips) {
+        shape.geometry = geometry;
+        return;
+    }
+    let Some(placed) = as_placed(shape) else { return };
     if env.count_vertices(&placed.mesh).is_break() {
         return;
     }
@@ -41,6 +40,19 @@ pub fn mirror(env: &mut Env, shape: &mut ShapeRef<'_>, x: bool, y: bool, z: bool
         new.mesh = Arc::new(new.mesh.reversed());
     }
     shape.geometry = Geometry::Mesh(Arc::new(Placed { whole: false, ..new }));
+}
+
+/// A box or a rectangle mirrored, unless it becomes a mesh: a rectangle begins with its lowest edge and stays at the low end.
+fn unit_mirrored(geometry: &Geometry, flips: [bool; 3]) -> Option<Geometry> {
+    match *geometry {
+        Geometry::Box(unit) => Some(Geometry::Box(unit.mirrored(flips))),
+        Geometry::Rect(across, unit) if !flips[across.index()] => {
+            let mirrored = unit.mirrored(flips);
+            let begins_alike = mirrored.sides()[0].corners == unit.sides()[0].corners;
+            begins_alike.then_some(Geometry::Rect(across, mirrored))
+        }
+        _ => None,
+    }
 }
 
 /// `reverseNormals()`: turns every face over. The first edge of each stays, its ends changing places (*reverseNormals
