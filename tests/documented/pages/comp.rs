@@ -10,7 +10,7 @@ pub(crate) const ALL: &[Example] =
     &[quadrants::EXAMPLE, angles::EXAMPLE, operator_each::EXAMPLE, operator_together::EXAMPLE];
 
 fn ball() -> Shape {
-    Shape::mesh(meshes::sphere(16, 16, 5.0))
+    Shape::mesh_axis_aligned(meshes::sphere(16, 16, 5.0))
 }
 
 /// A comb with six teeth to the front: with its sides it has six front faces.

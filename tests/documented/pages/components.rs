@@ -71,16 +71,16 @@ fn roof() -> Shape {
         let ring: Vec<u32> = face.iter().map(|&corner| p[corner]).collect();
         builder.face(&ring, &[], FaceTag::PLAIN);
     }
-    Shape::mesh(builder.build().expect("a roof"))
+    Shape::mesh_axis_aligned(builder.build().expect("a roof"))
 }
 
 /// A trunk, a crown and fruits: groups, and materials of the same names.
 fn tree() -> Shape {
-    Shape::mesh(meshes::tree())
+    Shape::mesh_axis_aligned(meshes::tree())
 }
 
 fn ball() -> Shape {
-    Shape::mesh(meshes::sphere(16, 12, 5.0))
+    Shape::mesh_axis_aligned(meshes::sphere(16, 12, 5.0))
 }
 
 example! {
@@ -116,7 +116,7 @@ Sphere --> comp(f) { chosen : color("#ffe030") X. | all : Rest. }
 
 example! {
     /// Faces by number.
-    numbers, "comp operation, Index-based Selection", Shape::mesh(meshes::lying_cylinder(8, 3.0, 8.0)),
+    numbers, "comp operation, Index-based Selection", Shape::mesh_axis_aligned(meshes::lying_cylinder(8, 3.0, 8.0)),
     r##"Tube --> comp(f) { 0 : X | 2 : X | 4 : X | all : Rest. }
 X --> color("#ffe030") X.
 "##

@@ -89,7 +89,7 @@ pub(crate) fn shapes() -> Shape {
         let upwards: Vec<u32> = face.iter().rev().copied().collect();
         builder.face(&upwards, &[], FaceTag::PLAIN);
     }
-    Shape::mesh(builder.build().expect("faces"))
+    Shape::mesh_axis_aligned(builder.build().expect("faces"))
 }
 
 /// A block of five corners, its front turned by 5.3 degrees. Its corners follow from the eight areas that the page prints.
