@@ -136,7 +136,7 @@ fn balls() {
     for rows in [50, 158, 500] {
         let mesh = ball(rows);
         let faces = mesh.face_count();
-        let shape = Shape::mesh(mesh.clone());
+        let shape = Shape::mesh_axis_aligned(mesh.clone());
         let per_face = |time: Duration| time.as_secs_f64() * 1e9 / faces as f64;
         let hand = best(10, || _ = black_box(by_hand(black_box(&mesh))));
         let run = |work: &dyn Fn(&mut Count)| {

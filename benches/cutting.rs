@@ -123,7 +123,7 @@ fn compare(name: &str, mesh: Mesh, axis: Axis, pieces: usize, volume: Option<f64
     let offsets: Vec<f64> = (1..pieces).map(|i| i as f64 * extent / pieces as f64).collect();
     let area = mesh.area() + 2.0 * offsets.iter().map(|&at| section(&mesh, axis, at)).sum::<f64>();
     let volume = volume.unwrap_or_else(|| mesh.volume());
-    let shape = Shape::mesh(mesh.clone());
+    let shape = Shape::mesh_axis_aligned(mesh.clone());
     let mesh = Arc::new(mesh);
     let (slices, rings, settings) = (Slices { n: pieces as f64 }, Rings { n: pieces as f64 }, Settings::default());
     let (mut kept, mut slabs, mut copy) = (Vec::new(), Vec::new(), Copy::default());

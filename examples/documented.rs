@@ -1,5 +1,6 @@
 //! Draws the worked examples of the documents as sheets, `out/documented-*.png`: a picture each, its rules and the pieces
-//! that come out. The rules are those that `tests/documented.rs` checks.
+//! that come out. The rules are those that `tests/documented.rs` checks. Where a page's picture marks scopes and pivots, so
+//! does the sheet: x red, y green, z blue.
 //!
 //! The pages are *split operation*, *split attribute*, *splitArea operation*, *Subdivision split* and *comp operation*. The
 //! examples that split in texture space, `split(u …)` and `split(v …)`, are left out: they are not implemented yet.
@@ -10,6 +11,8 @@
 mod borders;
 #[path = "documented/captions.rs"]
 mod captions;
+#[path = "documented/marks.rs"]
+mod marks;
 #[path = "../tests/documented/pages/mod.rs"]
 mod pages;
 #[path = "documented/real_mesh.rs"]
@@ -25,12 +28,15 @@ use cga::sink::picture::{Camera, Image};
 use cga::{Model, Settings, Shape};
 
 use captions::{areas, counts, heights, lengths, numbered};
-use pages::example::Example;
+use pages::example::{Example, Mark};
 use pages::{
     comp, components, cutting, meshes, split_area, split_attribute, split_operation, subdivision_once,
     subdivision_repeat,
 };
 use sheet::Cell;
+
+/// Pieces thinner than this share of the model are not drawn: about a tenth of a pixel.
+const THINNEST: f64 = 1e-4;
 
 /// One view for all pictures of a sheet, so that they can be compared: x runs to the right and away, as on the pages.
 fn camera(bounds: Bounds) -> Camera {
@@ -51,11 +57,38 @@ fn cell(example: &Example, settings: &Settings, camera: Camera, measured: fn(&Mo
     let model = example.model(settings);
     let rules = example.rules.split("\n\n").next().unwrap_or_default().trim_end();
     let caption = format!("{}\n\n{rules}\n\n{}", example.title, measured(&model));
-    Cell { model, camera, borders: true, caption }
+    Cell { model: marks::marked(&visible(&model), example), camera, borders: true, caption }
+}
+
+/// The model without pieces that are far thinner along x than a pixel. The last piece of a recursive split has no colour, and its end would
+/// hide the coloured pieces next to it.
+fn visible(model: &Model) -> Model {
+    let mut out = Model::new();
+    let least = model.bounds().size().max_element() * THINNEST;
+    for leaf in model.leaves().filter(|leaf| least <= leaf.size().x.abs() || leaf.size().x == 0.0) {
+        let _ = leaf.replay(&mut out);
+    }
+    out
+}
+
+/// A cell of the page *comp operation*.
+fn comp_cell(example: &Example, settings: &Settings) -> Cell {
+    let bounds = marks::marked(&example.model(settings), example).bounds();
+    let view = match example.marks.contains(&Mark::FromAbove) {
+        true => plan(bounds),
+        false => Camera::auto(bounds).looking_from(azimuth(example), 30.0).field_of_view(16.0),
+    };
+    cell(example, settings, view, counts)
+}
+
+/// The page shows façades and edges from the front right, the other examples from the front left.
+fn azimuth(example: &Example) -> f64 {
+    let from_the_right = [Mark::InitialPivot, Mark::Pivots("Right"), Mark::Initial];
+    if from_the_right.iter().any(|mark| example.marks.contains(mark)) { 40.0 } else { -33.0 }
 }
 
 fn area_cell(example: &Example, settings: &Settings) -> Cell {
-    let bounds = example.model(settings).bounds();
+    let bounds = marks::marked(&example.model(settings), example).bounds();
     let cell = cell(example, settings, plan(bounds), areas);
     Cell { model: borders::with_scopes(&cell.model, 0.003 * bounds.size().x), ..cell }
 }
@@ -98,17 +131,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     save("cutting", sheet::draw(&cells, 2))?;
 
-    let views = comp::ALL.iter().map(|example| {
-        let bounds = example.model(&plain).bounds();
-        cell(example, &plain, Camera::auto(bounds).looking_from(-33.0, 30.0).field_of_view(16.0), counts)
-    });
-    save("comp", sheet::draw(&views.collect::<Vec<_>>(), 2))?;
-
-    let views = components::ALL.iter().map(|example| {
-        let bounds = example.model(&plain).bounds();
-        cell(example, &plain, Camera::auto(bounds).looking_from(-33.0, 30.0).field_of_view(16.0), counts)
-    });
-    save("components", sheet::draw(&views.collect::<Vec<_>>(), 4))?;
+    for (name, examples, columns) in [("comp", comp::ALL, 3), ("components", components::ALL, 4)] {
+        let cells: Vec<Cell> = examples.iter().map(|example| comp_cell(example, &plain)).collect();
+        save(name, sheet::draw(&cells, columns))?;
+    }
 
     let path = std::env::args_os().nth(1);
     save("real-mesh", sheet::draw(&real_mesh::cells(path.as_deref().map(Path::new))?, 2))

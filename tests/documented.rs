@@ -12,6 +12,8 @@ mod aligning;
 mod areas;
 #[path = "documented/attributes.rs"]
 mod attributes;
+#[path = "documented/components.rs"]
+mod components;
 #[path = "documented/cutting.rs"]
 mod cutting;
 #[path = "documented/faces.rs"]
@@ -52,8 +54,11 @@ fn all_examples_run() {
         let model = example.model(&cutting::settings());
         assert!(!model.is_empty() && model.faults().is_empty(), "{}: {:?}", example.title, model.faults());
         assert!(example.rules.contains("-->"));
+        for rule in example.marks.iter().filter_map(|mark| mark.rule()) {
+            assert!(0 < model.count(rule), "{}: no piece of {rule} to mark", example.title);
+        }
     }
     titles.sort_unstable();
     titles.dedup();
-    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 4 + 19);
+    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21);
 }

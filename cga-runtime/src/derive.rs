@@ -5,13 +5,14 @@
 //! of the code generator that follows from the rules alone, so the order is the same in every run and every build.
 
 use std::collections::VecDeque;
+use std::io::Write as _;
 use std::rc::Rc;
 
 use crate::env::{Env, Trail};
 use crate::fault::{Error, Fault, LimitKind};
 use crate::grammar::Rules;
 use crate::place;
-use crate::report::{Collection, Print, Prints, Reports};
+use crate::report::{Collection, Print, Reports};
 use crate::settings::Settings;
 use crate::shape::{Geometry, Shape, ShapeRef};
 use crate::sink::{Flow, Leaf, Sink};
@@ -36,7 +37,8 @@ pub struct Report {
     /// Whether the sink ended the run.
     pub stopped: bool,
     pub(crate) reports: Reports,
-    pub(crate) prints: Prints,
+    pub(crate) prints: Vec<Print>,
+    pub(crate) prints_left_out: u64,
 }
 
 impl Report {
@@ -50,14 +52,15 @@ impl Report {
         self.reports.get(key)
     }
 
-    /// What rules printed, in the order of the run (*print operation*).
+    /// The lines that rules printed, breadth first: by the depth of their shape in the tree of shapes, lines of equal depth
+    /// in order of derivation (*getTreeKey function*).
     pub fn prints(&self) -> &[Print] {
-        &self.prints.list
+        &self.prints
     }
 
     /// Printed lines that found no room; see [`Limits::prints`](crate::settings::Limits::prints).
     pub fn prints_left_out(&self) -> u64 {
-        self.prints.left_out
+        self.prints_left_out
     }
 }
 
@@ -190,6 +193,12 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
         flow = R::resume(&values, &mut cx, next.shape, next.call);
     }
     let (faults, faults_left_out) = cx.env.take_faults();
+    let prints = std::mem::take(&mut cx.env.prints);
+    let prints_left_out = prints.left_out;
+    let prints = prints.in_order();
+    if settings.echo {
+        echo(&prints);
+    }
     match cx.env.error.take() {
         Some(error) => Err(error),
         None => Ok(Report {
@@ -199,9 +208,16 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
             faults_left_out,
             stopped: flow.is_break(),
             reports: std::mem::take(&mut cx.env.reports),
-            prints: std::mem::take(&mut cx.env.prints),
+            prints,
+            prints_left_out,
         }),
     }
+}
+
+/// Writes lines to standard output. A closed output does not end the run.
+fn echo(prints: &[Print]) {
+    let mut out = std::io::stdout().lock();
+    let _ = prints.iter().try_for_each(|print| writeln!(out, "{print}"));
 }
 
 /// The number, style and name of a start rule, of the default one for `None`. `Default$Lot` is `Lot`.

@@ -1,7 +1,6 @@
 //! What a run keeps besides its sink: limits, faults, the trail of rules, assets.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -106,6 +105,8 @@ pub(crate) struct Initial {
 pub(crate) struct Trail {
     before: Option<Rc<Trail>>,
     rules: Box<[u32]>,
+    /// The number of rules from the start rule on.
+    depth: usize,
 }
 
 impl Drop for Trail {
@@ -246,15 +247,24 @@ impl Env {
         self.call_stack -= stack.min(FUNCTIONS);
     }
 
-    /// The trail so far, to be shared by deferred calls.
+    /// The trail so far, to be shared by deferred calls. It names at least one rule.
     pub(crate) fn keep_trail(&self) -> Rc<Trail> {
-        Rc::new(Trail { before: self.before.clone(), rules: self.trail.as_slice().into() })
+        // A deferred block enters no rule.
+        if let (Some(before), []) = (&self.before, self.trail.as_slice()) {
+            return before.clone();
+        }
+        Rc::new(Trail { before: self.before.clone(), rules: self.trail.as_slice().into(), depth: self.depth() })
     }
 
     /// Goes back to where a deferred call was made.
     pub(crate) fn resume_trail(&mut self, trail: Rc<Trail>) {
         self.before = Some(trail);
         self.trail.clear();
+    }
+
+    /// The depth of the current shape in the tree of shapes: the number of rules from the start rule on.
+    fn depth(&self) -> usize {
+        self.before.as_ref().map_or(0, |before| before.depth) + self.trail.len()
     }
 
     /// The rules that led here, from the start rule down.
@@ -316,13 +326,10 @@ impl Env {
 
     /// Keeps a printed line.
     pub(crate) fn print(&mut self, value: Value) {
-        if self.settings.echo {
-            // A console that is gone is no reason to stop.
-            let _ = writeln!(std::io::stdout(), "{value}");
-        }
-        let rule = self.trail.last().map_or("", |&rule| self.rule_name(rule));
-        let limit = self.settings.limits.prints;
-        if !self.prints.add(rule, value, limit) && self.prints.left_out == 1 {
+        let before = self.before.as_deref().map_or(&[][..], |before| &before.rules);
+        let rule = self.trail.last().or(before.last()).map_or("", |&rule| self.rule_name(rule));
+        let (depth, limit) = (self.depth(), self.settings.limits.prints);
+        if !self.prints.add(depth, rule, value, limit) && self.prints.left_out == 1 {
             self.fault(FaultKind::Limit, format!("there is no room for more than {limit} lines; others are left out"));
         }
     }

@@ -201,7 +201,7 @@ impl Model {
         self.report.reported(key)
     }
 
-    /// What rules printed, in the order of the run (*print operation*).
+    /// The lines that rules printed, breadth first; see [`Report::prints`].
     pub fn prints(&self) -> &[Print] {
         self.report.prints()
     }

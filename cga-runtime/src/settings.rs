@@ -54,6 +54,7 @@ pub struct Settings {
     pub limits: Limits,
     /// What `i(…)` may insert.
     pub assets: Arc<Assets>,
-    /// Whether `print` also writes to standard output, as it happens.
+    /// Whether printed lines are also written to standard output when the run ends, with or without an error. They have the
+    /// order of [`Report::prints`](crate::derive::Report::prints).
     pub echo: bool,
 }

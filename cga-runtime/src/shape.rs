@@ -7,16 +7,17 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use crate::comp::frame;
+use crate::comp::frame::{self, FaceFrame};
 use crate::comp::street::Streets;
 use crate::fault::Error;
 use crate::material::{Color, Material};
-use crate::mesh::Mesh;
+use crate::mesh::{Bounds, Mesh};
 use crate::place;
 use crate::scope::{Axis, Frame, Scope};
 use crate::seed::{Seed, Tag};
 use crate::state::StateRef;
 use crate::text::Text;
+use crate::tol::{ANGLE_EPSILON, ROUNDING_EPSILON};
 use crate::trim::Trims;
 use crate::unit::UnitMesh;
 use crate::wire::PlacedWire;
@@ -115,6 +116,20 @@ impl Placed {
     }
 }
 
+/// A mesh in the frame of its first face, with y exactly 0 where all points are in the plane of that face except for
+/// rounding: operations look at sizes that are zero. `world` is the box of the points that were rounded.
+fn flat_on_ground(mesh: Mesh, world: Bounds) -> Mesh {
+    let bounds = mesh.bounds();
+    let largest = world.low.abs().max(world.high.abs()).max_element();
+    let near = ANGLE_EPSILON * bounds.size().max_element() + ROUNDING_EPSILON * largest;
+    let height = bounds.low.y.abs().max(bounds.high.y.abs());
+    if height == 0.0 || near < height {
+        return mesh;
+    }
+    let points = mesh.points().iter().map(|&point| DVec3 { y: 0.0, ..point }).collect();
+    mesh.with_points(points)
+}
+
 /// Factor from one size to another, for each axis.
 pub(crate) fn stretch(from: DVec3, to: DVec3) -> DVec3 {
     let factor = |have: f64, want: f64| if have == want || have == 0.0 { 1.0 } else { want / have };
@@ -182,29 +197,64 @@ impl Shape {
         }
         let holes: Vec<Vec<DVec3>> = holes.iter().map(|hole| on_ground(hole)).collect();
         let mesh = Mesh::from_polygon(&outer, &holes).map_err(|error| Error::Shape(error.to_string()))?;
-        Ok(Shape::aligned_lot(&mesh))
+        Ok(match frame::face_frame(&mesh, 0) {
+            Some(found) if found.rectangle => Shape::rectangular_lot(&found),
+            _ => Shape::mesh(mesh),
+        })
     }
 
-    /// A lot with its scope's x axis along the first edge: object coordinates start at that edge (*CGA essentials*).
-    fn aligned_lot(mesh: &Mesh) -> Self {
-        let flat = Shape::mesh(mesh.clone());
-        let Some(found) = frame::face_frame(mesh, 0) else { return flat };
-        let first = found.frame.origin;
-        let axes = DMat3::from_cols(found.frame.axes.x_axis, DVec3::Y, found.frame.axes.x_axis.cross(DVec3::Y));
-        let pivot = Frame { origin: first, axes };
-        let size = found.high - found.low;
-        if found.rectangle {
-            let scope = Scope { origin: first - axes.z_axis * size.y, axes, size: DVec3::new(size.x, 0.0, size.y) };
-            return Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y))) };
-        }
-        let local = mesh.map(&DAffine3 { matrix3: axes.transpose(), translation: -(axes.transpose() * first) });
-        let placed = Placed::fitted(local);
-        let scope = Scope { origin: pivot.to_world(placed.low), axes, size: placed.size };
+    /// A lot that is a rectangle.
+    fn rectangular_lot(found: &FaceFrame) -> Self {
+        let pivot = frame::object(found);
+        let size = DVec3::new(found.high.x - found.low.x, 0.0, found.high.y - found.low.y);
+        let scope = Scope { origin: pivot.origin - pivot.axes.z_axis * size.z, axes: pivot.axes, size };
+        Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y))) }
+    }
+
+    /// A mesh in world coordinates, aligned to its first face as CityEngine aligns initial shapes (*CGA essentials*, object
+    /// coordinate system; *alignScopeToGeometryBBox operation*, initial shape).
+    ///
+    /// The x axis of scope and pivot runs along the first edge of the first face, the y axis along the normal of that face.
+    /// The pivot is at the start of the edge, and the scope is the box of the mesh along these axes. Rules that split along y
+    /// or select `top` work in this frame. That suits lots and roofs. A solid often begins with another face: if the first face
+    /// is a wall, y points out of the wall, and if it is the bottom, y points down. Use [`Shape::mesh_axis_aligned`] for solids
+    /// that stand upright in the world.
+    ///
+    /// ```
+    /// # use cga_runtime as cga;
+    /// use cga::mesh::{FaceTag, MeshBuilder};
+    /// use cga::shape::Shape;
+    ///
+    /// // A wall 4 m long and 3 m high that runs along the world's z axis.
+    /// let mut builder = MeshBuilder::new();
+    /// let corners = [[0., 0., 4.], [0., 0., 0.], [0., 3., 0.], [0., 3., 4.]].map(|corner| builder.point(corner));
+    /// builder.face(&corners, &[], FaceTag::PLAIN);
+    /// let wall = builder.build().unwrap();
+    ///
+    /// let aligned = Shape::mesh(wall.clone());
+    /// assert_eq!(aligned.scope().axes.x_axis.to_array(), [0.0, 0.0, -1.0]); // along the first edge
+    /// assert_eq!(aligned.scope().axes.y_axis.to_array(), [1.0, 0.0, 0.0]); // out of the face
+    /// assert_eq!(aligned.scope().size.to_array(), [4.0, 0.0, 3.0]);
+    /// assert_eq!(aligned.pivot().origin.to_array(), [0.0, 0.0, 4.0]);
+    ///
+    /// let upright = Shape::mesh_axis_aligned(wall);
+    /// assert_eq!(upright.scope().size.to_array(), [0.0, 3.0, 4.0]);
+    /// ```
+    ///
+    /// Faces without an area and edges without a length are skipped. A mesh that has no other face is aligned to the world's
+    /// axes.
+    pub fn mesh(mesh: Mesh) -> Self {
+        let Some(pivot) = frame::object_of(&mesh) else { return Shape::mesh_axis_aligned(mesh) };
+        let to_local = pivot.axes.transpose();
+        let local = mesh.map(&DAffine3 { matrix3: to_local, translation: -(to_local * pivot.origin) });
+        let placed = Placed::fitted(flat_on_ground(local, mesh.bounds()));
+        let scope = Scope { origin: pivot.to_world(placed.low), axes: pivot.axes, size: placed.size };
         Shape { pivot, ..Shape::with(scope, Geometry::Mesh(Arc::new(placed))) }
     }
 
-    /// Any mesh, in world coordinates; its scope is the bounding box.
-    pub fn mesh(mesh: Mesh) -> Self {
+    /// A mesh in world coordinates, with its scope along the world's axes: the bounding box. The pivot is at the lowest corner
+    /// of the box. [`Shape::mesh`] aligns to the first face instead, as CityEngine does.
+    pub fn mesh_axis_aligned(mesh: Mesh) -> Self {
         let placed = Placed::fitted(mesh);
         let scope = Scope { origin: placed.low, axes: DMat3::IDENTITY, size: placed.size };
         Shape::with(scope, Geometry::Mesh(Arc::new(placed)))

@@ -35,6 +35,9 @@ pub(crate) const LINE_EPSILON: f64 = 1e-7;
 /// its ends is as large.
 pub(crate) const EDGE_EPSILON: f64 = 1e-15;
 
+/// Coordinates are rounded by less than this when they are turned, relative to the largest of them.
+pub(crate) const ROUNDING_EPSILON: f64 = 2e-15;
+
 /// A volume smaller than this, relative to the cube of the largest extent, is rounding.
 pub(crate) const VOLUME_EPSILON: f64 = 1e-14;
 

@@ -58,7 +58,7 @@ fn a_cut_cylinder_is_six_closed_pieces_with_gaps() {
 /// Runs `XX` slices over a mesh that stands for the initial shape.
 fn sliced(mesh: cga::Mesh) -> Model {
     cga::cga! { @Allow(undefined_rule) grammar Slices = r#"A--> split(x) { ~1 : XX }*"#; }
-    Slices::default().generate(&Shape::mesh(mesh)).unwrap()
+    Slices::default().generate(&Shape::mesh_axis_aligned(mesh)).unwrap()
 }
 
 #[test]

@@ -87,7 +87,7 @@ fn leaning(degrees: f64) -> Shape {
     let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
     let points = corners.map(|[x, up]| builder.point([x, up * cos, -up * sin]));
     builder.face(&points, &[], FaceTag::PLAIN);
-    Shape::mesh(builder.build().unwrap())
+    Shape::mesh_axis_aligned(builder.build().unwrap())
 }
 
 #[test]
@@ -163,7 +163,7 @@ fn a_face_is_flat_along_z_and_starts_at_its_first_corner() {
 #[test]
 fn cut_faces_keep_their_first_edge() {
     let plain = Shape::cuboid(3.0, 6.0, 9.0);
-    let mesh = Shape::mesh(plain.to_mesh().as_ref().clone());
+    let mesh = Shape::mesh_axis_aligned(plain.to_mesh().as_ref().clone());
     for (rule, count) in [("CutX", 6), ("CutY", 12), ("CutZ", 6)] {
         let (expected, found) = (run(rule, &plain), run(rule, &mesh));
         assert_eq!((expected.len(), found.len()), (count, count));

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use cga::Settings;
+use cga::{Model, Settings};
 
-use crate::pages::comp::{angles, operator_each, operator_together, quadrants};
+use crate::pages::comp::{angles, operator_connected, operator_each, operator_together, quadrants};
 use crate::pages::example::Example;
 
 /// Faces by colour: how many, and the sum of their normals' direction as a check of which they are.
@@ -57,18 +57,21 @@ fn slopes_of_a_sphere() {
 }
 
 #[test]
-fn each_or_all_together() {
-    let model = operator_each::EXAMPLE.model(&Settings::default());
-    // Three teeth and the three bays between them.
-    assert_eq!(model.counts(), [("Front", 6), ("Mass", 1)]);
-    assert_eq!(model.materials().len(), 7, "each has drawn a colour of its own");
-    let together = operator_together::EXAMPLE.model(&Settings::default());
+fn each_or_all_together_or_what_is_connected() {
+    let [each, together, connected] = [operator_each::EXAMPLE, operator_together::EXAMPLE, operator_connected::EXAMPLE]
+        .map(|example| example.model(&Settings::default()));
+    assert_eq!(each.counts(), [("Front", 6), ("Mass", 1)]);
+    assert_eq!(each.materials().len(), 7, "each has drawn a colour of its own");
     assert_eq!(together.counts(), [("Front", 1), ("Mass", 1)]);
-    let leaf = together.leaves().next().unwrap();
-    assert_eq!(leaf.mesh().0.face_count(), 6);
-    // Set up from the first: its front is at z = 10 and the bays are four metres behind.
-    assert!((leaf.size() - leaf.bounds().size()).abs().max_element() < 1e-9);
-    assert!((leaf.bounds().low.z - 6.0).abs() < 1e-9 && (leaf.bounds().high.z - 10.0).abs() < 1e-9);
-    let areas = [model.area(), together.area()];
-    assert!((areas[0] - areas[1]).abs() < 1e-9);
+    assert_eq!(connected.counts(), [("Front", 2), ("Mass", 1)]);
+    let faces = |model: &Model| model.leaves_of("Front").map(|leaf| leaf.mesh().0.face_count()).collect::<Vec<_>>();
+    assert_eq!((faces(&together), faces(&connected)), (vec![6], vec![2, 4]));
+    // Shapes of several faces are set up from the first of them: fronts 0, and 0 and 2.
+    let axes = |model: &Model, at: usize| model.leaves_of("Front").nth(at).expect("a front").scope().axes;
+    for (model, at, first) in [(&together, 0, 0), (&connected, 0, 0), (&connected, 1, 2)] {
+        assert!(axes(model, at).abs_diff_eq(axes(&each, first), 1e-9), "{at}");
+    }
+    for model in [&together, &connected] {
+        assert!((each.area() - model.area()).abs() < 1e-9);
+    }
 }

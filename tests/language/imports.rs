@@ -226,7 +226,7 @@ fn inline_rules_import_too() {
         Mine(n) --> print(n) Top.
     }
     let made = model(&Inline::default());
-    assert_eq!((lines(&made), leaves(&made)), (vec!["4".to_owned(), "inner6 (2)[6,60]".to_owned()], vec!["Top", "X"]));
+    assert_eq!((lines(&made), leaves(&made)), (vec!["inner6 (2)[6,60]".to_owned(), "4".to_owned()], vec!["Top", "X"]));
     let height = 9;
     let rules = cga! {
         import imp : "tests/rules/import/inner.cga" (h = #height)

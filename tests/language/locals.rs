@@ -24,7 +24,7 @@ fn fact_94_locals_are_computed_once_in_order() {
     let model = model(&Locals { ..Locals::default() });
     assert_eq!(
         lines(&model),
-        ["1414", "example", "1", "7", "8", "4", "16", "true", "false", "21", "21", "21", "22", "21"]
+        ["1414", "example", "1", "7", "8", "4", "16", "true", "false", "21", "21", "22", "21", "21"]
     );
 }
 

@@ -1,8 +1,9 @@
 //! The language beyond splits and comps, fact by fact: numbers of facts are those of the digest that the project keeps of
 //! the reference. Rules come as text unless a test says otherwise; `tests/doors.rs` holds the doors against each other.
 //!
-//! Facts 73 to 100 are here, but for two that need what does not run yet: 73 (`getTreeKey`) and 98 (`label` and context
-//! queries). The table of reports that 99 shows is tested where it is made, in the runtime.
+//! Facts 73 to 100 are here, except for two that need what does not run yet: 73 (`getTreeKey`, of which only the order of lines
+//! is tested) and 98 (`label` and context queries). The table of reports that 99 shows is tested where it is made, in the
+//! runtime.
 #![allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
 
 mod arrays;
@@ -13,6 +14,7 @@ mod imports;
 mod locals;
 mod operators;
 mod overloads;
+mod prints;
 mod run;
 mod styles;
 mod text;

@@ -80,7 +80,7 @@ fn an_import_may_ask_for_a_style() {
         (sum(&model(&Large::default()), "size"), leaves(&model(&Large::default()))),
         (Some(10.0), vec!["Large"])
     );
-    assert_eq!(lines(&model(&Huge::default())), ["huge100", "300"]);
+    assert_eq!(lines(&model(&Huge::default())), ["300", "huge100"]);
     let both = model(&Both::default());
     assert_eq!((sum(&both, "size"), leaves(&both)), (Some(13.0), vec!["Large", "Plain"]));
 }

@@ -52,6 +52,20 @@ pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
     Some(FaceFrame { frame, low, high, rectangle })
 }
 
+/// Object coordinates: the frame of the first face with an area, x along its first edge with a length and y along its normal
+/// (*CGA essentials*, object coordinate system). Nothing for a mesh without such a face.
+pub(crate) fn object_of(mesh: &Mesh) -> Option<Frame> {
+    (0..mesh.face_count()).find_map(|face| face_frame(mesh, face)).map(|found| object(&found))
+}
+
+/// Object coordinates that begin with a face: its frame with y outwards.
+pub(crate) fn object(found: &FaceFrame) -> Frame {
+    let [x, out] = [found.frame.axes.x_axis, found.frame.axes.z_axis];
+    // Where the first edge leaves the plane of its face, the two are not at right angles to the last digit.
+    let y = crate::mesh::unit(out - x * out.dot(x));
+    Frame { origin: found.frame.origin, axes: DMat3::from_cols(x, y, x.cross(y)) }
+}
+
 /// The direction across an axis that is as upright as can be.
 pub(super) fn upright(x: DVec3) -> DVec3 {
     let up = crate::mesh::unit(DVec3::Y - x * x.y);

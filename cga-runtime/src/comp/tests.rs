@@ -103,7 +103,7 @@ fn tree() -> Mesh {
 fn models() -> Vec<Shape> {
     let turned = |mesh: &Mesh| {
         let turn = DMat3::from_quat(DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), 0.7));
-        Shape::mesh(mesh.map(&DAffine3 { matrix3: turn, translation: DVec3::new(5.0, -2.0, 1.0) }))
+        Shape::mesh_axis_aligned(mesh.map(&DAffine3 { matrix3: turn, translation: DVec3::new(5.0, -2.0, 1.0) }))
     };
     let meshes = [prism_with_hole(), concave_prism(), ball(), tree(), primitive::cylinder(7)];
     let mut models: Vec<Shape> = meshes.iter().map(turned).collect();
@@ -223,8 +223,8 @@ fn counts_of_a_box_and_of_a_prism_with_a_hole() {
     let counts = |shape: &Shape| KINDS.map(|kind| all(shape, kind, Align::ZUp).len());
     assert_eq!(counts(&Shape::cuboid(1.0, 2.0, 3.0)), [6, 12, 24, 8, 24, 1, 1, 0]);
     assert_eq!(counts(&Shape::rectangle(1.0, 2.0)), [1, 4, 4, 4, 4, 1, 1, 0]);
-    assert_eq!(counts(&Shape::mesh(prism_with_hole())), [10, 24, 48, 16, 48, 1, 1, 2]);
-    assert_eq!(counts(&Shape::mesh(tree())), [18, 36, 72, 24, 72, 2, 2, 0]);
+    assert_eq!(counts(&Shape::mesh_axis_aligned(prism_with_hole())), [10, 24, 48, 16, 48, 1, 1, 2]);
+    assert_eq!(counts(&Shape::mesh_axis_aligned(tree())), [18, 36, 72, 24, 72, 2, 2, 0]);
     assert_eq!(counts(&Shape::line([0.0; 3], [1.0, 0.0, 0.0]).unwrap()), [0, 1, 1, 2, 2, 0, 0, 0]);
 }
 
@@ -239,7 +239,7 @@ fn fact_48_opposite_sides_are_connected_through_what_is_between() {
     assert_eq!(sets(&[Word::Side], Mode::Connected), [4]);
     assert_eq!(sets(&[Word::Top, Word::All], Mode::Together), [1, 5]);
     // A U-shaped lot: five walls face front or back or aside, some of them apart.
-    let u = Shape::mesh(concave_prism());
+    let u = Shape::mesh_axis_aligned(concave_prism());
     let fronts = parts(&u, Components::Faces, Align::ZUp, &[arm(Word::Front, Mode::Each)]);
     let connected = parts(&u, Components::Faces, Align::ZUp, &[arm(Word::Front, Mode::Connected)]);
     assert_eq!((fronts.len(), connected.len()), (1, 1));
@@ -281,7 +281,7 @@ fn face_edges_point_out_of_their_face() {
 
 #[test]
 fn a_hole_is_filled_as_its_face_looks() {
-    let shape = Shape::mesh(prism_with_hole());
+    let shape = Shape::mesh_axis_aligned(prism_with_hole());
     let holes = all(&shape, Components::Holes, Align::ZUp);
     assert!(holes.iter().all(|hole| close(world_area(hole), 9.0)));
     let mut looks: Vec<f64> = holes.iter().map(|hole| hole.scope.axes.z_axis.y).collect();
@@ -297,7 +297,7 @@ fn border_and_inside_of_a_grid() {
         let ring = [(x, z), (x, z + 1.0), (x + 1.0, z + 1.0), (x + 1.0, z)].map(|(x, z)| builder.point([x, 0.0, z]));
         builder.face(&ring, &[], Default::default());
     }
-    let shape = Shape::mesh(builder.build().unwrap());
+    let shape = Shape::mesh_axis_aligned(builder.build().unwrap());
     let counts = |kind| {
         let arms = [Word::Border, Word::Inside].map(|word| arm(word, Mode::Each));
         let found = parts(&shape, kind, Align::ZUp, &arms);
@@ -340,7 +340,7 @@ fn hip_roofs() -> [Mesh; 2] {
 #[test]
 fn roof_edges_of_a_hip_roof_open_or_closed() {
     for mesh in hip_roofs() {
-        let shape = Shape::mesh(mesh);
+        let shape = Shape::mesh_axis_aligned(mesh);
         let words = [Word::Eave, Word::Hip, Word::Valley, Word::Ridge].map(|word| arm(word, Mode::Each));
         let found = parts(&shape, Components::Edges, Align::ZUp, &words);
         let count = |arm| found.iter().filter(|part| part.0 == arm).count();
@@ -364,7 +364,7 @@ fn a_valley_is_concave() {
         [[0., 1., 0.], [0., 1., 2.], [2., 0., 2.], [2., 0., 0.], [4., 1., 2.], [4., 1., 0.]].map(|p| builder.point(p));
     builder.face(&[p[0], p[1], p[2], p[3]], &[], Default::default());
     builder.face(&[p[3], p[2], p[4], p[5]], &[], Default::default());
-    let shape = Shape::mesh(builder.build().unwrap());
+    let shape = Shape::mesh_axis_aligned(builder.build().unwrap());
     let found = parts(&shape, Components::Edges, Align::ZUp, &[arm(Word::Valley, Mode::Each)]);
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].2.scope.size.x, 2.0);
@@ -415,7 +415,7 @@ fn what_is_flat_or_nothing_has_no_parts() {
 
 #[test]
 fn mirrored_shapes_are_selected_by_where_faces_are() {
-    let mut shape = Shape::mesh(ball());
+    let mut shape = Shape::mesh_axis_aligned(ball());
     shape.scope.size.x = -shape.scope.size.x;
     for (word, axis, sign) in [(Word::Top, 1, 1.0), (Word::Right, 0, 1.0), (Word::Back, 2, -1.0)] {
         let found = parts(&shape, Components::Faces, Align::ZUp, &[arm(word, Mode::Each)]);

@@ -195,7 +195,7 @@ mod tests {
     /// A lot on a slope, from 0 to 3 metres high, 4 by 5 metres as seen from above.
     fn slope() -> Shape {
         let corners = [[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [4.0, 3.0, 0.0], [0.0, 3.0, 0.0]].map(DVec3::from_array);
-        Shape::mesh(Mesh::from_polygon(&corners, &[]).expect("a rectangle")).at([7.0, 8.0, 9.0])
+        Shape::mesh_axis_aligned(Mesh::from_polygon(&corners, &[]).expect("a rectangle")).at([7.0, 8.0, 9.0])
     }
 
     fn grown(mut shape: Shape, along: ExtrudeAlong, distance: f64) -> Shape {

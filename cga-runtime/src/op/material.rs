@@ -126,7 +126,7 @@ mod tests {
         let mut look = Material { color: Some(Color::new(0.2, 0.4, 0.6)), ..Material::UNSET };
         look.set_text(MaterialText::Map(Layer::Dirt), "dirt.png");
         builder.materials([look]);
-        Shape::mesh(builder.build().expect("a triangle"))
+        Shape::mesh_axis_aligned(builder.build().expect("a triangle"))
     }
 
     #[test]
@@ -168,7 +168,7 @@ mod tests {
         reset_material(env, shape, MaterialTarget::All);
         assert_eq!((get::material_color_g(shape), get::material_dirtmap(shape).as_str()), (1.0, ""));
         assert_eq!(shape.to_mesh().check(), []);
-        let shape = &mut Shape::mesh(Mesh::default());
+        let shape = &mut Shape::mesh_axis_aligned(Mesh::default());
         reset_material(env, shape, MaterialTarget::All);
         assert_eq!(env.take_faults().0.len(), 0);
     }

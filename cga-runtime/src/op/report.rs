@@ -30,6 +30,7 @@ mod tests {
     use super::*;
     use crate::get;
     use crate::op::{Length, extrude};
+    use crate::report::Print;
     use crate::settings::{Limits, Settings};
     use crate::shape::Shape;
     use crate::value::ValueType;
@@ -51,16 +52,20 @@ mod tests {
         assert_eq!((summary.average(), summary.min(), summary.max()), (Some(10.0), Some(10.0), Some(10.0)));
     }
 
+    fn prints(env: &Env) -> Vec<Print> {
+        env.prints.clone().in_order()
+    }
+
     #[test]
     fn fact_76_printed_text_is_kept_as_it_is() {
         let (env, shape) = (&mut Env::for_tests(), &mut Shape::rectangle(4.0, 5.0));
         print(env, shape, Text::fixed("x = 1"));
         env.enter(0);
         print(env, shape, 1.69 - 0.69);
-        let lines: Vec<_> = env.prints.list.iter().map(|line| (line.rule, line.to_string())).collect();
+        let lines: Vec<_> = prints(env).iter().map(|line| (line.rule, line.to_string())).collect();
         assert_eq!(lines, [("", "x = 1".to_owned()), ("Lot", "1".to_owned())]);
         assert!(crate::query::print(env, true));
-        assert_eq!(env.prints.list.last().map(|line| &line.value), Some(&Value::Bool(true)));
+        assert_eq!(prints(env).last().map(|line| &line.value), Some(&Value::Bool(true)));
     }
 
     #[test]
@@ -105,7 +110,7 @@ mod tests {
         let (env, shape) = (&mut env(1000, 1000), &mut Shape::rectangle(4.0, 5.0));
         let long = Text::from("x".repeat(10 << 20));
         (0..20).for_each(|_| print(env, shape, long.clone()));
-        assert_eq!((env.prints.list.len(), env.prints.left_out), (6, 14));
+        assert_eq!((prints(env).len(), env.prints.left_out), (6, 14));
     }
 
     #[test]

@@ -322,7 +322,7 @@ fn edges_and_faces_are_found_by_words() {
     // A ramp: its lowest edge is the third.
     let ramp =
         [[0.0, 2.0, 0.0], [0.0, 2.0, 4.0], [0.0, 0.0, 4.0], [0.0, 0.0, 0.0]].map(|[z, y, x]| DVec3::new(x, y, z + y));
-    let shape = &mut Shape::mesh(Mesh::from_polygon(&ramp, &[]).unwrap());
+    let shape = &mut Shape::mesh_axis_aligned(Mesh::from_polygon(&ramp, &[]).unwrap());
     let normal = shape.to_mesh().face(0).normal();
     align_to_selected(env, shape, UpAxis::ZUp, AlignFace::Any, AlignEdge::WorldLowest);
     assert!((shape.scope.axes.z_axis - normal).length() < 1e-12 && 0.5 < shape.scope.axes.y_axis.y, "y goes up");

@@ -86,7 +86,7 @@ mod tests {
 
     fn cuboid_mesh(size: DVec3) -> Shape {
         let cube = crate::place::cuboid(&crate::scope::Scope::new(size), UnitMesh::cuboid()).to_mesh();
-        Shape::mesh(cube)
+        Shape::mesh_axis_aligned(cube)
     }
 
     #[test]
@@ -191,7 +191,7 @@ mod tests {
                     .map(|p| builder.point(p));
             builder.face(&[p[0], p[1], p[2], p[3]], &[], Default::default());
             builder.face(&[p[3], p[2], p[4], p[5]], &[], Default::default());
-            let shape = Shape::mesh(builder.build().unwrap());
+            let shape = Shape::mesh_axis_aligned(builder.build().unwrap());
             let found = on_faces(&shape, |_, part| {
                 let planes = part.trims.planes(&part.pivot);
                 assert_eq!(planes.len(), 1);
@@ -205,7 +205,7 @@ mod tests {
     fn planes_bisect_whatever_the_turn() {
         let turn = DMat3::from_quat(glam::DQuat::from_axis_angle(DVec3::new(1.0, 1.0, 0.2).normalize(), 0.9));
         let cube = crate::mesh::primitive::cylinder(9).map(&DAffine3 { matrix3: turn, translation: DVec3::ONE });
-        on_faces(&Shape::mesh(cube.clone()), |_, part| {
+        on_faces(&Shape::mesh_axis_aligned(cube.clone()), |_, part| {
             let planes = part.trims.planes(&part.pivot);
             assert!(!planes.is_empty());
             for plane in &*planes {
@@ -230,7 +230,7 @@ mod tests {
         let lot = Mesh::from_polygon(&square(0.0, 9.0), &[square(3.0, 6.0)]).unwrap();
         let l = [(0., 0.), (9., 0.), (9., 3.), (3., 3.), (3., 9.), (0., 9.)].map(|(x, z)| DVec3::new(x, 0.0, -z));
         for lot in [lot, Mesh::from_polygon(&l, &[]).unwrap()] {
-            let shape = Shape::mesh(extrude(&lot, Extrude::FaceNormal, 4.0));
+            let shape = Shape::mesh_axis_aligned(extrude(&lot, Extrude::FaceNormal, 4.0));
             on_faces(&shape, |env, part| {
                 crate::set::trim_horizontal(env, part, true);
                 let area = geometry_area(env, part, Word::All);

@@ -153,7 +153,7 @@ fn a_box_holds_the_product_of_its_sides() {
 #[test]
 fn turning_and_moving_change_no_measure_and_stretching_scales_it() {
     let (env, mut seed) = (&mut Env::for_tests(), Seed::new(5));
-    let plain = Shape::mesh(courtyard());
+    let plain = Shape::mesh_axis_aligned(courtyard());
     let (area, volume) = (geometry_area(env, &plain, Word::All), geometry_volume(&plain));
     let walls = geometry_area(env, &plain, Word::Side);
     assert!(near(volume, 800.0) && near(area, 160.0 + 480.0) && near(walls, 480.0));
@@ -242,7 +242,7 @@ fn selectors_follow_their_axes() {
         let ring = quad.corners().map(|p| builder.point(p));
         builder.face(&ring, &[], FaceTag::PLAIN);
     }
-    let mut corner = Shape::mesh(builder.build().expect("front and right"));
+    let mut corner = Shape::mesh_axis_aligned(builder.build().expect("front and right"));
     assert_eq!([F::Front, F::Back, F::Right].map(|s| area(env, &corner, s)), [1.0, 0.0, 1.0]);
     corner.set_scope(Scope::new(DVec3::new(1.0, 1.0, -1.0)));
     assert_eq!([F::Front, F::Back, F::Right].map(|s| area(env, &corner, s)), [0.0, 1.0, 1.0]);
@@ -253,7 +253,7 @@ fn faces_are_concave_rectangular_and_planar_within_their_tolerance() {
     let env = &mut Env::for_tests();
     let polygon = |list: &[(f64, f64)]| {
         let points: Vec<DVec3> = list.iter().map(|&(x, y)| DVec3::new(x, y, 0.0)).collect();
-        Shape::mesh(Mesh::from_polygon(&points, &[]).expect("a polygon"))
+        Shape::mesh_axis_aligned(Mesh::from_polygon(&points, &[]).expect("a polygon"))
     };
     let leaning = polygon(&[(0.0, 0.0), (10.0, 0.0), (10.5, 10.0), (0.5, 10.0)]);
     let off = libm::atan(0.05).to_degrees();
@@ -266,12 +266,12 @@ fn faces_are_concave_rectangular_and_planar_within_their_tolerance() {
     let mut builder = MeshBuilder::new();
     let bent = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.1], [0.0, 1.0, 0.0]].map(|p| builder.point(p));
     builder.face(&bent, &[], FaceTag::PLAIN);
-    let bent = Shape::mesh(builder.build().expect("a face"));
+    let bent = Shape::mesh_axis_aligned(builder.build().expect("a face"));
     assert!(!geometry_is_planar(env, &bent, 1.0) && geometry_is_planar(env, &bent, 10.0));
     let mut flat = bent.clone();
     flat.set_scope(Scope { size: DVec3::new(1.0, 1.0, 0.0), ..flat.scope });
     assert!(geometry_is_planar(env, &flat, 0.0), "*CGA changelog 2024.1*: flattened by its scope");
-    let nothing = Shape::mesh(Mesh::default());
+    let nothing = Shape::mesh_axis_aligned(Mesh::default());
     assert!(!geometry_is_planar(env, &nothing, 1.0) && !geometry_is_rectangular(env, &nothing, 1.0));
     assert!(!geometry_is_closed_surface(&nothing) && !geometry_is_concave(&nothing));
     assert_eq!(env.take_faults().0.len(), 0);
@@ -289,7 +289,7 @@ fn an_edge_of_four_faces_closes_nothing() {
             builder.face(&ring, &[], FaceTag::PLAIN);
         }
     }
-    let two = Shape::mesh(builder.build().expect("two boxes"));
+    let two = Shape::mesh_axis_aligned(builder.build().expect("two boxes"));
     assert_eq!((geometry_n_vertices(&two), geometry_n_edges(&two)), (14.0, 23.0));
     assert!(!geometry_is_closed_surface(&two) && near(geometry_volume(&two), 2.0));
 }
@@ -304,12 +304,12 @@ fn names_are_those_that_faces_have() {
     builder.groups(["wall", "unused", "roof"].map(str::to_owned).to_vec());
     let named = |name: &str| crate::material::Material::with(|look| look.name = Some(name.into()));
     builder.materials([named("brick"), named("tile"), named("unused")]);
-    let shape = Shape::mesh(builder.build().expect("three faces"));
+    let shape = Shape::mesh_axis_aligned(builder.build().expect("three faces"));
     let strings = |list: Array<crate::text::Text>| list.as_slice().iter().map(ToString::to_string).collect::<Vec<_>>();
     assert_eq!(strings(geometry_groups(&shape)), ["wall", "roof", ""]);
     assert_eq!(strings(geometry_materials(&shape)), ["brick", "tile"]);
     assert_eq!(strings(geometry_groups(&Shape::cuboid(1.0, 1.0, 1.0))), [""]);
-    assert_eq!(strings(geometry_materials(&Shape::mesh(Mesh::default()))), [""; 0]);
+    assert_eq!(strings(geometry_materials(&Shape::mesh_axis_aligned(Mesh::default()))), [""; 0]);
 }
 
 #[test]

@@ -21,17 +21,30 @@ impl fmt::Display for Print {
     }
 }
 
-/// The lines of a run, in its order.
+/// The lines of a run, collected in order of derivation.
+///
+/// The reference lists lines breadth first (*getTreeKey function*): by the depth of the shape in the tree of shapes, lines
+/// of equal depth in order of derivation. The depth is the number of rules that were called from the start rule on:
+///
+/// - The start rule has depth 1, and each call of a rule adds 1.
+/// - Blocks of `split` and `comp` belong to the shape of their rule, whose tree key "stays the same during derivation of
+///   the whole rule". The same holds for conditions, sizes, selectors, arguments of calls, and functions that they call.
+/// - Attributes and constants are evaluated before the start rule and have depth 0. An import that is called with new
+///   values evaluates its attributes again, at the depth of the rule that calls.
+/// - A call that waits on the list of a run keeps the depth of its place in the tree.
+///
+/// The number of lines is limited while they are collected, so the lines that are kept are the first in order of derivation.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Prints {
-    pub(crate) list: Vec<Print>,
+    /// Lines, each with the depth of its shape.
+    lines: Vec<(usize, Print)>,
     bytes: usize,
     pub(crate) left_out: u64,
 }
 
 impl Prints {
     /// Adds a line. `false` when there was no room for it.
-    pub(crate) fn add(&mut self, rule: &'static str, value: Value, limit: u64) -> bool {
+    pub(crate) fn add(&mut self, depth: usize, rule: &'static str, value: Value, limit: u64) -> bool {
         let bytes = match &value {
             Value::Text(text) => text.len(),
             Value::Floats(array) => size_of::<f64>() * array.len(),
@@ -39,13 +52,19 @@ impl Prints {
             Value::Texts(array) => array.as_slice().iter().map(|text| size_of_val(text) + text.len()).sum(),
             _ => 0,
         };
-        let room = (self.list.len() as u64) < limit && self.bytes + bytes <= MOST_BYTES;
+        let room = (self.lines.len() as u64) < limit && self.bytes + bytes <= MOST_BYTES;
         if room {
             self.bytes += bytes;
-            self.list.push(Print { rule, value });
+            self.lines.push((depth, Print { rule, value }));
         } else {
             self.left_out += 1;
         }
         room
+    }
+
+    /// The lines breadth first.
+    pub(crate) fn in_order(mut self) -> Vec<Print> {
+        self.lines.sort_by_key(|(depth, _)| *depth);
+        self.lines.into_iter().map(|(_, print)| print).collect()
     }
 }

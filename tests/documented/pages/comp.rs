@@ -1,27 +1,29 @@
-//! *comp operation*, Examples: a ball of 16 × 16 faces and a building with wings.
+//! *comp operation*, Examples: selectors on a ball of 16 × 16 faces, and the operators on a building with bays.
 
 use cga::Shape;
 
 use super::example::{Example, example};
 use super::meshes;
 
-/// The pictures of the page that need no trim planes.
-pub(crate) const ALL: &[Example] =
-    &[quadrants::EXAMPLE, angles::EXAMPLE, operator_each::EXAMPLE, operator_together::EXAMPLE];
+/// In the order of the page.
+pub(crate) const ALL: &[Example] = &[
+    quadrants::EXAMPLE,
+    angles::EXAMPLE,
+    operator_each::EXAMPLE,
+    operator_together::EXAMPLE,
+    operator_connected::EXAMPLE,
+];
 
 fn ball() -> Shape {
-    Shape::mesh(meshes::sphere(16, 16, 5.0))
+    Shape::mesh_axis_aligned(meshes::sphere(16, 16, 5.0))
 }
 
-/// A comb with six teeth to the front: with its sides it has six front faces.
-pub(crate) fn comb() -> Shape {
-    let tooth = |at: u32| {
-        let x = 4.0 * f64::from(at);
-        [[x, 10.0], [x + 2.0, 10.0], [x + 2.0, 6.0], [x + 4.0, 6.0]]
-    };
-    let mut outline: Vec<[f64; 2]> = (0..3).flat_map(tooth).collect();
-    outline.extend([[12.0, 0.0], [0.0, 0.0]]);
-    Shape::footprint(&outline, &[]).expect("an outline")
+/// A building with six front faces: two bays that stand back and four that stand out.
+pub(crate) fn bays() -> Shape {
+    let back = [[0.0, 15.0], [5.0, 14.4], [10.0, 14.4]];
+    let out = [[10.0, 20.0], [15.0, 21.2], [20.0, 21.2], [25.0, 20.0], [30.0, 17.4]];
+    let outline = [&back[..], &out, &[[30.0, 0.0], [0.0, 0.0]]].concat();
+    Shape::footprint(&outline, &[]).expect("an outline").seed(5)
 }
 
 example! {
@@ -36,7 +38,7 @@ example! {
       left:   color("#00ffff") X |
       right:  color("#00ff00") X
    }
-"##
+"##; marks &[Mark::InitialBox, Mark::InitialScope]
 }
 
 example! {
@@ -49,27 +51,38 @@ example! {
       vertical:   color("#ffff00") X |
       nutant:     color("#ff00ff") X
    }
-"##
+"##; marks &[Mark::InitialBox, Mark::InitialScope]
 }
 
 example! {
     /// "Using the : operator results in a new shape for each component selected by the selector."
-    operator_each, "comp operation, Separating operator :", comb(),
+    operator_each, "comp operation, Separating operator :", bays(),
     r##"Lot -->
    extrude(10)
    comp(f) { front :  color(rand,rand,rand)
                       Front.
            | all   =  Mass. }
-"##
+"##; marks &[Mark::Pivots("Front")]
 }
 
 example! {
     /// "Using the = operator results in exactly one new shape for all components selected by the selector."
-    operator_together, "comp operation, Combining operator =", comb(),
+    operator_together, "comp operation, Combining operator =", bays(),
     r##"Lot -->
    extrude(10)
    comp(f) { front =  color(rand,rand,rand)
                       Front.
            | all   =  Mass. }
-"##
+"##; marks &[Mark::Boxes("Front"), Mark::Pivots("Front")]
+}
+
+example! {
+    /// "Two Front shapes are created for all six front faces of the extruded geometry."
+    operator_connected, "comp operation, Connecting operator =:", bays(),
+    r##"Lot -->
+   extrude(10)
+   comp(f) { front =: color(rand,rand,rand)
+                      Front.
+           | all   =  Mass. }
+"##; marks &[Mark::Boxes("Front"), Mark::Pivots("Front")]
 }

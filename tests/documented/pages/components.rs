@@ -1,5 +1,6 @@
-//! *comp operation*, the examples that need more than faces by direction: alignment, conditions, trim planes, connected faces,
-//! borders, tags, edges, vertices, holes, groups and materials.
+//! *comp operation*, the other examples: façades, conditions, trim planes, borders, tags, edges, vertices, groups and materials.
+//!
+//! The rules are those of the page, except where an example says otherwise. The page writes `X.` where it calls its rule `X`.
 
 use cga::mesh::FaceTag;
 use cga::{MeshBuilder, Shape};
@@ -9,16 +10,18 @@ use super::meshes;
 
 /// In the order of the page.
 pub(crate) const ALL: &[Example] = &[
+    mass::EXAMPLE,
     aligned::EXAMPLE,
     kept::EXAMPLE,
     condition::EXAMPLE,
+    large_or_border::EXAMPLE,
     own_function::EXAMPLE,
     numbers::EXAMPLE,
-    trim_upright::EXAMPLE,
-    trim_level::EXAMPLE,
-    mitre::EXAMPLE,
-    connected::EXAMPLE,
-    border::EXAMPLE,
+    trim_vertical::EXAMPLE,
+    trim_both::EXAMPLE,
+    border_faces::EXAMPLE,
+    border_edges::EXAMPLE,
+    border_vertices::EXAMPLE,
     tagged::EXAMPLE,
     roof_edges::EXAMPLE,
     edges::EXAMPLE,
@@ -30,9 +33,14 @@ pub(crate) const ALL: &[Example] = &[
     materials::EXAMPLE,
 ];
 
-fn wings() -> Shape {
-    let outline = [[0., 9.], [9., 9.], [9., 5.], [4., 5.], [4., 0.], [0., 0.]];
-    Shape::footprint(&outline, &[]).expect("an outline")
+/// A lot whose right side leans outwards to the front.
+fn lot() -> Shape {
+    Shape::footprint(&[[0.0, 6.0], [8.0, 6.0], [6.5, 0.0], [0.5, 0.0]], &[]).expect("an outline")
+}
+
+/// A polygon with one concave corner.
+fn arrow() -> Shape {
+    Shape::footprint(&[[0.0, 4.0], [2.0, 7.0], [5.0, 4.5], [9.0, 5.0], [6.0, 0.0]], &[]).expect("an outline")
 }
 
 fn yard() -> Shape {
@@ -40,15 +48,54 @@ fn yard() -> Shape {
     Shape::footprint(&[[0., 8.], [10., 8.], [10., 0.], [0., 0.]], &[hole(1.5), hole(6.5)]).expect("an outline")
 }
 
-/// A plane of four by four faces.
+/// A plane of 10 × 10 faces, 1 m wide.
 fn grid() -> Shape {
     let mut builder = MeshBuilder::new();
-    for at in 0..16 {
-        let (x, z) = (f64::from(at % 4), f64::from(at / 4));
-        let ring = [(x, z + 1.0), (x + 1.0, z + 1.0), (x + 1.0, z), (x, z)].map(|(x, z)| builder.point([x, 0.0, z]));
+    for at in 0..100 {
+        let (x, z) = (f64::from(at % 10), f64::from(at / 10));
+        let corners = [(x, z + 1.0), (x + 1.0, z + 1.0), (x + 1.0, z), (x, z)];
+        let ring = corners.map(|(x, z)| builder.point([x / 10.0, 0.0, z / 10.0]));
         builder.face(&ring, &[], FaceTag::PLAIN);
     }
     Shape::mesh(builder.build().expect("a plane"))
+}
+
+/// A triangle of strips 1 m wide, the two in the middle with a face across both.
+fn triangle() -> Shape {
+    let (low, high) = (1.5, 3.0);
+    let faces: [&[[f64; 2]]; 11] = [
+        &[[0., 0.], [1., 0.], [1., 2.]],
+        &[[1., 0.], [2., 0.], [2., 4.], [1., 2.]],
+        &[[2., 0.], [3., 0.], [3., low], [3., high], [3., 6.], [2., 4.]],
+        &[[3., 0.], [4., 0.], [4., low], [3., low]],
+        &[[4., 0.], [5., 0.], [5., low], [4., low]],
+        &[[3., low], [4., low], [5., low], [5., high], [4., high], [3., high]],
+        &[[3., high], [4., high], [4., 8.], [3., 6.]],
+        &[[4., high], [5., high], [5., 6.], [4., 8.]],
+        &[[5., 0.], [6., 0.], [6., 4.], [5., 6.], [5., high], [5., low]],
+        &[[6., 0.], [7., 0.], [7., 2.], [6., 4.]],
+        &[[7., 0.], [8., 0.], [7., 2.]],
+    ];
+    let mut builder = MeshBuilder::new();
+    for face in faces {
+        let ring: Vec<u32> = face.iter().map(|[x, up]| builder.point([*x, 0.0, -up])).collect();
+        builder.face(&ring, &[], FaceTag::PLAIN);
+    }
+    Shape::mesh(builder.build().expect("a triangle"))
+}
+
+/// A cylinder whose faces begin with the right end.
+fn tube() -> Shape {
+    let cylinder = meshes::lying_cylinder(16, 3.0, 8.0);
+    let mut builder = MeshBuilder::new();
+    cylinder.points().iter().for_each(|point| {
+        builder.point(*point);
+    });
+    let end = cylinder.face_count() - 1;
+    for face in [end].into_iter().chain(0..end) {
+        builder.face(cylinder.face(face).outer(), &[], FaceTag::PLAIN);
+    }
+    Shape::mesh_axis_aligned(builder.build().expect("a cylinder"))
 }
 
 /// A hip roof over an L: it has all kinds of edges.
@@ -71,103 +118,151 @@ fn roof() -> Shape {
         let ring: Vec<u32> = face.iter().map(|&corner| p[corner]).collect();
         builder.face(&ring, &[], FaceTag::PLAIN);
     }
-    Shape::mesh(builder.build().expect("a roof"))
+    Shape::mesh_axis_aligned(builder.build().expect("a roof"))
 }
 
 /// A trunk, a crown and fruits: groups, and materials of the same names.
 fn tree() -> Shape {
-    Shape::mesh(meshes::tree())
+    Shape::mesh_axis_aligned(meshes::tree())
 }
 
 fn ball() -> Shape {
-    Shape::mesh(meshes::sphere(16, 12, 5.0))
+    Shape::mesh_axis_aligned(meshes::sphere(16, 8, 5.0))
 }
 
 example! {
-    /// Scope and pivot of each child follow its face.
-    aligned, "comp operation, Face split, aligned", wings(),
-    r##"Lot --> extrude(5) comp(f) { right : color("#f2d24b") Bar Right. | side : Bar Side. | top : Top. }
-Bar --> s('1, '0.1, 0.3) color("#c04030") primitiveCube() Bar.
+    /// "Note the position and orientation of the pivot and scope (the annotated axes)."
+    mass, "comp operation, Face split, the mass", lot(),
+    r##"Lot -->
+   extrude(5)
+   color(1,1,1,0.75)
+"##; marks &[Mark::Scopes("Lot"), Mark::InitialPivot]
+}
+
+example! {
+    /// "The x-axis points along the first edge and the z-axis points along the face normal."
+    aligned, "comp operation, Face split", lot(),
+    r##"Lot -->
+   extrude(5)
+   comp(f) { right : color(1,1,0,0.75) Right. |
+             side  : color(1,1,1,0.75) Side.  }
+"##; marks &[Mark::Scopes("Right"), Mark::Pivots("Right")]
+}
+
+example! {
+    /// "The pivot is kept when using the noAlign mode. The scope orientation does not change."
+    kept, "comp operation, Face split, noAlign", lot(),
+    r##"Lot -->
+   extrude(5)
+   comp(f,noAlign) { right : color(1,1,0,0.75) Right. |
+                     side  : color(1,1,1,0.75) Side.  }
+"##; marks &[Mark::Scopes("Right"), Mark::InitialPivot]
+}
+
+example! {
+    /// "Here both the top and front faces are combined into a single shape."
+    condition, "comp operation, Logical selection: top || front", ball(),
+    r##"Sphere --> comp(f) { top || front = X. }
 "##
 }
 
 example! {
-    /// With `noAlign` they keep those of the lot.
-    kept, "comp operation, Face split, noAlign", wings(),
-    r##"Lot --> extrude(5) comp(f, noAlign) { right : color("#f2d24b") Bar Right. | side : Bar Side. | top : Top. }
-Bar --> s('1, '0.1, '1) color("#c04030") primitiveCube() Bar.
+    /// "Only faces with a surface area greater than 1 and that are not inside are selected."
+    large_or_border, "comp operation, Logical selection: area and border", triangle(),
+    r##"Triangle -->
+   comp(f) { geometry.area() > 1 && !inside : X. }
+"##; marks &[Mark::FromAbove]
+}
+
+example! {
+    /// "A custom function is used to select the top faces and all faces with exactly 3 vertices."
+    own_function, "comp operation, Logical selection: a function", ball(),
+    r##"mySelectorFunc =
+    geometry.isOriented(top) || geometry.nVertices==3
+Sphere -->
+   comp(f) { mySelectorFunc : X. }
 "##
 }
 
 example! {
-    /// Words in a condition: faces on top or in front become one shape.
-    condition, "comp operation, Logical selection, ||", ball(),
-    r##"Sphere --> comp(f) { top || front = color("#ffe030") X. | all = Rest. }
+    /// "Here, only faces 0, 2 and 4 of the cylinder are selected."
+    numbers, "comp operation, Index-based Selection", tube(),
+    r##"Tube -->
+   comp(f) {
+      0 : X. |
+      2 : X. |
+      4 : X.
+   }
 "##
 }
 
 example! {
-    /// A function of one's own: faces on top, and those with three vertices.
-    own_function, "comp operation, Logical selection, function", ball(),
-    r##"chosen = geometry.isOriented(top) || geometry.nVertices == 3
-Sphere --> comp(f) { chosen : color("#ffe030") X. | all : Rest. }
-"##
+    /// "Inserted geometry is cut with the trim planes."
+    trim_vertical, "comp operation, Trim planes: vertical", Shape::cuboid(10.0, 10.0, 10.0),
+    r##"Start -->
+   s(10,10,10)
+   primitiveCube()
+   comp(f) { 5 : X }
+X -->
+   s(15,'1, 2)
+   center(xyz)
+   primitiveCube()
+"##; marks &[Mark::InitialBox]
 }
 
 example! {
-    /// Faces by number.
-    numbers, "comp operation, Index-based Selection", Shape::mesh(meshes::lying_cylinder(8, 3.0, 8.0)),
-    r##"Tube --> comp(f) { 0 : X | 2 : X | 4 : X | all : Rest. }
-X --> color("#ffe030") X.
-"##
+    /// "By default, horizontal trim planes are off. Enabling them before inserting the geometry gives a different result."
+    trim_both, "comp operation, Trim planes: vertical and horizontal", Shape::cuboid(10.0, 10.0, 10.0),
+    r##"Start -->
+   s(10,10,10)
+   primitiveCube()
+   set(trim.horizontal, true)
+   comp(f) { 5 : X }
+X -->
+   s(15,'1, 2)
+   center(xyz)
+   primitiveCube()
+"##; marks &[Mark::InitialBox]
 }
 
 example! {
-    /// What is put at a face is cut at upright trim planes.
-    trim_upright, "comp operation, Trim planes, vertical", Shape::cuboid(10.0, 10.0, 10.0),
-    r##"Start --> s(10, 10, 10) primitiveCube() comp(f) { 5 : X Front. | all : Rest. }
-X --> s(15, '1, 2) center(x) color("#9fd06c") primitiveCube() X.
-"##
-}
-
-example! {
-    /// And at level ones, when they are switched on.
-    trim_level, "comp operation, Trim planes, both", Shape::cuboid(10.0, 10.0, 10.0),
-    r##"Start --> s(10, 10, 10) primitiveCube() set(trim.horizontal, true)
-  comp(f) { 5 : X Front. | all : Rest. }
-X --> s(15, 15, 2) center(xy) color("#9fd06c") primitiveCube() X.
-"##
-}
-
-example! {
-    /// Cornices meet in mitres.
-    mitre, "comp operation, Trim planes, cornice", wings(),
-    r##"Lot --> extrude(5) comp(f) { side : Side | top : Top. }
-Side --> [ s('1.5, 1, 1) center(x) t(0, 4, 0) color(0.3 + 0.1 * comp.index, 0.5, 0.4) primitiveCube() Cornice. ] Wall.
-"##
-}
-
-example! {
-    /// Faces in front that touch are one shape.
-    connected, "comp operation, Connecting operator =:", crate::pages::comp::comb(),
-    r##"Lot --> extrude(10) comp(f) { side && !back =: color(rand, rand, rand) Sides. | all = Mass. }
-"##
-}
-
-example! {
-    /// Faces, edges and vertices at the border and inside.
-    border, "comp operation, Border and Inside Selectors", grid(),
+    /// "The example selects the border and inside faces and colors them."
+    border_faces, "comp operation, Border and Inside Selectors: faces", grid(),
     r##"Init -->
-   comp(f) { border : color("#ff8070") F. | inside : color("#70ff80") F. }
-   comp(e) { border : Edge(0.1, "#a00000") | inside : Edge(0.05, "#006000") }
-   comp(v) { border : Vertex("#a00000") | inside : Vertex("#006000") }
-Edge(width, tint) --> s('1, width, width) center(yz) color(tint) primitiveCube() E.
-Vertex(tint) --> s(0.2, 0.2, 0.2) center(xyz) color(tint) primitiveSphere(12, 8) V.
-"##
+   comp(f) { border : FBorder | inside : FInside }
+FBorder -->
+   color("#ff0000")
+FInside -->
+   color("#00ff00")
+"##; marks &[Mark::FromAbove]
 }
 
 example! {
-    /// Faces by the tags that `extrude` gives.
+    /// "There border and inside edges are selected and colored cubes are inserted."
+    border_edges, "comp operation, Border and Inside Selectors: edges", grid(),
+    r##"Init-->
+   comp(e) { border : EBorder | inside : EInside }
+EBorder --> s('1, 0.05, 0.05) t(0, '-0.5, 0)
+            color("#ff0000") primitiveCube()
+EInside --> s('1, 0.01, 0.01) t(0, '-0.5, 0)
+            color("#00ff00") primitiveCube()
+"##; marks &[Mark::Initial, Mark::FromAbove]
+}
+
+example! {
+    /// "The border and inside vertices are used to insert colored cubes."
+    border_vertices, "comp operation, Border and Inside Selectors: vertices", grid(),
+    r##"Init -->
+   comp(v) { border : VBorder | inside : VInside }
+VBorder --> s(0.05, 0.05, 0.05) t(-0.025, -0.025, -0.025)
+            color("#ff0000") primitiveCube()
+VInside --> s(0.05, 0.05, 0.05) t(-0.025, -0.025, -0.025)
+            color("#00ff00") primitiveCube()
+"##; marks &[Mark::Initial, Mark::FromAbove]
+}
+
+example! {
+    /// Faces by the tags that `extrude` gives. The page tags with `envelope`, which does not run yet.
     tagged, "comp operation, isTagged Selector", yard(),
     r##"Init --> extrude(4) comp(f) {
    isTagged("extrude.bottom") : color("#0399F5") Bottom. | isTagged("extrude.side.outer") : color("#FADB19") Outer. |
@@ -176,7 +271,7 @@ example! {
 }
 
 example! {
-    /// Eaves green, hips yellow, valleys blue, ridges red.
+    /// Eaves green, hips yellow, valleys blue, ridges red. The page has a picture and no rules.
     roof_edges, "comp operation, Roof Edges", roof(),
     r##"Roof --> Slopes. comp(e) {
    eave : Bar("#20c020") | hip : Bar("#e0d020") | valley : Bar("#2040e0") | ridge : Bar("#e02020") }
@@ -185,50 +280,69 @@ Bar(tint) --> s('1, 0.25, 0.25) center(yz) color(tint) primitiveCube() Bar.
 }
 
 example! {
-    /// Bars along the edges, looking the mean way of their faces.
-    edges, "comp operation, Edge Split", wings(),
-    r##"Lot --> extrude(3) Mass. comp(e) { all : s('1, 0.2, 1) center(y) color("#b06040") primitiveCube() X. }
+    /// "The x-axis is parallel to the edge, the z-axis is the average of the neighboring face normals."
+    edges, "comp operation, Edge Split", lot(),
+    r##"Lot --> extrude(3)
+        comp(e) { all : primitiveCube() s('1, 0.25, 1) X. }
+"##; marks &[Mark::Initial, Mark::Scope("X", 6)]
+}
+
+example! {
+    /// "The x-axis points in face orientation, the z-axis is pointing out of the face orthogonally to the edge and the face normal."
+    face_edges, "comp operation, Face Edge Split", lot(),
+    r##"Lot --> extrude(3)
+        comp(fe) { all : primitiveCube() s('1, 0.25, 1) X. }
+"##; marks &[Mark::Initial, Mark::Scope("X", 4)]
+}
+
+example! {
+    /// "The z-axes points along the average of the neighboring face normals." Bars along the axes show the pivots.
+    vertices, "comp operation, Vertex Split", lot(),
+    r##"Lot -->
+   extrude(10)
+   MassModel
+   comp(v) { all : VShapes }
+
+VShapes --> [ s(1, 0.2, 0.2) color(1, 0, 0) primitiveCube() X. ]
+            [ s(0.2, 1, 0.2) color(0, 1, 0) primitiveCube() Y. ]
+            [ s(0.2, 0.2, 1) color(0, 0, 1) primitiveCube() Z. ]
 "##
 }
 
 example! {
-    /// Each face's own edges, looking out of it.
-    face_edges, "comp operation, Face Edge Split", wings(),
-    r##"Lot --> extrude(3) Mass. comp(fe) { all : s('1, 0.1, 0.6) center(y) color("#4070b0") primitiveCube() X. }
-"##
+    /// "The x-axis is the tangent to the polygon, the z-axis points outside of the polygon and the y-axis is the face normal." Bars
+    /// along the axes show the pivots.
+    face_vertices, "comp operation, Face Vertex Split", arrow(),
+    r##"Lot -->
+   comp(fv) { all : VShapes }
+
+VShapes --> [ s(1, 0.2, 0.2) color(1, 0, 0) primitiveCube() X. ]
+            [ s(0.2, 1, 0.2) color(0, 1, 0) primitiveCube() Y. ]
+            [ s(0.2, 0.2, 1) color(0, 0, 1) primitiveCube() Z. ]
+"##; marks &[Mark::Initial]
 }
 
 example! {
-    /// Sticks at the vertices.
-    vertices, "comp operation, Vertex Split", wings(),
-    r##"Lot --> extrude(6) Mass. comp(v) { all : s(0.3, 0.3, 2) center(xy) color("#40a060") primitiveCube() X. }
-"##
-}
-
-example! {
-    /// At the vertices of a polygon, pointing outside.
-    face_vertices, "comp operation, Face Vertex Split", yard(),
-    r##"Lot --> Ground. comp(fv) { all : s(0.2, 0.2, 1) center(xy) color("#a040a0") primitiveCube() X. }
-"##
-}
-
-example! {
-    /// Holes filled.
+    /// Holes filled. The page has no example of holes.
     holes, "comp operation, holes", yard(),
     r##"Lot --> Ground. comp(h) { all : color("#ffe030") extrude(1) Hole. }
 "##
 }
 
 example! {
-    /// One group alone.
+    /// "A tree model is split into its groups." The page inserts the tree with `i`.
     groups, "comp operation, Group Split", tree(),
-    r##"Lot --> comp(g) { findFirst(geometry.materials, "Bark") : Trunk. | all = set(material.opacity, 0.4) Foliage. }
+    r##"Lot -->
+   comp(g) { findFirst(geometry.materials,"Bark") : Trunk.
+           | all = set(material.opacity, 0.2) Foliage. }
 "##
 }
 
 example! {
-    /// Two materials of three.
+    /// "A tree model is split into its materials." The page inserts the tree with `i`.
     materials, "comp operation, Material Split", tree(),
-    r##"Lot --> comp(m) { findFirst(geometry.materials, "Fruit") : Oranges. | findFirst(geometry.materials, "Bark") : Trunk. }
+    r##"Lot -->
+   comp(m) { findFirst(geometry.materials,"Foliage") : Oranges.
+           | findFirst(geometry.materials,"Bark")    : Trunk. }
 "##
 }

@@ -13,6 +13,44 @@ pub(crate) struct Example {
     pub(crate) start: fn() -> Shape,
     /// Runs the rules.
     pub(crate) run: fn(&Shape, &Settings) -> Result<Model, Error>,
+    /// The marks of the page's picture.
+    pub(crate) marks: &'static [Mark],
+}
+
+/// A mark that a page's picture draws besides the pieces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Mark {
+    /// The initial shape.
+    Initial,
+    /// The edges of the initial scope.
+    InitialBox,
+    /// The axes of the initial scope.
+    InitialScope,
+    /// A short arrow along the x axis of the initial scope, in front of it.
+    AlongX,
+    /// The pivot of the initial shape.
+    InitialPivot,
+    /// The axes of the scope of each piece of a rule.
+    Scopes(&'static str),
+    /// The axes of the scope of one piece of a rule, by number.
+    Scope(&'static str, usize),
+    /// The edges of the scope of each piece of a rule.
+    Boxes(&'static str),
+    /// The pivot of each piece of a rule that consists of faces which `comp` made: the start of the first edge.
+    Pivots(&'static str),
+    /// The picture shows the model from above.
+    FromAbove,
+}
+
+impl Mark {
+    /// The rule whose pieces are marked.
+    #[allow(dead_code, reason = "tests ask for it, the program that draws does not")]
+    pub(crate) fn rule(self) -> Option<&'static str> {
+        match self {
+            Mark::Scopes(rule) | Mark::Scope(rule, _) | Mark::Boxes(rule) | Mark::Pivots(rule) => Some(rule),
+            _ => None,
+        }
+    }
 }
 
 impl Example {
@@ -25,10 +63,10 @@ impl Example {
     }
 }
 
-/// A module with the grammar `Page` and its `EXAMPLE`. With a list of `(rule, length, height)`, where `NIL` is a gap, also
+/// A module with the grammar `Page` and its `EXAMPLE`. With `; marks […]`, the marks of the picture. With a list of `(rule, length, height)`, where `NIL` is a gap, also
 /// a test that compares the pieces along x with it.
 macro_rules! example {
-    ($(#[$doc:meta])* $name:ident, $title:literal, $start:expr, $rules:tt $(, $pieces:expr)?) => {
+    ($(#[$doc:meta])* $name:ident, $title:literal, $start:expr, $rules:tt $(; marks $marks:expr)? $(, $pieces:expr)?) => {
         $(#[$doc])*
         pub(crate) mod $name {
             #[allow(unused_imports, reason = "each example needs some of it")]
@@ -45,6 +83,11 @@ macro_rules! example {
                 rules: $rules,
                 start: || $start,
                 run: |shape, settings| Page::default().generate_with(shape, settings),
+                marks: {
+                    use crate::pages::example::Mark;
+                    const MARKS: &[&[Mark]] = &[$($marks,)? &[]];
+                    MARKS[0]
+                },
             };
 
             $(

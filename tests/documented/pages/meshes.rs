@@ -78,7 +78,8 @@ pub(crate) fn sphere(sides: u32, rows: u32, radius: f64) -> Mesh {
     builder.build().expect("a sphere")
 }
 
-/// A trunk, a crown and three fruits: boxes, in groups and materials of the same names.
+/// A trunk, a crown and three fruits: boxes, in groups and materials of the same names. As in the file of the page, the material
+/// of the fruits is called `Foliage`.
 ///
 /// # Panics
 /// Never: its numbers are fine.
@@ -90,7 +91,7 @@ pub(crate) fn tree() -> Mesh {
         (2, [-1.0, 6.5, 2.5], [0.6, 0.6, 0.6]),
         (2, [1.0, 5.5, 2.5], [0.6, 0.6, 0.6]),
     ];
-    let names = [("Bark", [0.42, 0.29, 0.17]), ("Foliage", [0.3, 0.6, 0.23]), ("Fruit", [0.94, 0.54, 0.11])];
+    let names = [("Bark", [0.42, 0.29, 0.17]), ("Leaves", [0.3, 0.6, 0.23]), ("Foliage", [0.94, 0.54, 0.11])];
     let mut builder = MeshBuilder::new();
     builder.groups(names.map(|(name, _)| name.to_owned()));
     builder.materials(names.map(|(name, [r, g, b])| {

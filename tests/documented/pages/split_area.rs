@@ -89,7 +89,7 @@ pub(crate) fn shapes() -> Shape {
         let upwards: Vec<u32> = face.iter().rev().copied().collect();
         builder.face(&upwards, &[], FaceTag::PLAIN);
     }
-    Shape::mesh(builder.build().expect("faces"))
+    Shape::mesh_axis_aligned(builder.build().expect("faces"))
 }
 
 /// A block of five corners, its front turned by 5.3 degrees. Its corners follow from the eight areas that the page prints.
@@ -108,7 +108,7 @@ example! {
 
 Green  --> color(0, 1, 0) print("area(G) = " + geometry.area)
 Yellow --> color(1, 1, 0) print("area(Y) = " + geometry.area)
-"##
+"##; marks &[Mark::AlongX]
 }
 
 example! {
@@ -134,7 +134,7 @@ Yellow --> color(1, 1, 0) print("area(Y) = " + geometry.area)
 Green  --> color(0, 1, 0) print("area(G) = " + geometry.area)
 Cyan   --> color(0, 1, 1) print("area(C) = " + geometry.area)
 Blue   --> color(0, 0, 1) print("area(B) = " + geometry.area)
-"##
+"##; marks &[Mark::AlongX]
 }
 
 example! {
@@ -160,7 +160,7 @@ Yellow --> color(1, 1, 0) print("area(Y) = " + geometry.area)
 Green  --> color(0, 1, 0) print("area(G) = " + geometry.area)
 Cyan   --> color(0, 1, 1) print("area(C) = " + geometry.area)
 Blue   --> color(0, 0, 1) print("area(B) = " + geometry.area)
-"##
+"##; marks &[Mark::AlongX]
 }
 
 example! {
@@ -175,7 +175,7 @@ example! {
 Green  --> color(0, 1, 0) print("area(G) = " + geometry.area)
 Yellow --> color(1, 1, 0) print("area(Y) = " + geometry.area)
 Blue   --> color(0, 0, 1) print("area(B) = " + geometry.area)
-"##
+"##; marks &[Mark::AlongX]
 }
 
 example! {
@@ -197,7 +197,7 @@ Green   --> color(0, 1, 0) print("area(G) = " + geometry.area)
 Cyan    --> color(0, 1, 1) print("area(C) = " + geometry.area)
 Blue    --> color(0, 0, 1) print("area(B) = " + geometry.area)
 Magenta --> color(1, 0, 1) print("area(M) = " + geometry.area)
-"##
+"##; marks &[Mark::AlongX]
 }
 
 // `SplitLeaf` ends with `comp(e) { all : color(0, 0, 0) Edge. }` on the page, which draws the scopes' borders in black. Edges
@@ -216,7 +216,7 @@ SplitLeaf-->
    Pink
 
 Pink --> color(1, 0.5, 0.5, 0.3)
-"##
+"##; marks &[Mark::InitialScope]
 }
 
 example! {
@@ -262,7 +262,7 @@ example! {
    Pink
 
 Pink --> color(1, 0.5, 0.5, 0.3)
-"##
+"##; marks &[Mark::InitialScope]
 }
 
 example! {

@@ -24,7 +24,7 @@ fn what_looks_outwards_is_selected_by_where_it_looks() {
     };
     let mut grown = Shape::rectangle(10.0, 10.0);
     op::extrude(env, &mut grown, Length::Absolute(-10.0));
-    for start in [Shape::cuboid(10.0, 10.0, 10.0), Shape::mesh(ball()), grown] {
+    for start in [Shape::cuboid(10.0, 10.0, 10.0), Shape::mesh_axis_aligned(ball()), grown] {
         let expected = [Word::Top, Word::Front, Word::Right].map(|word| word_of(&start, word));
         assert!(expected.iter().all(|found| !found.is_empty()));
         for flips in 0..8 {
@@ -72,7 +72,7 @@ fn faces_keep_what_they_carry() {
     let mut tower = Shape::rectangle(4.0, 3.0);
     op::extrude(env, &mut tower, Length::Absolute(5.0));
     let l = [(0., 0.), (9., 0.), (9., 3.), (3., 3.), (3., 9.), (0., 9.)].map(|(x, z)| DVec3::new(x, 0.0, -z));
-    let mut prism = Shape::mesh(Mesh::from_polygon(&l, &[]).unwrap());
+    let mut prism = Shape::mesh_axis_aligned(Mesh::from_polygon(&l, &[]).unwrap());
     op::extrude(env, &mut prism, Length::Absolute(5.0));
     for (body, sides) in [(tower, 4), (prism, 6)] {
         let walls = parts(&body, Components::Faces, Align::ZUp, &[arm(Word::Side, Mode::Each)]);
@@ -87,9 +87,12 @@ fn faces_keep_what_they_carry() {
         }
     }
     // Texture coordinates do.
-    for (.., face) in
-        parts(&Shape::mesh(primitive::cylinder(4)), Components::Faces, Align::ZUp, &[arm(Word::All, Mode::Each)])
-    {
+    for (.., face) in parts(
+        &Shape::mesh_axis_aligned(primitive::cylinder(4)),
+        Components::Faces,
+        Align::ZUp,
+        &[arm(Word::All, Mode::Each)],
+    ) {
         assert_eq!((face.to_mesh().uvs().len(), face.to_mesh().points().len()), (4, 4));
     }
 }
@@ -100,7 +103,9 @@ fn a_face_is_flat_whatever_the_turn() {
     for turn in 0..360 {
         let turn = DMat3::from_quat(DQuat::from_axis_angle(DVec3::new(0.2, 1.0, 0.1).normalize(), f64::from(turn)));
         let turned = mesh.map(&DAffine3 { matrix3: turn, translation: DVec3::splat(1e5) });
-        for (.., face) in parts(&Shape::mesh(turned), Components::Faces, Align::ZUp, &[arm(Word::All, Mode::Each)]) {
+        for (.., face) in
+            parts(&Shape::mesh_axis_aligned(turned), Components::Faces, Align::ZUp, &[arm(Word::All, Mode::Each)])
+        {
             assert_eq!(face.scope.size.z, 0.0);
         }
     }
@@ -112,7 +117,7 @@ fn edges_of_a_roof_run_upwards_whoever_finds_them() {
     for turn in 0..36 {
         let turn = DMat3::from_rotation_y(f64::from(turn).to_radians());
         let turned = roof.map(&DAffine3 { matrix3: turn, translation: DVec3::splat(1e5) });
-        let (env, mut shape) = (&mut Env::for_tests(), Shape::mesh(turned));
+        let (env, mut shape) = (&mut Env::for_tests(), Shape::mesh_axis_aligned(turned));
         let any = [Arm { select: Select::When, mode: Mode::Each, text: "hip || ridge" }];
         let found = Parts::of(env, &mut shape, Components::Edges, Align::ZUp, &any, |_, _, candidate| {
             candidate.is(Word::Hip) || candidate.is(Word::Ridge)
@@ -145,7 +150,7 @@ fn trim_planes_of_faces_that_keep_the_axes_are_level_as_seen_from_the_pivot() {
 fn a_hull_of_many_corners_decides_as_all_corners_do() {
     // Every side of a prism has a plane at each of its edges; the top of one has them all, and switched on they cut.
     for sides in [3, 4, 7, 100] {
-        let (env, shape) = (&mut Env::for_tests(), Shape::mesh(primitive::cylinder(sides)));
+        let (env, shape) = (&mut Env::for_tests(), Shape::mesh_axis_aligned(primitive::cylinder(sides)));
         for (.., mut face) in parts(&shape, Components::Faces, Align::ZUp, &[arm(Word::All, Mode::Each)]) {
             let edges = face.to_mesh().corners().len();
             assert_eq!(face.trims.planes(&face.pivot).len(), edges);
@@ -161,7 +166,7 @@ fn a_hull_of_many_corners_decides_as_all_corners_do() {
 fn faces_of_a_cube_are_numbered_alike_with_and_without_a_mesh() {
     let (env, mut cube) = (&mut Env::for_tests(), Shape::cuboid(2.0, 3.0, 4.0));
     op::cube(env, &mut cube);
-    let [quads, mesh] = [cube.clone(), Shape::mesh(cube.to_mesh().as_ref().clone())]
+    let [quads, mesh] = [cube.clone(), Shape::mesh_axis_aligned(cube.to_mesh().as_ref().clone())]
         .map(|shape| parts(&shape, Components::Faces, Align::ZUp, &[arm(Word::All, Mode::Each)]));
     for ((.., a), (.., b)) in quads.iter().zip(&mesh) {
         assert!((a.scope.origin - b.scope.origin).length() < 1e-12 && a.scope.axes.abs_diff_eq(b.scope.axes, 1e-12));
