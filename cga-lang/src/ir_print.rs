@@ -258,7 +258,6 @@ impl<'g> Printer<'g> {
                 }
                 self.block("else", otherwise);
             }
-            Step::Nil(_) => self.line("nil"),
             Step::Later(what, _) => self.line(&format!("later {what}")),
         }
     }

@@ -93,7 +93,7 @@ fn in_step(step: &Step) -> Vec<&Expr> {
             })
             .collect(),
         Step::Case { arms, .. } => arms.iter().map(|(condition, _)| condition).collect(),
-        Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Nil(_) | Step::Later(..) => Vec::new(),
+        Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Later(..) => Vec::new(),
     }
 }
 

@@ -29,6 +29,10 @@ pub struct Lexed {
 pub fn lex(text: &str) -> Lexed {
     let mut lexer = Lexer { text, at: 0, tokens: Tokens::new(), ranges: Vec::new(), diags: Diags::new() };
     lexer.run();
+    let ranges = &lexer.ranges;
+    lexer.tokens.join_rule_names(|dot| {
+        ranges[dot - 1].end == ranges[dot].start && ranges.get(dot + 1).is_some_and(|next| next.start == ranges[dot].end)
+    });
     Lexed { tokens: lexer.tokens, ranges: lexer.ranges, diags: lexer.diags.finish() }
 }
 

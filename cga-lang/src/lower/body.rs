@@ -13,23 +13,14 @@ use crate::span::Span;
 
 impl<'c> Lower<'c> {
     pub(super) fn steps(&mut self, ops: &'c [ast::Op]) -> Vec<Step> {
-        let mut steps = Vec::with_capacity(ops.len());
-        for op in ops {
-            let step = self.step(op);
-            let through = matches!(step, Some(Step::Nil(_)));
-            steps.extend(step);
-            if through {
-                break;
-            }
-        }
-        steps
+        ops.iter().filter_map(|op| self.step(op)).collect()
     }
 
     fn step(&mut self, op: &'c ast::Op) -> Option<Step> {
         Some(match &op.kind {
             OpKind::Call(name, args) => return self.call(op.span, name, args),
             OpKind::Leaf(name) => Step::Give(Target::Leaf(name.text.clone(), name.span)),
-            OpKind::Nil => Step::Nil(op.span),
+            OpKind::Nil => Step::Give(Target::Nil),
             OpKind::Path(name, args) => Step::Rust(name.text.clone(), self.values(args), name.span),
             OpKind::Push(ops) => Step::Push(self.steps(ops)),
             OpKind::Split(split) if split_axis(split).is_none() => {

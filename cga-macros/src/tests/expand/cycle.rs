@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, unreachable_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///A(n) --> case n > 1 : B(n) B(n - 1) else : NIL
     fn A<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
@@ -31,9 +31,7 @@ impl CgaRules {
                     cx.defer(part, 1, CgaCall::Rule1(a0))
                 }?;
             }
-        } else {
-            return cx.leave();
-        }
+        } else {}
         cx.leave()
     }
     ///B(n) --> A(n)
@@ -47,9 +45,9 @@ impl CgaRules {
         {
             let a0 = p0;
             let part = &mut cga_rt::successor(shape);
-            if cx.descend(1, 3) {
+            if cx.descend(1, 4) {
                 let flow = CgaRules::A(g, cx, part, a0);
-                cx.ascend(1, 3);
+                cx.ascend(1, 4);
                 flow
             } else {
                 cx.defer(part, 1, CgaCall::Rule0(a0))
