@@ -117,7 +117,11 @@ macro_rules! parts {
             | ExprKind::Word(_)
             | ExprKind::Later(_) => Vec::new(),
             ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
-            ExprKind::Neg(a) | ExprKind::Not(a) | ExprKind::ToText(a) | ExprKind::EachUnary(_, a) => {
+            ExprKind::Neg(a)
+            | ExprKind::Not(a)
+            | ExprKind::ToText(a)
+            | ExprKind::File(a, _)
+            | ExprKind::EachUnary(_, a) => {
                 vec![&$($mutable)? **a]
             }
             ExprKind::Binary(_, a, b) | ExprKind::Each(_, a, b) => vec![&$($mutable)? **a, &$($mutable)? **b],

@@ -31,7 +31,8 @@ pub fn lex(text: &str) -> Lexed {
     lexer.run();
     let ranges = &lexer.ranges;
     lexer.tokens.join_rule_names(|dot| {
-        ranges[dot - 1].end == ranges[dot].start && ranges.get(dot + 1).is_some_and(|next| next.start == ranges[dot].end)
+        ranges[dot - 1].end == ranges[dot].start
+            && ranges.get(dot + 1).is_some_and(|next| next.start == ranges[dot].end)
     });
     Lexed { tokens: lexer.tokens, ranges: lexer.ranges, diags: lexer.diags.finish() }
 }

@@ -16,6 +16,7 @@
 #![forbid(unsafe_code)]
 
 mod choices;
+pub mod files;
 mod groups;
 mod runs;
 mod search;

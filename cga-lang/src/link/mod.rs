@@ -72,8 +72,9 @@ pub trait Files {
         Vec::new()
     }
 
-    /// What is known of a file that rules name: a mesh, an image, a table. `None` where nothing is.
-    fn asset(&mut self, _name: &str) -> Option<Asset> {
+    /// What is known of a file that rules name: a mesh, an image, a table. The path is the file's place below the folder of
+    /// assets, for which the package stands. `None` where nothing is known.
+    fn asset(&mut self, _path: &str) -> Option<Asset> {
         None
     }
 
@@ -187,7 +188,7 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
         let root = link.instance(file, style, style, origin.clone());
         link.program.roots.push(root);
     }
-    link.program.assets = Assets::new(&link.program.tokens, link.files);
+    link.program.assets = Assets::new(&link.program, link.files);
     link.program
 }
 
@@ -197,11 +198,33 @@ impl Program {
         self.files.first().is_some_and(|name| !name.is_empty())
     }
 
+    /// The folder of the file that a token is written in, as the file's name says.
+    pub(crate) fn folder(&self, token: u32) -> &str {
+        let file = self.pieces.get(self.piece(token)).and_then(|piece| self.files.get(piece.file));
+        file.map_or("", |name| folder_of(name))
+    }
+
+    /// What is known of a file that is named in the file of a token. Where no file at all is found they are somewhere else;
+    /// one that rules ask for may be missing.
+    pub(crate) fn asset(&self, name: &str, token: u32) -> Option<&Asset> {
+        self.assets.of(name, self.folder(token))
+    }
+
+    /// The number of the piece that has a token.
+    fn piece(&self, token: u32) -> usize {
+        self.pieces.partition_point(|piece| piece.tokens.start <= token).saturating_sub(1)
+    }
+
     /// How strict to be with a token.
     pub(crate) fn door(&self, token: u32) -> Door {
-        let at = self.pieces.partition_point(|piece| piece.tokens.start <= token).saturating_sub(1);
+        let at = self.piece(token);
         self.instances.get(self.copies.instance(token).unwrap_or(at)).map_or(Door::Text, |instance| instance.door)
     }
+}
+
+/// The folder of a file.
+fn folder_of(name: &str) -> &str {
+    name.rsplit_once('/').map_or("", |(folder, _)| folder)
 }
 
 /// Where an instance comes from.

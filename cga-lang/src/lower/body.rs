@@ -50,6 +50,12 @@ impl<'c> Lower<'c> {
         expr
     }
 
+    /// The name of a file, with the folder of the rule file that it is written in.
+    fn file(&mut self, expr: &ast::Expr) -> Expr {
+        let name = self.folded(expr);
+        self.in_folder(name)
+    }
+
     fn values(&mut self, args: &[ast::Arg]) -> Vec<Expr> {
         args.iter().map(|arg| self.folded(&arg.value)).collect()
     }
@@ -74,6 +80,7 @@ impl<'c> Lower<'c> {
                 let args = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
                     ParamKind::Value(_) => Arg::Value(self.folded(&arg.value)),
                     ParamKind::Any => Arg::Value(self.folded(&arg.value)),
+                    ParamKind::File | ParamKind::Image => Arg::Value(self.file(&arg.value)),
                     ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
                     ParamKind::Selector | ParamKind::PerEdge => Arg::Value(self.folded(&arg.value)),
                     ParamKind::Word { words, .. } => Arg::Word(word(arg, words)),
@@ -85,6 +92,7 @@ impl<'c> Lower<'c> {
                 Step::SetAttr(AttrId(index), self.folded(&args.get(1)?.value), span)
             }
             Use::SetShape(row) if row.set == Some(Run::Later) => Step::Later(format!("set({})", row.name), span),
+            Use::SetShape(row) if row.is_image() => Step::SetShape(row, self.file(&args.get(1)?.value), span),
             Use::SetShape(row) => Step::SetShape(row, self.folded(&args.get(1)?.value), span),
             _ => Step::Give(self.successor(name, args)?),
         })

@@ -1,6 +1,6 @@
 //! The functions that look at the shape, its geometry, the run and files.
 
-use super::{B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, text, word};
+use super::{B, BS, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, text, word};
 use crate::ir::Type;
 
 const fn row(
@@ -169,7 +169,6 @@ pub(super) static SHAPES: &[Function] = &[
 ];
 
 const QUERY: Param = text("searchQuery");
-const FILE: Param = text("filePath");
 
 const ASSET: Param = word(
     "attribute",

@@ -47,7 +47,8 @@ pub(super) struct Heads<'a> {
 impl<'a> Heads<'a> {
     pub(super) fn new(tokens: &'a [Tok], view: Vec<u32>) -> Self {
         let pairs = pairs(view.iter().map(|&index| &tokens[index as usize]), view.len());
-        let mut heads = Heads { tokens, view, pairs, imports: HashSet::new(), dotted: HashSet::new(), overrides: HashSet::new() };
+        let mut heads =
+            Heads { tokens, view, pairs, imports: HashSet::new(), dotted: HashSet::new(), overrides: HashSet::new() };
         for position in 0..heads.len() {
             if heads.at(position) == Some(&Tok::Joint) {
                 let parts = position.checked_sub(1).and_then(|before| heads.word(before)).zip(heads.word(position + 1));

@@ -121,7 +121,7 @@ impl Cx<'_> {
             }
             Step::SetShape(attr, expr, _) => {
                 let Some(set) = attr.set.and_then(Run::now) else { return TokenStream::new() };
-                let (set, value) = (Ident::new(set, place), self.expr(expr, &at));
+                let (set, value) = (Ident::new(set, place), self.image(expr, &at));
                 quote_spanned!(place=> {
                     let a0 = #value;
                     cga_rt::set::#set(&mut cx.env, shape, a0);
@@ -208,6 +208,7 @@ impl Cx<'_> {
                 let value = self.expr(expr, &at);
                 quote_spanned!(place=> cga_rt::Length::Absolute(#value))
             }
+            (Arg::Value(expr), ParamKind::Image) => self.image(expr, &at),
             (Arg::Value(expr), _) => self.expr(expr, &at),
             (Arg::Length(size), _) => {
                 let value = self.expr(&size.value, &at);

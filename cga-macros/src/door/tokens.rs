@@ -15,7 +15,9 @@ pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
     reader.stream(stream);
     let spans = &reader.spans;
     reader.tokens.join_rule_names(|dot| {
-        spans.get(dot + 1).is_some_and(|next| is_close(spans[dot - 1].1, spans[dot].0) && is_close(spans[dot].1, next.0))
+        spans
+            .get(dot + 1)
+            .is_some_and(|next| is_close(spans[dot - 1].1, spans[dot].0) && is_close(spans[dot].1, next.0))
     });
     let findings: Vec<Diag> = reader.diags.finish();
     let place = Place::Inline { spans: reader.spans, paths: reader.paths, end };

@@ -5,13 +5,11 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use super::settle;
-use crate::asset::AssetError;
+use crate::asset::{AssetError, File};
 use crate::env::Env;
-use crate::fault::FaultKind;
 use crate::mesh::Mesh;
 use crate::shape::{Geometry, Placed, ShapeRef};
 use crate::side::Sides;
-use crate::text::Text;
 
 /// Which axis of an asset, or of an aligned scope, is its height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,20 +41,20 @@ pub enum CleanupMode {
 }
 
 /// `i(file)`: replaces the geometry by an asset, fitted to the scope (*i operation*). A missing asset leaves a fault and
-/// a box in its place.
-pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text) {
+/// a small box in its place.
+pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: File) {
     insert_with(env, shape, file, UpAxis::YUp, InsertMode::AlignSizeAndPosition, CleanupMode::NumericalCleanup);
 }
 
 /// `i(file, yUp | zUp, insertMode, cleanupMode)` (*i operation*). Both modes of cleaning up give the same geometry; see
 /// [`CleanupMode`].
-pub fn insert_with(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text, up: UpAxis, mode: InsertMode, _: CleanupMode) {
+pub fn insert_with(env: &mut Env, shape: &mut ShapeRef<'_>, file: File, up: UpAxis, mode: InsertMode, _: CleanupMode) {
     // *i operation* up to 2016.0; old rule files are full of it.
-    if matches!(file.as_str(), "builtin:cube" | "builtin:cube:notex") {
+    if matches!(file.name.as_str(), "builtin:cube" | "builtin:cube:notex") {
         return insert_box(env, shape, mode);
     }
     let assets = Arc::clone(&env.settings.assets);
-    let found = assets.mesh(&file).and_then(|mesh| match mesh.is_empty() {
+    let found = assets.mesh_of(&file).and_then(|mesh| match mesh.is_empty() {
         true => Err(AssetError::Broken("it has no faces".to_owned())),
         false => Ok(mesh),
     });
@@ -68,8 +66,8 @@ pub fn insert_with(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text, up: UpAx
             }
         }
         Err(why) => {
-            env.fault(FaultKind::Asset, format!("`{file}` cannot be inserted: {why}; a box stands in its place"));
-            insert_box(env, shape, mode);
+            env.asset_fault(format!("`{file}` cannot be inserted: {why}; a small box marks the place"));
+            mark(shape);
         }
     }
 }
@@ -83,6 +81,23 @@ fn insert_box(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
     shape.geometry = Geometry::Box(Sides::CUBE);
     super::trim(env, shape);
+}
+
+/// The largest edge of what marks the place of a missing asset, in metres.
+const MARKER: f64 = 0.1;
+
+/// Marks the place of a missing asset: a cube of 0.1 m, or less where the scope is smaller, in the middle of the scope's xz
+/// plane and on its floor. It is not trimmed, so that it is seen. What the asset would have filled nobody knows, and a box as
+/// large as the scope would hide what is there.
+fn mark(shape: &mut ShapeRef<'_>) {
+    let before = shape.scope.size;
+    let extents = before.abs().to_array().into_iter().filter(|extent| 0.0 < *extent);
+    let edge = extents.fold(MARKER, f64::min);
+    // Along an axis without an extent it sticks out on both sides.
+    let size = DVec3::from_array(before.to_array().map(|size| edge.copysign(size)));
+    shape.scope.origin += shape.scope.axes * ((before - size) * DVec3::new(0.5, 0.0, 0.5));
+    shape.scope.size = size;
+    shape.geometry = Geometry::Box(Sides::CUBE);
 }
 
 fn place(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>, mode: InsertMode) {
@@ -231,18 +246,42 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_asset_leaves_a_box_in_its_place() {
-        for (mode, size) in [
-            (InsertMode::AlignSizeAndPosition, [2.0, 3.0, 4.0]),
-            (InsertMode::KeepSizeAndPosition, [1.0; 3]),
-            (InsertMode::KeepSizeAlignPosition, [1.0; 3]),
-        ] {
-            let (env, shape) = (&mut env(), &mut Shape::cuboid(2.0, 3.0, 4.0));
-            insert_with(env, shape, "none.obj".into(), UpAxis::ZUp, mode, CleanupMode::NoCleanup);
-            assert!(matches!(shape.geometry, Geometry::Box(_)) && env.take_faults().0.len() == 1);
-            assert_eq!(shape.scope.size.to_array(), size);
-            insert_with(env, shape, "builtin:cube".into(), UpAxis::YUp, mode, CleanupMode::NoCleanup);
-            assert!(env.take_faults().0.is_empty());
+    fn a_missing_asset_leaves_a_small_box_in_its_place() {
+        use InsertMode::{AlignSizeAndPosition, KeepSizeAlignPosition, KeepSizeAndPosition};
+        for mode in [AlignSizeAndPosition, KeepSizeAndPosition, KeepSizeAlignPosition] {
+            for (scope, origin, size) in [
+                ([2.0, 3.0, 4.0], [0.95, 0.0, 1.95], [0.1; 3]),
+                ([2.0, -3.0, 0.05], [0.975, 0.0, 0.0], [0.05, -0.05, 0.05]),
+                ([0.0, 5.0, 1.0], [-0.05, 0.0, 0.45], [0.1; 3]),
+                ([0.0; 3], [-0.05, 0.0, -0.05], [0.1; 3]),
+            ] {
+                let env = &mut env();
+                let mut shape = Shape::cuboid(1.0, 1.0, 1.0).at([1.0, 2.0, 3.0]);
+                shape.resize(DVec3::from_array(scope));
+                insert_with(env, &mut shape, "none.obj".into(), UpAxis::ZUp, mode, CleanupMode::NoCleanup);
+                assert!(matches!(shape.geometry, Geometry::Box(_)) && env.take_faults().0.len() == 1);
+                stands(&shape, origin, size);
+                insert_with(env, &mut shape, "builtin:cube".into(), UpAxis::YUp, mode, CleanupMode::NoCleanup);
+                assert!(env.take_faults().0.is_empty());
+            }
         }
+    }
+
+    #[test]
+    fn a_missing_asset_is_one_fault_with_a_count() {
+        let (env, shape) = (&mut env(), &mut Shape::cuboid(2.0, 3.0, 4.0));
+        for _ in 0..12 {
+            insert(env, shape, "none.obj".into());
+            insert(env, shape, "other.obj".into());
+        }
+        let (faults, left_out) = env.take_faults();
+        assert_eq!((faults.iter().map(|fault| fault.count).collect::<Vec<_>>(), left_out), (vec![12, 12], 0));
+        assert!(faults[0].to_string().ends_with("a small box marks the place (12 times)"), "{}", faults[0]);
+        // Beyond what is kept they are only counted.
+        for number in 0..3000 {
+            insert(env, shape, format!("{}.obj", number % 1500).as_str().into());
+        }
+        let (faults, left_out) = env.take_faults();
+        assert_eq!((faults.len(), faults[0].count, left_out), (1000, 2, 1000));
     }
 }
