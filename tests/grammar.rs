@@ -268,3 +268,21 @@ fn what_follows_nil_still_runs() {
         assert_eq!(names(&run(start)), leaves, "{start}");
     }
 }
+
+#[test]
+fn a_prefix_without_an_import_makes_a_rule_of_its_own() {
+    let rules = cga! {
+        Lot --> Tile foo.Tile foo.Tile(2) foo.Tile. foo.
+        Tile --> A.
+        foo.Tile --> B.
+        foo.Tile(n) with ( m := n + 1 ) --> s(m, 1, 1) C.
+        Last --> foo.
+        Other --> D.
+        @Allow(rule_not_reached)
+        bar.Other --> E.
+    };
+    let model = rules.generate(&lot()).expect("no limit");
+    assert_eq!(names(&model), ["A", "B", "C", "foo.Tile", "foo"]);
+    assert_eq!(names(&rules.generate_from("Last", &lot()).expect("no limit")), ["foo"]);
+    assert_eq!(names(&rules.generate_from("Other", &lot()).expect("no limit")), ["D"]);
+}

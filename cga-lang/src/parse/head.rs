@@ -50,9 +50,8 @@ impl<'a> Heads<'a> {
         let mut heads =
             Heads { tokens, view, pairs, imports: HashSet::new(), dotted: HashSet::new(), overrides: HashSet::new() };
         for position in 0..heads.len() {
-            if heads.at(position) == Some(&Tok::Joint) {
-                let parts = position.checked_sub(1).and_then(|before| heads.word(before)).zip(heads.word(position + 1));
-                heads.dotted.extend(parts);
+            if heads.at(position + 1) == Some(&Tok::Joint) && heads.is_head(position, position + 3) {
+                heads.dotted.extend(heads.word(position).zip(heads.word(position + 2)));
             }
             if heads.word(position) == Some("import") {
                 heads.import(position);
@@ -119,14 +118,22 @@ impl<'a> Heads<'a> {
     /// The position behind a name that begins at a position and is no import's: with dots where such a rule is declared.
     fn dotted_end(&self, position: usize) -> usize {
         let mut end = position + 1;
-        while self.at(end) == Some(&Tok::Joint) {
+        while self.at(end) == Some(&Tok::Joint) && self.word(end + 1).is_some() {
             end += 2;
+        }
+        if position + 1 < end && self.is_head(position, end) {
+            return end;
         }
         let parts = self.word(position).zip(self.word(position + 2)).filter(|_| self.is(position + 1, Sym::Dot));
         let is_declared = parts.is_some_and(|parts| self.dotted.contains(&parts));
         // Else it is a leaf before the declaration of another rule.
-        let is_call = || !self.head_behind(position + 2, position + 3).is_some_and(Head::is_sure);
-        if end == position + 1 && is_declared && is_call() { position + 3 } else { end }
+        let is_call = || !self.is_head(position + 2, position + 3);
+        if is_declared && is_call() { position + 3 } else { position + 1 }
+    }
+
+    /// Whether a name that goes from one position to another is certainly declared there.
+    fn is_head(&self, position: usize, end: usize) -> bool {
+        self.head_behind(position, end).is_some_and(Head::is_sure)
     }
 
     /// The position behind words with dots between them.
