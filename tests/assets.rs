@@ -52,6 +52,7 @@ cga! {
         Sized --> imp.Sized
         Replaced --> imp.Replaced
         Painted --> texture("w.png") print(material.colormap) imp.Painted
+        Searched --> print(fileSearch("Name=q.obj")) imp.Searched
         Said --> print(readTextFile("t.txt")) imp.Said
     "#;
 }
@@ -87,6 +88,16 @@ fn a_rule_finds_what_is_beside_its_file() {
     assert_eq!(said[..1], ["root"]);
     assert_eq!(said[1..2], ["above"]);
     assert_eq!(said[3..], ["root", "5", "true"], "{said:?}");
+}
+
+#[test]
+fn what_a_search_finds_is_found_by_its_name() {
+    let (three, five) = (triangle(3.0), triangle(5.0));
+    let folder = Temporary::new("search", &[("assets/q.obj", &three), ("tests/rules/assets/q.obj", &five)]);
+    let model = folder.run(&City::default(), "Searched");
+    let all = "assets/q.obj;tests/rules/assets/q.obj;";
+    assert_eq!(printed(&model), [all.to_owned(), format!("/{all}")]);
+    assert_eq!(model.leaves().map(|leaf| leaf.size().x).collect::<Vec<_>>(), [3.0]);
 }
 
 #[test]

@@ -83,7 +83,7 @@ pub struct Env {
     pub(crate) reports: Reports,
     pub(crate) prints: Prints,
     /// What file searches found; see [`Env::files`].
-    searches: BTreeMap<Text, Rc<[Text]>>,
+    searches: BTreeMap<File, Rc<[Text]>>,
     /// Tables that were read, by file.
     pub(crate) tables: BTreeMap<File, Array<Text>>,
     /// What is said once a run, and was: names that are not implemented, messages.
@@ -272,13 +272,13 @@ impl Env {
     }
 
     /// The files that a query finds, sorted.
-    pub(crate) fn files(&mut self, query: &Text) -> Rc<[Text]> {
+    pub(crate) fn files(&mut self, query: &File) -> Rc<[Text]> {
         if let Some(known) = self.searches.get(query) {
             return known.clone();
         }
-        let asked = Query::new(query);
-        let (found, cut_short) = self.settings.assets.search(&asked);
-        let found: Rc<[Text]> = found.into_iter().map(Text::from).collect();
+        let asked = Query::new(&query.name);
+        let (found, cut_short) = self.settings.assets.search(&asked, query.folder);
+        let found: Rc<[Text]> = found.into();
         if let Some(why) = asked.trouble() {
             self.fault(FaultKind::Value, format!("a search for files finds less than there is: {why}"));
         }

@@ -35,8 +35,8 @@ pub(super) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags)
     if let ExprKind::Call(name, args) = &expr.kind
         && let Some(Use::Builtin(row)) = cx.tables.of(name)
     {
-        // `fileExists` asks for it.
-        if row.name != "fileExists"
+        // `fileExists` asks for it, and searches have patterns.
+        if !row.name.starts_with("file")
             && let Some(value) = file(row.params).and_then(|at| args.get(at))
         {
             named(value, false, cx, diags);

@@ -1,6 +1,7 @@
 //! Files that rules name: what is known of them while compiling.
 
 use super::{Files, Program, folder_of};
+use crate::suggest::nearest;
 use crate::token::{Sym, Tok};
 use cga_split::files::places;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -112,14 +113,21 @@ fn look_up(
 ) -> Option<Asset> {
     let mut others = Vec::new();
     for place in places(name, folder)? {
-        match known.entry(place).or_insert_with_key(|place| files.asset(place)) {
-            Some(Asset::Missing(names)) => {
-                others.extend(names.iter().map(|other| beside(name, other)).filter(|other| other != name));
-            }
+        match known.entry(place).or_insert_with_key(|place| files.asset(place).map(|asset| with_nearest(asset, name))) {
+            Some(Asset::Missing(names)) => others.extend(names.iter().cloned()),
             found => return found.clone(),
         }
     }
     Some(Asset::Missing(others))
+}
+
+/// What is known of a file, with the name that is most like its own in place of all: a folder has hundreds.
+fn with_nearest(asset: Asset, name: &str) -> Asset {
+    let Asset::Missing(names) = asset else { return asset };
+    let mut names: Vec<String> = names.iter().map(|other| beside(name, other)).filter(|other| other != name).collect();
+    // A folder has no order of its own.
+    names.sort_unstable();
+    Asset::Missing(nearest(name, names.iter().map(String::as_str)).map(str::to_owned).into_iter().collect())
 }
 
 /// The name of a file in the folder of another one, as rules write it.

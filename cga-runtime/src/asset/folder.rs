@@ -4,7 +4,10 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use cga_split::files::places;
+
 use super::AssetError;
+use crate::text::Text;
 
 /// Files and folders that are looked at; more are left out, the same ones on every platform.
 const MOST_ENTRIES: usize = 100_000;
@@ -49,6 +52,18 @@ impl Listing {
         listing.names.sort_unstable();
         listing.names.dedup();
         listing
+    }
+}
+
+impl Listing {
+    /// The name by which a rule file in some folder finds a file that is listed: with a slash in front where without it another
+    /// file comes first.
+    pub(super) fn as_written(&self, name: &str, folder: &str) -> Text {
+        let is_listed = |place: &String| self.names.binary_search(place).is_ok();
+        match places(name, folder).into_iter().flatten().find(is_listed) {
+            Some(first) if first != name => Text::from(format!("/{name}")),
+            _ => Text::from(name),
+        }
     }
 }
 

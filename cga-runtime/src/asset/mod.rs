@@ -193,12 +193,13 @@ impl Assets {
         Err(why.unwrap_or(AssetError::NoFolder))
     }
 
-    /// The names that a query finds, sorted, and whether there were too many files to look at all of them.
-    pub(crate) fn search(&self, query: &Query) -> (Vec<&str>, bool) {
+    /// The names that a query in a rule file of some folder finds, sorted by their places, and whether there were too many
+    /// files to look at all of them.
+    pub(crate) fn search(&self, query: &Query, folder: &str) -> (Vec<Text>, bool) {
         let listing = self.listing.get_or_init(|| Listing::new(self.root.as_deref(), self.given.keys()));
         let project = self.root.as_deref().and_then(Path::file_name).and_then(|name| name.to_str()).unwrap_or_default();
-        let found = listing.names.iter().map(String::as_str).filter(|name| query.finds(project, name));
-        (found.collect(), listing.cut_short)
+        let found = listing.names.iter().filter(|name| query.finds(project, name));
+        (found.map(|name| listing.as_written(name, folder)).collect(), listing.cut_short)
     }
 }
 

@@ -15,8 +15,9 @@ pub fn file_exists(env: &Env, file: File) -> bool {
 }
 
 /// `fileSearch(query)`: the files that it finds as a list, sorted, each with `;` behind it (*fileSearch / filesSearch
-/// functions*). Paths are those from the asset folder.
-pub fn file_search(env: &mut Env, query: Text) -> Text {
+/// functions*). Paths are those from the asset folder, with a slash in front where the rule file would find another file by
+/// the path without it.
+pub fn file_search(env: &mut Env, query: File) -> Text {
     let found = env.files(&query);
     list(env, &found)
 }
@@ -35,14 +36,14 @@ fn list(env: &mut Env, texts: &[Text]) -> Text {
 }
 
 /// `filesSearch(query)`: the files that it finds, sorted (*fileSearch / filesSearch functions*).
-pub fn files_search(env: &mut Env, query: Text) -> Array<Text> {
+pub fn files_search(env: &mut Env, query: File) -> Array<Text> {
     let found = env.files(&query);
     if env.may_hold(found.len()) { found.iter().cloned().collect() } else { Array::default() }
 }
 
 /// `fileRandom(query)`: one of the files that it finds, by chance; empty without any (*fileRandom*). It uses up one random
 /// number in any case.
-pub fn file_random(env: &mut Env, shape: &mut ShapeRef<'_>, query: Text) -> Text {
+pub fn file_random(env: &mut Env, shape: &mut ShapeRef<'_>, query: File) -> Text {
     let (draw, found) = (shape.seed.draw(), env.files(&query));
     found.get((draw * found.len() as f64) as usize).cloned().unwrap_or_default()
 }
