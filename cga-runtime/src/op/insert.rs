@@ -10,6 +10,7 @@ use crate::env::Env;
 use crate::mesh::Mesh;
 use crate::shape::{Geometry, Placed, ShapeRef};
 use crate::side::Sides;
+use crate::sink::Cuboid;
 
 /// Which axis of an asset, or of an aligned scope, is its height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +42,7 @@ pub enum CleanupMode {
 }
 
 /// `i(file)`: replaces the geometry by an asset, fitted to the scope (*i operation*). A missing asset leaves a fault and
-/// a small box in its place.
+/// a small box to mark its place.
 pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: File) {
     insert_with(env, shape, file, UpAxis::YUp, InsertMode::AlignSizeAndPosition, CleanupMode::NumericalCleanup);
 }
@@ -67,7 +68,7 @@ pub fn insert_with(env: &mut Env, shape: &mut ShapeRef<'_>, file: File, up: UpAx
         }
         Err(why) => {
             env.asset_fault(format!("`{file}` cannot be inserted: {why}; a small box marks the place"));
-            mark(shape);
+            mark(env, shape, mode);
         }
     }
 }
@@ -83,21 +84,24 @@ fn insert_box(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
     super::trim(env, shape);
 }
 
-/// The largest edge of what marks the place of a missing asset, in metres.
-const MARKER: f64 = 0.1;
+/// The edges of what marks the place of a missing asset, in metres and as a share of the scope: on a very large scope rounding
+/// would make nothing of the former.
+const MARKER: (f64, f64) = (0.1, 1e-6);
 
-/// Marks the place of a missing asset: a cube of 0.1 m, or less where the scope is smaller, in the middle of the scope's xz
-/// plane and on its floor. It is not trimmed, so that it is seen. What the asset would have filled nobody knows, and a box as
-/// large as the scope would hide what is there.
-fn mark(shape: &mut ShapeRef<'_>) {
-    let before = shape.scope.size;
-    let extents = before.abs().to_array().into_iter().filter(|extent| 0.0 < *extent);
-    let edge = extents.fold(MARKER, f64::min);
-    // Along an axis without an extent it sticks out on both sides.
-    let size = DVec3::from_array(before.to_array().map(|size| edge.copysign(size)));
-    shape.scope.origin += shape.scope.axes * ((before - size) * DVec3::new(0.5, 0.0, 0.5));
-    shape.scope.size = size;
-    shape.geometry = Geometry::Box(Sides::CUBE);
+/// Marks the place of a missing asset: a box of 0.1 m, less along an axis where the scope has less, in the middle of the
+/// scope's xz plane and on its floor. A box as large as the scope would hide what is there. The scope is that of an asset
+/// of 1 m, so that it is as large as rules expect. The box is not trimmed, so that it is seen.
+fn mark(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
+    arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
+    let size = shape.scope.size.abs();
+    let edges = (size * MARKER.1).max(DVec3::splat(MARKER.0)).min(size);
+    let origin = (size - edges) * DVec3::new(0.5, 0.0, 0.5);
+    let mesh = Mesh::from_cuboid(&Cuboid { origin, sides: DMat3::from_diagonal(edges) });
+    if env.count_vertices(&mesh).is_continue() {
+        let mesh = Arc::new(mesh);
+        let placed = Placed { low: DVec3::ZERO, size, mesh, whole: false, mirrored: false };
+        shape.geometry = Geometry::Mesh(Arc::new(placed));
+    }
 }
 
 fn place(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>, mode: InsertMode) {
@@ -247,23 +251,30 @@ mod tests {
 
     #[test]
     fn a_missing_asset_leaves_a_small_box_in_its_place() {
-        use InsertMode::{AlignSizeAndPosition, KeepSizeAlignPosition, KeepSizeAndPosition};
-        for mode in [AlignSizeAndPosition, KeepSizeAndPosition, KeepSizeAlignPosition] {
-            for (scope, origin, size) in [
-                ([2.0, 3.0, 4.0], [0.95, 0.0, 1.95], [0.1; 3]),
-                ([2.0, -3.0, 0.05], [0.975, 0.0, 0.0], [0.05, -0.05, 0.05]),
-                ([0.0, 5.0, 1.0], [-0.05, 0.0, 0.45], [0.1; 3]),
-                ([0.0; 3], [-0.05, 0.0, -0.05], [0.1; 3]),
-            ] {
-                let env = &mut env();
-                let mut shape = Shape::cuboid(1.0, 1.0, 1.0).at([1.0, 2.0, 3.0]);
-                shape.resize(DVec3::from_array(scope));
-                insert_with(env, &mut shape, "none.obj".into(), UpAxis::ZUp, mode, CleanupMode::NoCleanup);
-                assert!(matches!(shape.geometry, Geometry::Box(_)) && env.take_faults().0.len() == 1);
-                stands(&shape, origin, size);
-                insert_with(env, &mut shape, "builtin:cube".into(), UpAxis::YUp, mode, CleanupMode::NoCleanup);
-                assert!(env.take_faults().0.is_empty());
-            }
+        use InsertMode::{
+            AlignSizeAndPosition as Align, KeepSizeAlignPosition as KeepSize, KeepSizeAndPosition as Keep,
+        };
+        // Scope, mode; lowest corner and size of the scope afterwards; lowest corner and size of the box in it.
+        for (scope, mode, [at, size], [low, edges]) in [
+            ([2.0, 3.0, 4.0], Align, [[0.0; 3], [2.0, 3.0, 4.0]], [[0.95, 0.0, 1.95], [0.1; 3]]),
+            ([2.0, -3.0, 0.05], Align, [[0.0; 3], [2.0, -3.0, 0.05]], [[0.95, -0.1, 0.0], [0.1, 0.1, 0.05]]),
+            ([0.0, 5.0, 1.0], Align, [[0.0; 3], [3.0, 5.0, 1.0]], [[1.45, 0.0, 0.45], [0.1; 3]]),
+            ([0.0; 3], Align, [[0.0; 3], [1.0; 3]], [[0.45, 0.0, 0.45], [0.1; 3]]),
+            ([2.0, 3.0, 4.0], Keep, [[0.0; 3], [1.0; 3]], [[0.45, 0.0, 0.45], [0.1; 3]]),
+            ([2.0, 3.0, 4.0], KeepSize, [[0.5, 0.0, 1.5], [1.0; 3]], [[0.45, 0.0, 0.45], [0.1; 3]]),
+            ([2e8, 1.0, 1.0], Align, [[0.0; 3], [2e8, 1.0, 1.0]], [[1e8 - 100.0, 0.0, 0.45], [200.0, 0.1, 0.1]]),
+        ] {
+            let env = &mut env();
+            let mut shape = Shape::cuboid(1.0, 1.0, 1.0).at([1.0, 2.0, 3.0]);
+            shape.resize(DVec3::from_array(scope));
+            insert_with(env, &mut shape, "none.obj".into(), UpAxis::ZUp, mode, CleanupMode::NoCleanup);
+            assert_eq!(env.take_faults().0.len(), 1);
+            stands(&shape, at, size);
+            let (mesh, near) = (shape.to_mesh(), |a: DVec3, b: [f64; 3]| (a - DVec3::from_array(b)).length() < 1e-6);
+            let bounds = mesh.bounds();
+            assert!(mesh.is_closed() && near(bounds.low, low) && near(bounds.size(), edges), "{bounds:?}");
+            insert_with(env, &mut shape, "builtin:cube".into(), UpAxis::YUp, mode, CleanupMode::NoCleanup);
+            assert!(matches!(shape.geometry, Geometry::Box(_)) && env.take_faults().0.is_empty());
         }
     }
 
