@@ -45,9 +45,9 @@ impl CgaRules {
         {
             let a0 = p0;
             let part = &mut cga_rt::successor(shape);
-            if cx.descend(1, 4) {
+            if cx.descend(1, 3) {
                 let flow = CgaRules::A(g, cx, part, a0);
-                cx.ascend(1, 4);
+                cx.ascend(1, 3);
                 flow
             } else {
                 cx.defer(part, 1, CgaCall::Rule0(a0))
