@@ -103,6 +103,9 @@ impl Library {
         let mut imported = HashSet::new();
         for &number in numbers {
             let unit = self.unit(number);
+            if !unit.tokens.as_slice().iter().any(|token| token.ident() == Some("import")) {
+                continue;
+            }
             let mut diags = Diags::new();
             let imports = parse(&unit.tokens, &mut diags).imports;
             // The compiler reports the same.
