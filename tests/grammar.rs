@@ -226,11 +226,10 @@ fn brackets_work_on_a_copy() {
 #[test]
 fn a_branch_may_stand_in_brackets() {
     let rules = cga! {
-        @Allow(after_nil)
-        Lot --> [ case scope.sx > 5 : Wide. NIL Never. else : Narrow. ] [ 100% : Sure. else : Never. ] End.
+        Lot --> [ case scope.sx > 5 : Wide. NIL Wider. else : Narrow. ] [ 100% : Sure. else : Never. ] End.
         Small --> s(1, 1, 1) Lot
     };
-    assert_eq!(names(&rules.generate(&lot()).expect("no limit")), ["Wide", "Sure", "End"]);
+    assert_eq!(names(&rules.generate(&lot()).expect("no limit")), ["Wide", "Wider", "Sure", "End"]);
     assert_eq!(names(&rules.generate_from("Small", &lot()).expect("no limit")), ["Narrow", "Sure", "End"]);
 }
 
@@ -249,4 +248,41 @@ fn overloads_differ_in_their_number_of_parameters() {
     let model = rules.generate(&lot()).expect("no limit");
     let leaves = model.leaves().map(|leaf| (leaf.rule(), leaf.size().x, leaf.size().y));
     assert_eq!(leaves.collect::<Vec<_>>(), [("Zero", 10.0, 0.0), ("One", 2.0, 1.0), ("Two", 2.0, 5.0)]);
+}
+
+#[test]
+fn what_follows_nil_still_runs() {
+    let rules = cga! {
+        Lot --> extrude(3) comp(f) { top : report("a", geometry.area) NIL report("b", geometry.area * 2) NIL }
+        Empty --> extrude(3) NIL comp(f) { top : T. }
+        Bare --> extrude(3) NIL
+        Slots --> extrude(2) split(x) { 1 : NIL report("slot", 1) | ~1 : NIL X. }
+        Depends --> case scope.sx > 5 : NIL else : extrude(1)
+    };
+    let run = |start: &str| rules.generate_from(start, &lot()).expect("no limit");
+    let model = run("Lot");
+    assert_eq!(model.leaves().count(), 0);
+    let sums = |key: &str| model.reports().get(key).map(|values| values.summary().sum);
+    assert_eq!((sums("a"), sums("b")), (Some(100.0), Some(200.0)));
+    for (start, leaves) in [("Empty", &["T"][..]), ("Bare", &[]), ("Slots", &["X"]), ("Depends", &[])] {
+        assert_eq!(names(&run(start)), leaves, "{start}");
+    }
+}
+
+#[test]
+fn a_prefix_without_an_import_makes_a_rule_of_its_own() {
+    let rules = cga! {
+        Lot --> Tile foo.Tile foo.Tile(2) foo.Tile. foo.
+        Tile --> A.
+        foo.Tile --> B.
+        foo.Tile(n) with ( m := n + 1 ) --> s(m, 1, 1) C.
+        Last --> foo.
+        Other --> D.
+        @Allow(rule_not_reached)
+        bar.Other --> E.
+    };
+    let model = rules.generate(&lot()).expect("no limit");
+    assert_eq!(names(&model), ["A", "B", "C", "foo.Tile", "foo"]);
+    assert_eq!(names(&rules.generate_from("Last", &lot()).expect("no limit")), ["foo"]);
+    assert_eq!(names(&rules.generate_from("Other", &lot()).expect("no limit")), ["D"]);
 }

@@ -109,7 +109,6 @@ codes! {
     PercentOver100 "percent_over_100" Error "Percentages that add up to more than 100.",
     InitCycle "init_cycle" Error "Attributes and constants that need each other.",
     EndlessFunction "endless_function" Error "A function that calls itself on every path.",
-    AfterNil "after_nil" Warning "Operations after `NIL`, which has removed the shape.",
 }
 
 impl Code {

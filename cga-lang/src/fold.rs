@@ -72,6 +72,7 @@ pub(crate) fn fold(expr: &mut Expr, known: &Known) -> Option<Value> {
         | ExprKind::Index(..)
         | ExprKind::EachUnary(..)
         | ExprKind::Each(..)
+        | ExprKind::File(..)
         | ExprKind::Comp(_) => {
             for part in expr.parts_mut() {
                 fold(part, known);

@@ -274,8 +274,6 @@ pub enum Step {
         /// The `else` body.
         otherwise: Vec<Step>,
     },
-    /// `NIL`: removes the current shape; nothing after it counts. Inside `[ ]` it ends the copy.
-    Nil(Span),
 }
 
 /// A rule of an import whose attributes start anew (*import*).
@@ -316,7 +314,7 @@ pub enum Target {
     },
     /// Becomes a leaf of that name.
     Leaf(String, Span),
-    /// Vanishes.
+    /// `NIL`: makes no leaf. It is a child all the same.
     Nil,
 }
 

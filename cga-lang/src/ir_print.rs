@@ -258,7 +258,6 @@ impl<'g> Printer<'g> {
                 }
                 self.block("else", otherwise);
             }
-            Step::Nil(_) => self.line("nil"),
             Step::Later(what, _) => self.line(&format!("later {what}")),
         }
     }
@@ -381,6 +380,8 @@ impl<'g> Printer<'g> {
             ExprKind::Not(operand) => format!("!{}", self.expr(operand)),
             ExprKind::Binary(op, a, b) => format!("({} {} {})", self.expr(a), sign(*op), self.expr(b)),
             ExprKind::ToText(operand) => format!("text({})", self.expr(operand)),
+            ExprKind::File(name, folder) if folder.is_empty() => self.expr(name),
+            ExprKind::File(name, folder) => format!("file({}, in {folder:?})", self.expr(name)),
             ExprKind::Case(arms, otherwise) => {
                 let arms: String = arms
                     .iter()

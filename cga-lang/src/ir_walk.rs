@@ -93,7 +93,7 @@ fn in_step(step: &Step) -> Vec<&Expr> {
             })
             .collect(),
         Step::Case { arms, .. } => arms.iter().map(|(condition, _)| condition).collect(),
-        Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Nil(_) | Step::Later(..) => Vec::new(),
+        Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Later(..) => Vec::new(),
     }
 }
 
@@ -117,7 +117,11 @@ macro_rules! parts {
             | ExprKind::Word(_)
             | ExprKind::Later(_) => Vec::new(),
             ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
-            ExprKind::Neg(a) | ExprKind::Not(a) | ExprKind::ToText(a) | ExprKind::EachUnary(_, a) => {
+            ExprKind::Neg(a)
+            | ExprKind::Not(a)
+            | ExprKind::ToText(a)
+            | ExprKind::File(a, _)
+            | ExprKind::EachUnary(_, a) => {
                 vec![&$($mutable)? **a]
             }
             ExprKind::Binary(_, a, b) | ExprKind::Each(_, a, b) => vec![&$($mutable)? **a, &$($mutable)? **b],

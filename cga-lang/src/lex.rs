@@ -27,8 +27,20 @@ pub struct Lexed {
 
 /// Reads CGA text.
 pub fn lex(text: &str) -> Lexed {
+    lex_joined(text, &[])
+}
+
+/// Reads CGA text that was put together from parts. The name of a rule does not go on in another part; `borders` has the
+/// bytes at which they begin, in order.
+pub fn lex_joined(text: &str, borders: &[usize]) -> Lexed {
     let mut lexer = Lexer { text, at: 0, tokens: Tokens::new(), ranges: Vec::new(), diags: Diags::new() };
     lexer.run();
+    let ranges = &lexer.ranges;
+    let touch = |left: usize| {
+        let (end, next) = (ranges[left].end, ranges.get(left + 1).map(|next| next.start));
+        next == Some(end) && borders.binary_search(&end).is_err()
+    };
+    lexer.tokens.join_rule_names(|dot| touch(dot - 1) && touch(dot));
     Lexed { tokens: lexer.tokens, ranges: lexer.ranges, diags: lexer.diags.finish() }
 }
 

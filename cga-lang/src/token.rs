@@ -9,7 +9,10 @@
 //! - between two names, in a step of a rule, it does so if the first is an import of the grammar: `lib.Wall`;
 //! - behind any other name in a step it makes a leaf: `Wall.`.
 //!
-//! Numbers are the exception, because in CGA they are: `.5` stands close together and not close behind a name, and the
+//! The name of a rule is one exception: `foo.Tile -->` without an import `foo` differs from a leaf `foo.` before
+//! `Tile -->` by white space alone. Where a source knows that there is none, the dot is a [`Tok::Joint`].
+//!
+//! Numbers are the other exception, because in CGA they are: `.5` stands close together and not close behind a name, and the
 //! dot of `1.==1` belongs to the operator, that of `1. == 1` to the number.
 
 use crate::span::Span;
@@ -31,6 +34,8 @@ pub enum Tok {
     Doc(String),
     /// Punctuation.
     Sym(Sym),
+    /// The dot in the name of a rule that is declared, close to the names on both sides. It counts as [`Sym::Dot`].
+    Joint,
     /// Something the door could not read and has reported. The parser passes over it.
     Bad,
 }
@@ -89,7 +94,11 @@ symbols! {
 impl Tok {
     /// Whether it is that symbol.
     pub fn is(&self, sym: Sym) -> bool {
-        matches!(self, Tok::Sym(own) if *own == sym)
+        match self {
+            Tok::Sym(own) => *own == sym,
+            Tok::Joint => sym == Sym::Dot,
+            _ => false,
+        }
     }
 
     /// The text of a name.
@@ -110,6 +119,7 @@ impl Tok {
             Tok::Path(path) => format!("`{path}`"),
             Tok::Doc(_) => "a doc comment".into(),
             Tok::Sym(sym) => format!("`{}`", sym.text()),
+            Tok::Joint => format!("`{}`", Sym::Dot.text()),
             Tok::Bad => "something unreadable".into(),
         }
     }
@@ -121,6 +131,7 @@ impl Tok {
             Tok::Str(text) => push_quoted(out, text),
             Tok::Host(_) => out.push_str("#…"),
             Tok::Sym(sym) => out.push_str(sym.text()),
+            Tok::Joint => out.push_str(Sym::Dot.text()),
             Tok::Doc(_) | Tok::Bad => {}
         }
     }
@@ -158,6 +169,51 @@ impl Tokens {
     pub fn push(&mut self, token: Tok) -> u32 {
         self.list.push(token);
         (self.list.len() - 1) as u32
+    }
+
+    /// Joins the names of rules that are declared: `is_close` tells whether the token of an index is close to those on both
+    /// sides.
+    pub fn join_rule_names(&mut self, mut is_close: impl FnMut(usize) -> bool) {
+        for arrow in 0..self.list.len() {
+            if !self.list[arrow].is(Sym::Arrow) {
+                continue;
+            }
+            let Some(mut name) = self.name_before(arrow) else { continue };
+            while let [.., Tok::Ident(_), Tok::Sym(Sym::Dot)] = self.list[..name]
+                && is_close(name - 1)
+            {
+                self.list[name - 1] = Tok::Joint;
+                name -= 2;
+            }
+        }
+    }
+
+    /// The last part of the name that a rule's arrow belongs to: before parameters and local values.
+    fn name_before(&self, arrow: usize) -> Option<usize> {
+        let mut at = arrow.checked_sub(1)?;
+        // Local values, then parameters.
+        for _ in 0..2 {
+            if !self.list[at].is(Sym::RParen) {
+                break;
+            }
+            let mut open = 0_u32;
+            loop {
+                match &self.list[at] {
+                    Tok::Sym(Sym::RParen) => open += 1,
+                    Tok::Sym(Sym::LParen) => open -= 1,
+                    Tok::Sym(Sym::Arrow) => return None,
+                    _ => {}
+                }
+                at = at.checked_sub(1)?;
+                if open == 0 {
+                    break;
+                }
+            }
+            if self.list[at].ident() == Some("with") {
+                at = at.checked_sub(1)?;
+            }
+        }
+        self.list[at].ident().map(|_| at)
     }
 
     /// Appends other tokens.

@@ -57,8 +57,7 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
                 arms.iter().for_each(|(_, steps)| targets(steps, visit));
                 targets(otherwise, visit);
             }
-            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Nil(_) | Step::Later(..) => {
-            }
+            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) | Step::Later(..) => {}
         }
     }
 }

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use crate::array::Array;
-use crate::asset::Query;
+use crate::asset::{File, Query};
 use crate::comp::street::Streets;
 use crate::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::mesh::Mesh;
@@ -72,6 +72,8 @@ pub struct Env {
     calls_made: u64,
     faults: Vec<Fault>,
     faults_left_out: u64,
+    /// The faults of files by their messages, as numbers of those that are kept.
+    asset_faults: BTreeMap<String, usize>,
     pub(crate) error: Option<Error>,
     /// Primitives that were made.
     primitives: Vec<(Made, Arc<Mesh>)>,
@@ -80,9 +82,9 @@ pub struct Env {
     pub(crate) reports: Reports,
     pub(crate) prints: Prints,
     /// What file searches found; see [`Env::files`].
-    searches: BTreeMap<Text, Rc<[Text]>>,
+    searches: BTreeMap<File, Rc<[Text]>>,
     /// Tables that were read, by file.
-    pub(crate) tables: BTreeMap<Text, Array<Text>>,
+    pub(crate) tables: BTreeMap<File, Array<Text>>,
     /// What is said once a run, and was: names that are not implemented, messages.
     said_once: BTreeSet<&'static str>,
 }
@@ -154,6 +156,7 @@ impl Env {
             calls_made: 0,
             faults: Vec::new(),
             faults_left_out: 0,
+            asset_faults: BTreeMap::new(),
             error: None,
             primitives: Vec::new(),
             raised: Vec::new(),
@@ -287,13 +290,13 @@ impl Env {
     }
 
     /// The files that a query finds, sorted.
-    pub(crate) fn files(&mut self, query: &Text) -> Rc<[Text]> {
+    pub(crate) fn files(&mut self, query: &File) -> Rc<[Text]> {
         if let Some(known) = self.searches.get(query) {
             return known.clone();
         }
-        let asked = Query::new(query);
-        let (found, cut_short) = self.settings.assets.search(&asked);
-        let found: Rc<[Text]> = found.into_iter().map(Text::from).collect();
+        let asked = Query::new(&query.name);
+        let (found, cut_short) = self.settings.assets.search(&asked, query.folder);
+        let found: Rc<[Text]> = found.into();
         if let Some(why) = asked.trouble() {
             self.fault(FaultKind::Value, format!("a search for files finds less than there is: {why}"));
         }
@@ -307,7 +310,7 @@ impl Env {
     }
 
     /// Keeps a table that was read, as one of a few.
-    pub(crate) fn keep_table(&mut self, file: Text, table: &Array<Text>) {
+    pub(crate) fn keep_table(&mut self, file: File, table: &Array<Text>) {
         if self.tables.len() < TABLES_KEPT {
             self.tables.insert(file, table.clone());
         }
@@ -355,12 +358,30 @@ impl Env {
     /// Notes a fault with the trail that led to it.
     #[cold]
     pub fn fault(&mut self, kind: FaultKind, message: impl Into<String>) {
-        if self.faults.len() < FAULTS_KEPT {
-            let trail = self.trail();
-            self.faults.push(Fault { kind, message: message.into(), trail });
-        } else {
-            self.faults_left_out += 1;
+        self.add_fault(kind, message.into());
+    }
+
+    /// Notes a fault of a file. One that happens again is counted: rules insert the same file thousands of times.
+    #[cold]
+    pub(crate) fn asset_fault(&mut self, message: String) {
+        if let Some(&at) = self.asset_faults.get(&message) {
+            self.faults[at].count = self.faults[at].count.saturating_add(1);
+            return;
         }
+        if let Some(at) = self.add_fault(FaultKind::Asset, message.clone()) {
+            self.asset_faults.insert(message, at);
+        }
+    }
+
+    /// Adds a fault, if there is room for it; gives its number.
+    fn add_fault(&mut self, kind: FaultKind, message: String) -> Option<usize> {
+        if FAULTS_KEPT <= self.faults.len() {
+            self.faults_left_out += 1;
+            return None;
+        }
+        let trail = self.trail();
+        self.faults.push(Fault { kind, message, count: 1, trail });
+        Some(self.faults.len() - 1)
     }
 
     /// Notes a fault that an operation written in Rust returned.
@@ -412,6 +433,7 @@ impl Env {
     }
 
     pub(crate) fn take_faults(&mut self) -> (Vec<Fault>, u64) {
+        self.asset_faults.clear();
         (std::mem::take(&mut self.faults), self.faults_left_out)
     }
 }

@@ -28,20 +28,25 @@ pub struct Fault {
     pub kind: FaultKind,
     /// What happened and what was done instead.
     pub message: String,
-    /// The rules that led there, from the start rule down.
+    /// How often it happened: files that are missing are reported once each.
+    pub count: u64,
+    /// The rules that led there the first time, from the start rule down.
     pub trail: Vec<&'static str>,
 }
 
 impl Fault {
     /// A fault for an operation written in Rust to return.
     pub fn new(message: impl Into<String>) -> Self {
-        Fault { kind: FaultKind::Host, message: message.into(), trail: Vec::new() }
+        Fault { kind: FaultKind::Host, message: message.into(), count: 1, trail: Vec::new() }
     }
 }
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)?;
+        if 1 < self.count {
+            write!(f, " ({} times)", self.count)?;
+        }
         write_trail(f, &self.trail)
     }
 }

@@ -5,6 +5,7 @@ pub use std::ops::ControlFlow;
 pub use std::string::String;
 
 pub use crate::array::{Array, Element};
+pub use crate::asset::File;
 pub use crate::attribute::{Attribute, AttributeDefault, AttributeKind, ChoiceValues, Choices, Range, check};
 pub use crate::comp::select::Word;
 pub use crate::comp::{Align, Arm, Candidate, Components, Mode, Select, comp, comp_values, never};
@@ -35,6 +36,11 @@ pub fn string(text: &str) -> String {
 /// The text of an attribute.
 pub fn text(value: &str) -> Text {
     Text::from(value)
+}
+
+/// The name of an image as models have it: a relative one is looked for from the folder of the rule file.
+pub fn image(env: &Env, file: File) -> Text {
+    env.settings.assets.image(file)
 }
 
 /// An array that is known while compiling: its elements in rows of so many.

@@ -1,5 +1,6 @@
 //! The split solver: sizes and an extent in, pieces out. Pure arithmetic on `f64`, the same bits on every platform, without
-//! dependencies, so that rules can be solved while they are compiled by what solves them while they run.
+//! dependencies, so that rules can be solved while they are compiled by what solves them while they run. For the same reason
+//! [`files`] is here: the places at which files are looked for.
 //!
 //! ```
 //! use cga_split::{Item, Size, solve};
@@ -16,6 +17,7 @@
 #![forbid(unsafe_code)]
 
 mod choices;
+pub mod files;
 mod groups;
 mod runs;
 mod search;

@@ -48,7 +48,6 @@ cga! {
     @Allow(rule_not_reached)
     Many(a, b, c, d, e, f, g, h, i) --> s(a + b + c, d + e + f, g + h + i) X.
     Gone --> NIL
-    @Allow(after_nil)
     Early --> A(1, true) NIL B
 }
 

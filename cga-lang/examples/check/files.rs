@@ -1,10 +1,12 @@
 //! Rule files on disk: found, read once and remembered.
 
 use cga_lang::compile::Door;
+use cga_lang::diag::Diags;
 use cga_lang::lex::{Lexed, decode, lex};
 use cga_lang::link::{Files, Unit, candidates, folder};
+use cga_lang::parse::parse;
 use cga_lang::snippet::Quote;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
@@ -94,6 +96,24 @@ impl Library {
 
     pub(crate) fn text(&self, number: usize) -> &str {
         &self.entries[number].text
+    }
+
+    /// The names of the files that some files import, as far as they can be read.
+    pub(crate) fn imported(&mut self, numbers: &[usize]) -> HashSet<String> {
+        let mut imported = HashSet::new();
+        for &number in numbers {
+            let unit = self.unit(number);
+            if !unit.tokens.as_slice().iter().any(|token| token.ident() == Some("import")) {
+                continue;
+            }
+            let mut diags = Diags::new();
+            let imports = parse(&unit.tokens, &mut diags).imports;
+            // The compiler reports the same.
+            diags.finish();
+            let opened = imports.iter().filter_map(|import| self.open(&import.path, &unit.name).ok());
+            imported.extend(opened.map(|unit| unit.name));
+        }
+        imported
     }
 
     pub(crate) fn quote(&self, name: &str) -> Option<Quote<'_>> {

@@ -34,12 +34,16 @@ fn check(options: &Options, out: &mut dyn Write) -> std::io::Result<ExitCode> {
     let start = Instant::now();
     let (list, mut unread) = files::find(&options.paths);
     let mut library = Library::default();
-    let mut report = Report::new(options);
+    let mut numbers = Vec::new();
     for path in &list {
         match library.load(path) {
-            Ok(number) => report.file(&mut library, number, out)?,
+            Ok(number) => numbers.push(number),
             Err(why) => unread.push(format!("{}: {why}", path.display())),
         }
+    }
+    let mut report = Report::new(options, library.imported(&numbers));
+    for number in numbers {
+        report.file(&mut library, number, out)?;
     }
     report.totals(start.elapsed(), out)?;
     for why in &unread {
@@ -51,4 +55,32 @@ fn check(options: &Options, out: &mut dyn Write) -> std::io::Result<ExitCode> {
         (true, true) => ExitCode::FAILURE,
         (true, false) => ExitCode::SUCCESS,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is printed for a folder with some files.
+    fn printed(name: &str, files: &[(&str, &str)]) -> String {
+        let folder = std::env::temp_dir().join(format!("cga-check-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        for (name, text) in files {
+            std::fs::write(folder.join(name), text).expect("a file");
+        }
+        let options = Options { paths: vec![folder.clone()], quiet: false, warnings: true };
+        let mut out = Vec::new();
+        check(&options, &mut out).expect("memory takes it all");
+        std::fs::remove_dir_all(&folder).expect("the folder");
+        String::from_utf8(out).expect("text")
+    }
+
+    #[test]
+    fn a_file_that_is_imported_needs_no_start_rule() {
+        let library = ("lib.cga", "Wall(a) --> extrude(a) X.");
+        let main = ("main.cga", "import lib : \"lib.cga\"\nLot --> lib.Wall(2)");
+        assert!(printed("alone", &[library]).contains("warning[no_start_rule]"));
+        let both = printed("both", &[library, main]);
+        assert!(!both.contains("no_start_rule") && both.contains("2 files"), "{both}");
+    }
 }

@@ -21,6 +21,8 @@ type Place = (String, u32, u32, Code, String);
 /// Prints findings and summaries, and adds up.
 pub(crate) struct Report<'o> {
     options: &'o Options,
+    /// Files that others import: runs begin in those.
+    imported: HashSet<String>,
     /// What was found so far. A file that many import has the same findings each time.
     seen: HashSet<Place>,
     files: usize,
@@ -31,9 +33,9 @@ pub(crate) struct Report<'o> {
 }
 
 impl<'o> Report<'o> {
-    pub(crate) fn new(options: &'o Options) -> Self {
+    pub(crate) fn new(options: &'o Options, imported: HashSet<String>) -> Self {
         let (codes, later) = (BTreeMap::new(), BTreeMap::new());
-        Report { options, seen: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
+        Report { options, imported, seen: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
     }
 
     pub(crate) fn has_errors(&self) -> bool {
@@ -50,7 +52,8 @@ impl<'o> Report<'o> {
         let compiled = compile_files(root, library, &[]);
         let mut own = Own::default();
         let mut more = 0;
-        for diag in &compiled.diags {
+        let is_imported = self.imported.contains(&compiled.files[0]);
+        for diag in compiled.diags.iter().filter(|diag| !(is_imported && diag.code == Code::NoStartRule)) {
             let (file, first) = compiled.locate(diag.span.first);
             own.add(diag, file == 0);
             let last = compiled.locate(diag.span.last).1;

@@ -6,9 +6,10 @@ use crate::ast::{Arg, Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::Diags;
 use crate::link::Asset;
-use crate::ops::Param;
+use crate::ops::{Param, ParamKind};
 use crate::suggest::nearest;
 use crate::token::Tok;
+use cga_split::files::places;
 
 /// Looks at what is met on the way through a rule.
 pub(super) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
@@ -18,9 +19,7 @@ pub(super) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
                 named(value, row.name == "i", cx, diags);
             }
         }
-        Site::Set(row, value) if row.name.starts_with("material.") && row.name.ends_with("map") => {
-            named(value, false, cx, diags);
-        }
+        Site::Set(row, value) if row.is_image() => named(value, false, cx, diags),
         Site::Value(value) => expression(value, facts, cx, diags),
         _ => {}
     }
@@ -28,7 +27,7 @@ pub(super) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
 
 /// The number of the parameter that is a file.
 fn file(params: &[Param]) -> Option<usize> {
-    params.iter().position(|param| param.name == "filePath")
+    params.iter().position(|param| matches!(param.kind, ParamKind::File | ParamKind::Image))
 }
 
 /// Looks at an expression and its parts.
@@ -36,7 +35,7 @@ pub(super) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags)
     if let ExprKind::Call(name, args) = &expr.kind
         && let Some(Use::Builtin(row)) = cx.tables.of(name)
     {
-        // `fileExists` asks for it, and what is about names looks at none.
+        // `fileExists` asks for it, and searches have patterns.
         if !row.name.starts_with("file")
             && let Some(value) = file(row.params).and_then(|at| args.get(at))
         {
@@ -66,11 +65,18 @@ fn text<'c>(expr: &'c Expr, cx: &'c Cx) -> Option<&'c str> {
 
 fn named(value: &Expr, is_inserted: bool, cx: &Cx, diags: &mut Diags) {
     let Some(name) = text(value, cx) else { return };
-    match cx.globals.program.assets.of(name) {
+    let program = cx.globals.program;
+    match program.asset(name, value.span.first) {
         Some(Asset::Missing(beside)) => {
             let message = format!("there is no file `{name}` in the package");
             let diag = diags.report(Code::MissingAsset, value.span, message);
-            diag.note(format!("neither `assets/{name}` nor `{name}` is there"));
+            let places = places(name, program.folder(value.span.first)).unwrap_or_default();
+            let places: Vec<String> = places.iter().map(|place| format!("`{place}`")).collect();
+            match places.as_slice() {
+                [] => {}
+                [place] => _ = diag.note(format!("{place} is not there")),
+                [places @ .., last] => _ = diag.note(format!("neither {} nor {last} is there", places.join(", "))),
+            }
             let mut names: Vec<&str> = beside.iter().map(String::as_str).collect();
             names.sort_unstable();
             match nearest(name, names) {
@@ -96,7 +102,9 @@ fn within(list: &Expr, text: &Expr, token: u32, cx: &Cx, diags: &mut Diags) {
         Some(Tok::Str(file)) => file,
         _ => return,
     };
-    let Some(Asset::Mesh { has_faces: true, groups, materials }) = cx.globals.program.assets.of(file) else { return };
+    let Some(Asset::Mesh { has_faces: true, groups, materials }) = cx.globals.program.asset(file, token) else {
+        return;
+    };
     let (names, what) = match query.text.as_str() {
         "geometry.groups" => (groups, "group"),
         "geometry.materials" => (materials, "material"),

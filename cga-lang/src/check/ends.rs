@@ -115,7 +115,7 @@ fn goes_on(list: &[Op], tables: &Tables, ends: Ends, within: &dyn Fn(u32) -> boo
             OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } => {
                 matches!(tables.of(name), Some(Use::Rule(rule)) if within(rule))
             }
-            OpKind::Nil | OpKind::Error => return false,
+            OpKind::Error => return false,
             OpKind::Push(ops) => inner(ops),
             OpKind::Case(arms, otherwise) => inner(otherwise) && arms.iter().all(|(_, ops)| inner(ops)),
             OpKind::Chance(arms, otherwise) => {
@@ -132,7 +132,12 @@ fn goes_on(list: &[Op], tables: &Tables, ends: Ends, within: &dyn Fn(u32) -> boo
             }
             OpKind::Split(split) if ends == Ends::ButWholeSplits => whole(split).is_some_and(inner),
             // What is divided may be too small, or have no such components: that ends.
-            OpKind::Split(_) | OpKind::Comp(_) | OpKind::Block(_) | OpKind::Leaf(_) | OpKind::Path(..) => false,
+            OpKind::Split(_)
+            | OpKind::Comp(_)
+            | OpKind::Block(_)
+            | OpKind::Leaf(_)
+            | OpKind::Nil
+            | OpKind::Path(..) => false,
         };
         if goes {
             return true;

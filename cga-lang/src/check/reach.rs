@@ -1,22 +1,30 @@
 //! Rules that no run gets to.
 //!
 //! A host program may begin with any rule without parameters, marked or not. A file may be imported by others, and there
-//! nothing is said.
+//! only rules are reported that go on with an import which does not exist.
 
-use super::Cx;
 use super::flow::{Calls, body};
+use super::globals::Kind;
 use super::readings::Readings;
+use super::{Cx, Item};
 use crate::ast::Role;
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
+use crate::suggest::nearest;
+use std::collections::HashSet;
 
 /// Looks for them, where nobody can import the rules.
 pub(super) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
     let (globals, program) = (&cx.globals, cx.globals.program);
-    if calls.starts.is_empty() || program.may_be_imported() {
-        return Vec::new();
+    let mut reached = if calls.starts.is_empty() || program.may_be_imported() {
+        vec![true; globals.rules.len()]
+    } else {
+        reached(cx, calls)
+    };
+    let is_called: HashSet<usize> = calls.edges.iter().flatten().copied().collect();
+    for (rule, item) in globals.rules.iter().enumerate() {
+        reached[rule] &= is_called.contains(&rule) || missing_import(cx, item).is_none();
     }
-    let reached = reached(cx, calls);
     // Whoever calls what is not reached is to blame; in a cycle the first.
     let mut called = vec![false; globals.rules.len()];
     for (caller, callees) in calls.edges.iter().enumerate().filter(|(caller, _)| !reached[*caller]) {
@@ -32,11 +40,30 @@ pub(super) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
             let name = &item.decl.name;
             let message = format!("rule `{}` is never reached", name.text);
             let diag = diags.report(Code::RuleNotReached, name.span, message);
-            diag.note("no rule that a run gets to calls it, and no run begins with a rule that has parameters");
+            match missing_import(cx, item) {
+                Some(import) => {
+                    diag.note(format!("there is no import `{import}`, and no rule here calls `{}`", name.text));
+                    match nearest(import, globals.near(item.instance, Kind::Imports)) {
+                        Some(near) => diag.suggest(Some(near.to_owned())),
+                        None => diag.help(format!("import a file: `import {import} : \"{import}.cga\"`")),
+                    };
+                }
+                None => {
+                    diag.note("no rule that a run gets to calls it, and no run begins with a rule that has parameters");
+                }
+            }
         }
         readings.add(program, item.decl.name.id(), diags.finish());
     }
     readings.agreed(program)
+}
+
+/// The import before the name of a rule, where the file has no such import.
+fn missing_import<'a>(cx: &Cx<'a, '_>, item: &Item<'a>) -> Option<&'a str> {
+    let program = cx.globals.program;
+    let (import, _) = item.decl.name.text.split_once('.')?;
+    let is_known = program.instances[item.instance].imports.contains_key(import);
+    (!is_known && !cx.globals.is_lost(item.instance, import)).then_some(import)
 }
 
 /// By rule: whether a run gets there.

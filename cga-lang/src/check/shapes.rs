@@ -34,15 +34,6 @@ impl<'a> Scope<'_, 'a, '_> {
             {
                 self.misspelt_import(leaf, next);
             }
-            if let (OpKind::Nil, Some(next)) = (&op.kind, ops.get(index + 1)) {
-                let span = next.span.to(ops[ops.len() - 1].span);
-                self.cx.diags.report(Code::AfterNil, span, "`NIL` has removed the shape, nothing happens here");
-                // Still resolved, so that misspellings in it are found.
-                for op in &ops[index + 1..] {
-                    self.op(op);
-                }
-                return;
-            }
         }
     }
 

@@ -40,7 +40,7 @@ fn sequence(ops: &[Op], made: bool, restored: bool, tables: &Tables, diags: &mut
                 }
                 _ => false,
             },
-            OpKind::Leaf(_) | OpKind::Dynamic { .. } => {
+            OpKind::Leaf(_) | OpKind::Nil | OpKind::Dynamic { .. } => {
                 made = true;
                 false
             }
@@ -67,7 +67,7 @@ fn sequence(ops: &[Op], made: bool, restored: bool, tables: &Tables, diags: &mut
                 made = branches(all, made, restored, tables, diags);
                 false
             }
-            OpKind::Nil | OpKind::Path(..) | OpKind::Error => false,
+            OpKind::Path(..) | OpKind::Error => false,
         };
         idle = if changes { idle.or(Some(at)) } else { None };
     }

@@ -150,7 +150,7 @@ fn imports(cx: &Cx) -> Vec<Diag> {
     let piece = &program.pieces[root];
     let named: HashSet<&str> = (piece.tokens.start as usize..piece.tokens.end as usize)
         .filter_map(|at| match (tokens.get(at)?, tokens.get(at + 1)?) {
-            (Tok::Ident(name), Tok::Sym(Sym::Dot | Sym::LParen)) => Some(name.as_str()),
+            (Tok::Ident(name), Tok::Sym(Sym::Dot | Sym::LParen) | Tok::Joint) => Some(name.as_str()),
             _ => None,
         })
         .collect();

@@ -60,6 +60,8 @@ pub enum ExprKind {
     Binary(Binary, Box<Expr>, Box<Expr>),
     /// A float or bool as text, for `+` beside a string.
     ToText(Box<Expr>),
+    /// The name of a file, and the folder of the rule file that names it: relative paths are looked for from there.
+    File(Box<Expr>, String),
     /// `case … else`.
     Case(Vec<(Expr, Expr)>, Box<Expr>),
     /// `p% : … else`.

@@ -1,11 +1,13 @@
 //! Files that rules name: what is known of them while compiling.
 
-use super::Files;
-use crate::token::{Sym, Tok, Tokens};
-use std::collections::{HashMap, HashSet};
+use super::{Files, Program, folder_of};
+use crate::suggest::nearest;
+use crate::token::{Sym, Tok};
+use cga_split::files::places;
+use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// Names that are looked for; of more nothing is known.
-const MOST: usize = 2000;
+/// Names in folders that are looked for; of more nothing is known.
+const MOST: usize = 4000;
 
 /// What is known of a file that rules name.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,7 +54,8 @@ impl Asset {
 /// The files that texts of a program name.
 #[derive(Default)]
 pub(crate) struct Assets {
-    by_name: HashMap<String, Asset>,
+    /// By folder of a rule file and name.
+    by_name: HashMap<String, HashMap<String, Asset>>,
     /// Whether the package is where assets are.
     are_here: bool,
     /// Files of which the rules ask whether they exist.
@@ -60,40 +63,85 @@ pub(crate) struct Assets {
 }
 
 impl Assets {
-    /// Asks for all texts that look like names of files.
-    pub(super) fn new(tokens: &Tokens, files: &mut dyn Files) -> Assets {
+    /// Asks for all texts that look like names of files, from the folder of each rule file: a constant may be used in
+    /// another file than its own.
+    pub(super) fn new(program: &Program, files: &mut dyn Files) -> Assets {
         let mut assets = Assets { are_here: files.has_assets(), ..Assets::default() };
-        for part in tokens.as_slice().windows(3) {
+        let tokens = program.tokens.as_slice();
+        for part in tokens.windows(3) {
             if let [Tok::Ident(word), Tok::Sym(Sym::LParen), Tok::Str(name)] = part
                 && word == "fileExists"
             {
                 assets.asked_for.insert(name.clone());
             }
         }
-        for token in tokens.as_slice() {
-            let Tok::Str(name) = token else { continue };
-            if !is_file_name(name) || assets.by_name.contains_key(name) || MOST <= assets.by_name.len() {
-                continue;
+        let mut seen = HashSet::new();
+        let names = tokens.iter().filter_map(|token| match token {
+            Tok::Str(name) if is_file_name(name) && seen.insert(name.as_str()) => Some(name),
+            _ => None,
+        });
+        let names: Vec<&String> = names.take(MOST).collect();
+        let folders: BTreeSet<&str> = program.files.iter().map(|name| folder_of(name)).collect();
+        // What is at a place, if anything is known of it.
+        let mut known = HashMap::new();
+        for folder in folders.into_iter().take(MOST / names.len().max(1)) {
+            let mut found = HashMap::new();
+            for &name in &names {
+                if let Some(asset) = look_up(name, folder, files, &mut known) {
+                    assets.are_here |= !matches!(asset, Asset::Missing(_));
+                    found.insert(name.clone(), asset);
+                }
             }
-            let Some(asset) = files.asset(name) else { continue };
-            assets.are_here |= !matches!(asset, Asset::Missing(_));
-            assets.by_name.insert(name.clone(), asset);
+            assets.by_name.insert(folder.to_owned(), found);
         }
         assets
     }
 
-    /// What is known of a file. Where none at all is found they are somewhere else; one that rules ask for may be missing.
-    pub(crate) fn of(&self, name: &str) -> Option<&Asset> {
+    /// What is known of a file that a rule file in some folder names.
+    pub(super) fn of(&self, name: &str, folder: &str) -> Option<&Asset> {
         let may_lack = |asset: &&Asset| matches!(asset, Asset::Missing(_)) && self.asked_for.contains(name);
-        self.by_name.get(name).filter(|asset| self.are_here && !may_lack(asset))
+        self.by_name.get(folder)?.get(name).filter(|asset| self.are_here && !may_lack(asset))
     }
+}
+
+/// What is known of the file that a run would use.
+fn look_up(
+    name: &str,
+    folder: &str,
+    files: &mut dyn Files,
+    known: &mut HashMap<String, Option<Asset>>,
+) -> Option<Asset> {
+    let mut others = Vec::new();
+    for place in places(name, folder)? {
+        match known.entry(place).or_insert_with_key(|place| files.asset(place).map(|asset| with_nearest(asset, name))) {
+            Some(Asset::Missing(names)) => others.extend(names.iter().cloned()),
+            found => return found.clone(),
+        }
+    }
+    Some(Asset::Missing(others))
+}
+
+/// What is known of a file, with the name that is most like its own in place of all: a folder has hundreds.
+fn with_nearest(asset: Asset, name: &str) -> Asset {
+    let Asset::Missing(names) = asset else { return asset };
+    let mut names: Vec<String> = names.iter().map(|other| beside(name, other)).filter(|other| other != name).collect();
+    // A folder has no order of its own.
+    names.sort_unstable();
+    Asset::Missing(nearest(name, names.iter().map(String::as_str)).map(str::to_owned).into_iter().collect())
+}
+
+/// The name of a file in the folder of another one, as rules write it.
+fn beside(name: &str, other: &str) -> String {
+    let folder = name.rfind('/').map_or("", |at| &name[..=at]);
+    format!("{folder}{}", other.rsplit('/').next().unwrap_or(other))
 }
 
 /// Whether a text is the name of a file below a folder, other than rules.
 fn is_file_name(text: &str) -> bool {
     let Some((stem, extension)) = text.rsplit_once('.') else { return false };
     let is_extension = (2..=5).contains(&extension.len()) && extension.bytes().all(|byte| byte.is_ascii_alphanumeric());
-    let leaves = text.starts_with('/') || text.split('/').any(|part| matches!(part, ".." | ""));
+    let inside = text.strip_prefix('/').unwrap_or(text);
+    let leaves = inside.split('/').any(|part| matches!(part, ".." | ""));
     let is_plain = !text.contains(['\\', ':', '*', '?', '\n', '"', '<', '>', '|', '$']);
     is_extension && is_plain && !leaves && !stem.is_empty() && !extension.eq_ignore_ascii_case("cga")
 }
@@ -104,10 +152,11 @@ mod tests {
 
     #[test]
     fn names_of_files_are_told_from_other_text() {
-        for name in ["tree.obj", "facade/brick wall.jpg", "a.b.png", "table.csv"] {
+        for name in ["tree.obj", "facade/brick wall.jpg", "a.b.png", "table.csv", "/lib/tree.obj"] {
             assert!(is_file_name(name), "{name}");
         }
-        for text in ["tree", "builtin:cube", "../tree.obj", "/tree.obj", "a//b.png", ".obj", "3.5", "roof.x", "lib.cga"]
+        for text in
+            ["tree", "builtin:cube", "../tree.obj", "//tree.obj", "a//b.png", ".obj", "3.5", "roof.x", "lib.cga"]
         {
             assert!(!is_file_name(text), "{text}");
         }

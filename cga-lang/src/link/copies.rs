@@ -4,7 +4,7 @@
 //! declaration is read again, behind the tokens so far, with its types said beforehand: an overload like any other. The
 //! checker says which are wanted.
 
-use super::{InstanceId, MOST_TOKENS, Piece, Program};
+use super::{InstanceId, Piece, Program};
 use crate::ast::Decl;
 use crate::hash::FastMap;
 use crate::ir::Type;
@@ -18,6 +18,9 @@ const MOST_OF_ONE: usize = 16;
 
 /// Most copies in all.
 const MOST_COPIES: usize = 1000;
+
+/// Most tokens of all copies.
+const MOST_TOKENS: usize = 1_000_000;
 
 /// The types of the parameters; `None` for those that the body knows.
 pub(crate) type Types = Vec<Option<Type>>;
@@ -135,7 +138,8 @@ impl Program {
             return;
         }
         let (start, span) = (self.tokens.len() as u32, decls[at].span);
-        if MOST_TOKENS < start as usize + (span.last - span.first) as usize {
+        let copied = start - self.copies.list.first().map_or(start, |first| first.tokens.start);
+        if MOST_TOKENS < (copied + span.last - span.first) as usize {
             return;
         }
         self.tokens.repeat(span.first..span.last + 1);

@@ -31,9 +31,16 @@ pub(crate) use style::Styles;
 /// Most instances a program may have: files that import each other twice, level by level, would become millions.
 const MOST_INSTANCES: usize = 1000;
 
-/// Most tokens that all instances together may have, whatever the compiled file itself has: 1,000 of a large file would
-/// not fit in memory.
-const MOST_TOKENS: usize = 1_000_000;
+/// Tokens that all instances together may have in any case, whatever the compiled file itself has.
+const FEW_TOKENS: usize = 1_000_000;
+
+/// How often the tokens of all files may be read, on average, where that makes more than [`FEW_TOKENS`]: a large file has a
+/// dozen styles, and no file is read a thousand times.
+const MOST_READINGS: usize = 32;
+
+/// Most tokens that all instances together may have: a token takes about 300 bytes, with its tree and all that is known
+/// of it.
+const MOST_TOKENS: usize = 8_000_000;
 
 /// How deep imports may be nested.
 const MOST_NESTED: usize = 64;
@@ -65,8 +72,9 @@ pub trait Files {
         Vec::new()
     }
 
-    /// What is known of a file that rules name: a mesh, an image, a table. `None` where nothing is.
-    fn asset(&mut self, _name: &str) -> Option<Asset> {
+    /// What is known of a file that rules name: a mesh, an image, a table. The path is the file's place below the folder of
+    /// assets, for which the package stands. `None` where nothing is known.
+    fn asset(&mut self, _path: &str) -> Option<Asset> {
         None
     }
 
@@ -155,6 +163,7 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
         placed: Vec::new(),
         by_name: HashMap::new(),
         under_way: Vec::new(),
+        written: 0,
         full: false,
         program: Program {
             tokens: Tokens::new(),
@@ -179,7 +188,7 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
         let root = link.instance(file, style, style, origin.clone());
         link.program.roots.push(root);
     }
-    link.program.assets = Assets::new(&link.program.tokens, link.files);
+    link.program.assets = Assets::new(&link.program, link.files);
     link.program
 }
 
@@ -189,11 +198,33 @@ impl Program {
         self.files.first().is_some_and(|name| !name.is_empty())
     }
 
+    /// The folder of the file that a token is written in, as the file's name says.
+    pub(crate) fn folder(&self, token: u32) -> &str {
+        let file = self.pieces.get(self.piece(token)).and_then(|piece| self.files.get(piece.file));
+        file.map_or("", |name| folder_of(name))
+    }
+
+    /// What is known of a file that is named in the file of a token. Where no file at all is found they are somewhere else;
+    /// one that rules ask for may be missing.
+    pub(crate) fn asset(&self, name: &str, token: u32) -> Option<&Asset> {
+        self.assets.of(name, self.folder(token))
+    }
+
+    /// The number of the piece that has a token.
+    fn piece(&self, token: u32) -> usize {
+        self.pieces.partition_point(|piece| piece.tokens.start <= token).saturating_sub(1)
+    }
+
     /// How strict to be with a token.
     pub(crate) fn door(&self, token: u32) -> Door {
-        let at = self.pieces.partition_point(|piece| piece.tokens.start <= token).saturating_sub(1);
+        let at = self.piece(token);
         self.instances.get(self.copies.instance(token).unwrap_or(at)).map_or(Door::Text, |instance| instance.door)
     }
+}
+
+/// The folder of a file.
+fn folder_of(name: &str) -> &str {
+    name.rsplit_once('/').map_or("", |(folder, _)| folder)
 }
 
 /// Where an instance comes from.
@@ -213,6 +244,8 @@ struct Link<'l> {
     by_name: HashMap<String, usize>,
     /// Files that are being imported, outermost first.
     under_way: Vec<usize>,
+    /// How many tokens all files have, each read once.
+    written: usize,
     /// Whether too many instances were reported.
     full: bool,
     program: Program,
@@ -226,6 +259,7 @@ impl Link<'_> {
         let file = self.units.len();
         self.by_name.insert(unit.name.clone(), file);
         self.program.files.push(unit.name.clone());
+        self.written += unit.tokens.len();
         self.units.push(unit);
         self.placed.push(None);
         file
@@ -312,8 +346,8 @@ impl Link<'_> {
         } else if MOST_NESTED <= self.under_way.len() {
             self.diags.report(Code::CannotImport, span, format!("imports are nested more than {MOST_NESTED} deep"));
             return true;
-        } else if MOST_TOKENS < self.program.tokens.len() + length {
-            format!("more than {MOST_TOKENS} tokens in all files")
+        } else if self.most_tokens() < self.program.tokens.len() + length {
+            format!("more than {} tokens in all files", self.most_tokens())
         } else {
             return false;
         };
@@ -323,6 +357,12 @@ impl Link<'_> {
             diag.note("a file counts once for each place and style it is used in");
         }
         true
+    }
+
+    /// How many tokens all instances may have: files that are long may have styles, and short ones that import each other
+    /// twice, level by level, end early.
+    fn most_tokens(&self) -> usize {
+        self.written.saturating_mul(MOST_READINGS).clamp(FEW_TOKENS, MOST_TOKENS)
     }
 
     /// The number of a file's style, or else a name like it.

@@ -13,23 +13,14 @@ use crate::span::Span;
 
 impl<'c> Lower<'c> {
     pub(super) fn steps(&mut self, ops: &'c [ast::Op]) -> Vec<Step> {
-        let mut steps = Vec::with_capacity(ops.len());
-        for op in ops {
-            let step = self.step(op);
-            let through = matches!(step, Some(Step::Nil(_)));
-            steps.extend(step);
-            if through {
-                break;
-            }
-        }
-        steps
+        ops.iter().filter_map(|op| self.step(op)).collect()
     }
 
     fn step(&mut self, op: &'c ast::Op) -> Option<Step> {
         Some(match &op.kind {
             OpKind::Call(name, args) => return self.call(op.span, name, args),
             OpKind::Leaf(name) => Step::Give(Target::Leaf(name.text.clone(), name.span)),
-            OpKind::Nil => Step::Nil(op.span),
+            OpKind::Nil => Step::Give(Target::Nil),
             OpKind::Path(name, args) => Step::Rust(name.text.clone(), self.values(args), name.span),
             OpKind::Push(ops) => Step::Push(self.steps(ops)),
             OpKind::Split(split) if split_axis(split).is_none() => {
@@ -59,6 +50,12 @@ impl<'c> Lower<'c> {
         expr
     }
 
+    /// The name of a file, with the folder of the rule file that it is written in.
+    fn file(&mut self, expr: &ast::Expr) -> Expr {
+        let name = self.folded(expr);
+        self.in_folder(name)
+    }
+
     fn values(&mut self, args: &[ast::Arg]) -> Vec<Expr> {
         args.iter().map(|arg| self.folded(&arg.value)).collect()
     }
@@ -83,6 +80,7 @@ impl<'c> Lower<'c> {
                 let args = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
                     ParamKind::Value(_) => Arg::Value(self.folded(&arg.value)),
                     ParamKind::Any => Arg::Value(self.folded(&arg.value)),
+                    ParamKind::File | ParamKind::Image => Arg::Value(self.file(&arg.value)),
                     ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
                     ParamKind::Selector | ParamKind::PerEdge => Arg::Value(self.folded(&arg.value)),
                     ParamKind::Word { words, .. } => Arg::Word(word(arg, words)),
@@ -94,6 +92,7 @@ impl<'c> Lower<'c> {
                 Step::SetAttr(AttrId(index), self.folded(&args.get(1)?.value), span)
             }
             Use::SetShape(row) if row.set == Some(Run::Later) => Step::Later(format!("set({})", row.name), span),
+            Use::SetShape(row) if row.is_image() => Step::SetShape(row, self.file(&args.get(1)?.value), span),
             Use::SetShape(row) => Step::SetShape(row, self.folded(&args.get(1)?.value), span),
             _ => Step::Give(self.successor(name, args)?),
         })

@@ -1,4 +1,5 @@
-//! Whether a rule has made a child by the end of its body. A shape without children is a leaf.
+//! Whether a rule has made a child by the end of its body. A shape without children is a leaf. `NIL` is a child that
+//! vanishes.
 
 use crate::ir::{Childless, Step};
 
@@ -21,8 +22,7 @@ impl Paths {
 }
 
 pub(super) fn of(body: &[Step]) -> Childless {
-    let mut ended = Paths::default();
-    let paths = walk(body, Paths { with: false, without: true }, &mut ended);
+    let paths = walk(body, Paths { with: false, without: true });
     match (paths.with, paths.without) {
         (false, true) => Childless::Always,
         (_, false) => Childless::Never,
@@ -30,8 +30,7 @@ pub(super) fn of(body: &[Step]) -> Childless {
     }
 }
 
-/// `ended` collects the paths on which `NIL` was met.
-fn walk(steps: &[Step], start: Paths, ended: &mut Paths) -> Paths {
+fn walk(steps: &[Step], start: Paths) -> Paths {
     let mut paths = start;
     for step in steps {
         paths = match step {
@@ -39,22 +38,14 @@ fn walk(steps: &[Step], start: Paths, ended: &mut Paths) -> Paths {
             Step::Give(_) | Step::Anew(_) | Step::Comp(_) => paths.child(),
             // It may not divide: the scope can be empty, every slot dropped.
             Step::Split(_) => paths.or(paths.child()),
-            Step::Push(steps) => {
-                // `NIL` in brackets ends the copy only.
-                let mut inner = Paths::default();
-                walk(steps, paths, &mut inner).or(inner)
-            }
+            Step::Push(steps) => walk(steps, paths),
             Step::Case { arms, otherwise } => {
-                let end = walk(otherwise, paths, ended);
-                arms.iter().fold(end, |all, (_, steps)| all.or(walk(steps, paths, ended)))
+                let end = walk(otherwise, paths);
+                arms.iter().fold(end, |all, (_, steps)| all.or(walk(steps, paths)))
             }
             Step::Chance { arms, otherwise } => {
-                let end = walk(otherwise, paths, ended);
-                arms.iter().fold(end, |all, (_, steps)| all.or(walk(steps, paths, ended)))
-            }
-            Step::Nil(_) => {
-                *ended = ended.or(paths);
-                return Paths::default();
+                let end = walk(otherwise, paths);
+                arms.iter().fold(end, |all, (_, steps)| all.or(walk(steps, paths)))
             }
         };
     }

@@ -101,9 +101,20 @@ impl Lower<'_> {
             (Some(word), ops::ParamKind::Word { .. } | ops::ParamKind::Selector) => {
                 Expr { kind: ExprKind::Value(Value::Text(word.to_owned())), ty: Type::Text, span: arg.span }
             }
+            (_, ops::ParamKind::File | ops::ParamKind::Image) => {
+                let name = self.expr(arg);
+                self.in_folder(name)
+            }
             _ => self.expr(arg),
         });
         own.collect()
+    }
+
+    /// The name of a file, with the folder of the rule file that it is written in.
+    pub(super) fn in_folder(&self, name: Expr) -> Expr {
+        let (ty, span) = (name.ty, name.span);
+        let folder = self.checked.globals.program.folder(span.first).to_owned();
+        Expr { kind: ExprKind::File(Box::new(name), folder), ty, span }
     }
 
     /// A call of a function of the language. What was left out is filled in.

@@ -72,7 +72,7 @@ pub(super) fn exprs(steps: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
                 arms.iter_mut().for_each(|(_, steps)| exprs(steps, visit));
                 exprs(otherwise, visit);
             }
-            Step::Nil(_) | Step::Later(..) => {}
+            Step::Later(..) => {}
         }
     }
 }

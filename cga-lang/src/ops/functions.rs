@@ -1,8 +1,8 @@
 //! The functions.
 
 use super::{
-    B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, queries, set_elements, text,
-    values, word,
+    B, BS, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, queries, set_elements,
+    text, values, word,
 };
 use crate::ir::Type;
 
@@ -148,7 +148,6 @@ const IMAGE_RATIO: Param = word(
 );
 
 const QUERY: Param = text("searchQuery");
-const FILE: Param = text("filePath");
 const KEY: Param = text("key");
 const METADATA: &str = "a value kept in an asset's file";
 

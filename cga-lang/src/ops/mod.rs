@@ -128,6 +128,10 @@ pub enum ParamKind {
     Length,
     /// A length in metres, relative with `'` or floating with `~`. Rows that run have no such parameter yet.
     Size,
+    /// Text: the name of a file, which is looked for from the folder of the rule file that it is written in.
+    File,
+    /// The same for an image, which is not opened: materials keep its name.
+    Image,
     /// One of the selectors of components, or an index, or a condition. Rows that run have no such parameter yet.
     Selector,
     /// A float that is computed for each edge of each face, with that edge as current shape. Rows that run have no such
@@ -229,8 +233,16 @@ impl ParamKind {
         match self {
             ParamKind::Value(ty) => Some(*ty),
             ParamKind::Length | ParamKind::Size | ParamKind::PerEdge => Some(Type::Float),
+            ParamKind::File | ParamKind::Image => Some(Type::Text),
             ParamKind::Any | ParamKind::Selector | ParamKind::Word { .. } => None,
         }
+    }
+}
+
+impl ShapeAttr {
+    /// Whether it is the name of an image.
+    pub fn is_image(&self) -> bool {
+        self.ty == Type::Text && self.name.starts_with("material.") && self.name.ends_with("map")
     }
 }
 
@@ -347,6 +359,8 @@ const fn boolean(name: &'static str) -> Param {
 const fn text(name: &'static str) -> Param {
     param(name, ParamKind::Value(T))
 }
+
+const FILE: Param = param("filePath", ParamKind::File);
 
 const fn length(name: &'static str) -> Param {
     param(name, ParamKind::Length)

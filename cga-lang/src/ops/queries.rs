@@ -1,6 +1,9 @@
 //! The functions that look at the shape, its geometry, the run and files.
 
-use super::{B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, text, word};
+use super::{
+    B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamKind, Run, T, TS, boolean, float, of, or, param, text,
+    word,
+};
 use crate::ir::Type;
 
 const fn row(
@@ -168,8 +171,8 @@ pub(super) static SHAPES: &[Function] = &[
     run("print", "print", &[of("value", TS)], TS, "shows a value and gives it"),
 ];
 
-const QUERY: Param = text("searchQuery");
-const FILE: Param = text("filePath");
+/// What it finds is named so that it is found from the rule file.
+const QUERY: Param = param("searchQuery", ParamKind::File);
 
 const ASSET: Param = word(
     "attribute",

@@ -19,7 +19,7 @@ pub static SYNTAX: &[Syntax] = &[
     row("splitArea", "divides the shape along an axis into parts of given areas"),
     row("comp", "divides the shape into faces, edges, vertices or other components"),
     row("set", "sets an attribute of the shape"),
-    row("NIL", "removes the shape"),
+    row("NIL", "makes nothing of the shape"),
     row("[", "works on a copy of the shape up to `]`"),
     row("]", "goes on with the shape as it was before `[`"),
     row("case", "goes on as the first condition that holds says"),

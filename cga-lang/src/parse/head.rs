@@ -1,7 +1,7 @@
 //! How declarations begin, and which names have dots.
 //!
 //! Nobody can tell `lib.Wall` from a leaf `lib.` and a call of `Wall` by looking at the two names: where a step may
-//! stand, a dot joins names if the first of them is an import of this grammar.
+//! stand, a dot joins names if the first of them is an import of this grammar, or if a rule of that name is declared.
 
 use super::layout::pairs;
 use super::slips::is_type;
@@ -38,6 +38,8 @@ pub(super) struct Heads<'a> {
     view: Vec<u32>,
     pairs: Vec<u32>,
     imports: HashSet<&'a str>,
+    /// Names of rules that are declared with a dot.
+    dotted: HashSet<(&'a str, &'a str)>,
     /// Where parentheses behind the path of an import begin.
     overrides: HashSet<usize>,
 }
@@ -45,8 +47,12 @@ pub(super) struct Heads<'a> {
 impl<'a> Heads<'a> {
     pub(super) fn new(tokens: &'a [Tok], view: Vec<u32>) -> Self {
         let pairs = pairs(view.iter().map(|&index| &tokens[index as usize]), view.len());
-        let mut heads = Heads { tokens, view, pairs, imports: HashSet::new(), overrides: HashSet::new() };
+        let mut heads =
+            Heads { tokens, view, pairs, imports: HashSet::new(), dotted: HashSet::new(), overrides: HashSet::new() };
         for position in 0..heads.len() {
+            if heads.at(position + 1) == Some(&Tok::Joint) && heads.is_head(position, position + 3) {
+                heads.dotted.extend(heads.word(position).zip(heads.word(position + 2)));
+            }
             if heads.word(position) == Some("import") {
                 heads.import(position);
             }
@@ -106,7 +112,28 @@ impl<'a> Heads<'a> {
 
     /// The position behind a name that may have dots.
     pub(super) fn name_end(&self, position: usize) -> usize {
-        if self.is_import(position) { self.path_end(position) } else { position + 1 }
+        if self.is_import(position) { self.path_end(position) } else { self.dotted_end(position) }
+    }
+
+    /// The position behind a name that begins at a position and is no import's: with dots where such a rule is declared.
+    fn dotted_end(&self, position: usize) -> usize {
+        let mut end = position + 1;
+        while self.at(end) == Some(&Tok::Joint) && self.word(end + 1).is_some() {
+            end += 2;
+        }
+        if position + 1 < end && self.is_head(position, end) {
+            return end;
+        }
+        let parts = self.word(position).zip(self.word(position + 2)).filter(|_| self.is(position + 1, Sym::Dot));
+        let is_declared = parts.is_some_and(|parts| self.dotted.contains(&parts));
+        // Else it is a leaf before the declaration of another rule.
+        let is_call = || !self.is_head(position + 2, position + 3);
+        if is_declared && is_call() { position + 3 } else { position + 1 }
+    }
+
+    /// Whether a name that goes from one position to another is certainly declared there.
+    fn is_head(&self, position: usize, end: usize) -> bool {
+        self.head_behind(position, end).is_some_and(Head::is_sure)
     }
 
     /// The position behind words with dots between them.

@@ -84,6 +84,8 @@ impl Parser<'_> {
         let span = self.span();
         self.diags
             .report(Code::MissingSize, span, "this slot has no size")
+            // *CGA changelog 2015.0*.
+            .note("versions before 2015 allowed it, and `~1` was meant")
             .help("put `~1 :` before it to share what is left, or a size in metres and `:`");
         Err(Reported)
     }

@@ -157,7 +157,6 @@ impl<'m> Model<'m> {
                 }
                 return self.sequence(otherwise, params, shape, depth);
             }
-            Step::Nil(_) => return false,
             other => panic!("the model has no {other:?}"),
         }
         true

@@ -101,7 +101,8 @@ fn steps(random: &mut Random, depth: usize, param: bool) -> String {
     let mut list: Vec<String> = (0..random.below(3)).map(|_| step(random, depth, param)).collect();
     list.push(match random.below(8) {
         0 => "X.".into(),
-        1 => "NIL".into(),
+        1 if random.below(2) == 0 => "NIL".into(),
+        1 => format!("NIL {}", step(random, depth, param)),
         2 | 3 => call(random, param),
         _ => step(random, depth, param),
     });

@@ -192,6 +192,10 @@ impl Cx<'_> {
                     self.with_args([&**left, &**right], at, concat)
                 }
             },
+            ExprKind::File(name, folder) => {
+                let name = self.expr(name, at);
+                quote_spanned!(place=> cga_rt::File::new(#name, #folder))
+            }
             // It came in as text.
             ExprKind::ToText(inner) if matches!(inner.kind, ExprKind::Host(_)) => self.expr(inner, at),
             // Long arrays end the run.
@@ -217,6 +221,20 @@ impl Cx<'_> {
                 let otherwise = self.expr(otherwise, at);
                 quote_spanned!(place=> (#(if #draws { #values } else)* { #otherwise }))
             }
+        }
+    }
+
+    /// The name of an image, as text.
+    pub(super) fn image(&self, expr: &Expr, at: &Place) -> TokenStream {
+        let (place, env) = (Span::mixed_site(), &at.env);
+        match &expr.kind {
+            // Nothing is looked for.
+            ExprKind::File(name, folder) if folder.is_empty() => self.expr(name, at),
+            ExprKind::File(..) => {
+                let file = self.expr(expr, at);
+                quote_spanned!(place=> { let file = #file; cga_rt::image(#env, file) })
+            }
+            _ => self.expr(expr, at),
         }
     }
 
@@ -304,7 +322,7 @@ pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Place) -> Vec<Toke
 fn is_plain(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Value(_) | ExprKind::Param(_) | ExprKind::Const(_) => true,
-        ExprKind::Neg(inner) | ExprKind::Not(inner) => is_plain(inner),
+        ExprKind::Neg(inner) | ExprKind::Not(inner) | ExprKind::File(inner, _) => is_plain(inner),
         ExprKind::Binary(Binary::Concat, ..) => false,
         ExprKind::Binary(_, left, right) => is_plain(left) && is_plain(right),
         _ => false,

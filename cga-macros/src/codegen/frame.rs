@@ -3,7 +3,7 @@
 //!
 //! They follow from the rules alone, so that a run is the same in every build.
 
-use cga_lang::ir::{CompArm, Expr, ExprKind, Function, Rule, Selector, Step, Type, Value};
+use cga_lang::ir::{CompArm, Expr, ExprKind, Function, Rule, Selector, Step, Target, Type, Value};
 use cga_lang::ir_walk;
 
 /// Kilobytes that a rule takes, with what the runtime's operations that call it back take.
@@ -11,6 +11,7 @@ pub(super) fn rule(rule: &Rule) -> u32 {
     let mut bytes: usize = 1000;
     ir_walk::steps(&rule.body, &mut |step| {
         bytes += match step {
+            Step::Give(Target::Nil) => 100,
             Step::Give(_) => 700,
             Step::Split(split) => 3000 + 500 * split.slots.len(),
             Step::Comp(comp) => 4000 + 500 * comp.arms.len(),

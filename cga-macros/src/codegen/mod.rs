@@ -64,8 +64,8 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         #call
         /// The rules and functions, one function each.
         struct CgaRules;
-        // Named and used by the rules, at the user's own tokens; and `NIL` may stand before the end.
-        #[allow(non_snake_case, dead_code, unreachable_code, clippy::all)]
+        // Named and used by the rules, at the user's own tokens.
+        #[allow(non_snake_case, dead_code, clippy::all)]
         impl CgaRules {
             #rules
             #functions

@@ -4,7 +4,6 @@ use cga_lang::ir::{Arg, Childless, Expr, Function, Global, Param, Prefix, Rule, 
 use cga_lang::ops::{Operation, ParamKind, Run};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
-use syn::Lifetime;
 
 use super::expr::{Place, draws, word_variant};
 use super::{Cx, inner_type, local};
@@ -23,8 +22,6 @@ pub(super) fn functions(cx: &Cx<'_>) -> TokenStream {
 struct Body<'a> {
     id: RuleId,
     rule: &'a Rule,
-    /// How deep in `[ ]`.
-    depth: usize,
 }
 
 impl Cx<'_> {
@@ -38,7 +35,7 @@ impl Cx<'_> {
             let source = &rule.source;
             quote_spanned!(place=> #[doc = #source])
         });
-        let steps = self.steps(&rule.body, Body { id, rule, depth: 0 });
+        let steps = self.steps(&rule.body, Body { id, rule });
         let base = base(&rule.body);
         let flag = (rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> let mut childless = true;));
         let label = &rule.label;
@@ -124,7 +121,7 @@ impl Cx<'_> {
             }
             Step::SetShape(attr, expr, _) => {
                 let Some(set) = attr.set.and_then(Run::now) else { return TokenStream::new() };
-                let (set, value) = (Ident::new(set, place), self.expr(expr, &at));
+                let (set, value) = (Ident::new(set, place), self.image(expr, &at));
                 quote_spanned!(place=> {
                     let a0 = #value;
                     cga_rt::set::#set(&mut cx.env, shape, a0);
@@ -159,10 +156,8 @@ impl Cx<'_> {
                 quote_spanned!(place=> { #code } #made)
             }
             Step::Push(steps) => {
-                let inner = Body { depth: body.depth + 1, ..body };
-                let label = label(inner.depth);
-                let (base, steps) = (base(steps), self.steps(steps, inner));
-                quote_spanned!(place=> #label: {
+                let (base, steps) = (base(steps), self.steps(steps, body));
+                quote_spanned!(place=> {
                     let shape = &mut cga_rt::push(shape);
                     #base
                     #steps
@@ -179,14 +174,6 @@ impl Cx<'_> {
                 let bodies = arms.iter().map(|(_, steps)| self.steps(steps, body));
                 let otherwise = self.steps(otherwise, body);
                 quote_spanned!(place=> #(if #draws { #bodies } else)* { #otherwise })
-            }
-            Step::Nil(_) if body.depth == 0 => {
-                let leave = leave(body.rule);
-                quote_spanned!(place=> return #leave;)
-            }
-            Step::Nil(_) => {
-                let label = label(body.depth);
-                quote_spanned!(place=> break #label;)
             }
         }
     }
@@ -221,6 +208,7 @@ impl Cx<'_> {
                 let value = self.expr(expr, &at);
                 quote_spanned!(place=> cga_rt::Length::Absolute(#value))
             }
+            (Arg::Value(expr), ParamKind::Image) => self.image(expr, &at),
             (Arg::Value(expr), _) => self.expr(expr, &at),
             (Arg::Length(size), _) => {
                 let value = self.expr(&size.value, &at);
@@ -299,11 +287,6 @@ fn leave(rule: &Rule) -> TokenStream {
 pub(super) fn given<'r>(params: &'r [Param], locals: &[Expr]) -> impl Iterator<Item = (Ident, TokenStream)> + use<'r> {
     let count = params.len() - locals.len();
     params.iter().take(count).enumerate().map(|(at, param)| (local("p", at), inner_type(param.ty)))
-}
-
-/// The label of a `[ ]`.
-fn label(depth: usize) -> Lifetime {
-    Lifetime::new(&format!("'push{depth}"), Span::mixed_site())
 }
 
 /// Remembers the scope for operations that look at where they began.

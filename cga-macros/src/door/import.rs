@@ -77,11 +77,9 @@ impl Files for Imports {
         names(&self.root.join(folder)).collect()
     }
 
-    fn asset(&mut self, name: &str) -> Option<Asset> {
-        // As runs look for it (*Asset search*).
-        let places = [self.root.join("assets").join(name), self.root.join(name)];
-        let Some(path) = places.iter().find(|path| path.is_file()) else {
-            return Some(Asset::Missing(places.iter().flat_map(|path| self.named_beside(path, name)).collect()));
+    fn asset(&mut self, place: &str) -> Option<Asset> {
+        let Some(path) = self.inside(place) else {
+            return Some(Asset::Missing(self.beside_place(&self.root.join(place))));
         };
         let is_mesh = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
         let is_small = path.metadata().is_ok_and(|data| data.len() <= LARGEST_MESH);
@@ -95,12 +93,16 @@ impl Files for Imports {
 }
 
 impl Imports {
-    /// The names of the files in the folder of one that is not there, as rules write them.
-    fn named_beside(&mut self, path: &Path, name: &str) -> Vec<String> {
+    /// The path of a file in the package, without links: one that leads out of it a run does not follow either.
+    fn inside(&self, place: &str) -> Option<PathBuf> {
+        let path = self.root.join(place).canonicalize().ok()?;
+        (path.is_file() && path.starts_with(self.root.canonicalize().ok()?)).then_some(path)
+    }
+
+    /// The names of the files in the folder of one that is not there.
+    fn beside_place(&mut self, path: &Path) -> Vec<String> {
         let Some(folder) = path.parent() else { return Vec::new() };
-        let names = self.listed.entry(folder.to_owned()).or_insert_with(|| names(folder).take(MOST_BESIDE).collect());
-        let prefix = name.rfind('/').map_or("", |at| &name[..=at]);
-        names.iter().map(|own| format!("{prefix}{own}")).collect()
+        self.listed.entry(folder.to_owned()).or_insert_with(|| names(folder).take(MOST_BESIDE).collect()).clone()
     }
 }
 
@@ -130,11 +132,14 @@ mod tests {
         let mut files = Imports { root: root.clone(), opened: Vec::new(), listed: HashMap::new() };
         assert!(files.has_assets());
         let groups = vec!["Bark".to_owned()];
-        assert_eq!(files.asset("tree.obj"), Some(Asset::Mesh { has_faces: true, groups, materials: Vec::new() }));
+        let tree = Asset::Mesh { has_faces: true, groups, materials: Vec::new() };
+        assert_eq!(files.asset("assets/tree.obj"), Some(tree));
         assert_eq!(files.asset("table.csv"), Some(Asset::There));
-        assert_eq!(files.asset("wood/oak.png"), Some(Asset::There));
-        assert_eq!(files.asset("wood/elm.png"), Some(Asset::Missing(vec!["wood/oak.png".to_owned()])));
-        assert!(matches!(files.asset("wood"), Some(Asset::Missing(names)) if names.contains(&"tree.obj".to_owned())));
+        assert_eq!(files.asset("assets/wood/oak.png"), Some(Asset::There));
+        assert_eq!(files.asset("assets/wood/elm.png"), Some(Asset::Missing(vec!["oak.png".to_owned()])));
+        assert!(
+            matches!(files.asset("assets/wood"), Some(Asset::Missing(names)) if names.contains(&"tree.obj".to_owned()))
+        );
         std::fs::remove_dir_all(&root).unwrap();
         assert!(!files.has_assets());
     }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use cga_lang::diag::Diag;
-use cga_lang::lex::lex;
+use cga_lang::lex::lex_joined;
 use cga_lang::token::Tokens;
 use proc_macro2::{Literal, Span, TokenStream};
 
@@ -12,15 +12,16 @@ use super::{Place, Problem, Source, TextPlace};
 
 pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
     let span = literals.first().map_or_else(Span::call_site, Literal::span);
-    let mut joined = Joined::default();
+    let (mut joined, mut borders) = (Joined::default(), Vec::new());
     for literal in literals {
+        borders.push(joined.text.len());
         let Some(content) = Content::of(literal) else {
             let (place, help) = (literal.span(), "help: write \"…\" or r#\"…\"#");
             return Err(Problem::new(place, place, format!("the rules are no plain string literal\n{help}")));
         };
         joined.push(&content, literal.span());
     }
-    let lexed = lex(&joined.text);
+    let lexed = lex_joined(&joined.text, &borders);
     let name = span.file();
     // Editors' macro servers know no place.
     let name = if name.is_empty() { "rules".to_owned() } else { name };

@@ -13,6 +13,12 @@ use super::{Host, Place, Source};
 pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
     let mut reader = Reader::default();
     reader.stream(stream);
+    let spans = &reader.spans;
+    reader.tokens.join_rule_names(|dot| {
+        spans
+            .get(dot + 1)
+            .is_some_and(|next| is_close(spans[dot - 1].1, spans[dot].0) && is_close(spans[dot].1, next.0))
+    });
     let findings: Vec<Diag> = reader.diags.finish();
     let place = Place::Inline { spans: reader.spans, paths: reader.paths, end };
     Source { tokens: reader.tokens, findings, hosts: reader.hosts, place, imported: Vec::new(), pieces: Vec::new() }
@@ -301,6 +307,13 @@ impl Reader {
 fn is_apart(left: Span, right: Span) -> bool {
     let (end, start) = (left.end(), right.start());
     end.line < start.line || (end.line == start.line && end.column < start.column)
+}
+
+/// Whether there certainly is no white space between two tokens. Where no places are known there may be some.
+fn is_close(left: Span, right: Span) -> bool {
+    let (end, start) = (left.end(), right.start());
+    let is_known = left.start().column < end.column;
+    is_known && end.line == start.line && end.column == start.column
 }
 
 /// The value of a number with a unit behind it.

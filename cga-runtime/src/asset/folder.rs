@@ -2,9 +2,12 @@
 //! through links.
 
 use std::collections::BTreeSet;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
+
+use cga_split::files::places;
 
 use super::AssetError;
+use crate::text::Text;
 
 /// Files and folders that are looked at; more are left out, the same ones on every platform.
 const MOST_ENTRIES: usize = 100_000;
@@ -12,23 +15,10 @@ const MOST_ENTRIES: usize = 100_000;
 /// Folders within folders that are looked at.
 const DEEPEST: usize = 32;
 
-/// The path of a file by its name, without links.
-pub(super) fn find(root: &Path, name: &str) -> Result<PathBuf, AssetError> {
-    let path = Path::new(name);
-    if path.components().any(|part| !matches!(part, Component::Normal(_) | Component::CurDir)) {
-        return Err(AssetError::Outside);
-    }
-    // *Asset search*: the folder `assets` of a project comes before the project itself.
-    match inside(root, &root.join("assets").join(path)) {
-        Err(AssetError::File { .. }) => inside(root, &root.join(path)),
-        found => found,
-    }
-}
-
-/// The path of a file that can be read to its end: no folder, and none of the things that look like files and wait for
+/// The path of a file by its place, without links: no folder, and none of the things that look like files and wait for
 /// somebody to write.
-pub(super) fn readable(root: &Path, name: &str) -> Result<PathBuf, AssetError> {
-    let path = find(root, name)?;
+pub(super) fn file(root: &Path, place: &str) -> Result<PathBuf, AssetError> {
+    let path = inside(root, &root.join(place))?;
     if path.is_file() {
         return Ok(path);
     }
@@ -62,6 +52,18 @@ impl Listing {
         listing.names.sort_unstable();
         listing.names.dedup();
         listing
+    }
+}
+
+impl Listing {
+    /// The name by which a rule file in some folder finds a file that is listed: with a slash in front where without it another
+    /// file comes first.
+    pub(super) fn as_written(&self, name: &str, folder: &str) -> Text {
+        let is_listed = |place: &String| self.names.binary_search(place).is_ok();
+        match places(name, folder).into_iter().flatten().find(is_listed) {
+            Some(first) if first != name => Text::from(format!("/{name}")),
+            _ => Text::from(name),
+        }
     }
 }
 
@@ -143,23 +145,13 @@ mod tests {
     }
 
     #[test]
-    fn assets_come_before_the_project() {
-        let folder = Temporary::new("order");
-        let root = folder.root().canonicalize().expect("it exists");
-        assert_eq!(find(&root, "a.txt"), Ok(root.join("assets/a.txt")));
-        assert_eq!(find(&root, "./b.txt"), Ok(root.join("b.txt")));
-        assert_eq!(find(&root, "assets/a.txt"), Ok(root.join("assets/a.txt")));
-        assert!(readable(&root, "deep").is_err_and(|error| error.to_string() == "it is no file"));
-        assert!(matches!(find(&root, "c.txt"), Err(AssetError::File { kind: std::io::ErrorKind::NotFound, .. })));
-    }
-
-    #[test]
-    fn no_name_leads_out() {
-        let folder = Temporary::new("out");
-        for name in ["../outside.txt", "assets/../../outside.txt", "/etc/hosts", "a/../../outside.txt"] {
-            assert_eq!(find(&folder.root(), name), Err(AssetError::Outside), "{name}");
-        }
-        assert!(find(&folder.root(), "").is_ok_and(|path| path.is_dir()) && find(&folder.root(), "a\0b").is_err());
+    fn what_is_no_file_is_not_found() {
+        let folder = Temporary::new("none");
+        assert!(file(&folder.root(), "assets/deep").is_err_and(|error| error.to_string() == "it is no file"));
+        let missing = file(&folder.root(), "c.txt");
+        assert!(matches!(missing, Err(AssetError::File { kind: std::io::ErrorKind::NotFound, .. })));
+        assert!(file(&folder.root(), "a\0b").is_err());
+        assert_eq!(file(&folder.root(), "../outside.txt"), Err(AssetError::Outside));
     }
 
     #[cfg(unix)]
@@ -174,9 +166,9 @@ mod tests {
         link(&folder.root().join("b.txt"), "in.txt");
         link(&folder.root(), "round");
         link(Path::new("nowhere"), "dead");
-        assert_eq!(find(&folder.root(), "out.txt"), Err(AssetError::Outside));
-        assert_eq!(find(&folder.root(), "up/outside.txt"), Err(AssetError::Outside));
-        assert!(find(&folder.root(), "in.txt").is_ok());
+        assert_eq!(file(&folder.root(), "out.txt"), Err(AssetError::Outside));
+        assert_eq!(file(&folder.root(), "up/outside.txt"), Err(AssetError::Outside));
+        assert!(file(&folder.root(), "in.txt").is_ok());
         let listing = Listing::new(Some(&folder.root()), [].iter());
         assert_eq!(listing.names, ["a.txt", "assets/a.txt", "assets/deep/Z.txt", "b.txt", "in.txt"]);
     }

@@ -1,6 +1,7 @@
 //! Where rules find files: meshes that the caller hands over, then files below a folder the caller names.
 
 mod error;
+mod file;
 mod folder;
 pub(crate) mod image;
 mod search;
@@ -14,13 +15,17 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 pub use error::AssetError;
+pub use file::File;
 pub(crate) use search::Query;
 
+use cga_split::files::places;
+
 use crate::mesh::Mesh;
+use crate::text::Text;
 use folder::Listing;
 
-/// Names that led to no mesh and are remembered; others are looked up each time, so that memory stays bounded.
-const FAILURES_KEPT: usize = 10_000;
+/// Names whose meshes and images are remembered; others are looked up each time, so that memory stays bounded.
+const NAMES_KEPT: usize = 10_000;
 
 /// Files that can be used, by what their names end with: images, whose paths go into models, material and text files, tables.
 /// Meshes are asked for themselves.
@@ -28,14 +33,36 @@ const USABLE: [&str; 10] = ["bmp", "gif", "jpg", "jpeg", "png", "tif", "tiff", "
 
 /// Meshes and other files by name. Meshes are read once and shared between runs, and the folder is listed once.
 ///
-/// A name is a path with forward slashes, looked up in the subfolder `assets` of the folder first, if there is one, and then
-/// in the folder itself (*Asset search*).
+/// A name is a path with forward slashes. With a slash in front it counts from the folder. Any other is looked up from the
+/// folder of the rule file that names it upwards: in the subfolder `assets` of each, if there is one, and then in the folder
+/// itself (*Asset search*; [`cga_split::files::places`]).
 #[derive(Debug, Default)]
 pub struct Assets {
     root: Option<PathBuf>,
     given: BTreeMap<String, Arc<Mesh>>,
-    read: Mutex<HashMap<String, Result<Arc<Mesh>, AssetError>>>,
+    read: Mutex<Read>,
     listing: OnceLock<Listing>,
+}
+
+/// What was found before.
+#[derive(Debug, Default)]
+struct Read {
+    /// By folder of the rule file and name.
+    meshes: HashMap<String, HashMap<String, Result<Arc<Mesh>, AssetError>>>,
+    /// By folder of the rule file and name; see [`Assets::image`].
+    images: HashMap<String, HashMap<String, Text>>,
+    /// By path: a file that several names lead to is one mesh.
+    files: HashMap<PathBuf, Result<Arc<Mesh>, AssetError>>,
+    /// How many names there are.
+    names: usize,
+}
+
+/// What a name leads to.
+enum Found<'a> {
+    /// A mesh that was handed over.
+    Given(&'a Arc<Mesh>),
+    /// A file, by its path without links.
+    File(PathBuf),
 }
 
 impl Assets {
@@ -62,61 +89,137 @@ impl Assets {
     /// # Errors
     /// The file is missing, not readable, outside of the folder, or not a mesh.
     pub fn mesh(&self, name: &str) -> Result<Arc<Mesh>, AssetError> {
+        self.mesh_from(name, "")
+    }
+
+    /// The mesh of a file that rules name, or why there is none.
+    pub(crate) fn mesh_of(&self, file: &File) -> Result<Arc<Mesh>, AssetError> {
+        self.mesh_from(&file.name, file.folder)
+    }
+
+    fn mesh_from(&self, name: &str, folder: &str) -> Result<Arc<Mesh>, AssetError> {
         if let Some(mesh) = self.given.get(name) {
             return Ok(mesh.clone());
         }
         let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = read.get(name) {
+        if let Some(known) = read.meshes.get(folder).and_then(|names| names.get(name)) {
             return known.clone();
         }
-        let found = self.root.as_deref().ok_or(AssetError::NoFolder).and_then(|root| read_mesh(root, name));
-        if found.is_ok() || read.len() < FAILURES_KEPT {
-            read.insert(name.to_owned(), found.clone());
+        let found = match self.look_up(name, folder) {
+            Ok((_, Found::Given(mesh))) => Ok(mesh.clone()),
+            Ok((_, Found::File(path))) => match read.files.get(&path) {
+                Some(known) => known.clone(),
+                None => {
+                    let mesh = readable_mesh(name).and_then(|()| read_mesh(self.root.as_deref(), &path));
+                    read.files.insert(path, mesh.clone());
+                    mesh
+                }
+            },
+            Err(why) => readable_mesh(name).and(Err(why)),
+        };
+        if read.names < NAMES_KEPT {
+            read.names += 1;
+            read.meshes.entry(folder.to_owned()).or_default().insert(name.to_owned(), found.clone());
         }
         found
     }
 
     /// Whether there is such a file or mesh, and it is of a kind that can be used.
-    pub(crate) fn exists(&self, name: &str) -> bool {
-        if self.given.contains_key(name) {
-            return true;
-        }
-        let end = Path::new(name).extension().and_then(|end| end.to_str()).unwrap_or_default();
+    pub(crate) fn exists(&self, file: &File) -> bool {
+        let end = Path::new(file.name.as_str()).extension().and_then(|end| end.to_str()).unwrap_or_default();
         let mesh = cfg!(feature = "obj").then_some("obj");
-        let usable = USABLE.into_iter().chain(mesh).any(|known| known.eq_ignore_ascii_case(end));
-        usable && self.file(name).is_ok()
+        let usable = || USABLE.into_iter().chain(mesh).any(|known| known.eq_ignore_ascii_case(end));
+        match self.look_up(&file.name, file.folder) {
+            Ok((_, Found::Given(_))) => true,
+            Ok((_, Found::File(_))) => usable(),
+            Err(_) => false,
+        }
     }
 
     /// The beginning of a file, at most so many bytes, and whether that is all of it.
-    pub(crate) fn bytes(&self, name: &str, most: u64) -> Result<(Vec<u8>, bool), AssetError> {
+    pub(crate) fn bytes(&self, file: &File, most: u64) -> Result<(Vec<u8>, bool), AssetError> {
+        let Found::File(path) = self.look_up(&file.name, file.folder)?.1 else {
+            return Err(AssetError::Format("it is a mesh that was handed over, and no file"));
+        };
         let mut bytes = Vec::new();
-        std::fs::File::open(self.file(name)?)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+        std::fs::File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
         let all = bytes.len() as u64 <= most;
         bytes.truncate(usize::try_from(most).unwrap_or(usize::MAX));
         Ok((bytes, all))
     }
 
-    /// Where a file is.
-    fn file(&self, name: &str) -> Result<PathBuf, AssetError> {
-        folder::readable(self.root.as_deref().ok_or(AssetError::NoFolder)?, name)
+    /// The name of an image as models have it: as written, or from the asset folder where it was found beside a rule file
+    /// below that folder and nobody else would find it by the name that is written.
+    pub(crate) fn image(&self, file: File) -> Text {
+        if file.folder.is_empty() || file.name.is_empty() || file.name.starts_with('/') {
+            return file.name;
+        }
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = read.images.get(file.folder).and_then(|names| names.get(file.name.as_str())) {
+            return known.clone();
+        }
+        let outer = places(&file.name, "").unwrap_or_default();
+        let image = match self.look_up(&file.name, file.folder) {
+            Ok((place, _)) if !outer.contains(&place) => Text::from(place),
+            _ => file.name.clone(),
+        };
+        if read.names < NAMES_KEPT {
+            read.names += 1;
+            let names = read.images.entry(file.folder.to_owned()).or_default();
+            names.insert(file.name.as_str().to_owned(), image.clone());
+        }
+        image
     }
 
-    /// The names that a query finds, sorted, and whether there were too many files to look at all of them.
-    pub(crate) fn search(&self, query: &Query) -> (Vec<&str>, bool) {
+    /// What a name in a rule file of some folder leads to, and at which place that is. Everything that needs a file finds it
+    /// here.
+    fn look_up(&self, name: &str, folder: &str) -> Result<(String, Found<'_>), AssetError> {
+        if let Some(mesh) = self.given.get(name) {
+            return Ok((name.to_owned(), Found::Given(mesh)));
+        }
+        let mut why = None;
+        for place in places(name, folder).ok_or(AssetError::Outside)? {
+            if let Some(mesh) = self.given.get(&place) {
+                return Ok((place, Found::Given(mesh)));
+            }
+            let Some(root) = &self.root else { continue };
+            match folder::file(root, &place) {
+                Ok(path) => return Ok((place, Found::File(path))),
+                // That there is nothing is said only of places that are all like that.
+                Err(error) if why.as_ref().is_none_or(is_missing) => why = Some(error),
+                Err(_) => {}
+            }
+        }
+        Err(why.unwrap_or(AssetError::NoFolder))
+    }
+
+    /// The names that a query in a rule file of some folder finds, sorted by their places, and whether there were too many
+    /// files to look at all of them.
+    pub(crate) fn search(&self, query: &Query, folder: &str) -> (Vec<Text>, bool) {
         let listing = self.listing.get_or_init(|| Listing::new(self.root.as_deref(), self.given.keys()));
         let project = self.root.as_deref().and_then(Path::file_name).and_then(|name| name.to_str()).unwrap_or_default();
-        let found = listing.names.iter().map(String::as_str).filter(|name| query.finds(project, name));
-        (found.collect(), listing.cut_short)
+        let found = listing.names.iter().filter(|name| query.finds(project, name));
+        (found.map(|name| listing.as_written(name, folder)).collect(), listing.cut_short)
     }
 }
 
-#[cfg(feature = "obj")]
-fn read_mesh(root: &Path, name: &str) -> Result<Arc<Mesh>, AssetError> {
-    if !Path::new(name).extension().is_some_and(|end| end.eq_ignore_ascii_case("obj")) {
-        return Err(AssetError::Format("only OBJ files can be read"));
+fn is_missing(error: &AssetError) -> bool {
+    matches!(error, AssetError::File { kind: std::io::ErrorKind::NotFound, .. })
+}
+
+/// Whether a file of that name can be read as a mesh, else why not.
+fn readable_mesh(name: &str) -> Result<(), AssetError> {
+    if !cfg!(feature = "obj") {
+        return Err(AssetError::Format("reading meshes needs the feature `obj`"));
     }
-    let path = folder::readable(root, name)?;
-    let bytes = std::fs::read(&path)?;
+    let is_obj = Path::new(name).extension().is_some_and(|end| end.eq_ignore_ascii_case("obj"));
+    if is_obj { Ok(()) } else { Err(AssetError::Format("only OBJ files can be read")) }
+}
+
+#[cfg(feature = "obj")]
+fn read_mesh(root: Option<&Path>, path: &Path) -> Result<Arc<Mesh>, AssetError> {
+    let root = root.ok_or(AssetError::NoFolder)?;
+    let bytes = std::fs::read(path)?;
     let mut material_file = |name: &str| {
         let file = folder::inside(root, &path.parent()?.join(name)).ok().filter(|file| file.is_file())?;
         std::fs::read(file).ok()
@@ -126,6 +229,6 @@ fn read_mesh(root: &Path, name: &str) -> Result<Arc<Mesh>, AssetError> {
 }
 
 #[cfg(not(feature = "obj"))]
-fn read_mesh(_: &Path, _: &str) -> Result<Arc<Mesh>, AssetError> {
-    Err(AssetError::Format("reading meshes needs the feature `obj`"))
+fn read_mesh(_: Option<&Path>, _: &Path) -> Result<Arc<Mesh>, AssetError> {
+    Err(AssetError::NoFolder)
 }

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::tol::TIE_EPSILON;
 use crate::unit;
 
 /// A word that selects components (*comp operation*).
@@ -203,9 +204,11 @@ impl Direction {
 #[inline]
 fn quadrant(normal: DVec3) -> (usize, bool) {
     let size = normal.abs();
-    let axis = if size.x <= size.z && size.y <= size.z {
+    // At 45 degrees but for rounding, as at the mitres of an offset rectangle.
+    let is_most = |a: f64, b: f64| b <= a + TIE_EPSILON;
+    let axis = if is_most(size.z, size.x) && is_most(size.z, size.y) {
         2
-    } else if size.y <= size.x {
+    } else if is_most(size.x, size.y) {
         0
     } else {
         1

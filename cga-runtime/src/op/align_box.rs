@@ -67,7 +67,13 @@ fn seen(shape: &ShapeRef<'_>, first: usize, second: usize) -> Vec<DVec2> {
         Geometry::Edge => vec![DVec2::ZERO, flat(DVec3::X * size.x)],
         Geometry::Wire(placed) => placed.in_scope(size).points.into_iter().map(flat).collect(),
         Geometry::Vertex => Vec::new(),
-        Geometry::Empty | Geometry::Rect(..) | Geometry::Box(_) => CORNERS.map(|corner| flat(size * corner)).to_vec(),
+        Geometry::Rect(across, _) => {
+            // It lies at the low end of what may be a thick scope.
+            let mut size = size;
+            size[across.index()] = 0.0;
+            CORNERS.map(|corner| flat(size * corner)).to_vec()
+        }
+        Geometry::Empty | Geometry::Box(_) => CORNERS.map(|corner| flat(size * corner)).to_vec(),
     }
 }
 

@@ -6,12 +6,11 @@ use glam::{DMat3, DVec3};
 
 use super::primitive::fill_plainly;
 use super::settle;
-use crate::asset::AssetError;
+use crate::asset::{AssetError, File};
 use crate::env::Env;
-use crate::fault::FaultKind;
 use crate::mesh::Mesh;
+use crate::place::Cuboid;
 use crate::shape::{Geometry, Placed, ShapeRef};
-use crate::text::Text;
 use crate::unit::UnitMesh;
 
 /// Which axis of an asset, or of an aligned scope, is its height.
@@ -44,20 +43,20 @@ pub enum CleanupMode {
 }
 
 /// `i(file)`: replaces the geometry by an asset, fitted to the scope (*i operation*). A missing asset leaves a fault and
-/// a box in its place.
-pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text) {
+/// a small box to mark its place.
+pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: File) {
     insert_with(env, shape, file, UpAxis::YUp, InsertMode::AlignSizeAndPosition, CleanupMode::NumericalCleanup);
 }
 
 /// `i(file, yUp | zUp, insertMode, cleanupMode)` (*i operation*). Both modes of cleaning up give the same geometry; see
 /// [`CleanupMode`].
-pub fn insert_with(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text, up: UpAxis, mode: InsertMode, _: CleanupMode) {
+pub fn insert_with(env: &mut Env, shape: &mut ShapeRef<'_>, file: File, up: UpAxis, mode: InsertMode, _: CleanupMode) {
     // *i operation* up to 2016.0; old rule files are full of it.
-    if matches!(file.as_str(), "builtin:cube" | "builtin:cube:notex") {
+    if matches!(file.name.as_str(), "builtin:cube" | "builtin:cube:notex") {
         return insert_box(env, shape, mode);
     }
     let assets = Arc::clone(&env.settings.assets);
-    let found = assets.mesh(&file).and_then(|mesh| match mesh.is_empty() {
+    let found = assets.mesh_of(&file).and_then(|mesh| match mesh.is_empty() {
         true => Err(AssetError::Broken("it has no faces".to_owned())),
         false => Ok(mesh),
     });
@@ -69,8 +68,8 @@ pub fn insert_with(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text, up: UpAx
             }
         }
         Err(why) => {
-            env.fault(FaultKind::Asset, format!("`{file}` cannot be inserted: {why}; a box stands in its place"));
-            insert_box(env, shape, mode);
+            env.asset_fault(format!("`{file}` cannot be inserted: {why}; a small box marks the place"));
+            mark(env, shape, mode);
         }
     }
 }
@@ -83,6 +82,26 @@ pub(crate) fn z_up(mesh: &Mesh) -> Mesh {
 fn insert_box(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
     fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()));
+}
+
+/// The edges of what marks the place of a missing asset, in metres and as a share of the scope: on a very large scope rounding
+/// would make nothing of the former.
+const MARKER: (f64, f64) = (0.1, 1e-6);
+
+/// Marks the place of a missing asset: a box of 0.1 m, less along an axis where the scope has less, in the middle of the
+/// scope's xz plane and on its floor. A box as large as the scope would hide what is there. The scope is that of an asset
+/// of 1 m, so that it is as large as rules expect. The box is not trimmed, so that it is seen.
+fn mark(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
+    arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
+    let size = shape.scope.size.abs();
+    let edges = (size * MARKER.1).max(DVec3::splat(MARKER.0)).min(size);
+    let origin = (size - edges) * DVec3::new(0.5, 0.0, 0.5);
+    let mesh = Cuboid::new(origin, DMat3::from_diagonal(edges)).to_mesh();
+    if env.count_vertices(&mesh).is_continue() {
+        let mesh = Arc::new(mesh);
+        let placed = Placed { low: DVec3::ZERO, size, mesh, whole: false, mirrored: false };
+        shape.geometry = Geometry::Mesh(Arc::new(placed));
+    }
 }
 
 fn place(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>, mode: InsertMode) {
@@ -231,18 +250,49 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_asset_leaves_a_box_in_its_place() {
-        for (mode, size) in [
-            (InsertMode::AlignSizeAndPosition, [2.0, 3.0, 4.0]),
-            (InsertMode::KeepSizeAndPosition, [1.0; 3]),
-            (InsertMode::KeepSizeAlignPosition, [1.0; 3]),
+    fn a_missing_asset_leaves_a_small_box_in_its_place() {
+        use InsertMode::{
+            AlignSizeAndPosition as Align, KeepSizeAlignPosition as KeepSize, KeepSizeAndPosition as Keep,
+        };
+        // Scope, mode; lowest corner and size of the scope afterwards; lowest corner and size of the box in it.
+        for (scope, mode, [at, size], [low, edges]) in [
+            ([2.0, 3.0, 4.0], Align, [[0.0; 3], [2.0, 3.0, 4.0]], [[0.95, 0.0, 1.95], [0.1; 3]]),
+            ([2.0, -3.0, 0.05], Align, [[0.0; 3], [2.0, -3.0, 0.05]], [[0.95, -0.1, 0.0], [0.1, 0.1, 0.05]]),
+            ([0.0, 5.0, 1.0], Align, [[0.0; 3], [3.0, 5.0, 1.0]], [[1.45, 0.0, 0.45], [0.1; 3]]),
+            ([0.0; 3], Align, [[0.0; 3], [1.0; 3]], [[0.45, 0.0, 0.45], [0.1; 3]]),
+            ([2.0, 3.0, 4.0], Keep, [[0.0; 3], [1.0; 3]], [[0.45, 0.0, 0.45], [0.1; 3]]),
+            ([2.0, 3.0, 4.0], KeepSize, [[0.5, 0.0, 1.5], [1.0; 3]], [[0.45, 0.0, 0.45], [0.1; 3]]),
+            ([2e8, 1.0, 1.0], Align, [[0.0; 3], [2e8, 1.0, 1.0]], [[1e8 - 100.0, 0.0, 0.45], [200.0, 0.1, 0.1]]),
         ] {
-            let (env, shape) = (&mut env(), &mut Shape::cuboid(2.0, 3.0, 4.0));
-            insert_with(env, shape, "none.obj".into(), UpAxis::ZUp, mode, CleanupMode::NoCleanup);
-            assert!(matches!(shape.geometry, Geometry::Box(_)) && env.take_faults().0.len() == 1);
-            assert_eq!(shape.scope.size.to_array(), size);
-            insert_with(env, shape, "builtin:cube".into(), UpAxis::YUp, mode, CleanupMode::NoCleanup);
-            assert!(env.take_faults().0.is_empty());
+            let env = &mut env();
+            let mut shape = Shape::cuboid(1.0, 1.0, 1.0).at([1.0, 2.0, 3.0]);
+            shape.resize(DVec3::from_array(scope));
+            insert_with(env, &mut shape, "none.obj".into(), UpAxis::ZUp, mode, CleanupMode::NoCleanup);
+            assert_eq!(env.take_faults().0.len(), 1);
+            stands(&shape, at, size);
+            let (mesh, near) = (shape.to_mesh(), |a: DVec3, b: [f64; 3]| (a - DVec3::from_array(b)).length() < 1e-6);
+            let bounds = mesh.bounds();
+            assert!(mesh.is_closed() && near(bounds.low, low) && near(bounds.size(), edges), "{bounds:?}");
+            insert_with(env, &mut shape, "builtin:cube".into(), UpAxis::YUp, mode, CleanupMode::NoCleanup);
+            assert!(matches!(shape.geometry, Geometry::Box(_)) && env.take_faults().0.is_empty());
         }
+    }
+
+    #[test]
+    fn a_missing_asset_is_one_fault_with_a_count() {
+        let (env, shape) = (&mut env(), &mut Shape::cuboid(2.0, 3.0, 4.0));
+        for _ in 0..12 {
+            insert(env, shape, "none.obj".into());
+            insert(env, shape, "other.obj".into());
+        }
+        let (faults, left_out) = env.take_faults();
+        assert_eq!((faults.iter().map(|fault| fault.count).collect::<Vec<_>>(), left_out), (vec![12, 12], 0));
+        assert!(faults[0].to_string().ends_with("a small box marks the place (12 times)"), "{}", faults[0]);
+        // Beyond what is kept they are only counted.
+        for number in 0..3000 {
+            insert(env, shape, format!("{}.obj", number % 1500).as_str().into());
+        }
+        let (faults, left_out) = env.take_faults();
+        assert_eq!((faults.len(), faults[0].count, left_out), (1000, 2, 1000));
     }
 }

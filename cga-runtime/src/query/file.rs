@@ -1,9 +1,8 @@
 //! Files: `fileExists`, `fileSearch`, `fileRandom`, `assetInfo`, `imageInfo` and `readTextFile`.
 
 use crate::array::Array;
-use crate::asset::{AssetError, image};
+use crate::asset::{AssetError, File, image};
 use crate::env::Env;
-use crate::fault::FaultKind;
 use crate::shape::ShapeRef;
 use crate::text::Text;
 
@@ -11,13 +10,14 @@ use crate::text::Text;
 const LONGEST_TEXT: u64 = 4 << 20;
 
 /// `fileExists(file)`: whether there is such a file, of a kind that can be used (*fileExists function*).
-pub fn file_exists(env: &Env, file: Text) -> bool {
+pub fn file_exists(env: &Env, file: File) -> bool {
     env.settings.assets.exists(&file)
 }
 
 /// `fileSearch(query)`: the files that it finds as a list, sorted, each with `;` behind it (*fileSearch / filesSearch
-/// functions*). Paths are those from the asset folder.
-pub fn file_search(env: &mut Env, query: Text) -> Text {
+/// functions*). Paths are those from the asset folder, with a slash in front where the rule file would find another file by
+/// the path without it.
+pub fn file_search(env: &mut Env, query: File) -> Text {
     let found = env.files(&query);
     list(env, &found)
 }
@@ -36,14 +36,14 @@ fn list(env: &mut Env, texts: &[Text]) -> Text {
 }
 
 /// `filesSearch(query)`: the files that it finds, sorted (*fileSearch / filesSearch functions*).
-pub fn files_search(env: &mut Env, query: Text) -> Array<Text> {
+pub fn files_search(env: &mut Env, query: File) -> Array<Text> {
     let found = env.files(&query);
     if env.may_hold(found.len()) { found.iter().cloned().collect() } else { Array::default() }
 }
 
 /// `fileRandom(query)`: one of the files that it finds, by chance; empty without any (*fileRandom*). It uses up one random
 /// number in any case.
-pub fn file_random(env: &mut Env, shape: &mut ShapeRef<'_>, query: Text) -> Text {
+pub fn file_random(env: &mut Env, shape: &mut ShapeRef<'_>, query: File) -> Text {
     let (draw, found) = (shape.seed.draw(), env.files(&query));
     found.get((draw * found.len() as f64) as usize).cloned().unwrap_or_default()
 }
@@ -62,8 +62,8 @@ pub enum AssetDimension {
 
 /// `assetInfo(file, sx | sy | sz | tx | ty | tz)`: sizes and lowest corner of the box around an asset, in metres (*assetInfo
 /// function*). Without such an asset it is 0, with a fault.
-pub fn asset_info(env: &mut Env, file: Text, dimension: AssetDimension) -> f64 {
-    let bounds = match env.settings.assets.mesh(&file) {
+pub fn asset_info(env: &mut Env, file: File, dimension: AssetDimension) -> f64 {
+    let bounds = match env.settings.assets.mesh_of(&file) {
         Ok(mesh) => mesh.bounds(),
         Err(why) => return unknown(env, &file, &why),
     };
@@ -89,11 +89,11 @@ pub enum AssetNaming {
 
 /// `assetNamingInfos(file, g | m)`: the names of an asset's groups or materials, in its order (*assetNamingInfo / assetNamingInfos
 /// functions*). Without such an asset there are none, with a fault.
-pub fn asset_naming_infos(env: &mut Env, file: Text, what: AssetNaming) -> Array<Text> {
-    let mesh = match env.settings.assets.mesh(&file) {
+pub fn asset_naming_infos(env: &mut Env, file: File, what: AssetNaming) -> Array<Text> {
+    let mesh = match env.settings.assets.mesh_of(&file) {
         Ok(mesh) => mesh,
         Err(why) => {
-            env.fault(FaultKind::Asset, format!("`{file}` cannot be looked into: {why}; no names are used instead"));
+            env.asset_fault(format!("`{file}` cannot be looked into: {why}; no names are used instead"));
             return Array::default();
         }
     };
@@ -106,7 +106,7 @@ pub fn asset_naming_infos(env: &mut Env, file: Text, what: AssetNaming) -> Array
 
 /// `assetNamingInfo(file, g | m)`: the same as a list, each name with `;` behind it (*assetNamingInfo / assetNamingInfos
 /// functions*).
-pub fn asset_naming_info(env: &mut Env, file: Text, what: AssetNaming) -> Text {
+pub fn asset_naming_info(env: &mut Env, file: File, what: AssetNaming) -> Text {
     let names = asset_naming_infos(env, file, what);
     list(env, names.as_slice())
 }
@@ -122,7 +122,7 @@ pub enum ImageDimension {
 
 /// `imageInfo(file, sx | sy)`: width or height in pixels of a PNG or JPEG file (*imageInfo function*). Of others it is 0, with
 /// a fault.
-pub fn image_info(env: &mut Env, file: Text, dimension: ImageDimension) -> f64 {
+pub fn image_info(env: &mut Env, file: File, dimension: ImageDimension) -> f64 {
     let read = env.settings.assets.bytes(&file, image::LOOKED_AT);
     let size = read.and_then(|(bytes, _)| image::size(&bytes).ok_or(AssetError::Format("it is no PNG or JPEG file")));
     match (size, dimension) {
@@ -132,27 +132,27 @@ pub fn image_info(env: &mut Env, file: Text, dimension: ImageDimension) -> f64 {
     }
 }
 
-fn unknown(env: &mut Env, file: &Text, why: &AssetError) -> f64 {
-    env.fault(FaultKind::Asset, format!("`{file}` cannot be measured: {why}; 0 is used instead"));
+fn unknown(env: &mut Env, file: &File, why: &AssetError) -> f64 {
+    env.asset_fault(format!("`{file}` cannot be measured: {why}; 0 is used instead"));
     0.0
 }
 
 /// `readTextFile(file)`: what is in a text file, line ends as `\n` and other control characters as `?` (*readTextFile
 /// function*). UTF-8, and UTF-16 with a mark at its beginning; what is neither becomes `U+FFFD`. Without such a file it is
 /// empty, with a fault.
-pub fn read_text_file(env: &mut Env, file: Text) -> Text {
+pub fn read_text_file(env: &mut Env, file: File) -> Text {
     match read_text(env, &file, "txt") {
         Ok(text) => Text::from(text),
         Err(why) => {
-            env.fault(FaultKind::Asset, format!("`{file}` cannot be read: {why}; it gives empty text"));
+            env.asset_fault(format!("`{file}` cannot be read: {why}; it gives empty text"));
             Text::default()
         }
     }
 }
 
 /// The text of a file whose name ends so.
-pub(super) fn read_text(env: &Env, file: &Text, end: &str) -> Result<String, AssetError> {
-    if !file.rsplit_once('.').is_some_and(|(_, found)| found.eq_ignore_ascii_case(end)) {
+pub(super) fn read_text(env: &Env, file: &File, end: &str) -> Result<String, AssetError> {
+    if !file.name.rsplit_once('.').is_some_and(|(_, found)| found.eq_ignore_ascii_case(end)) {
         return Err(AssetError::Format("its name does not end as those of such files do"));
     }
     let (bytes, all) = env.settings.assets.bytes(file, LONGEST_TEXT)?;

@@ -2,8 +2,8 @@
 
 use super::file::read_text;
 use crate::array::Array;
+use crate::asset::File;
 use crate::env::Env;
-use crate::fault::FaultKind;
 use crate::func::floats_from_texts;
 use crate::text::Text;
 
@@ -11,14 +11,14 @@ use crate::text::Text;
 /// whichever of comma, semicolon and tab is most frequent in the first line, else space. Cells may stand between double quotes,
 /// which are doubled inside. Shorter rows are filled with empty text, and lines with nothing in them are left out. Without such
 /// a file there are no cells, with a fault.
-pub fn read_string_table(env: &mut Env, file: Text) -> Array<Text> {
+pub fn read_string_table(env: &mut Env, file: File) -> Array<Text> {
     if let Some(known) = env.tables.get(&file) {
         return known.clone();
     }
     let rows = match read_text(env, &file, "csv") {
         Ok(text) => rows(&text),
         Err(why) => {
-            env.fault(FaultKind::Asset, format!("`{file}` cannot be read: {why}; it gives no table"));
+            env.asset_fault(format!("`{file}` cannot be read: {why}; it gives no table"));
             Vec::new()
         }
     };
@@ -32,7 +32,7 @@ pub fn read_string_table(env: &mut Env, file: Text) -> Array<Text> {
 }
 
 /// `readFloatTable(file)`: the same as numbers (*readTable functions*). What is no number is not a number.
-pub fn read_float_table(env: &mut Env, file: Text) -> Array<f64> {
+pub fn read_float_table(env: &mut Env, file: File) -> Array<f64> {
     floats_from_texts(read_string_table(env, file))
 }
 

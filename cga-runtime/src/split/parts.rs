@@ -14,6 +14,7 @@ use crate::scope::{Axis, Scope};
 use crate::seed::{Seed, Tag};
 use crate::shape::{Counter, Geometry, Placed, ShapeRef};
 use crate::sink::Flow;
+use crate::tol::PLANAR_EPSILON;
 use crate::unit::Band;
 use crate::wire::{PlacedWire, Wire};
 
@@ -143,6 +144,9 @@ impl<'s> Parts<'s> {
             Geometry::Empty => Geometry::Empty,
             Geometry::Box(unit) => Geometry::Box(unit.part(self.axis, self.band(piece))),
             Geometry::Rect(across, unit) if *across != self.axis => {
+                if self.adjust == Adjust::Adjust {
+                    scope.size = with(scope.size, *across, 0.0);
+                }
                 Geometry::Rect(*across, unit.part(self.axis, self.band(piece)))
             }
             Geometry::Edge if self.axis == Axis::X => Geometry::Edge,
@@ -174,7 +178,7 @@ impl<'s> Parts<'s> {
     fn band(&self, piece: Piece) -> Band {
         let is_last = self.index == self.total && {
             let extent = self.parent.scope.extent(self.axis).abs();
-            extent - (piece.start + piece.length) <= crate::tol::PLANAR_EPSILON * extent
+            extent - (piece.start + piece.length) <= PLANAR_EPSILON * extent
         };
         Band::of(piece.start == 0.0, is_last)
     }
@@ -210,7 +214,7 @@ impl<'s> Parts<'s> {
                 return Geometry::Empty;
             }
             // Along an axis that it spans but for rounding the slot is its scope, as of a box.
-            let near = crate::tol::PLANAR_EPSILON * fit;
+            let near = PLANAR_EPSILON * fit;
             let spans = (bounds.low - low).abs().cmple(near) & (bounds.high - (low + fit)).abs().cmple(near);
             let moved = DVec3::select(spans, DVec3::ZERO, (bounds.low - low) * stretch);
             scope.origin += scope.axes * moved;
@@ -267,7 +271,7 @@ impl Borders<'_> {
         let _ = row.each(|piece| {
             let end = plane(piece.end);
             // The scope's own end is no cut; rounding must not leave a sliver there.
-            let inside = piece.end < extent && end < high;
+            let inside = PLANAR_EPSILON * extent < extent - piece.end && end < high;
             flat.push(inside && rising.last() == Some(&end));
             if inside && rising.last() != Some(&end) {
                 rising.push(end);

@@ -6,7 +6,7 @@ cga! {
     pub grammar Tower;
     @Rnage(0, 1)
     attr height = 3
-    Lot --> extrude(height) NIL A.
+    Lot --> extrude(height) NIL color("#ff0000")
 }
 
 cga! {

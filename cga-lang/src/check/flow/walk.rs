@@ -98,8 +98,7 @@ impl<'w> Walk<'w> {
                 }
             }
             OpKind::Block(block) => self.block(block, &facts, visit),
-            OpKind::Leaf(_) => {}
-            OpKind::Nil => return None,
+            OpKind::Leaf(_) | OpKind::Nil => {}
             OpKind::Path(_, args) => {
                 self.meet_args(args, &facts, visit);
                 facts = Facts { uvs: UvSets::ANY, asset: None, ..facts.on_any_shape() };

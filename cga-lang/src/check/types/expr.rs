@@ -139,6 +139,7 @@ impl<'a> Infer<'_, 'a, '_> {
     pub(super) fn builtin_argument(&mut self, param: &Param, name: &str, var: Var, span: Span) {
         let ty = match param.kind {
             ParamKind::Value(ty) => ty,
+            ParamKind::File | ParamKind::Image => Type::Text,
             ParamKind::Length | ParamKind::Size => Type::Float,
             _ => return,
         };
@@ -156,6 +157,7 @@ impl<'a> Infer<'_, 'a, '_> {
         let builtin = |params: &[Param]| -> Vec<Takes> {
             let takes = |param: &Param| match param.kind {
                 ParamKind::Value(ty) => Takes::Type(ty),
+                ParamKind::File | ParamKind::Image => Takes::Type(Type::Text),
                 ParamKind::Length | ParamKind::Size => Takes::Type(Type::Float),
                 _ => Takes::Any,
             };

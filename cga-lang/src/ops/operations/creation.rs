@@ -1,6 +1,6 @@
 //! Geometry creation: extrusion, assets, primitives, envelopes.
 
-use super::super::{Default, Effect, FS, Operation, Param, ParamKind, float, length, of, or, text, word};
+use super::super::{Default, Effect, FILE, FS, Operation, Param, ParamKind, float, length, of, or, word};
 use super::{later, old, op, with};
 
 const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
@@ -60,15 +60,12 @@ pub(super) static ROWS: &[Operation] = &[
         op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis"),
         "write `extrude(world.up, …)` to extrude upwards",
     ),
-    with(
-        Effect::Fills,
-        op("i", "insert", &[text("filePath")], "replaces the geometry by an asset that fills the scope"),
-    ),
+    with(Effect::Fills, op("i", "insert", &[FILE], "replaces the geometry by an asset that fills the scope")),
     op(
         "i",
         "insert_with",
         &[
-            text("filePath"),
+            FILE,
             UP_AXIS,
             or(INSERT_MODE, Default::Word("alignSizeAndPosition")),
             or(CLEANUP_MODE, Default::Word("numericalCleanup")),
@@ -77,12 +74,12 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     later(
         "insertAlongUV",
-        &[float("uvSet"), text("filePath"), float("height")],
+        &[float("uvSet"), FILE, float("height")],
         "bends copies of an asset along texture coordinates",
     ),
     later(
         "insertAlongUV",
-        &[float("uvSet"), text("filePath"), float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT],
+        &[float("uvSet"), FILE, float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT],
         "bends copies of an asset along texture coordinates",
     ),
     op("primitiveQuad", "quad", &[], "replaces the geometry by a rectangle that fills the scope"),

@@ -1,6 +1,6 @@
 //! Textures and texture coordinates. A uv set is a number from 0 to 9.
 
-use super::super::{Default, Operation, Param, float, length, or, size, text, word};
+use super::super::{Default, Operation, Param, ParamKind, float, length, or, param, size, word};
 use super::{keeps, later, old, op};
 
 const UV_SET: Param = float("uvSet");
@@ -38,7 +38,7 @@ const HEIGHT: Param = size("textureHeight");
 const PROJECTION: &str = "says how a texture is to be laid on the shape";
 
 pub(super) static ROWS: &[Operation] = &[
-    keeps(op("texture", "texture", &[text("filePath")], "sets the colour map")),
+    keeps(op("texture", "texture", &[param("filePath", ParamKind::Image)], "sets the colour map")),
     later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION),
     later(
         "setupProjection",

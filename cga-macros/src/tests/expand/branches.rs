@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, unreachable_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> case height > 2 && p(0.5) : [ s('1, '2, 3) center(xz) NIL ] A.case height == 1 : 30 % : A. else : NIL else : set(height, 2) set(material.opacity, 0.5)
     fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
@@ -11,7 +11,7 @@ impl CgaRules {
         if ((cga_rt::get::float_attribute(shape, 0u32, g.attr_0) > 2f64)
             & cga_rt::func::chance(&mut cx.env, shape, 0.5f64))
         {
-            'push1: {
+            {
                 let shape = &mut cga_rt::push(shape);
                 let base = *shape.scope();
                 {
@@ -24,7 +24,7 @@ impl CgaRules {
                     let a0 = cga_rt::op::CenterAxes::Xz;
                     cga_rt::op::center(&mut cx.env, shape, &base, a0);
                 }
-                break 'push1;
+                childless = false;
             }
             cx.symbol(shape, "A")?;
             childless = false;
@@ -33,7 +33,7 @@ impl CgaRules {
                 cx.symbol(shape, "A")?;
                 childless = false;
             } else {
-                return cx.leave();
+                childless = false;
             }
         } else {
             {

@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, unreachable_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> comp(f) { side : Wall. | 4 = Roof(comp.index) | all : NIL }
     fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(

@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, unreachable_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> print(names(2))
     fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(

@@ -1,4 +1,4 @@
-#[allow(non_snake_case, dead_code, unreachable_code, clippy::all)]
+#[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///A(n) --> case n > 1 : B(n) B(n - 1) else : NIL
     fn A<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
@@ -31,9 +31,7 @@ impl CgaRules {
                     cx.defer(part, 1, CgaCall::Rule1(a0))
                 }?;
             }
-        } else {
-            return cx.leave();
-        }
+        } else {}
         cx.leave()
     }
     ///B(n) --> A(n)

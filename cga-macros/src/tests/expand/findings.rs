@@ -11,12 +11,6 @@ const _: () = {
     "there is no rule `splot`\nnote: this is `undefined_rule`, whose level can be changed\nhelp: did you mean `split`?\nhelp: write `splot.` for a leaf, or declare it: `splot --> …`"
 }
 const _: () = {
-    #[deprecated(note = "`NIL` has removed the shape, nothing happens here")]
-    #[allow(non_upper_case_globals)]
-    const after_nil: () = ();
-    after_nil
-};
-const _: () = {
     use ::cga::__rt as cga_rt;
     #[automatically_derived]
     impl ::core::default::Default for Tower {

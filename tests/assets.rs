@@ -1,0 +1,111 @@
+//! Files that rules name are looked for from the folder of the rule file, whichever rule needs them (*Asset search*).
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use cga::{Assets, Grammar, Model, Settings, Shape, cga};
+
+/// A folder with some files, gone afterwards.
+struct Temporary(PathBuf);
+
+impl Temporary {
+    fn new(name: &str, files: &[(&str, &str)]) -> Temporary {
+        let folder = std::env::temp_dir().join(format!("cga-{name}-{}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&folder);
+        for (name, text) in files {
+            let path = folder.join("root").join(name);
+            std::fs::create_dir_all(path.parent().expect("a folder")).expect("folders");
+            std::fs::write(path, text).expect("a file");
+        }
+        Temporary(folder)
+    }
+
+    fn run(&self, rules: &dyn Grammar, start: &str) -> Model {
+        let assets = Arc::new(Assets::below(self.0.join("root")));
+        let settings = Settings { assets, start: Some(start.into()), ..Settings::default() };
+        rules.generate_with(&Shape::rectangle(1.0, 1.0), &settings).expect("no limit")
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// A triangle of that width, from the origin.
+fn triangle(width: f64) -> String {
+    format!("v 0 0 0\nv {width} 0 0\nv 0 1 0\nf 1 2 3\n")
+}
+
+fn printed(model: &Model) -> Vec<String> {
+    model.prints().iter().map(|line| line.to_string()).collect()
+}
+
+cga! {
+    grammar City = r#"
+        import imp : "tests/rules/import/city/assets.cga" (Extended --> s(0, 0, 0) i("q.obj") Replaced.)
+        Own --> s(0, 0, 0) i("q.obj") Own.
+        Away --> s(0, 0, 0) i(imp.far) Away.
+        Absolute --> s(0, 0, 0) i("/tests/rules/import/city/q.obj") Absolute.
+        Missing --> i("/q.obj") i("/tests/../q.obj") Missing.
+        Sized --> imp.Sized
+        Replaced --> imp.Replaced
+        Painted --> texture("w.png") print(material.colormap) imp.Painted
+        Searched --> print(fileSearch("Name=q.obj")) imp.Searched
+        Said --> print(readTextFile("t.txt")) imp.Said
+    "#;
+}
+
+#[test]
+fn a_rule_finds_what_is_beside_its_file() {
+    let (three, five) = (triangle(3.0), triangle(5.0));
+    let folder = Temporary::new(
+        "beside",
+        &[
+            ("assets/q.obj", &three),
+            ("tests/rules/import/city/q.obj", &five),
+            ("assets/w.png", ""),
+            ("tests/rules/import/city/w.png", ""),
+            ("assets/b.png", ""),
+            ("t.txt", "root"),
+            ("tests/t.txt", "above"),
+            ("tests/t.csv", "a;b"),
+            ("tests/rules/import/city/assets/only.txt", ""),
+        ],
+    );
+    let width = |start: &str| {
+        let model = folder.run(&City::default(), start);
+        assert!(model.report().faults.is_empty(), "{:?}", model.report().faults);
+        model.leaves().map(|leaf| leaf.size().x).collect::<Vec<_>>()
+    };
+    for (start, wanted) in [("Own", 3.0), ("Away", 3.0), ("Absolute", 5.0), ("Sized", 5.0), ("Replaced", 3.0)] {
+        assert_eq!(width(start), [wanted], "{start}");
+    }
+    let painted = printed(&folder.run(&City::default(), "Painted"));
+    assert_eq!(painted, ["w.png", "tests/rules/import/city/w.png", "b.png"]);
+    let said = printed(&folder.run(&City::default(), "Said"));
+    assert_eq!(said[..1], ["root"]);
+    assert_eq!(said[1..2], ["above"]);
+    assert_eq!(said[3..], ["root", "5", "true"], "{said:?}");
+}
+
+#[test]
+fn what_a_search_finds_is_found_by_its_name() {
+    let (three, five) = (triangle(3.0), triangle(5.0));
+    let folder = Temporary::new("search", &[("assets/q.obj", &three), ("tests/rules/assets/q.obj", &five)]);
+    let model = folder.run(&City::default(), "Searched");
+    let all = "assets/q.obj;tests/rules/assets/q.obj;";
+    assert_eq!(printed(&model), [all.to_owned(), format!("/{all}")]);
+    assert_eq!(model.leaves().map(|leaf| leaf.size().x).collect::<Vec<_>>(), [3.0]);
+}
+
+#[test]
+fn what_an_absolute_path_does_not_name_is_missing() {
+    let folder = Temporary::new("absolute", &[("assets/q.obj", &triangle(1.0)), ("../q.obj", &triangle(1.0))]);
+    let model = folder.run(&City::default(), "Missing");
+    let faults: Vec<String> = model.report().faults.iter().map(|fault| fault.message.clone()).collect();
+    assert_eq!(faults.len(), 2, "{faults:?}");
+    assert!(faults[0].starts_with("`/q.obj` cannot be inserted"), "{}", faults[0]);
+    assert!(faults[1].contains("below the asset folder only"), "{}", faults[1]);
+}
