@@ -1,0 +1,97 @@
+//! Boxes and rectangles are an optimisation: a run that holds each of them as a mesh gives the same.
+//!
+//! Random grammars are run in pairs (`pairs.rs`) on random shapes with random attributes, and all that runs give is
+//! compared (`compare.rs`). `CGA_BOXES=200` plays so many more grammars in a throw-away crate; `CGA_BOXES=500..700` those
+//! of some seeds.
+
+mod compare;
+mod files;
+#[allow(deprecated, reason = "findings are warnings of this kind")]
+mod grammars;
+mod known;
+mod pairs;
+mod play;
+#[path = "../../cga-lang/tests/common/random.rs"]
+mod random;
+mod start;
+mod write;
+
+use std::fs;
+use std::ops::Range;
+use std::path::Path;
+use std::process::Command;
+
+/// The seeds of the grammars in the repository.
+const SEEDS: Range<u64> = 2007..2031;
+
+#[test]
+fn the_grammars_are_those_of_their_seeds() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let seeds: Vec<u64> = SEEDS.collect();
+    let files = files::all(&seeds, root, "tests/boxes/grammars.rs", "tests/boxes/rules");
+    if std::env::var_os("CGA_BLESS").is_some() {
+        files::put(&files, &root.join("tests/boxes/rules"));
+    }
+    for (path, text) in files {
+        let now = fs::read_to_string(&path).unwrap_or_default();
+        assert!(now == text, "{} is not what is written today; CGA_BLESS=1 accepts this", path.display());
+    }
+}
+
+#[test]
+fn runs_with_boxes_and_with_meshes_give_the_same() {
+    let counts = play::play(grammars::ALL);
+    println!("{}", counts.summary());
+    assert!(counts.broken == 0, "{}{}", counts.differences(), counts.summary());
+    assert!(5000 < counts.leaves && 5000 < counts.prints, "too little to say anything: {}", counts.summary());
+}
+
+/// Plays many more grammars when `CGA_BOXES` says how many or which: they are compiled in a crate of their own.
+#[test]
+fn further_grammars_give_the_same() {
+    let Ok(text) = std::env::var("CGA_BOXES") else { return };
+    let number = |text: &str| text.parse::<u64>().expect("`CGA_BOXES` is a number, or two with `..` between them");
+    let seeds = match text.split_once("..") {
+        Some((first, end)) => number(first)..number(end),
+        None => 1000..1000 + number(&text),
+    };
+    let seeds: Vec<u64> = seeds.collect();
+    let source = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = source.join("target/boxes");
+    fs::create_dir_all(root.join("src")).expect("a folder for the crate");
+    files::put(&files::all(&seeds, &root, "src/grammars.rs", "rules"), &root.join("rules"));
+    fs::write(root.join("Cargo.toml"), manifest(source)).expect("the crate's manifest");
+    fs::write(root.join("src/main.rs"), program(source)).expect("the crate's program");
+    // With the versions and the folder of this crate, what it depends on is there already.
+    fs::copy(source.join("Cargo.lock"), root.join("Cargo.lock")).expect("the lock file");
+    let cargo = std::env::var_os("CARGO").unwrap_or("cargo".into());
+    let mut command = Command::new(cargo);
+    command.args(["run", "--release", "--quiet", "--target-dir"]).arg(source.join("target")).current_dir(&root);
+    let run = command.status().expect("cargo");
+    assert!(run.success(), "the runs above differ");
+}
+
+/// The manifest of the throw-away crate: the grammars are compiled fast, what they call runs fast.
+fn manifest(source: &Path) -> String {
+    let profile = "[profile.release.package.boxes]\nopt-level = 0\n";
+    let package = "[package]\nname = \"boxes\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n";
+    format!("{package}[dependencies]\ncga = {{ path = {:?} }}\n{profile}", source)
+}
+
+/// The program of the throw-away crate: the same runs of other grammars.
+fn program(source: &Path) -> String {
+    let mut text = String::from("#![allow(deprecated, dead_code, unused)]\nmod grammars;\n");
+    for (name, path) in [
+        ("compare", "tests/boxes/compare.rs"),
+        ("known", "tests/boxes/known.rs"),
+        ("pairs", "tests/boxes/pairs.rs"),
+        ("play", "tests/boxes/play.rs"),
+        ("random", "cga-lang/tests/common/random.rs"),
+        ("start", "tests/boxes/start.rs"),
+    ] {
+        text += &format!("#[path = {:?}]\nmod {name};\n", source.join(path));
+    }
+    text += "fn main() {\n    let counts = play::play(grammars::ALL);\n    println!(\"{}{}\", counts.differences(), counts.summary());\n";
+    text += "    std::process::exit(i32::from(counts.broken != 0));\n}\n";
+    text
+}
