@@ -1,6 +1,5 @@
 //! The comparison of two runs.
 
-use crate::known;
 use cga::mesh::{FaceTag, Mesh};
 use cga::{Collection, Fault, LeafView, Model, Report};
 
@@ -35,7 +34,7 @@ pub(crate) fn difference(left: &Outcome, right: &Outcome, tolerance: Tolerance) 
 }
 
 fn same<T: PartialEq + std::fmt::Debug + ?Sized>(what: &str, a: &T, b: &T) -> Difference {
-    (a != b && !known::is_known(what)).then(|| format!("{what}: {a:?} and {b:?}"))
+    (a != b).then(|| format!("{what}: {a:?} and {b:?}"))
 }
 
 impl Tolerance {
@@ -62,7 +61,7 @@ impl Tolerance {
             if !a.is_empty() && a.parse::<f64>().is_err() && 0 < at && a == b {
                 name = a;
             }
-            if !same(a, b) && !known::is_known(name) {
+            if !same(a, b) {
                 return Some(format!("{}, {name}: {a:?} and {b:?}", left[0]));
             }
         }

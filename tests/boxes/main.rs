@@ -8,7 +8,6 @@ mod compare;
 mod files;
 #[allow(deprecated, reason = "findings are warnings of this kind")]
 mod grammars;
-mod known;
 mod pairs;
 mod play;
 #[path = "../../cga-lang/tests/common/random.rs"]
@@ -22,7 +21,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// The seeds of the grammars in the repository.
-const SEEDS: Range<u64> = 2007..2031;
+const SEEDS: Range<u64> = 100..124;
 
 #[test]
 fn the_grammars_are_those_of_their_seeds() {
@@ -43,7 +42,11 @@ fn runs_with_boxes_and_with_meshes_give_the_same() {
     let counts = play::play(grammars::ALL);
     println!("{}", counts.summary());
     assert!(counts.broken == 0, "{}{}", counts.differences(), counts.summary());
-    assert!(5000 < counts.leaves && 5000 < counts.prints, "too little to say anything: {}", counts.summary());
+    assert!(
+        100 * play::RUNS < counts.leaves as u64 && 100 * play::RUNS < counts.prints as u64,
+        "too little to say anything: {}",
+        counts.summary()
+    );
 }
 
 /// Plays many more grammars when `CGA_BOXES` says how many or which: they are compiled in a crate of their own.
@@ -83,7 +86,6 @@ fn program(source: &Path) -> String {
     let mut text = String::from("#![allow(deprecated, dead_code, unused)]\nmod grammars;\n");
     for (name, path) in [
         ("compare", "tests/boxes/compare.rs"),
-        ("known", "tests/boxes/known.rs"),
         ("pairs", "tests/boxes/pairs.rs"),
         ("play", "tests/boxes/play.rs"),
         ("random", "cga-lang/tests/common/random.rs"),

@@ -6,7 +6,6 @@ mod blocks;
 mod prologue;
 mod steps;
 
-use crate::known;
 use crate::random::Random;
 
 /// The rules with a depth, which call each other.
@@ -56,29 +55,21 @@ impl Writer {
         self.text.push('\n');
     }
 
-    /// One of some templates, filled in, without known differences.
+    /// One of some templates, filled in.
     fn fill(&mut self, templates: &[&str]) -> String {
-        for _ in 0..1000 {
-            let template = *self.random.pick(templates);
-            let mut parts = template.split('$');
-            let mut text = parts.next().unwrap_or_default().to_owned();
-            for part in parts {
-                text += &self.value(&part[..1]);
-                text += &part[1..];
-            }
-            if !known::in_line(&text) {
-                return text;
-            }
+        let template = *self.random.pick(templates);
+        let mut parts = template.split('$');
+        let mut text = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            text += &self.value(&part[..1]);
+            text += &part[1..];
         }
-        "color(\"#808080\")".into()
+        text
     }
 
     fn rules(&mut self) {
         let here = Here { rule: 0, depth: 2, indent: 1 };
         self.text.push_str("\n@StartRule\nLot -->\n");
-        if known::is_known("trim") {
-            self.line(here, "set(trim.vertical, false) set(trim.horizontal, false)");
-        }
         self.watch(here);
         self.steps(here);
         self.line(here, "Mass(2)");
