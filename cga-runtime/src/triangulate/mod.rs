@@ -10,12 +10,14 @@
 
 mod convex;
 mod sweep;
+mod unfold;
 
 use glam::{DVec2, DVec3};
 
 use crate::mesh::Mesh;
 use crate::tol::TOUCH_EPSILON;
 use sweep::Sweep;
+use unfold::Unfold;
 
 /// Which two coordinates to keep to lay a face flat, so that counter-clockwise stays so. Dropping a coordinate moves
 /// nothing, so points that are exactly on a line stay on it.
@@ -68,6 +70,7 @@ pub struct Triangulator {
     flat: Vec<DVec2>,
     ends: Vec<u32>,
     sweep: Sweep,
+    unfold: Unfold,
 }
 
 impl std::fmt::Debug for Triangulator {
@@ -133,12 +136,15 @@ impl Triangulator {
         }
         let from = out.len();
         self.sweep.triangulate(points, loop_ends, 0.0, out);
-        let high = points.iter().fold(points[0], |m, &p| m.max(p));
-        let low = points.iter().fold(points[0], |m, &p| m.min(p));
-        let extent = (high - low).max_element();
         let folded = turned_over(points, &out[from..]);
-        if TOUCH_EPSILON * extent * extent < folded {
-            self.once_more(points, loop_ends, TOUCH_EPSILON * extent, folded, from, out);
+        if 0.0 < folded {
+            let high = points.iter().fold(points[0], |m, &p| m.max(p));
+            let low = points.iter().fold(points[0], |m, &p| m.min(p));
+            let extent = (high - low).max_element();
+            if TOUCH_EPSILON * extent * extent < folded {
+                self.once_more(points, loop_ends, TOUCH_EPSILON * extent, folded, from, out);
+            }
+            self.unfold.repair(points, loop_ends.len(), out, from);
         }
     }
 
