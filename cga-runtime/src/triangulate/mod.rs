@@ -8,6 +8,7 @@
 //! still has every edge of the loops once, and the signed area. Nothing here panics; the same input gives the same
 //! triangles.
 
+mod cap;
 mod convex;
 mod sweep;
 mod unfold;
@@ -16,6 +17,7 @@ use glam::{DVec2, DVec3};
 
 use crate::mesh::Mesh;
 use crate::tol::TOUCH_EPSILON;
+use cap::Cap;
 use sweep::Sweep;
 use unfold::Unfold;
 
@@ -69,6 +71,7 @@ impl Projection {
 pub struct Triangulator {
     flat: Vec<DVec2>,
     ends: Vec<u32>,
+    cap: Cap,
     sweep: Sweep,
     unfold: Unfold,
 }
@@ -86,6 +89,8 @@ impl Triangulator {
     }
 
     /// Appends the triangles of a face as positions in [`Mesh::corners`] (and so in its texture coordinates and normals).
+    ///
+    /// The caps of both sides of a cut have the same triangles, turned over.
     pub fn face(&mut self, mesh: &Mesh, face: usize, out: &mut Vec<[u32; 3]>) {
         let face = mesh.face(face);
         let range = face.corner_range();
@@ -94,16 +99,26 @@ impl Triangulator {
             out.push([start, start + 1, start + 2]);
             return;
         }
-        let projection = Projection::along(face.normal());
         let mut flat = std::mem::take(&mut self.flat);
         let mut ends = std::mem::take(&mut self.ends);
         flat.clear();
         ends.clear();
-        flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
         ends.extend(face.loop_ranges().map(|l| (l.end - range.start) as u32));
         let from = out.len();
-        self.polygon(&flat, &ends, out);
-        out[from..].iter_mut().flatten().for_each(|c| *c += start);
+        if face.tag().cap {
+            let mut cap = std::mem::take(&mut self.cap);
+            cap.read(&face);
+            let projection = Projection::along(cap.normal(&ends));
+            flat.extend(cap.points.iter().map(|&point| projection.apply(point)));
+            self.polygon(&flat, &ends, out);
+            out[from..].iter_mut().for_each(|t| *t = cap.triangle(*t));
+            self.cap = cap;
+        } else {
+            let projection = Projection::along(face.normal());
+            flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
+            self.polygon(&flat, &ends, out);
+            out[from..].iter_mut().flatten().for_each(|c| *c += start);
+        }
         if range.len() > 4 {
             // Where loops touch, triangles without area join corners that are the same point.
             let point = |c: u32| mesh.corners[c as usize];
