@@ -157,6 +157,7 @@ impl Sweep {
                 let region = self.region[corner as usize];
                 self.attach_left(points, region, corner, out);
                 self.set_left(region, a);
+                self.status.set_edge(region, [corner, a].map(|c| points[c as usize]));
             }
             (false, false) => self.begin(points, corner, out),
             (true, true) => {

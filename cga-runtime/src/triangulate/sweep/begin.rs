@@ -12,19 +12,15 @@ impl Sweep {
     pub(super) fn begin(&mut self, points: &[DVec2], corner: u32, out: &mut Vec<[u32; 3]>) {
         let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
         let turn = orient(points[a as usize], points[corner as usize], points[b as usize]);
-        let right_of = |from: u32, to: u32| -> i32 {
+        let right_of = |from: DVec2, to: DVec2| -> i32 {
             // On the line it is the corner's own edges that tell.
-            let [from, to] = [from, to].map(|c| points[c as usize]);
-            let sides = [corner, a, b].map(|c| orient(from, to, points[c as usize]));
-            -sides.into_iter().find(|&side| side != 0).unwrap_or(0)
+            let mut sides = [corner, a, b].into_iter().map(|c| orient(from, to, points[c as usize]));
+            -sides.find(|&side| side != 0).unwrap_or(0)
         };
-        let [left, right] = self.status.around(|region| {
-            let left = self.regions[region as usize].left;
-            right_of(self.next[left as usize], left) > 0
-        });
+        let [left, right] = self.status.around(|[from, to]| right_of(from, to) > 0);
         let around = left.filter(|&region| {
             let right = self.regions[region as usize].right;
-            right_of(right, self.next[right as usize]) < 0
+            right_of(points[right as usize], points[self.next[right as usize] as usize]) < 0
         });
         let new = self.regions.len() as u32;
         let split = match around {
@@ -32,7 +28,7 @@ impl Sweep {
             None if turn < 0 => self.beside(points, corner, left, right),
             _ => None,
         };
-        self.status.insert_after(split.or(left));
+        self.status.insert_after(split.or(left), [corner, a].map(|c| points[c as usize]));
         if let Some(region) = split {
             // The chain parts at the point that came last; the corner sees it, and goes on from it both ways.
             let old = self.regions[region as usize];

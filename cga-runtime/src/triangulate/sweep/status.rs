@@ -3,6 +3,8 @@
 //! A height-balanced (AVL) tree in an arena. A region's number is the index of its node, so a region is removed without a
 //! search. All steps are loops, and each takes at most the height of the tree, whatever comparisons return.
 
+use glam::DVec2;
+
 use super::NONE;
 
 /// A region in the tree. Neighbours are indices, or [`NONE`].
@@ -13,6 +15,8 @@ struct Node {
     children: [u32; 2],
     /// Of the subtree, 1 for a leaf.
     height: u32,
+    /// The lower and upper end of the region's left edge. They are here because searches in a large tree wait for memory.
+    edge: [DVec2; 2],
 }
 
 const LEFT: usize = 0;
@@ -37,21 +41,23 @@ impl Status {
         self.root = NONE;
     }
 
-    /// The regions on both sides of a place: the last one that is left of it and the first one that is not, by binary search.
+    /// The regions on both sides of a place: the last one whose left edge is left of it and the first one whose is not, by
+    /// binary search.
     #[inline]
-    pub(super) fn around(&self, mut is_left: impl FnMut(u32) -> bool) -> [Option<u32>; 2] {
+    pub(super) fn around(&self, mut is_left: impl FnMut([DVec2; 2]) -> bool) -> [Option<u32>; 2] {
         let mut found = [None; 2];
         let mut at = self.root;
         while at != NONE {
-            let left = is_left(at);
+            let node = &self.nodes[at as usize];
+            let left = is_left(node.edge);
             found[if left { LEFT } else { RIGHT }] = Some(at);
-            at = self.nodes[at as usize].children[if left { RIGHT } else { LEFT }];
+            at = node.children[if left { RIGHT } else { LEFT }];
         }
         found
     }
 
     /// Inserts the next region, whose number is the count of regions so far, after another one, or before all.
-    pub(super) fn insert_after(&mut self, region: Option<u32>) {
+    pub(super) fn insert_after(&mut self, region: Option<u32>, edge: [DVec2; 2]) {
         let new = self.nodes.len() as u32;
         let (parent, side) = match region {
             Some(region) => match self.nodes[region as usize].children[RIGHT] {
@@ -61,7 +67,7 @@ impl Status {
             None if self.root == NONE => (NONE, LEFT),
             None => (self.leftmost(self.root), LEFT),
         };
-        self.nodes.push(Node { parent, children: [NONE; 2], height: 1 });
+        self.nodes.push(Node { parent, children: [NONE; 2], height: 1, edge });
         if parent == NONE {
             self.root = new;
         } else {
@@ -70,9 +76,15 @@ impl Status {
         }
     }
 
+    /// Gives a region the next left edge.
+    #[inline]
+    pub(super) fn set_edge(&mut self, region: u32, edge: [DVec2; 2]) {
+        self.nodes[region as usize].edge = edge;
+    }
+
     /// Removes a region.
     pub(super) fn remove(&mut self, region: u32) {
-        let Node { parent, children, height } = self.nodes[region as usize];
+        let Node { parent, children, height, .. } = self.nodes[region as usize];
         let [left, right] = children;
         if left == NONE || right == NONE {
             let child = if left == NONE { right } else { left };
@@ -212,7 +224,8 @@ mod tests {
                 if grows || list.is_empty() {
                     let at = if ends { list.len() } else { below(list.len() + 1) };
                     let new = status.nodes.len() as u32;
-                    status.insert_after(at.checked_sub(1).map(|at| list[at]));
+                    let edge = [DVec2::splat(f64::from(new)), DVec2::ZERO];
+                    status.insert_after(at.checked_sub(1).map(|at| list[at]), edge);
                     list.insert(at, new);
                 } else {
                     let at = if ends { 0 } else { below(list.len()) };
@@ -221,7 +234,9 @@ mod tests {
                 if round % 50 == 0 {
                     assert_eq!(in_order(&status), list);
                     let at = below(list.len() + 1);
-                    let found = status.around(|region| list.iter().position(|&r| r == region).unwrap() < at);
+                    let place =
+                        |[from, _]: [DVec2; 2]| list.iter().position(|&region| f64::from(region) == from.x).unwrap();
+                    let found = status.around(|edge| place(edge) < at);
                     assert_eq!(found, [at.checked_sub(1).map(|at| list[at]), list.get(at).copied()]);
                 }
             }
