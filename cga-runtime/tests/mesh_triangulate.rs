@@ -116,6 +116,26 @@ fn random_stars_and_combs() {
 }
 
 #[test]
+fn combs_of_many_teeth_begin_and_end_in_any_order() {
+    let mut rng = Rng(16);
+    let heights: [&mut dyn FnMut(usize) -> f64; 4] =
+        [&mut |_| 1.0, &mut |i| 1.0 + i as f64, &mut |i| 1.0 - 1e-5 * i as f64, &mut |_| 1.0 + rng.unit()];
+    for height in heights {
+        let teeth = 5_000;
+        let mut comb = vec![DVec2::new(0.0, -1.0), DVec2::new(f64::from(teeth), -1.0)];
+        for i in (0..teeth).rev() {
+            let root = height(i as usize);
+            comb.push(DVec2::new(f64::from(i) + 0.5, root + 3.0));
+            comb.push(DVec2::new(f64::from(i), root));
+        }
+        for turn in [DVec2::X, DVec2::NEG_X, DVec2::Y] {
+            let turned: Vec<DVec2> = comb.iter().map(|p| p.rotate(turn)).collect();
+            check("comb of many teeth", &[turned], 1e-5);
+        }
+    }
+}
+
+#[test]
 fn any_points_at_all_keep_their_rim() {
     let mut rng = Rng(13);
     for _ in 0..5000 {

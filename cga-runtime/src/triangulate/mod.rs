@@ -4,9 +4,10 @@
 //! their rim: each edge of each loop belongs to exactly one triangle, collinear corners included, so a closed mesh gives
 //! closed triangles. Of `n` corners and `h` holes there are `n + 2h − 2`, unless loops touch.
 //!
-//! Convex polygons are fans, the rest is swept (`sweep.rs`). Where loops cross, no triangulation is right: what comes out
-//! still has every edge of the loops once, and the signed area. Nothing here panics; the same input gives the same
-//! triangles.
+//! Convex polygons are fans, the rest is swept (`sweep.rs`), in time that grows as the corners times their logarithm.
+//! Triangles that the sweep turns over, where loops cross, are repaired as far as the loops allow (`unfold.rs`). Where no
+//! triangulation is right, what comes out still has every edge of the loops once, and the signed area. Nothing here panics;
+//! the same input gives the same triangles.
 
 mod cap;
 mod convex;
