@@ -154,18 +154,23 @@ impl Triangulator {
         self.sweep.triangulate(points, loop_ends, 0.0, out);
         let folded = turned_over(points, &out[from..]);
         if 0.0 < folded {
-            let high = points.iter().fold(points[0], |m, &p| m.max(p));
-            let low = points.iter().fold(points[0], |m, &p| m.min(p));
-            let extent = (high - low).max_element();
-            if TOUCH_EPSILON * extent * extent < folded {
-                self.once_more(points, loop_ends, TOUCH_EPSILON * extent, folded, from, out);
-            }
-            self.unfold.repair(points, loop_ends.len(), out, from);
+            self.repair(points, loop_ends, folded, from, out);
         }
     }
 
-    /// Loops that cross by rounding were meant to touch: some slack, or another direction, may make less of it.
+    /// Makes less of triangles that are turned over.
     #[cold]
+    fn repair(&mut self, points: &[DVec2], loop_ends: &[u32], folded: f64, from: usize, out: &mut Vec<[u32; 3]>) {
+        let high = points.iter().fold(points[0], |m, &p| m.max(p));
+        let low = points.iter().fold(points[0], |m, &p| m.min(p));
+        let extent = (high - low).max_element();
+        if TOUCH_EPSILON * extent * extent < folded {
+            self.once_more(points, loop_ends, TOUCH_EPSILON * extent, folded, from, out);
+        }
+        self.unfold.repair(points, loop_ends.len(), out, from);
+    }
+
+    /// Loops that cross by rounding were meant to touch: some slack, or another direction, may make less of it.
     fn once_more(
         &mut self,
         points: &[DVec2],

@@ -94,7 +94,6 @@ fn twice_area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 
 impl Unfold {
     /// Replaces turned triangles, and others around them, where that makes their area less.
-    #[cold]
     pub(super) fn repair(&mut self, points: &[DVec2], loops: usize, triangles: &mut Vec<[u32; 3]>, from: usize) {
         let mut budget = TRIED + TRIED_EACH * points.len();
         for size in PATCHES {
