@@ -157,6 +157,42 @@ fn any_points_at_all_keep_their_rim() {
         let signed: f64 = found.iter().map(|t| area(&t.map(|i| points[i as usize]))).sum();
         let expected: f64 = polygon.iter().map(|ring| area(ring)).sum();
         assert!((signed - expected).abs() < 1e-12, "{polygon:?}");
+        assert!(rim_is_kept(&polygon, &points, &found), "{polygon:?}");
+    }
+}
+
+/// Whether the edges of the triangles, by position, add up to those of the loops.
+fn rim_is_kept(polygon: &[Vec<DVec2>], points: &[DVec2], triangles: &[[u32; 3]]) -> bool {
+    let mut net = std::collections::HashMap::new();
+    let mut count = |ring: &[DVec2], by: i32| {
+        for i in 0..ring.len() {
+            let [a, b] = [i, (i + 1) % ring.len()].map(|at| (ring[at] + 0.0).to_array().map(f64::to_bits));
+            *net.entry((a.min(b), a.max(b))).or_insert(0) += if a < b { by } else { -by };
+        }
+    };
+    polygon.iter().for_each(|ring| count(ring, 1));
+    triangles.iter().for_each(|t| count(&t.map(|i| points[i as usize]), -1));
+    net.iter().all(|((a, b), &net)| a == b || net == 0)
+}
+
+#[test]
+fn numbers_of_any_size_do_no_harm() {
+    let mut rng = Rng(17);
+    let sizes = [0.0, -0.0, 1.0, -1.0, 5e-324, 1e-308, 1e-160, 1e154, -1e300, f64::MAX, f64::MIN, 1.0 + f64::EPSILON];
+    let mut triangulator = Triangulator::new();
+    for round in 0..3000 {
+        let polygon: Vec<Vec<DVec2>> = (0..1 + rng.below(2))
+            .map(|_| {
+                let corners = 3 + rng.below(if round % 50 == 0 { 150 } else { 12 });
+                (0..corners).map(|_| DVec2::new(sizes[rng.below(12)], sizes[rng.below(12)])).collect()
+            })
+            .collect();
+        let points = polygon.concat();
+        let ends = if polygon.len() == 1 { vec![points.len()] } else { vec![polygon[0].len(), points.len()] };
+        let ends: Vec<u32> = ends.into_iter().map(|end| end as u32).collect();
+        let mut found = Vec::new();
+        triangulator.polygon(&points, &ends, &mut found);
+        assert!(rim_is_kept(&polygon, &points, &found), "{polygon:?}");
     }
 }
 

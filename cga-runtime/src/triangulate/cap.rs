@@ -1,4 +1,4 @@
-//! Caps in the order that both sides of a cut agree on.
+//! Caps in an order that is the same on both sides of a cut.
 //!
 //! The cap on one side of a plane is the cap on the other side turned over: the same points, each loop the other way round,
 //! with its first edge first. One of the two is triangulated on both sides, so that both have the same triangles.
@@ -63,8 +63,7 @@ impl Cap {
     }
 }
 
-/// Whether a cap is the one of the two that is turned over, by the order of its points: the first two that would swap places
-/// tell.
+/// Whether this cap is the turned one of the two. The order of the first two points that turning swaps decides.
 fn is_turned(face: &FaceRef<'_>) -> bool {
     let outline = face.loop_ranges().next().unwrap_or(0..0);
     let count = outline.len();

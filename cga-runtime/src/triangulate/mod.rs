@@ -5,7 +5,7 @@
 //! closed triangles. Of `n` corners and `h` holes there are `n + 2h − 2`, unless loops touch.
 //!
 //! Convex polygons are fans, the rest is swept (`sweep.rs`), in time that grows as the corners times their logarithm.
-//! Triangles that the sweep turns over, where loops cross, are repaired as far as the loops allow (`unfold.rs`). Where no
+//! Triangles that the sweep turns over, where loops cross, are repaired where the loops allow it (`unfold.rs`). Where no
 //! triangulation is right, what comes out still has every edge of the loops once, and the signed area. Nothing here panics;
 //! the same input gives the same triangles.
 
@@ -158,7 +158,7 @@ impl Triangulator {
         }
     }
 
-    /// Makes less of triangles that are turned over.
+    /// Reduces the area of triangles that are turned over.
     #[cold]
     fn repair(&mut self, points: &[DVec2], loop_ends: &[u32], folded: f64, from: usize, out: &mut Vec<[u32; 3]>) {
         let high = points.iter().fold(points[0], |m, &p| m.max(p));

@@ -1,4 +1,4 @@
-//! Turned triangles out of a triangulation, where the polygon has one without.
+//! Removes turned triangles from a triangulation where the polygon has one without them.
 //!
 //! Loops that cross, if only by rounding, make a sweep turn triangles over. Around each such triangle a patch of connected
 //! triangles is taken out and its rim, a closed chain of corners, is triangulated again with the least turned area, by
@@ -93,7 +93,8 @@ fn twice_area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 }
 
 impl Unfold {
-    /// Replaces turned triangles, and others around them, where that makes their area less.
+    /// Replaces turned triangles, and others around them, where that reduces the turned area. The triangles of the polygon
+    /// begin at `from`.
     pub(super) fn repair(&mut self, points: &[DVec2], loops: usize, triangles: &mut Vec<[u32; 3]>, from: usize) {
         let mut budget = TRIED + TRIED_EACH * points.len();
         for size in PATCHES {
@@ -124,7 +125,7 @@ impl Unfold {
         }
     }
 
-    /// Triangulates a whole loop. What a sweep makes of one that crosses itself may have slits, which patches keep.
+    /// Triangulates a whole loop. The sweep of a loop that crosses itself may leave slits, and patches keep these.
     fn whole(&mut self, points: &[DVec2], triangles: &mut Vec<[u32; 3]>, from: usize) {
         self.chain.clear();
         self.chain.extend(0..points.len() as u32);
@@ -139,7 +140,7 @@ impl Unfold {
         self.turned.clear();
         for (number, &corners) in triangles.iter().enumerate() {
             let [a, b, c] = corners.map(|corner| points[corner as usize]);
-            // Only what looks turned is worth a look.
+            // The exact test is only for triangles that look turned.
             if twice_area(a, b, c) < 0.0 && orient(a, b, c) < 0 {
                 self.turned.push((Cost::of(points, corners).turned, number as u32));
             }

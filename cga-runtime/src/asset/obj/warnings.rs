@@ -1,4 +1,4 @@
-//! What was not as it should be in a file, as a list that no file makes long.
+//! The warnings about a file, with a limit on their number.
 
 use std::borrow::Cow;
 

@@ -13,7 +13,7 @@ struct Node {
     parent: u32,
     /// The subtrees of regions to the left and to the right.
     children: [u32; 2],
-    /// Of the subtree, 1 for a leaf.
+    /// The height of the subtree, 1 for a leaf.
     height: u32,
     /// The lower and upper end of the region's left edge. They are here because searches in a large tree wait for memory.
     edge: [DVec2; 2],
