@@ -20,9 +20,14 @@ impl Cap {
         self.is_turned = is_turned(face);
         self.corners.clear();
         for corners in face.loop_ranges() {
-            let count = corners.len();
-            let at = |i: usize| corners.start + if self.is_turned { (count + 1 - i) % count } else { i };
-            self.corners.extend((0..count).map(|i| at(i) as u32));
+            if self.is_turned {
+                // 1 0 n-1 … 2.
+                let second = corners.len().min(2);
+                let turned = (0..second).rev().chain((second..corners.len()).rev());
+                self.corners.extend(turned.map(|i| (corners.start + i) as u32));
+            } else {
+                self.corners.extend(corners.map(|corner| corner as u32));
+            }
         }
         self.points.clear();
         self.points.extend(self.corners.iter().map(|&corner| face.position(corner as usize)));
