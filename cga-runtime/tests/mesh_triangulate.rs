@@ -4,8 +4,8 @@ mod cut_support;
 
 use std::sync::Arc;
 
-use cga_runtime::cut::slabs;
-use cga_runtime::mesh::Mesh;
+use cga_runtime::cut::{Plane, halves, slabs};
+use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder};
 use cga_runtime::scope::Axis;
 use cga_runtime::triangulate::Triangulator;
 use cut_support::*;
@@ -116,6 +116,26 @@ fn random_stars_and_combs() {
 }
 
 #[test]
+fn combs_of_many_teeth_begin_and_end_in_any_order() {
+    let mut rng = Rng(16);
+    let heights: [&mut dyn FnMut(usize) -> f64; 4] =
+        [&mut |_| 1.0, &mut |i| 1.0 + i as f64, &mut |i| 1.0 - 1e-5 * i as f64, &mut |_| 1.0 + rng.unit()];
+    for height in heights {
+        let teeth = 5_000;
+        let mut comb = vec![DVec2::new(0.0, -1.0), DVec2::new(f64::from(teeth), -1.0)];
+        for i in (0..teeth).rev() {
+            let root = height(i as usize);
+            comb.push(DVec2::new(f64::from(i) + 0.5, root + 3.0));
+            comb.push(DVec2::new(f64::from(i), root));
+        }
+        for turn in [DVec2::X, DVec2::NEG_X, DVec2::Y] {
+            let turned: Vec<DVec2> = comb.iter().map(|p| p.rotate(turn)).collect();
+            check("comb of many teeth", &[turned], 1e-5);
+        }
+    }
+}
+
+#[test]
 fn any_points_at_all_keep_their_rim() {
     let mut rng = Rng(13);
     for _ in 0..5000 {
@@ -137,6 +157,42 @@ fn any_points_at_all_keep_their_rim() {
         let signed: f64 = found.iter().map(|t| area(&t.map(|i| points[i as usize]))).sum();
         let expected: f64 = polygon.iter().map(|ring| area(ring)).sum();
         assert!((signed - expected).abs() < 1e-12, "{polygon:?}");
+        assert!(rim_is_kept(&polygon, &points, &found), "{polygon:?}");
+    }
+}
+
+/// Whether the edges of the triangles, by position, add up to those of the loops.
+fn rim_is_kept(polygon: &[Vec<DVec2>], points: &[DVec2], triangles: &[[u32; 3]]) -> bool {
+    let mut net = std::collections::HashMap::new();
+    let mut count = |ring: &[DVec2], by: i32| {
+        for i in 0..ring.len() {
+            let [a, b] = [i, (i + 1) % ring.len()].map(|at| (ring[at] + 0.0).to_array().map(f64::to_bits));
+            *net.entry((a.min(b), a.max(b))).or_insert(0) += if a < b { by } else { -by };
+        }
+    };
+    polygon.iter().for_each(|ring| count(ring, 1));
+    triangles.iter().for_each(|t| count(&t.map(|i| points[i as usize]), -1));
+    net.iter().all(|((a, b), &net)| a == b || net == 0)
+}
+
+#[test]
+fn numbers_of_any_size_do_no_harm() {
+    let mut rng = Rng(17);
+    let sizes = [0.0, -0.0, 1.0, -1.0, 5e-324, 1e-308, 1e-160, 1e154, -1e300, f64::MAX, f64::MIN, 1.0 + f64::EPSILON];
+    let mut triangulator = Triangulator::new();
+    for round in 0..3000 {
+        let polygon: Vec<Vec<DVec2>> = (0..1 + rng.below(2))
+            .map(|_| {
+                let corners = 3 + rng.below(if round % 50 == 0 { 150 } else { 12 });
+                (0..corners).map(|_| DVec2::new(sizes[rng.below(12)], sizes[rng.below(12)])).collect()
+            })
+            .collect();
+        let points = polygon.concat();
+        let ends = if polygon.len() == 1 { vec![points.len()] } else { vec![polygon[0].len(), points.len()] };
+        let ends: Vec<u32> = ends.into_iter().map(|end| end as u32).collect();
+        let mut found = Vec::new();
+        triangulator.polygon(&points, &ends, &mut found);
+        assert!(rim_is_kept(&polygon, &points, &found), "{polygon:?}");
     }
 }
 
@@ -149,4 +205,93 @@ fn faces_far_away_in_any_direction() {
         let mesh = turned(&moved(&base, DVec3::splat(far)));
         check_triangles("far face", &mesh, 10.0 + far * 1e-2);
     }
+}
+
+/// A random disc of triangles that are not turned, each put onto an edge of those before; it may overlap itself. Returns its
+/// rim.
+fn overlapping(rng: &mut Rng, count: usize, size: usize) -> Vec<DVec2> {
+    let mut rim: Vec<DVec2> = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(DVec2::from).to_vec();
+    while rim.len() < count {
+        let at = rng.below(rim.len());
+        let (a, b) = (rim[at], rim[(at + 1) % rim.len()]);
+        let apex = a + DVec2::new(rng.below(size) as f64, rng.below(size) as f64) - (size / 2) as f64;
+        if (apex - a).perp_dot(b - a) > 0.0 {
+            rim.insert(at + 1, apex);
+        }
+    }
+    rim
+}
+
+#[test]
+fn loops_that_overlap_themselves_are_not_folded() {
+    let mut rng = Rng(14);
+    for round in 0..400 {
+        let count = 4 + rng.below(if round % 20 == 0 { 120 } else { 30 });
+        let size = 4 + rng.below(30);
+        let rim = overlapping(&mut rng, count, size);
+        check("overlapping", std::slice::from_ref(&rim), 0.0);
+        let far: Vec<DVec2> = rim.iter().map(|&p| p.perp() * 0.125 + DVec2::new(500_000.0, -7.5)).collect();
+        check("overlapping, far", &[far], 0.0);
+    }
+}
+
+/// The triangles of the caps by position, those of the upper part turned over, each from its least corner on.
+fn caps(part: &Mesh, is_upper: bool) -> Vec<[[u64; 3]; 3]> {
+    let mut found = Vec::new();
+    let mut triangulator = Triangulator::new();
+    part.faces().filter(|face| face.tag().cap).for_each(|face| triangulator.face(part, face.index(), &mut found));
+    let position = |c: u32| (part.points()[part.corners()[c as usize] as usize] + 0.0).to_array().map(f64::to_bits);
+    let turned = |[a, b, c]: [u32; 3]| if is_upper { [a, c, b] } else { [a, b, c] };
+    let from_least = |t: [[u64; 3]; 3]| [t, [t[1], t[2], t[0]], [t[2], t[0], t[1]]].into_iter().min().unwrap();
+    found.iter().map(|&triangle| from_least(turned(triangle).map(position))).collect()
+}
+
+/// The surface that an outline sweeps along y, with both ends. It crosses itself where the outline does.
+fn tube(outline: &[(f64, f64)]) -> Mesh {
+    let count = outline.len() as u32;
+    let mut builder = MeshBuilder::new();
+    for y in [0.0, 4.0] {
+        outline.iter().for_each(|&(x, z)| _ = builder.point([x, y, -z]));
+    }
+    for i in 0..count {
+        let j = (i + 1) % count;
+        builder.face(&[i, j, count + j, count + i], &[], FaceTag::PLAIN);
+    }
+    for end in [(0..count).rev().collect::<Vec<_>>(), (count..2 * count).collect()] {
+        builder.face(&end, &[], FaceTag::PLAIN);
+    }
+    builder.build().unwrap()
+}
+
+#[test]
+fn caps_of_both_sides_are_mirror_images() {
+    let mut rng = Rng(15);
+    let mut count = 0;
+    for round in 0..300 {
+        let bits = rng.next() & rng.next();
+        let pattern = cells(4, |x, y, z| (bits >> ((x + 4 * z + 16 * y) & 63)) & 1 == 1);
+        let outline: Vec<(f64, f64)> =
+            (0..4 + rng.below(9)).map(|_| (rng.below(4) as f64, rng.below(4) as f64)).collect();
+        for mesh in [pattern, tube(&outline)] {
+            if mesh.is_empty() {
+                continue;
+            }
+            let mesh = Arc::new(if round % 3 == 0 { turned(&mesh) } else { mesh });
+            let axis = [Axis::X, Axis::Y, Axis::Z][round % 3];
+            let size = mesh.bounds().size()[axis.index()];
+            let offsets = [0.3, 0.55].map(|at| mesh.bounds().low[axis.index()] + at * size);
+            let parts = slabs(&mesh, axis, &offsets[..1]).parts;
+            let normal = [DVec3::new(1.0, 1.0, 0.0), DVec3::new(0.0, -1.0, 1.0), DVec3::new(-1.0, 0.5, 1.0)][round % 3];
+            let plane = Plane { point: 0.5 * (mesh.bounds().low + mesh.bounds().high), normal };
+            let halves = halves(&mesh, &plane, 0.0).parts;
+            for pair in [&parts, &halves] {
+                if let [Some(below), Some(above)] = &pair[..] {
+                    let found = caps(below, false);
+                    count += found.len();
+                    assert_eq!(found, caps(above, true), "{outline:?} {round}");
+                }
+            }
+        }
+    }
+    assert!(8_000 < count, "{count}");
 }

@@ -5,8 +5,9 @@ mod sink_support;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use cga_runtime::cut::slabs;
 use cga_runtime::material::Material;
-use cga_runtime::scope::Scope;
+use cga_runtime::scope::{Axis, Scope};
 use cga_runtime::sink::buffers::Buffers;
 use cga_runtime::sink::stats::checksum;
 use cga_runtime::sink::{Leaf, Sink};
@@ -81,6 +82,24 @@ fn a_mirrored_mesh_keeps_winding_and_normals_together() {
     fill.mesh("Plate", &Arc::default(), &plate(), mirror);
     normals_follow_windings(&fill.0);
     assert!((checksum(fill.0.vertices(), fill.0.indices()) + 20.0).abs() < 1e-5);
+}
+
+#[test]
+fn caps_of_both_sides_of_a_cut_have_the_same_triangles() {
+    let bounds = plate().bounds();
+    for axis in [Axis::X, Axis::Y, Axis::Z] {
+        let offset = (0.5 * (bounds.low + bounds.high))[axis.index()];
+        let parts = slabs(&plate(), axis, &[offset]).parts;
+        let [below, above] = [0, 1].map(|side| {
+            let mut fill = Fill(Buffers::new());
+            fill.mesh("Part", &Arc::default(), parts[side].as_ref().unwrap(), DAffine3::IDENTITY);
+            let corners = |t: &[u32]| [t[0], t[1 + side], t[2 - side]].map(|i| point(&fill.0.vertices()[i as usize]));
+            let is_cap = |t: &[[f32; 3]; 3]| t.iter().all(|p| p[axis.index()] == offset as f32);
+            fill.0.indices().chunks_exact(3).map(corners).filter(is_cap).collect::<Vec<_>>()
+        });
+        assert!(4 <= below.len());
+        assert_eq!(below, above);
+    }
 }
 
 #[test]

@@ -4,18 +4,23 @@
 //! their rim: each edge of each loop belongs to exactly one triangle, collinear corners included, so a closed mesh gives
 //! closed triangles. Of `n` corners and `h` holes there are `n + 2h − 2`, unless loops touch.
 //!
-//! Convex polygons are fans, the rest is swept (`sweep.rs`). Where loops cross, no triangulation is right: what comes out
-//! still has every edge of the loops once, and the signed area. Nothing here panics; the same input gives the same
-//! triangles.
+//! Convex polygons are fans, the rest is swept (`sweep.rs`), in time that grows as the corners times their logarithm.
+//! Triangles that the sweep turns over, where loops cross, are repaired where the loops allow it (`unfold.rs`). Where no
+//! triangulation is right, what comes out still has every edge of the loops once, and the signed area. Nothing here panics;
+//! the same input gives the same triangles.
 
+mod cap;
 mod convex;
 mod sweep;
+mod unfold;
 
 use glam::{DVec2, DVec3};
 
 use crate::mesh::Mesh;
 use crate::tol::TOUCH_EPSILON;
+use cap::Cap;
 use sweep::Sweep;
+use unfold::Unfold;
 
 /// Which two coordinates to keep to lay a face flat, so that counter-clockwise stays so. Dropping a coordinate moves
 /// nothing, so points that are exactly on a line stay on it.
@@ -67,7 +72,9 @@ impl Projection {
 pub struct Triangulator {
     flat: Vec<DVec2>,
     ends: Vec<u32>,
+    cap: Cap,
     sweep: Sweep,
+    unfold: Unfold,
 }
 
 impl std::fmt::Debug for Triangulator {
@@ -83,6 +90,8 @@ impl Triangulator {
     }
 
     /// Appends the triangles of a face as positions in [`Mesh::corners`] (and so in its texture coordinates and normals).
+    ///
+    /// The caps of both sides of a cut have the same triangles, turned over.
     pub fn face(&mut self, mesh: &Mesh, face: usize, out: &mut Vec<[u32; 3]>) {
         let face = mesh.face(face);
         let range = face.corner_range();
@@ -91,16 +100,26 @@ impl Triangulator {
             out.push([start, start + 1, start + 2]);
             return;
         }
-        let projection = Projection::along(face.normal());
         let mut flat = std::mem::take(&mut self.flat);
         let mut ends = std::mem::take(&mut self.ends);
         flat.clear();
         ends.clear();
-        flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
         ends.extend(face.loop_ranges().map(|l| (l.end - range.start) as u32));
         let from = out.len();
-        self.polygon(&flat, &ends, out);
-        out[from..].iter_mut().flatten().for_each(|c| *c += start);
+        if face.tag().cap {
+            let mut cap = std::mem::take(&mut self.cap);
+            cap.read(&face);
+            let projection = Projection::along(cap.normal(&ends));
+            flat.extend(cap.points.iter().map(|&point| projection.apply(point)));
+            self.polygon(&flat, &ends, out);
+            out[from..].iter_mut().for_each(|t| *t = cap.triangle(*t));
+            self.cap = cap;
+        } else {
+            let projection = Projection::along(face.normal());
+            flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
+            self.polygon(&flat, &ends, out);
+            out[from..].iter_mut().flatten().for_each(|c| *c += start);
+        }
         if range.len() > 4 {
             // Where loops touch, triangles without area join corners that are the same point.
             let point = |c: u32| mesh.corners[c as usize];
@@ -133,17 +152,25 @@ impl Triangulator {
         }
         let from = out.len();
         self.sweep.triangulate(points, loop_ends, 0.0, out);
-        let high = points.iter().fold(points[0], |m, &p| m.max(p));
-        let low = points.iter().fold(points[0], |m, &p| m.min(p));
-        let extent = (high - low).max_element();
         let folded = turned_over(points, &out[from..]);
-        if TOUCH_EPSILON * extent * extent < folded {
-            self.once_more(points, loop_ends, TOUCH_EPSILON * extent, folded, from, out);
+        if 0.0 < folded {
+            self.repair(points, loop_ends, folded, from, out);
         }
     }
 
-    /// Loops that cross by rounding were meant to touch: some slack, or another direction, may make less of it.
+    /// Reduces the area of triangles that are turned over.
     #[cold]
+    fn repair(&mut self, points: &[DVec2], loop_ends: &[u32], folded: f64, from: usize, out: &mut Vec<[u32; 3]>) {
+        let high = points.iter().fold(points[0], |m, &p| m.max(p));
+        let low = points.iter().fold(points[0], |m, &p| m.min(p));
+        let extent = (high - low).max_element();
+        if TOUCH_EPSILON * extent * extent < folded {
+            self.once_more(points, loop_ends, TOUCH_EPSILON * extent, folded, from, out);
+        }
+        self.unfold.repair(points, loop_ends.len(), out, from);
+    }
+
+    /// Loops that cross by rounding were meant to touch: some slack, or another direction, may make less of it.
     fn once_more(
         &mut self,
         points: &[DVec2],

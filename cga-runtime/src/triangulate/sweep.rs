@@ -10,13 +10,15 @@
 //! (less those that run back and forth): geometry only chooses among the ways to do so. Comparisons are exact. Without
 //! crossings no triangle is turned over; collinear corners are kept and make no triangle without area, unless all is flat.
 
-mod row;
+mod begin;
+mod status;
 
 use std::cmp::Ordering;
 
 use glam::DVec2;
 
 use crate::exact::orient;
+use status::Status;
 
 const NONE: u32 = u32::MAX;
 
@@ -58,7 +60,7 @@ pub(super) struct Sweep {
     region: Vec<u32>,
     regions: Vec<Region>,
     /// Regions from left to right.
-    status: Vec<u32>,
+    status: Status,
     links: Vec<Link>,
     /// By how much a triangle may be turned over, and a hole begin outside.
     slack: f64,
@@ -155,13 +157,14 @@ impl Sweep {
                 let region = self.region[corner as usize];
                 self.attach_left(points, region, corner, out);
                 self.set_left(region, a);
+                self.status.set_edge(region, [corner, a].map(|c| points[c as usize]));
             }
             (false, false) => self.begin(points, corner, out),
             (true, true) => {
                 let (left, right) = (self.region[a as usize], self.region[corner as usize]);
                 if left == right {
                     self.end(left, corner, out);
-                    self.remove(points, left, corner);
+                    self.status.remove(left);
                 } else {
                     self.merge(points, left, right, corner, out);
                 }
@@ -276,7 +279,7 @@ impl Sweep {
         merged.right_end = right_end;
         merged.latest = l.right_end;
         self.set_right(left, r.right);
-        self.remove(points, right, corner);
+        self.status.remove(right);
     }
 }
 

@@ -12,6 +12,7 @@
 
 mod lines;
 mod mtl;
+mod warnings;
 
 use std::collections::HashMap;
 use std::fmt;
@@ -22,13 +23,15 @@ use crate::material::Material;
 use crate::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
 use crate::text::Text;
 use lines::{is_utf16, lines};
+use warnings::{Warnings, short};
 
 /// A mesh and what had to be left out of it.
 #[derive(Clone, Debug)]
 pub struct ObjFile {
     /// The mesh.
     pub mesh: Mesh,
-    /// One sentence for each thing that was not as it should be.
+    /// One sentence for each thing that was not as it should be; at most 100. Where there are more, the last sentence gives
+    /// their number.
     pub warnings: Vec<String>,
 }
 
@@ -58,7 +61,8 @@ impl fmt::Display for ObjError {
 
 impl std::error::Error for ObjError {}
 
-/// Reads a file. `material_file` gives the bytes of a material library by its name, or nothing when there is none.
+/// Reads a file. `material_file` gives the bytes of a material library by its name, or nothing when there is none. It is
+/// called for the first 16 libraries of a file, and for the first 16 names with spaces that may be one library or several.
 ///
 /// # Errors
 /// When a number can't be read or is not finite, or a face uses a vertex that does not exist; the line is named. When the
@@ -89,6 +93,9 @@ pub fn read_obj(bytes: &[u8], material_file: &mut dyn FnMut(&str) -> Option<Vec<
     reader.statement(&joined, joined_from)?;
     reader.finish()
 }
+
+/// How many libraries are looked up in a file, and how many names with spaces that may be one.
+const LIBRARIES: usize = 16;
 
 /// What there is to say of UTF-16.
 const UTF_16: &str = "this is UTF-16; it must be UTF-8";
@@ -156,8 +163,12 @@ struct Reader<'a> {
     groups: Names,
     materials: Names,
     looks: HashMap<String, Material>,
-    /// Names of material libraries, and whether there is one.
+    /// Names of material libraries that were looked up, and whether there is one.
     libraries: HashMap<String, bool>,
+    /// How many of them were taken for one library, and for one or several.
+    looked_up: [usize; 2],
+    /// How many names of libraries were not looked up.
+    libraries_left_out: usize,
     corners: Vec<Corner>,
     uvs_on: Coverage,
     normals_on: Coverage,
@@ -165,7 +176,7 @@ struct Reader<'a> {
     /// The first statement that is none, and how many there are.
     unknown: Option<(usize, String)>,
     unknowns: usize,
-    warnings: Vec<String>,
+    warnings: Warnings,
 }
 
 /// How many faces have something at some corner, and at every corner.
@@ -217,13 +228,15 @@ impl<'a> Reader<'a> {
             materials: Names::default(),
             looks: HashMap::new(),
             libraries: HashMap::new(),
+            looked_up: [0; 2],
+            libraries_left_out: 0,
             corners: Vec::new(),
             uvs_on: Coverage::default(),
             normals_on: Coverage::default(),
             faces: 0,
             unknown: None,
             unknowns: 0,
-            warnings: Vec::new(),
+            warnings: Warnings::default(),
         }
     }
 
@@ -254,7 +267,7 @@ impl<'a> Reader<'a> {
             _ if keyword.is_empty() || LEFT_OUT.iter().any(|known| is_keyword(&known)) => {}
             _ => {
                 self.unknowns += 1;
-                self.unknown.get_or_insert_with(|| (number, keyword.chars().take(40).collect()));
+                self.unknown.get_or_insert_with(|| (number, short(keyword).into_owned()));
             }
         }
         Ok(())
@@ -271,7 +284,7 @@ impl<'a> Reader<'a> {
             self.corners.push(Corner { point, uv, normal });
         }
         if self.corners.len() < 3 {
-            self.warnings.push(format!("line {line}: a face with fewer than three corners was left out"));
+            self.warnings.add(|| format!("line {line}: a face with fewer than three corners was left out"));
             return Ok(());
         }
         let outline: Vec<u32> = self.corners.iter().map(|c| c.point).collect();
@@ -303,30 +316,40 @@ impl<'a> Reader<'a> {
         if let Some(&there) = self.libraries.get(name) {
             return there;
         }
+        let may_be_several = name.contains(' ');
+        let looked_up = &mut self.looked_up[usize::from(may_be_several)];
+        if *looked_up == LIBRARIES {
+            self.libraries_left_out += usize::from(!may_be_several);
+            return false;
+        }
+        *looked_up += 1;
         let bytes = (self.material_file)(name);
         self.libraries.insert(name.to_owned(), bytes.is_some());
         let Some(bytes) = bytes else {
-            if !name.contains(' ') {
-                self.warnings.push(format!("the material library `{name}` was not found"));
+            if !may_be_several {
+                self.warnings.add(|| format!("the material library `{}` was not found", short(name)));
             }
             return false;
         };
         if is_utf16(&bytes) {
-            self.warnings.push(format!("the material library `{name}` can't be read: {UTF_16}"));
+            self.warnings.add(|| format!("the material library `{}` can't be read: {UTF_16}", short(name)));
             return true;
         }
         match mtl::read_mtl(&bytes) {
             Ok(mtl::Library { materials, left_out }) => {
-                if let [first, ..] = left_out[..] {
-                    let more = left_out.len() - 1;
-                    let what = format!("line {first} of the material library `{name}` can't be read");
-                    self.warnings.push(if more == 0 { what } else { format!("{what}, and {more} more") });
+                if let Some((first, more)) = left_out {
+                    self.warnings.add(|| {
+                        let what = format!("line {first} of the material library `{}` can't be read", short(name));
+                        if more == 0 { what } else { format!("{what}, and {more} more") }
+                    });
                 }
                 for (name, look) in materials {
                     self.looks.entry(name).or_insert(look);
                 }
             }
-            Err(error) => self.warnings.push(format!("the material library `{name}` can't be read: {error}")),
+            Err(error) => {
+                self.warnings.add(|| format!("the material library `{}` can't be read: {error}", short(name)));
+            }
         }
         true
     }
@@ -336,22 +359,30 @@ impl<'a> Reader<'a> {
             if on.some != 0 && on.all != self.faces {
                 let (all, faces) = (on.all, self.faces);
                 self.warnings
-                    .push(format!("only {all} of {faces} faces have {what} at every corner: all were dropped"));
+                    .add(|| format!("only {all} of {faces} faces have {what} at every corner: all were dropped"));
             }
         }
         if let Some((line, word)) = &self.unknown {
             let more = self.unknowns - 1;
-            let what = format!("line {line}: `{word}` is no statement of an OBJ file");
-            self.warnings.push(if more == 0 { what } else { format!("{what}, and {more} more") });
+            self.warnings.add(|| {
+                let what = format!("line {line}: `{word}` is no statement of an OBJ file");
+                if more == 0 { what } else { format!("{what}, and {more} more") }
+            });
+        }
+        if self.libraries_left_out != 0 {
+            let more = self.libraries_left_out;
+            self.warnings.add(|| {
+                format!("the file names more than {LIBRARIES} material libraries: {more} more names were not looked up")
+            });
         }
         if self.faces == 0 {
-            self.warnings.push("the file has no faces".to_owned());
+            self.warnings.add(|| "the file has no faces".to_owned());
         }
         let mut materials = Vec::new();
         for name in &self.materials.list {
             let mut material = self.looks.get(name).cloned().unwrap_or_else(|| {
                 if !self.libraries.is_empty() {
-                    self.warnings.push(format!("the material `{name}` is in no library"));
+                    self.warnings.add(|| format!("the material `{}` is in no library", short(name)));
                 }
                 Material::UNSET
             });
@@ -362,9 +393,9 @@ impl<'a> Reader<'a> {
         let mesh = self.builder.build().map_err(ObjError::Mesh)?;
         let lost = self.faces - mesh.face_count();
         if lost != 0 {
-            self.warnings.push(format!("{lost} faces without three different corners were left out"));
+            self.warnings.add(|| format!("{lost} faces without three different corners were left out"));
         }
-        Ok(ObjFile { mesh, warnings: self.warnings })
+        Ok(ObjFile { mesh, warnings: self.warnings.finish() })
     }
 }
 

@@ -13,18 +13,18 @@ use crate::text::Text;
 pub(super) struct Library {
     /// Names and looks, in the order of the file.
     pub(super) materials: Vec<(String, Material)>,
-    /// The numbers of the lines that can't be read.
-    pub(super) left_out: Vec<usize>,
+    /// The number of the first line that can't be read, and how many more there are.
+    pub(super) left_out: Option<(usize, usize)>,
 }
 
 /// Reads what can be read.
 pub(super) fn read_mtl(bytes: &[u8]) -> Result<Library, tobj::LoadError> {
-    let mut left_out = Vec::new();
+    let mut left_out: Option<(usize, usize)> = None;
     let mut text = String::with_capacity(bytes.len());
     for (number, line) in lines(&String::from_utf8_lossy(bytes)) {
         match readable(line) {
             Some(line) => text.push_str(&line),
-            None => left_out.push(number),
+            None => left_out = Some(left_out.map_or((number, 0), |(first, more)| (first, more + 1))),
         }
         text.push('\n');
     }

@@ -1,0 +1,128 @@
+//! Triangles of faces: small ones, and caps of up to a million corners.
+//!
+//! `cargo bench --bench triangles`. Time grows as the corners times their logarithm, whatever the shape. `sinks` is a face of
+//! a million corners written to vertex buffers, GLB and OBJ.
+
+use std::f64::consts::TAU;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use cga::glam::DVec2;
+use cga::sink::buffers::Buffers;
+use cga::sink::gltf::Glb;
+use cga::sink::obj::Obj;
+use cga::{Mesh, Settings, Shape, Sink, cga};
+use cga_runtime::triangulate::Triangulator;
+
+cga! {
+    /// A shape as it is.
+    grammar Plain;
+
+    Lot --> Leaf.
+}
+
+/// Loops, the outline first.
+type Polygon = Vec<Vec<DVec2>>;
+
+/// Teeth that point up, with tips and roots at heights that a function of their number gives.
+fn comb(corners: usize, height: impl Fn(usize) -> f64) -> Polygon {
+    let teeth = corners / 2 - 1;
+    let mut outline = vec![DVec2::ZERO, DVec2::new(teeth as f64, 0.0)];
+    for i in (0..teeth).rev() {
+        outline.push(DVec2::new(i as f64 + 0.5, 3.0 + height(2 * i)));
+        outline.push(DVec2::new(i as f64, 1.0 + height(2 * i + 1)));
+    }
+    vec![outline]
+}
+
+/// Numbers from 0 to 1 without order.
+fn mixed(i: usize) -> f64 {
+    let mixed = (i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    ((mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 11) as f64 / (1u64 << 53) as f64
+}
+
+fn ring(corners: usize, radius: impl Fn(usize) -> f64) -> Vec<DVec2> {
+    let at = |i: usize| {
+        let angle = i as f64 * TAU / corners as f64;
+        DVec2::new(libm::cos(angle), libm::sin(angle)) * radius(i)
+    };
+    (0..corners).map(at).collect()
+}
+
+/// A wall with square windows.
+fn windows(side: usize) -> Polygon {
+    let end = side as f64;
+    let mut loops = vec![[(0.0, 0.0), (end, 0.0), (end, end), (0.0, end)].map(DVec2::from).to_vec()];
+    for at in 0..side * side {
+        let (x, y) = ((at / side) as f64 + 0.25, (at % side) as f64 + 0.25);
+        loops.push([(x, y), (x, y + 0.5), (x + 0.5, y + 0.5), (x + 0.5, y)].map(DVec2::from).to_vec());
+    }
+    loops
+}
+
+fn area(ring: &[DVec2]) -> f64 {
+    0.5 * ring.windows(2).map(|w| (w[0] - ring[0]).perp_dot(w[1] - ring[0])).sum::<f64>()
+}
+
+fn row(name: &str, polygon: &Polygon) {
+    let points: Vec<DVec2> = polygon.concat();
+    let mut end = 0;
+    let ends = polygon.iter().map(|ring| {
+        end += ring.len() as u32;
+        end
+    });
+    let ends: Vec<u32> = ends.collect();
+    let mut triangulator = Triangulator::new();
+    let mut triangles = Vec::new();
+    let mut best = Duration::MAX;
+    // The clock does not see a small face alone.
+    let times = 1 + 10_000 / points.len();
+    let begin = Instant::now();
+    let mut rounds = 0;
+    while rounds < 3 || begin.elapsed().as_secs_f64() < 0.5 {
+        let start = Instant::now();
+        for _ in 0..times {
+            triangles.clear();
+            triangulator.polygon(black_box(&points), &ends, &mut triangles);
+        }
+        best = best.min(start.elapsed() / times as u32);
+        rounds += 1;
+    }
+    assert_eq!(triangles.len(), points.len() + 2 * ends.len() - 4, "{name}");
+    let sum: f64 = triangles.iter().map(|t| area(&t.map(|i| points[i as usize])).abs()).sum();
+    let expected: f64 = polygon.iter().map(|ring| area(ring)).sum();
+    assert!((sum - expected).abs() <= 1e-9 * expected, "{name}: area {sum}, not {expected}");
+    let (corners, time) = (points.len(), best.as_secs_f64() * 1e6);
+    println!("{name:<20} {corners:>8} corners  {time:>10.2} us  {:>6.1} ns a corner", time * 1e3 / corners as f64);
+}
+
+fn sink<S: Sink>(name: &str, shape: &Shape, mut sink: S) -> S {
+    let start = Instant::now();
+    Plain::default().generate_into(shape, &Settings::default(), &mut sink).expect("no limit is reached");
+    println!("{name:<20} {:>10.1} ms", start.elapsed().as_secs_f64() * 1e3);
+    sink
+}
+
+fn main() {
+    let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)].map(DVec2::from).to_vec();
+    let hole = [(1.0, 1.0), (1.0, 2.0), (2.0, 2.0), (2.0, 1.0)].map(DVec2::from).to_vec();
+    row("quad", &vec![square.clone()]);
+    row("quad with a hole", &vec![square, hole]);
+    row("concave 8-gon", &vec![ring(8, |i| 1.0 + (i % 2) as f64)]);
+    row("concave 100-gon", &vec![ring(100, |i| 0.5 + mixed(i))]);
+    for corners in [1_000, 10_000, 100_000, 1_000_000] {
+        row("comb", &comb(corners, |_| 0.0));
+        row("comb without order", &comb(corners, mixed));
+        row("star", &vec![ring(corners, |i| 0.5 + mixed(i))]);
+        row("windows", &windows(((corners / 4) as f64).sqrt() as usize));
+    }
+    let outline: Vec<_> = comb(1_000_000, |_| 0.0).concat().iter().map(|p| p.extend(0.0)).collect();
+    let start = Instant::now();
+    let shape = Shape::mesh(Mesh::from_polygon(&outline, &[]).expect("a face"));
+    println!("{:<20} {:>10.1} ms", "mesh", start.elapsed().as_secs_f64() * 1e3);
+    let buffers = sink("sinks: buffers", &shape, Buffers::new());
+    assert_eq!(buffers.triangle_count(), outline.len() - 2);
+    let glb = sink("sinks: GLB", &shape, Glb::new());
+    assert!(glb.finish().expect("it fits").len() > 12 * outline.len());
+    sink("sinks: OBJ", &shape, Obj::new(Vec::new(), "a.mtl"));
+}

@@ -1,0 +1,245 @@
+//! The status of the sweep: the regions on the sweep line, from left to right.
+//!
+//! A height-balanced (AVL) tree in an arena. A region's number is the index of its node, so a region is removed without a
+//! search. All steps are loops, and each takes at most the height of the tree, whatever comparisons return.
+
+use glam::DVec2;
+
+use super::NONE;
+
+/// A region in the tree. Neighbours are indices, or [`NONE`].
+#[derive(Clone, Copy)]
+struct Node {
+    parent: u32,
+    /// The subtrees of regions to the left and to the right.
+    children: [u32; 2],
+    /// The height of the subtree, 1 for a leaf.
+    height: u32,
+    /// The lower and upper end of the region's left edge. They are here because searches in a large tree wait for memory.
+    edge: [DVec2; 2],
+}
+
+const LEFT: usize = 0;
+const RIGHT: usize = 1;
+
+/// Regions in order, by number.
+pub(super) struct Status {
+    nodes: Vec<Node>,
+    root: u32,
+}
+
+impl Default for Status {
+    fn default() -> Self {
+        Status { nodes: Vec::new(), root: NONE }
+    }
+}
+
+impl Status {
+    /// Removes all regions.
+    pub(super) fn clear(&mut self) {
+        self.nodes.clear();
+        self.root = NONE;
+    }
+
+    /// The regions on both sides of a place: the last one whose left edge is left of it and the first one whose is not, by
+    /// binary search.
+    #[inline]
+    pub(super) fn around(&self, mut is_left: impl FnMut([DVec2; 2]) -> bool) -> [Option<u32>; 2] {
+        let mut found = [None; 2];
+        let mut at = self.root;
+        while at != NONE {
+            let node = &self.nodes[at as usize];
+            let left = is_left(node.edge);
+            found[if left { LEFT } else { RIGHT }] = Some(at);
+            at = node.children[if left { RIGHT } else { LEFT }];
+        }
+        found
+    }
+
+    /// Inserts the next region, whose number is the count of regions so far, after another one, or before all.
+    pub(super) fn insert_after(&mut self, region: Option<u32>, edge: [DVec2; 2]) {
+        let new = self.nodes.len() as u32;
+        let (parent, side) = match region {
+            Some(region) => match self.nodes[region as usize].children[RIGHT] {
+                NONE => (region, RIGHT),
+                right => (self.leftmost(right), LEFT),
+            },
+            None if self.root == NONE => (NONE, LEFT),
+            None => (self.leftmost(self.root), LEFT),
+        };
+        self.nodes.push(Node { parent, children: [NONE; 2], height: 1, edge });
+        if parent == NONE {
+            self.root = new;
+        } else {
+            self.nodes[parent as usize].children[side] = new;
+            self.balance_up(parent);
+        }
+    }
+
+    /// Gives a region the next left edge.
+    #[inline]
+    pub(super) fn set_edge(&mut self, region: u32, edge: [DVec2; 2]) {
+        self.nodes[region as usize].edge = edge;
+    }
+
+    /// Removes a region.
+    pub(super) fn remove(&mut self, region: u32) {
+        let Node { parent, children, height, .. } = self.nodes[region as usize];
+        let [left, right] = children;
+        if left == NONE || right == NONE {
+            let child = if left == NONE { right } else { left };
+            self.replace(parent, region, child);
+            self.balance_up(parent);
+            return;
+        }
+        // The next region takes its place.
+        let next = self.leftmost(right);
+        let lowest = if next == right {
+            next
+        } else {
+            let Node { parent: above, children: [_, below], .. } = self.nodes[next as usize];
+            self.adopt(above, LEFT, below);
+            self.adopt(next, RIGHT, right);
+            above
+        };
+        self.adopt(next, LEFT, left);
+        self.nodes[next as usize].height = height;
+        self.replace(parent, region, next);
+        self.balance_up(lowest);
+    }
+
+    fn leftmost(&self, mut at: u32) -> u32 {
+        loop {
+            match self.nodes[at as usize].children[LEFT] {
+                NONE => return at,
+                left => at = left,
+            }
+        }
+    }
+
+    /// Makes a subtree, or none, a child.
+    fn adopt(&mut self, parent: u32, side: usize, child: u32) {
+        self.nodes[parent as usize].children[side] = child;
+        if child != NONE {
+            self.nodes[child as usize].parent = parent;
+        }
+    }
+
+    /// Puts a subtree, or none, in the place of a child, or of the root.
+    fn replace(&mut self, parent: u32, old: u32, new: u32) {
+        if parent != NONE {
+            let side = usize::from(self.nodes[parent as usize].children[RIGHT] == old);
+            self.adopt(parent, side, new);
+            return;
+        }
+        self.root = new;
+        if new != NONE {
+            self.nodes[new as usize].parent = NONE;
+        }
+    }
+
+    fn height(&self, at: u32) -> u32 {
+        if at == NONE { 0 } else { self.nodes[at as usize].height }
+    }
+
+    fn heights(&self, at: u32) -> [u32; 2] {
+        self.nodes[at as usize].children.map(|child| self.height(child))
+    }
+
+    /// Corrects heights from a node upwards, and rotates where they differ by two, until nothing changes.
+    fn balance_up(&mut self, mut at: u32) {
+        while at != NONE {
+            let old = self.nodes[at as usize].height;
+            let [left, right] = self.heights(at);
+            if left.abs_diff(right) > 1 {
+                let high = usize::from(left < right);
+                let child = self.nodes[at as usize].children[high];
+                let below = self.heights(child);
+                if below[high] < below[1 - high] {
+                    self.rotate(child, 1 - high);
+                }
+                at = self.rotate(at, high);
+            } else {
+                self.nodes[at as usize].height = 1 + left.max(right);
+            }
+            let Node { parent, height, .. } = self.nodes[at as usize];
+            if height == old {
+                return;
+            }
+            at = parent;
+        }
+    }
+
+    /// Lifts the child on one side above its parent. Returns the child.
+    fn rotate(&mut self, at: u32, side: usize) -> u32 {
+        let Node { parent, children, .. } = self.nodes[at as usize];
+        let child = children[side];
+        self.replace(parent, at, child);
+        self.adopt(at, side, self.nodes[child as usize].children[1 - side]);
+        self.adopt(child, 1 - side, at);
+        for node in [at, child] {
+            let [left, right] = self.heights(node);
+            self.nodes[node as usize].height = 1 + left.max(right);
+        }
+        child
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The regions in order. Checks links and heights on the way.
+    fn in_order(status: &Status) -> Vec<u32> {
+        fn walk(status: &Status, at: u32, parent: u32, order: &mut Vec<u32>) -> u32 {
+            if at == NONE {
+                return 0;
+            }
+            let node = status.nodes[at as usize];
+            assert_eq!(node.parent, parent);
+            let left = walk(status, node.children[LEFT], at, order);
+            order.push(at);
+            let right = walk(status, node.children[RIGHT], at, order);
+            assert!(left.abs_diff(right) <= 1);
+            assert_eq!(node.height, 1 + left.max(right));
+            node.height
+        }
+        let mut order = Vec::new();
+        walk(status, status.root, NONE, &mut order);
+        order
+    }
+
+    #[test]
+    fn order_and_balance_are_those_of_a_list() {
+        let mut random = 1u64;
+        let mut below = |count: usize| {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (random >> 33) as usize % count
+        };
+        // Grows, shrinks to nothing and grows again, at random places and at the ends.
+        for ends in [false, true] {
+            let (mut status, mut list) = (Status::default(), Vec::new());
+            for round in 0..6_000 {
+                let grows = if round / 1_000 % 2 == 0 { below(10) < 8 } else { below(10) < 1 };
+                if grows || list.is_empty() {
+                    let at = if ends { list.len() } else { below(list.len() + 1) };
+                    let new = status.nodes.len() as u32;
+                    let edge = [DVec2::splat(f64::from(new)), DVec2::ZERO];
+                    status.insert_after(at.checked_sub(1).map(|at| list[at]), edge);
+                    list.insert(at, new);
+                } else {
+                    let at = if ends { 0 } else { below(list.len()) };
+                    status.remove(list.remove(at));
+                }
+                if round % 50 == 0 {
+                    assert_eq!(in_order(&status), list);
+                    let at = below(list.len() + 1);
+                    let place =
+                        |[from, _]: [DVec2; 2]| list.iter().position(|&region| f64::from(region) == from.x).unwrap();
+                    let found = status.around(|edge| place(edge) < at);
+                    assert_eq!(found, [at.checked_sub(1).map(|at| list[at]), list.get(at).copied()]);
+                }
+            }
+        }
+    }
+}
