@@ -54,7 +54,7 @@ pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlon
     }
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex => {}
-        Geometry::Rect(axis, unit) if shape.scope.size[axis.index()] == 0.0 && straight(&shape.scope, *axis, along) => {
+        Geometry::Rect(axis, unit) if straight(&shape.scope, *axis, along) => {
             if distance != 0.0 {
                 let unit = unit.grown(*axis);
                 shape.scope = raised(&shape.scope, *axis, distance);
@@ -107,10 +107,14 @@ pub fn extrude_axis(env: &mut Env, shape: &mut ShapeRef<'_>, axis: ExtrudeAxis, 
     }
 }
 
-/// Whether a rectangle across `axis` grows along that axis, and is not mirrored.
+/// Whether a rectangle across `axis` grows along that axis into a box. It must have an area, and not be mirrored.
 fn straight(scope: &Scope, axis: Axis, along: ExtrudeAlong) -> bool {
     let upwards = matches!(along, ExtrudeAlong::WorldUp | ExtrudeAlong::WorldUpFlatTop);
-    0.0 <= scope.size.min_element() && (!upwards || scope.axes.col(axis.index()) == DVec3::Y)
+    let has_area = (0..3).all(|other| match other == axis.index() {
+        true => scope.size[other] == 0.0,
+        false => 0.0 < scope.size[other],
+    });
+    has_area && (!upwards || scope.axes.col(axis.index()) == DVec3::Y)
 }
 
 /// The scope of a rectangle across `axis` that has grown along it.
