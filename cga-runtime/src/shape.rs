@@ -78,6 +78,17 @@ pub(crate) enum Geometry {
 }
 
 impl Geometry {
+    /// The unit mesh of a box or a rectangle that a scope of that size presses flat.
+    pub(crate) fn unit_pressed_flat(&self, size: DVec3) -> Option<UnitMesh> {
+        match *self {
+            Geometry::Rect(across, unit) => {
+                (0..3).any(|axis| axis != across.index() && size[axis] == 0.0).then_some(unit)
+            }
+            Geometry::Box(unit) => size.cmpeq(DVec3::ZERO).any().then_some(unit),
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Mesh(_) => None,
+        }
+    }
+
     /// Whether there are faces, or may be.
     pub(crate) fn has_surface(&self) -> bool {
         matches!(self, Geometry::Rect(..) | Geometry::Box(_) | Geometry::Mesh(_))
@@ -102,6 +113,12 @@ impl Placed {
         let bounds = mesh.bounds();
         let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
         Placed { low, size: bounds.size(), mesh: Arc::new(mesh), whole: false, mirrored: false }
+    }
+
+    /// A box or a rectangle.
+    pub(crate) fn unit(unit: UnitMesh) -> Self {
+        let (mesh, bounds) = (unit.mesh().clone(), unit.mesh().bounds());
+        Placed { mesh, low: bounds.low, size: bounds.size(), whole: false, mirrored: false }
     }
 
     /// Factor from mesh to scope lengths, for each axis.
@@ -261,7 +278,7 @@ impl Shape {
     }
 
     fn with(scope: Scope, geometry: Geometry) -> Self {
-        Shape {
+        let mut shape = Shape {
             scope,
             pivot: scope.frame(),
             geometry,
@@ -271,7 +288,11 @@ impl Shape {
             selector: "",
             trims: Trims::None,
             state: StateRef::Unset,
+        };
+        if shape.geometry.unit_pressed_flat(scope.size).is_some() {
+            shape.hold_as_mesh();
         }
+        shape
     }
 
     /// The same shape elsewhere: moved by an offset in metres, in the world.
@@ -412,9 +433,7 @@ impl<'a> ShapeRef<'a> {
     /// Makes a box or a rectangle a mesh.
     pub(crate) fn hold_as_mesh(&mut self) {
         if let Geometry::Rect(_, unit) | Geometry::Box(unit) = self.geometry {
-            let (mesh, bounds) = (unit.mesh().clone(), unit.mesh().bounds());
-            let placed = Placed { mesh, low: bounds.low, size: bounds.size(), whole: false, mirrored: false };
-            self.geometry = Geometry::Mesh(Arc::new(placed));
+            self.geometry = Geometry::Mesh(Arc::new(Placed::unit(unit)));
             // A size of zero flattens it.
             self.resize(self.scope.size);
         }
@@ -430,14 +449,9 @@ impl<'a> ShapeRef<'a> {
 
     /// Sets the size. A size of zero flattens the geometry for good.
     pub(crate) fn resize(&mut self, size: DVec3) {
-        let grows = |axis: usize| match &self.geometry {
-            Geometry::Rect(normal, _) => normal.index() != axis,
-            Geometry::Box(_) => true,
-            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Mesh(_) => false,
-        };
-        if (0..3).any(|axis| size[axis] == 0.0 && self.scope.size[axis] != 0.0 && grows(axis)) {
+        if let Some(unit) = self.geometry.unit_pressed_flat(size) {
             // What fills its scope would come back with it; a mesh does not.
-            self.geometry = Geometry::Mesh(Arc::new(Placed::fitted(self.to_mesh().as_ref().clone())));
+            self.geometry = Geometry::Mesh(Arc::new(Placed::unit(unit)));
         }
         if let Geometry::Mesh(placed) = &self.geometry {
             let flat = |axis: usize| size[axis] == 0.0 && placed.size[axis] != 0.0;

@@ -178,7 +178,7 @@ fn fill_to_size(env: &mut Env, shape: &mut ShapeRef<'_>, made: Made, size: DVec3
 /// Replaces the geometry by a box or a rectangle.
 pub(super) fn fill_plainly(env: &mut Env, shape: &mut ShapeRef<'_>, geometry: Geometry) {
     shape.geometry = geometry;
-    if env.initial.as_meshes {
+    if env.initial.as_meshes || shape.geometry.unit_pressed_flat(shape.scope.size).is_some() {
         shape.hold_as_mesh();
     }
     super::trim(env, shape);

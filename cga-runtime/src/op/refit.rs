@@ -140,14 +140,9 @@ fn flattened(points: &[DVec3]) -> Option<Vec<DVec3>> {
 /// The geometry of a shape with a surface as a mesh and the box that the scope stretches it from, whatever the signs of
 /// the sizes.
 pub(super) fn as_placed(shape: &ShapeRef<'_>) -> Option<Placed> {
-    let size = shape.scope.size.abs();
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => None,
         Geometry::Mesh(placed) => Some(Placed::clone(placed)),
-        Geometry::Box(unit) | Geometry::Rect(_, unit) => {
-            let mesh = place::mesh(*unit, size);
-            let size = mesh.bounds().size();
-            Some(Placed { mesh, low: DVec3::ZERO, size, whole: false, mirrored: false })
-        }
+        Geometry::Box(unit) | Geometry::Rect(_, unit) => Some(Placed::unit(*unit)),
     }
 }
