@@ -1,8 +1,8 @@
 //! Boxes and rectangles are an optimisation: a run that holds each of them as a mesh gives the same.
 //!
 //! Random grammars are run in pairs (`pairs.rs`) on random shapes with random attributes, and all that runs give is
-//! compared (`compare.rs`). `CGA_BOXES=200` plays so many more grammars in a throw-away crate; `CGA_BOXES=500..700` those
-//! of some seeds.
+//! compared (`compare.rs`). `CGA_BOXES=200` plays so many more grammars in a throw-away crate; `CGA_BOXES=500..700` and
+//! `CGA_BOXES=144,1044` those of some seeds.
 
 mod compare;
 mod files;
@@ -53,12 +53,12 @@ fn runs_with_boxes_and_with_meshes_give_the_same() {
 #[test]
 fn further_grammars_give_the_same() {
     let Ok(text) = std::env::var("CGA_BOXES") else { return };
-    let number = |text: &str| text.parse::<u64>().expect("`CGA_BOXES` is a number, or two with `..` between them");
-    let seeds = match text.split_once("..") {
-        Some((first, end)) => number(first)..number(end),
-        None => 1000..1000 + number(&text),
+    let number = |text: &str| text.parse::<u64>().expect("`CGA_BOXES` is a number, two with `..` between them, or a list");
+    let seeds: Vec<u64> = match (text.split_once(".."), text.contains(',')) {
+        (Some((first, end)), _) => (number(first)..number(end)).collect(),
+        (None, true) => text.split(',').map(number).collect(),
+        (None, false) => (1000..1000 + number(&text)).collect(),
     };
-    let seeds: Vec<u64> = seeds.collect();
     let source = Path::new(env!("CARGO_MANIFEST_DIR"));
     let root = source.join("target/boxes");
     fs::create_dir_all(root.join("src")).expect("a folder for the crate");
