@@ -11,11 +11,13 @@
 //! sides. Where the mesh was open before, it stays open.
 
 mod around;
+mod box_tree;
 mod caps;
 mod chain;
 mod class;
 mod contour;
 mod edges;
+mod extent;
 mod first;
 mod general;
 mod lead;
@@ -28,9 +30,9 @@ mod probe;
 mod rim;
 mod rough;
 mod row;
+mod runs;
 mod simple;
 mod state;
-mod strips;
 mod triangle;
 mod twins;
 
