@@ -6,7 +6,7 @@
 //! decided by index: which pieces meet, which edges a side lacks a partner for, which loops those make.
 //!
 //! A face in a plane goes to the side its normal points away from, which it closes (of a mesh that is inside out, to the
-//! other). Caps are what is still missing then:
+//! other). A closed piece without thickness in a plane, a sheet, goes to the side below as a whole ([`sheets`]). Caps are what is still missing then:
 //! polygons with holes whose rim is made of the edges left without a partner in the plane, the same points on both
 //! sides. Where the mesh was open before, it stays open.
 
@@ -31,6 +31,7 @@ mod rim;
 mod rough;
 mod row;
 mod runs;
+mod sheets;
 mod simple;
 mod state;
 mod triangle;
@@ -54,6 +55,7 @@ use class::Span;
 use general::General;
 use points::Place;
 use rough::Rough;
+use sheets::Sheets;
 use simple::Simple;
 use state::State;
 
@@ -182,8 +184,17 @@ impl Cutter {
         slabs
     }
 
-    /// Hands every face, or its pieces, to the slabs.
+    /// Hands every face, or its pieces, to the slabs; again when sheets were torn apart.
     fn cut_faces(&mut self, mesh: &Mesh) {
+        self.state.inverted = None;
+        self.state.sheets.clear();
+        self.cut_faces_once(mesh);
+        if Sheets::find(&mut self.state, mesh) {
+            self.cut_faces_once(mesh);
+        }
+    }
+
+    fn cut_faces_once(&mut self, mesh: &Mesh) {
         self.state.start(mesh);
         self.rough.start(mesh);
         let (mut start, mut block_start, mut block_end) = (0, 0, 0);

@@ -96,6 +96,24 @@ impl Nest {
 
     /// Sorts the loops of a section into groups.
     pub(crate) fn sort(&mut self, section: &Section<'_>) {
+        self.measure(section);
+        // A section that is inside out has its outlines clockwise.
+        let inverted = self.loops.iter().map(|ring| ring.area).sum::<f64>() < 0.0;
+        self.nest(section, inverted);
+    }
+
+    /// The same, of a section of which it is known whether it is inside out.
+    pub(super) fn sort_as(&mut self, section: &Section<'_>, inverted: bool) {
+        self.measure(section);
+        self.nest(section, inverted);
+    }
+
+    /// The holes that belong to no outline.
+    pub(super) fn lone_holes(&self) -> impl Iterator<Item = &Range<usize>> {
+        self.loops.iter().filter(|ring| !ring.is_outline() && ring.outline.is_none()).map(|ring| &ring.range)
+    }
+
+    fn measure(&mut self, section: &Section<'_>) {
         self.loops.clear();
         let scale = about_one(section.corners.iter().map(|&corner| section.flat[corner as usize]));
         self.scale = scale;
@@ -104,9 +122,11 @@ impl Nest {
             self.loops.push(measure(section, start..end, scale));
             start = end;
         }
-        // A section that is inside out has its outlines clockwise.
-        self.inverted = self.loops.iter().map(|ring| ring.area).sum::<f64>() < 0.0;
-        if self.inverted {
+    }
+
+    fn nest(&mut self, section: &Section<'_>, inverted: bool) {
+        self.inverted = inverted;
+        if inverted {
             self.loops.iter_mut().for_each(|ring| ring.area = -ring.area);
         }
         let outlines = self.loops.iter().filter(|ring| ring.is_outline()).count();

@@ -4,6 +4,7 @@ use super::class::Span;
 use super::part::Part;
 use super::points::{NONE, Place, Points};
 use super::rim::{Rim, Side};
+use super::sheets::Sheets;
 use crate::exact::orient;
 use crate::mesh::{FaceTag, Mesh};
 
@@ -13,9 +14,10 @@ pub(super) struct State {
     pub(super) points: Points,
     pub(super) parts: Vec<Part>,
     pub(super) rim: Rim,
+    pub(super) sheets: Sheets,
     room: Vec<Room>,
     /// Whether the mesh encloses its volume inside out, once it matters.
-    inverted: Option<bool>,
+    pub(super) inverted: Option<bool>,
 }
 
 /// From this many slabs on, faces are counted before they are cut.
@@ -58,7 +60,6 @@ impl State {
             };
         }
         self.rim.reset();
-        self.inverted = None;
     }
 
     /// Makes the slabs, with about the room they will need: growing is much of the work when there are many.
@@ -145,33 +146,48 @@ impl State {
     }
 
     /// A face in a plane goes to the side that its normal points away from, which it closes; of a mesh that is inside out
-    /// to the other.
+    /// to the other. Where that tears a sheet apart, [`Sheets`] decide.
     pub(super) fn keep_flat(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, plane: u32) {
-        let slab = self.slab_of_flat(mesh, face, plane);
-        self.keep(mesh, face, tag, slab, true);
+        let by_rule = self.is_above_by_rule(mesh, face, plane);
+        let is_above = self.sheets.place(face, plane, by_rule);
+        self.keep(mesh, face, tag, plane + u32::from(is_above), true);
     }
 
     /// The slab of a face in a plane.
     pub(super) fn slab_of_flat(&mut self, mesh: &Mesh, face: usize, plane: u32) -> u32 {
+        let by_rule = self.is_above_by_rule(mesh, face, plane);
+        plane + u32::from(self.sheets.is_above(face, by_rule))
+    }
+
+    fn is_above_by_rule(&mut self, mesh: &Mesh, face: usize, plane: u32) -> bool {
         let view = mesh.face(face);
         if let [a, b, c] = mesh.corners[view.corner_range()] {
-            return self.slab_of_triangle(mesh, [a, b, c].map(|point| self.points.places[point as usize]), plane);
+            let corners = [a, b, c].map(|point| self.points.places[point as usize]);
+            return self.is_triangle_above(mesh, corners, plane);
         }
-        self.slab_of_facing(mesh, view.normal()[self.points.axis], plane)
+        self.is_facing_above(mesh, view.normal()[self.points.axis])
     }
 
-    /// The slab of a triangle in a plane: exactly, as it may be the narrowest piece of a face.
+    /// The slab of a triangle in a plane.
     pub(super) fn slab_of_triangle(&mut self, mesh: &Mesh, corners: [Place; 3], plane: u32) -> u32 {
+        plane + u32::from(self.is_triangle_above(mesh, corners, plane))
+    }
+
+    /// Whether a triangle in a plane goes above it: exactly, as it may be the narrowest piece of a face.
+    fn is_triangle_above(&mut self, mesh: &Mesh, corners: [Place; 3], plane: u32) -> bool {
         let flat = &self.points.levels[plane as usize].flat;
         let [a, b, c] = corners.map(|corner| flat[corner.number as usize]);
-        self.slab_of_facing(mesh, f64::from(orient(a, b, c)), plane)
+        self.is_facing_above(mesh, f64::from(orient(a, b, c)))
     }
 
-    /// The slab of something in a plane that looks up or down.
-    fn slab_of_facing(&mut self, mesh: &Mesh, up: f64, plane: u32) -> u32 {
-        let inverted = *self.inverted.get_or_insert_with(|| mesh.is_inside_out());
-        let above = if inverted { up > 0.0 } else { up < 0.0 };
-        plane + u32::from(above)
+    /// Whether something in a plane goes above it, by how much it looks up.
+    fn is_facing_above(&mut self, mesh: &Mesh, up: f64) -> bool {
+        if self.is_inverted(mesh) { up > 0.0 } else { up < 0.0 }
+    }
+
+    /// Whether the mesh encloses its volume inside out.
+    pub(super) fn is_inverted(&mut self, mesh: &Mesh) -> bool {
+        *self.inverted.get_or_insert_with(|| mesh.is_inside_out())
     }
 }
 
