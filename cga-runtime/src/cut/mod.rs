@@ -209,6 +209,9 @@ impl Cutter {
                 let places = &self.state.points.places;
                 self.block.clear();
                 self.block.extend(mesh.corners[block_start..block_end].iter().map(|&point| places[point as usize]));
+                if self.state.is_mostly_cut {
+                    self.state.points.read_ahead(mesh, loops.start, block_end);
+                }
             }
             let places = &self.block[corners.start - block_start..corners.end - block_start];
             if let [p, q, r] = *places {

@@ -16,6 +16,8 @@ pub(super) struct State {
     pub(super) rim: Rim,
     pub(super) sheets: Sheets,
     room: Vec<Room>,
+    /// Whether about half of the faces or more are cut.
+    pub(super) is_mostly_cut: bool,
     /// Whether the mesh encloses its volume inside out, once it matters.
     pub(super) inverted: Option<bool>,
 }
@@ -23,16 +25,17 @@ pub(super) struct State {
 /// From this many slabs on, faces are counted before they are cut.
 const MANY_SLABS: usize = 8;
 
-/// About so many faces are counted; of large meshes this is not all, unless there is a slab for every few of them.
+/// About so many faces are counted, and so many for each slab; of large meshes this is not all.
 const SAMPLE: usize = 1 << 14;
-const FACES_A_SLAB: usize = 64;
+const SAMPLE_A_SLAB: usize = 1 << 10;
 
 /// What a slab will hold.
 #[derive(Clone, Copy, Default)]
 struct Room {
     points: usize,
-    /// Of faces that stay whole.
+    /// Corners of faces that are inside it or on its upper plane.
     corners: usize,
+    /// Loops of faces that stay whole.
     loops: usize,
     /// How many faces to cut have their lowest part here, and how many had their highest below.
     begin: usize,
@@ -64,12 +67,13 @@ impl State {
 
     /// Makes the slabs, with about the room they will need: growing is much of the work when there are many.
     fn make_room(&mut self, mesh: &Mesh) {
-        let State { points, parts, room, .. } = self;
+        let State { points, parts, room, is_mostly_cut, .. } = self;
         let slabs = points.planes.len() + 1;
         room.clear();
         room.resize(slabs + 1, Room::default());
         points.places.iter().for_each(|place| room[place.class.slab() as usize].points += 1);
         parts.clear();
+        *is_mostly_cut = false;
         if slabs < MANY_SLABS {
             // Few: a share of the faces as their share of the points suggests, and of small meshes enough for any cut.
             const SMALL: usize = 256;
@@ -82,16 +86,22 @@ impl State {
             return;
         }
         let faces = mesh.face_count();
-        let each = if faces / FACES_A_SLAB < slabs { 1 } else { faces / SAMPLE + 1 };
+        // An odd step, as meshes are often made of rows and pairs.
+        let each = (faces / SAMPLE.max(slabs * SAMPLE_A_SLAB) + 1) | 1;
+        let each = if faces / each < slabs { 1 } else { each };
+        let mut cut = 0;
         for face in (0..faces).step_by(each) {
             let loops = mesh.face_loops(face);
             let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
             let count = corners.len();
-            let span = Span::of(mesh.corners[corners].iter().map(|&point| points.places[point as usize].class));
+            let classes = mesh.corners[corners].iter().map(|&point| points.places[point as usize].class);
+            let span = Span::of(classes.clone());
             let (bottom, top) = (span.bottom() as usize, span.top() as usize);
             if bottom < top {
+                cut += each;
                 // One that reaches far says little of the others.
                 let many = if top - bottom < MANY_SLABS { each } else { 1 };
+                classes.for_each(|class| room[class.slab() as usize].corners += many);
                 room[bottom].begin += many;
                 room[top + 1].end += many;
             } else {
@@ -99,14 +109,21 @@ impl State {
                 room[top].loops += each * loops.len();
             }
         }
-        // What was not looked at may be more than its share.
-        let spare = |count: usize| if each == 1 { count } else { count + count / 16 + 32 };
+        // What was not looked at may be more than its share, and where a mesh is open or faces are not convex, so is the rest.
+        let spare = |count: usize| match count {
+            0 => 0,
+            _ => count + count / if each == 1 { 32 } else { 16 } + 4,
+        };
+        *is_mostly_cut = faces < 2 * cut;
         let mut pieces = 0;
-        parts.extend(room[..slabs].iter().map(|room| {
-            // A piece has four corners on average, and with a corner of each of two caps; it shares two of its points.
-            pieces = pieces + room.begin - room.end;
-            let (corners, loops) = (room.corners + 6 * pieces, room.loops + pieces + 2);
-            Part::new(mesh, room.points + spare(2 * pieces), spare(corners), spare(loops))
+        parts.extend((0..slabs).map(|slab| {
+            let Room { points, corners, loops, begin, end } = room[slab];
+            // Faces cut by the plane below have pieces on both its sides, and so have those cut by the plane above. Each has two
+            // new corners there, and the cap has one; each of these points is shared by two of them.
+            let crossings = pieces - end;
+            pieces = crossings + begin;
+            let crossings = crossings + pieces - room[slab + 1].end;
+            Part::new(mesh, spare(points + crossings), spare(corners + 3 * crossings), spare(loops + pieces))
         }));
     }
 
@@ -193,8 +210,14 @@ impl State {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use glam::DVec2;
+
     use super::*;
+    use crate::cut::slabs;
     use crate::mesh::MeshBuilder;
+    use crate::scope::Axis;
 
     #[test]
     fn slabs_without_anything_get_no_room() {
@@ -212,5 +235,44 @@ mod tests {
         state.start(&mesh);
         let corners: usize = state.parts.iter().map(|part| part.mesh.corners.capacity()).sum();
         assert!(corners <= 10 * mesh.corners.len(), "{corners}");
+    }
+
+    /// A torus around z in triangles, with coordinates that corners carry.
+    fn torus(around: u32, across: u32) -> Mesh {
+        let mut builder = MeshBuilder::new();
+        for u in 0..around {
+            for v in 0..across {
+                let [a, b] =
+                    [(u, around), (v, across)].map(|(i, of)| f64::from(i) / f64::from(of) * std::f64::consts::TAU);
+                let r = 1.0 + 0.4 * libm::cos(b);
+                builder.point([r * libm::cos(a), r * libm::sin(a), 0.4 * libm::sin(b)]);
+            }
+        }
+        let at = |u: u32, v: u32| u % around * across + v % across;
+        for (u, v) in (0..around).flat_map(|u| (0..across).map(move |v| (u, v))) {
+            let [a, b, c, d] = [at(u, v), at(u + 1, v), at(u + 1, v + 1), at(u, v + 1)];
+            for corners in [[a, b, c], [a, c, d]] {
+                builder.face(&corners, &[], FaceTag::PLAIN).uvs(&[DVec2::ZERO, DVec2::X, DVec2::ONE]);
+            }
+        }
+        builder.build().unwrap()
+    }
+
+    #[test]
+    fn parts_keep_little_more_memory_than_they_need() {
+        for (around, across) in [(256, 128), (64, 500)] {
+            let mesh = Arc::new(torus(around, across));
+            for pieces in [2, 5, 9, 40, 300] {
+                for (axis, reach) in [(Axis::X, 1.4), (Axis::Z, 0.4)] {
+                    let offsets: Vec<f64> =
+                        (1..pieces).map(|i| reach * (2.0 * f64::from(i) / f64::from(pieces) - 1.0)).collect();
+                    let parts = slabs(&mesh, axis, &offsets).parts;
+                    let bytes = parts.iter().flatten().map(|part| part.bytes());
+                    let [used, kept] = bytes.fold([0; 2], |sum, next| [sum[0] + next[0], sum[1] + next[1]]);
+                    let share = kept as f64 / used as f64;
+                    assert!(share <= 1.1, "{around} x {across} in {pieces} across {axis:?}: {share}");
+                }
+            }
+        }
     }
 }
