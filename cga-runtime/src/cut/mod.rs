@@ -38,6 +38,7 @@ mod triangle;
 mod twins;
 
 use std::cell::RefCell;
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -194,6 +195,19 @@ impl Cutter {
         }
     }
 
+    /// Reads the places of a block of corners that begins with those of a face; gives where it ends.
+    #[inline(never)]
+    fn read_block(&mut self, mesh: &Mesh, first_loop: usize, corners: Range<usize>) -> usize {
+        let end = corners.end.max(corners.start + BLOCK).min(mesh.corners.len());
+        let places = &self.state.points.places;
+        self.block.clear();
+        self.block.extend(mesh.corners[corners.start..end].iter().map(|&point| places[point as usize]));
+        if self.state.reads_ahead {
+            self.state.points.read_ahead(mesh, first_loop, end);
+        }
+        end
+    }
+
     fn cut_faces_once(&mut self, mesh: &Mesh) {
         self.state.start(mesh);
         self.rough.start(mesh);
@@ -204,14 +218,7 @@ impl Cutter {
             let corners = start..mesh.loop_ends[loops.end - 1] as usize;
             start = corners.end;
             if block_end < corners.end {
-                (block_start, block_end) =
-                    (corners.start, corners.end.max(corners.start + BLOCK).min(mesh.corners.len()));
-                let places = &self.state.points.places;
-                self.block.clear();
-                self.block.extend(mesh.corners[block_start..block_end].iter().map(|&point| places[point as usize]));
-                if self.state.is_mostly_cut {
-                    self.state.points.read_ahead(mesh, loops.start, block_end);
-                }
+                (block_start, block_end) = (corners.start, self.read_block(mesh, loops.start, corners.clone()));
             }
             let places = &self.block[corners.start - block_start..corners.end - block_start];
             if let [p, q, r] = *places {

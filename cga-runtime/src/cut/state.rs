@@ -16,8 +16,8 @@ pub(super) struct State {
     pub(super) rim: Rim,
     pub(super) sheets: Sheets,
     room: Vec<Room>,
-    /// Whether about half of the faces or more are cut.
-    pub(super) is_mostly_cut: bool,
+    /// Whether crossings are so many that looking for one waits for memory.
+    pub(super) reads_ahead: bool,
     /// Whether the mesh encloses its volume inside out, once it matters.
     pub(super) inverted: Option<bool>,
 }
@@ -27,7 +27,10 @@ const MANY_SLABS: usize = 8;
 
 /// About so many faces are counted, and so many for each slab; of large meshes this is not all.
 const SAMPLE: usize = 1 << 14;
-const SAMPLE_A_SLAB: usize = 1 << 10;
+const SAMPLE_A_SLAB: usize = 1 << 9;
+
+/// From this many faces on, with about half of them cut, edges do not stay in the cache until they are met again.
+const LARGE: usize = 200_000;
 
 /// What a slab will hold.
 #[derive(Clone, Copy, Default)]
@@ -67,13 +70,13 @@ impl State {
 
     /// Makes the slabs, with about the room they will need: growing is much of the work when there are many.
     fn make_room(&mut self, mesh: &Mesh) {
-        let State { points, parts, room, is_mostly_cut, .. } = self;
+        let State { points, parts, room, reads_ahead, .. } = self;
         let slabs = points.planes.len() + 1;
         room.clear();
         room.resize(slabs + 1, Room::default());
         points.places.iter().for_each(|place| room[place.class.slab() as usize].points += 1);
         parts.clear();
-        *is_mostly_cut = false;
+        *reads_ahead = false;
         if slabs < MANY_SLABS {
             // Few: a share of the faces as their share of the points suggests, and of small meshes enough for any cut.
             const SMALL: usize = 256;
@@ -112,9 +115,9 @@ impl State {
         // What was not looked at may be more than its share, and where a mesh is open or faces are not convex, so is the rest.
         let spare = |count: usize| match count {
             0 => 0,
-            _ => count + count / if each == 1 { 32 } else { 16 } + 4,
+            _ => count + count / if each == 1 { 32 } else { 12 } + 4,
         };
-        *is_mostly_cut = faces < 2 * cut;
+        *reads_ahead = LARGE <= faces && faces < 2 * cut;
         let mut pieces = 0;
         parts.extend((0..slabs).map(|slab| {
             let Room { points, corners, loops, begin, end } = room[slab];

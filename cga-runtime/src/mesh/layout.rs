@@ -143,7 +143,7 @@ impl Index<usize> for Tags {
 pub(super) fn give_back_room<T>(list: &mut Vec<T>) {
     const SMALL: usize = 1 << 10;
     let spare = list.capacity() - list.len();
-    if list.len() / 16 < spare && SMALL < spare * size_of::<T>() {
+    if list.len() / 11 < spare && SMALL < spare * size_of::<T>() {
         list.shrink_to_fit();
     }
 }
