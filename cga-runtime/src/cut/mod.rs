@@ -80,6 +80,9 @@ pub struct OpenChain {
 
 /// Cuts a mesh by the planes where its coordinate along `axis` equals an offset; offsets rise strictly.
 ///
+/// A face in a plane goes to the slab that it closes. A sheet, a closed piece without thickness, goes to the slab below its
+/// plane as a whole; a plane that the mesh only touches has all of the mesh on one side, sheets included.
+///
 /// A slab that holds all of the mesh gets the same mesh, not a copy; so does one whose planes the mesh only touches. Offsets
 /// that do not rise or are not numbers cut nothing: the slab below them stays empty.
 ///
