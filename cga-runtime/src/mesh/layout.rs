@@ -141,7 +141,7 @@ impl Index<usize> for Tags {
 
 /// Gives back the room of a list that is much more than it needs. Small lists keep it, as that takes longer than it is worth.
 pub(super) fn give_back_room<T>(list: &mut Vec<T>) {
-    const SMALL: usize = 1 << 10;
+    const SMALL: usize = 1 << 12;
     let spare = list.capacity() - list.len();
     if list.len() / 11 < spare && SMALL < spare * size_of::<T>() {
         list.shrink_to_fit();
