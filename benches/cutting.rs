@@ -91,6 +91,50 @@ fn torus(around: u32, across: u32) -> Mesh {
     builder.build().expect("a torus")
 }
 
+/// Upright tubes of 1 by 1, in no order and over each other: one a unit of the ground. The walls are 0.05 thick.
+fn overlapping_tubes(count: u32) -> Mesh {
+    let mut builder = MeshBuilder::new();
+    let (mut seed, side) = (1u32, f64::from(count).sqrt());
+    let mut noise = || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(seed) / f64::from(u32::MAX)
+    };
+    for _ in 0..count {
+        let (x, y) = (noise() * side, noise() * side);
+        let mut ring = |inset: f64, z: f64| {
+            [[inset, inset], [1.0 - inset, inset], [1.0 - inset, 1.0 - inset], [inset, 1.0 - inset]]
+                .map(|[u, v]| builder.point([x + u, y + v, z]))
+        };
+        let [outer, inner, upper_outer, upper_inner] =
+            [ring(0.0, 0.0), ring(0.05, 0.0), ring(0.0, 1.0), ring(0.05, 1.0)];
+        for i in 0..4 {
+            let j = (i + 1) % 4;
+            builder.face(&[outer[i], outer[j], upper_outer[j], upper_outer[i]], &[], FaceTag::PLAIN);
+            builder.face(&[inner[j], inner[i], upper_inner[i], upper_inner[j]], &[], FaceTag::PLAIN);
+        }
+        let turned = |[a, b, c, d]: [u32; 4]| [d, c, b, a];
+        builder.face(&turned(outer), &[&inner], FaceTag::PLAIN);
+        builder.face(&upper_outer, &[&turned(upper_inner)], FaceTag::PLAIN);
+    }
+    builder.build().expect("tubes")
+}
+
+/// A section of many loops that cross, half of them holes.
+fn overlaps(count: u32) {
+    let mesh = Arc::new(overlapping_tubes(count));
+    let (mut best, mut parts) = (Duration::MAX, Vec::new());
+    for _ in 0..3 {
+        parts = timed(&mut best, || cut::slabs(&mesh, Axis::Z, black_box(&[0.5])).parts);
+    }
+    for part in parts.iter().flatten() {
+        // Every outline has a cap, and every hole is in one of those.
+        let holes = part.faces().filter(|face| face.tag().cap).map(|cap| cap.holes().len());
+        assert!(holes.clone().count() == count as usize && holes.sum::<usize>() == count as usize);
+        assert!(part.is_closed() && (part.volume() / f64::from(count) - 0.095).abs() < 1e-9);
+    }
+    println!("C4 overlaps    {count:>6} tubes   cutter {:>9.1} us", best.as_secs_f64() * 1e6);
+}
+
 /// Points and corners of all parts, one after the other, in memory that is there.
 #[derive(Default)]
 struct Copy {
@@ -173,5 +217,8 @@ fn main() {
     }
     for pieces in [2, 4, 16, 64, 256] {
         compare("C3 rings", torus(64, 32), Axis::Z, pieces, None);
+    }
+    for count in [8_000, 32_000, 128_000] {
+        overlaps(count);
     }
 }

@@ -12,6 +12,9 @@ const END: u32 = u32::MAX;
 /// How many edges a list has at most.
 const CROWD: usize = 16;
 
+/// How many edges of a list are looked at ahead of time.
+const NEAR: usize = 4;
+
 /// Edge → number.
 #[derive(Default)]
 pub(super) struct Edges {
@@ -38,7 +41,7 @@ impl Edges {
     }
 
     /// The number of an edge, which becomes `initial` when it is new, and whether it is.
-    #[inline]
+    #[inline(always)]
     pub(super) fn entry(&mut self, a: u32, b: u32, initial: u32) -> (u32, bool) {
         let (low, high) = (a.min(b), a.max(b));
         let (mut last, mut at) = (END, self.heads[low as usize]);
@@ -57,6 +60,26 @@ impl Edges {
         }
         let (number, new) = self.crowded.entry(low, high, initial);
         (*number, new)
+    }
+
+    /// Where the list with an edge starts, given its lower end.
+    #[inline]
+    pub(super) fn head(&self, low: u32) -> u32 {
+        self.heads[low as usize]
+    }
+
+    /// The number of an edge that is near the start of its list.
+    #[inline]
+    pub(super) fn near(&self, head: u32, high: u32) -> Option<u32> {
+        let mut at = head;
+        for _ in 0..NEAR {
+            let link = self.links.get(at as usize)?;
+            if link.end == high {
+                return Some(link.number);
+            }
+            at = link.next;
+        }
+        None
     }
 
     /// All edges, as their ends, and their numbers, in no useful order.

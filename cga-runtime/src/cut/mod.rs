@@ -6,16 +6,18 @@
 //! decided by index: which pieces meet, which edges a side lacks a partner for, which loops those make.
 //!
 //! A face in a plane goes to the side its normal points away from, which it closes (of a mesh that is inside out, to the
-//! other). Caps are what is still missing then:
+//! other). A closed piece without thickness in a plane, a sheet, goes to the side below as a whole ([`sheets`]). Caps are what is still missing then:
 //! polygons with holes whose rim is made of the edges left without a partner in the plane, the same points on both
 //! sides. Where the mesh was open before, it stays open.
 
 mod around;
+mod box_tree;
 mod caps;
 mod chain;
 mod class;
 mod contour;
 mod edges;
+mod extent;
 mod first;
 mod general;
 mod lead;
@@ -28,13 +30,15 @@ mod probe;
 mod rim;
 mod rough;
 mod row;
+mod runs;
+mod sheets;
 mod simple;
 mod state;
-mod strips;
 mod triangle;
 mod twins;
 
 use std::cell::RefCell;
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -52,6 +56,7 @@ use class::Span;
 use general::General;
 use points::Place;
 use rough::Rough;
+use sheets::Sheets;
 use simple::Simple;
 use state::State;
 
@@ -74,6 +79,9 @@ pub struct OpenChain {
 }
 
 /// Cuts a mesh by the planes where its coordinate along `axis` equals an offset; offsets rise strictly.
+///
+/// A face in a plane goes to the slab that it closes. A sheet, a closed piece without thickness, goes to the slab below its
+/// plane as a whole; a plane that the mesh only touches has all of the mesh on one side, sheets included.
 ///
 /// A slab that holds all of the mesh gets the same mesh, not a copy; so does one whose planes the mesh only touches. Offsets
 /// that do not rise or are not numbers cut nothing: the slab below them stays empty.
@@ -180,8 +188,30 @@ impl Cutter {
         slabs
     }
 
-    /// Hands every face, or its pieces, to the slabs.
+    /// Hands every face, or its pieces, to the slabs; again when sheets were torn apart.
     fn cut_faces(&mut self, mesh: &Mesh) {
+        self.state.inverted = None;
+        self.state.sheets.clear();
+        self.cut_faces_once(mesh);
+        if Sheets::find(&mut self.state, mesh) {
+            self.cut_faces_once(mesh);
+        }
+    }
+
+    /// Reads the places of a block of corners that begins with those of a face; gives where it ends.
+    #[inline(never)]
+    fn read_block(&mut self, mesh: &Mesh, first_loop: usize, corners: Range<usize>) -> usize {
+        let end = corners.end.max(corners.start + BLOCK).min(mesh.corners.len());
+        let places = &self.state.points.places;
+        self.block.clear();
+        self.block.extend(mesh.corners[corners.start..end].iter().map(|&point| places[point as usize]));
+        if self.state.reads_ahead {
+            self.state.points.read_ahead(mesh, first_loop, end);
+        }
+        end
+    }
+
+    fn cut_faces_once(&mut self, mesh: &Mesh) {
         self.state.start(mesh);
         self.rough.start(mesh);
         let (mut start, mut block_start, mut block_end) = (0, 0, 0);
@@ -191,11 +221,7 @@ impl Cutter {
             let corners = start..mesh.loop_ends[loops.end - 1] as usize;
             start = corners.end;
             if block_end < corners.end {
-                (block_start, block_end) =
-                    (corners.start, corners.end.max(corners.start + BLOCK).min(mesh.corners.len()));
-                let places = &self.state.points.places;
-                self.block.clear();
-                self.block.extend(mesh.corners[block_start..block_end].iter().map(|&point| places[point as usize]));
+                (block_start, block_end) = (corners.start, self.read_block(mesh, loops.start, corners.clone()));
             }
             let places = &self.block[corners.start - block_start..corners.end - block_start];
             if let [p, q, r] = *places {

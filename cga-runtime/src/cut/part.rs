@@ -139,6 +139,7 @@ impl Part {
         if let Some(lead) = self.lead {
             self.mesh.bring_to_front(lead);
         }
+        self.mesh.give_back_room();
         if closed {
             let _ = self.mesh.derived.closed.set(true);
         }

@@ -3,6 +3,7 @@
 //! An edge owns its crossings: they are made when the first face asks and found by the others. Points on a plane are kept
 //! with their plane and numbered there, as whatever needs them next (the pieces on both sides, the caps) goes plane by plane.
 
+use std::hint::black_box;
 use std::ops::Range;
 
 use glam::{DVec2, DVec3};
@@ -100,6 +101,15 @@ pub(super) struct Points {
     edges: Edges,
     /// Numbers on their planes of the crossings of edges with several, from low to high.
     crossings: Vec<u32>,
+    ahead: Vec<Ahead>,
+}
+
+/// An edge that will be looked up.
+struct Ahead {
+    planes: Range<u32>,
+    ends: [u32; 2],
+    /// Where its list starts.
+    head: u32,
 }
 
 impl Points {
@@ -126,6 +136,45 @@ impl Points {
         self.edges.reset(mesh.points.len());
         self.crossings.clear();
         self.mixes = !mesh.uvs.is_empty() || !mesh.normals.is_empty();
+    }
+
+    /// Reads what the crossings of the loops from one on, up to a corner, will be found by. Faces are cut one by one, and each
+    /// would wait for memory several times; these reads do not wait for each other.
+    #[inline(never)]
+    pub(super) fn read_ahead(&mut self, mesh: &Mesh, first: usize, end: usize) {
+        let Points { places, levels, edges, crossings, ahead, .. } = self;
+        ahead.clear();
+        let whole = mesh.loop_ends[first..].iter().take_while(|&&corner| corner as usize <= end).count();
+        for ring in first..first + whole {
+            let ring = &mesh.corners[mesh.loop_range(ring)];
+            let mut last = ring[ring.len() - 1];
+            let mut last_class = places[last as usize].class;
+            for &here in ring {
+                let class = places[here as usize].class;
+                if class != last_class {
+                    let planes = Span { low: class.min(last_class), high: class.max(last_class) }.planes();
+                    let (low, high) = (here.min(last), here.max(last));
+                    ahead.push(Ahead { planes, ends: [low, high], head: edges.head(low) });
+                }
+                (last, last_class) = (here, class);
+            }
+        }
+        let mut read = 0;
+        let numbers = |plane: u32, number: u32| levels[plane as usize].numbers.get(number as usize);
+        for Ahead { planes, ends: [low, high], head } in ahead.iter() {
+            let Some(number) = edges.near(*head, *high) else {
+                read ^= mesh.points[*low as usize].x.to_bits() ^ mesh.points[*high as usize].x.to_bits();
+                continue;
+            };
+            if planes.len() == 1 {
+                read ^= numbers(planes.start, number).map_or(0, |numbers| u64::from(numbers[0]));
+            } else {
+                let all = crossings.get(number as usize..number as usize + planes.len()).unwrap_or_default();
+                let all = planes.clone().zip(all).filter_map(|(plane, &number)| numbers(plane, number));
+                read ^= all.map(|numbers| u64::from(numbers[0])).sum::<u64>();
+            }
+        }
+        black_box(read);
     }
 
     /// Adds a point to a plane, with its numbers in the slabs; gives its number there.
@@ -187,7 +236,7 @@ impl Points {
     /// The crossing of the edge from one corner to another with the one plane that is between them.
     #[inline]
     pub(super) fn crossing(&mut self, parts: &mut [Part], mesh: &Mesh, plane: u32, from: usize, to: usize) -> Node {
-        let [a, b] = [from, to].map(|corner| mesh.corners[corner]);
+        let (a, b) = (mesh.corners[from], mesh.corners[to]);
         let (number, new) = self.edges.entry(a, b, self.levels[plane as usize].flat.len() as u32);
         if new {
             self.make(parts, mesh, a, b, plane..plane + 1);
@@ -215,7 +264,7 @@ impl Points {
             nodes.push(self.crossing(parts, mesh, planes.start, from.0, to.0));
             return;
         }
-        let [a, b] = [from.0, to.0].map(|corner| mesh.corners[corner]);
+        let (a, b) = (mesh.corners[from.0], mesh.corners[to.0]);
         let (first, new) = self.edges.entry(a, b, self.crossings.len() as u32);
         if new {
             self.make(parts, mesh, a, b, planes.clone());

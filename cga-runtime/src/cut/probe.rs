@@ -55,8 +55,14 @@ impl Probe {
         best.map(|(_, middle)| Probe { at: DVec2::new(middle, level), ahead: DVec2::X })
     }
 
-    pub(super) fn height(&self) -> f64 {
-        self.at.y
+    /// The place that the point is off.
+    pub(super) fn at(&self) -> DVec2 {
+        self.at
+    }
+
+    /// How often a way between two points far to the right comes past it: 1 upwards, -1 downwards.
+    pub(super) fn rise(&self, from: DVec2, to: DVec2) -> i32 {
+        i32::from(self.is_above(from)) - i32::from(self.is_above(to))
     }
 
     /// Whether it is above a point.

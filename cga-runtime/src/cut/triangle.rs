@@ -32,12 +32,12 @@ pub(super) fn clip(
     let (from, to) = if tip_is_below { (x, y) } else { (y, x) };
     rim.cut(plane, from.place.number, to.place.number);
     let (tip_side, rest_side) = if tip_is_below { (0, 1) } else { (1, 0) };
-    let [tip, rest] = [tip_side, rest_side].map(|side| plane as usize + side);
+    let (tip, rest) = (plane as usize + tip_side, plane as usize + rest_side);
     // Numbers in the slab of the piece.
-    let inside = [l, m, n].map(|node| node.place.number);
+    let inside = [l.place.number, m.place.number, n.place.number];
     let level = &points.levels[plane as usize];
-    let [on_tip, on_rest] =
-        [tip_side, rest_side].map(|side| [x, y].map(|node| level.numbers[node.place.number as usize][side]));
+    let (at_x, at_y) = (level.numbers[x.place.number as usize], level.numbers[y.place.number as usize]);
+    let (on_tip, on_rest) = ([at_x[tip_side], at_y[tip_side]], [at_x[rest_side], at_y[rest_side]]);
     let (tip_numbers, rest_numbers) = pieces(lone, inside, on_tip, on_rest);
     parts[tip].piece(tag, tip_numbers);
     parts[rest].piece(tag, rest_numbers);

@@ -7,6 +7,7 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::contour::Section;
+use super::extent::Extent;
 
 /// Which loops go through the same places in the same order.
 #[derive(Default)]
@@ -20,21 +21,17 @@ pub(super) struct Twins {
 
 impl Twins {
     /// Finds them among loops, each given by its corners and its box.
-    pub(super) fn find(
-        &mut self,
-        section: &Section<'_>,
-        loops: impl Iterator<Item = (Range<usize>, DVec2, DVec2)> + Clone,
-    ) {
+    pub(super) fn find(&mut self, section: &Section<'_>, loops: impl Iterator<Item = (Range<usize>, Extent)> + Clone) {
         self.first.clear();
         self.all.clear();
         self.order.clear();
-        self.order.extend(loops.clone().enumerate().map(|(number, (_, low, high))| (low, high, number)));
+        self.order.extend(loops.clone().enumerate().map(|(number, (_, Extent { low, high }))| (low, high, number)));
         let key = |&(low, high, number): &(DVec2, DVec2, usize)| (low.x, low.y, high.x, high.y, number);
         self.order.sort_unstable_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(a.2.cmp(&b.2)));
         if self.order.windows(2).all(|pair| (pair[0].0, pair[0].1) != (pair[1].0, pair[1].1)) {
             return;
         }
-        let ranges: Vec<Range<usize>> = loops.map(|(range, ..)| range).collect();
+        let ranges: Vec<Range<usize>> = loops.map(|(range, _)| range).collect();
         for same_box in self.order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).filter(|group| group.len() > 1) {
             let mut rings: Vec<Ring> =
                 same_box.iter().map(|&(.., number)| Ring::of(section, &ranges[number], number)).collect();
@@ -139,7 +136,7 @@ mod tests {
         let ends = [4, 8, 12, 15, 19];
         let section = Section { flat: &flat, corners: &corners, ends: &ends };
         let starts = [0].into_iter().chain(ends);
-        let loops = starts.zip(ends).map(|(start, end)| (start..end, DVec2::ZERO, DVec2::ONE));
+        let loops = starts.zip(ends).map(|(start, end)| (start..end, Extent { low: DVec2::ZERO, high: DVec2::ONE }));
         let mut twins = Twins::default();
         twins.find(&section, loops);
         assert_eq!([0, 1, 2, 3, 4].map(|number| twins.first(number)), [(0, 0), (1, 0), (0, 1), (3, 0), (0, 2)]);

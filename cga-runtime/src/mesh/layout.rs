@@ -139,7 +139,39 @@ impl Index<usize> for Tags {
     }
 }
 
+/// Gives back the room of a list that is much more than it needs. Small lists keep it, as that takes longer than it is worth.
+pub(super) fn give_back_room<T>(list: &mut Vec<T>) {
+    const SMALL: usize = 1 << 12;
+    let spare = list.capacity() - list.len();
+    if list.len() / 11 < spare && SMALL < spare * size_of::<T>() {
+        list.shrink_to_fit();
+    }
+}
+
 impl Mesh {
+    /// Gives back room that is much more than the mesh needs.
+    pub(crate) fn give_back_room(&mut self) {
+        give_back_room(&mut self.points);
+        give_back_room(&mut self.corners);
+        give_back_room(&mut self.loop_ends);
+        give_back_room(&mut self.face_ends.ends);
+        give_back_room(&mut self.tags.runs);
+        give_back_room(&mut self.normals);
+        self.uvs.give_back_room();
+    }
+
+    /// The bytes of its lists, and those that they have room for.
+    #[cfg(test)]
+    pub(crate) fn bytes(&self) -> [usize; 2] {
+        fn of<T>(list: &Vec<T>) -> [usize; 2] {
+            [list.len(), list.capacity()].map(|count| count * size_of::<T>())
+        }
+        let indices = [&self.corners, &self.loop_ends, &self.face_ends.ends].map(of);
+        let points = [&self.points, &self.normals].map(of);
+        let all = indices.into_iter().chain(points).chain([of(&self.tags.runs), self.uvs.bytes()]);
+        all.fold([0; 2], |sum, next| [sum[0] + next[0], sum[1] + next[1]])
+    }
+
     /// Makes a face the first one; the order of the others stays.
     pub(crate) fn bring_to_front(&mut self, face: usize) {
         let rings = self.face_loops(face);

@@ -69,6 +69,18 @@ impl UvSets {
         }
     }
 
+    /// Gives back room that is much more than the sets need.
+    pub(super) fn give_back_room(&mut self) {
+        self.lists.iter_mut().for_each(super::layout::give_back_room);
+    }
+
+    /// The bytes of all sets, and those that they have room for.
+    #[cfg(test)]
+    pub(super) fn bytes(&self) -> [usize; 2] {
+        let sum = |count: fn(&Vec<DVec2>) -> usize| self.lists.iter().map(count).sum::<usize>() * size_of::<DVec2>();
+        [sum(Vec::len), sum(Vec::capacity)]
+    }
+
     /// Forgets corners from that one on.
     pub(super) fn truncate(&mut self, corners: usize) {
         self.lists.iter_mut().for_each(|list| list.truncate(corners));
