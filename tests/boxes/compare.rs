@@ -37,6 +37,10 @@ fn same<T: PartialEq + std::fmt::Debug + ?Sized>(what: &str, a: &T, b: &T) -> Di
     (a != b).then(|| format!("{what}: {a:?} and {b:?}"))
 }
 
+/// How far sines and cosines of the angles of a frame may be apart. Where the middle angle is upright, the last bit of an axis
+/// changes it by the root of that.
+const TURN: f64 = 1e-7;
+
 impl Tolerance {
     /// Whether two numbers are the same. Those that are not lengths are held to the same share of themselves.
     fn number(self, a: f64, b: f64) -> bool {
@@ -50,7 +54,8 @@ impl Tolerance {
 
     /// Whether two texts are the same but for numbers between semicolons.
     fn text(self, a: &str, b: &str) -> Difference {
-        let same = |a: &str, b: &str| match (a.parse(), b.parse()) {
+        let same = |name: &str, a: &str, b: &str| match (a.parse::<f64>(), b.parse::<f64>()) {
+            (Ok(a), Ok(b)) if name.ends_with("turn") => (a - b).abs() <= TURN,
             (Ok(a), Ok(b)) => self.number(a, b),
             _ => a == b,
         };
@@ -61,7 +66,7 @@ impl Tolerance {
             if !a.is_empty() && a.parse::<f64>().is_err() && 0 < at && a == b {
                 name = a;
             }
-            if !same(a, b) {
+            if !same(name, a, b) {
                 return Some(format!("{}, {name}: {a:?} and {b:?}", left[0]));
             }
         }

@@ -53,7 +53,8 @@ fn runs_with_boxes_and_with_meshes_give_the_same() {
 #[test]
 fn further_grammars_give_the_same() {
     let Ok(text) = std::env::var("CGA_BOXES") else { return };
-    let number = |text: &str| text.parse::<u64>().expect("`CGA_BOXES` is a number, two with `..` between them, or a list");
+    let number =
+        |text: &str| text.parse::<u64>().expect("`CGA_BOXES` is a number, two with `..` between them, or a list");
     let seeds: Vec<u64> = match (text.split_once(".."), text.contains(',')) {
         (Some((first, end)), _) => (number(first)..number(end)).collect(),
         (None, true) => text.split(',').map(number).collect(),

@@ -6,6 +6,7 @@ use crate::mesh::OffsetFaces;
 use crate::mesh::offset::{OffsetError, offset as offset_mesh};
 use crate::scope::Scope;
 use crate::shape::{Geometry, ShapeRef};
+use crate::unit::UnitMesh;
 
 /// `offset(distance, all | inside | border)`: each face becomes what is inside its outline moved inwards (a negative
 /// distance) or outwards, with mitred corners, and border faces for the difference, one an edge (*offset operation*). The
@@ -69,7 +70,7 @@ fn report(env: &mut Env, refused: &[(usize, OffsetError)]) {
 
 /// A rectangle stays one: no mesh is needed. Whether that was so, or there is nothing to be done.
 fn rectangle(shape: &mut ShapeRef<'_>, distance: f64) -> bool {
-    let Geometry::Rect(across, _) = shape.geometry else { return false };
+    let Geometry::Rect(across, unit) = shape.geometry else { return false };
     let mut to = Scope { ..shape.scope };
     for axis in (0..3).filter(|&axis| axis != across.index()) {
         if shape.scope.size[axis] <= 0.0 {
@@ -83,6 +84,8 @@ fn rectangle(shape: &mut ShapeRef<'_>, distance: f64) -> bool {
     }
     to.size[across.index()] = 0.0;
     shape.scope = to;
+    // Its corners are new ones, in order.
+    shape.geometry = Geometry::Rect(across, UnitMesh::face(across, unit.sides()[0].provenance));
     true
 }
 
