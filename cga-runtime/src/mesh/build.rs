@@ -241,6 +241,21 @@ pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
     kept
 }
 
+/// The points that corners use, in the order in which corners meet them; the corners are renumbered. -0 becomes 0.
+pub(super) fn in_order_of_use(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
+    let mut new = vec![u32::MAX; points.len()];
+    let mut kept = Vec::with_capacity(points.len());
+    for corner in corners {
+        let number = &mut new[*corner as usize];
+        if *number == u32::MAX {
+            *number = kept.len() as u32;
+            kept.push(points[*corner as usize] + 0.0);
+        }
+        *corner = *number;
+    }
+    kept
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

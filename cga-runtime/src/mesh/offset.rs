@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use super::build::keep_used;
+use super::build::in_order_of_use;
 use super::face::unit;
 use super::map::flip;
 use super::spread::Spread;
@@ -60,7 +60,8 @@ pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Ve
             copy(&face, &mut made);
         }
     }
-    made.points = keep_used(&made.points, &mut made.corners);
+    // The wavefront numbers its points as it finds them; rules count vertices as faces have them.
+    made.points = in_order_of_use(&made.points, &mut made.corners);
     (made, refused)
 }
 
