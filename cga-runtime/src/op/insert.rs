@@ -95,12 +95,15 @@ fn mark(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
     let size = shape.scope.size.abs();
     let edges = (size * MARKER.1).max(DVec3::splat(MARKER.0)).min(size);
-    let origin = (size - edges) * DVec3::new(0.5, 0.0, 0.5);
-    let mesh = Cuboid::new(origin, DMat3::from_diagonal(edges)).to_mesh();
+    // As shares of the scope: a mesh of a very small size cannot be stretched far.
+    let share = DVec3::select(size.cmpgt(DVec3::ZERO), edges / size, DVec3::ONE);
+    let origin = (DVec3::ONE - share) * DVec3::new(0.5, 0.0, 0.5);
+    let mesh = Cuboid::new(origin, DMat3::from_diagonal(share)).to_mesh();
     if env.count_vertices(&mesh).is_continue() {
-        let mesh = Arc::new(mesh);
-        let placed = Placed { low: DVec3::ZERO, size, mesh, whole: false, mirrored: false };
+        let placed = Placed { low: DVec3::ZERO, size: DVec3::ONE, mesh: Arc::new(mesh), whole: false, mirrored: false };
         shape.geometry = Geometry::Mesh(Arc::new(placed));
+        // A size of zero flattens it.
+        shape.resize(shape.scope.size);
     }
 }
 

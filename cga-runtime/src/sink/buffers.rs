@@ -237,19 +237,25 @@ impl Sink for Buffers {
         self.leaf(leaf);
         let [x, y, z] = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
         // Each corner is rounded once, so the three faces that meet there agree.
-        let corners = Cuboid { origin: cuboid.origin - self.origin, ..*cuboid }.corners().map(short);
+        // Four numbers each: they are stored and loaded as one.
+        let corners = Cuboid { origin: cuboid.origin - self.origin, ..*cuboid }.corners().map(|p| {
+            let [x, y, z] = short(p);
+            [x, y, z, 0.0]
+        });
         // From cross products, not from the axes: they turn round together with the winding when a side is negative.
         let [right, top, front] = [y.cross(z), z.cross(x), x.cross(y)].map(unit).map(short);
         let [left, bottom, back] = [right, top, front].map(|n| n.map(|c| -c));
         let normals = [front, right, back, left, top, bottom];
-        let mut vertices = [[[0.0; 6]; 4]; 6];
-        for (to, face) in vertices.iter_mut().zip(cuboid.unit.sides()) {
-            let normal = normals[face.side as usize];
+        // Written in place: building the vertices elsewhere and copying them takes twice as long.
+        self.vertices.resize(start as usize + 24, [0.0; 6]);
+        let (faces, _) = self.vertices[start as usize..].as_chunks_mut::<4>();
+        for (to, face) in faces.iter_mut().zip(cuboid.unit.sides()) {
+            let [u, v, w] = normals[face.side as usize];
             for (to, corner) in to.iter_mut().zip(face.corners) {
-                *to = vertex(corners[usize::from(corner % 8)], normal);
+                let [x, y, z, _] = corners[usize::from(corner % 8)];
+                *to = [x, y, z, u, v, w];
             }
         }
-        self.vertices.extend_from_slice(vertices.as_flattened());
         self.indices
             .extend_from_slice([0, 4, 8, 12, 16, 20].map(|f| [0, 1, 2, 0, 2, 3].map(|i| start + f + i)).as_flattened());
         self.pad_uvs();
