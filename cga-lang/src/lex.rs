@@ -242,6 +242,10 @@ impl<'a> Lexer<'a> {
         }
         let shown = if is_invisible(c) { format!("U+{:04X}", c as u32) } else { format!("{c}") };
         let span = self.push(start, meant.unwrap_or(Tok::Bad));
+        if c == '$' && self.rest().starts_with(starts_name) {
+            let end = self.rest().find(|next| !continues_name(next)).unwrap_or(self.rest().len());
+            help = format!("write `{}`", &self.rest()[..end]);
+        }
         let diag = self.diags.report(Code::UnknownCharacter, span, format!("unknown character `{shown}`"));
         if !help.is_empty() {
             diag.help(help);

@@ -2,15 +2,23 @@
 
 use super::arity::{counts, usage, wrong_count};
 use super::globals::Kind;
+use super::habits;
 use super::names::Scope;
 use super::words::{fitting, word};
 use super::{Door, Use, overrides};
-use crate::ast::{Arg, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
+use crate::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
 use crate::code::Code;
 use crate::diag::Level;
-use crate::ops::{self, Operation, ParamKind, Places, Run};
+use crate::ir::Type;
+use crate::ops::{self, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
+
+/// Most declarations of a rule that a message names.
+const MOST_DECLARED: usize = 3;
+
+/// The longest argument that a message repeats.
+const LONGEST: usize = 40;
 
 pub(super) fn has_error(args: &[Arg]) -> bool {
     args.iter().any(|arg| matches!(arg.value.kind, ExprKind::Error))
@@ -24,6 +32,25 @@ fn has_braces(row: &Operation, block: &Block) -> bool {
         (ops::Block::Inline, Some(BlockPart::Ops(list))) => list.len() == 1,
         _ => true,
     }
+}
+
+/// How a rule of those declarations is called: "`Floor(n)` or `Floor(n, height)`".
+fn calls(name: &str, declared: &[&Decl]) -> String {
+    let call = |decl: &&Decl| {
+        let params: Vec<&str> = decl.params.iter().map(|param| param.text.as_str()).collect();
+        if params.is_empty() { format!("`{name}`") } else { format!("`{name}({})`", params.join(", ")) }
+    };
+    let list: Vec<String> = declared.iter().take(MOST_DECLARED).map(call).collect();
+    list.join(" or ")
+}
+
+/// The number that two arguments with a decimal comma between them were meant as.
+fn decimal(first: &Arg, second: &Arg) -> Option<String> {
+    let digits = |arg: &Arg| match arg.value.kind {
+        ExprKind::Number(value) if arg.prefix.is_none() && value.fract() == 0.0 => Some(value),
+        _ => None,
+    };
+    Some(format!("{}.{}", digits(first)?, digits(second)?))
 }
 
 impl<'a> Scope<'_, 'a, '_> {
@@ -134,13 +161,31 @@ impl<'a> Scope<'_, 'a, '_> {
     fn wrong_words(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) {
         let values: Vec<&'a Expr> = args.iter().map(|arg| &arg.value).collect();
         let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &values)) else {
-            return self.operation(&rows[..1], args);
+            let reported = self.cx.diags.count();
+            self.operation(&rows[..1], args);
+            return self.misplaced_arguments(name, rows, args, reported);
         };
         for (param, value) in row.params.iter().zip(values) {
             self.computed_word(&param.kind, value);
         }
         self.cx.tables.later.insert(name.id());
         self.note(name, Use::Operation(row));
+    }
+
+    /// Adds to what was reported since then how the arguments were meant: the other way round, or as one number.
+    fn misplaced_arguments(&mut self, name: &Name, rows: &[&'static Operation], args: &[Arg], since: usize) {
+        let tokens = &self.cx.globals.program.tokens;
+        let meant = match args {
+            [first, second] if rows.iter().any(|row| row.words(&[word(second), word(first)]).is_some()) => {
+                let text = |arg: &Arg| tokens.text(arg.span, LONGEST);
+                Some(format!("{}({}, {})", name.text, text(second), text(first)))
+            }
+            [first, second] => decimal(first, second).filter(|_| ops::operations(&name.text).any(|row| row.takes(1))),
+            _ => None,
+        };
+        if let Some(meant) = meant {
+            self.cx.diags.help_since(since, &format!("write `{meant}`"));
+        }
     }
 
     fn needs_braces(&mut self, name: &Name, row: &Operation) {
@@ -170,11 +215,21 @@ impl<'a> Scope<'_, 'a, '_> {
             let mut rows: Vec<String> = new.map(|row| format!("`{}`", usage(row))).collect();
             rows.dedup();
             let message = format!("operation `{text}` takes {}, got {count}", counts(takes));
-            self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write {}", rows.join(" or ")));
+            // Of an operation that is only kept for old files.
+            let instead = ops::operations(text).find_map(|row| row.old);
+            let diag = self.cx.diags.report(Code::ArgumentCount, name.span, message);
+            match instead.filter(|_| rows.is_empty()) {
+                Some(instead) => diag.help(instead),
+                None => diag.help(format!("write {}", rows.join(" or "))),
+            };
+            if let Some(help) = habits::step(text).filter(|_| count == 3) {
+                diag.help(help);
+            }
             return;
         }
-        let others: Vec<usize> =
-            globals.rules(at, text).iter().map(|&index| globals.rules[index as usize].decl.params.len()).collect();
+        let declared: Vec<&Decl> =
+            globals.rules(at, text).iter().map(|&index| globals.rules[index as usize].decl).collect();
+        let others: Vec<usize> = declared.iter().map(|decl| decl.params.len()).collect();
         let function = ops::functions(text).next().is_some() || !globals.functions(at, text).is_empty();
         if function && others.is_empty() {
             let message = format!("`{text}` is a function: it has a value, it does nothing to the shape");
@@ -182,9 +237,13 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let inline = self.door() == Door::Inline;
-        let (message, near) = if others.is_empty() {
+        let habit = habits::step(text);
+        let (message, near) = if habit.is_some() && others.is_empty() {
+            (format!("there is no rule `{text}`"), None)
+        } else if others.is_empty() {
             let others = ops::all_operations().map(|row| row.name).chain(["split", "splitArea", "comp", "set", "NIL"]);
-            (format!("there is no rule `{text}`"), globals.meant(at, text, Kind::Rules, others))
+            let near = globals.meant(at, text, Kind::Rules, others);
+            (format!("there is no rule `{text}`"), near.or_else(|| globals.leaf(at, text)))
         } else {
             (format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied())), None)
         };
@@ -195,10 +254,19 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.note(format!("it becomes a leaf named `{text}`"));
         }
         diag.suggest(near);
+        if let Some(help) = habit.filter(|_| others.is_empty()) {
+            diag.help(help);
+        }
+        if !declared.is_empty() {
+            diag.help(format!("write {}", calls(text, &declared)));
+        }
+        for decl in declared.iter().take(MOST_DECLARED) {
+            diag.related("declared", decl.name.span);
+        }
         if is_value {
             diag.note(format!("`{text}` is a value, and does nothing to the shape"));
         }
-        if others.is_empty() && count == 0 && !text.contains('.') {
+        if others.is_empty() && habit.is_none() && count == 0 && !text.contains('.') {
             diag.help(format!("write `{text}.` for a leaf, or declare it: `{text} --> …`"));
         }
         self.note(name, Use::Leaf);
@@ -227,9 +295,22 @@ impl<'a> Scope<'_, 'a, '_> {
                     }
                 }
                 ParamKind::Selector => self.selector(&arg.value, Places::FACES.and(Places::SETBACK)),
+                _ if self.unquoted(&rows[0].params[index], arg) => {}
                 _ => self.expr(&arg.value),
             }
         }
+    }
+
+    /// Reports an unknown name where text is needed: quotation marks are missing.
+    fn unquoted(&mut self, param: &Param, arg: &'a Arg) -> bool {
+        let ExprKind::Name(name) = &arg.value.kind else { return false };
+        if param.kind.ty() != Some(Type::Text) || arg.prefix.is_some() || self.lookup(&name.text).is_some() {
+            return false;
+        }
+        let is_colour = param.name == "hexValue";
+        let quoted = if is_colour { habits::colour(&name.text) } else { Some(name.text.as_str()) };
+        self.unknown_name(name, quoted);
+        true
     }
 
     /// An operation with braces. None of them runs yet; what stands in them is checked all the same.

@@ -56,7 +56,8 @@ impl Files for Library {
 }
 
 fn mistakes() -> Vec<Mistake> {
-    include_str!("mistakes.txt").split("== ").filter(|block| !block.trim().is_empty()).map(mistake).collect()
+    let text = include_str!("mistakes.txt").strip_prefix("== ").expect("a title");
+    text.split("\n== ").map(mistake).collect()
 }
 
 fn mistake(block: &str) -> Mistake {
