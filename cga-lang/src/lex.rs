@@ -129,6 +129,17 @@ impl<'a> Lexer<'a> {
     fn number(&mut self, start: usize) {
         self.skip_while(|c| c.is_ascii_digit());
         if let Some(after) = self.rest().strip_prefix('.') {
+            // `0..3`, a range of Rust: no dot belongs to a number.
+            if after.starts_with('.') && after[1..].starts_with(|c: char| c.is_ascii_digit()) {
+                let whole = self.text[start..self.at].parse().unwrap_or(f64::MAX);
+                self.push(start, Tok::Number(whole));
+                for _ in 0..2 {
+                    let dot = self.at;
+                    self.at += 1;
+                    self.push(dot, Tok::Sym(Sym::Dot));
+                }
+                return;
+            }
             // `1.==1` is `1 .== 1`: the dot belongs to the operator (*changelog*, 2020.0). White space counts here, as
             // in `1. == 1`, because it does in CGA; the token door looks at the places.
             let operator =

@@ -186,8 +186,8 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// Reports a name that stands for nothing. `quoted` is the text that was meant, where text is needed.
-    pub(super) fn unknown_name(&mut self, name: &'a Name, quoted: Option<&str>) {
+    /// Reports a name that stands for nothing. `help` is what to type where text is needed.
+    pub(super) fn unknown_name(&mut self, name: &'a Name, help: Option<String>) {
         let (text, globals, at) = (name.text.as_str(), &self.cx.globals, self.at);
         if globals.is_lost(at, text) {
             return;
@@ -200,7 +200,8 @@ impl<'a> Scope<'_, 'a, '_> {
         let inner = self.inner.iter().map(|inner| inner.text.as_str());
         let near = globals.meant(at, text, Kind::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
         let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
-        let near = habits::value(text).map(str::to_owned).or(truth).or(near).filter(|_| quoted.is_none());
+        let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`")));
+        let near = truth.or(near).filter(|_| help.is_none());
         let (inline, dotted) = (self.door() == Door::Inline, text.contains('.'));
         let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
         if is_rule {
@@ -211,8 +212,8 @@ impl<'a> Scope<'_, 'a, '_> {
         if ops::selector(text).is_some() {
             diag.note(format!("`{text}` selects components: it stands in the selectors of a `comp`, nowhere else"));
         }
-        if let Some(quoted) = quoted {
-            diag.help(format!("write `\"{quoted}\"` for text"));
+        if let Some(help) = help {
+            diag.help(help);
         } else if let Some(("self" | "Self" | "this", rest)) = text.split_once('.') {
             diag.help(format!("write `{rest}`"));
         } else if !dotted && !suggested && !is_rule && !is_known_elsewhere(text) {

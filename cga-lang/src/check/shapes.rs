@@ -47,7 +47,7 @@ fn calls(name: &str, declared: &[&Decl]) -> String {
 /// The number that two arguments with a decimal comma between them were meant as.
 fn decimal(first: &Arg, second: &Arg) -> Option<String> {
     let digits = |arg: &Arg| match arg.value.kind {
-        ExprKind::Number(value) if arg.prefix.is_none() && value.fract() == 0.0 => Some(value),
+        ExprKind::Number(value) if arg.prefix.is_none() && value.fract() == 0.0 && value < 1e9 => Some(value),
         _ => None,
     };
     Some(format!("{}.{}", digits(first)?, digits(second)?))
@@ -161,9 +161,18 @@ impl<'a> Scope<'_, 'a, '_> {
     fn wrong_words(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) {
         let values: Vec<&'a Expr> = args.iter().map(|arg| &arg.value).collect();
         let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &values)) else {
+            if self.swapped(name, rows, args) {
+                return;
+            }
             let reported = self.cx.diags.count();
             self.operation(&rows[..1], args);
-            return self.misplaced_arguments(name, rows, args, reported);
+            if let [first, second] = args
+                && let Some(number) = decimal(first, second)
+                && ops::operations(&name.text).any(|row| row.takes(1))
+            {
+                self.cx.diags.help_since(reported, &format!("write `{number}`: a number has a decimal point"));
+            }
+            return;
         };
         for (param, value) in row.params.iter().zip(values) {
             self.computed_word(&param.kind, value);
@@ -172,20 +181,24 @@ impl<'a> Scope<'_, 'a, '_> {
         self.note(name, Use::Operation(row));
     }
 
-    /// Adds to what was reported since then how the arguments were meant: the other way round, or as one number.
-    fn misplaced_arguments(&mut self, name: &Name, rows: &[&'static Operation], args: &[Arg], since: usize) {
-        let tokens = &self.cx.globals.program.tokens;
-        let meant = match args {
-            [first, second] if rows.iter().any(|row| row.words(&[word(second), word(first)]).is_some()) => {
-                let text = |arg: &Arg| tokens.text(arg.span, LONGEST);
-                Some(format!("{}({}, {})", name.text, text(second), text(first)))
-            }
-            [first, second] => decimal(first, second).filter(|_| ops::operations(&name.text).any(|row| row.takes(1))),
-            _ => None,
+    /// Reports two arguments that fit the other way round.
+    fn swapped(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) -> bool {
+        let [first, second] = args else { return false };
+        let words = [word(second), word(first)];
+        let Some(row) = rows.iter().find(|row| row.words(&words).is_some()) else { return false };
+        let text = |arg: &Arg| {
+            let text = self.cx.globals.program.tokens.text(arg.span, LONGEST);
+            text.strip_prefix("- ").map_or(text.clone(), |rest| format!("-{rest}"))
         };
-        if let Some(meant) = meant {
-            self.cx.diags.help_since(since, &format!("write `{meant}`"));
+        let meant = format!("{}({}, {})", name.text, text(second), text(first));
+        let message = format!("the arguments of `{}` are in the wrong order", name.text);
+        self.cx.diags.report(Code::UnknownWord, first.span, message).help(format!("write `{meant}`"));
+        for (param, arg) in row.params.iter().zip([second, first]) {
+            if !matches!(param.kind, ParamKind::Word { .. }) {
+                self.expr(&arg.value);
+            }
         }
+        true
     }
 
     fn needs_braces(&mut self, name: &Name, row: &Operation) {
@@ -307,9 +320,12 @@ impl<'a> Scope<'_, 'a, '_> {
         if param.kind.ty() != Some(Type::Text) || arg.prefix.is_some() || self.lookup(&name.text).is_some() {
             return false;
         }
-        let is_colour = param.name == "hexValue";
-        let quoted = if is_colour { habits::colour(&name.text) } else { Some(name.text.as_str()) };
-        self.unknown_name(name, quoted);
+        let help = match (param.name, habits::colour(&name.text)) {
+            ("hexValue", Some(colour)) => format!("write `\"{colour}\"`, in quotes"),
+            ("hexValue", None) => "write a colour, as in `\"#ff8000\"`".into(),
+            _ => format!("write `\"{}\"`, in quotes", name.text),
+        };
+        self.unknown_name(name, Some(help));
         true
     }
 

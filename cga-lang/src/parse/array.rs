@@ -69,9 +69,11 @@ impl Parser<'_> {
     /// At the `..` of a range that begins at a position.
     fn dots<T>(&mut self, start: usize) -> Parsed<T> {
         let base = self.written(start, self.at);
-        let limit = match (self.nth(2), self.nth(3)) {
-            (Some(Tok::Sym(Sym::Assign)), _) => self.written(self.at + 3, self.at + 4),
-            _ => self.written(self.at + 2, self.at + 3),
+        let limit = match self.nth(2) {
+            Some(Tok::Sym(Sym::Assign)) => self.written(self.at + 3, self.at + 4),
+            // Rust's `..` leaves its limit out.
+            Some(Tok::Number(limit)) => (limit - 1.0).to_string(),
+            _ => "…".into(),
         };
         let span = self.span().to(self.span_at(self.at + 1));
         self.syntax_over(self.at, span, "`..` is no operator")

@@ -2,6 +2,7 @@
 
 use super::slips::is_type;
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
+use crate::ast::{Ast, Body};
 use crate::code::Code;
 use crate::diag::Diag;
 use crate::lex::{NO_UNITS, without_unit};
@@ -54,7 +55,8 @@ impl Parser<'_> {
     /// Whether a `:` stands here after a selector that was read as a rule.
     fn at_selector_without_bar(&self) -> bool {
         let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at)).and_then(Tok::ident);
-        matches!(self.peek(), Some(Tok::Sym(Sym::Colon | Sym::Assign)))
+        let begins = self.at.checked_sub(2).and_then(|at| self.layout.at(at)).is_none_or(|token| token.is(Sym::Arrow));
+        !begins && matches!(self.peek(), Some(Tok::Sym(Sym::Colon | Sym::Assign)))
             && !self.at_border()
             && before.is_some_and(|word| selector(word).is_some() && !self.layout.has_rule(word))
     }
@@ -90,7 +92,7 @@ impl Parser<'_> {
             Tok::Number(value) if what == STEP && word.is_some_and(|word| operations(word).next().is_some()) => {
                 return Some(format!("write `{}({value})`", word.unwrap_or_default()));
             }
-            Tok::Number(value) if what == STEP && self.nth_is(1, Sym::Colon) && self.begins_body() => {
+            Tok::Number(value) if what == STEP && self.nth_is(1, Sym::Colon) && self.begins_body() && *value <= 100.0 => {
                 let percent = if *value < 1.0 { (*value * 1e8).round() / 1e6 } else { *value };
                 return Some(format!("write `{percent}% :` for a chance"));
             }
@@ -108,10 +110,7 @@ impl Parser<'_> {
                 return Some(format!("put `|` between the parts of a split or comp; a rule begins with `{name} -->`"));
             }
             Tok::Sym(Sym::Colon) if what == STEP => "put `|` between the parts of a split or comp",
-            Tok::Ident(word) if word == "as" && self.nth(1).and_then(Tok::ident).is_some_and(is_type) => {
-                let ty = self.nth(1).and_then(Tok::ident).unwrap_or_default();
-                return Some(format!("leave out `as {ty}`: all numbers are floats; of text `float(…)` makes one"));
-            }
+            Tok::Ident(_) if self.cast().is_some() => return self.cast(),
             Tok::Sym(Sym::LBrace) if what == "a value" => match (self.nth(1), self.nth_is(2, Sym::RBrace)) {
                 (Some(Tok::Ident(name)), true) => return Some(format!("write `{name}`: a value has no braces")),
                 _ => "a value has no braces: write `( … )` around a part of it",
@@ -122,6 +121,16 @@ impl Parser<'_> {
             _ => return None,
         };
         Some(help.to_owned())
+    }
+
+    /// What to type for `as` and a type.
+    fn cast(&self) -> Option<String> {
+        let ty = self.nth(1).and_then(Tok::ident).filter(|ty| self.is_word("as") && is_type(ty))?;
+        Some(match ty {
+            "str" | "String" | "string" => "leave out `as`: `str(…)` makes text".into(),
+            "bool" | "boolean" => "leave out `as`: `bool(…)` makes a truth value".into(),
+            _ => format!("leave out `as {ty}`: every number is a float"),
+        })
     }
 
     /// Whether a rule's body begins here.
@@ -170,7 +179,7 @@ impl Parser<'_> {
     }
 
     /// Something stands behind a declaration that does not belong to it.
-    pub(super) fn leftover(&mut self) {
+    pub(super) fn leftover(&mut self, ast: &Ast) {
         let found = self.peek().map_or("nothing".into(), Tok::describe);
         match self.peek() {
             Some(token) if token.ident() == Some("else") => {
@@ -184,6 +193,7 @@ impl Parser<'_> {
                 .help("leave out the `;`: the next one begins by itself"),
             Some(Tok::Ident(word)) => {
                 let near = nearest(word, DECLARING).map(|near| format!("did you mean `{near}`?"));
+                let near = near.or_else(|| self.cast()).or_else(|| assigned(ast));
                 let help = near.or_else(|| {
                     let is_other = ELSEWHERE.contains(&word.as_str());
                     is_other.then(|| "write `name = value`, `name(parameters) = value` or `const name = value`".into())
@@ -208,6 +218,14 @@ impl Parser<'_> {
         }
         Err(Reported)
     }
+}
+
+/// What to type for `Rule --> name = value …`, which ends the rule and declares a function.
+fn assigned(ast: &Ast) -> Option<String> {
+    let [.., rule, function] = ast.decls.as_slice() else { return None };
+    let is_empty = matches!(&rule.body, Body::Rule(ops) if ops.is_empty());
+    let is_function = matches!(function.body, Body::Function(_)) && function.params.is_empty();
+    (is_empty && is_function).then(|| format!("write `set({}, …)` to change an attribute", function.name.text))
 }
 
 /// Whether a word may be the name of an attribute.

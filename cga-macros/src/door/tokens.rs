@@ -144,6 +144,10 @@ impl Reader {
             if written.ends_with('.') && close && begins_operator(rest) {
                 // `1.==1` is `1 .== 1`.
                 self.push_one(Tok::Sym(Sym::Dot), span);
+            } else if !written.contains('.') && close && dots(rest) == 2 && begins_digit(&rest[2..]) {
+                // `0..3`, a range of Rust: no dot belongs to a number.
+                rest[..2].iter().for_each(|dot| self.push_one(Tok::Sym(Sym::Dot), dot.span()));
+                return 3;
             } else if !written.contains('.') && close && dots(rest) == 2 {
                 // Rust glues the dots of `1..==1`; the first one is the number's.
                 return 2;
@@ -358,6 +362,11 @@ fn run(list: &[TokenTree]) -> String {
 
 fn dots(list: &[TokenTree]) -> usize {
     run(list).chars().take_while(|c| *c == '.').count()
+}
+
+/// Whether a number begins there.
+fn begins_digit(list: &[TokenTree]) -> bool {
+    matches!(list.first(), Some(TokenTree::Literal(digits)) if digits.to_string().starts_with(|c: char| c.is_ascii_digit()))
 }
 
 /// Whether an operator stands there that works element by element with a dot before it.
