@@ -130,8 +130,10 @@ impl<'a> Lexer<'a> {
         self.skip_while(|c| c.is_ascii_digit());
         if let Some(after) = self.rest().strip_prefix('.') {
             // `0..3`, a range of Rust: no dot belongs to a number.
-            if after.starts_with('.') && after[1..].starts_with(|c: char| c.is_ascii_digit()) {
-                let whole = self.text[start..self.at].parse().unwrap_or(f64::MAX);
+            if after.starts_with('.')
+                && after[1..].starts_with(|c: char| c.is_ascii_digit() || starts_name(c))
+                && let Some(whole) = self.text[start..self.at].parse().ok().filter(|whole: &f64| whole.is_finite())
+            {
                 self.push(start, Tok::Number(whole));
                 for _ in 0..2 {
                     let dot = self.at;

@@ -99,13 +99,13 @@ pub(crate) fn error(first: Span, last: Span, message: &str) -> TokenStream {
     path.into_iter().chain([TokenTree::Punct(bang), TokenTree::Group(group)]).collect()
 }
 
-/// A compiler warning, underlined at one token. Stable Rust has none for macros. The use of something deprecated is one
-/// that carries our text, and names what is deprecated as it is written: `cga::` and the code, as in `clippy::pedantic`.
+/// A compiler warning, underlined at one token. Stable Rust has none for macros, but the use of a deprecated item makes one
+/// with our text. Of a macro, rustc shows the path as it is written: "use of deprecated macro `cga::no_effect`: …".
 ///
-/// Of what else 1.95 offers, each was built: other deprecated items show their kind and the whole path of the anonymous
-/// constant around them (`use of deprecated constant my_crate::walls::_::no_effect`); `#[must_use = "…"]` and
-/// `#[expect(…, reason = "…")]` put our text into a note below a first line about unused values and lints; the assembler's
-/// `.warning` shows our text alone, yet neither in `cargo check` nor with a place.
+/// Rejected, after a build of each with Rust 1.95: other deprecated items, whose line shows the anonymous constant around
+/// them ("constant `walls::_::no_effect`"); `#[must_use = "…"]`, and reasons of `#[expect]` and `#[warn]`, which move our
+/// text to a note below a line about something else; `#[cfg]`, `#[doc]` and `#[diagnostic]` with unknown words, which show
+/// their own text; the assembler's `.warning`, which shows our text alone, but has no place and needs code generation.
 fn warning(place: Span, code: &str, message: &str) -> TokenStream {
     let (ours, name) = (Ident::new("cga", place), Ident::new(code, place));
     quote_spanned! { Span::mixed_site()=>

@@ -274,12 +274,12 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.help(format!("write {}", calls(text, &declared)));
         }
         for decl in declared.iter().take(MOST_DECLARED) {
-            diag.related("declared", decl.name.span);
+            diag.related("it is declared", decl.name.span);
         }
         if is_value {
             diag.note(format!("`{text}` is a value, and does nothing to the shape"));
         }
-        if others.is_empty() && habit.is_none() && count == 0 && !text.contains('.') {
+        if others.is_empty() && count == 0 && !text.contains('.') {
             diag.help(format!("write `{text}.` for a leaf, or declare it: `{text} --> …`"));
         }
         self.note(name, Use::Leaf);
@@ -308,7 +308,8 @@ impl<'a> Scope<'_, 'a, '_> {
                     }
                 }
                 ParamKind::Selector => self.selector(&arg.value, Places::FACES.and(Places::SETBACK)),
-                _ if self.unquoted(&rows[0].params[index], arg) => {}
+                _ if kinds().all(|kind| kind.ty() == Some(Type::Text))
+                    && self.unquoted(&rows[0].params[index], arg) => {}
                 _ => self.expr(&arg.value),
             }
         }
@@ -317,7 +318,7 @@ impl<'a> Scope<'_, 'a, '_> {
     /// Reports an unknown name where text is needed: quotation marks are missing.
     fn unquoted(&mut self, param: &Param, arg: &'a Arg) -> bool {
         let ExprKind::Name(name) = &arg.value.kind else { return false };
-        if param.kind.ty() != Some(Type::Text) || arg.prefix.is_some() || self.lookup(&name.text).is_some() {
+        if arg.prefix.is_some() || self.lookup(&name.text).is_some() {
             return false;
         }
         let help = match (param.name, habits::colour(&name.text)) {

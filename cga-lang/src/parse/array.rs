@@ -73,10 +73,15 @@ impl Parser<'_> {
             Some(Tok::Sym(Sym::Assign)) => self.written(self.at + 3, self.at + 4),
             // Rust's `..` leaves its limit out.
             Some(Tok::Number(limit)) => (limit - 1.0).to_string(),
+            Some(Tok::Ident(limit))
+                if matches!(self.nth(3), Some(Tok::Sym(Sym::Comma | Sym::Semi | Sym::RBracket))) =>
+            {
+                format!("{limit} - 1")
+            }
             _ => "…".into(),
         };
         let span = self.span().to(self.span_at(self.at + 1));
-        self.syntax_over(self.at, span, "`..` is no operator")
+        self.syntax_over(self.at, span, "`..` is not an operator")
             .note("a range in an array includes its last number")
             .help(format!("write `{base}:{limit}`"));
         Err(Reported)

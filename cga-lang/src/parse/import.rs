@@ -39,7 +39,7 @@ impl Parser<'_> {
             let is_name = !prefix.is_empty() && prefix.chars().all(|c| c == '_' || c.is_alphanumeric());
             let shown = if is_name { prefix } else { "prefix" };
             self.lost.push(prefix.to_owned());
-            self.syntax(self.at + 1, "the prefix of the import stands before its path")
+            self.syntax(self.at + 1, "this import has no prefix before its path")
                 .help(format!("write `import {shown} : \"{path}\"`"));
         }
         self.at += 2;

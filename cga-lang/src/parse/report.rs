@@ -56,7 +56,8 @@ impl Parser<'_> {
     fn at_selector_without_bar(&self) -> bool {
         let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at)).and_then(Tok::ident);
         let begins = self.at.checked_sub(2).and_then(|at| self.layout.at(at)).is_none_or(|token| token.is(Sym::Arrow));
-        !begins && matches!(self.peek(), Some(Tok::Sym(Sym::Colon | Sym::Assign)))
+        !begins
+            && matches!(self.peek(), Some(Tok::Sym(Sym::Colon | Sym::Assign)))
             && !self.at_border()
             && before.is_some_and(|word| selector(word).is_some() && !self.layout.has_rule(word))
     }
@@ -92,7 +93,9 @@ impl Parser<'_> {
             Tok::Number(value) if what == STEP && word.is_some_and(|word| operations(word).next().is_some()) => {
                 return Some(format!("write `{}({value})`", word.unwrap_or_default()));
             }
-            Tok::Number(value) if what == STEP && self.nth_is(1, Sym::Colon) && self.begins_body() && *value <= 100.0 => {
+            Tok::Number(value)
+                if what == STEP && self.nth_is(1, Sym::Colon) && self.begins_body() && *value <= 100.0 =>
+            {
                 let percent = if *value < 1.0 { (*value * 1e8).round() / 1e6 } else { *value };
                 return Some(format!("write `{percent}% :` for a chance"));
             }
@@ -225,7 +228,8 @@ fn assigned(ast: &Ast) -> Option<String> {
     let [.., rule, function] = ast.decls.as_slice() else { return None };
     let is_empty = matches!(&rule.body, Body::Rule(ops) if ops.is_empty());
     let is_function = matches!(function.body, Body::Function(_)) && function.params.is_empty();
-    (is_empty && is_function).then(|| format!("write `set({}, …)` to change an attribute", function.name.text))
+    (is_empty && is_function)
+        .then(|| format!("in a rule write `set({}, …)` to change an attribute", function.name.text))
 }
 
 /// Whether a word may be the name of an attribute.

@@ -144,7 +144,7 @@ impl Reader {
             if written.ends_with('.') && close && begins_operator(rest) {
                 // `1.==1` is `1 .== 1`.
                 self.push_one(Tok::Sym(Sym::Dot), span);
-            } else if !written.contains('.') && close && dots(rest) == 2 && begins_digit(&rest[2..]) {
+            } else if !written.contains('.') && close && dots(rest) == 2 && begins_limit(&rest[2..]) {
                 // `0..3`, a range of Rust: no dot belongs to a number.
                 rest[..2].iter().for_each(|dot| self.push_one(Tok::Sym(Sym::Dot), dot.span()));
                 return 3;
@@ -288,7 +288,7 @@ impl Reader {
         let message = format!("Rust cannot read the relative size `'{written}`");
         let diag = self.diags.report(Code::UnknownCharacter, *at, message);
         if 1 < self.lifetimes.len() {
-            diag.note(format!("{} sizes are written so; rustc underlines each", self.lifetimes.len()));
+            diag.note(format!("{} sizes begin with `'`: rustc underlines each", self.lifetimes.len()));
         }
         diag.help(format!("inline, write `^{written}`; a string or a `.cga` file takes `'{written}`"));
     }
@@ -364,9 +364,12 @@ fn dots(list: &[TokenTree]) -> usize {
     run(list).chars().take_while(|c| *c == '.').count()
 }
 
-/// Whether a number begins there.
-fn begins_digit(list: &[TokenTree]) -> bool {
-    matches!(list.first(), Some(TokenTree::Literal(digits)) if digits.to_string().starts_with(|c: char| c.is_ascii_digit()))
+/// Whether a number or a name begins there.
+fn begins_limit(list: &[TokenTree]) -> bool {
+    match list.first() {
+        Some(TokenTree::Literal(digits)) => digits.to_string().starts_with(|c: char| c.is_ascii_digit()),
+        first => matches!(first, Some(TokenTree::Ident(_))),
+    }
 }
 
 /// Whether an operator stands there that works element by element with a dot before it.
