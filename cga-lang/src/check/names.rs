@@ -340,9 +340,12 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let others = ops::all_functions().map(|row| row.name).chain(["str"]);
-        let near = self.cx.globals.meant(self.at, text, Kind::Functions, others);
-        let shape = ops::operations(text).next().is_some() || !self.cx.globals.rules(self.at, text).is_empty();
         let method = self.method(text, args);
+        let near = match method {
+            Some(_) => None,
+            None => self.cx.globals.meant(self.at, text, Kind::Functions, others),
+        };
+        let shape = ops::operations(text).next().is_some() || !self.cx.globals.rules(self.at, text).is_empty();
         let diag = self.cx.diags.report(Code::UnknownFunction, name.span, format!("unknown function `{text}`"));
         if let Some(call) = method {
             diag.note("values have no methods").help(format!("write `{call}`"));
