@@ -116,6 +116,13 @@ impl Diags {
         self.list.get(count..).unwrap_or_default()
     }
 
+    /// Adds what to type to the first diagnostic since there were as many.
+    pub(crate) fn help_since(&mut self, count: usize, help: &str) {
+        if let Some(diag) = self.list.get_mut(count) {
+            diag.help(help);
+        }
+    }
+
     /// How many there are.
     pub(crate) fn count(&self) -> usize {
         self.list.len()

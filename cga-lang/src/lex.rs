@@ -129,6 +129,19 @@ impl<'a> Lexer<'a> {
     fn number(&mut self, start: usize) {
         self.skip_while(|c| c.is_ascii_digit());
         if let Some(after) = self.rest().strip_prefix('.') {
+            // `0..3`, a range of Rust: no dot belongs to a number.
+            if after.starts_with('.')
+                && after[1..].starts_with(|c: char| c.is_ascii_digit() || starts_name(c))
+                && let Some(whole) = self.text[start..self.at].parse().ok().filter(|whole: &f64| whole.is_finite())
+            {
+                self.push(start, Tok::Number(whole));
+                for _ in 0..2 {
+                    let dot = self.at;
+                    self.at += 1;
+                    self.push(dot, Tok::Sym(Sym::Dot));
+                }
+                return;
+            }
             // `1.==1` is `1 .== 1`: the dot belongs to the operator (*changelog*, 2020.0). White space counts here, as
             // in `1. == 1`, because it does in CGA; the token door looks at the places.
             let operator =
@@ -242,6 +255,10 @@ impl<'a> Lexer<'a> {
         }
         let shown = if is_invisible(c) { format!("U+{:04X}", c as u32) } else { format!("{c}") };
         let span = self.push(start, meant.unwrap_or(Tok::Bad));
+        if c == '$' && self.rest().starts_with(starts_name) {
+            let end = self.rest().find(|next| !continues_name(next)).unwrap_or(self.rest().len());
+            help = format!("write `{}`", &self.rest()[..end]);
+        }
         let diag = self.diags.report(Code::UnknownCharacter, span, format!("unknown character `{shown}`"));
         if !help.is_empty() {
             diag.help(help);

@@ -5,8 +5,8 @@ pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) 
     let word: Vec<char> = word.chars().flat_map(char::to_lowercase).take(LONGEST).collect();
     let limit = (word.len() / 3).max(1);
     let letters = word.iter().fold(0, |set, c| set | letter(*c));
-    // Of equally near ones the one that is as long.
-    let mut best: Option<((usize, usize), &str)> = None;
+    // Of equally near names the one that continues the word, then the one that is as long.
+    let mut best: Option<((usize, bool, usize), &str)> = None;
     let mut other: Vec<char> = Vec::new();
     for name in names {
         // Most names can be told to be far by their letters alone: an edit brings in or takes away one of them, or both.
@@ -27,7 +27,7 @@ pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) 
             continue;
         }
         let far = distance(&word, &other);
-        let rank = (far, word.len().abs_diff(other.len()));
+        let rank = (far, !other.starts_with(&word), word.len().abs_diff(other.len()));
         // One letter for another is no likeness at all.
         if far <= limit && far < word.len().max(other.len()) && best.is_none_or(|(least, _)| rank < least) {
             best = Some((rank, name));
@@ -75,5 +75,6 @@ mod tests {
         assert_eq!(nearest("spilt", names), Some("split"));
         assert_eq!(nearest("window", names), None);
         assert_eq!(nearest("r", names), None);
+        assert_eq!(nearest("sqr", ["str", "sqrt"]), Some("sqrt"));
     }
 }

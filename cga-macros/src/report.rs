@@ -99,16 +99,26 @@ pub(crate) fn error(first: Span, last: Span, message: &str) -> TokenStream {
     path.into_iter().chain([TokenTree::Punct(bang), TokenTree::Group(group)]).collect()
 }
 
-/// A compiler warning: stable Rust has none for macros, but using something deprecated makes one, with our text. Rustc
-/// underlines one token.
+/// A compiler warning, underlined at one token. Stable Rust has none for macros, but the use of a deprecated item makes one
+/// with our text. Of a macro, rustc shows the path as it is written: "use of deprecated macro `cga::no_effect`: …".
+///
+/// Rejected, after a build of each with Rust 1.95: other deprecated items, whose line shows the anonymous constant around
+/// them ("constant `walls::_::no_effect`"); `#[must_use = "…"]`, and reasons of `#[expect]` and `#[warn]`, which move our
+/// text to a note below a line about something else; `#[cfg]`, `#[doc]` and `#[diagnostic]` with unknown words, which show
+/// their own text; the assembler's `.warning`, which shows our text alone, but has no place and needs code generation.
 fn warning(place: Span, code: &str, message: &str) -> TokenStream {
-    let name = Ident::new(code, place);
+    let (ours, name) = (Ident::new("cga", place), Ident::new(code, place));
     quote_spanned! { Span::mixed_site()=>
         const _: () = {
-            #[deprecated(note = #message)]
-            #[allow(non_upper_case_globals)]
-            const #name: () = ();
-            #name
+            mod #ours {
+                #[deprecated(note = #message)]
+                macro_rules! #name {
+                    () => {};
+                }
+                #[allow(deprecated)]
+                pub(super) use #name;
+            }
+            #ours::#name!();
         };
     }
 }

@@ -16,6 +16,7 @@ mod duplicates;
 mod ends;
 mod flow;
 mod globals;
+mod habits;
 mod hidden;
 mod interval;
 mod levels;

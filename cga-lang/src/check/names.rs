@@ -2,6 +2,7 @@
 
 use super::arity::wrong_count;
 use super::globals::{Kind, builtins};
+use super::habits;
 use super::selectors::bare;
 use super::{Cx, Door, Init, Use};
 use crate::ast::{Expr, ExprKind, Name};
@@ -133,7 +134,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.about_later(name, found);
                 self.note(name, found);
             }
-            None => self.unknown_name(name),
+            None => self.unknown_name(name, None),
         }
     }
 
@@ -185,7 +186,8 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    fn unknown_name(&mut self, name: &'a Name) {
+    /// Reports a name that stands for nothing. `help` is what to type where text is needed.
+    pub(super) fn unknown_name(&mut self, name: &'a Name, help: Option<String>) {
         let (text, globals, at) = (name.text.as_str(), &self.cx.globals, self.at);
         if globals.is_lost(at, text) {
             return;
@@ -198,7 +200,8 @@ impl<'a> Scope<'_, 'a, '_> {
         let inner = self.inner.iter().map(|inner| inner.text.as_str());
         let near = globals.meant(at, text, Kind::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
         let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
-        let near = truth.or(near);
+        let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`")));
+        let near = truth.or(near).filter(|_| help.is_none());
         let (inline, dotted) = (self.door() == Door::Inline, text.contains('.'));
         let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
         if is_rule {
@@ -209,8 +212,15 @@ impl<'a> Scope<'_, 'a, '_> {
         if ops::selector(text).is_some() {
             diag.note(format!("`{text}` selects components: it stands in the selectors of a `comp`, nowhere else"));
         }
-        if inline && !dotted && !suggested {
-            diag.help(format!("write `#{text}` for a Rust value, `\"{text}\"` for text"));
+        if let Some(help) = help {
+            diag.help(help);
+        } else if let Some(("self" | "Self" | "this", rest)) = text.split_once('.') {
+            diag.help(format!("write `{rest}`"));
+        } else if !dotted && !suggested && !is_rule && !is_known_elsewhere(text) {
+            diag.help(format!("declare it: `attr {text} = …`"));
+            if inline {
+                diag.help(format!("write `#{text}` for a Rust value, `\"{text}\"` for text"));
+            }
         } else if let Some((first, _)) = text.split_once('.')
             && !ops::all_shape_attrs().any(|row| row.name.starts_with(first))
             && !self.cx.globals.program.instances[at].imports.contains_key(first)
@@ -330,14 +340,29 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let others = ops::all_functions().map(|row| row.name).chain(["str"]);
-        let near = self.cx.globals.meant(self.at, text, Kind::Functions, others);
+        let method = self.method(text, args);
+        let near = match method {
+            Some(_) => None,
+            None => self.cx.globals.meant(self.at, text, Kind::Functions, others),
+        };
         let shape = ops::operations(text).next().is_some() || !self.cx.globals.rules(self.at, text).is_empty();
         let diag = self.cx.diags.report(Code::UnknownFunction, name.span, format!("unknown function `{text}`"));
-        if shape {
+        if let Some(call) = method {
+            diag.note("values have no methods").help(format!("write `{call}`"));
+        } else if shape {
             diag.note(format!("`{text}` works on shapes, it has no value"));
         } else {
             diag.suggest(near);
         }
+    }
+
+    /// `scope.sx.sqrt()` as CGA writes it, where it names a value and a function.
+    fn method(&mut self, text: &str, args: &[Expr]) -> Option<String> {
+        let (value, function) = text.rsplit_once('.')?;
+        let takes = self.takes(function).contains(&(args.len() + 1));
+        self.lookup(value).filter(|_| takes)?;
+        let rest = if args.is_empty() { "" } else { ", …" };
+        Some(format!("{function}({value}{rest})"))
     }
 
     /// Percentages of one block may not add up to more than 100.
@@ -365,6 +390,12 @@ fn words_fit(row: &Function, args: &[Expr], word: fn(&Expr) -> Option<&str>) -> 
         }
         _ => true,
     })
+}
+
+/// Whether a name that has no value is a word of an operation, or a selector.
+fn is_known_elsewhere(name: &str) -> bool {
+    ops::selector(name).is_some()
+        || ops::all_operations().any(|row| row.params.iter().any(|param| param.kind.has_word(name)))
 }
 
 fn not_text(arg: &Expr) -> Option<&str> {

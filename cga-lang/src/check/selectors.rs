@@ -191,7 +191,8 @@ impl<'a> Scope<'_, 'a, '_> {
     fn wrong_selector(&mut self, name: &Name, place: Places, message: &str) -> &mut Diag {
         let here = || ops::selectors().filter(|row| row.on.has(place) && row.old.is_none()).map(|row| row.name);
         let all: Vec<String> = here().filter(|name| !name.contains('.')).map(|name| format!("`{name}`")).collect();
-        let near = nearest(&name.text, here()).filter(|near| *near != name.text);
+        let longer = here().find(|row| row.rsplit_once('.').is_some_and(|(_, last)| last == name.text));
+        let near = longer.or_else(|| nearest(&name.text, here()).filter(|near| *near != name.text));
         let by_name =
             [(Places::GROUPS, "groups"), (Places::MATERIALS, "materials")].into_iter().find(|(kind, _)| *kind == place);
         let diag = self.cx.diags.report(Code::UnknownSelector, name.span, message);

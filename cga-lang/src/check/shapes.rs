@@ -2,15 +2,23 @@
 
 use super::arity::{counts, usage, wrong_count};
 use super::globals::Kind;
+use super::habits;
 use super::names::Scope;
 use super::words::{fitting, word};
 use super::{Door, Use, overrides};
-use crate::ast::{Arg, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
+use crate::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
 use crate::code::Code;
 use crate::diag::Level;
-use crate::ops::{self, Operation, ParamKind, Places, Run};
+use crate::ir::Type;
+use crate::ops::{self, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
+
+/// Most declarations of a rule that a message names.
+const MOST_DECLARED: usize = 3;
+
+/// The longest argument that a message repeats.
+const LONGEST: usize = 40;
 
 pub(super) fn has_error(args: &[Arg]) -> bool {
     args.iter().any(|arg| matches!(arg.value.kind, ExprKind::Error))
@@ -24,6 +32,25 @@ fn has_braces(row: &Operation, block: &Block) -> bool {
         (ops::Block::Inline, Some(BlockPart::Ops(list))) => list.len() == 1,
         _ => true,
     }
+}
+
+/// How a rule of those declarations is called: "`Floor(n)` or `Floor(n, height)`".
+fn calls(name: &str, declared: &[&Decl]) -> String {
+    let call = |decl: &&Decl| {
+        let params: Vec<&str> = decl.params.iter().map(|param| param.text.as_str()).collect();
+        if params.is_empty() { format!("`{name}`") } else { format!("`{name}({})`", params.join(", ")) }
+    };
+    let list: Vec<String> = declared.iter().take(MOST_DECLARED).map(call).collect();
+    list.join(" or ")
+}
+
+/// The number that two arguments with a decimal comma between them were meant as.
+fn decimal(first: &Arg, second: &Arg) -> Option<String> {
+    let digits = |arg: &Arg| match arg.value.kind {
+        ExprKind::Number(value) if arg.prefix.is_none() && value.fract() == 0.0 && value < 1e9 => Some(value),
+        _ => None,
+    };
+    Some(format!("{}.{}", digits(first)?, digits(second)?))
 }
 
 impl<'a> Scope<'_, 'a, '_> {
@@ -134,13 +161,44 @@ impl<'a> Scope<'_, 'a, '_> {
     fn wrong_words(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) {
         let values: Vec<&'a Expr> = args.iter().map(|arg| &arg.value).collect();
         let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &values)) else {
-            return self.operation(&rows[..1], args);
+            if self.swapped(name, rows, args) {
+                return;
+            }
+            let reported = self.cx.diags.count();
+            self.operation(&rows[..1], args);
+            if let [first, second] = args
+                && let Some(number) = decimal(first, second)
+                && ops::operations(&name.text).any(|row| row.takes(1))
+            {
+                self.cx.diags.help_since(reported, &format!("write `{number}`: a number has a decimal point"));
+            }
+            return;
         };
         for (param, value) in row.params.iter().zip(values) {
             self.computed_word(&param.kind, value);
         }
         self.cx.tables.later.insert(name.id());
         self.note(name, Use::Operation(row));
+    }
+
+    /// Reports two arguments that fit the other way round.
+    fn swapped(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) -> bool {
+        let [first, second] = args else { return false };
+        let words = [word(second), word(first)];
+        let Some(row) = rows.iter().find(|row| row.words(&words).is_some()) else { return false };
+        let text = |arg: &Arg| {
+            let text = self.cx.globals.program.tokens.text(arg.span, LONGEST);
+            text.strip_prefix("- ").map_or(text.clone(), |rest| format!("-{rest}"))
+        };
+        let meant = format!("{}({}, {})", name.text, text(second), text(first));
+        let message = format!("the arguments of `{}` are in the wrong order", name.text);
+        self.cx.diags.report(Code::UnknownWord, first.span, message).help(format!("write `{meant}`"));
+        for (param, arg) in row.params.iter().zip([second, first]) {
+            if !matches!(param.kind, ParamKind::Word { .. }) {
+                self.expr(&arg.value);
+            }
+        }
+        true
     }
 
     fn needs_braces(&mut self, name: &Name, row: &Operation) {
@@ -170,11 +228,21 @@ impl<'a> Scope<'_, 'a, '_> {
             let mut rows: Vec<String> = new.map(|row| format!("`{}`", usage(row))).collect();
             rows.dedup();
             let message = format!("operation `{text}` takes {}, got {count}", counts(takes));
-            self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write {}", rows.join(" or ")));
+            // Of an operation that is only kept for old files.
+            let instead = ops::operations(text).find_map(|row| row.old);
+            let diag = self.cx.diags.report(Code::ArgumentCount, name.span, message);
+            match instead.filter(|_| rows.is_empty()) {
+                Some(instead) => diag.help(instead),
+                None => diag.help(format!("write {}", rows.join(" or "))),
+            };
+            if let Some(help) = habits::step(text).filter(|_| count == 3) {
+                diag.help(help);
+            }
             return;
         }
-        let others: Vec<usize> =
-            globals.rules(at, text).iter().map(|&index| globals.rules[index as usize].decl.params.len()).collect();
+        let declared: Vec<&Decl> =
+            globals.rules(at, text).iter().map(|&index| globals.rules[index as usize].decl).collect();
+        let others: Vec<usize> = declared.iter().map(|decl| decl.params.len()).collect();
         let function = ops::functions(text).next().is_some() || !globals.functions(at, text).is_empty();
         if function && others.is_empty() {
             let message = format!("`{text}` is a function: it has a value, it does nothing to the shape");
@@ -182,9 +250,13 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         let inline = self.door() == Door::Inline;
-        let (message, near) = if others.is_empty() {
+        let habit = habits::step(text);
+        let (message, near) = if habit.is_some() && others.is_empty() {
+            (format!("there is no rule `{text}`"), None)
+        } else if others.is_empty() {
             let others = ops::all_operations().map(|row| row.name).chain(["split", "splitArea", "comp", "set", "NIL"]);
-            (format!("there is no rule `{text}`"), globals.meant(at, text, Kind::Rules, others))
+            let near = globals.meant(at, text, Kind::Rules, others);
+            (format!("there is no rule `{text}`"), near.or_else(|| globals.leaf(at, text)))
         } else {
             (format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied())), None)
         };
@@ -195,6 +267,15 @@ impl<'a> Scope<'_, 'a, '_> {
             diag.note(format!("it becomes a leaf named `{text}`"));
         }
         diag.suggest(near);
+        if let Some(help) = habit.filter(|_| others.is_empty()) {
+            diag.help(help);
+        }
+        if !declared.is_empty() {
+            diag.help(format!("write {}", calls(text, &declared)));
+        }
+        for decl in declared.iter().take(MOST_DECLARED) {
+            diag.related("it is declared", decl.name.span);
+        }
         if is_value {
             diag.note(format!("`{text}` is a value, and does nothing to the shape"));
         }
@@ -227,9 +308,26 @@ impl<'a> Scope<'_, 'a, '_> {
                     }
                 }
                 ParamKind::Selector => self.selector(&arg.value, Places::FACES.and(Places::SETBACK)),
+                _ if kinds().all(|kind| kind.ty() == Some(Type::Text))
+                    && self.unquoted(&rows[0].params[index], arg) => {}
                 _ => self.expr(&arg.value),
             }
         }
+    }
+
+    /// Reports an unknown name where text is needed: quotation marks are missing.
+    fn unquoted(&mut self, param: &Param, arg: &'a Arg) -> bool {
+        let ExprKind::Name(name) = &arg.value.kind else { return false };
+        if arg.prefix.is_some() || self.lookup(&name.text).is_some() {
+            return false;
+        }
+        let help = match (param.name, habits::colour(&name.text)) {
+            ("hexValue", Some(colour)) => format!("write `\"{colour}\"`, in quotes"),
+            ("hexValue", None) => "write a colour, as in `\"#ff8000\"`".into(),
+            _ => format!("write `\"{}\"`, in quotes", name.text),
+        };
+        self.unknown_name(name, Some(help));
+        true
     }
 
     /// An operation with braces. None of them runs yet; what stands in them is checked all the same.

@@ -25,6 +25,9 @@ impl Parser<'_> {
             let diag = self.diags.report_as(Code::BadAnnotation, Level::Warning, first.span, first.message.clone());
             diag.note(format!("`@{}` counts for nothing", name.text));
             diag.help.clone_from(&first.help);
+            if let Some(form) = form(&name.text).filter(|_| first.help.is_empty()) {
+                diag.help(format!("write `{form}`"));
+            }
         }
         self.deep = false;
         self.at = close + 1;
@@ -47,4 +50,16 @@ impl Parser<'_> {
         }
         Ok(args)
     }
+}
+
+/// How an annotation with arguments is written.
+fn form(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "Range" => "@Range(min = 0, max = 10)",
+        "Enum" => "@Enum(\"a\", \"b\")",
+        "Group" => "@Group(\"Name\", 1)",
+        "Order" => "@Order(1)",
+        "Description" => "@Description(\"…\")",
+        _ => return None,
+    })
 }

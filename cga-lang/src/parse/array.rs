@@ -3,7 +3,7 @@
 use super::expr::Part;
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Expr, ExprKind};
-use crate::token::Sym;
+use crate::token::{Sym, Tok};
 
 impl Parser<'_> {
     /// At the `[` that begins an array (*array initialization function*).
@@ -66,10 +66,34 @@ impl Parser<'_> {
         Ok((Expr { kind: ExprKind::Index(Box::new(array), indices), span: self.span_from(start) }, depth))
     }
 
+    /// At the `..` of a range that begins at a position.
+    fn dots<T>(&mut self, start: usize) -> Parsed<T> {
+        let base = self.written(start, self.at);
+        let limit = match self.nth(2) {
+            Some(Tok::Sym(Sym::Assign)) => self.written(self.at + 3, self.at + 4),
+            // Rust's `..` leaves its limit out.
+            Some(Tok::Number(limit)) => (limit - 1.0).to_string(),
+            Some(Tok::Ident(limit))
+                if matches!(self.nth(3), Some(Tok::Sym(Sym::Comma | Sym::Semi | Sym::RBracket))) =>
+            {
+                format!("{limit} - 1")
+            }
+            _ => "…".into(),
+        };
+        let span = self.span().to(self.span_at(self.at + 1));
+        self.syntax_over(self.at, span, "`..` is not an operator")
+            .note("a range in an array includes its last number")
+            .help(format!("write `{base}:{limit}`"));
+        Err(Reported)
+    }
+
     /// A value, or `base : limit`, or `base : step : limit` (*colon operator*).
     fn entry(&mut self) -> Parsed<Part> {
         let start = self.at;
         let (base, mut deepest) = self.deep_expr()?;
+        if self.is(Sym::Dot) && self.nth_is(1, Sym::Dot) {
+            return self.dots(start);
+        }
         if !self.eat(Sym::Colon) {
             return Ok((base, deepest));
         }

@@ -155,9 +155,14 @@ impl Parser<'_> {
 
     fn misplaced_prefix(&mut self) {
         let (span, sign) = (self.span(), self.peek().map_or("it".into(), Tok::describe));
-        self.diags
-            .report(Code::MisplacedPrefix, span, format!("{sign} cannot stand here"))
-            .help("it begins the size of a slot or a length: `'0.5 * a`, `'-a`, `~(a + b)`");
+        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
+        let second = matches!(before, Some(Tok::Sym(Sym::Quote | Sym::Tilde)));
+        let diag = self.diags.report(Code::MisplacedPrefix, span, format!("{sign} cannot stand here"));
+        if second {
+            diag.note("a size is relative or floating, never both").help("write `'0.5` or `~0.5`");
+            return;
+        }
+        diag.help("it begins the size of a slot or a length: `'0.5 * a`, `'-a`, `~(a + b)`");
     }
 
     fn primary(&mut self) -> Parsed<Part> {

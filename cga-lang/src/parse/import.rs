@@ -33,9 +33,15 @@ impl Parser<'_> {
     /// At the word `import` with a path right behind it. The name of the file was meant as the prefix.
     pub(super) fn import_without_prefix<T>(&mut self) -> Parsed<T> {
         if let Some(Tok::Str(path)) = self.nth(1) {
-            self.lost.push(stem(path).to_owned());
+            // `import "file.cga" as prefix`.
+            let own = self.nth(3).and_then(Tok::ident).filter(|_| self.nth(2).and_then(Tok::ident) == Some("as"));
+            let prefix = own.unwrap_or(stem(path));
+            let is_name = !prefix.is_empty() && prefix.chars().all(|c| c == '_' || c.is_alphanumeric());
+            let shown = if is_name { prefix } else { "prefix" };
+            self.lost.push(prefix.to_owned());
+            self.syntax(self.at + 1, "this import has no prefix before its path")
+                .help(format!("write `import {shown} : \"{path}\"`"));
         }
-        self.syntax(self.at, "expected a declaration, found `import`").help("write `import prefix : \"file.cga\"`");
         self.at += 2;
         Err(Reported)
     }

@@ -27,7 +27,7 @@ impl Parser<'_> {
             self.depth = 0;
             self.deep = false;
             if self.item(&mut ast, &mut style).is_ok() && !self.at_border() {
-                self.leftover();
+                self.leftover(&ast);
             }
             if self.at == start {
                 self.bump();

@@ -1,10 +1,12 @@
 //! Findings of the parser: what was expected, what stands there, what to type.
 
+use super::slips::is_type;
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
+use crate::ast::{Ast, Body};
 use crate::code::Code;
 use crate::diag::Diag;
 use crate::lex::{NO_UNITS, without_unit};
-use crate::ops::operations;
+use crate::ops::{operations, selector};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::token::{Sym, Tok};
@@ -36,6 +38,9 @@ impl Parser<'_> {
 
     /// Reports that something else was expected here, with what is usually meant.
     pub(super) fn expected(&mut self, what: &str) -> &mut Diag {
+        if what == STEP && self.at_selector_without_bar() {
+            return self.missing_bar();
+        }
         if let Some(value) = self.number_with_unit() {
             return self.expected_only(what).note(NO_UNITS).help(format!("write `{value}`"));
         }
@@ -45,6 +50,24 @@ impl Parser<'_> {
             Some(help) => diag.help(help),
             None => diag,
         }
+    }
+
+    /// Whether a `:` stands here after a selector that was read as a rule.
+    fn at_selector_without_bar(&self) -> bool {
+        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at)).and_then(Tok::ident);
+        let begins = self.at.checked_sub(2).and_then(|at| self.layout.at(at)).is_none_or(|token| token.is(Sym::Arrow));
+        !begins
+            && matches!(self.peek(), Some(Tok::Sym(Sym::Colon | Sym::Assign)))
+            && !self.at_border()
+            && before.is_some_and(|word| selector(word).is_some() && !self.layout.has_rule(word))
+    }
+
+    /// At the `:` of such a selector.
+    fn missing_bar(&mut self) -> &mut Diag {
+        let word = self.layout.at(self.at - 1).and_then(Tok::ident).unwrap_or_default().to_owned();
+        let sign = if self.is(Sym::Colon) { ":" } else { "=" };
+        let diag = self.syntax(self.at - 1, format!("there is no `|` before the selector `{word}`"));
+        diag.help(format!("write `| {word} {sign}`"))
     }
 
     /// What is usually meant by what stands here.
@@ -58,9 +81,23 @@ impl Parser<'_> {
             Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Less) => "write `<=`",
             Tok::Sym(Sym::Assign) if self.nth_is(1, Sym::Bang) => "write `!=`",
             Tok::Sym(Sym::Assign) if self.is_behind_set() => "write `,`: as in `set(name, value)`",
+            Tok::Sym(Sym::Assign) if what == STEP && word.is_some_and(is_plain) => {
+                let name = word.unwrap_or_default();
+                let value = match self.nth(1) {
+                    Some(Tok::Number(_) | Tok::Str(_)) => self.written(self.at + 1, self.at + 2),
+                    _ => "…".into(),
+                };
+                return Some(format!("write `set({name}, {value})` to change an attribute"));
+            }
             Tok::Sym(Sym::Assign) => "two values are compared with `==`",
             Tok::Number(value) if what == STEP && word.is_some_and(|word| operations(word).next().is_some()) => {
                 return Some(format!("write `{}({value})`", word.unwrap_or_default()));
+            }
+            Tok::Number(value)
+                if what == STEP && self.nth_is(1, Sym::Colon) && self.begins_body() && *value <= 100.0 =>
+            {
+                let percent = if *value < 1.0 { (*value * 1e8).round() / 1e6 } else { *value };
+                return Some(format!("write `{percent}% :` for a chance"));
             }
             Tok::Number(value) if what == STEP && self.nth_is(1, Sym::Colon) && 0.0 < *value && *value <= 100.0 => {
                 return Some(format!("put `|` between the slots of a split; a percentage is `{value}% :`"));
@@ -76,12 +113,33 @@ impl Parser<'_> {
                 return Some(format!("put `|` between the parts of a split or comp; a rule begins with `{name} -->`"));
             }
             Tok::Sym(Sym::Colon) if what == STEP => "put `|` between the parts of a split or comp",
+            Tok::Ident(_) if self.cast().is_some() => return self.cast(),
+            Tok::Sym(Sym::LBrace) if what == "a value" => match (self.nth(1), self.nth_is(2, Sym::RBrace)) {
+                (Some(Tok::Ident(name)), true) => return Some(format!("write `{name}`: a value has no braces")),
+                _ => "a value has no braces: write `( … )` around a part of it",
+            },
             Tok::Sym(Sym::Quote) => "`'` stands before a relative size; a power is `pow(base, exponent)`",
             Tok::Sym(Sym::Star) if follows(Sym::Star) => "a power is `pow(base, exponent)`",
             Tok::Sym(Sym::Star) if what == STEP => "`*` stands behind the `}` of what it repeats",
             _ => return None,
         };
         Some(help.to_owned())
+    }
+
+    /// What to type for `as` and a type.
+    fn cast(&self) -> Option<String> {
+        let ty = self.nth(1).and_then(Tok::ident).filter(|ty| self.is_word("as") && is_type(ty))?;
+        Some(match ty {
+            "str" | "String" | "string" => "leave out `as`: `str(…)` makes text".into(),
+            "bool" | "boolean" => "leave out `as`: `bool(…)` makes a truth value".into(),
+            _ => format!("leave out `as {ty}`: every number is a float"),
+        })
+    }
+
+    /// Whether a rule's body begins here.
+    fn begins_body(&self) -> bool {
+        let before = self.at.checked_sub(1).and_then(|at| self.layout.at(at));
+        before.is_some_and(|token| token.is(Sym::Arrow))
     }
 
     /// Whether the name that is set stands right before.
@@ -124,7 +182,7 @@ impl Parser<'_> {
     }
 
     /// Something stands behind a declaration that does not belong to it.
-    pub(super) fn leftover(&mut self) {
+    pub(super) fn leftover(&mut self, ast: &Ast) {
         let found = self.peek().map_or("nothing".into(), Tok::describe);
         match self.peek() {
             Some(token) if token.ident() == Some("else") => {
@@ -138,6 +196,7 @@ impl Parser<'_> {
                 .help("leave out the `;`: the next one begins by itself"),
             Some(Tok::Ident(word)) => {
                 let near = nearest(word, DECLARING).map(|near| format!("did you mean `{near}`?"));
+                let near = near.or_else(|| self.cast()).or_else(|| assigned(ast));
                 let help = near.or_else(|| {
                     let is_other = ELSEWHERE.contains(&word.as_str());
                     is_other.then(|| "write `name = value`, `name(parameters) = value` or `const name = value`".into())
@@ -162,4 +221,18 @@ impl Parser<'_> {
         }
         Err(Reported)
     }
+}
+
+/// What to type for `Rule --> name = value …`, which ends the rule and declares a function.
+fn assigned(ast: &Ast) -> Option<String> {
+    let [.., rule, function] = ast.decls.as_slice() else { return None };
+    let is_empty = matches!(&rule.body, Body::Rule(ops) if ops.is_empty());
+    let is_function = matches!(function.body, Body::Function(_)) && function.params.is_empty();
+    (is_empty && is_function)
+        .then(|| format!("in a rule write `set({}, …)` to change an attribute", function.name.text))
+}
+
+/// Whether a word may be the name of an attribute.
+fn is_plain(word: &str) -> bool {
+    word.starts_with(|c: char| c.is_lowercase() || c == '_') && operations(word).next().is_none()
 }

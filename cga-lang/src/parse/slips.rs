@@ -5,7 +5,9 @@
 use super::head::Head;
 use super::{Parsed, Parser, Reported};
 use crate::code::Code;
+use crate::ops::operations;
 use crate::token::{Sym, Tok, Tokens};
+use std::ops::Range;
 
 /// What other languages call the types of values.
 const TYPES: &[&str] = &[
@@ -23,7 +25,7 @@ const LONGEST: usize = 40;
 
 impl Parser<'_> {
     /// The text from one position to before another.
-    fn written(&self, from: usize, to: usize) -> String {
+    pub(super) fn written(&self, from: usize, to: usize) -> String {
         let tokens: Tokens = (from..to).filter_map(|position| self.layout.at(position)).cloned().collect();
         let last = tokens.len().saturating_sub(1) as u32;
         tokens.text(crate::span::Span { first: 0, last }, LONGEST)
@@ -69,19 +71,39 @@ impl Parser<'_> {
         None
     }
 
-    /// `if (condition) {`, with the parenthesis at a position: that of the closing one.
-    fn braces(&self, open: usize) -> Option<usize> {
-        let is_open = self.layout.at(open).is_some_and(|token| token.is(Sym::LParen));
-        let close = self.layout.close(open).filter(|_| is_open)?;
-        self.layout.at(close + 1).is_some_and(|token| token.is(Sym::LBrace)).then_some(close)
+    /// The positions of a condition that begins at one and has `{` after it. Its parentheses are left out.
+    fn braces(&self, from: usize) -> Option<Range<usize>> {
+        if self.layout.at(from).is_some_and(|token| token.is(Sym::LParen))
+            && let Some(close) = self.layout.close(from)
+            && self.layout.at(close + 1).is_some_and(|token| token.is(Sym::LBrace))
+        {
+            return Some(from + 1..close);
+        }
+        let mut at = from;
+        while !self.layout.is_border(at) {
+            match self.layout.at(at)? {
+                Tok::Sym(Sym::LBrace) => return (from < at).then_some(from..at),
+                Tok::Sym(Sym::Colon | Sym::Bar | Sym::Comma | Sym::Semi | Sym::Arrow) => return None,
+                Tok::Sym(Sym::RBrace | Sym::RBracket | Sym::RParen) => return None,
+                Tok::Sym(Sym::LParen | Sym::LBracket) => at = self.layout.close(at)?,
+                // The braces are its own.
+                Tok::Ident(word) if matches!(word.as_str(), "split" | "comp" | "case" | "else") || is_if(word) => {
+                    return None;
+                }
+                Tok::Ident(word) if operations(word).next().is_some() => return None,
+                _ => {}
+            }
+            at += 1;
+        }
+        None
     }
 
     /// At an `if`, or a `case` behind `else`: says how it is written, and passes over the word. Fails where the arms
     /// stand in braces.
     pub(super) fn if_for_case(&mut self) -> Parsed<()> {
         let word = self.peek().map_or(String::new(), Tok::describe);
-        if let Some(close) = self.braces(self.at + 1) {
-            let condition = self.written(self.at + 2, close);
+        if let Some(braces) = self.braces(self.at + 1) {
+            let condition = self.written(braces.start, braces.end);
             self.syntax(self.at, format!("a condition begins with `case`, not with {word}"))
                 .help(format!("write `case {condition} : … else : …`"));
             return Err(Reported);
@@ -99,7 +121,7 @@ impl Parser<'_> {
         let word = self.peek().map_or(String::new(), Tok::describe);
         let colon = self.colon_of_condition(self.at + 1);
         let condition = match (colon, self.braces(self.at + 1)) {
-            (None, Some(close)) => self.written(self.at + 2, close),
+            (None, Some(braces)) => self.written(braces.start, braces.end),
             (colon, _) => self.written(self.at + 1, colon.unwrap_or(self.at + 1)),
         };
         self.syntax(self.at, format!("a condition begins with `case`, not with {word}"))
@@ -119,8 +141,8 @@ impl Parser<'_> {
     pub(super) fn else_if_for_case(&mut self) -> Parsed<()> {
         let from = self.at + 2;
         let braces = self.braces(from);
-        let help = match (braces, self.colon_of_condition(from)) {
-            (Some(close), _) => format!("write `case {} : … else : …`", self.written(from + 1, close)),
+        let help = match (braces.clone(), self.colon_of_condition(from)) {
+            (Some(braces), _) => format!("write `case {} : … else : …`", self.written(braces.start, braces.end)),
             (None, colon) => format!("write `case {} :`", self.written(from, colon.unwrap_or(from))),
         };
         let span = self.span().to(self.span_at(self.at + 1));

@@ -2,7 +2,7 @@
 
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Expr, Name};
-use crate::token::Sym;
+use crate::token::{Sym, Tok};
 
 impl Parser<'_> {
     /// The locals of a declaration, if it has some. One that cannot be read is left out.
@@ -22,8 +22,10 @@ impl Parser<'_> {
                 Ok(local) => locals.push(local),
                 Err(Reported) => self.skip_to_local(close),
             }
-            if self.at < close && self.is(Sym::Comma) {
-                self.syntax(self.at, "nothing stands between locals").help("leave out the `,`");
+            if let Some(Tok::Sym(sym @ (Sym::Comma | Sym::Semi))) = self.peek()
+                && self.at < close
+            {
+                self.syntax(self.at, "nothing stands between locals").help(format!("leave out the `{}`", sym.text()));
                 self.bump();
             }
         }

@@ -13,6 +13,7 @@ use super::{Host, Place, Source};
 pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
     let mut reader = Reader::default();
     reader.stream(stream);
+    reader.report_lifetimes();
     let spans = &reader.spans;
     reader.tokens.join_rule_names(|dot| {
         spans
@@ -31,6 +32,8 @@ struct Reader {
     spans: Vec<(Span, Span)>,
     paths: Vec<(u32, TokenStream)>,
     hosts: Vec<Host>,
+    /// Relative sizes that Rust takes for lifetimes, without the quote.
+    lifetimes: Vec<(TokenSpan, String)>,
     diags: Diags,
 }
 
@@ -141,6 +144,10 @@ impl Reader {
             if written.ends_with('.') && close && begins_operator(rest) {
                 // `1.==1` is `1 .== 1`.
                 self.push_one(Tok::Sym(Sym::Dot), span);
+            } else if !written.contains('.') && close && dots(rest) == 2 && begins_limit(&rest[2..]) {
+                // `0..3`, a range of Rust: no dot belongs to a number.
+                rest[..2].iter().for_each(|dot| self.push_one(Tok::Sym(Sym::Dot), dot.span()));
+                return 3;
             } else if !written.contains('.') && close && dots(rest) == 2 {
                 // Rust glues the dots of `1..==1`; the first one is the number's.
                 return 2;
@@ -259,9 +266,9 @@ impl Reader {
             Some(TokenTree::Ident(name)) if name.to_string().starts_with(|c: char| c.is_ascii_digit()) => {
                 let written: String = number_after(&list[1..]);
                 let taken = (1 + written.matches('.').count() * 2 + 1).min(list.len());
-                let help = format!("inline, write `^{written}`; a string or a `.cga` file takes `'{written}`");
                 let last = list[taken - 1].span();
-                self.bad(span, last, format!("Rust cannot read the relative size `'{written}`"), &help);
+                let at = self.push(Tok::Bad, span, last);
+                self.lifetimes.push((at, written.clone()));
                 if let Ok(value) = written.parse() {
                     // Not another finding for the size that is missing.
                     self.push(Tok::Number(value), list[1].span(), last);
@@ -273,6 +280,17 @@ impl Reader {
                 1
             }
         }
+    }
+
+    /// Reports all sizes like `'0.5` in one diagnostic: rustc reports each of them again.
+    fn report_lifetimes(&mut self) {
+        let Some((at, written)) = self.lifetimes.first() else { return };
+        let message = format!("Rust cannot read the relative size `'{written}`");
+        let diag = self.diags.report(Code::UnknownCharacter, *at, message);
+        if 1 < self.lifetimes.len() {
+            diag.note(format!("{} sizes begin with `'`: rustc underlines each", self.lifetimes.len()));
+        }
+        diag.help(format!("inline, write `^{written}`; a string or a `.cga` file takes `'{written}`"));
     }
 
     fn symbol(&mut self, list: &[TokenTree]) -> usize {
@@ -291,12 +309,13 @@ impl Reader {
             }
             None => {
                 let sign = run.chars().next().unwrap_or_default();
-                let help = match sign {
-                    '&' => "write `&&`",
-                    '?' => "write `case condition : a else : b`",
-                    _ => "take it away",
+                let help = match (sign, list.get(1)) {
+                    ('&', _) => "write `&&`".into(),
+                    ('?', _) => "write `case condition : a else : b`".into(),
+                    ('$', Some(TokenTree::Ident(name))) => format!("write `{name}`, or `#{name}` for a Rust value"),
+                    _ => "take it away".into(),
                 };
-                self.bad(span, span, format!("`{sign}` has no meaning in CGA"), help);
+                self.bad(span, span, format!("`{sign}` has no meaning in CGA"), &help);
                 1
             }
         }
@@ -343,6 +362,14 @@ fn run(list: &[TokenTree]) -> String {
 
 fn dots(list: &[TokenTree]) -> usize {
     run(list).chars().take_while(|c| *c == '.').count()
+}
+
+/// Whether a number or a name begins there.
+fn begins_limit(list: &[TokenTree]) -> bool {
+    match list.first() {
+        Some(TokenTree::Literal(digits)) => digits.to_string().starts_with(|c: char| c.is_ascii_digit()),
+        first => matches!(first, Some(TokenTree::Ident(_))),
+    }
 }
 
 /// Whether an operator stands there that works element by element with a dot before it.

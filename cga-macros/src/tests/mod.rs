@@ -3,4 +3,5 @@
 mod doors;
 mod errors;
 mod expand;
+mod mistakes;
 mod ui;

@@ -85,7 +85,7 @@ fn cases_fail_with_our_first_lines() {
         for diag in case.grammars.into_iter().flat_map(found) {
             let line = match diag.level {
                 Level::Error => format!("error: {}\n", diag.message),
-                _ => format!(": use of deprecated constant `_::{}`: {}\n", diag.code.name(), diag.message),
+                _ => format!(": use of deprecated macro `cga::{}`: {}\n", diag.code.name(), diag.message),
             };
             let is_shown = shown.contains(&line) || shown.contains(&spelled(&line));
             assert!(is_shown, "{}: {line}", case.path.display());

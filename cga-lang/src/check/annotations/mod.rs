@@ -170,7 +170,8 @@ fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&m
         }
         let is_rule = matches!(place, Place::Decl(Decl { body: Body::Rule(_), .. }));
         if let Some(span) = notes.start.filter(|_| !is_rule) {
-            wrong(cx, span, "only a rule can be the start rule".into());
+            wrong(cx, span, "only a rule can be the start rule".into())
+                .help("move it before the rule that begins a model");
         }
         if let Some(span) = notes.names.filter(|_| !matches!(place, Place::Import(_))) {
             wrong(cx, span, "`@Hidden` has names only before an import".into());

@@ -3,7 +3,8 @@
 mod overrides;
 
 use super::Use;
-use crate::ast::{Body, Decl, Expr, Name, Role};
+use crate::ast::{Body, Decl, Expr, Name, OpKind, Role};
+use crate::ast_walk;
 use crate::link::{InstanceId, Program};
 use crate::ops;
 use crate::suggest::nearest;
@@ -316,6 +317,23 @@ impl<'a> Globals<'a> {
                 nearest(name, own.iter().chain(&other).map(String::as_str)).map(str::to_owned)
             }
         }
+    }
+
+    /// The leaf of an instance whose name is near, with its dot.
+    pub(crate) fn leaf(&self, from: InstanceId, name: &str) -> Option<String> {
+        self.hints.get().checked_sub(1)?;
+        let mut leaves: Vec<&str> = Vec::new();
+        for item in self.rules.iter().filter(|item| item.home == from) {
+            if let Body::Rule(ops) = &item.decl.body {
+                ast_walk::ops(ops, &mut |op| match &op.kind {
+                    OpKind::Leaf(leaf) if leaf.text != name => leaves.push(&leaf.text),
+                    _ => {}
+                });
+            }
+        }
+        leaves.sort_unstable();
+        leaves.dedup();
+        nearest(name, leaves).map(|near| format!("{near}."))
     }
 
     /// Names that are declared in an instance, sorted; none when there were enough suggestions.

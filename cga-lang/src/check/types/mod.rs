@@ -18,6 +18,7 @@ use crate::code::Code;
 use crate::diag::Diag;
 use crate::hash::FastMap;
 use crate::ir::Type;
+use crate::lex::without_unit;
 use crate::link::Wanted;
 use crate::span::Span;
 use crate::token::Tok;
@@ -188,29 +189,16 @@ impl<'a> Infer<'_, 'a, '_> {
         let Some(got) = self.vars.known(var) else { return };
         let why = self.vars.why(var).filter(|why| *why != span);
         let message = format!("{who} needs a {}, got a {}", ty.word(), got.word());
-        // Text that is a number, as one token.
-        let quoted = match self.cx.globals.program.tokens.as_slice().get(span.first as usize) {
-            Some(Tok::Str(text)) if span.first == span.last => {
-                text.trim().parse::<f64>().ok().filter(|it| it.is_finite())
-            }
-            _ => None,
-        };
+        let literal = self.cx.globals.program.tokens.as_slice().get(span.first as usize);
+        let help = conversion(ty, got, literal.filter(|_| span.first == span.last), who, |name| {
+            self.cx.globals.value(self.cx.at, name).is_some()
+        });
         let diag = self.cx.diags.report(Code::TypeMismatch, span, message);
         if let Some(why) = why {
             diag.related(format!("found to be a {}", got.word()), why);
         }
-        match (ty, got) {
-            (Type::Text, _) => _ = diag.help("write `str(…)`"),
-            (Type::Float, Type::Text) => {
-                _ = diag.help(
-                    quoted.map_or("write `float(…)`".into(), |number| format!("write `{number}`, without quotes")),
-                );
-            }
-            (Type::Bool, Type::Float) => _ = diag.help("write a comparison, as in `… != 0`"),
-            (Type::Float, Type::Floats) => {
-                _ = diag.help("write `…[0]` for one element; `.+`, `.*` and so on go over all")
-            }
-            _ => {}
+        if let Some(help) = help {
+            diag.help(help);
         }
     }
 
@@ -330,4 +318,39 @@ impl<'a> Infer<'_, 'a, '_> {
             self.cx.tables.types.entry(param).or_insert(Type::Float);
         }
     }
+}
+
+/// What to type for a value of the wrong type. `literal` is the value where it is one token, `who` what needs it, and
+/// `declared` tells whether a name has a value.
+fn conversion(
+    ty: Type,
+    got: Type,
+    literal: Option<&Tok>,
+    who: &str,
+    declared: impl Fn(&str) -> bool,
+) -> Option<String> {
+    Some(match (ty, got, literal) {
+        (Type::Text, ..) if who.starts_with("`hexValue`") => "write a colour, as in `\"#ff8000\"`".into(),
+        (Type::Text, _, Some(Tok::Number(number))) => format!("write `\"{number}\"`, in quotes"),
+        (Type::Text, ..) => "write `str(…)`".into(),
+        (Type::Float, Type::Text, Some(Tok::Str(text))) => match number(text) {
+            Some(number) => format!("write `{number}`, without quotes"),
+            None if declared(text) => format!("write `{text}`, without quotes"),
+            // `float` of other text is NaN.
+            None => "write a number, without quotes".into(),
+        },
+        (Type::Float, Type::Text, _) => "write `float(…)`".into(),
+        (Type::Bool, Type::Float, _) => "write a comparison, as in `… != 0`".into(),
+        (Type::Float, Type::Floats, _) => "write `…[0]` for one element; `.+`, `.*` and so on go over all".into(),
+        _ => return None,
+    })
+}
+
+/// The number that a text holds, perhaps with a unit.
+fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let unit = text.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+')).trim();
+    let digits = text.strip_suffix(unit)?.trim().parse::<f64>().ok().filter(|number| number.is_finite());
+    let number = digits.and_then(|digits| if unit.is_empty() { Some(digits) } else { without_unit(digits, unit) });
+    number.or_else(|| text.parse::<f64>().ok().filter(|number| number.is_finite()))
 }

@@ -1,8 +1,13 @@
 const _: () = {
-    #[deprecated(note = "unknown annotation `@Foo`")]
-    #[allow(non_upper_case_globals)]
-    const unknown_annotation: () = ();
-    unknown_annotation
+    mod cga {
+        #[deprecated(note = "unknown annotation `@Foo`")]
+        macro_rules! unknown_annotation {
+            () => {};
+        }
+        #[allow(deprecated)]
+        pub(super) use unknown_annotation;
+    }
+    cga::unknown_annotation!();
 };
 ::core::compile_error! {
     "there is no rule `extrud`\nnote: this is `undefined_rule`, whose level can be changed\nhelp: did you mean `extrude`?"
