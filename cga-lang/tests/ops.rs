@@ -167,7 +167,7 @@ impl Call {
     fn fits(&self, row: &Operation) -> bool {
         let block = match row.block {
             Block::None => self.braces.is_none(),
-            Block::Slots | Block::Sections | Block::Arms | Block::Ops => self.braces.is_some(),
+            Block::Slots | Block::Sections | Block::Arms(_) | Block::Components | Block::Ops => self.braces.is_some(),
             Block::Operands => self.braces == Some(true),
             Block::Inline => self.braces != Some(true),
         };

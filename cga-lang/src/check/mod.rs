@@ -7,6 +7,7 @@ mod annotations;
 mod arithmetic;
 mod arity;
 mod assets;
+mod bounds;
 mod branches;
 mod certain;
 mod colour;

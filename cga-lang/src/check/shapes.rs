@@ -26,6 +26,18 @@ fn has_braces(row: &Operation, block: &Block) -> bool {
     }
 }
 
+/// The selectors of an operation with braces.
+fn place(row: &Operation, block: &Block) -> Places {
+    match row.block {
+        ops::Block::Arms(place) => place,
+        ops::Block::Sections => Places::PERIMETER,
+        ops::Block::Components => {
+            block.args.first().and_then(word).and_then(ops::component).map_or(Places::FACES, |row| row.place)
+        }
+        _ => Places::NONE,
+    }
+}
+
 impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn ops(&mut self, ops: &'a [Op]) {
         for (index, op) in ops.iter().enumerate() {
@@ -87,7 +99,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     /// Arguments that are plain values.
-    fn values(&mut self, args: &'a [Arg]) {
+    pub(super) fn values(&mut self, args: &'a [Arg]) {
         for arg in args {
             if let Some((prefix, span)) = arg.prefix {
                 self.no_prefix(prefix, span);
@@ -262,7 +274,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.cx.diags.report(Code::NotAnOperation, name.span, message).suggest(near);
             }
         }
-        let place = self.place(block);
+        let place = rows.first().copied().or_else(|| all().next()).map_or(Places::NONE, |row| place(row, block));
         for part in &block.parts {
             match part {
                 BlockPart::Slots(items, _) => self.items(items),
@@ -276,19 +288,6 @@ impl<'a> Scope<'_, 'a, '_> {
                 BlockPart::Arms(arms) => arms.iter().for_each(|arm| self.arm(arm, place)),
                 BlockPart::Ops(list) => list.iter().for_each(|ops| self.ops(ops)),
             }
-        }
-    }
-
-    /// Which selectors an operation with braces has.
-    fn place(&self, block: &Block) -> Places {
-        match block.name.text.as_str() {
-            "setback" | "setbackPerEdge" | "setbackToArea" => Places::SETBACK,
-            "shapeL" | "shapeU" | "shapeO" | "innerRectangle" => Places::SHAPE,
-            "splitAndSetbackPerimeter" => Places::PERIMETER,
-            "modify" => {
-                block.args.first().and_then(word).and_then(ops::component).map_or(Places::FACES, |row| row.place)
-            }
-            _ => Places::NONE,
         }
     }
 

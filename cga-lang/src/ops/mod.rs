@@ -14,6 +14,7 @@ mod set_elements;
 mod syntax;
 mod values;
 
+use crate::code::Code;
 use crate::hash::FastMap;
 use crate::ir::Type;
 use std::sync::LazyLock;
@@ -22,7 +23,7 @@ pub use attributes::SHAPE_ATTRS;
 pub use functions::FUNCTIONS;
 pub use operations::OPERATIONS;
 pub use selectors::{COMPONENTS, Component, Places, Selector, component, selector, selectors};
-pub use syntax::{SYNTAX, Syntax, syntax};
+pub use syntax::{SPLIT_UV_SET, SYNTAX, Syntax, syntax};
 
 /// Whether a row of a table can run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,8 +84,10 @@ pub enum Block {
     Slots,
     /// `length : depth : operations`, repeatable, then a second pair of braces with `remainder : operations`.
     Sections,
-    /// `selector : operations`, as in a comp.
-    Arms,
+    /// `selector : operations`, as in a comp, with the selectors of those places.
+    Arms(Places),
+    /// The same, with the selectors of the components that the first argument names.
+    Components,
     /// Operations.
     Ops,
     /// Operations on both sides of `|`.
@@ -102,6 +105,36 @@ pub struct Param {
     pub kind: ParamKind,
     /// What counts when it is left out.
     pub default: Option<Default>,
+    /// The values that the reference allows, where it does not allow all.
+    pub bounds: Option<&'static Bounds>,
+}
+
+/// The documented values of a parameter.
+#[derive(Debug, PartialEq)]
+pub struct Bounds {
+    /// The values that are allowed.
+    pub values: Values,
+    /// The allowed values in words, for a note.
+    pub about: &'static str,
+    /// The code for any other value.
+    pub code: Code,
+    /// The documented result of any other value. Without one the value has no meaning.
+    pub result: Option<&'static str>,
+}
+
+/// A set of values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Values {
+    /// The numbers between two numbers, ends included.
+    Between(f64, f64),
+    /// The whole numbers between two numbers, ends included.
+    Whole(f64, f64),
+    /// The numbers from a number on.
+    AtLeast(f64),
+    /// The numbers above a number.
+    Above(f64),
+    /// Text with at least one character.
+    NotEmpty,
 }
 
 /// What counts when an argument is left out.
@@ -234,6 +267,13 @@ impl ParamKind {
     }
 }
 
+impl Block {
+    /// Whether the braces hold parts of the shape, each with operations: a subdivision (*Rule inlining*).
+    pub fn divides(self) -> bool {
+        matches!(self, Block::Slots | Block::Sections | Block::Arms(_) | Block::Ops)
+    }
+}
+
 impl Operation {
     /// Whether it can be called with so many arguments.
     pub fn takes(&self, count: usize) -> bool {
@@ -333,7 +373,7 @@ const BS: Type = Type::Bools;
 const TS: Type = Type::Texts;
 
 const fn param(name: &'static str, kind: ParamKind) -> Param {
-    Param { name, kind, default: None }
+    Param { name, kind, default: None, bounds: None }
 }
 
 const fn float(name: &'static str) -> Param {
@@ -363,6 +403,25 @@ const fn of(name: &'static str, ty: Type) -> Param {
 /// A parameter that may be left out.
 const fn or(param: Param, default: Default) -> Param {
     Param { default: Some(default), ..param }
+}
+
+/// A parameter with documented bounds.
+const fn within(param: Param, bounds: &'static Bounds) -> Param {
+    Param { bounds: Some(bounds), ..param }
+}
+
+/// Bounds without a documented result of other values.
+const fn bounds(values: Values, about: &'static str) -> Bounds {
+    Bounds { values, about, code: Code::OutOfRange, result: None }
+}
+
+/// The numbers of uv sets (*texturing*).
+static UV_SETS: Bounds =
+    Bounds { code: Code::UnknownUvSet, ..bounds(Values::Between(0.0, 9.0), "uv sets are numbered from 0 to 9") };
+
+/// The number of a uv set.
+const fn uv_set(name: &'static str) -> Param {
+    within(float(name), &UV_SETS)
 }
 
 /// A parameter for words.

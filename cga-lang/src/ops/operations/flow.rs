@@ -1,12 +1,16 @@
 //! Colours and materials, labels, reports. `set` has a syntax of its own.
 
-use super::super::{B, Default, F, Operation, Param, ParamKind, T, TS, float, of, or, param, text, word};
+use super::super::{B, Bounds, Default, F, Operation, Param, ParamKind, T, TS, Values};
+use super::super::{bounds, float, of, or, param, text, within, word};
 use super::{keeps, op};
 
 const TARGET: Param = or(
     word("target", "MaterialTarget", &[("shape", "Shape"), ("geometry", "Geometry"), ("all", "All")]),
     Default::Word("shape"),
 );
+
+/// *label operation*.
+static LABELS: Bounds = bounds(Values::NotEmpty, "a label is not empty");
 
 const REPORT: &str = "adds a value to a collection of the run";
 
@@ -36,7 +40,7 @@ pub(super) static ROWS: &[Operation] = &[
         &[TARGET],
         "gives the attributes of the material their defaults again",
     )),
-    keeps(op("label", "label", &[text("label")], "leaves a labelled copy of the shape for queries")),
+    keeps(op("label", "label", &[within(text("label"), &LABELS)], "leaves a labelled copy of the shape for queries")),
     keeps(op("report", "report", &[text("key"), of("value", F)], REPORT)),
     keeps(op("report", "report", &[text("key"), of("value", B)], REPORT)),
     keeps(op("report", "report", &[text("key"), of("value", T)], REPORT)),

@@ -1,9 +1,9 @@
 //! Textures and texture coordinates. A uv set is a number from 0 to 9.
 
-use super::super::{Default, Operation, Param, float, length, or, size, text, word};
+use super::super::{Default, Operation, Param, float, length, or, size, text, uv_set, word};
 use super::{keeps, later, old, op};
 
-const UV_SET: Param = float("uvSet");
+const UV_SET: Param = uv_set("uvSet");
 
 const AXES: Param = word(
     "axes",
@@ -64,7 +64,7 @@ pub(super) static ROWS: &[Operation] = &[
     later("normalizeUV", &[UV_SET, NORMALIZE_MODE, NORMALIZE_TYPE], "fits texture coordinates between 0 and 1"),
     later("tileUV", &[UV_SET, WIDTH, HEIGHT], "scales texture coordinates to tiles of a size"),
     later("deleteUV", &[UV_SET], "removes texture coordinates"),
-    later("copyUV", &[float("uvSetSource"), float("uvSetDest")], "copies texture coordinates to another set"),
+    later("copyUV", &[uv_set("uvSetSource"), uv_set("uvSetDest")], "copies texture coordinates to another set"),
     // No reference page has these any more; the parameters are those that old rule files give them.
     old(
         later("setupUV", &[UV_SET, float("textureWidth"), float("textureHeight"), float("uwFactor")], PROJECTION),
