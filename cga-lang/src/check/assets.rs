@@ -6,7 +6,7 @@ use crate::ast::{Arg, Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::Diags;
 use crate::link::Asset;
-use crate::ops::Param;
+use crate::ops::{Param, Run};
 use crate::suggest::nearest;
 use crate::token::Tok;
 
@@ -18,7 +18,8 @@ pub(super) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
                 named(value, row.name == "i", cx, diags);
             }
         }
-        Site::Set(row, value) if row.name.starts_with("material.") && row.name.ends_with("map") => {
+        // By what it sets: an old name is that of the same map.
+        Site::Set(row, value) if matches!(row.set, Some(Run::Now(call)) if call.ends_with("map")) => {
             named(value, false, cx, diags);
         }
         Site::Value(value) => expression(value, facts, cx, diags),

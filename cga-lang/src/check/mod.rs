@@ -142,6 +142,7 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
         return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), misfit, wanted, unsuited: Vec::new() };
     }
     annotations::read(&mut cx);
+    duplicates::operations(&mut cx);
     duplicates::overloads(&mut cx);
     duplicates::styles(&mut cx);
     cycles::find(&mut cx);

@@ -146,7 +146,9 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.operation(&fitting, args);
                 self.about_later(name, Use::Operation(row));
                 self.needs_braces(name, row);
-                self.note_open(name, fitting.into_iter().map(Use::Operation).collect());
+                // The types decide; where they fit both, the operation is called.
+                let rules = rules.into_iter().filter(|_| row.overloads);
+                self.note_open(name, fitting.iter().copied().map(Use::Operation).chain(rules).collect());
             }
         }
     }
@@ -242,9 +244,8 @@ impl<'a> Scope<'_, 'a, '_> {
             match &rows[0].params[index].kind {
                 ParamKind::Word { words, old, .. } => {
                     self.word(rows[0].name, words.iter().map(|(word, _)| *word), arg);
-                    if let Some((word, new)) = old.iter().find(|(old, _)| word(arg) == Some(*old)) {
-                        let message = format!("`{word}` is an old spelling");
-                        self.cx.diags.report(Code::OldSpelling, arg.span, message).help(format!("write `{new}`"));
+                    if let Some((old, new)) = old.iter().find(|(old, _)| word(arg) == Some(*old)) {
+                        self.old_word(old, new, arg.span);
                     }
                 }
                 ParamKind::Selector => self.selector(&arg.value, Places::FACES.and(Places::SETBACK)),

@@ -116,6 +116,12 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
+    /// Reports an old word.
+    pub(super) fn old_word(&mut self, old: &str, new: &str, span: Span) {
+        let message = format!("`{old}` is an old spelling");
+        self.cx.diags.report(Code::OldSpelling, span, message).help(format!("write `{new}`"));
+    }
+
     /// The same in an expression.
     pub(super) fn word_expr(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, arg: &Expr) {
         if let ExprKind::Call(sel, args) = &arg.kind

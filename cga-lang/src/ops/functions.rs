@@ -35,7 +35,7 @@ pub static FUNCTIONS: &[&[Function]] = &[
 
 /// A row that does not run yet. What the function will need is said when it does.
 const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
-    Function { name, run: Run::Later, params, ty, needs: Needs::Nothing, pure: false, about }
+    Function { name, run: Run::Later, params, ty, needs: Needs::Nothing, pure: false, old: None, about }
 }
 
 /// A question to a component, which does not run yet.

@@ -49,6 +49,8 @@ pub struct Operation {
     pub scope: Effect,
     /// Whether it looks at the state at the start of the rule, bracket or part (`center`).
     pub uses_base: bool,
+    /// Whether a rule of its name with as many parameters of other types can be called (*CGA changelog 2019.1*).
+    pub overloads: bool,
     /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
     pub old: Option<&'static str>,
     /// What it does, in a line.
@@ -172,7 +174,7 @@ pub enum ParamKind {
         rust: &'static str,
         /// As written, and the enum's variant.
         words: &'static [(&'static str, &'static str)],
-        /// Words that nobody should write any more, and what to write instead.
+        /// Old words, and what to write instead. They are among `words` too.
         old: &'static [(&'static str, &'static str)],
     },
 }
@@ -192,6 +194,8 @@ pub struct Function {
     pub needs: Needs,
     /// Whether equal arguments always give equal results, so that it may be folded.
     pub pure: bool,
+    /// For an old spelling: what to write instead, as a help line.
+    pub old: Option<&'static str>,
     /// What it gives, in a line.
     pub about: &'static str,
 }
@@ -242,6 +246,23 @@ impl ParamKind {
     /// Whether a bare word can stand there as that word: not as the name of a value.
     pub fn has_word(&self, word: &str) -> bool {
         matches!(self, ParamKind::Word { words, .. } if words.iter().any(|(own, _)| *own == word))
+    }
+
+    /// The words that can stand there, without old ones.
+    pub fn new_words(&self) -> impl Iterator<Item = &'static str> + Clone + use<> {
+        let (words, old): (&'static [(&str, &str)], &'static [(&str, &str)]) = match self {
+            ParamKind::Word { words, old, .. } => (words, old),
+            _ => (&[], &[]),
+        };
+        words.iter().map(|(word, _)| *word).filter(move |word| old.iter().all(|(old, _)| old != word))
+    }
+
+    /// An old word, and what to write instead.
+    pub fn old_word(&self, word: &str) -> Option<(&'static str, &'static str)> {
+        match self {
+            ParamKind::Word { old, .. } => old.iter().copied().find(|(old, _)| *old == word),
+            _ => None,
+        }
     }
 
     /// Whether one argument can be meant for both.

@@ -1,6 +1,7 @@
 //! The functions that look at the shape, its geometry, the run and files.
 
-use super::{B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, text, word};
+use super::{B, BS, Default, F, FS, Function, Needs, Param, ParamKind, Run, T, TS};
+use super::{boolean, float, of, or, param, text, word};
 use crate::ir::Type;
 
 const fn row(
@@ -11,7 +12,7 @@ const fn row(
     needs: Needs,
     about: &'static str,
 ) -> Function {
-    Function { name, run: Run::Now(call), params, ty, needs, pure: false, about }
+    Function { name, run: Run::Now(call), params, ty, needs, pure: false, old: None, about }
 }
 
 /// Asks the shape alone.
@@ -47,13 +48,13 @@ const fn run(
     row(name, call, params, ty, Needs::Env, about)
 }
 
-/// The directions that faces can look in; of areas also all.
+/// The directions that faces can look in; of areas also all. `$no_street` is the new spelling of `noStreetSide`, which is
+/// deprecated like `streetSide` (*CGA changelog 2012.1*).
 macro_rules! directions {
-    ($($more:expr),*) => {
-        word(
-            "faceOrientation",
-            "Word",
-            &[
+    ($no_street:literal $(, $more:expr)*) => {
+        param("faceOrientation", ParamKind::Word {
+            rust: "Word",
+            words: &[
                 $($more,)*
                 ("front", "Front"),
                 ("back", "Back"),
@@ -81,13 +82,19 @@ macro_rules! directions {
                 ("street.left", "StreetLeft"),
                 ("street.right", "StreetRight"),
                 ("street.side", "StreetSide"),
+                ("streetSide", "StreetFront"),
+                ("noStreetSide", "NotStreetFront"),
             ],
-        )
+            old: &[("streetSide", "street.front"), ("noStreetSide", $no_street)],
+        })
     };
 }
 
-const FACES: Param = or(directions!(("all", "All"), ("surface", "All")), Default::Word("all"));
-const DIRECTION: Param = directions!();
+const FACES: Param = or(
+    directions!("geometry.area() - geometry.area(street.front)", ("all", "All"), ("surface", "All")),
+    Default::Word("all"),
+);
+const DIRECTION: Param = directions!("geometry.area(street.front) < geometry.area()");
 
 const ANGLE: Param =
     word("angleType", "AngleType", &[("maxSlope", "MaxSlope"), ("azimuth", "Azimuth"), ("zenith", "Zenith")]);

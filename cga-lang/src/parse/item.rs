@@ -131,7 +131,12 @@ impl Parser<'_> {
                     lose(self);
                     return Err(Reported);
                 }
-                if word == "attr" { Body::Attr(value) } else { Body::Const(value) }
+                match word {
+                    // A value for each edge: nothing can be asked for but by its number.
+                    "attr" if !params.is_empty() => Body::Function(value),
+                    "attr" => Body::Attr(value),
+                    _ => Body::Const(value),
+                }
             }
             Some(Head::Function) => {
                 self.bump();

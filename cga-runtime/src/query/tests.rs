@@ -45,6 +45,7 @@ const SELECTORS: [Word; 27] = {
         StreetLeft,
         StreetRight,
         StreetSide,
+        NotStreetFront,
     ]
 };
 

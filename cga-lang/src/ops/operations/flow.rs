@@ -2,7 +2,7 @@
 
 use super::super::{B, Bounds, Default, F, Operation, Param, ParamKind, T, TS, Values};
 use super::super::{bounds, float, of, or, param, text, within, word};
-use super::{keeps, op};
+use super::{keeps, old, op};
 
 const TARGET: Param = or(
     word("target", "MaterialTarget", &[("shape", "Shape"), ("geometry", "Geometry"), ("all", "All")]),
@@ -28,6 +28,11 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("red"), float("green"), float("blue"), float("opacity")],
         "sets colour and opacity, each from 0 to 1",
     )),
+    // Its page is gone since 2020.0: it was short for `set` (*opacity operation*, 2019.1).
+    old(
+        keeps(op("opacity", "opacity", &[float("opacity")], "sets the opacity, from 0 to 1")),
+        "write `set(material.opacity, …)`",
+    ),
     keeps(op(
         "setMaterial",
         "set_material",

@@ -49,7 +49,8 @@ const STRATEGY: Param = or(
     Default::Word("append"),
 );
 
-const SWAP: Param = word("mode", "BooleanMode", &[("swap", "Swap")]);
+/// *Boolean 3D operations*, 2024.1.
+const SWAP: Param = word("swapMode", "BooleanMode", &[("noSwap", "NoSwap"), ("swap", "Swap")]);
 
 const UNION: &str = "joins what both sides make of the shape";
 const SUBTRACT: &str = "takes what the right side makes of the shape away from what the left side makes";
