@@ -81,6 +81,26 @@ impl Geometry {
     pub(crate) fn has_surface(&self) -> bool {
         matches!(self, Geometry::Rect(..) | Geometry::Box(_) | Geometry::Mesh(_))
     }
+
+    /// Whether it is as it was inserted.
+    pub(crate) fn inserted(&self) -> Inserted {
+        match self {
+            Geometry::Rect(_, unit) | Geometry::Box(unit) if unit.is_inserted() => Inserted::Plain,
+            Geometry::Mesh(placed) => placed.inserted,
+            _ => Inserted::No,
+        }
+    }
+}
+
+/// Whether geometry is as it was inserted (*geometry.isInstanced function*).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Inserted {
+    /// It was not inserted, or it was changed since.
+    No,
+    /// A box or a rectangle. Sinks get its mesh as any other.
+    Plain,
+    /// An asset or a primitive with a mesh of its own. Sinks get it as an instance.
+    Asset,
 }
 
 /// A mesh and the box in its own coordinates that the scope stretches it from.
@@ -89,8 +109,7 @@ pub(crate) struct Placed {
     pub(crate) mesh: Arc<Mesh>,
     pub(crate) low: DVec3,
     pub(crate) size: DVec3,
-    /// An inserted asset that nothing has changed since.
-    pub(crate) whole: bool,
+    pub(crate) inserted: Inserted,
     /// Whether the mesh is mirrored itself, so that a scope with a negative size mirrors it back.
     pub(crate) mirrored: bool,
 }
@@ -100,7 +119,7 @@ impl Placed {
     pub(crate) fn fitted(mesh: Mesh) -> Self {
         let bounds = mesh.bounds();
         let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
-        Placed { low, size: bounds.size(), mesh: Arc::new(mesh), whole: false, mirrored: false }
+        Placed { low, size: bounds.size(), mesh: Arc::new(mesh), inserted: Inserted::No, mirrored: false }
     }
 
     /// Factor from mesh to scope lengths, for each axis.
@@ -363,7 +382,8 @@ impl<'a> ShapeRef<'a> {
     pub(crate) fn hold_as_mesh(&mut self) {
         if let Geometry::Rect(_, unit) | Geometry::Box(unit) = self.geometry {
             let (mesh, bounds) = (unit.mesh().clone(), unit.mesh().bounds());
-            let placed = Placed { mesh, low: bounds.low, size: bounds.size(), whole: false, mirrored: false };
+            let (low, size, inserted) = (bounds.low, bounds.size(), self.geometry.inserted());
+            let placed = Placed { mesh, low, size, inserted, mirrored: false };
             self.geometry = Geometry::Mesh(Arc::new(placed));
             // A size of zero flattens it.
             self.resize(self.scope.size);
@@ -387,7 +407,8 @@ impl<'a> ShapeRef<'a> {
         };
         if (0..3).any(|axis| size[axis] == 0.0 && self.scope.size[axis] != 0.0 && grows(axis)) {
             // What fills its scope would come back with it; a mesh does not.
-            self.geometry = Geometry::Mesh(Arc::new(Placed::fitted(self.to_mesh().as_ref().clone())));
+            let placed = Placed::fitted(self.to_mesh().as_ref().clone());
+            self.geometry = Geometry::Mesh(Arc::new(Placed { inserted: self.geometry.inserted(), ..placed }));
         }
         if let Geometry::Mesh(placed) = &self.geometry {
             let flat = |axis: usize| size[axis] == 0.0 && placed.size[axis] != 0.0;

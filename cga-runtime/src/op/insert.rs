@@ -10,7 +10,7 @@ use crate::asset::AssetError;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::mesh::Mesh;
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
 use crate::text::Text;
 use crate::unit::UnitMesh;
 
@@ -88,7 +88,7 @@ fn insert_box(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
 fn place(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>, mode: InsertMode) {
     let (low, size) = (mesh.bounds().low, mesh.bounds().size());
     arrange(env, shape, low, size, mode);
-    shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size, mesh, whole: true, mirrored: false }));
+    shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size, mesh, inserted: Inserted::Asset, mirrored: false }));
     super::trim(env, shape);
 }
 
@@ -223,7 +223,7 @@ mod tests {
             let mode = InsertMode::AlignSizeAndPosition;
             insert_with(env, &mut shape, "asset.obj".into(), UpAxis::ZUp, mode, CleanupMode::NumericalCleanup);
             match &shape.geometry {
-                Geometry::Mesh(placed) if placed.whole => Arc::clone(&placed.mesh),
+                Geometry::Mesh(placed) if placed.inserted == Inserted::Asset => Arc::clone(&placed.mesh),
                 other => panic!("{other:?}"),
             }
         };

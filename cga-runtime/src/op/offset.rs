@@ -69,7 +69,7 @@ fn report(env: &mut Env, refused: &[(usize, OffsetError)]) {
 
 /// A rectangle stays one: no mesh is needed. Whether that was so, or there is nothing to be done.
 fn rectangle(shape: &mut ShapeRef<'_>, distance: f64) -> bool {
-    let Geometry::Rect(across, _) = shape.geometry else { return false };
+    let Geometry::Rect(across, unit) = shape.geometry else { return false };
     let mut to = Scope { ..shape.scope };
     for axis in (0..3).filter(|&axis| axis != across.index()) {
         if shape.scope.size[axis] <= 0.0 {
@@ -82,7 +82,7 @@ fn rectangle(shape: &mut ShapeRef<'_>, distance: f64) -> bool {
         }
     }
     to.size[across.index()] = 0.0;
-    shape.scope = to;
+    (shape.scope, shape.geometry) = (to, Geometry::Rect(across, unit.plain()));
     true
 }
 
