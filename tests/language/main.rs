@@ -11,6 +11,7 @@ mod chance;
 mod dynamic;
 mod imports;
 mod locals;
+mod old_spellings;
 mod operators;
 mod overloads;
 mod run;

@@ -136,7 +136,7 @@ pub(super) static GEOMETRY: &[Function] = &[
         "whether all faces are flat, within so many degrees",
     ),
     both("geometry.isOriented", "geometry_is_oriented", &[DIRECTION], B, "whether a face looks there"),
-    shape("geometry.groups", "geometry_groups", &[], TS, "the names of the groups that have faces"),
+    both("geometry.groups", "geometry_groups", &[], TS, "the names of the groups that have faces"),
     shape("geometry.materials", "geometry_materials", &[], TS, "the names of the materials that faces have"),
 ];
 

@@ -22,6 +22,12 @@ use folder::Listing;
 /// Names that led to no mesh and are remembered; others are looked up each time, so that memory stays bounded.
 const FAILURES_KEPT: usize = 10_000;
 
+/// Textures that are always there (*Built-in assets and textures*).
+const BUILTINS: [&str; 2] = ["builtin:default", "builtin:uvtest.png"];
+
+/// The names of `primitiveCube` up to 2016.0, as an asset (*CGA changelog 2016.0*).
+pub(crate) const CUBES: [&str; 2] = ["builtin:cube", "builtin:cube:notex"];
+
 /// Files that can be used, by what their names end with: images, whose paths go into models, material and text files, tables.
 /// Meshes are asked for themselves.
 const USABLE: [&str; 10] = ["bmp", "gif", "jpg", "jpeg", "png", "tif", "tiff", "mtl", "txt", "csv"];
@@ -78,7 +84,7 @@ impl Assets {
 
     /// Whether there is such a file or mesh, and it is of a kind that can be used.
     pub(crate) fn exists(&self, name: &str) -> bool {
-        if self.given.contains_key(name) {
+        if self.given.contains_key(name) || BUILTINS.contains(&name) || CUBES.contains(&name) {
             return true;
         }
         let end = Path::new(name).extension().and_then(|end| end.to_str()).unwrap_or_default();

@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3};
 
 use super::primitive::fill_plainly;
 use super::settle;
-use crate::asset::AssetError;
+use crate::asset::{AssetError, CUBES};
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::mesh::Mesh;
@@ -52,8 +52,8 @@ pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text) {
 /// `i(file, yUp | zUp, insertMode, cleanupMode)` (*i operation*). Both modes of cleaning up give the same geometry; see
 /// [`CleanupMode`].
 pub fn insert_with(env: &mut Env, shape: &mut ShapeRef<'_>, file: Text, up: UpAxis, mode: InsertMode, _: CleanupMode) {
-    // *i operation* up to 2016.0; old rule files are full of it.
-    if matches!(file.as_str(), "builtin:cube" | "builtin:cube:notex") {
+    // Old rule files are full of it.
+    if CUBES.contains(&file.as_str()) {
         return insert_box(env, shape, mode);
     }
     let assets = Arc::clone(&env.settings.assets);
@@ -89,6 +89,7 @@ fn place(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>, mode: InsertM
     let (low, size) = (mesh.bounds().low, mesh.bounds().size());
     arrange(env, shape, low, size, mode);
     shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size, mesh, inserted: Inserted::Asset, mirrored: false }));
+    super::inserted(env, shape);
     super::trim(env, shape);
 }
 

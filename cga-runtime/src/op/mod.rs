@@ -58,6 +58,13 @@ pub(crate) fn settle(env: &mut Env, shape: &mut ShapeRef<'_>, before: &Scope, wh
     }
 }
 
+/// Notes that the geometry is no longer the initial shape's: its groups have not that one's name.
+pub(crate) fn inserted(env: &Env, shape: &mut ShapeRef<'_>) {
+    if !env.initial.name.is_empty() {
+        shape.state.change().foreign = true;
+    }
+}
+
 /// A length in metres, or relative to the scope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Length {

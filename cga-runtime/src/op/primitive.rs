@@ -178,6 +178,7 @@ fn fill_to_size(env: &mut Env, shape: &mut ShapeRef<'_>, made: Made, size: DVec3
 /// Replaces the geometry by a box or a rectangle.
 pub(super) fn fill_plainly(env: &mut Env, shape: &mut ShapeRef<'_>, geometry: Geometry) {
     shape.geometry = geometry;
+    super::inserted(env, shape);
     if env.initial.as_meshes {
         shape.hold_as_mesh();
     }
@@ -189,6 +190,7 @@ fn put(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>) {
     let bounds = mesh.bounds();
     let placed = Placed { mesh, low: bounds.low, size: bounds.size(), inserted: Inserted::Asset, mirrored: false };
     shape.geometry = Geometry::Mesh(Arc::new(placed));
+    super::inserted(env, shape);
     // A size of zero flattens it.
     shape.resize(shape.scope.size);
     super::trim(env, shape);

@@ -46,7 +46,9 @@ fn cut(shape: &mut ShapeRef<'_>, plane: &TrimPlane) {
         return;
     }
     shape.geometry = match kept {
-        Some(mesh) => Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size, inserted: Inserted::No, ..placed })),
+        Some(mesh) => {
+            Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size, inserted: Inserted::No, ..placed }))
+        }
         None => Geometry::Empty,
     };
 }

@@ -307,9 +307,22 @@ fn names_are_those_that_faces_have() {
     builder.materials([named("brick"), named("tile"), named("unused")]);
     let shape = Shape::mesh(builder.build().expect("three faces"));
     let strings = |list: Array<crate::text::Text>| list.as_slice().iter().map(ToString::to_string).collect::<Vec<_>>();
-    assert_eq!(strings(geometry_groups(&shape)), ["wall", "roof", ""]);
+    let env = &mut Env::for_tests();
+    assert_eq!(strings(geometry_groups(env, &shape)), ["wall", "roof", ""]);
     assert_eq!(strings(geometry_materials(&shape)), ["brick", "tile"]);
-    assert_eq!(strings(geometry_groups(&Shape::cuboid(1.0, 1.0, 1.0))), [""]);
+    assert_eq!(strings(geometry_groups(env, &Shape::cuboid(1.0, 1.0, 1.0))), [""]);
+    // *CGA changelog 2021.0*: the initial shape's name, until something is inserted.
+    for start in [Shape::rectangle(2.0, 1.0), Shape::rectangle(2.0, 1.0).held_as_meshes(), shape] {
+        let mut shape = start.named("Lot 7");
+        let env = &mut Env::new(&Settings::default(), &[], &shape, "Init");
+        assert_eq!(strings(geometry_groups(env, &shape)).last().map(String::as_str), Some("Lot 7"));
+        op::extrude(env, &mut shape, Absolute(1.0));
+        assert_eq!(strings(geometry_groups(env, &shape)).last().map(String::as_str), Some("Lot 7"));
+        op::cube(env, &mut shape);
+        assert_eq!(strings(geometry_groups(env, &shape)), [""]);
+        op::cylinder(env, &mut shape);
+        assert_eq!(strings(geometry_groups(env, &shape)), [""]);
+    }
     assert_eq!(strings(geometry_materials(&Shape::mesh(Mesh::default()))), [""; 0]);
 }
 

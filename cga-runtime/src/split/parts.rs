@@ -217,7 +217,13 @@ impl<'s> Parts<'s> {
             scope.size = DVec3::select(spans, scope.size, bounds.size() * stretch);
             (low, fit) = (bounds.low, bounds.size());
         }
-        Geometry::Mesh(Arc::new(Placed { mesh: mesh.clone(), low, size: fit, inserted: Inserted::No, mirrored: whole.mirrored }))
+        Geometry::Mesh(Arc::new(Placed {
+            mesh: mesh.clone(),
+            low,
+            size: fit,
+            inserted: Inserted::No,
+            mirrored: whole.mirrored,
+        }))
     }
 }
 
