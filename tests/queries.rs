@@ -177,12 +177,13 @@ fn primitives_are_instances_until_they_are_changed() {
             Lot --> [ extrude(2) Asked ] primitiveQuad() Asked s(5, 4, 3) primitiveCube() Asked t(1, 0, 0) r(0, 20, 0) s('2, '1, '1) Asked
                 split(x) { ~1 : Asked | ~1 : i("builtin:cube") Asked } Parts
             Parts --> primitiveCube() split(x) { ~1 : Asked } [ comp(f) { top : Asked | bottom : primitiveQuad() Asked } ] mirror(true, false, false) Asked
+                primitiveCube() comp(g) { all : Asked } comp(f) { all = Asked } comp(m) { all = Asked }
             Asked --> print(geometry.isInstanced) NIL
         "#;
     }
     for shape in [lot(), lot().held_as_meshes()] {
         let lines = printed(&Instances::default().generate(&shape).expect("no limit"));
-        assert_eq!(lines.join(" "), "false true true true false true false false true false");
+        assert_eq!(lines.join(" "), "false true true true false true false false true false false false false");
     }
 }
 

@@ -15,7 +15,7 @@ pub(crate) struct State {
     pub(crate) trim: Trim,
     /// `initialShape.name`.
     pub(crate) name: Text,
-    /// Whether the geometry was inserted: it does not come from the initial shape. Kept only where that has a name.
+    /// Whether the geometry was inserted and so does not come from the initial shape. Unused where that has no name.
     pub(crate) foreign: bool,
     /// Of the initial shape: the width of the street at each edge.
     pub(crate) street_widths: Arc<[f64]>,

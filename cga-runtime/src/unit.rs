@@ -27,9 +27,9 @@ struct Unit {
     /// What is between two planes across an axis, by axis and [`Band`].
     parts: [OnceLock<UnitMesh>; 9],
     grown: OnceLock<UnitMesh>,
-    /// The same mesh, as an operation has inserted it.
+    /// The same mesh as an operation inserts it.
     inserted: OnceLock<UnitMesh>,
-    /// Of an inserted one: the same mesh after a change that leaves it as it is.
+    /// The unit that an inserted one was made from.
     plain: Option<UnitMesh>,
 }
 
@@ -113,8 +113,7 @@ impl UnitMesh {
         UnitMesh::rectangle(across).as_inserted()
     }
 
-    /// The same mesh, as an operation has inserted it (*geometry.isInstanced function*). What cuts and other changes make of it
-    /// was not inserted.
+    /// The same mesh as an operation inserts it (*geometry.isInstanced function*). Its parts are not inserted ones.
     fn as_inserted(self) -> Self {
         *self.0.inserted.get_or_init(|| {
             let Unit { mesh, faces, face_count, .. } = self.0;
@@ -128,7 +127,7 @@ impl UnitMesh {
         self.0.plain.is_some()
     }
 
-    /// The same mesh, not as it was inserted.
+    /// The same mesh without the mark of an insertion.
     #[inline]
     pub(crate) fn plain(self) -> Self {
         self.0.plain.unwrap_or(self)
@@ -316,7 +315,7 @@ fn key(mesh: &Mesh) -> Vec<u32> {
 
 impl PartialEq for UnitMesh {
     fn eq(&self, other: &Self) -> bool {
-        // Inserted or not, the meshes are one.
+        // Inserted units share the mesh of the plain one.
         Arc::ptr_eq(&self.0.mesh, &other.0.mesh)
     }
 }

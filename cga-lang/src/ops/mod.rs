@@ -88,7 +88,7 @@ pub enum Block {
     Sections,
     /// `selector : operations`, as in a comp, with the selectors of those places.
     Arms(Places),
-    /// The same, with the selectors of the components that the first argument names.
+    /// `selector : operations`, with the selectors of the components that the first argument names.
     Components,
     /// Operations.
     Ops,

@@ -58,7 +58,7 @@ pub(crate) fn settle(env: &mut Env, shape: &mut ShapeRef<'_>, before: &Scope, wh
     }
 }
 
-/// Notes that the geometry is no longer the initial shape's: its groups have not that one's name.
+/// Marks geometry that does not come from the initial shape: its groups do not have that shape's name.
 pub(crate) fn inserted(env: &Env, shape: &mut ShapeRef<'_>) {
     if !env.initial.name.is_empty() {
         shape.state.change().foreign = true;
