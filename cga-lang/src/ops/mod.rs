@@ -152,6 +152,9 @@ pub enum Default {
     Word(&'static str),
 }
 
+/// Words, each with another name.
+type Pairs = &'static [(&'static str, &'static str)];
+
 /// What may stand in an argument.
 #[derive(Debug, PartialEq)]
 pub enum ParamKind {
@@ -250,7 +253,7 @@ impl ParamKind {
 
     /// The words that can stand there, without old ones.
     pub fn new_words(&self) -> impl Iterator<Item = &'static str> + Clone + use<> {
-        let (words, old): (&'static [(&str, &str)], &'static [(&str, &str)]) = match self {
+        let (words, old): (Pairs, Pairs) = match self {
             ParamKind::Word { words, old, .. } => (words, old),
             _ => (&[], &[]),
         };
