@@ -168,3 +168,63 @@ fn a_flood_of_reports_and_lines_is_dammed() {
     let kinds: Vec<_> = model.faults().iter().map(|fault| fault.kind).collect();
     assert_eq!(kinds, [FaultKind::Limit, FaultKind::Limit]);
 }
+
+#[test]
+fn primitives_are_instances_until_they_are_changed() {
+    cga! {
+        grammar Instances = r#"
+            version "2025.1"
+            Lot --> [ extrude(2) Asked ] primitiveQuad() Asked s(5, 4, 3) primitiveCube() Asked t(1, 0, 0) r(0, 20, 0) s('2, '1, '1) Asked
+                split(x) { ~1 : Asked | ~1 : i("builtin:cube") Asked } Parts
+            Parts --> primitiveCube() split(x) { ~1 : Asked } [ comp(f) { top : Asked | bottom : primitiveQuad() Asked } ] mirror(true, false, false) Asked
+                primitiveCube() comp(g) { all : Asked } comp(f) { all = Asked } comp(m) { all = Asked }
+            Asked --> print(geometry.isInstanced) NIL
+        "#;
+    }
+    for shape in [lot(), lot().held_as_meshes()] {
+        let lines = printed(&Instances::default().generate(&shape).expect("no limit"));
+        assert_eq!(lines.join(" "), "false true true true false true false false true false false false false");
+    }
+}
+
+#[test]
+fn the_group_of_an_initial_shape_is_its_name() {
+    cga! {
+        grammar Groups = r#"
+            Lot --> Asked extrude(2) Asked split(x) { ~1 : Asked } comp(g) { all : Asked } [ primitiveCube() Asked ]
+            Asked --> print(geometry.groups) NIL
+        "#;
+    }
+    for shape in [lot().named("Lot 7"), lot().named("Lot 7").held_as_meshes()] {
+        let mut lines = printed(&Groups::default().generate(&shape).expect("no limit"));
+        lines.sort();
+        assert_eq!(lines, ["(1)[Lot 7]", "(1)[Lot 7]", "(1)[Lot 7]", "(1)[Lot 7]", "(1)[]"]);
+    }
+    assert_eq!(printed(&Groups::default().generate(&lot()).expect("no limit")), ["(1)[]"; 5]);
+}
+
+#[test]
+fn builtin_assets_are_always_there() {
+    let model = cga! {
+        Lot --> print(fileExists("builtin:uvtest.png")) print(fileExists("builtin:default")) print(fileExists("builtin:cube"))
+            print(fileExists("builtin:none")) print(fileExists("uvtest.png")) X.
+    };
+    assert_eq!(printed(&model.generate(&lot()).expect("no limit")), ["true", "true", "true", "false", "false"]);
+}
+
+#[test]
+fn a_split_of_several_edges_keeps_the_vertices_that_they_share() {
+    cga! {
+        grammar Edges = r#"
+            Lot --> [ comp(e) { all = Split } ] extrude(5) [ comp(e) { all = Split } ] comp(fe) { all = Split }
+            Split --> split(x) { 4 : Asked | ~1 : Asked }
+            Asked --> print(str(geometry.nEdges) + "/" + geometry.nVertices) comp(e) { all = print(geometry.nVertices) NIL } NIL
+        "#;
+    }
+    let lines = printed(&Edges::default().generate(&lot()).expect("no limit"));
+    // A rectangle, a box, and a box with each edge twice, cut in two.
+    let expected = ["3/4", "4", "3/4", "4", "8/8", "8", "8/8", "8", "16/8", "8", "16/8", "8"];
+    let mut sorted = [lines.clone(), expected.map(str::to_owned).to_vec()];
+    sorted.iter_mut().for_each(|list| list.sort());
+    assert_eq!(sorted[0], sorted[1], "{lines:?}");
+}

@@ -71,6 +71,7 @@ codes! {
     // Arguments and types.
     ArgumentCount "argument_count" Error "An operation or function with the wrong number of arguments.",
     TypeMismatch "type_mismatch" Error "A value of the wrong type.",
+    OutOfRange "out_of_range" Error "An argument outside the values that CGA documents.",
     // Sizes.
     SizeNotPositive "size_not_positive" Warning "A slot whose size is never positive.",
     SlotNeverMade "slot_never_made" Warning "A slot for which the sizes before it never leave room.",
@@ -119,7 +120,10 @@ impl Code {
 
     /// Whether it is an error though rules with it could run: to a limit, or with a fault.
     const fn is_wrong_in_runs(self) -> bool {
-        matches!(self, Code::RepeatNoProgress | Code::EndlessRules | Code::UnknownUvSet | Code::NotAColor)
+        matches!(
+            self,
+            Code::RepeatNoProgress | Code::EndlessRules | Code::UnknownUvSet | Code::NotAColor | Code::OutOfRange
+        )
     }
 
     /// Whether `@Allow`, `@Warn` and `@Deny` may change its level: then the rules have a meaning all the same.

@@ -28,4 +28,5 @@ pub(crate) const ANNOTATIONS: &[&str] = &[
     "InPoint",
     "InPointCloud",
     "Out",
+    "Location",
 ];

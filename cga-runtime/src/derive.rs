@@ -14,7 +14,7 @@ use crate::grammar::Rules;
 use crate::place;
 use crate::report::{Collection, Print, Reports};
 use crate::settings::Settings;
-use crate::shape::{Geometry, Shape, ShapeRef};
+use crate::shape::{Geometry, Inserted, Shape, ShapeRef};
 use crate::sink::{Flow, Leaf, Sink};
 
 /// How much of the stack direct calls may use, in the units of generated code: about a kilobyte each in a build without
@@ -148,7 +148,7 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Flow::Continue(()),
             Geometry::Mesh(placed) => {
                 let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);
-                if placed.whole {
+                if placed.inserted == Inserted::Asset {
                     self.sink.instance(&leaf, &placed.mesh, &placement)
                 } else {
                     self.sink.mesh(&leaf, &placed.mesh, &placement)

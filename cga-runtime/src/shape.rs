@@ -93,6 +93,26 @@ impl Geometry {
     pub(crate) fn has_surface(&self) -> bool {
         matches!(self, Geometry::Rect(..) | Geometry::Box(_) | Geometry::Mesh(_))
     }
+
+    /// Whether it is as it was inserted.
+    pub(crate) fn inserted(&self) -> Inserted {
+        match self {
+            Geometry::Rect(_, unit) | Geometry::Box(unit) if unit.is_inserted() => Inserted::Plain,
+            Geometry::Mesh(placed) => placed.inserted,
+            _ => Inserted::No,
+        }
+    }
+}
+
+/// Whether geometry is as it was inserted (*geometry.isInstanced function*).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Inserted {
+    /// It was not inserted, or it was changed since.
+    No,
+    /// A box or a rectangle. Sinks get its mesh as any other.
+    Plain,
+    /// An asset or a primitive with a mesh of its own. Sinks get it as an instance.
+    Asset,
 }
 
 /// A mesh and the box in its own coordinates that the scope stretches it from.
@@ -101,8 +121,7 @@ pub(crate) struct Placed {
     pub(crate) mesh: Arc<Mesh>,
     pub(crate) low: DVec3,
     pub(crate) size: DVec3,
-    /// An inserted asset that nothing has changed since.
-    pub(crate) whole: bool,
+    pub(crate) inserted: Inserted,
     /// Whether the mesh is mirrored itself, so that a scope with a negative size mirrors it back.
     pub(crate) mirrored: bool,
 }
@@ -112,13 +131,14 @@ impl Placed {
     pub(crate) fn fitted(mesh: Mesh) -> Self {
         let bounds = mesh.bounds();
         let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
-        Placed { low, size: bounds.size(), mesh: Arc::new(mesh), whole: false, mirrored: false }
+        Placed { low, size: bounds.size(), mesh: Arc::new(mesh), inserted: Inserted::No, mirrored: false }
     }
 
     /// A box or a rectangle.
     pub(crate) fn unit(unit: UnitMesh) -> Self {
         let (mesh, bounds) = (unit.mesh().clone(), unit.mesh().bounds());
-        Placed { mesh, low: bounds.low, size: bounds.size(), whole: false, mirrored: false }
+        let inserted = if unit.is_inserted() { Inserted::Plain } else { Inserted::No };
+        Placed { mesh, low: bounds.low, size: bounds.size(), inserted, mirrored: false }
     }
 
     /// Factor from mesh to scope lengths, for each axis.

@@ -15,6 +15,8 @@ pub(crate) struct State {
     pub(crate) trim: Trim,
     /// `initialShape.name`.
     pub(crate) name: Text,
+    /// Whether the geometry was inserted and so does not come from the initial shape. Unused where that has no name.
+    pub(crate) foreign: bool,
     /// Of the initial shape: the width of the street at each edge.
     pub(crate) street_widths: Arc<[f64]>,
     /// Of the initial shape: whether boxes and rectangles are held as meshes, which changes no result.
@@ -39,6 +41,7 @@ impl Default for State {
             attributes: Vec::new(),
             trim: Trim::DEFAULT,
             name: Text::default(),
+            foreign: false,
             street_widths: Arc::default(),
             as_meshes: false,
         }

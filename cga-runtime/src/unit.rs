@@ -27,6 +27,10 @@ struct Unit {
     /// What is between two planes across an axis, by axis and [`Band`].
     parts: [OnceLock<UnitMesh>; 9],
     grown: OnceLock<UnitMesh>,
+    /// The same mesh as an operation inserts it.
+    inserted: OnceLock<UnitMesh>,
+    /// The unit that an inserted one was made from.
+    plain: Option<UnitMesh>,
 }
 
 /// A face of a unit mesh.
@@ -101,7 +105,32 @@ impl UnitMesh {
     /// The box that `primitiveCube` makes.
     pub(crate) fn cube() -> Self {
         static CUBE: OnceLock<UnitMesh> = OnceLock::new();
-        *CUBE.get_or_init(|| UnitMesh::shared(primitive::cube()))
+        *CUBE.get_or_init(|| UnitMesh::shared(primitive::cube()).as_inserted())
+    }
+
+    /// The rectangle that `primitiveQuad` makes across an axis.
+    pub(crate) fn quad(across: Axis) -> Self {
+        UnitMesh::rectangle(across).as_inserted()
+    }
+
+    /// The same mesh as an operation inserts it (*geometry.isInstanced function*). Its parts are not inserted ones.
+    fn as_inserted(self) -> Self {
+        *self.0.inserted.get_or_init(|| {
+            let Unit { mesh, faces, face_count, .. } = self.0;
+            let unit = Unit { plain: Some(self), ..Unit::with(mesh.clone(), *faces, *face_count) };
+            UnitMesh(Box::leak(Box::new(unit)))
+        })
+    }
+
+    /// Whether an operation has inserted it, and nothing has changed it since.
+    pub(crate) fn is_inserted(self) -> bool {
+        self.0.plain.is_some()
+    }
+
+    /// The same mesh without the mark of an insertion.
+    #[inline]
+    pub(crate) fn plain(self) -> Self {
+        self.0.plain.unwrap_or(self)
     }
 
     /// A rectangle across an axis, looking along it.
@@ -155,7 +184,7 @@ impl UnitMesh {
     #[inline]
     pub(crate) fn part(self, axis: Axis, band: Band) -> Self {
         if band == Band::All {
-            return self;
+            return self.plain();
         }
         match self.0.parts[3 * axis.index() + band as usize].get() {
             Some(part) => *part,
@@ -167,7 +196,7 @@ impl UnitMesh {
     fn cut(self, axis: Axis, band: Band) -> Self {
         let made = || match cut::slabs(&self.0.mesh, axis, &[0.25, 0.75]).parts.get(band as usize) {
             Some(Some(part)) => UnitMesh::shared(stretched(part)),
-            _ => self,
+            _ => self.plain(),
         };
         *self.0.parts[3 * axis.index() + band as usize].get_or_init(made)
     }
@@ -204,19 +233,27 @@ impl UnitMesh {
         for (here, there) in from.corners().iter().zip(to.corners()) {
             points[*here as usize] = to.points()[*there as usize];
         }
-        UnitMesh::shared(Mesh { corners: from.corners.clone(), ..to.with_points(points) })
+        let turned = UnitMesh::shared(Mesh { corners: from.corners.clone(), ..to.with_points(points) });
+        if self.is_inserted() { turned.as_inserted() } else { turned }
     }
 }
 
 impl Unit {
     fn new(mesh: Mesh) -> Self {
         let face = |number: usize| UnitFace::of(&mesh, number % mesh.face_count());
+        let (faces, face_count) = ([0, 1, 2, 3, 4, 5].map(face), mesh.face_count());
+        Unit::with(Arc::new(mesh), faces, face_count)
+    }
+
+    fn with(mesh: Arc<Mesh>, faces: [UnitFace; 6], face_count: usize) -> Self {
         Unit {
-            faces: [0, 1, 2, 3, 4, 5].map(face),
-            face_count: mesh.face_count(),
+            mesh,
+            faces,
+            face_count,
             parts: [const { OnceLock::new() }; 9],
             grown: OnceLock::new(),
-            mesh: Arc::new(mesh),
+            inserted: OnceLock::new(),
+            plain: None,
         }
     }
 }
@@ -278,7 +315,8 @@ fn key(mesh: &Mesh) -> Vec<u32> {
 
 impl PartialEq for UnitMesh {
     fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self.0, other.0)
+        // Inserted units share the mesh of the plain one.
+        Arc::ptr_eq(&self.0.mesh, &other.0.mesh)
     }
 }
 

@@ -1,5 +1,7 @@
 //! Edges and points without faces: what comps into edges and vertices make of several at once.
 
+use std::collections::HashMap;
+
 use glam::DVec3;
 
 use crate::mesh::{Bounds, unit};
@@ -45,22 +47,38 @@ impl Wire {
         moved
     }
 
-    /// What is between two places along a direction, edges cut off there. What lies across at a place is below it.
+    /// What is between two places along a direction, edges cut off there. What lies across at a place is below it. Points that
+    /// edges share they share in the part too (*CGA changelog, SDK 3.3.11351*).
     pub(crate) fn between(&self, along: DVec3, low: f64, high: f64) -> Wire {
         let mut part = Wire::default();
+        let mut numbers = HashMap::new();
         for (edge, &normal) in (0..self.edges.len()).zip(&self.normals) {
             let [a, b] = self.ends(edge);
             let (from, to) = (a.dot(along), b.dot(along));
             if from.max(to) <= low || high < from.min(to) || (high == from.min(to) && from != to) {
                 continue;
             }
-            let at = |place: f64, end: DVec3, own: f64| {
+            let [first, last] = self.edges[edge];
+            // Edges between the same points are cut at one point, whichever way they run.
+            let (min, max) = (first.min(last), first.max(last));
+            let [start, end] = [min, max].map(|point| self.points[point as usize]);
+            let own = start.dot(along);
+            let mut number = |point: u32, place: f64| {
                 let inside = place.clamp(low, high);
-                if inside == place { end } else { a + (b - a) * ((inside - own) / (to - from)) }
+                let (key, found) = match inside == place {
+                    true => (End::Point(point), self.points[point as usize]),
+                    false if inside == low => {
+                        (End::Low(min, max), cut_at(start, end, (low - own) / (end.dot(along) - own)))
+                    }
+                    false => (End::High(min, max), cut_at(start, end, (high - own) / (end.dot(along) - own))),
+                };
+                *numbers.entry(key).or_insert_with(|| {
+                    part.points.push(found);
+                    part.points.len() as u32 - 1
+                })
             };
-            let first = part.points.len() as u32;
-            part.points.extend([at(from, a, from), at(to, b, from)]);
-            part.edges.push([first, first + 1]);
+            let cut = [number(first, from), number(last, to)];
+            part.edges.push(cut);
             part.normals.push(normal);
         }
         if self.edges.is_empty() {
@@ -78,6 +96,18 @@ impl Wire {
     pub(crate) fn ends(&self, edge: usize) -> [DVec3; 2] {
         self.edges[edge].map(|point| self.points[point as usize])
     }
+}
+
+/// An end of an edge of a part: a point of the wire, or the cut of the edge between two points.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum End {
+    Point(u32),
+    Low(u32, u32),
+    High(u32, u32),
+}
+
+fn cut_at(start: DVec3, end: DVec3, share: f64) -> DVec3 {
+    start + (end - start) * share
 }
 
 /// A wire and the box in its own coordinates that the scope stretches it from.

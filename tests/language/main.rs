@@ -12,6 +12,7 @@ mod chance;
 mod dynamic;
 mod imports;
 mod locals;
+mod old_spellings;
 mod operators;
 mod overloads;
 mod prints;

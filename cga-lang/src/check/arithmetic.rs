@@ -1,14 +1,10 @@
-//! What stands in expressions: division by zero, texture layers that do not exist, conditions that are always the same.
+//! What stands in expressions: division by zero, arguments out of bounds, conditions that are always the same.
 
-use super::flow::{Facts, Flow, Turn, Value};
-use super::{Cx, Use, branches, colour};
-use crate::ast::{Arg, Binary, Expr, ExprKind};
+use super::flow::{Facts, Flow, Turn};
+use super::{Cx, Use, bounds, branches, colour};
+use crate::ast::{Binary, Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::Diags;
-use crate::ops::{Operation, Param};
-
-/// The last texture layer (*texturing*: from 0 on).
-const LAST_LAYER: f64 = 9.0;
 
 /// Looks at an expression and its parts.
 pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
@@ -23,8 +19,8 @@ pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
         ExprKind::Case(arms, other) => return case(arms, other, facts, (facts, &mut Vec::new()), flow, cx, diags),
         ExprKind::Call(name, args) => {
             if let Some(Use::Builtin(row)) = cx.tables.of(name) {
-                layers(row.params, args.iter(), facts, flow, diags);
                 let args: Vec<&Expr> = args.iter().collect();
+                bounds::check(row.params, &args, facts, flow, diags);
                 colour::check(cx.globals.program, row.params, &args, facts, flow, diags);
             }
         }
@@ -64,23 +60,5 @@ fn case<'e>(
         (Some(here), ExprKind::Case(arms, other)) => case(arms, other, &here, (first, before), flow, cx, diags),
         (Some(here), _) => check(other, &here, flow, cx, diags),
         (None, _) => {}
-    }
-}
-
-/// Looks at the arguments of an operation.
-pub(super) fn operation(row: &Operation, args: &[Arg], facts: &Facts, flow: &Flow, diags: &mut Diags) {
-    layers(row.params, args.iter().map(|arg| &arg.value), facts, flow, diags);
-}
-
-/// Texture layers are numbered.
-fn layers<'e>(params: &[Param], args: impl Iterator<Item = &'e Expr>, facts: &Facts, flow: &Flow, diags: &mut Diags) {
-    for (_, arg) in params.iter().zip(args).filter(|(param, _)| param.name.starts_with("uvSet")) {
-        let Value::Number(number) = flow.value(arg, facts) else { continue };
-        if number.is_odd() || 0.0 <= number.hi && number.lo <= LAST_LAYER {
-            continue;
-        }
-        let shown = number.known().map_or_else(|| "this".to_owned(), super::size::shown);
-        let diag = diags.report(Code::UnknownUvSet, arg.span, format!("{shown} is not the number of a uv set"));
-        diag.note("uv sets are numbered from 0 to 9");
     }
 }

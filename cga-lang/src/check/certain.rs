@@ -4,11 +4,12 @@ use super::flow::{Attrs, Calls, Facts, Flow, Known, Site};
 use super::readings::Readings;
 use super::texture::Projected;
 use super::{
-    Cx, Item, arithmetic, assets, branches, colour, defaults, ends, hidden, reach, repeat, size, texture, trailing,
-    unused,
+    Cx, Item, arithmetic, assets, bounds, branches, colour, defaults, ends, hidden, reach, repeat, size, texture,
+    trailing, unused,
 };
 use crate::ast::Expr;
 use crate::diag::{Diag, Diags};
+use crate::ops::SPLIT_UV_SET;
 
 pub(super) fn check(cx: &mut Cx) {
     let program = cx.globals.program;
@@ -27,12 +28,16 @@ pub(super) fn check(cx: &mut Cx) {
         values.visit(&cx.globals, rule, &mut |site, facts| {
             assets::check(site, facts, cx, &mut diags);
             match site {
-                Site::Split(_) | Site::TextureSplit(..) => {}
+                Site::Split(_) => {}
+                Site::TextureSplit(split, _) => {
+                    let set: Vec<&Expr> = split.args.get(2).map(|set| &set.value).into_iter().collect();
+                    bounds::check(std::slice::from_ref(&SPLIT_UV_SET), &set, facts, &values, &mut diags);
+                }
                 Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
                 Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
                 Site::Operation(row, args) => {
-                    arithmetic::operation(row, args, facts, &values, &mut diags);
                     let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
+                    bounds::check(row.params, &args, facts, &values, &mut diags);
                     colour::check(program, row.params, &args, facts, &values, &mut diags);
                 }
                 Site::Set(row, value) if row.name == "material.color.rgb" => colour::text(program, value, &mut diags),
@@ -80,7 +85,7 @@ fn divisions(rule: usize, flow: &Flow, projected: Projected, cx: &Cx) -> Vec<Dia
             size::check(slots, facts, &cx.tables, &mut diags);
             repeat::check(slots, &mut diags);
         }
-        Site::TextureSplit(split, set) => texture::check(split, *set, projected, facts, &mut diags),
+        Site::TextureSplit(split, Some(set)) => texture::check(split, *set, projected, facts, &mut diags),
         _ => {}
     });
     diags.finish()

@@ -7,7 +7,7 @@ use crate::code::Code;
 use crate::diag::Diags;
 use crate::ir::Type;
 use crate::link::InstanceId;
-use crate::ops::{self, Run};
+use crate::ops::{self, Operation, Param, ParamKind, Run};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
@@ -49,14 +49,28 @@ pub(super) fn values(cx: &mut Cx) {
             }
         }
     }
-    // What runs today cannot be called any more. A rule with the name of what does not run yet is called instead.
+}
+
+/// Rules that an operation hides: they have its name and parameters of its types. A rule with the name of an operation that
+/// does not run yet is called instead.
+pub(super) fn operations(cx: &mut Cx) {
     for item in &cx.globals.rules {
+        let types: Vec<_> = item.decl.params.iter().map(|param| cx.tables.types.get(&param.id()).copied()).collect();
         let rows = ops::operations(&item.decl.name.text).filter(|row| row.run != Run::Later);
-        if let Some(row) = rows.into_iter().find(|row| row.takes(item.decl.params.len())) {
+        if let Some(row) = rows.into_iter().find(|row| hides(row, &types)) {
             let message = format!("`{}` is an operation, so this rule could never be called", arity::usage(row));
             cx.diags.report(Code::DuplicateName, item.decl.name.span, message).help("give the rule another name");
         }
     }
+}
+
+/// Whether an operation is called wherever a rule with parameters of these types could be.
+fn hides(row: &Operation, types: &[Option<Type>]) -> bool {
+    let takes = |(param, ty): (&Param, &Option<Type>)| match &param.kind {
+        ParamKind::Any => true,
+        kind => ty.is_none() || kind.ty() == *ty,
+    };
+    row.takes(types.len()) && (!row.overloads || row.params.iter().zip(types).all(takes))
 }
 
 /// Instance, style, name and types of parameters.

@@ -7,6 +7,7 @@ mod annotations;
 mod arithmetic;
 mod arity;
 mod assets;
+mod bounds;
 mod branches;
 mod certain;
 mod colour;
@@ -142,6 +143,7 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
         return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), misfit, wanted, unsuited: Vec::new() };
     }
     annotations::read(&mut cx);
+    duplicates::operations(&mut cx);
     duplicates::overloads(&mut cx);
     duplicates::styles(&mut cx);
     cycles::find(&mut cx);

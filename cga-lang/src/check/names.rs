@@ -148,6 +148,7 @@ impl<'a> Scope<'_, 'a, '_> {
             Use::Builtin(Function { run: Run::Later, about, .. }) => {
                 self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, about)));
             }
+            Use::Builtin(row) => self.deprecated(name, row.old),
             Use::Shape(row) => {
                 if row.get == Run::Later {
                     self.not_implemented(name.span, &format!("`{}`", name.text), None);
@@ -273,11 +274,13 @@ impl<'a> Scope<'_, 'a, '_> {
             let is_word =
                 |row: &&Function| matches!(row.params[index].kind, ParamKind::Word { .. } | ParamKind::Selector);
             if candidates.is_empty() && !fitting.is_empty() && fitting.iter().all(is_word) {
-                let words = |row: &&'static Function| match &row.params[index].kind {
-                    ParamKind::Word { words, .. } => *words,
-                    _ => &[],
-                };
-                let words: Vec<&str> = fitting.iter().flat_map(words).map(|(word, _)| *word).collect();
+                let words = |row: &&'static Function| row.params[index].kind.new_words();
+                let words: Vec<&str> = fitting.iter().flat_map(words).collect();
+                let kinds = fitting.iter().map(|row| &row.params[index].kind);
+                if let Some((old, new)) = kinds.filter_map(|kind| kind.old_word(arg.word()?)).next() {
+                    self.old_word(old, new, arg.span);
+                    continue;
+                }
                 if fitting.iter().any(|row| row.params[index].kind == ParamKind::Selector) {
                     self.selector(arg, Places::FACES);
                 } else {
@@ -312,7 +315,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let row = rows[0];
         for (param, arg) in row.params.iter().zip(args) {
             match &param.kind {
-                ParamKind::Word { words, .. } => self.word_expr(row.name, words.iter().map(|(word, _)| *word), arg),
+                ParamKind::Word { .. } => self.word_expr(row.name, param.kind.new_words(), arg),
                 ParamKind::Selector => self.selector(arg, Places::FACES),
                 _ => self.expr(arg),
             }

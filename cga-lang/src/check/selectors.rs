@@ -3,7 +3,7 @@
 use super::arity::wrong_count;
 use super::names::Scope;
 use super::{Use, shapes, words};
-use crate::ast::{Arg, Binary, Comp, CompArm, CompValue, Expr, ExprKind, Name, Split, SplitItem, Unary};
+use crate::ast::{Arg, ArmMode, Binary, Comp, CompArm, CompValue, Expr, ExprKind, Name, Split, SplitItem, Unary};
 use crate::code::Code;
 use crate::diag::Diag;
 use crate::ir::Axis;
@@ -48,7 +48,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.word("split", ["uvSpace", "unitSpace"].into_iter(), space);
             }
             if let Some(set) = split.args.get(2) {
-                self.expr(&set.value);
+                self.values(std::slice::from_ref(set));
             }
             if !(2..=3).contains(&split.args.len()) {
                 wrong_count(self.cx, "operation", &split.name, vec![2, 3], split.args.len());
@@ -82,18 +82,22 @@ impl<'a> Scope<'_, 'a, '_> {
 
     pub(super) fn comp(&mut self, comp: &'a Comp) {
         let args: Vec<(&Expr, Span)> = comp.args.iter().map(|arg: &Arg| (&arg.value, arg.span)).collect();
-        let place = self.comp_kind(comp.name.span, args.into_iter());
+        let place = self.comp_kind("operation", &comp.name, args.into_iter());
         comp.arms.iter().for_each(|arm| self.arm(arm, place));
     }
 
     pub(super) fn arm(&mut self, arm: &'a CompArm, place: Places) {
         self.selector(&arm.selector, place);
+        if arm.mode == ArmMode::Connected && place != Places::NONE && !place.connects() {
+            let message = "only `comp` and `modify` take `=:`";
+            self.cx.diags.report(Code::Syntax, arm.selector.span, message).help("write `:` or `=`");
+        }
         self.ops(&arm.ops);
     }
 
     /// `comp(f) { selector : value }`.
     pub(super) fn comp_value(&mut self, comp: &'a CompValue) {
-        let place = self.comp_kind(comp.name.span, comp.args.iter().map(|arg| (arg, arg.span)));
+        let place = self.comp_kind("function", &comp.name, comp.args.iter().map(|arg| (arg, arg.span)));
         for (selector, _, value) in &comp.arms {
             self.selector(selector, place);
             // Words ask about the component that is to be selected; the value is none of them.
@@ -104,7 +108,16 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     /// The arguments of a comp: what selectors there are.
-    fn comp_kind<'e>(&mut self, name: Span, mut args: impl Iterator<Item = (&'e Expr, Span)>) -> Places {
+    fn comp_kind<'e>(
+        &mut self,
+        what: &str,
+        name: &Name,
+        args: impl ExactSizeIterator<Item = (&'e Expr, Span)>,
+    ) -> Places {
+        if 2 < args.len() {
+            wrong_count(self.cx, what, name, vec![1, 2], args.len());
+        }
+        let mut args = args;
         let (kind, scope) = (args.next(), args.next());
         let mut place = Places::NONE;
         match kind.map(|(arg, span)| (arg, span, bare(arg).unwrap_or_default())) {
@@ -115,7 +128,7 @@ impl<'a> Scope<'_, 'a, '_> {
             },
             None => {
                 let message = "`comp` needs a kind of component";
-                self.cx.diags.report(Code::UnknownWord, name, message).help("write `comp(f)` for faces");
+                self.cx.diags.report(Code::UnknownWord, name.span, message).help("write `comp(f)` for faces");
             }
         }
         if let Some((arg, span)) = scope {
@@ -142,9 +155,29 @@ impl<'a> Scope<'_, 'a, '_> {
 
     /// Resolves a selector: a word, an index or a condition made of words and values.
     pub(super) fn selector(&mut self, selector: &'a Expr, place: Places) {
+        if place.has_words_only() {
+            return self.only_word(selector, place);
+        }
         let outer = self.place.replace(place);
         self.condition(selector, place);
         self.place = outer;
+    }
+
+    /// Resolves a selector where only words can stand.
+    fn only_word(&mut self, selector: &Expr, place: Places) {
+        match &selector.kind {
+            ExprKind::Error => {}
+            ExprKind::Name(name) => match ops::selector(&name.text) {
+                Some(row) => self.known_selector(name, row, place),
+                None => _ = self.wrong_selector(name, place, &format!("unknown selector `{}`", name.text)),
+            },
+            _ => {
+                let here = ops::selectors().filter(|row| row.on.has(place)).map(|row| format!("`{}`", row.name));
+                let here = here.collect::<Vec<_>>().join(", ");
+                let message = "a selector is a word here, not an index or a condition";
+                self.cx.diags.report(Code::UnknownSelector, selector.span, message).note(format!("there are {here}"));
+            }
+        }
     }
 
     /// Where a name is a bool for certain it is a selector's word if it can be.

@@ -53,6 +53,18 @@ fn decimal(first: &Arg, second: &Arg) -> Option<String> {
     Some(format!("{}.{}", digits(first)?, digits(second)?))
 }
 
+/// The selectors of an operation with braces.
+fn place(row: &Operation, block: &Block) -> Places {
+    match row.block {
+        ops::Block::Arms(place) => place,
+        ops::Block::Sections => Places::PERIMETER,
+        ops::Block::Components => {
+            block.args.first().and_then(word).and_then(ops::component).map_or(Places::FACES, |row| row.place)
+        }
+        _ => Places::NONE,
+    }
+}
+
 impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn ops(&mut self, ops: &'a [Op]) {
         for (index, op) in ops.iter().enumerate() {
@@ -105,7 +117,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     /// Arguments that are plain values.
-    fn values(&mut self, args: &'a [Arg]) {
+    pub(super) fn values(&mut self, args: &'a [Arg]) {
         for arg in args {
             if let Some((prefix, span)) = arg.prefix {
                 self.no_prefix(prefix, span);
@@ -152,7 +164,9 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.operation(&fitting, args);
                 self.about_later(name, Use::Operation(row));
                 self.needs_braces(name, row);
-                self.note_open(name, fitting.into_iter().map(Use::Operation).collect());
+                // The types decide; where they fit both, the operation is called.
+                let rules = rules.into_iter().filter(|_| row.overloads);
+                self.note_open(name, fitting.iter().copied().map(Use::Operation).chain(rules).collect());
             }
         }
     }
@@ -302,9 +316,8 @@ impl<'a> Scope<'_, 'a, '_> {
             match &rows[0].params[index].kind {
                 ParamKind::Word { words, old, .. } => {
                     self.word(rows[0].name, words.iter().map(|(word, _)| *word), arg);
-                    if let Some((word, new)) = old.iter().find(|(old, _)| word(arg) == Some(*old)) {
-                        let message = format!("`{word}` is an old spelling");
-                        self.cx.diags.report(Code::OldSpelling, arg.span, message).help(format!("write `{new}`"));
+                    if let Some((old, new)) = old.iter().find(|(old, _)| word(arg) == Some(*old)) {
+                        self.old_word(old, new, arg.span);
                     }
                 }
                 ParamKind::Selector => self.selector(&arg.value, Places::FACES.and(Places::SETBACK)),
@@ -351,7 +364,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.cx.diags.report(Code::NotAnOperation, name.span, message).suggest(near);
             }
         }
-        let place = self.place(block);
+        let place = rows.first().copied().or_else(|| all().next()).map_or(Places::NONE, |row| place(row, block));
         for part in &block.parts {
             match part {
                 BlockPart::Slots(items, _) => self.items(items),
@@ -365,19 +378,6 @@ impl<'a> Scope<'_, 'a, '_> {
                 BlockPart::Arms(arms) => arms.iter().for_each(|arm| self.arm(arm, place)),
                 BlockPart::Ops(list) => list.iter().for_each(|ops| self.ops(ops)),
             }
-        }
-    }
-
-    /// Which selectors an operation with braces has.
-    fn place(&self, block: &Block) -> Places {
-        match block.name.text.as_str() {
-            "setback" | "setbackPerEdge" | "setbackToArea" => Places::SETBACK,
-            "shapeL" | "shapeU" | "shapeO" | "innerRectangle" => Places::SHAPE,
-            "splitAndSetbackPerimeter" => Places::PERIMETER,
-            "modify" => {
-                block.args.first().and_then(word).and_then(ops::component).map_or(Places::FACES, |row| row.place)
-            }
-            _ => Places::NONE,
         }
     }
 

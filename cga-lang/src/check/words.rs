@@ -1,10 +1,11 @@
 //! Words among arguments: bare, as `sel("word")`, as text in old files, or computed.
 
+use super::arity::wrong_count;
 use super::names::Scope;
 use super::{Door, Use, selectors};
 use crate::ast::{Arg, Expr, ExprKind, Split};
 use crate::code::Code;
-use crate::ops::{Operation, Param, ParamKind};
+use crate::ops::{self, Operation, Param, ParamKind};
 use crate::span::Span;
 use crate::suggest::nearest;
 
@@ -98,7 +99,10 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         }
         match &arg.kind {
-            ExprKind::Call(name, args) if name.text == "sel" => args.iter().for_each(|arg| self.expr(arg)),
+            ExprKind::Call(name, args) if name.text == "sel" => {
+                args.iter().for_each(|arg| self.expr(arg));
+                ops::functions("sel").for_each(|row| self.note(name, Use::Builtin(row)));
+            }
             _ => self.expr(arg),
         }
         self.not_implemented(arg.span, "a word that is computed", None);
@@ -112,8 +116,20 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
+    /// Reports an old word.
+    pub(super) fn old_word(&mut self, old: &str, new: &str, span: Span) {
+        let message = format!("`{old}` is an old spelling");
+        self.cx.diags.report(Code::OldSpelling, span, message).help(format!("write `{new}`"));
+    }
+
     /// The same in an expression.
     pub(super) fn word_expr(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, arg: &Expr) {
+        if let ExprKind::Call(sel, args) = &arg.kind
+            && sel.text == "sel"
+            && args.len() != 1
+        {
+            return wrong_count(self.cx, "function", sel, vec![1], args.len());
+        }
         let found = arg.word().unwrap_or_default();
         let (known, is_text) = (list.clone().any(|word| word == found), matches!(arg.kind, ExprKind::Text(_)));
         match (known, is_text) {

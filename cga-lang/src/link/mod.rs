@@ -25,7 +25,7 @@ pub use asset::Asset;
 pub(crate) use asset::Assets;
 pub(crate) use copies::{Copies, Types, Wanted};
 pub(crate) use overrides::dynamic_calls;
-pub use paths::{candidates, folder};
+pub use paths::{candidates, folder, stray_character};
 pub(crate) use style::Styles;
 
 /// Most instances a program may have: files that import each other twice, level by level, would become millions.
@@ -403,6 +403,11 @@ impl Link<'_> {
             if !import.path.rsplit('/').next().unwrap_or_default().contains('.') {
                 diag.help(format!("write `\"{}.cga\"`", import.path));
             }
+            return None;
+        }
+        if let Some(stray) = stray_character(&import.path) {
+            let message = format!("cannot import `{}`: the name of a rule file has no `{stray}`", import.path);
+            self.diags.report(Code::CannotImport, import.path_span, message).help("rename the file");
             return None;
         }
         let opened = match self.files.open(&import.path, &from_name) {

@@ -56,6 +56,12 @@ pub fn folder(path: &str, from: &str) -> String {
     name.rsplit_once('/').map_or(String::new(), |(folder, _)| if folder.is_empty() { "/" } else { folder }.to_owned())
 }
 
+/// A character of a rule file's name that CGA does not allow there (*CGA changelog 2023.0*).
+pub fn stray_character(path: &str) -> Option<char> {
+    let name = path.rsplit(['/', '\\']).next()?;
+    name.strip_suffix(ENDING)?.chars().find(|character| matches!(character, '$' | '[' | ';' | '.'))
+}
+
 /// A path to the rule file most like it among some names of files in its folder.
 pub(super) fn like(path: &str, names: &[String]) -> Option<String> {
     let (folder, name) = path.split_at(path.rfind(['/', '\\']).map_or(0, |slash| slash + 1));
@@ -79,7 +85,7 @@ fn normal(path: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{candidates, folder, like};
+    use super::{candidates, folder, like, stray_character};
 
     #[test]
     fn a_name_like_it_is_found_in_the_folder() {
@@ -90,6 +96,16 @@ mod tests {
         assert_eq!(folder("../lib/x.cga", "city/rules/a.cga"), "city/lib");
         assert_eq!(folder("x.cga", "a.cga"), "");
         assert_eq!(folder("x.cga", "/a.cga"), "/");
+    }
+
+    #[test]
+    fn a_stray_character_is_one_of_the_name_alone() {
+        for (path, found) in [("a.v2.cga", Some('.')), ("b/a$.cga", Some('$')), ("a[1].cga", Some('[')), (".cga", None)]
+        {
+            assert_eq!(stray_character(path), found, "{path}");
+        }
+        assert_eq!(stray_character("../lib$/v.1/a-b_c.cga"), None);
+        assert_eq!(stray_character("a.b.txt"), None);
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! The functions.
 
 use super::{
-    B, BS, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, queries, set_elements,
-    text, values, word,
+    B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Values, boolean, bounds, float, of, or,
+    queries, set_elements, text, uv_set, values, within, word,
 };
 use crate::ir::Type;
 
@@ -35,13 +35,19 @@ pub static FUNCTIONS: &[&[Function]] = &[
 
 /// A row that does not run yet. What the function will need is said when it does.
 const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
-    Function { name, run: Run::Later, params, ty, needs: Needs::Nothing, pure: false, about }
+    Function { name, run: Run::Later, params, ty, needs: Needs::Nothing, pure: false, old: None, about }
 }
 
 /// A question to a component, which does not run yet.
 const fn asked(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Function {
     Function { run: Run::Now(call), needs: Needs::Component, ..later(name, params, B, about) }
 }
+
+/// *contextCompare*, *contextCount* and *minimumDistance function*.
+static LABELS: Bounds =
+    Bounds { result: Some("no shape has an empty label"), ..bounds(Values::NotEmpty, "a label is not empty") };
+
+const LABEL: Param = within(text("label"), &LABELS);
 
 const TARGET: Param = word("target", "ContextTarget", &[("intra", "Intra"), ("inter", "Inter"), ("all", "All")]);
 
@@ -79,9 +85,9 @@ static CONTEXT: &[Function] = &[
         "whether the shape lies partly inside another closed shape",
     ),
     later("touches", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape touches another closed shape"),
-    later("minimumDistance", &[TARGET, text("label")], F, "the distance to the nearest shape of a label"),
-    later("contextCompare", &[TARGET, text("label"), COMPARISON], F, "the rank among the shapes of a label"),
-    later("contextCount", &[TARGET, text("label")], F, "how many shapes have a label"),
+    later("minimumDistance", &[TARGET, LABEL], F, "the distance to the nearest shape of a label"),
+    later("contextCompare", &[TARGET, LABEL, COMPARISON], F, "the rank among the shapes of a label"),
+    later("contextCount", &[TARGET, LABEL], F, "how many shapes have a label"),
     later("edgeAttr.getFloat", &[text("attributeName")], F, "an attribute of the initial shape's nearest edge"),
     later("edgeAttr.getString", &[text("attributeName")], T, "an attribute of the initial shape's nearest edge"),
     later("edgeAttr.getBool", &[text("attributeName")], B, "an attribute of the initial shape's nearest edge"),
@@ -89,7 +95,7 @@ static CONTEXT: &[Function] = &[
     later("getTreeKey", &[], T, "the way from the initial shape to this one, as a list of numbers"),
 ];
 
-const UV_SET: Param = or(float("uvSet"), Default::Float(0.0));
+const UV_SET: Param = or(uv_set("uvSet"), Default::Float(0.0));
 
 const SURFACE: Param =
     word("surfaceParameterization", "UvSpace", &[("uvSpace", "UvSpace"), ("unitSpace", "UnitSpace")]);
@@ -108,14 +114,14 @@ const SUBCOMPONENT: Param = word("subcomponent", "Subcomponent", &[("e", "Edges"
 
 /// Texture coordinates and tags.
 static GEOMETRY: &[Function] = &[
-    later("geometry.du", &[float("uvSet"), SURFACE], F, "the extent in u, in texture coordinates or about in metres"),
-    later("geometry.dv", &[float("uvSet"), SURFACE], F, "the extent in v, in texture coordinates or about in metres"),
+    later("geometry.du", &[uv_set("uvSet"), SURFACE], F, "the extent in u, in texture coordinates or about in metres"),
+    later("geometry.dv", &[uv_set("uvSet"), SURFACE], F, "the extent in v, in texture coordinates or about in metres"),
     later("geometry.uMin", &[UV_SET], F, "the smallest u"),
     later("geometry.uMax", &[UV_SET], F, "the largest u"),
     later("geometry.vMin", &[UV_SET], F, "the smallest v"),
     later("geometry.vMax", &[UV_SET], F, "the largest v"),
     later("geometry.hasUVs", &[], B, "whether there are texture coordinates"),
-    later("geometry.hasUVs", &[float("uvSet")], B, "whether there are texture coordinates of a set"),
+    later("geometry.hasUVs", &[uv_set("uvSet")], B, "whether there are texture coordinates of a set"),
     later("geometry.tags", &[], TS, "the tags of the components, in order"),
     later("geometry.tags", &[text("tagQuery"), TAGGED], TS, "the tags that match, in order"),
     later("geometry.hasTags", &[], B, "whether components have tags"),

@@ -5,6 +5,11 @@ use super::{B, F, ShapeAttr, T};
 
 const OPACITY: &str = "write `material.opacity`";
 
+/// `material.map3` to `map5`, deprecated by *CGA changelog 2011.1*.
+const fn old_map(name: &'static str, call: &'static str, instead: &'static str) -> ShapeAttr {
+    ShapeAttr { old: Some(instead), ..both(name, call, T) }
+}
+
 pub(super) static MATERIAL: &[ShapeAttr] = &[
     both("material.color.r", "material_color_r", F),
     both("material.color.g", "material_color_g", F),
@@ -89,6 +94,9 @@ pub(super) static MATERIAL: &[ShapeAttr] = &[
     both("material.metallicmap.tu", "material_metallicmap_tu", F),
     both("material.metallicmap.tv", "material_metallicmap_tv", F),
     both("material.metallicmap.rw", "material_metallicmap_rw", F),
+    old_map("material.map3", "material_specularmap", "write `material.specularmap`"),
+    old_map("material.map4", "material_opacitymap", "write `material.opacitymap`"),
+    old_map("material.map5", "material_normalmap", "write `material.normalmap`"),
     both("material.opacitymap.mode", "material_opacitymap_mode", T),
     both("material.opacitymap.cutoff", "material_opacitymap_cutoff", F),
 ];

@@ -14,6 +14,7 @@ mod set_elements;
 mod syntax;
 mod values;
 
+use crate::code::Code;
 use crate::hash::FastMap;
 use crate::ir::Type;
 use std::sync::LazyLock;
@@ -22,7 +23,7 @@ pub use attributes::SHAPE_ATTRS;
 pub use functions::FUNCTIONS;
 pub use operations::OPERATIONS;
 pub use selectors::{COMPONENTS, Component, Places, Selector, component, selector, selectors};
-pub use syntax::{SYNTAX, Syntax, syntax};
+pub use syntax::{SPLIT_UV_SET, SYNTAX, Syntax, syntax};
 
 /// Whether a row of a table can run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +49,8 @@ pub struct Operation {
     pub scope: Effect,
     /// Whether it looks at the state at the start of the rule, bracket or part (`center`).
     pub uses_base: bool,
+    /// Whether a rule of its name with as many parameters of other types can be called (*CGA changelog 2019.1*).
+    pub overloads: bool,
     /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
     pub old: Option<&'static str>,
     /// What it does, in a line.
@@ -83,8 +86,10 @@ pub enum Block {
     Slots,
     /// `length : depth : operations`, repeatable, then a second pair of braces with `remainder : operations`.
     Sections,
-    /// `selector : operations`, as in a comp.
-    Arms,
+    /// `selector : operations`, as in a comp, with the selectors of those places.
+    Arms(Places),
+    /// `selector : operations`, with the selectors of the components that the first argument names.
+    Components,
     /// Operations.
     Ops,
     /// Operations on both sides of `|`.
@@ -102,6 +107,36 @@ pub struct Param {
     pub kind: ParamKind,
     /// What counts when it is left out.
     pub default: Option<Default>,
+    /// The values that the reference allows, where it does not allow all.
+    pub bounds: Option<&'static Bounds>,
+}
+
+/// The documented values of a parameter.
+#[derive(Debug, PartialEq)]
+pub struct Bounds {
+    /// The values that are allowed.
+    pub values: Values,
+    /// The allowed values in words, for a note.
+    pub about: &'static str,
+    /// The code for any other value.
+    pub code: Code,
+    /// The documented result of any other value. Without one the value has no meaning.
+    pub result: Option<&'static str>,
+}
+
+/// A set of values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Values {
+    /// The numbers between two numbers, ends included.
+    Between(f64, f64),
+    /// The whole numbers between two numbers, ends included.
+    Whole(f64, f64),
+    /// The numbers from a number on.
+    AtLeast(f64),
+    /// The numbers above a number.
+    Above(f64),
+    /// Text with at least one character.
+    NotEmpty,
 }
 
 /// What counts when an argument is left out.
@@ -116,6 +151,9 @@ pub enum Default {
     /// One of the parameter's words.
     Word(&'static str),
 }
+
+/// Words, each with another name.
+type Pairs = &'static [(&'static str, &'static str)];
 
 /// What may stand in an argument.
 #[derive(Debug, PartialEq)]
@@ -143,7 +181,7 @@ pub enum ParamKind {
         rust: &'static str,
         /// As written, and the enum's variant.
         words: &'static [(&'static str, &'static str)],
-        /// Words that nobody should write any more, and what to write instead.
+        /// Old words, and what to write instead. They are among `words` too.
         old: &'static [(&'static str, &'static str)],
     },
 }
@@ -163,6 +201,8 @@ pub struct Function {
     pub needs: Needs,
     /// Whether equal arguments always give equal results, so that it may be folded.
     pub pure: bool,
+    /// For an old spelling: what to write instead, as a help line.
+    pub old: Option<&'static str>,
     /// What it gives, in a line.
     pub about: &'static str,
 }
@@ -215,6 +255,23 @@ impl ParamKind {
         matches!(self, ParamKind::Word { words, .. } if words.iter().any(|(own, _)| *own == word))
     }
 
+    /// The words that can stand there, without old ones.
+    pub fn new_words(&self) -> impl Iterator<Item = &'static str> + Clone + use<> {
+        let (words, old): (Pairs, Pairs) = match self {
+            ParamKind::Word { words, old, .. } => (words, old),
+            _ => (&[], &[]),
+        };
+        words.iter().map(|(word, _)| *word).filter(move |word| old.iter().all(|(old, _)| old != word))
+    }
+
+    /// An old word, and what to write instead.
+    pub fn old_word(&self, word: &str) -> Option<(&'static str, &'static str)> {
+        match self {
+            ParamKind::Word { old, .. } => old.iter().copied().find(|(old, _)| *old == word),
+            _ => None,
+        }
+    }
+
     /// Whether one argument can be meant for both.
     pub fn overlaps(&self, other: &ParamKind) -> bool {
         match (self, other) {
@@ -240,9 +297,16 @@ impl ParamKind {
 }
 
 impl ShapeAttr {
-    /// Whether it is the name of an image.
+    /// Whether it is the name of an image. An old name sets the same map as the new one.
     pub fn is_image(&self) -> bool {
-        self.ty == Type::Text && self.name.starts_with("material.") && self.name.ends_with("map")
+        self.ty == Type::Text && matches!(self.set, Some(Run::Now(call)) if call.ends_with("map"))
+    }
+}
+
+impl Block {
+    /// Whether the braces hold parts of the shape, each with operations: a subdivision (*Rule inlining*).
+    pub fn divides(self) -> bool {
+        matches!(self, Block::Slots | Block::Sections | Block::Arms(_) | Block::Ops)
     }
 }
 
@@ -345,7 +409,7 @@ const BS: Type = Type::Bools;
 const TS: Type = Type::Texts;
 
 const fn param(name: &'static str, kind: ParamKind) -> Param {
-    Param { name, kind, default: None }
+    Param { name, kind, default: None, bounds: None }
 }
 
 const fn float(name: &'static str) -> Param {
@@ -377,6 +441,25 @@ const fn of(name: &'static str, ty: Type) -> Param {
 /// A parameter that may be left out.
 const fn or(param: Param, default: Default) -> Param {
     Param { default: Some(default), ..param }
+}
+
+/// A parameter with documented bounds.
+const fn within(param: Param, bounds: &'static Bounds) -> Param {
+    Param { bounds: Some(bounds), ..param }
+}
+
+/// Bounds without a documented result of other values.
+const fn bounds(values: Values, about: &'static str) -> Bounds {
+    Bounds { values, about, code: Code::OutOfRange, result: None }
+}
+
+/// The numbers of uv sets (*texturing*).
+static UV_SETS: Bounds =
+    Bounds { code: Code::UnknownUvSet, ..bounds(Values::Between(0.0, 9.0), "uv sets are numbered from 0 to 9") };
+
+/// The number of a uv set.
+const fn uv_set(name: &'static str) -> Param {
+    within(float(name), &UV_SETS)
 }
 
 /// A parameter for words.

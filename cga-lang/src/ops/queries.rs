@@ -14,7 +14,7 @@ const fn row(
     needs: Needs,
     about: &'static str,
 ) -> Function {
-    Function { name, run: Run::Now(call), params, ty, needs, pure: false, about }
+    Function { name, run: Run::Now(call), params, ty, needs, pure: false, old: None, about }
 }
 
 /// Asks the shape alone.
@@ -50,13 +50,13 @@ const fn run(
     row(name, call, params, ty, Needs::Env, about)
 }
 
-/// The directions that faces can look in; of areas also all.
+/// The directions that faces can look in; of areas also all. `$no_street` is the new spelling of `noStreetSide`, which is
+/// deprecated like `streetSide` (*CGA changelog 2012.1*).
 macro_rules! directions {
-    ($($more:expr),*) => {
-        word(
-            "faceOrientation",
-            "Word",
-            &[
+    ($no_street:literal $(, $more:expr)*) => {
+        param("faceOrientation", ParamKind::Word {
+            rust: "Word",
+            words: &[
                 $($more,)*
                 ("front", "Front"),
                 ("back", "Back"),
@@ -84,13 +84,19 @@ macro_rules! directions {
                 ("street.left", "StreetLeft"),
                 ("street.right", "StreetRight"),
                 ("street.side", "StreetSide"),
+                ("streetSide", "StreetFront"),
+                ("noStreetSide", "NotStreetFront"),
             ],
-        )
+            old: &[("streetSide", "street.front"), ("noStreetSide", $no_street)],
+        })
     };
 }
 
-const FACES: Param = or(directions!(("all", "All"), ("surface", "All")), Default::Word("all"));
-const DIRECTION: Param = directions!();
+const FACES: Param = or(
+    directions!("geometry.area() - geometry.area(street.front)", ("all", "All"), ("surface", "All")),
+    Default::Word("all"),
+);
+const DIRECTION: Param = directions!("geometry.area(street.front) < geometry.area()");
 
 const ANGLE: Param =
     word("angleType", "AngleType", &[("maxSlope", "MaxSlope"), ("azimuth", "Azimuth"), ("zenith", "Zenith")]);
@@ -132,7 +138,7 @@ pub(super) static GEOMETRY: &[Function] = &[
         "whether all faces are flat, within so many degrees",
     ),
     both("geometry.isOriented", "geometry_is_oriented", &[DIRECTION], B, "whether a face looks there"),
-    shape("geometry.groups", "geometry_groups", &[], TS, "the names of the groups that have faces"),
+    both("geometry.groups", "geometry_groups", &[], TS, "the names of the groups that have faces"),
     shape("geometry.materials", "geometry_materials", &[], TS, "the names of the materials that faces have"),
 ];
 

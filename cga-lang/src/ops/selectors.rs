@@ -75,6 +75,17 @@ impl Places {
         Places(self.0 & !other.0)
     }
 
+    /// Whether selectors are words alone there, no indices and no conditions (*innerRectangle*, *shapeL, shapeU, shapeO
+    /// operations*; *CGA changelog 2019.0*).
+    pub const fn has_words_only(self) -> bool {
+        self.0 != 0 && Places::SHAPE.and(Places::PERIMETER).has(self)
+    }
+
+    /// Whether `=:` can stand behind a selector: only components are connected (*comp* and *modify operation*).
+    pub const fn connects(self) -> bool {
+        self.0 & Places::COMP.0 != 0
+    }
+
     /// Whether all of those are among these.
     pub const fn has(self, other: Places) -> bool {
         self.0 & other.0 == other.0

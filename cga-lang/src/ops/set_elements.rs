@@ -5,7 +5,7 @@ use crate::ir::Type;
 
 const fn row(call: &'static str, params: &'static [Param], ty: Type) -> Function {
     let about = "a copy of the array with other values in some places";
-    Function { name: "setElems", run: Run::Now(call), params, ty, needs: Needs::Env, pure: true, about }
+    Function { name: "setElems", run: Run::Now(call), params, ty, needs: Needs::Env, pure: true, old: None, about }
 }
 
 /// The rows for an array and values: with one index, which may be a number, numbers or truth values, and with two.

@@ -1,5 +1,10 @@
 //! Words and signs of rule bodies that are syntax, not rows: what they do, for messages.
 
+use super::{Param, uv_set};
+
+/// The last argument of a split in texture space (*split operation*).
+pub static SPLIT_UV_SET: Param = uv_set("uvSet");
+
 /// A word or sign with a syntax of its own.
 #[derive(Debug, PartialEq)]
 pub struct Syntax {

@@ -1,7 +1,7 @@
 //! The functions of values: numbers, text, lists in text, arrays, colours, paths, chance. Of rows with one name the one
 //! for single numbers comes first.
 
-use super::{B, BS, F, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, text};
+use super::{B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, text};
 use crate::ir::Type;
 
 /// A function of its arguments alone.
@@ -12,7 +12,7 @@ const fn plain(
     ty: Type,
     about: &'static str,
 ) -> Function {
-    Function { name, run: Run::Now(call), params, ty, needs: Needs::Nothing, pure: true, about }
+    Function { name, run: Run::Now(call), params, ty, needs: Needs::Nothing, pure: true, old: None, about }
 }
 
 /// One that can leave a fault or end the run.
@@ -37,6 +37,14 @@ const fn draw(
 ) -> Function {
     Function { needs, pure: false, ..plain(name, call, params, ty, about) }
 }
+
+/// The same row, of an old spelling.
+const fn old(row: Function, instead: &'static str) -> Function {
+    Function { old: Some(instead), ..row }
+}
+
+/// `index`, deprecated by *CGA changelog 2020.0*. Its page of 2019.1 gives floats an epsilon of 0 by default.
+const INDEX: &str = "write `findFirst(…)`, which needs an epsilon for floats";
 
 /// Random numbers.
 pub(super) static CHANCE: &[Function] = &[
@@ -306,9 +314,24 @@ pub(super) static ARRAYS: &[Function] = &[
     plain("transpose", "transpose", &[of("array", FS)], FS, "rows as columns"),
     plain("transpose", "transpose", &[of("array", BS)], BS, "rows as columns"),
     plain("transpose", "transpose", &[of("array", TS)], TS, "rows as columns"),
-    run("index", "element", &[of("array", FS), float("index")], F, "an element by its place"),
-    run("index", "element", &[of("array", BS), float("index")], B, "an element by its place"),
-    run("index", "element", &[of("array", TS), float("index")], T, "an element by its place"),
+    old(
+        run(
+            "index",
+            "find_near",
+            &[of("array", FS), float("item"), or(float("epsilon"), Default::Float(0.0))],
+            F,
+            "the number of the first element within a tolerance of a value, or -1",
+        ),
+        INDEX,
+    ),
+    old(
+        plain("index", "find_element", &[of("array", BS), boolean("item")], F, "where a value first occurs, or -1"),
+        INDEX,
+    ),
+    old(
+        plain("index", "find_element", &[of("array", TS), text("item")], F, "where a value first occurs, or -1"),
+        INDEX,
+    ),
 ];
 
 /// Colours.

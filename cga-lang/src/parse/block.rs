@@ -6,6 +6,7 @@
 use super::comp::ARM;
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Arg, Block, BlockPart, Name, Op, OpKind, Section, Split};
+use crate::code::Code;
 use crate::ops::{self, Block as Braces};
 use crate::token::{Sym, Tok};
 
@@ -33,7 +34,7 @@ impl Parser<'_> {
                 BlockPart::Slots(items, repeat)
             }
             Braces::Sections => return self.perimeter(name, args),
-            Braces::Arms => BlockPart::Arms(self.between_bars(Some(ARM), Self::arm)?),
+            Braces::Arms(_) | Braces::Components => BlockPart::Arms(self.between_bars(Some(ARM), Self::arm)?),
             Braces::Ops | Braces::Inline | Braces::None => BlockPart::Ops(self.operands(&name, 1)?),
             Braces::Operands => BlockPart::Ops(self.operands(&name, 2)?),
         };
@@ -50,7 +51,7 @@ impl Parser<'_> {
             Braces::Inline => return Some(format!("write `{name} Rule` or `{name} {{ operations }}`")),
             Braces::Sections => "{ length : depth : operations | … } { remainder : operations }",
             Braces::Slots => "{ size : operations | … }",
-            Braces::Arms => "{ selector : operations | … }",
+            Braces::Arms(_) | Braces::Components => "{ selector : operations | … }",
             Braces::Ops => "{ operations }",
             Braces::Operands => "{ operations | operations }",
         };
@@ -81,7 +82,7 @@ impl Parser<'_> {
         let star = self.layout.at(close + 1).is_some_and(|token| token.is(Sym::Star));
         Ok(match (size || star, arms, bar) {
             (true, _, _) => Braces::Slots,
-            (_, true, _) => Braces::Arms,
+            (_, true, _) => Braces::Components,
             (_, _, true) => Braces::Operands,
             _ => Braces::Ops,
         })
@@ -148,6 +149,17 @@ impl Parser<'_> {
         (step && !self.layout.is_border(next)) || (brace && block_of(name) == Some(Braces::Inline))
     }
 
+    /// Whether an operation can follow `inline` without braces: a rule or a subdivision (*Rule inlining*).
+    fn can_inline(&self, op: &Op) -> bool {
+        let is_operation = |name: &str| name == "set" || ops::operations(name).next().is_some();
+        match &op.kind {
+            OpKind::Call(name, _) => self.layout.has_rule(&name.text) || !is_operation(&name.text),
+            OpKind::Block(block) => block_of(&block.name.text).is_none_or(Braces::divides),
+            OpKind::Dynamic { .. } | OpKind::Split(_) | OpKind::Comp(_) | OpKind::Error => true,
+            _ => false,
+        }
+    }
+
     /// `inline(mode) Rule`, `inline comp(f) { … }`, `subtract(swap) Rule`, behind the name.
     pub(super) fn inlined(&mut self, name: Name) -> Parsed<OpKind> {
         let args = if self.is(Sym::LParen) { self.args()? } else { Vec::new() };
@@ -155,6 +167,13 @@ impl Parser<'_> {
             return self.block(name, args);
         }
         let op = self.nested(Self::op)?;
+        if !self.can_inline(&op) {
+            let message = format!("`{}` takes a rule, a subdivision or operations in braces", name.text);
+            let written = if block_of(&name.text) == Some(Braces::Operands) { "{ Operand. | … }" } else { "{ … }" };
+            self.diags
+                .report(Code::Syntax, op.span, message)
+                .help(format!("put braces around it: `{} {written}`", name.text));
+        }
         Ok(OpKind::Block(Block { name, args, parts: vec![BlockPart::Ops(vec![vec![op]])] }))
     }
 }

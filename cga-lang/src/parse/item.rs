@@ -59,6 +59,10 @@ impl Parser<'_> {
         match self.peek().and_then(Tok::ident).unwrap_or_default() {
             "version" => {
                 if let Some(Tok::Str(text)) = self.nth(1) {
+                    if ast.version.is_some() || !ast.imports.is_empty() || !ast.decls.is_empty() || *style != 0 {
+                        self.syntax(self.at, "`version` must be the first statement of a file")
+                            .help("move it to the first line");
+                    }
                     ast.version = Some(text.clone());
                     ast.head.append(&mut annotations);
                     self.bump();
@@ -83,6 +87,11 @@ impl Parser<'_> {
             _ => {}
         }
         let decl = self.declaration(annotations, docs)?;
+        // *CGA changelog 2023.0*.
+        if *style != 0 && matches!(decl.body, Body::Rule(_)) && decl.name.text.contains('.') {
+            let message = "a rule of an import can be declared in the style `Default` only";
+            self.diags.report(Code::Syntax, decl.name.span, message).help("move it before the first `style`");
+        }
         ast.decls.push(Decl { style: *style, ..decl });
         Ok(())
     }
@@ -122,7 +131,12 @@ impl Parser<'_> {
                     lose(self);
                     return Err(Reported);
                 }
-                if word == "attr" { Body::Attr(value) } else { Body::Const(value) }
+                match word {
+                    // A value for each edge: nothing can be asked for but by its number.
+                    "attr" if !params.is_empty() => Body::Function(value),
+                    "attr" => Body::Attr(value),
+                    _ => Body::Const(value),
+                }
             }
             Some(Head::Function) => {
                 self.bump();

@@ -1,7 +1,8 @@
 //! `with ( name := value … )`: what a declaration computes once.
 
 use super::{Parsed, Parser, Reported};
-use crate::ast::{Expr, Name};
+use crate::ast::{Expr, ExprKind, Name};
+use crate::code::Code;
 use crate::token::{Sym, Tok};
 
 impl Parser<'_> {
@@ -45,7 +46,14 @@ impl Parser<'_> {
         } else {
             return self.fail("`:=`");
         }
-        Ok((name, self.expr()?))
+        let value = self.expr()?;
+        // *CGA changelog 2021.1*.
+        if let Some(comp) = comp_in(&value) {
+            self.diags
+                .report(Code::Syntax, comp.span, "a local value cannot hold a `comp`")
+                .help("declare a function for it, and call that here");
+        }
+        Ok((name, value))
     }
 
     fn skip_to_local(&mut self, close: usize) {
@@ -53,4 +61,12 @@ impl Parser<'_> {
             self.at = self.layout.close(self.at).unwrap_or(self.at) + 1;
         }
     }
+}
+
+/// The first `comp` in an expression.
+fn comp_in(expr: &Expr) -> Option<&Expr> {
+    if matches!(expr.kind, ExprKind::Comp(_)) {
+        return Some(expr);
+    }
+    expr.parts().into_iter().find_map(comp_in)
 }

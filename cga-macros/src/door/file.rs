@@ -5,6 +5,7 @@ use std::io::{Error, ErrorKind, Read};
 use std::path::{Component, Path};
 
 use cga_lang::lex::{decode, lex};
+use cga_lang::link::stray_character;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -19,6 +20,9 @@ pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
     if !stays_inside(Path::new(&path)) {
         // Whoever gets the package would not have the file.
         return Err(problem(format!("`{path}` is no path inside the package\nhelp: {FROM_PACKAGE}")));
+    }
+    if let Some(stray) = stray_character(&path) {
+        return Err(problem(format!("the name of a rule file has no `{stray}`\nhelp: rename the file")));
     }
     // By the package and not by the calling file: editors' macro servers don't know that one.
     let folder = std::env::var("CARGO_MANIFEST_DIR").unwrap_or_default();

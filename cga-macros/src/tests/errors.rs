@@ -41,6 +41,7 @@ fn a_broken_header_says_how_it_is_written() {
         ("@Allow(no_such) grammar A = \"Lot --> X.\";", "`@Allow` is no level of a finding"),
         ("grammar A in \"/etc/rules.cga\";", "`/etc/rules.cga` is no path inside the package"),
         ("grammar A in \"src/../../rules.cga\";", "`src/../../rules.cga` is no path inside the package"),
+        ("grammar A in \"rules/tower.v2.cga\";", "the name of a rule file has no `.`\nhelp: rename the file"),
         ("grammar A in \"src\";", "`src` is a folder"),
         ("grammar A in \"no/such.cga\";", "there is no file `no/such.cga`\nhelp: paths count from the folder"),
     ] {

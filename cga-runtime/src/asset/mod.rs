@@ -27,6 +27,12 @@ use folder::Listing;
 /// Names whose meshes and images are remembered; others are looked up each time, so that memory stays bounded.
 const NAMES_KEPT: usize = 10_000;
 
+/// Textures that are always there (*Built-in assets and textures*).
+const BUILTINS: [&str; 2] = ["builtin:default", "builtin:uvtest.png"];
+
+/// The names of `primitiveCube` up to 2016.0, as an asset (*CGA changelog 2016.0*).
+pub(crate) const CUBES: [&str; 2] = ["builtin:cube", "builtin:cube:notex"];
+
 /// Files that can be used, by what their names end with: images, whose paths go into models, material and text files, tables.
 /// Meshes are asked for themselves.
 const USABLE: [&str; 10] = ["bmp", "gif", "jpg", "jpeg", "png", "tif", "tiff", "mtl", "txt", "csv"];
@@ -126,7 +132,11 @@ impl Assets {
 
     /// Whether there is such a file or mesh, and it is of a kind that can be used.
     pub(crate) fn exists(&self, file: &File) -> bool {
-        let end = Path::new(file.name.as_str()).extension().and_then(|end| end.to_str()).unwrap_or_default();
+        let name = file.name.as_str();
+        if BUILTINS.contains(&name) || CUBES.contains(&name) {
+            return true;
+        }
+        let end = Path::new(name).extension().and_then(|end| end.to_str()).unwrap_or_default();
         let mesh = cfg!(feature = "obj").then_some("obj");
         let usable = || USABLE.into_iter().chain(mesh).any(|known| known.eq_ignore_ascii_case(end));
         match self.look_up(&file.name, file.folder) {

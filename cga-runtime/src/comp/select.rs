@@ -46,6 +46,8 @@ pub enum Word {
     StreetLeft,
     StreetRight,
     StreetSide,
+    /// `noStreetSide`, as it was written before 2012.1.
+    NotStreetFront,
 }
 
 /// What a word looks at.
@@ -79,6 +81,8 @@ pub(crate) enum Axes {
 pub(crate) enum Direction {
     /// +z.
     Front,
+    /// Anything but +z.
+    NotFront,
     /// −z.
     Back,
     /// −x.
@@ -152,6 +156,7 @@ impl Word {
             Word::StreetLeft => (Axes::Street, D::Left),
             Word::StreetRight => (Axes::Street, D::Right),
             Word::StreetSide => (Axes::Street, D::Side),
+            Word::NotStreetFront => (Axes::Street, D::NotFront),
         };
         Sense::Looks(axes, direction)
     }
@@ -168,6 +173,7 @@ impl Direction {
     pub(crate) fn takes(self, normal: DVec3) -> bool {
         match self {
             Direction::Front => quadrant(normal) == (2, true),
+            Direction::NotFront => quadrant(normal) != (2, true),
             Direction::Back => quadrant(normal) == (2, false),
             Direction::Right => quadrant(normal) == (0, true),
             Direction::Left => quadrant(normal) == (0, false),
@@ -186,6 +192,7 @@ impl Direction {
     pub(crate) fn takes_side(self, side: unit::Side) -> bool {
         let sides = match self {
             Direction::Front => 0b00_0001,
+            Direction::NotFront => 0b11_1110,
             Direction::Right => 0b00_0010,
             Direction::Back => 0b00_0100,
             Direction::Left => 0b00_1000,

@@ -1,5 +1,7 @@
 //! The components of edges and points that have no faces.
 
+use std::collections::HashMap;
+
 use glam::DVec3;
 
 use super::Components;
@@ -92,13 +94,18 @@ impl WireParts {
 
     pub(super) fn wire(&self, indices: &[u32]) -> Wire {
         let mut wire = Wire::default();
+        let mut numbers = HashMap::new();
         for &index in indices {
             let index = index as usize;
             match self.kind {
                 Components::Edges | Components::FaceEdges => {
-                    let first = wire.points.len() as u32;
-                    wire.points.extend(self.wire.ends(index));
-                    wire.edges.push([first, first + 1]);
+                    let edge = self.wire.edges[index].map(|point| {
+                        *numbers.entry(point).or_insert_with(|| {
+                            wire.points.push(self.wire.points[point as usize]);
+                            wire.points.len() as u32 - 1
+                        })
+                    });
+                    wire.edges.push(edge);
                 }
                 _ => wire.points.push(self.point(index)),
             }

@@ -6,11 +6,11 @@ use glam::{DMat3, DVec3};
 
 use super::primitive::fill_plainly;
 use super::settle;
-use crate::asset::{AssetError, File};
+use crate::asset::{AssetError, CUBES, File};
 use crate::env::Env;
 use crate::mesh::Mesh;
 use crate::place::Cuboid;
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
 use crate::unit::UnitMesh;
 
 /// Which axis of an asset, or of an aligned scope, is its height.
@@ -51,8 +51,8 @@ pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: File) {
 /// `i(file, yUp | zUp, insertMode, cleanupMode)` (*i operation*). Both modes of cleaning up give the same geometry; see
 /// [`CleanupMode`].
 pub fn insert_with(env: &mut Env, shape: &mut ShapeRef<'_>, file: File, up: UpAxis, mode: InsertMode, _: CleanupMode) {
-    // *i operation* up to 2016.0; old rule files are full of it.
-    if matches!(file.name.as_str(), "builtin:cube" | "builtin:cube:notex") {
+    // Old rule files are full of it.
+    if CUBES.contains(&file.name.as_str()) {
         return insert_box(env, shape, mode);
     }
     let assets = Arc::clone(&env.settings.assets);
@@ -100,7 +100,13 @@ fn mark(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
     let origin = (DVec3::ONE - share) * DVec3::new(0.5, 0.0, 0.5);
     let mesh = Cuboid::new(origin, DMat3::from_diagonal(share)).to_mesh();
     if env.count_vertices(&mesh).is_continue() {
-        let placed = Placed { low: DVec3::ZERO, size: DVec3::ONE, mesh: Arc::new(mesh), whole: false, mirrored: false };
+        let placed = Placed {
+            low: DVec3::ZERO,
+            size: DVec3::ONE,
+            mesh: Arc::new(mesh),
+            inserted: Inserted::No,
+            mirrored: false,
+        };
         shape.geometry = Geometry::Mesh(Arc::new(placed));
         // A size of zero flattens it.
         shape.resize(shape.scope.size);
@@ -110,7 +116,8 @@ fn mark(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
 fn place(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>, mode: InsertMode) {
     let (low, size) = (mesh.bounds().low, mesh.bounds().size());
     arrange(env, shape, low, size, mode);
-    shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size, mesh, whole: true, mirrored: false }));
+    shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size, mesh, inserted: Inserted::Asset, mirrored: false }));
+    super::inserted(env, shape);
     super::trim(env, shape);
 }
 
@@ -245,7 +252,7 @@ mod tests {
             let mode = InsertMode::AlignSizeAndPosition;
             insert_with(env, &mut shape, "asset.obj".into(), UpAxis::ZUp, mode, CleanupMode::NumericalCleanup);
             match &shape.geometry {
-                Geometry::Mesh(placed) if placed.whole => Arc::clone(&placed.mesh),
+                Geometry::Mesh(placed) if placed.inserted == Inserted::Asset => Arc::clone(&placed.mesh),
                 other => panic!("{other:?}"),
             }
         };

@@ -36,6 +36,11 @@ pub fn color_rgba(env: &mut Env, shape: &mut ShapeRef<'_>, r: f64, g: f64, b: f6
     shape.change_material(|material| material.opacity = Some(opacity));
 }
 
+/// `opacity(f)`, an old spelling of `set(material.opacity, f)` (*opacity operation*, 2019.1).
+pub fn opacity(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+    set::material_opacity(env, shape, value);
+}
+
 /// `texture(file)`: the colour map; empty text takes it away (*texture operation*). An opacity map is reset: whether the
 /// file has an alpha channel that would become one is not looked at.
 pub fn texture(_: &mut Env, shape: &mut ShapeRef<'_>, file: Text) {

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::pivot::rearranged;
 use super::refit::as_placed;
 use crate::env::Env;
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
 use crate::wire::PlacedWire;
 
 /// `mirror(x, y, z)`: mirrors the geometry about the middle of its scope, which stays (*mirror operation*). What looked
@@ -39,7 +39,7 @@ pub fn mirror(env: &mut Env, shape: &mut ShapeRef<'_>, x: bool, y: bool, z: bool
     if flips.iter().filter(|flip| **flip).count() % 2 == 1 {
         new.mesh = Arc::new(new.mesh.reversed());
     }
-    shape.geometry = Geometry::Mesh(Arc::new(Placed { whole: false, ..new }));
+    shape.geometry = Geometry::Mesh(Arc::new(Placed { inserted: Inserted::No, ..new }));
 }
 
 /// A box or a rectangle mirrored, unless it becomes a mesh: a rectangle begins with its lowest edge and stays at the low end.
@@ -63,5 +63,5 @@ pub fn reverse_normals(env: &mut Env, shape: &mut ShapeRef<'_>) {
         return;
     }
     let mesh = Arc::new(placed.mesh.reversed());
-    shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, whole: false, ..placed }));
+    shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, inserted: Inserted::No, ..placed }));
 }

@@ -32,7 +32,7 @@ pub use coordinates::{CoordSystem, TransformMode, rotate_in, translate_in};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub(crate) use insert::z_up;
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
-pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, reset_material, set_material, texture};
+pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
 pub use mirror::{mirror, reverse_normals};
 pub use offset::offset;
 pub use pivot::{AxisMap, mirror_scope, set_pivot};
@@ -55,6 +55,13 @@ pub(crate) fn settle(env: &mut Env, shape: &mut ShapeRef<'_>, before: &Scope, wh
     if !shape.scope.is_bounded() {
         shape.scope = *before;
         env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
+    }
+}
+
+/// Marks geometry that does not come from the initial shape: its groups do not have that shape's name.
+pub(crate) fn inserted(env: &Env, shape: &mut ShapeRef<'_>) {
+    if !env.initial.name.is_empty() {
+        shape.state.change().foreign = true;
     }
 }
 

@@ -15,7 +15,7 @@ use crate::fault::FaultKind;
 use crate::mesh::Mesh;
 use crate::mesh::primitive::Made;
 use crate::scope::Axis;
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
 use crate::unit::UnitMesh;
 
 /// Sides and divisions when none are given.
@@ -155,7 +155,7 @@ fn fit_flat(shape: &mut ShapeRef<'_>, across: Axis) {
 /// A rectangle. Rectangles without a mesh begin otherwise where they lie across x.
 fn put_quad(env: &mut Env, shape: &mut ShapeRef<'_>, across: Axis) {
     if across != Axis::X {
-        fill_plainly(env, shape, Geometry::Rect(across, UnitMesh::rectangle(across)));
+        fill_plainly(env, shape, Geometry::Rect(across, UnitMesh::quad(across)));
     } else if let Some(mesh) = env.primitive(Made::Square { across }) {
         put(env, shape, mesh);
     }
@@ -178,6 +178,7 @@ fn fill_to_size(env: &mut Env, shape: &mut ShapeRef<'_>, made: Made, size: DVec3
 /// Replaces the geometry by a box or a rectangle.
 pub(super) fn fill_plainly(env: &mut Env, shape: &mut ShapeRef<'_>, geometry: Geometry) {
     shape.geometry = geometry;
+    super::inserted(env, shape);
     if env.initial.as_meshes || shape.geometry.unit_pressed_flat(shape.scope.size).is_some() {
         shape.hold_as_mesh();
     }
@@ -187,8 +188,9 @@ pub(super) fn fill_plainly(env: &mut Env, shape: &mut ShapeRef<'_>, geometry: Ge
 /// Replaces the geometry by a mesh stretched to the scope.
 fn put(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>) {
     let bounds = mesh.bounds();
-    let placed = Placed { mesh, low: bounds.low, size: bounds.size(), whole: true, mirrored: false };
+    let placed = Placed { mesh, low: bounds.low, size: bounds.size(), inserted: Inserted::Asset, mirrored: false };
     shape.geometry = Geometry::Mesh(Arc::new(placed));
+    super::inserted(env, shape);
     // A size of zero flattens it.
     shape.resize(shape.scope.size);
     super::trim(env, shape);

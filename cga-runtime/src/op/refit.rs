@@ -53,9 +53,9 @@ pub(super) fn refit(env: &mut Env, shape: &mut ShapeRef<'_>, axes: DMat3, what: 
                 Some(points) => mesh.with_points(points),
                 None => mesh,
             });
-            let whole = matches!(&shape.geometry, Geometry::Mesh(placed) if placed.whole);
+            let inserted = shape.geometry.inserted();
             let new = Scope { origin: scope.origin + axes * placed.low, axes, size: placed.size };
-            (new, Geometry::Mesh(Arc::new(Placed { whole, mirrored: shape.looks_inwards(), ..placed })))
+            (new, Geometry::Mesh(Arc::new(Placed { inserted, mirrored: shape.looks_inwards(), ..placed })))
         }
     };
     if !(found.0.is_bounded() && axes.is_finite()) {

@@ -7,7 +7,7 @@ use glam::{DAffine3, DVec3};
 use super::refit::as_placed;
 use crate::cut::{self, Plane};
 use crate::env::Env;
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
 use crate::tol::PLANAR_EPSILON;
 use crate::trim::{TrimPlane, Trims};
 
@@ -46,7 +46,9 @@ fn cut(shape: &mut ShapeRef<'_>, plane: &TrimPlane) {
         return;
     }
     shape.geometry = match kept {
-        Some(mesh) => Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size, whole: false, ..placed })),
+        Some(mesh) => {
+            Geometry::Mesh(Arc::new(Placed { mesh, low: DVec3::ZERO, size, inserted: Inserted::No, ..placed }))
+        }
         None => Geometry::Empty,
     };
 }

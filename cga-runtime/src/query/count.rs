@@ -1,7 +1,8 @@
 //! How many vertices, edges, faces and holes; the names of groups and materials.
 
 use crate::array::Array;
-use crate::mesh::FaceTag;
+use crate::env::Env;
+use crate::mesh::{FaceTag, Mesh};
 use crate::shape::{Geometry, ShapeRef};
 use crate::text::Text;
 
@@ -48,31 +49,36 @@ pub fn geometry_n_holes(shape: &ShapeRef<'_>) -> f64 {
     }
 }
 
-/// `geometry.groups()`: the names of the groups that have faces, in their order; faces without a group come last, under
-/// an empty name (*geometry.groups function*).
-pub fn geometry_groups(shape: &ShapeRef<'_>) -> Array<Text> {
-    names(shape, |tag| tag.group, |mesh, id| mesh.groups().get(id).map(|name| Text::from(name.as_str())))
+/// `geometry.groups()`: the names of the groups that have faces, in their order; faces without a group come last
+/// (*geometry.groups function*). Those of the initial shape are under its name (*CGA changelog 2021.0*), inserted ones under
+/// an empty name.
+pub fn geometry_groups(env: &Env, shape: &ShapeRef<'_>) -> Array<Text> {
+    let is_foreign = shape.state.get().is_some_and(|state| state.foreign);
+    let nameless = if is_foreign { Text::default() } else { env.initial.name.clone() };
+    names(shape, |tag| tag.group, |mesh, id| mesh.groups().get(id).map(|name| Text::from(name.as_str())), nameless)
 }
 
 /// `geometry.materials()`: the names of the materials that faces have, in their order; faces without a material come last,
 /// under an empty name (*geometry.materials function*).
 pub fn geometry_materials(shape: &ShapeRef<'_>) -> Array<Text> {
-    names(shape, |tag| tag.material, |mesh, id| mesh.materials().get(id).and_then(|look| look.name.clone()))
+    let name = |mesh: &Mesh, id: usize| mesh.materials().get(id).and_then(|look| look.name.clone());
+    names(shape, |tag| tag.material, name, Text::default())
 }
 
 fn names(
     shape: &ShapeRef<'_>,
     id: fn(&FaceTag) -> u32,
-    name: fn(&crate::mesh::Mesh, usize) -> Option<Text>,
+    name: fn(&Mesh, usize) -> Option<Text>,
+    nameless: Text,
 ) -> Array<Text> {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Array::default(),
-        Geometry::Rect(..) | Geometry::Box(_) => Array::from([Text::default()]),
+        Geometry::Rect(..) | Geometry::Box(_) => Array::from([nameless]),
         Geometry::Mesh(placed) => {
             let mut used: Vec<u32> = placed.mesh.tags.runs().iter().map(|(_, tag)| id(tag)).collect();
             used.sort_unstable();
             used.dedup();
-            used.into_iter().map(|id| name(&placed.mesh, id as usize).unwrap_or_default()).collect()
+            used.into_iter().map(|id| name(&placed.mesh, id as usize).unwrap_or_else(|| nameless.clone())).collect()
         }
     }
 }

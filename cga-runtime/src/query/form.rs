@@ -6,7 +6,7 @@ use super::faces::selected;
 use crate::comp::select::Word;
 use crate::env::Env;
 use crate::mesh::{FaceRef, unit};
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
 use crate::tol::{ANGLE_EPSILON, STRAIGHT_EPSILON};
 
 /// `geometry.isConcave()`: whether a face turns inwards somewhere (*geometry.isConcave function*). Corners that go straight
@@ -88,10 +88,10 @@ pub fn geometry_is_closed_surface(shape: &ShapeRef<'_>) -> bool {
     }
 }
 
-/// `geometry.isInstanced()`: whether the geometry is an asset that nothing has changed since it was inserted
-/// (*geometry.isInstanced function*). Boxes and rectangles are no assets here, even those that `primitiveCube` made.
+/// `geometry.isInstanced()`: whether the geometry is an asset or a primitive that nothing has changed since it was inserted
+/// (*geometry.isInstanced function*; *Built-in assets* has the primitives). A new size or place changes nothing.
 pub fn geometry_is_instanced(shape: &ShapeRef<'_>) -> bool {
-    matches!(&shape.geometry, Geometry::Mesh(placed) if placed.whole)
+    shape.geometry.inserted() != Inserted::No
 }
 
 /// For each corner the directions of the edge to it and of the edge from it, made one long, in scope coordinates.

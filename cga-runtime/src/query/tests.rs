@@ -12,10 +12,10 @@ use crate::op::{self, Length::Absolute, rotate, turn};
 use crate::scope::{Axis, Frame, Scope};
 use crate::seed::Seed;
 use crate::settings::Settings;
-use crate::shape::{Geometry, Placed, Shape};
+use crate::shape::{Geometry, Inserted, Placed, Shape};
 use crate::unit::UnitMesh;
 
-const SELECTORS: [Word; 27] = {
+const SELECTORS: [Word; 28] = {
     use Word::*;
     [
         All,
@@ -45,6 +45,7 @@ const SELECTORS: [Word; 27] = {
         StreetLeft,
         StreetRight,
         StreetSide,
+        NotStreetFront,
     ]
 };
 
@@ -72,7 +73,7 @@ fn meshed(shape: &Shape) -> Shape {
         mesh: shape.to_mesh(),
         low: DVec3::ZERO,
         size: shape.scope.size,
-        whole: false,
+        inserted: Inserted::No,
         mirrored: shape.looks_inwards(),
     }));
     other
@@ -306,9 +307,22 @@ fn names_are_those_that_faces_have() {
     builder.materials([named("brick"), named("tile"), named("unused")]);
     let shape = Shape::mesh_axis_aligned(builder.build().expect("three faces"));
     let strings = |list: Array<crate::text::Text>| list.as_slice().iter().map(ToString::to_string).collect::<Vec<_>>();
-    assert_eq!(strings(geometry_groups(&shape)), ["wall", "roof", ""]);
+    let env = &mut Env::for_tests();
+    assert_eq!(strings(geometry_groups(env, &shape)), ["wall", "roof", ""]);
     assert_eq!(strings(geometry_materials(&shape)), ["brick", "tile"]);
-    assert_eq!(strings(geometry_groups(&Shape::cuboid(1.0, 1.0, 1.0))), [""]);
+    assert_eq!(strings(geometry_groups(env, &Shape::cuboid(1.0, 1.0, 1.0))), [""]);
+    // *CGA changelog 2021.0*: the initial shape's name, until something is inserted.
+    for start in [Shape::rectangle(2.0, 1.0), Shape::rectangle(2.0, 1.0).held_as_meshes(), shape] {
+        let mut shape = start.named("Lot 7");
+        let env = &mut Env::new(&Settings::default(), &[], &shape, "Init");
+        assert_eq!(strings(geometry_groups(env, &shape)).last().map(String::as_str), Some("Lot 7"));
+        op::extrude(env, &mut shape, Absolute(1.0));
+        assert_eq!(strings(geometry_groups(env, &shape)).last().map(String::as_str), Some("Lot 7"));
+        op::cube(env, &mut shape);
+        assert_eq!(strings(geometry_groups(env, &shape)), [""]);
+        op::cylinder(env, &mut shape);
+        assert_eq!(strings(geometry_groups(env, &shape)), [""]);
+    }
     assert_eq!(strings(geometry_materials(&Shape::mesh_axis_aligned(Mesh::default()))), [""; 0]);
 }
 
@@ -320,6 +334,58 @@ fn an_inserted_asset_is_an_instance_until_it_is_changed() {
     assert!(geometry_is_instanced(shape));
     op::extrude(env, shape, Absolute(1.0));
     assert!(!geometry_is_instanced(shape));
+}
+
+type Step = fn(&mut Env, &mut crate::shape::ShapeRef<'_>);
+
+/// Operations that change no geometry, then operations that do. Some insert another.
+const STEPS: [Step; 18] = [
+    |env, shape| op::size(env, shape, Absolute(3.0), Absolute(2.0), Absolute(-1.0)),
+    |env, shape| op::size(env, shape, Absolute(3.0), Absolute(0.0), Absolute(1.0)),
+    |env, shape| op::rotate(env, shape, 0.0, 30.0, 0.0),
+    |env, shape| op::rotate_scope(env, shape, 0.0, 90.0, 0.0),
+    |env, shape| op::rotate_scope(env, shape, 90.0, 0.0, 0.0),
+    |env, shape| op::rotate_scope(env, shape, 0.0, 20.0, 0.0),
+    |env, shape| op::mirror_scope(env, shape, true, false, true),
+    |env, shape| op::set_pivot(env, shape, op::AxisMap::Yzx, 3.0),
+    |env, shape| op::mirror(env, shape, false, false, false),
+    |env, shape| op::cube_sized(env, shape, 1.0, 2.0, 3.0),
+    |env, shape| op::cube(env, shape),
+    |env, shape| op::quad(env, shape),
+    |env, shape| op::quad_sized(env, shape, 2.0, 1.0),
+    |env, shape| op::disk(env, shape, 5.0),
+    |env, shape| op::mirror(env, shape, true, false, false),
+    |env, shape| op::reverse_normals(env, shape),
+    |env, shape| op::extrude(env, shape, Absolute(1.0)),
+    |env, shape| op::offset(env, shape, -0.25, op::OffsetFaces::Inside),
+];
+
+#[test]
+fn a_cube_and_a_quad_are_instances_until_they_are_changed() {
+    let seed = &mut Seed::new(5);
+    let (mut instances, mut others) = (0, 0);
+    for _ in 0..2000 {
+        let start = if seed.draw() < 0.5 { Shape::rectangle(4.0, 2.0) } else { Shape::cuboid(4.0, 3.0, 2.0) };
+        let mut pair = [start.clone(), start.held_as_meshes()].map(|shape| {
+            let env = Env::new(&Settings::default(), &[], &shape, "Init");
+            (env, shape)
+        });
+        let mut inserted = false;
+        for _ in 0..4 {
+            let number = (seed.draw() * STEPS.len() as f64) as usize;
+            inserted = match number {
+                0..9 => inserted,
+                9..14 => true,
+                _ => false,
+            };
+            for (env, shape) in &mut pair {
+                STEPS[number](env, shape);
+                assert_eq!(geometry_is_instanced(shape), inserted, "{number}: {:?}", shape.geometry);
+            }
+            if inserted { instances += 1 } else { others += 1 }
+        }
+    }
+    assert!(500 < instances && 500 < others, "{instances}, {others}");
 }
 
 #[test]

@@ -12,7 +12,7 @@ use crate::fault::{FaultKind, LimitKind};
 use crate::mesh::Mesh;
 use crate::scope::{Axis, Scope};
 use crate::seed::{Seed, Tag};
-use crate::shape::{Counter, Geometry, Placed, ShapeRef};
+use crate::shape::{Counter, Geometry, Inserted, Placed, ShapeRef};
 use crate::sink::Flow;
 use crate::tol::PLANAR_EPSILON;
 use crate::unit::Band;
@@ -221,7 +221,13 @@ impl<'s> Parts<'s> {
             scope.size = DVec3::select(spans, scope.size, bounds.size() * stretch);
             (low, fit) = (bounds.low, bounds.size());
         }
-        Geometry::Mesh(Arc::new(Placed { mesh: mesh.clone(), low, size: fit, whole: false, mirrored: whole.mirrored }))
+        Geometry::Mesh(Arc::new(Placed {
+            mesh: mesh.clone(),
+            low,
+            size: fit,
+            inserted: Inserted::No,
+            mirrored: whole.mirrored,
+        }))
     }
 }
 
@@ -280,7 +286,7 @@ impl Borders<'_> {
         });
         let cut = cut::slabs(&self.placed.mesh, self.axis, &rising);
         // *split operation*: surfaces get no caps. An asset that was meant to be a solid is worth a word, a face is not.
-        if !cut.open.is_empty() && self.placed.whole && 1 < self.placed.mesh.face_count() {
+        if !cut.open.is_empty() && self.placed.inserted == Inserted::Asset && 1 < self.placed.mesh.face_count() {
             env.fault(
                 FaultKind::Geometry,
                 "the inserted mesh is not closed where it is split; the cut stays open there",

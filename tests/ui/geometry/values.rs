@@ -7,6 +7,7 @@ cga! {
     Wall --> projectUV(10) A.
     @Deny(not_a_color)
     Roof --> color(255, 128, 0) A.
+    Shed --> setPivot(xyz, 8) A.
     @Allow(not_implemented)
     @Deny(split_without_uv)
     Street --> setupProjection(0, scope.xy, 1, 1) split(u, uvSpace, 0) { 0.5 : A. | ~1 : A. }

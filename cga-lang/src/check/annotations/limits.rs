@@ -19,6 +19,9 @@ pub(super) struct Limits {
     source: Option<(AttrId, Span)>,
 }
 
+/// More values than these are not listed in a message.
+const MOST_SHOWN: usize = 6;
+
 const BOUNDS: [&str; 4] = ["min", "max", "stepsize", "restricted"];
 
 impl Limits {
@@ -27,11 +30,14 @@ impl Limits {
         let is_text = |arg: &AnnotationArg| arg.name.is_none() && matches!(arg.value.kind, ExprKind::Text(_));
         let names: Option<Vec<&str>> = args.iter().map(|arg| Some(arg.name.as_ref()?.text.as_str())).collect();
         let labels = names.is_some_and(|names| !names.is_empty() && !are_bounds(&names));
-        // Bounds are three numbers at most.
-        let numbers = 3 < args.len() && args.iter().all(|arg| arg.name.is_none() && number(&arg.value).is_some());
+        // Three numbers without names are values (*annotations*, 2017.0), not a step: that came with the names in 2017.1.
+        let numbers = 2 < args.len() && args.iter().all(|arg| arg.name.is_none() && number(&arg.value).is_some());
         if labels || numbers || args.iter().any(is_text) {
             let (lists, restricted) = (args.iter().collect::<Vec<_>>(), true);
             if let Some(values) = values(cx, "Range", &lists) {
+                if args.iter().all(|arg| arg.name.is_none()) {
+                    old_list(cx, span, &values);
+                }
                 let label = |arg: &AnnotationArg| arg.name.as_ref().map(|name| name.text.clone());
                 let labels = args.iter().filter_map(label).collect();
                 self.choices = Some((Choices { values, labels, restricted }, span));
@@ -121,6 +127,19 @@ impl Limits {
             info.range = info.range.or(Some(Range { min: 0.0, max, step: 0.0, restricted: false }));
         }
     }
+}
+
+/// Reports values in a `@Range` (*CGA changelog 2017.1*).
+fn old_list(cx: &mut Cx, span: Span, values: &ChoiceValues) {
+    let list: Vec<String> = match values {
+        ChoiceValues::Floats(list) => list.iter().map(f64::to_string).collect(),
+        ChoiceValues::Texts(list) => list.iter().map(|text| format!("{text:?}")).collect(),
+        ChoiceValues::Attr(_) => return,
+    };
+    let written =
+        if list.len() <= MOST_SHOWN { list.join(", ") } else { format!("{}, …", list[..MOST_SHOWN].join(", ")) };
+    let diag = cx.diags.report(Code::OldSpelling, span, "`@Range` with values is an old spelling");
+    diag.help(format!("write `@Enum({written})`"));
 }
 
 /// A default that is none of the values which others are held to.

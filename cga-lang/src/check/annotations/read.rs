@@ -3,6 +3,7 @@
 use super::{Group, Hidden, Notes, wrong};
 use crate::ast::{AnnotationArg, Expr, ExprKind, Unary};
 use crate::check::Cx;
+use crate::code::Code;
 use crate::ir::Presentation;
 use crate::span::Span;
 
@@ -50,6 +51,11 @@ impl Notes {
                 self.start = Some(span);
             }
             "InPolygon" | "InMesh" | "InLine" | "InPoint" | "InPointCloud" => nothing(cx, name, args),
+            // The place of a rule in the visual editor (*annotations*, 2015).
+            "Location" => {
+                let diag = cx.diags.report(Code::OldSpelling, span, "`@Location` is an old annotation without effect");
+                diag.help("leave it out");
+            }
             // `@Out` and `@Handle` are for programs that we are not; `levels` reads the rest.
             _ => {}
         }

@@ -4,7 +4,7 @@ use super::open::{Candidate, Open, Takes};
 use super::{Infer, State, Type, Use, Var};
 use crate::ast::{Binary, Expr, ExprKind, Name, Unary};
 use crate::code::Code;
-use crate::ops::{Param, ParamKind};
+use crate::ops::Param;
 use crate::span::Span;
 
 impl<'a> Infer<'_, 'a, '_> {
@@ -137,12 +137,7 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     pub(super) fn builtin_argument(&mut self, param: &Param, name: &str, var: Var, span: Span) {
-        let ty = match param.kind {
-            ParamKind::Value(ty) => ty,
-            ParamKind::File | ParamKind::Image => Type::Text,
-            ParamKind::Length | ParamKind::Size => Type::Float,
-            _ => return,
-        };
+        let Some(ty) = param.kind.ty() else { return };
         let who = if param.name.is_empty() { format!("`{name}`") } else { format!("`{}` of `{name}`", param.name) };
         self.need_var(var, span, ty, &who);
     }
@@ -155,13 +150,7 @@ impl<'a> Infer<'_, 'a, '_> {
 
     pub(super) fn candidate(&mut self, found: Use) -> Candidate {
         let builtin = |params: &[Param]| -> Vec<Takes> {
-            let takes = |param: &Param| match param.kind {
-                ParamKind::Value(ty) => Takes::Type(ty),
-                ParamKind::File | ParamKind::Image => Takes::Type(Type::Text),
-                ParamKind::Length | ParamKind::Size => Takes::Type(Type::Float),
-                _ => Takes::Any,
-            };
-            params.iter().map(takes).collect()
+            params.iter().map(|param| param.kind.ty().map_or(Takes::Any, Takes::Type)).collect()
         };
         let (takes, gives) = match found {
             Use::Function(index) => {

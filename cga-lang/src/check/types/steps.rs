@@ -3,7 +3,7 @@
 use super::open::Open;
 use super::{Infer, Type, Use, Var};
 use crate::ast::{Arg, BlockPart, Name, Op, OpKind, Override, SplitItem};
-use crate::ops::{Operation, ParamKind};
+use crate::ops::{Operation, ParamKind, SPLIT_UV_SET};
 use crate::span::Span;
 
 impl<'a> Infer<'_, 'a, '_> {
@@ -18,7 +18,13 @@ impl<'a> Infer<'_, 'a, '_> {
                 }
                 OpKind::Path(_, args) => self.args(args),
                 OpKind::Push(ops) => self.ops(ops),
-                OpKind::Split(split) => self.items(&split.items),
+                OpKind::Split(split) => {
+                    if let Some(set) = split.args.get(2).filter(|_| split.is_in_texture_space()) {
+                        let var = self.expr(&set.value);
+                        self.builtin_argument(&SPLIT_UV_SET, "split", var, set.value.span);
+                    }
+                    self.items(&split.items);
+                }
                 OpKind::Comp(comp) => {
                     for arm in &comp.arms {
                         self.selector(&arm.selector);
@@ -142,7 +148,8 @@ impl<'a> Infer<'_, 'a, '_> {
     fn operation(&mut self, row: &'static Operation, args: &'a [Arg]) {
         for (param, arg) in row.params.iter().zip(args) {
             match param.kind {
-                ParamKind::Word { .. } => {}
+                // A word that is computed; any other has no entry in the tables.
+                ParamKind::Word { .. } => _ = self.expr(&arg.value),
                 ParamKind::Selector => self.selector(&arg.value),
                 _ => {
                     let var = self.expr(&arg.value);

@@ -1,6 +1,9 @@
 //! Geometry creation: extrusion, assets, primitives, envelopes.
 
-use super::super::{Default, Effect, FILE, FS, Operation, Param, ParamKind, float, length, of, or, word};
+use super::super::{
+    Bounds, Default, Effect, FILE, FS, Operation, Param, ParamKind, Values, bounds, float, length, of, or, uv_set,
+    within, word,
+};
 use super::{later, old, op, with};
 
 const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
@@ -44,6 +47,16 @@ const DIRECTION: Param = word("direction", "EnvelopeDirection", &[("normal", "No
 const KEEP_FACES: Param =
     word("keepFaces", "OffsetFaces", &[("all", "All"), ("inside", "Inside"), ("border", "Border")]);
 
+/// *primitiveDisk*, *primitiveSphere*, *primitiveCylinder* and *primitiveCone operation*.
+static CORNERS: Bounds = bounds(Values::AtLeast(3.0), "there are at least 3");
+
+/// *primitiveSphere operation*.
+static DIVISIONS: Bounds = bounds(Values::AtLeast(2.0), "there are at least 2");
+
+const N_VERTICES: Param = within(float("nVertices"), &CORNERS);
+const SIDES: Param = within(float("sides"), &CORNERS);
+const N_DIVISIONS: Param = within(float("divisions"), &DIVISIONS);
+
 const SIXTEEN: Default = Default::Float(16.0);
 
 const NO_DIRECTION: &str = "say which way is up: `envelope(normal, …)`";
@@ -74,12 +87,12 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     later(
         "insertAlongUV",
-        &[float("uvSet"), FILE, float("height")],
+        &[uv_set("uvSet"), FILE, float("height")],
         "bends copies of an asset along texture coordinates",
     ),
     later(
         "insertAlongUV",
-        &[float("uvSet"), FILE, float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT],
+        &[uv_set("uvSet"), FILE, float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT],
         "bends copies of an asset along texture coordinates",
     ),
     op("primitiveQuad", "quad", &[], "replaces the geometry by a rectangle that fills the scope"),
@@ -89,18 +102,8 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("width"), float("length")],
         "replaces the geometry by a rectangle of that size",
     ),
-    op(
-        "primitiveDisk",
-        "disk",
-        &[or(float("nVertices"), SIXTEEN)],
-        "replaces the geometry by a disk that fills the scope",
-    ),
-    op(
-        "primitiveDisk",
-        "disk_sized",
-        &[float("nVertices"), float("radius")],
-        "replaces the geometry by a disk of that size",
-    ),
+    op("primitiveDisk", "disk", &[or(N_VERTICES, SIXTEEN)], "replaces the geometry by a disk that fills the scope"),
+    op("primitiveDisk", "disk_sized", &[N_VERTICES, float("radius")], "replaces the geometry by a disk of that size"),
     with(Effect::FillsWithBox, op("primitiveCube", "cube", &[], "replaces the geometry by a box that fills the scope")),
     op(
         "primitiveCube",
@@ -114,14 +117,14 @@ pub(super) static ROWS: &[Operation] = &[
         op(
             "primitiveSphere",
             "sphere_sides",
-            &[float("sides"), float("divisions")],
+            &[SIDES, N_DIVISIONS],
             "replaces the geometry by a sphere that fills the scope",
         ),
     ),
     op(
         "primitiveSphere",
         "sphere_sized",
-        &[float("sides"), float("divisions"), float("radius")],
+        &[SIDES, N_DIVISIONS, float("radius")],
         "replaces the geometry by a sphere of that size",
     ),
     with(
@@ -133,29 +136,24 @@ pub(super) static ROWS: &[Operation] = &[
         op(
             "primitiveCylinder",
             "cylinder_sides",
-            &[float("sides")],
+            &[SIDES],
             "replaces the geometry by a cylinder that fills the scope, with so many sides",
         ),
     ),
     op(
         "primitiveCylinder",
         "cylinder_sized",
-        &[float("sides"), float("radius"), float("height")],
+        &[SIDES, float("radius"), float("height")],
         "replaces the geometry by a cylinder of that size",
     ),
     with(
         Effect::Fills,
-        op(
-            "primitiveCone",
-            "cone",
-            &[or(float("sides"), SIXTEEN)],
-            "replaces the geometry by a cone that fills the scope",
-        ),
+        op("primitiveCone", "cone", &[or(SIDES, SIXTEEN)], "replaces the geometry by a cone that fills the scope"),
     ),
     op(
         "primitiveCone",
         "cone_sized",
-        &[float("sides"), float("radius"), float("height")],
+        &[SIDES, float("radius"), float("height")],
         "replaces the geometry by a cone of that size",
     ),
     later("taper", &[float("height")], "makes a pyramid over the first face"),

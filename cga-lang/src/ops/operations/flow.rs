@@ -1,12 +1,16 @@
 //! Colours and materials, labels, reports. `set` has a syntax of its own.
 
-use super::super::{B, Default, F, Operation, Param, ParamKind, T, TS, float, of, or, param, text, word};
-use super::{keeps, op};
+use super::super::{B, Bounds, Default, F, Operation, Param, ParamKind, T, TS, Values};
+use super::super::{bounds, float, of, or, param, text, within, word};
+use super::{keeps, old, op};
 
 const TARGET: Param = or(
     word("target", "MaterialTarget", &[("shape", "Shape"), ("geometry", "Geometry"), ("all", "All")]),
     Default::Word("shape"),
 );
+
+/// *label operation*.
+static LABELS: Bounds = bounds(Values::NotEmpty, "a label is not empty");
 
 const REPORT: &str = "adds a value to a collection of the run";
 
@@ -24,6 +28,11 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("red"), float("green"), float("blue"), float("opacity")],
         "sets colour and opacity, each from 0 to 1",
     )),
+    // Its page is gone since 2020.0: it was short for `set` (*opacity operation*, 2019.1).
+    old(
+        keeps(op("opacity", "opacity", &[float("opacity")], "sets the opacity, from 0 to 1")),
+        "write `set(material.opacity, …)`",
+    ),
     keeps(op(
         "setMaterial",
         "set_material",
@@ -36,7 +45,7 @@ pub(super) static ROWS: &[Operation] = &[
         &[TARGET],
         "gives the attributes of the material their defaults again",
     )),
-    keeps(op("label", "label", &[text("label")], "leaves a labelled copy of the shape for queries")),
+    keeps(op("label", "label", &[within(text("label"), &LABELS)], "leaves a labelled copy of the shape for queries")),
     keeps(op("report", "report", &[text("key"), of("value", F)], REPORT)),
     keeps(op("report", "report", &[text("key"), of("value", B)], REPORT)),
     keeps(op("report", "report", &[text("key"), of("value", T)], REPORT)),

@@ -1,7 +1,17 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
-use super::super::{Block, Default, Effect, Operation, Param, boolean, float, or, text, word};
+use super::super::{
+    Block, Bounds, Default, Effect, Operation, Param, Values, boolean, bounds, float, or, text, within, word,
+};
 use super::{block, later, old, op, with};
+
+/// *cleanupGeometry* and *reduceGeometry operation*.
+static TOLERANCES: Bounds = bounds(Values::Between(0.0, 1.0), "it goes from 0 to 1");
+
+/// *rectify operation*.
+static DEVIATIONS: Bounds = bounds(Values::Between(0.0, 45.0), "it goes from 0 to 45 degrees");
+
+const TOLERANCE: Param = within(float("tolerance"), &TOLERANCES);
 
 const CLEANUP: Param = word(
     "components",
@@ -39,7 +49,8 @@ const STRATEGY: Param = or(
     Default::Word("append"),
 );
 
-const SWAP: Param = word("mode", "BooleanMode", &[("swap", "Swap")]);
+/// *Boolean 3D operations*, 2024.1.
+const SWAP: Param = word("swapMode", "BooleanMode", &[("noSwap", "NoSwap"), ("swap", "Swap")]);
 
 const UNION: &str = "joins what both sides make of the shape";
 const SUBTRACT: &str = "takes what the right side makes of the shape away from what the left side makes";
@@ -51,7 +62,7 @@ const fn one_operand(name: &'static str, params: &'static [Param], about: &'stat
 }
 
 pub(super) static ROWS: &[Operation] = &[
-    later("cleanupGeometry", &[CLEANUP, float("tolerance")], "merges what is nearly the same"),
+    later("cleanupGeometry", &[CLEANUP, TOLERANCE], "merges what is nearly the same"),
     later("convexify", &[], "cuts concave faces into convex ones"),
     later("convexify", &[float("maxLength")], "cuts concave faces where the cut is short"),
     later("deleteHoles", &[], "fills the holes of faces"),
@@ -67,8 +78,8 @@ pub(super) static ROWS: &[Operation] = &[
             "mirrors the geometry inside its scope",
         ),
     ),
-    later("rectify", &[float("angle")], "turns edges that nearly follow the scope's axes to them"),
-    later("reduceGeometry", &[float("tolerance")], "removes vertices and changes the form as little as it can"),
+    later("rectify", &[within(float("angle"), &DEVIATIONS)], "turns edges that nearly follow the scope's axes to them"),
+    later("reduceGeometry", &[TOLERANCE], "removes vertices and changes the form as little as it can"),
     later("resetGeometry", &[], "takes the geometry of the initial shape again"),
     with(Effect::KeepsSize, op("trim", "trim", &[], "cuts the geometry at the trim planes")),
     later("tag", &[text("name"), TAGGED], "gives components a tag"),

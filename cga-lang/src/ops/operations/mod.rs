@@ -38,6 +38,7 @@ const fn later(name: &'static str, params: &'static [Param], about: &'static str
         block: Block::None,
         scope: Effect::Any,
         uses_base: false,
+        overloads: true,
         old: None,
         about,
     }
@@ -51,6 +52,11 @@ const fn with(scope: Effect, row: Operation) -> Operation {
 /// The same row, of an operation that leaves the scope's size and what is in it alone.
 const fn keeps(row: Operation) -> Operation {
     with(Effect::Keeps, row)
+}
+
+/// The same row, of an operation that no rule overloads (*CGA changelog 2020.0*).
+const fn alone(row: Operation) -> Operation {
+    Operation { overloads: false, ..row }
 }
 
 /// A row that does not run yet and has braces.

@@ -1,6 +1,6 @@
 //! The scope and the pivot: the geometry stays where it is.
 
-use super::super::{Default, Operation, Param, boolean, float, or, word};
+use super::super::{Bounds, Default, Operation, Param, Values, boolean, bounds, float, or, within, word};
 use super::{old, op};
 
 const ALIGN_AXES: Param = or(
@@ -39,6 +39,9 @@ const AUTO: Param = word("mode", "AlignAuto", &[("auto", "Auto")]);
 const BOX_AXES: Param =
     word("alignAxes", "BoxAxes", &[("xy", "Xy"), ("yx", "Yx"), ("xz", "Xz"), ("zx", "Zx"), ("yz", "Yz"), ("zy", "Zy")]);
 
+/// *setPivot operation*.
+static CORNERS: Bounds = bounds(Values::Whole(0.0, 7.0), "corners are numbered from 0 to 7");
+
 const AXIS_MAP: Param = word("axisMap", "AxisMap", &[("xyz", "Xyz"), ("yzx", "Yzx"), ("zxy", "Zxy")]);
 
 const TO_GEOMETRY: &str = "turns the scope to an edge and the normal of a face";
@@ -70,7 +73,12 @@ pub(super) static ROWS: &[Operation] = &[
         &[float("xAngle"), float("yAngle"), float("zAngle")],
         "turns the scope about the axes of the pivot, in degrees",
     ),
-    op("setPivot", "set_pivot", &[AXIS_MAP, float("cornerIndex")], "puts the pivot to a corner of the scope"),
+    op(
+        "setPivot",
+        "set_pivot",
+        &[AXIS_MAP, within(float("cornerIndex"), &CORNERS)],
+        "puts the pivot to a corner of the scope",
+    ),
     op(
         "mirrorScope",
         "mirror_scope",

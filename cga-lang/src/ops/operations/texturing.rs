@@ -1,9 +1,9 @@
 //! Textures and texture coordinates. A uv set is a number from 0 to 9.
 
-use super::super::{Default, Operation, Param, ParamKind, float, length, or, param, size, word};
-use super::{keeps, later, old, op};
+use super::super::{Default, Operation, Param, ParamKind, float, length, or, param, size, uv_set, word};
+use super::{alone, keeps, later, old, op};
 
-const UV_SET: Param = float("uvSet");
+const UV_SET: Param = uv_set("uvSet");
 
 const AXES: Param = word(
     "axes",
@@ -39,8 +39,8 @@ const PROJECTION: &str = "says how a texture is to be laid on the shape";
 
 pub(super) static ROWS: &[Operation] = &[
     keeps(op("texture", "texture", &[param("filePath", ParamKind::Image)], "sets the colour map")),
-    later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION),
-    later(
+    alone(later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION)),
+    alone(later(
         "setupProjection",
         &[
             UV_SET,
@@ -52,9 +52,9 @@ pub(super) static ROWS: &[Operation] = &[
             or(float("uwFactor"), Default::Float(0.0)),
         ],
         PROJECTION,
-    ),
+    )),
     old(
-        later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT, float("uwFactor")], PROJECTION),
+        alone(later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT, float("uwFactor")], PROJECTION)),
         "write the offsets before the factor: `setupProjection(0, scope.xy, 1, 1, 0, 0, factor)`",
     ),
     later("projectUV", &[UV_SET], "writes the texture coordinates of the projection that was set up"),
@@ -62,9 +62,9 @@ pub(super) static ROWS: &[Operation] = &[
     later("scaleUV", &[UV_SET, float("uFactor"), float("vFactor")], "multiplies texture coordinates"),
     later("rotateUV", &[UV_SET, float("angle")], "turns texture coordinates about their origin, in degrees"),
     later("normalizeUV", &[UV_SET, NORMALIZE_MODE, NORMALIZE_TYPE], "fits texture coordinates between 0 and 1"),
-    later("tileUV", &[UV_SET, WIDTH, HEIGHT], "scales texture coordinates to tiles of a size"),
+    alone(later("tileUV", &[UV_SET, WIDTH, HEIGHT], "scales texture coordinates to tiles of a size")),
     later("deleteUV", &[UV_SET], "removes texture coordinates"),
-    later("copyUV", &[float("uvSetSource"), float("uvSetDest")], "copies texture coordinates to another set"),
+    later("copyUV", &[uv_set("uvSetSource"), uv_set("uvSetDest")], "copies texture coordinates to another set"),
     // No reference page has these any more; the parameters are those that old rule files give them.
     old(
         later("setupUV", &[UV_SET, float("textureWidth"), float("textureHeight"), float("uwFactor")], PROJECTION),

@@ -1,7 +1,7 @@
 //! Moving, turning and sizing.
 
 use super::super::{Effect, Operation, Param, float, length, word};
-use super::{keeps, op, with};
+use super::{alone, keeps, op, with};
 
 const CENTER_AXES: Param = word(
     "axes",
@@ -24,11 +24,16 @@ const Y_ANGLE: Param = float("yAngle");
 const Z_ANGLE: Param = float("zAngle");
 
 pub(super) static ROWS: &[Operation] = &[
-    with(
+    alone(with(
         Effect::Sizes,
         op("s", "size", &[length("xSize"), length("ySize"), length("zSize")], "sets the size of the scope"),
-    ),
-    keeps(op("t", "translate", &[length("tx"), length("ty"), length("tz")], "moves along the axes of the scope")),
+    )),
+    alone(keeps(op(
+        "t",
+        "translate",
+        &[length("tx"), length("ty"), length("tz")],
+        "moves along the axes of the scope",
+    ))),
     keeps(op(
         "translate",
         "translate_in",
