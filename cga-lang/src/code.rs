@@ -97,7 +97,7 @@ codes! {
     UnusedConstant "unused_constant" Warning "A constant that nothing reads.",
     UnusedParameter "unused_parameter" Warning "A parameter or local value that nothing reads.",
     UnusedImport "unused_import" Warning "An import that nothing names.",
-    Shadowing "shadowing" Warning "A parameter or local value that hides something of the grammar.",
+    Shadowing "shadowing" Warning "A parameter or local value that hides something of the grammar, or that a selector hides.",
     // Geometry.
     NotAColor "not_a_color" Error "Text where a colour must stand, or a part of a colour, that is none.",
     UnknownUvSet "unknown_uv_set" Error "A uv set that does not exist.",

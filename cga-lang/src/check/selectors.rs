@@ -147,10 +147,11 @@ impl<'a> Scope<'_, 'a, '_> {
         self.place = outer;
     }
 
-    /// Where a name is a bool for certain it is a selector's word if it can be.
+    /// Resolves a part of a selector that must be a bool: the whole selector, or an operand of `!`, `&&` and `||`. The selector
+    /// of a name goes before everything that is declared. Parentheses make the name an expression, as arithmetic does.
     fn condition(&mut self, part: &'a Expr, place: Places) {
         match &part.kind {
-            ExprKind::Name(name) => self.selector_word(name, place),
+            ExprKind::Name(name) => self.selector_name(name, part.span == name.span, place),
             ExprKind::Unary(Unary::Not, part) => self.condition(part, place),
             ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => {
                 self.condition(left, place);
@@ -160,16 +161,16 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    fn selector_word(&mut self, name: &'a Name, place: Places) {
+    fn selector_name(&mut self, name: &'a Name, is_bare: bool, place: Places) {
         let text = name.text.as_str();
-        if self.inner.iter().any(|inner| inner.text == text) {
-            self.expr_name(name);
-        } else if let Some(row) = ops::selector(text) {
-            self.known_selector(name, row, place);
-        } else if self.lookup(text).is_some() {
-            self.expr_name(name);
-        } else if !self.cx.globals.is_lost(self.at, text) {
-            self.wrong_selector(name, place, &format!("unknown selector `{text}`"));
+        match ops::selector(text) {
+            Some(row) if is_bare => self.known_selector(name, row, place),
+            None if self.lookup(text).is_none() => {
+                if !self.cx.globals.is_lost(self.at, text) {
+                    self.wrong_selector(name, place, &format!("unknown selector `{text}`"));
+                }
+            }
+            _ => self.expr_name(name),
         }
     }
 
