@@ -75,10 +75,16 @@ pub(super) fn operation(row: &Operation, args: &[Arg], facts: &Facts, flow: &Flo
 /// Texture layers are numbered.
 fn layers<'e>(params: &[Param], args: impl Iterator<Item = &'e Expr>, facts: &Facts, flow: &Flow, diags: &mut Diags) {
     for (_, arg) in params.iter().zip(args).filter(|(param, _)| param.name.starts_with("uvSet")) {
-        let Value::Number(number) = flow.value(arg, facts) else { continue };
-        if number.is_odd() || 0.0 <= number.hi && number.lo <= LAST_LAYER {
-            continue;
-        }
+        uv_set(arg, facts, flow, diags);
+    }
+}
+
+/// Looks at the number of a uv set.
+pub(super) fn uv_set(arg: &Expr, facts: &Facts, flow: &Flow, diags: &mut Diags) {
+    if let Value::Number(number) = flow.value(arg, facts)
+        && !number.is_odd()
+        && (number.hi < 0.0 || LAST_LAYER < number.lo)
+    {
         let shown = number.known().map_or_else(|| "this".to_owned(), super::size::shown);
         let diag = diags.report(Code::UnknownUvSet, arg.span, format!("{shown} is not the number of a uv set"));
         diag.note("uv sets are numbered from 0 to 9");

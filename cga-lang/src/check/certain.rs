@@ -11,6 +11,7 @@ use crate::ast::Expr;
 use crate::diag::{Diag, Diags};
 
 pub(super) fn check(cx: &mut Cx) {
+    cx.tables.levels = branches::levels(cx);
     let program = cx.globals.program;
     // With an error somewhere nobody knows who calls whom.
     let calls = (!cx.diags.has_errors()).then(|| Calls::new(&cx.globals, &cx.tables));
@@ -27,7 +28,12 @@ pub(super) fn check(cx: &mut Cx) {
         values.visit(&cx.globals, rule, &mut |site, facts| {
             assets::check(site, facts, cx, &mut diags);
             match site {
-                Site::Split(_) | Site::TextureSplit(..) => {}
+                Site::Split(_) => {}
+                Site::TextureSplit(split, _) => {
+                    if let Some(set) = split.args.get(2) {
+                        arithmetic::uv_set(&set.value, facts, &values, &mut diags);
+                    }
+                }
                 Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
                 Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
                 Site::Operation(row, args) => {
@@ -80,7 +86,7 @@ fn divisions(rule: usize, flow: &Flow, projected: Projected, cx: &Cx) -> Vec<Dia
             size::check(slots, facts, &cx.tables, &mut diags);
             repeat::check(slots, &mut diags);
         }
-        Site::TextureSplit(split, set) => texture::check(split, *set, projected, facts, &mut diags),
+        Site::TextureSplit(split, Some(set)) => texture::check(split, *set, projected, facts, &mut diags),
         _ => {}
     });
     diags.finish()

@@ -100,6 +100,8 @@ pub(crate) struct Tables {
     pub(crate) targets: HashMap<u32, u32>,
     /// Calls that cannot run yet though others of their name do, by the token of their name.
     pub(crate) later: HashSet<u32>,
+    /// Constants that serve as levels, by index: rules only compare them with numbers.
+    pub(crate) levels: HashSet<u32>,
     /// Default values of overridden attributes that somebody asks for, by index of the constant.
     pub(crate) origins: HashSet<u32>,
 }

@@ -83,7 +83,10 @@ impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn comp(&mut self, comp: &'a Comp) {
         let args: Vec<(&Expr, Span)> = comp.args.iter().map(|arg: &Arg| (&arg.value, arg.span)).collect();
         let place = self.comp_kind(comp.name.span, args.into_iter());
-        comp.arms.iter().for_each(|arm| self.arm(arm, place));
+        for arm in &comp.arms {
+            self.index(&arm.selector);
+            self.arm(arm, place);
+        }
     }
 
     pub(super) fn arm(&mut self, arm: &'a CompArm, place: Places) {
@@ -95,6 +98,7 @@ impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn comp_value(&mut self, comp: &'a CompValue) {
         let place = self.comp_kind(comp.name.span, comp.args.iter().map(|arg| (arg, arg.span)));
         for (selector, _, value) in &comp.arms {
+            self.index(selector);
             self.selector(selector, place);
             // Words ask about the component that is to be selected; the value is none of them.
             let outer = self.place.take();
@@ -145,6 +149,18 @@ impl<'a> Scope<'_, 'a, '_> {
         let outer = self.place.replace(place);
         self.condition(selector, place);
         self.place = outer;
+    }
+
+    /// Refuses a negative number as a selector of a comp. Those of `setback` wrap (*setback operation*).
+    fn index(&mut self, selector: &Expr) {
+        if let ExprKind::Unary(Unary::Minus, operand) = &selector.kind
+            && let ExprKind::Number(number) = operand.kind
+            && 0.0 < number
+        {
+            let message = format!("there is no component with the index -{number}");
+            let diag = self.cx.diags.report(Code::UnknownSelector, selector.span, message);
+            diag.note("components are numbered from 0 on").help("write the index of a component, or a selector");
+        }
     }
 
     /// Resolves a part of a selector that must be a bool: the whole selector, or an operand of `!`, `&&` and `||`. The selector

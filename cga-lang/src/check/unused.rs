@@ -22,7 +22,10 @@ pub(super) fn check(cx: &Cx) -> Vec<Diag> {
     let is_root = |item: &&Item| program.roots.contains(&item.instance) && item.home == item.instance && !item.origin;
     let mut readings = Readings::default();
     // What a file declares others may read.
-    let values = |item: &&Item| is_root(item) && !program.may_be_imported();
+    let styled = styled(cx);
+    // A style may redefine a value for rules that only the other style has.
+    let is_styled = |item: &Item| styled.contains(&(item.decl.name.text.as_str(), item.decl.params.len()));
+    let values = |item: &&Item| is_root(item) && !program.may_be_imported() && !is_styled(item);
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
         let mut diags = Diags::new();
         value(item, "attribute", Code::UnusedAttribute, used.attrs.contains(&(index as u32)), &mut diags);
@@ -33,7 +36,6 @@ pub(super) fn check(cx: &Cx) -> Vec<Diag> {
         value(item, "constant", Code::UnusedConstant, used.consts.contains(&(index as u32)), &mut diags);
         readings.add(program, item.decl.name.id(), diags.finish());
     }
-    let styled = styled(cx);
     for item in globals.rules.iter().chain(&globals.functions).filter(is_root) {
         let mut diags = Diags::new();
         inner(cx, item, &styled, &mut diags);

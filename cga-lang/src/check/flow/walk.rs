@@ -15,8 +15,8 @@ use crate::span::Span;
 pub(in crate::check) enum Site<'s, 'a> {
     /// A split along an axis of the scope.
     Split(&'s Slots<'a>),
-    /// A split along an axis of a uv set.
-    TextureSplit(&'a Split, u32),
+    /// A split along an axis of a uv set, by number where that is known and there is such a set.
+    TextureSplit(&'a Split, Option<u32>),
     /// A condition of a `case`, where those before it have failed.
     Condition(&'s Turn<'s, 'a>),
     /// An expression that is computed.
@@ -179,9 +179,8 @@ impl<'w> Walk<'w> {
             self.items(&split.items, &mut index, facts, visit, shape);
         };
         self.meet_args(split.args.get(1..).unwrap_or_default(), facts, visit);
-        if split.is_in_texture_space()
-            && let Some(set) = self.uv_set(split.args.get(2), facts)
-        {
+        if split.is_in_texture_space() {
+            let set = self.uv_set(split.args.get(2), facts);
             visit.meet(&Site::TextureSplit(split, set), facts);
         }
         let Some(axis) = split_axis(split).filter(|_| !split.is_by_area()) else {
