@@ -167,7 +167,8 @@ fn an_initial_shape_without_meaning_is_refused_when_a_run_begins() {
     assert_eq!(run(Shape::rectangle(0.0, 8.0)), sizes("has no area", "0, 0 and 8"));
     assert_eq!(run(Shape::cuboid(0.0, 2.0, 0.0)), sizes("has no area", "0, 2 and 0"));
     // A box without a height has two faces, and lines and points need no area.
-    for shape in [Shape::cuboid(6.0, 4.0, 0.0), Shape::line([0.0; 3], [1.0, 0.0, 0.0]).unwrap(), Shape::point([0.0; 3])] {
+    for shape in [Shape::cuboid(6.0, 4.0, 0.0), Shape::line([0.0; 3], [1.0, 0.0, 0.0]).unwrap(), Shape::point([0.0; 3])]
+    {
         assert!(Edges::default().generate_from("NegativeMesh", &shape).is_ok());
     }
 }

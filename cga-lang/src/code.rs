@@ -107,7 +107,7 @@ codes! {
     DivisionByZero "division_by_zero" Warning "A division by what is always zero.",
     // Values.
     PercentOver100 "percent_over_100" Error "Percentages that add up to more than 100.",
-    InitCycle "init_cycle" Error "Attributes and constants that need each other.",
+    InitCycle "init_cycle" Error "Attributes and constants that need each other on every path.",
     EndlessFunction "endless_function" Error "A function that calls itself on every path.",
 }
 

@@ -6,8 +6,8 @@ use super::{Cx, Tables, Use};
 use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
-use crate::ir::ChoiceValues;
 use crate::hash::FastMap;
+use crate::ir::ChoiceValues;
 use crate::suggest::nearest;
 use crate::token::{Sym, Tok};
 use std::collections::HashSet;
@@ -206,10 +206,7 @@ pub(super) fn levels(cx: &Cx) -> HashSet<u32> {
     let at = |token: u32, step: i64| usize::try_from(i64::from(token) + step).ok().and_then(|at| tokens.get(at));
     let compares = |token: u32, step: i64| {
         use Sym::{EqEq, Greater, GreaterEq, Less, LessEq, NotEq};
-        let compared = matches!(
-            at(token, step),
-            Some(Tok::Sym(EqEq | NotEq | Less | LessEq | Greater | GreaterEq))
-        );
+        let compared = matches!(at(token, step), Some(Tok::Sym(EqEq | NotEq | Less | LessEq | Greater | GreaterEq)));
         compared && matches!(at(token, 2 * step), Some(Tok::Number(_)))
     };
     let mut counts: FastMap<u32, Option<u32>> = FastMap::default();
