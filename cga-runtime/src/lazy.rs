@@ -64,6 +64,9 @@ impl<T: Clone + Default> Lazy<T> {
     }
 }
 
+/// Marks a place where a value is computed that others read.
+pub fn computed<T>(_value: T) {}
+
 /// The shape on which such values are computed: the initial shape, or the one on which an import starts anew.
 #[derive(Clone, Debug)]
 pub struct Origin(Shape);

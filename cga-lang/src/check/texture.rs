@@ -45,15 +45,16 @@ impl Projected {
                     made |= UvSets::made_by(row);
                 }
                 match &op.kind {
-                OpKind::Call(name, args) if matches!(cx.tables.of(name), Some(Use::Operation(row)) if row.name == "projectUV") =>
-                {
-                    let facts = Facts::any(cx.globals.rules[index].decl.params.len());
-                    let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
-                    bits |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
+                    OpKind::Call(name, args) if matches!(cx.tables.of(name), Some(Use::Operation(row)) if row.name == "projectUV") =>
+                    {
+                        let facts = Facts::any(cx.globals.rules[index].decl.params.len());
+                        let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
+                        bits |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
+                    }
+                    OpKind::Path(..) => (bits, made) = (u16::MAX, u16::MAX),
+                    _ => {}
                 }
-                OpKind::Path(..) => (bits, made) = (u16::MAX, u16::MAX),
-                _ => {}
-            }});
+            });
         }
         Projected { projected: bits, made }
     }

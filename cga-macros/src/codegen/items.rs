@@ -224,7 +224,7 @@ fn init(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>, global: Global) -> Toke
     let place = Span::mixed_site();
     if cx.is_lazy(global) {
         let value = cx.lazy_value(global, &quote_spanned!(place=> &g), &quote_spanned!(place=> env));
-        return quote_spanned!(place=> let _ = #value;);
+        return quote_spanned!(place=> cga_rt::computed(#value););
     }
     let (target, field) = (cx.global_name(global), field(cx, fields, global));
     let (name, computed, known) = match global {

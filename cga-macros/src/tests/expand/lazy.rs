@@ -57,8 +57,8 @@ impl cga_rt::Rules for CgaGrammar {
         g.attr_1 = cga_rt::Lazy::given(self.a);
         g.attr_2 = cga_rt::Lazy::given(self.b);
         g.attr_0 = self.mode;
-        let _ = CgaValues::attr_1(&g, env);
-        let _ = CgaValues::attr_2(&g, env);
+        cga_rt::computed(CgaValues::attr_1(&g, env));
+        cga_rt::computed(CgaValues::attr_2(&g, env));
         g
     }
     fn start<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
