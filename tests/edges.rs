@@ -151,7 +151,7 @@ fn an_initial_shape_without_meaning_is_refused_when_a_run_begins() {
         Err(Error::Shape(message)) => message,
         other => panic!("{other:?}"),
     };
-    for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e200] {
+    for odd in [f64::NAN, f64::INFINITY, 1e200] {
         for shape in [
             Shape::rectangle(odd, 8.0),
             Shape::rectangle(8.0, odd),
@@ -162,14 +162,12 @@ fn an_initial_shape_without_meaning_is_refused_when_a_run_begins() {
             assert_eq!(run(shape), "a size or position of the initial shape is NaN, infinite or too large");
         }
     }
-    let sizes = |reason, sizes| format!("the initial shape {reason}: its sizes along x, y and z are {sizes}");
-    assert_eq!(run(Shape::rectangle(-3.0, 8.0)), sizes("has a negative size", "-3, 0 and 8"));
-    assert_eq!(run(Shape::cuboid(3.0, -1.0, 8.0)), sizes("has a negative size", "3, -1 and 8"));
-    assert_eq!(run(Shape::rectangle(0.0, 8.0)), sizes("has no area", "0, 0 and 8"));
-    assert_eq!(run(Shape::cuboid(0.0, 2.0, 0.0)), sizes("has no area", "0, 2 and 0"));
-    // A box without a height has two faces, and lines and points need no area.
-    for shape in [Shape::cuboid(6.0, 4.0, 0.0), Shape::line([0.0; 3], [1.0, 0.0, 0.0]).unwrap(), Shape::point([0.0; 3])]
-    {
+    let negative = |sizes| format!("the initial shape has a negative size: {sizes}");
+    assert_eq!(run(Shape::rectangle(-3.0, 8.0)), negative("[-3, 0, 8]"));
+    assert_eq!(run(Shape::cuboid(3.0, -1.0, 8.0)), negative("[3, -1, 8]"));
+    // Without a size along an axis a shape is flat, which splits and components know.
+    let zero = [Shape::cuboid(6.0, 4.0, 0.0), Shape::rectangle(0.0, 8.0), Shape::point([0.0; 3])];
+    for shape in zero.into_iter().chain(Shape::line([0.0; 3], [1.0, 0.0, 0.0])) {
         assert!(Edges::default().generate_from("NegativeMesh", &shape).is_ok());
     }
 }

@@ -137,8 +137,7 @@ pub(crate) fn stretch(from: DVec3, to: DVec3) -> DVec3 {
 }
 
 impl Shape {
-    /// A lot: a rectangle on the ground, `width` along x and `depth` along z, its corner at the origin, facing up. A run from
-    /// sizes that are not finite and above 0 is an error.
+    /// A lot: a rectangle on the ground, `width` along x and `depth` along z, its corner at the origin, facing up.
     pub fn rectangle(width: f64, depth: f64) -> Self {
         let scope = Scope::new(DVec3::new(width, 0.0, depth));
         // *comp operation*, coordinate systems: the first edge is the front, and the pivot its first vertex.
@@ -146,8 +145,7 @@ impl Shape {
         Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y))) }
     }
 
-    /// A box of that size, its corner at the origin. A run is an error when a size is negative or not finite, or more than one
-    /// is 0.
+    /// A box of that size, its corner at the origin. As of every shape, a run is an error when a size is negative or not finite.
     pub fn cuboid(width: f64, height: f64, depth: f64) -> Self {
         Shape::with(Scope::new(DVec3::new(width, height, depth)), Geometry::Box(UnitMesh::cuboid()))
     }
@@ -335,24 +333,13 @@ impl Shape {
         }
     }
 
-    /// Whether a run can start with it. A negative size mirrors a shape inside a run; an initial shape has none. A rectangle
-    /// or box needs two positive sizes: it has no area otherwise. Lines and points have no area, and a mesh without one
-    /// is empty.
+    /// Whether a run can start with it. A negative size mirrors a shape inside a run; an initial shape has none.
     pub(crate) fn check_initial(&self) -> Result<(), Error> {
-        self.check()?;
-        let size = self.scope.size;
-        let refuse = |reason: &str| {
-            let numbers = format!("its sizes along x, y and z are {}, {} and {}", size.x, size.y, size.z);
-            Err(Error::Shape(format!("the initial shape {reason}: {numbers}")))
-        };
-        let positive = size.to_array().into_iter().filter(|&extent| 0.0 < extent).count();
-        if size.min_element() < 0.0 {
-            refuse("has a negative size")
-        } else if matches!(self.geometry, Geometry::Rect(..) | Geometry::Box(_)) && positive < 2 {
-            refuse("has no area")
-        } else {
-            Ok(())
+        if self.scope.size.min_element() < 0.0 {
+            let message = format!("the initial shape has a negative size: {}", self.scope.size);
+            return Err(Error::Shape(message));
         }
+        self.check()
     }
 }
 

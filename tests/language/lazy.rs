@@ -121,3 +121,25 @@ fn long_cycles_need_no_more_than_the_stack() {
     assert_eq!(run(100.0).unwrap(), ["100"]);
     assert!(matches!(run(-1.0), Err(Error::Limit { what: LimitKind::Nesting, .. })));
 }
+
+#[test]
+fn every_place_of_a_rule_reads_them() {
+    cga! {
+        grammar Places;
+        attr mode = 1
+        attr a = case mode == 1 : sum(comp(f) { b > 1 && all : b }) else : b * 2
+        attr b = case mode == 1 : 2 else : sum(comp(e) { all = a })
+        attr word = case mode == 1 : "w" else : other
+        attr other = case mode == 1 : word + sum([a, b]) else : "o"
+        const k = case mode == 1 : 1 else : l
+        const l = case mode == 1 : k else : a
+        twice(n) = n * a + k
+        @StartRule
+        Lot --> extrude(k + l) comp(f) { a > 1 && top : Top(a, b) | b : Indexed. | all : NIL }
+        Top(n, m) --> split(x) { a / 4 : set(material.name, word + other) Slot(twice(b), k) | { ~b : NIL }* | ^(k / 4) : NIL }
+        Slot(n, m) --> case n > a && m == l : t(k, max(k, l), l) print([a, b, k]) print(n) X. else : X.
+    }
+    assert_eq!(lines(&model(&Places::default())), ["(3)[2,2,1]", "5"]);
+    let anew = Places { mode: 2.0, b: Some(1.5), ..Places::default() };
+    assert_eq!(lines(&model(&anew)), ["(3)[3,1.5,3]", "7.5"]);
+}
