@@ -43,6 +43,7 @@ fn printed(model: &Model) -> Vec<String> {
 }
 
 cga! {
+    @Allow(missing_asset)
     grammar City = r#"
         import imp : "tests/rules/import/city/assets.cga" (Extended --> s(0, 0, 0) i("q.obj") Replaced.)
         Own --> s(0, 0, 0) i("q.obj") Own.

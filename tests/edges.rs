@@ -8,6 +8,7 @@ fn names(model: &Model) -> Vec<&'static str> {
 
 cga! {
     /// Small rules that each go to one edge.
+    @Allow(rule_not_reached)
     grammar Edges;
     @StartRule
     NegativeExtrude --> extrude(-0.3) comp(f) { front : Aa. | side = Bb. }
@@ -142,4 +143,31 @@ fn an_old_default_outside_of_its_range_runs() {
     assert!(Old::default().generate(&lot).is_ok());
     assert!(Old { height: 5.0 }.generate(&lot).is_ok());
     assert!(Old { height: 25.0 }.generate(&lot).is_err());
+}
+
+#[test]
+fn an_initial_shape_without_meaning_is_refused_when_a_run_begins() {
+    let run = |shape: Shape| match Edges::default().generate_from("NegativeMesh", &shape) {
+        Err(Error::Shape(message)) => message,
+        other => panic!("{other:?}"),
+    };
+    for odd in [f64::NAN, f64::INFINITY, 1e200] {
+        for shape in [
+            Shape::rectangle(odd, 8.0),
+            Shape::rectangle(8.0, odd),
+            Shape::cuboid(odd, 1.0, 1.0),
+            Shape::cuboid(1.0, odd, 1.0),
+            Shape::cuboid(1.0, 1.0, odd),
+        ] {
+            assert_eq!(run(shape), "a size or position of the initial shape is NaN, infinite or too large");
+        }
+    }
+    let negative = |sizes| format!("the initial shape has a negative size: {sizes}");
+    assert_eq!(run(Shape::rectangle(-3.0, 8.0)), negative("[-3, 0, 8]"));
+    assert_eq!(run(Shape::cuboid(3.0, -1.0, 8.0)), negative("[3, -1, 8]"));
+    // Without a size along an axis a shape is flat, which splits and components know.
+    let zero = [Shape::cuboid(6.0, 4.0, 0.0), Shape::rectangle(0.0, 8.0), Shape::point([0.0; 3])];
+    for shape in zero.into_iter().chain(Shape::line([0.0; 3], [1.0, 0.0, 0.0])) {
+        assert!(Edges::default().generate_from("NegativeMesh", &shape).is_ok());
+    }
 }

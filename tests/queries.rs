@@ -111,6 +111,7 @@ fn coordinates_are_converted() {
 #[test]
 fn attributes_of_shapes_are_read_and_set() {
     let model = cga! {
+        @Allow(missing_asset)
         Lot -->
             print(initialShape.name) print(initialShape.startRule) print(initialShape.origin.px)
             print(trim.vertical) set(trim.vertical, false) print(trim.vertical) print(trim.horizontal)
@@ -144,6 +145,7 @@ fn equal_seeds_give_equal_numbers() {
 #[test]
 fn files_are_found_and_measured() {
     let rules = cga! {
+        @Allow(missing_asset)
         Lot -->
             print(fileSearch("*.obj")) print(filesSearch("Name=b*")) print(fileExists("a.obj")) print(fileExists("c.obj"))
             print(assetInfo("sub/b.obj", sx)) print(len(fileRandom("?.obj"))) print(assetNamingInfos("a.obj", g)) X.

@@ -98,17 +98,18 @@ codes! {
     UnusedConstant "unused_constant" Warning "A constant that nothing reads.",
     UnusedParameter "unused_parameter" Warning "A parameter or local value that nothing reads.",
     UnusedImport "unused_import" Warning "An import that nothing names.",
-    Shadowing "shadowing" Warning "A parameter or local value that hides something of the grammar.",
+    Shadowing "shadowing" Warning "A parameter or local value that hides something of the grammar, or that a selector hides.",
     // Geometry.
     NotAColor "not_a_color" Error "Text where a colour must stand, or a part of a colour, that is none.",
     UnknownUvSet "unknown_uv_set" Error "A uv set that does not exist.",
     SplitWithoutUv "split_without_uv" Warning "A split in texture space before there are texture coordinates.",
+    TextureWithoutUv "texture_without_uv" Warning "A texture on a shape that has no texture coordinates.",
     MissingAsset "missing_asset" Warning "A file that the package does not have, or an asset without faces.",
     UnknownGroup "unknown_group" Warning "A group or material that an asset does not have.",
     DivisionByZero "division_by_zero" Warning "A division by what is always zero.",
     // Values.
     PercentOver100 "percent_over_100" Error "Percentages that add up to more than 100.",
-    InitCycle "init_cycle" Error "Attributes and constants that need each other.",
+    InitCycle "init_cycle" Error "Attributes and constants that need each other on every path.",
     EndlessFunction "endless_function" Error "A function that calls itself on every path.",
 }
 

@@ -50,12 +50,21 @@ pub struct Grammar {
     pub rules: Vec<Rule>,
     /// The rules a run can begin with: the default first.
     pub starts: Vec<Start>,
-    /// By style: attributes and constants in an order in which each is ready before it is used. `Default` is first.
+    /// By style: attributes and constants in an order in which each is ready before it is used. Lazy ones of a cycle follow each
+    /// other. `Default` is first.
     pub init: Vec<Vec<Global>>,
     /// Imports that start anew somewhere.
     pub renewals: Vec<Renewal>,
     /// Rust values used in the rules, one entry a use, in source order.
     pub hosts: Vec<Host>,
+}
+
+impl Grammar {
+    /// Attributes, then constants.
+    pub fn globals(&self) -> impl Iterator<Item = Global> + use<> {
+        let attrs = (0..self.attrs.len() as u32).map(|id| Global::Attr(AttrId(id)));
+        attrs.chain((0..self.consts.len() as u32).map(|id| Global::Const(ConstId(id))))
+    }
 }
 
 /// A rule that a run can begin with.
@@ -167,6 +176,8 @@ pub struct Const {
     pub known: Option<Value>,
     /// Whether an import that starts anew gives it another value: only then do reads look at the shape first.
     pub is_set: bool,
+    /// Whether it is on a cycle that conditions may keep open: it is computed when it is first read.
+    pub lazy: bool,
     /// The name in its declaration.
     pub span: Span,
 }

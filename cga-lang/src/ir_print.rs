@@ -102,7 +102,9 @@ impl<'g> Printer<'g> {
         if let Some(order) = attr.order {
             let _ = write!(text, ", order {order}");
         }
-        for (flag, word) in [(attr.hidden, "hidden"), (attr.is_set, "set"), (attr.known.is_none(), "computed")] {
+        for (flag, word) in
+            [(attr.hidden, "hidden"), (attr.is_set, "set"), (attr.lazy, "lazy"), (attr.known.is_none(), "computed")]
+        {
             if flag {
                 let _ = write!(text, ", {word}");
             }
@@ -172,7 +174,12 @@ impl<'g> Printer<'g> {
     }
 
     fn constant(&self, own: &Const) -> String {
-        let set = if own.is_set { ", set" } else { "" };
+        let set = match (own.is_set, own.lazy) {
+            (true, true) => ", set, lazy",
+            (true, false) => ", set",
+            (false, true) => ", lazy",
+            (false, false) => "",
+        };
         format!("const {}: {} = {}{set}", own.name, own.ty.word(), self.expr(&own.value))
     }
 

@@ -175,7 +175,7 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
     settings: &Settings,
     sink: &mut S,
 ) -> Result<Report, Error> {
-    shape.check()?;
+    shape.check_initial()?;
     rules.check()?;
     let (start, style, start_name) = start_rule::<R>(settings.start.as_deref())?;
     let env = Env::new(settings, R::NAMES, shape, start_name);

@@ -70,6 +70,8 @@ pub struct Env {
     /// What they take of [`FUNCTIONS`].
     call_stack: u32,
     calls_made: u64,
+    /// Lazy attributes and constants that are being computed, from the first on.
+    pub(crate) open: Vec<&'static str>,
     faults: Vec<Fault>,
     faults_left_out: u64,
     /// The faults of files by their messages, as numbers of those that are kept.
@@ -154,6 +156,7 @@ impl Env {
             calls: 0,
             call_stack: 0,
             calls_made: 0,
+            open: Vec::new(),
             faults: Vec::new(),
             faults_left_out: 0,
             asset_faults: BTreeMap::new(),
@@ -241,6 +244,15 @@ impl Env {
             (self.calls, self.call_stack) = (self.calls + 1, stack);
         }
         may
+    }
+
+    /// Ends the run because a lazy attribute or constant needs its own value.
+    #[cold]
+    pub(crate) fn close_cycle(&mut self, name: &'static str) {
+        let first = self.open.iter().rposition(|open| *open == name).unwrap_or(0);
+        let names = self.open[first..].to_vec();
+        self.error.get_or_insert(Error::Cycle { names });
+        self.shapes = u64::MAX;
     }
 
     /// Leaves a function that asked for so many bytes.

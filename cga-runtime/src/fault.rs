@@ -110,6 +110,11 @@ pub enum Error {
         /// Why.
         message: String,
     },
+    /// Attributes and constants need each other, and no condition keeps the run from closing the cycle.
+    Cycle {
+        /// Their names, each before one that it needs. The last one needs the first.
+        names: Vec<&'static str>,
+    },
     /// There is no rule of that name that a run can start with.
     StartRule {
         /// The name asked for.
@@ -129,6 +134,7 @@ impl fmt::Display for Error {
                 write_trail(f, trail)
             }
             Error::Attribute { name, message } => write!(f, "attribute `{name}`: {message}"),
+            Error::Cycle { names } => write_cycle(f, names),
             Error::StartRule { known, .. } if known.is_empty() => {
                 f.write_str("there is no rule that a run can start with: one without parameters that is not hidden")
             }
@@ -144,6 +150,22 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+/// Names each attribute of a cycle with the next one; of long cycles the beginning.
+fn write_cycle(f: &mut fmt::Formatter<'_>, names: &[&'static str]) -> fmt::Result {
+    const NAMED: usize = 12;
+    let Some(first) = names.first() else { return f.write_str("an attribute needs its own value") };
+    write!(f, "`{first}` needs its own value")?;
+    for (at, name) in names.iter().enumerate().skip(1).take(NAMED) {
+        f.write_str(if at == 1 { " by way of " } else { ", " })?;
+        write!(f, "`{name}`")?;
+    }
+    if NAMED + 1 < names.len() {
+        write!(f, " and {} more", names.len() - NAMED - 1)?;
+    }
+    let what = if names.len() < 2 { "it" } else { "one of them" };
+    write!(f, ": set {what}, or change the conditions that lead there")
+}
 
 /// Long trails are recursion: the beginning and the end say it.
 fn write_trail(f: &mut fmt::Formatter<'_>, trail: &[&'static str]) -> fmt::Result {

@@ -22,6 +22,7 @@ pub mod grammar;
 pub mod host;
 mod hull;
 pub mod later;
+pub mod lazy;
 pub mod material;
 pub mod mesh;
 pub mod model;

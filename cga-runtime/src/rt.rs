@@ -13,6 +13,7 @@ pub use crate::derive::{Cx, Report, run};
 pub use crate::env::Env;
 pub use crate::fault::{Error, Fault};
 pub use crate::grammar::{Field, Grammar, Rules, StartRule, generate};
+pub use crate::lazy::{Lazy, Origin, computed};
 pub use crate::model::Model;
 pub use crate::op::Length;
 pub use crate::scope::Axis;

@@ -79,7 +79,8 @@ impl Scope {
 
     /// Whether what is in it, turned any way, is far from where numbers end.
     pub(crate) fn is_bounded(&self) -> bool {
-        self.origin.abs().element_sum() <= 1e150 && self.size.abs().max_element() <= Scope::MOST_SIZE
+        // Maxima skip NaN, sums and comparisons do not.
+        self.origin.abs().element_sum() <= 1e150 && self.size.abs().cmple(DVec3::splat(Scope::MOST_SIZE)).all()
     }
 
     /// The extent along an axis.

@@ -199,6 +199,11 @@ pub fn attribute(shape: &mut ShapeRef<'_>, number: u32, value: Value) {
     }
 }
 
+/// Removes values of attributes and constants. The numbers are sorted.
+pub(crate) fn forget(shape: &mut ShapeRef<'_>, numbers: &[u32]) {
+    shape.state.change().attributes.retain(|(number, _)| numbers.binary_search(number).is_err());
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

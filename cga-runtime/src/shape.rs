@@ -182,7 +182,7 @@ impl Shape {
         Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y))) }
     }
 
-    /// A box of that size, its corner at the origin.
+    /// A box of that size, its corner at the origin. As of every shape, a run is an error when a size is negative or not finite.
     pub fn cuboid(width: f64, height: f64, depth: f64) -> Self {
         Shape::with(Scope::new(DVec3::new(width, height, depth)), Geometry::Box(UnitMesh::cuboid()))
     }
@@ -370,8 +370,17 @@ impl Shape {
         } else if scope.is_bounded() {
             Ok(())
         } else {
-            Err(Error::Shape("a size or position of the initial shape is no number, or too large".into()))
+            Err(Error::Shape("a size or position of the initial shape is NaN, infinite or too large".into()))
         }
+    }
+
+    /// Whether a run can start with it. A negative size mirrors a shape inside a run; an initial shape has none.
+    pub(crate) fn check_initial(&self) -> Result<(), Error> {
+        if self.scope.size.min_element() < 0.0 {
+            let message = format!("the initial shape has a negative size: {}", self.scope.size);
+            return Err(Error::Shape(message));
+        }
+        self.check()
     }
 }
 

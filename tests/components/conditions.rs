@@ -5,7 +5,7 @@ use cga::{Model, Shape, cga};
 use crate::{lines, mesh, run};
 
 cga! {
-    @Allow(old_spelling)
+    @Allow(old_spelling, rule_not_reached)
     grammar Conditions = r#"
     attr least = 4
     attr flag = true

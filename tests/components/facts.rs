@@ -5,6 +5,7 @@ use cga::{Shape, cga};
 use crate::{lines, mesh, run, square};
 
 cga! {
+    @Allow(rule_not_reached)
     grammar Facts = r#"
     @StartRule
     Cube --> primitiveCube() comp(f) { front : Note("Front") | side : Note("Side") | all = Note("All") }

@@ -7,6 +7,7 @@ use cga::{Grammar, Model, Shape, cga};
 use crate::{mesh, run};
 
 cga! {
+    @Allow(rule_not_reached)
     grammar Order = r#"
     @StartRule
     Cube --> primitiveCube() X.

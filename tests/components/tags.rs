@@ -5,6 +5,7 @@ use cga::{Grammar, Shape, cga};
 use crate::run;
 
 cga! {
+    @Allow(rule_not_reached)
     grammar Tags;
 
     // Each part of an extrusion, of a box and of a footprint with a hole.

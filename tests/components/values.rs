@@ -5,6 +5,7 @@ use cga::{Shape, cga};
 use crate::{lines, run, square};
 
 cga! {
+    @Allow(rule_not_reached)
     grammar Values = r#"
     attr areas = comp(f) { all : geometry.area }
     const fronts = comp(f) { front : true }

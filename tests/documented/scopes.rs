@@ -6,7 +6,7 @@ use cga::mesh::FaceTag;
 use cga::{Assets, MeshBuilder, Model, Settings, Shape, cga};
 
 cga! {
-    @Allow(undefined_rule)
+    @Allow(undefined_rule, missing_asset)
     grammar Pages = r##"
     # i operation, Insertion and Zero Scope Dimensions
     @StartRule

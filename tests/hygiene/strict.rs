@@ -20,6 +20,7 @@ use cga::{Shape, cga};
 
 cga! {
     /// Has some of everything.
+    @Allow(rule_not_reached)
     pub(crate) grammar Strict;
     /// How high.
     @Range(min = 1, max = 100000000)
@@ -32,13 +33,17 @@ cga! {
     @Allow(unused_constant)
     const sides = comp(fe, noAlign) { front || flag : scope.sx | 3 = ratio | border =: comp.index }
     unused(n) = n
+    attr first = case ratio > 1 : 2 else : second * 2
+    attr second = case ratio > 1 : first + 1 else : 3
+    const title = case ratio > 1 : caption else : "t" + first
+    const caption = case ratio > 1 : "c" + second else : title
     fac(n) = case n < 2 : 1 else : n * fac(n - 1)
     half(n) = 50% : n else : n / 2 + scope.sx
 
     @StartRule
     Lot --> extrude(min(height, 5)) split(y) { ~1 : A(1, flag) | { ~0.5 : B | fac(3) : NIL }* | half(drawn) : C. }
     A(n, _unused) --> case n > 3 : [ center(xz) [ NIL ] A(n - 1, false) ] case n > 2 : Z. NIL else : B C
-    B --> set(about, about + computed) set(material.opacity, ratio) comp(f) { top : X. | side = Y | 3 : Y }
+    B --> set(about, about + computed + caption) set(material.opacity, ratio) comp(f) { top : X. | side = Y | 3 : Y }
     C --> 30% : C. 20% : B else : NIL
     Y --> crate::operate(1, "x", true) Faces(2, about)
     Faces(n, query) --> comp(f) { crate::function(n, query) && top : Z | scope.sx > n : Z | all =: Z }

@@ -6,8 +6,11 @@ use super::{Cx, Tables, Use};
 use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
+use crate::hash::FastMap;
 use crate::ir::ChoiceValues;
 use crate::suggest::nearest;
+use crate::token::{Sym, Tok};
+use std::collections::HashSet;
 
 /// Looks at a condition of a `case`.
 pub(super) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
@@ -21,7 +24,7 @@ pub(super) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
         }
         return again(turn, cx, diags);
     };
-    if is_decided_by_switch(condition, truth, facts, flow, &cx.tables) {
+    if is_decided_by_switch(condition, truth, facts, flow, cx) {
         return;
     }
     // Whoever names the last of all possibilities, has to write `else` even so.
@@ -168,23 +171,56 @@ fn told(expr: &Expr, facts: &Facts, flow: &Flow) -> Option<String> {
 }
 
 /// Whether it is a switch that decides a condition.
-fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, tables: &Tables) -> bool {
+fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, cx: &Cx) -> bool {
     let decides = |side: &Expr, truth: bool| {
-        flow.value(side, facts).truth() == Some(truth) && is_decided_by_switch(side, truth, facts, flow, tables)
+        flow.value(side, facts).truth() == Some(truth) && is_decided_by_switch(side, truth, facts, flow, cx)
     };
-    is_switch(condition, tables)
-        || is_literal(condition)
-        || match (&condition.kind, truth) {
-            (ExprKind::Unary(Unary::Not, operand), _) => decides(operand, !truth),
-            // One side is enough, or one of the two it takes.
-            (ExprKind::Binary(Binary::And | Binary::Or, _, left, right), _) => {
-                decides(left, truth) || decides(right, truth)
-            }
-            _ => false,
+    match &condition.kind {
+        ExprKind::Unary(Unary::Not, operand) => decides(operand, !truth),
+        // One side is enough, or one of the two it takes.
+        ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => decides(left, truth) || decides(right, truth),
+        ExprKind::Binary(Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge, _, left, right) => {
+            is_level(left, right, cx) || is_level(right, left, cx)
         }
+        _ => is_switch(condition, &cx.tables) || is_literal(condition),
+    }
 }
 
-/// Whether an expression has no names at all: `1 == 1` is a switch, too.
+/// Whether an order comparison tests a switch: a constant against zero, which turns a part off (`overhang > 0`), or a constant
+/// that the rules do nothing with but compare it, more than once (`lod > 1`, `lod > 2`).
+fn is_level(constant: &Expr, bound: &Expr, cx: &Cx) -> bool {
+    let (ExprKind::Name(name) | ExprKind::Call(name, _), ExprKind::Number(bound)) = (&constant.kind, &bound.kind)
+    else {
+        return false;
+    };
+    match cx.tables.of(name) {
+        Some(Use::Function(_)) => *bound == 0.0 && is_switch(constant, &cx.tables),
+        Some(Use::Const(index)) => *bound == 0.0 || cx.tables.levels.contains(&index),
+        _ => false,
+    }
+}
+
+/// Constants that are used more than once, always in a comparison with a number.
+pub(super) fn levels(cx: &Cx) -> HashSet<u32> {
+    let tokens = cx.globals.program.tokens.as_slice();
+    let at = |token: u32, step: i64| usize::try_from(i64::from(token) + step).ok().and_then(|at| tokens.get(at));
+    let compares = |token: u32, step: i64| {
+        use Sym::{EqEq, Greater, GreaterEq, Less, LessEq, NotEq};
+        let compared = matches!(at(token, step), Some(Tok::Sym(EqEq | NotEq | Less | LessEq | Greater | GreaterEq)));
+        compared && matches!(at(token, 2 * step), Some(Tok::Number(_)))
+    };
+    let mut counts: FastMap<u32, Option<u32>> = FastMap::default();
+    for (&token, found) in &cx.tables.uses {
+        if let Use::Const(index) = found {
+            let is_compared = compares(token, 1) || compares(token, -1);
+            let count = counts.entry(*index).or_insert(Some(0));
+            *count = count.filter(|_| is_compared).map(|count| count + 1);
+        }
+    }
+    counts.into_iter().filter(|(_, count)| 1 < count.unwrap_or(0)).map(|(index, _)| index).collect()
+}
+
+/// Whether an expression has no names: `1 == 1` is a switch, too.
 fn is_literal(expr: &Expr) -> bool {
     matches!(
         expr.kind,

@@ -12,6 +12,7 @@ use crate::diag::{Diag, Diags};
 use crate::ops::SPLIT_UV_SET;
 
 pub(super) fn check(cx: &mut Cx) {
+    cx.tables.levels = branches::levels(cx);
     let program = cx.globals.program;
     // With an error somewhere nobody knows who calls whom.
     let calls = (!cx.diags.has_errors()).then(|| Calls::new(&cx.globals, &cx.tables));
@@ -36,12 +37,21 @@ pub(super) fn check(cx: &mut Cx) {
                 Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
                 Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
                 Site::Operation(row, args) => {
+                    if let ("texture", [image]) = (row.name, args) {
+                        texture::carried(&image.value, 0, projected, facts, &mut diags);
+                    }
                     let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
                     bounds::check(row.params, &args, facts, &values, &mut diags);
                     colour::check(program, row.params, &args, facts, &values, &mut diags);
                 }
-                Site::Set(row, value) if row.name == "material.color.rgb" => colour::text(program, value, &mut diags),
-                Site::Set(..) => {}
+                Site::Set(row, value) => {
+                    if let Some(set) = texture::layer(row.name) {
+                        texture::carried(value, set, projected, facts, &mut diags);
+                    }
+                    if row.name == "material.color.rgb" {
+                        colour::text(program, value, &mut diags);
+                    }
+                }
             }
         });
         // Nobody knows who else imports a file.

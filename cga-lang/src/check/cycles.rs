@@ -1,4 +1,5 @@
-//! Attributes and constants that need each other, and functions that never end.
+//! Attributes and constants that need each other on every path, and functions that never end. A cycle that conditions may
+//! keep open is computed lazily.
 
 use super::{Cx, Init, Item, Tables, Use};
 use crate::ast::{Expr, ExprKind};
@@ -32,7 +33,9 @@ pub(super) fn find(cx: &mut Cx) {
     for component in components(&edges) {
         settle(&component, &items, &cx.tables, numbering, &mut ends);
         let cyclic = is_cycle(&component, &edges);
-        let value = component.iter().copied().find(|&node| node < first_function);
+        let is_value = |node: &usize| *node < first_function;
+        let endless = component.iter().copied().find(|&node| !ends[node]);
+        let value = component.iter().copied().find(|node| is_value(node) && !ends[*node]);
         // The others of a cycle.
         let way = |node: usize| {
             let others = component.iter().filter(|&&other| other != node).map(|&other| {
@@ -54,10 +57,10 @@ pub(super) fn find(cx: &mut Cx) {
                 diag.related(format!("`{}` is declared", other.text), other.span);
             }
             diag.help(match component.len() {
-                1 => "give it a value that does not need it",
-                _ => "give one of them a value that does not need the others",
+                1 => "give it a value that does not need it, at least in one branch of a `case`",
+                _ => "give one of them a value that does not need the others, at least in one branch of a `case`",
             });
-        } else if let (true, Some(&node)) = (cyclic, component.iter().find(|&&node| !ends[node])) {
+        } else if let (true, Some(node)) = (cyclic, endless) {
             let item = items[node];
             cx.diags
                 .report(
@@ -69,7 +72,9 @@ pub(super) fn find(cx: &mut Cx) {
         }
         for &node in &component {
             cx.tables.order.push(node);
-            if cyclic && first_function <= node {
+            if cyclic && is_value(&node) {
+                cx.tables.lazy.insert(node);
+            } else if cyclic {
                 cx.tables.recursive.insert((node - first_function) as u32);
             }
         }

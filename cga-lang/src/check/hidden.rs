@@ -1,7 +1,7 @@
 //! Selectors that find nothing left, as earlier ones take all that they could.
 
 use super::{Cx, Tables, Use};
-use crate::ast::{CompArm, Expr, ExprKind, OpKind, Unary};
+use crate::ast::{CompArm, Expr, ExprKind, OpKind};
 use crate::ast_walk::ops;
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
@@ -34,10 +34,6 @@ enum Takes {
 
 fn takes(selector: &Expr, tables: &Tables) -> Option<Takes> {
     match &selector.kind {
-        ExprKind::Unary(Unary::Minus, inner) => match inner.kind {
-            ExprKind::Number(number) => Some(Takes::Index(-number)),
-            _ => None,
-        },
         ExprKind::Name(name) => match tables.of(name)? {
             Use::Selector(word) => Some(Takes::Word(word)),
             _ => None,
@@ -54,7 +50,7 @@ fn arms(list: &[CompArm], tables: &Tables, diags: &mut Diags) {
         let Some(own) = takes(&arm.selector, tables) else { continue };
         let span = arm.selector.span;
         if let Takes::Index(index) = own
-            && (index < 0.0 || index.fract() != 0.0)
+            && index.fract() != 0.0
         {
             let diag = never(diags, own, span);
             diag.note("components have whole numbers, from 0 on").help("write another index, or leave it out");

@@ -98,10 +98,14 @@ pub(crate) struct Tables {
     pub(crate) order: Vec<usize>,
     /// Functions that can reach themselves, by index.
     pub(crate) recursive: HashSet<u32>,
+    /// Attributes and constants on a cycle that conditions may keep open, in the numbering of `order`.
+    pub(crate) lazy: HashSet<usize>,
     /// Attributes that a dynamic call gives values to, by the token of the name there.
     pub(crate) targets: HashMap<u32, u32>,
     /// Calls that cannot run yet though others of their name do, by the token of their name.
     pub(crate) later: HashSet<u32>,
+    /// Constants that serve as levels, by index: rules only compare them with numbers.
+    pub(crate) levels: HashSet<u32>,
     /// Default values of overridden attributes that somebody asks for, by index of the constant.
     pub(crate) origins: HashSet<u32>,
 }

@@ -30,12 +30,21 @@ pub(super) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
     for (caller, callees) in calls.edges.iter().enumerate().filter(|(caller, _)| !reached[*caller]) {
         callees.iter().filter(|callee| caller < **callee).for_each(|&callee| called[callee] = true);
     }
+    let uncalled = uncalled(cx, calls);
     let mut readings = Readings::default();
     for (rule, item) in globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {
             continue;
         }
         let mut diags = Diags::new();
+        if uncalled.contains(&rule) {
+            let name = &item.decl.name;
+            let diag = diags.report(Code::RuleNotReached, name.span, format!("no rule calls `{}`", name.text));
+            if let Some(start) = calls.starts.first().map(|start| &globals.rules[*start].decl.name) {
+                diag.related(format!("runs begin with `{}`, which is marked `@StartRule`", start.text), start.span);
+            }
+            diag.help("write `@StartRule` before it as well, or `@Hidden`, if runs begin with it");
+        }
         if !reached[rule] && !called[rule] && !body(item).is_empty() {
             let name = &item.decl.name;
             let message = format!("rule `{}` is never reached", name.text);
@@ -58,6 +67,32 @@ pub(super) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
     readings.agreed(program)
 }
 
+/// Rules without parameters that nothing calls and no annotation names, where another rule is marked as the start.
+fn uncalled(cx: &Cx, calls: &Calls) -> HashSet<usize> {
+    let program = cx.globals.program;
+    let mut others: HashSet<usize> = HashSet::new();
+    for (caller, callees) in calls.edges.iter().enumerate() {
+        others.extend(callees.iter().filter(|callee| **callee != caller));
+    }
+    let info = |item: &Item| cx.tables.rules.get(&item.decl.name.id());
+    let is_root = |item: &Item| program.roots.contains(&item.instance) && !is_outward(item);
+    let is_marked = |item: &Item| is_root(item) && info(item).is_some_and(|info| info.marked);
+    if program.may_be_imported() || !cx.globals.rules.iter().any(is_marked) {
+        return HashSet::new();
+    }
+    let rules = cx.globals.rules.iter().enumerate();
+    let alone = rules.filter(|(rule, item)| {
+        let is_named = info(item).is_some_and(|info| info.marked || info.hidden);
+        is_root(item) && item.decl.params.is_empty() && !is_named && !others.contains(rule) && !body(item).is_empty()
+    });
+    alone.map(|(rule, _)| rule).collect()
+}
+
+/// Whether a rule replaces or goes on with a rule of an import, and is called from there.
+fn is_outward(item: &Item) -> bool {
+    item.decl.role != Role::Plain || item.decl.name.text.contains('.') || item.home != item.instance
+}
+
 /// The import before the name of a rule, where the file has no such import.
 fn missing_import<'a>(cx: &Cx<'a, '_>, item: &Item<'a>) -> Option<&'a str> {
     let program = cx.globals.program;
@@ -72,9 +107,7 @@ fn reached(cx: &Cx, calls: &Calls) -> Vec<bool> {
     let mut reached = vec![false; globals.rules.len()];
     let mut open = calls.starts.clone();
     for (rule, item) in globals.rules.iter().enumerate() {
-        // What replaces or goes on with rules of imports is called from there.
-        let outward = item.decl.role != Role::Plain || item.decl.name.text.contains('.') || item.home != item.instance;
-        if item.decl.params.is_empty() || outward {
+        if item.decl.params.is_empty() || is_outward(item) {
             open.push(rule);
         }
     }

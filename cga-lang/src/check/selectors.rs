@@ -83,7 +83,10 @@ impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn comp(&mut self, comp: &'a Comp) {
         let args: Vec<(&Expr, Span)> = comp.args.iter().map(|arg: &Arg| (&arg.value, arg.span)).collect();
         let place = self.comp_kind("operation", &comp.name, args.into_iter());
-        comp.arms.iter().for_each(|arm| self.arm(arm, place));
+        for arm in &comp.arms {
+            self.index(&arm.selector);
+            self.arm(arm, place);
+        }
     }
 
     pub(super) fn arm(&mut self, arm: &'a CompArm, place: Places) {
@@ -99,6 +102,7 @@ impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn comp_value(&mut self, comp: &'a CompValue) {
         let place = self.comp_kind("function", &comp.name, comp.args.iter().map(|arg| (arg, arg.span)));
         for (selector, _, value) in &comp.arms {
+            self.index(selector);
             self.selector(selector, place);
             // Words ask about the component that is to be selected; the value is none of them.
             let outer = self.place.take();
@@ -181,9 +185,23 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     /// Where a name is a bool for certain it is a selector's word if it can be.
+    /// Refuses a negative number as a selector of a comp. Those of `setback` wrap (*setback operation*).
+    fn index(&mut self, selector: &Expr) {
+        if let ExprKind::Unary(Unary::Minus, operand) = &selector.kind
+            && let ExprKind::Number(number) = operand.kind
+            && 0.0 < number
+        {
+            let message = format!("there is no component with the index -{number}");
+            let diag = self.cx.diags.report(Code::UnknownSelector, selector.span, message);
+            diag.note("components are numbered from 0 on").help("write the index of a component, or a selector");
+        }
+    }
+
+    /// Resolves a part of a selector that must be a bool: the whole selector, or an operand of `!`, `&&` and `||`. The selector
+    /// of a name goes before everything that is declared. Parentheses make the name an expression, as arithmetic does.
     fn condition(&mut self, part: &'a Expr, place: Places) {
         match &part.kind {
-            ExprKind::Name(name) => self.selector_word(name, place),
+            ExprKind::Name(name) => self.selector_name(name, part.span == name.span, place),
             ExprKind::Unary(Unary::Not, part) => self.condition(part, place),
             ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => {
                 self.condition(left, place);
@@ -193,16 +211,16 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    fn selector_word(&mut self, name: &'a Name, place: Places) {
+    fn selector_name(&mut self, name: &'a Name, is_bare: bool, place: Places) {
         let text = name.text.as_str();
-        if self.inner.iter().any(|inner| inner.text == text) {
-            self.expr_name(name);
-        } else if let Some(row) = ops::selector(text) {
-            self.known_selector(name, row, place);
-        } else if self.lookup(text).is_some() {
-            self.expr_name(name);
-        } else if !self.cx.globals.is_lost(self.at, text) {
-            self.wrong_selector(name, place, &format!("unknown selector `{text}`"));
+        match ops::selector(text) {
+            Some(row) if is_bare => self.known_selector(name, row, place),
+            None if self.lookup(text).is_none() => {
+                if !self.cx.globals.is_lost(self.at, text) {
+                    self.wrong_selector(name, place, &format!("unknown selector `{text}`"));
+                }
+            }
+            _ => self.expr_name(name),
         }
     }
 

@@ -10,6 +10,9 @@ use crate::diag::{Diag, Diags};
 /// A rest is worth a word when it is less than that share of the thinnest slot: more looks as if it was meant.
 const HARDLY: f64 = 0.5;
 
+/// A rest is worth a word when it is more than that share of the extent: less is rounding, as of three times 0.33.
+const VISIBLE: f64 = 0.02;
+
 pub(super) fn check(slots: &Slots, facts: &Facts, tables: &Tables, diags: &mut Diags) {
     if facts.shape.is_flat(slots.axis) {
         return flat(slots, facts, diags);
@@ -178,6 +181,9 @@ fn gap(slots: &Slots, facts: &Facts, diags: &mut Diags) {
     let several = 1 < made().count();
     let Some(last) = made().next_back().filter(|_| several && rest < thinnest * HARDLY) else { return };
     let (whole, unit) = if last.is_relative() { (1.0, " of the scope") } else { (slots.extent.hi, "") };
+    if rest <= whole * VISIBLE {
+        return;
+    }
     let message = format!("a gap of {}{unit} is left behind the last slot", shown(rest));
     let diag = diags.report(Code::GapLeft, last.size.span, message);
     diag.note(format!("the sizes add up to {}{unit}, and nothing floats", shown(whole - rest)));

@@ -1,38 +1,66 @@
-//! Splits in texture space where there are no texture coordinates.
+//! Splits in texture space, and textures, where there are no texture coordinates.
 //!
 //! Initial shapes may bring some, and a projection may be set up for what comes later: then nothing is said.
 
-use super::flow::{Facts, Flow, body};
+use super::flow::{Facts, Flow, UvSets, body};
 use super::{Cx, Use};
-use crate::ast::{OpKind, Split};
+use crate::ast::{Block, Expr, ExprKind, OpKind, Split};
 use crate::ast_walk::ops;
 use crate::code::Code;
 use crate::diag::Diags;
 
-/// The uv sets that some rule projects, a bit each.
+/// The texture layers by the number of their uv set (*texturing*).
+const LAYERS: [&str; 10] = [
+    "colormap",
+    "bumpmap",
+    "dirtmap",
+    "specularmap",
+    "opacitymap",
+    "normalmap",
+    "emissivemap",
+    "occlusionmap",
+    "roughnessmap",
+    "metallicmap",
+];
+
+/// The uv sets that some rule makes, a bit each: by a projection, and by any operation.
 #[derive(Clone, Copy)]
-pub(super) struct Projected(u16);
+pub(super) struct Projected {
+    projected: u16,
+    made: u16,
+}
 
 impl Projected {
     pub(super) fn new(cx: &Cx, flow: &Flow) -> Projected {
-        let mut bits = 0;
+        let (mut bits, mut made) = (0, 0);
+        // Rules of a file that imports this one may make some as well.
+        if cx.globals.program.may_be_imported() {
+            made = u16::MAX;
+        }
         for (index, item) in cx.globals.rules.iter().enumerate() {
-            ops(body(item), &mut |op| match &op.kind {
-                OpKind::Call(name, args) if matches!(cx.tables.of(name), Some(Use::Operation(row)) if row.name == "projectUV") =>
+            ops(body(item), &mut |op| {
+                if let OpKind::Call(name, _) | OpKind::Block(Block { name, .. }) = &op.kind
+                    && let Some(Use::Operation(row)) = cx.tables.of(name)
                 {
-                    let facts = Facts::any(cx.globals.rules[index].decl.params.len());
-                    let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
-                    bits |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
+                    made |= UvSets::made_by(row);
                 }
-                OpKind::Path(..) => bits = u16::MAX,
-                _ => {}
+                match &op.kind {
+                    OpKind::Call(name, args) if matches!(cx.tables.of(name), Some(Use::Operation(row)) if row.name == "projectUV") =>
+                    {
+                        let facts = Facts::any(cx.globals.rules[index].decl.params.len());
+                        let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
+                        bits |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
+                    }
+                    OpKind::Path(..) => (bits, made) = (u16::MAX, u16::MAX),
+                    _ => {}
+                }
             });
         }
-        Projected(bits)
+        Projected { projected: bits, made }
     }
 
     fn has(self, set: u32) -> bool {
-        self.0 & 1u16.checked_shl(set).unwrap_or(0) != 0
+        self.projected & 1u16.checked_shl(set).unwrap_or(0) != 0
     }
 }
 
@@ -50,4 +78,23 @@ pub(super) fn check(split: &Split, set: u32, projected: Projected, facts: &Facts
         diag.note("a split goes by the texture coordinates that are there");
         diag.help(format!("write `projectUV({set})` before it"));
     }
+}
+
+/// The uv set of a texture layer, by the name of its attribute.
+pub(super) fn layer(attribute: &str) -> Option<u32> {
+    let map = attribute.strip_prefix("material.")?;
+    LAYERS.iter().position(|layer| *layer == map).map(|set| set as u32)
+}
+
+/// Looks at a texture. A layer without its uv set goes by the first one (*texturing*).
+pub(super) fn carried(image: &Expr, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
+    let is_off = matches!(&image.kind, ExprKind::Text(text) if text.is_empty());
+    let none = |set: u32| facts.uvs.lacks(set) && projected.made & (1 << set) == 0;
+    if is_off || !none(0) || !none(set) {
+        return;
+    }
+    let message = "the shape has no texture coordinates: nothing shows this texture";
+    let diag = diags.report(Code::TextureWithoutUv, image.span, message);
+    diag.note("no rule makes texture coordinates, and those that an initial shape may bring are deleted before it");
+    diag.help("write `setupProjection(0, …) projectUV(0)` before it");
 }

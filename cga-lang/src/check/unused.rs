@@ -2,10 +2,12 @@
 
 use super::readings::Readings;
 use super::{Cx, Init, Item, Use};
-use crate::ast::{Body, Role};
+use crate::ast::{Body, Name, Role};
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
-use crate::ir::ChoiceValues;
+use crate::ir::{ChoiceValues, Type};
+use crate::ops;
+use crate::span::Span;
 use crate::token::{Sym, Tok};
 use std::collections::{HashMap, HashSet};
 
@@ -20,7 +22,10 @@ pub(super) fn check(cx: &Cx) -> Vec<Diag> {
     let is_root = |item: &&Item| program.roots.contains(&item.instance) && item.home == item.instance && !item.origin;
     let mut readings = Readings::default();
     // What a file declares others may read.
-    let values = |item: &&Item| is_root(item) && !program.may_be_imported();
+    let styled = styled(cx);
+    // A style may redefine a value for rules that only the other style has.
+    let is_styled = |item: &Item| styled.contains(&(item.decl.name.text.as_str(), item.decl.params.len()));
+    let values = |item: &&Item| is_root(item) && !program.may_be_imported() && !is_styled(item);
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
         let mut diags = Diags::new();
         value(item, "attribute", Code::UnusedAttribute, used.attrs.contains(&(index as u32)), &mut diags);
@@ -31,7 +36,6 @@ pub(super) fn check(cx: &Cx) -> Vec<Diag> {
         value(item, "constant", Code::UnusedConstant, used.consts.contains(&(index as u32)), &mut diags);
         readings.add(program, item.decl.name.id(), diags.finish());
     }
-    let styled = styled(cx);
     for item in globals.rules.iter().chain(&globals.functions).filter(is_root) {
         let mut diags = Diags::new();
         inner(cx, item, &styled, &mut diags);
@@ -116,6 +120,14 @@ fn inner(cx: &Cx, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diag
     }
     for (index, (name, used)) in names.into_iter().zip(used).enumerate() {
         let what = if index < decl.params.len() { "parameter" } else { "local value" };
+        if let Some(word) = doubtful_selector(cx, item, name, used) {
+            let message = format!("`{}` is the selector here, not the {what} of that name", name.text);
+            let diag = diags.report(Code::Shadowing, Span::one(word), message);
+            diag.related(format!("the {what} is declared"), name.span);
+            let help = format!("write `({0})` for the {what}, or give the {what} another name", name.text);
+            diag.help(help);
+            continue;
+        }
         // Those of an extension, or of one of several styles, are there for the others as well.
         if !used && !is_meant(&name.text) && decl.role != Role::Extension && !in_styles {
             let message = format!("{what} `{}` is never used", name.text);
@@ -138,6 +150,27 @@ fn inner(cx: &Cx, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diag
                 _ => "give it another name; what stands in this function means the inner one",
             });
         }
+    }
+}
+
+/// The first selector's word in a declaration that may have been meant as the parameter or local value of its name. A text
+/// selects nothing. A value that is read elsewhere is there for that, except a bool where the word is part of a condition.
+fn doubtful_selector(cx: &Cx, item: &Item, name: &Name, is_used: bool) -> Option<u32> {
+    let word = ops::selector(&name.text)?.name;
+    let tokens = cx.globals.program.tokens.as_slice();
+    let ty = cx.tables.types.get(&name.id()).copied();
+    let is_operator = |at: Option<u32>| {
+        let token = at.and_then(|at| tokens.get(at as usize));
+        matches!(token, Some(Tok::Sym(Sym::Bang | Sym::AndAnd | Sym::OrOr)))
+    };
+    let mut words = (item.decl.span.first..=item.decl.span.last)
+        .filter(|token| cx.tables.uses.get(token) == Some(&Use::Selector(word)));
+    match ty {
+        Some(Type::Bool) if is_used => {
+            words.find(|&word| is_operator(word.checked_sub(1)) || is_operator(word.checked_add(1)))
+        }
+        None | Some(Type::Bool | Type::Float) if !is_used => words.next(),
+        _ => None,
     }
 }
 

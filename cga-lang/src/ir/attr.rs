@@ -36,6 +36,8 @@ pub struct Attr {
     pub hidden: bool,
     /// Whether some rule changes it with `set` or an import that starts anew: only then do reads look at the shape first.
     pub is_set: bool,
+    /// Whether it is on a cycle that conditions may keep open: it is computed when it is first read.
+    pub lazy: bool,
     /// Whether the host program may set it. An attribute that has one value in several styles is there once for each;
     /// those of one name share a field.
     pub public: bool,

@@ -56,8 +56,6 @@ impl Asset {
 pub(crate) struct Assets {
     /// By folder of a rule file and name.
     by_name: HashMap<String, HashMap<String, Asset>>,
-    /// Whether the package is where assets are.
-    are_here: bool,
     /// Files of which the rules ask whether they exist.
     asked_for: HashSet<String>,
 }
@@ -66,7 +64,7 @@ impl Assets {
     /// Asks for all texts that look like names of files, from the folder of each rule file: a constant may be used in
     /// another file than its own.
     pub(super) fn new(program: &Program, files: &mut dyn Files) -> Assets {
-        let mut assets = Assets { are_here: files.has_assets(), ..Assets::default() };
+        let mut assets = Assets::default();
         let tokens = program.tokens.as_slice();
         for part in tokens.windows(3) {
             if let [Tok::Ident(word), Tok::Sym(Sym::LParen), Tok::Str(name)] = part
@@ -88,7 +86,6 @@ impl Assets {
             let mut found = HashMap::new();
             for &name in &names {
                 if let Some(asset) = look_up(name, folder, files, &mut known) {
-                    assets.are_here |= !matches!(asset, Asset::Missing(_));
                     found.insert(name.clone(), asset);
                 }
             }
@@ -100,7 +97,7 @@ impl Assets {
     /// What is known of a file that a rule file in some folder names.
     pub(super) fn of(&self, name: &str, folder: &str) -> Option<&Asset> {
         let may_lack = |asset: &&Asset| matches!(asset, Asset::Missing(_)) && self.asked_for.contains(name);
-        self.by_name.get(folder)?.get(name).filter(|asset| self.are_here && !may_lack(asset))
+        self.by_name.get(folder)?.get(name).filter(|asset| !may_lack(asset))
     }
 }
 

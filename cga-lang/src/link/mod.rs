@@ -77,11 +77,6 @@ pub trait Files {
     fn asset(&mut self, _path: &str) -> Option<Asset> {
         None
     }
-
-    /// Whether there is a folder for such files.
-    fn has_assets(&self) -> bool {
-        false
-    }
 }
 
 /// There are no files.
@@ -204,8 +199,7 @@ impl Program {
         file.map_or("", |name| folder_of(name))
     }
 
-    /// What is known of a file that is named in the file of a token. Where no file at all is found they are somewhere else;
-    /// one that rules ask for may be missing.
+    /// What is known of a file that is named in the file of a token. One that rules ask for may be missing.
     pub(crate) fn asset(&self, name: &str, token: u32) -> Option<&Asset> {
         self.assets.of(name, self.folder(token))
     }

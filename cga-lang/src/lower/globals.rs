@@ -13,8 +13,9 @@ impl<'c> Lower<'c> {
             let function = self.function(item, self.checked.tables.recursive.contains(&(index as u32)));
             self.out.functions.push(function);
         }
-        for (item, info) in globals.attrs.iter().zip(&self.checked.tables.attrs) {
-            let default = self.value(item);
+        for (index, (item, info)) in globals.attrs.iter().zip(&self.checked.tables.attrs).enumerate() {
+            let lazy = self.checked.tables.lazy.contains(&index);
+            let default = self.value(item, lazy);
             let info = info.clone();
             let dynamic = 1 < globals.program.instances[item.instance].layers.len();
             self.out.attrs.push(Attr {
@@ -32,14 +33,16 @@ impl<'c> Lower<'c> {
                 order: info.order,
                 hidden: info.hidden,
                 is_set: false,
+                lazy,
                 public: !dynamic,
                 span: item.decl.name.span,
             });
         }
-        for item in &globals.consts {
-            let value = self.value(item);
+        for (index, item) in globals.consts.iter().enumerate() {
+            let lazy = self.checked.tables.lazy.contains(&(globals.attrs.len() + index));
+            let value = self.value(item, lazy);
             let (name, span) = (item.name.clone(), item.decl.name.span);
-            self.out.consts.push(Const { name, ty: value.ty, value, known: None, is_set: false, span });
+            self.out.consts.push(Const { name, ty: value.ty, value, known: None, is_set: false, lazy, span });
         }
         self.fold_values();
     }
@@ -59,14 +62,14 @@ impl<'c> Lower<'c> {
         }
     }
 
-    /// The value of an attribute or constant.
-    fn value(&mut self, item: &Item<'c>) -> Expr {
+    /// The value of an attribute or constant. Locals make a function of it, which is part of the cycle of a lazy one.
+    fn value(&mut self, item: &Item<'c>, lazy: bool) -> Expr {
         if let Init::Flows(outer) = item.init {
             let ty = self.ty(item.decl.name.id());
             return Expr { kind: ExprKind::Attr(AttrId(outer)), ty, span: item.decl.name.span };
         }
         if item.is_own() && !item.decl.locals.is_empty() {
-            let function = self.function(item, false);
+            let function = self.function(item, lazy);
             let (id, ty) = (FunctionId(self.out.functions.len() as u32), function.ty);
             self.out.functions.push(function);
             return Expr { kind: ExprKind::Call(id, Vec::new()), ty, span: item.decl.name.span };
@@ -102,6 +105,7 @@ impl<'c> Lower<'c> {
             } else if let Some(own) = self.out.consts.get_mut(node - attrs) {
                 let index = node - attrs;
                 own.known = fold(&mut own.value, &known);
+                own.lazy &= own.known.is_none();
                 known.consts[index].clone_from(&own.known);
                 if self.is_needed(index) {
                     self.out.init[style(&globals.consts[index])].push(Global::Const(ConstId(index as u32)));

@@ -2,6 +2,7 @@
 
 use super::Printer;
 use crate::ast::{Binary, Expr, ExprKind, Unary};
+use crate::ops;
 use crate::token::push_quoted;
 
 impl Printer<'_> {
@@ -10,6 +11,10 @@ impl Printer<'_> {
             ExprKind::Number(value) => self.word(&value.to_string()),
             ExprKind::Bool(value) => self.word(&value.to_string()),
             ExprKind::Text(text) => push_quoted(&mut self.out, text),
+            // Parentheses tell a name from the selector of that name.
+            ExprKind::Name(name) if expr.span != name.span && ops::selector(&name.text).is_some() => {
+                self.word(&format!("({})", name.text));
+            }
             ExprKind::Name(name) => self.word(&name.text),
             ExprKind::Host(handle) => self.word(&format!("#{handle}")),
             ExprKind::Call(name, args) | ExprKind::Path(name, args) => {

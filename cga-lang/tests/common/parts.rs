@@ -86,10 +86,6 @@ impl Files for Parts<'_> {
             }
         })
     }
-
-    fn has_assets(&self) -> bool {
-        self.list.iter().any(|part| part.name.starts_with("assets/"))
-    }
 }
 
 /// Compares the findings of a folder's fixtures.

@@ -73,17 +73,14 @@ impl Cx<'_> {
                 cloned(expr.ty, quote_spanned!(place=> #name))
             }
             ExprKind::Attr(id) => {
-                let (attr, name) = (&self.grammar.attrs[id.0 as usize], local("attr_", id.0 as usize));
-                self.global(Global::Attr(*id), attr.ty, attr.is_set, &name, at)
+                let attr = &self.grammar.attrs[id.0 as usize];
+                self.global(Global::Attr(*id), attr.ty, attr.is_set, at)
             }
             ExprKind::Const(id) => {
                 let constant = &self.grammar.consts[id.0 as usize];
                 match &constant.known {
                     Some(known) => value(known),
-                    None => {
-                        let name = local("const_", id.0 as usize);
-                        self.global(Global::Const(*id), constant.ty, constant.is_set, &name, at)
-                    }
+                    None => self.global(Global::Const(*id), constant.ty, constant.is_set, at),
                 }
             }
             ExprKind::Host(id) if self.captured => {
@@ -261,13 +258,25 @@ impl Cx<'_> {
     ) -> TokenStream {
         let place = Span::mixed_site();
         let values: Vec<TokenStream> = args.clone().into_iter().map(|arg| self.expr(arg, at)).collect();
-        if args.into_iter().all(is_plain) {
+        if args.into_iter().all(|arg| self.is_plain(arg)) {
             return call(&values);
         }
         let names: Vec<TokenStream> =
             (0..values.len()).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
         let call = call(&names);
         quote_spanned!(place=> { #(let #names = #values;)* #call })
+    }
+
+    /// Whether an argument needs neither the shape nor the run.
+    fn is_plain(&self, expr: &Expr) -> bool {
+        match &expr.kind {
+            ExprKind::Value(_) | ExprKind::Param(_) => true,
+            ExprKind::Const(id) => !self.is_lazy(Global::Const(*id)),
+            ExprKind::Neg(inner) | ExprKind::Not(inner) | ExprKind::File(inner, _) => self.is_plain(inner),
+            ExprKind::Binary(Binary::Concat, ..) => false,
+            ExprKind::Binary(_, left, right) => self.is_plain(left) && self.is_plain(right),
+            _ => false,
+        }
     }
 
     /// Where all of a call of Rust stands, so that a wrong signature is shown there: the last name of the path.
@@ -316,17 +325,6 @@ pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Place) -> Vec<Toke
             quote_spanned!(place=> cga_rt::branch(#shape, #share, #sum))
         })
         .collect()
-}
-
-/// Whether an argument needs neither the shape nor the run.
-fn is_plain(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Value(_) | ExprKind::Param(_) | ExprKind::Const(_) => true,
-        ExprKind::Neg(inner) | ExprKind::Not(inner) | ExprKind::File(inner, _) => is_plain(inner),
-        ExprKind::Binary(Binary::Concat, ..) => false,
-        ExprKind::Binary(_, left, right) => is_plain(left) && is_plain(right),
-        _ => false,
-    }
 }
 
 /// The words among the arguments of a call.

@@ -34,6 +34,14 @@ pub(super) fn function(function: &Function) -> u32 {
     u32::try_from(bytes).unwrap_or(u32::MAX)
 }
 
+/// Bytes that the first read of a lazy attribute or constant takes: the runtime's part and the shape that it is computed on
+/// among them.
+pub(super) fn lazy(value: &Expr) -> u32 {
+    let mut bytes: usize = 2000;
+    ir_walk::parts(value, &mut |expr| bytes += own(expr) + divided(expr));
+    u32::try_from(bytes).unwrap_or(u32::MAX)
+}
+
 /// Bytes of what the runtime takes before it calls back for values of components, or to ask about them.
 fn divided(expr: &Expr) -> usize {
     let ExprKind::Comp(comp) = &expr.kind else { return 0 };

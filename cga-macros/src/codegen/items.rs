@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use cga_lang::ir::{Global, RuleId};
+use cga_lang::ir::{Global, RuleId, Type};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -16,12 +16,22 @@ use crate::header::Header;
 
 /// Attributes and constants of one run, and captured values.
 pub(super) fn values(cx: &Cx<'_>) -> TokenStream {
-    let attrs = cx.grammar.attrs.iter().enumerate().map(|(at, attr)| (local("attr_", at), inner_type(attr.ty)));
-    let consts = cx.grammar.consts.iter().enumerate().map(|(at, it)| (local("const_", at), inner_type(it.ty)));
+    let place = Span::mixed_site();
+    let field = |lazy: bool, ty: Type| {
+        let ty = inner_type(ty);
+        if lazy { quote_spanned!(place=> cga_rt::Lazy<#ty>) } else { ty }
+    };
+    let attrs = cx.grammar.attrs.iter().enumerate().map(|(at, it)| (local("attr_", at), field(it.lazy, it.ty)));
+    let consts = cx.grammar.consts.iter().enumerate().map(|(at, it)| (local("const_", at), field(it.lazy, it.ty)));
+    let origin = cx.has_lazy().then(|| (Ident::new("origin", place), quote_spanned!(place=> cga_rt::Origin)));
+    // Imports that start anew open a cycle on a copy.
+    let copied = cx.renews_lazy().then(|| quote_spanned!(place=> #[derive(::core::clone::Clone)]));
     let hosts = cx.hosts.iter().enumerate().filter(|_| cx.captured);
     let hosts = hosts.map(|(at, ty)| (captured(at), inner_type(ty.inside())));
-    let (names, types): (Vec<_>, Vec<_>) = attrs.chain(consts).chain(hosts).chain(cx.held_fields()).unzip();
-    quote_spanned! { Span::mixed_site()=>
+    let (names, types): (Vec<_>, Vec<_>) =
+        attrs.chain(consts).chain(origin).chain(hosts).chain(cx.held_fields()).unzip();
+    quote_spanned! { place=>
+        #copied
         #[derive(::core::default::Default)]
         pub struct CgaValues { #(#names: #types,)* }
     }
@@ -80,6 +90,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     };
     let by_name = fields::by_name(&fields);
     let (held, globals) = (cx.hold_fields(&by_name), values_by_style(cx, &by_name));
+    let origin = cx.has_lazy().then(|| quote_spanned!(place=> g.origin = cga_rt::Origin::initial(initial);));
     let (get_arms, set_arms) = fields::arms(&fields);
     let captured = (0..cx.grammar.hosts.len()).filter(|_| cx.captured).map(captured);
     let captured = captured.map(|name| quote_spanned!(place=> g.#name = ::core::clone::Clone::clone(&self.#name);));
@@ -114,6 +125,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
             ) -> CgaValues {
                 let mut g = <CgaValues as ::core::default::Default>::default();
                 #(#captured)*
+                #origin
                 #held
                 #globals
                 g
@@ -186,8 +198,13 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
 /// Evaluates attributes and constants, those of the style in force.
 fn values_by_style(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
     let place = Span::mixed_site();
-    let mut styles: Vec<TokenStream> =
-        cx.grammar.init.iter().map(|list| list.iter().map(|global| init(cx, fields, *global)).collect()).collect();
+    let style = |list: &Vec<Global>| {
+        let lazy = list.iter().filter(|global| cx.is_lazy(**global));
+        let given = lazy.filter_map(|global| cx.lazy_given(*global, field(cx, fields, *global)));
+        let computed = list.iter().map(|global| init(cx, fields, *global));
+        given.chain(computed).collect()
+    };
+    let mut styles: Vec<TokenStream> = cx.grammar.init.iter().map(style).collect();
     if styles.len() < 2 {
         return styles.pop().unwrap_or_default();
     }
@@ -195,18 +212,29 @@ fn values_by_style(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStre
     quote_spanned!(place=> match style { #(#numbers => { #styles })* _ => {} })
 }
 
+/// The field of an attribute that has one.
+fn field<'f, 'g>(cx: &Cx<'_>, fields: &HashMap<&str, &'f Field<'g>>, global: Global) -> Option<&'f Field<'g>> {
+    let Global::Attr(id) = global else { return None };
+    let attr = &cx.grammar.attrs[id.0 as usize];
+    fields.get(attr.name.as_str()).copied().filter(|_| attr.public)
+}
+
 /// Evaluates one attribute or constant.
 fn init(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>, global: Global) -> TokenStream {
     let place = Span::mixed_site();
-    let (target, name, computed, known, field) = match global {
+    if cx.is_lazy(global) {
+        let value = cx.lazy_value(global, &quote_spanned!(place=> &g), &quote_spanned!(place=> env));
+        return quote_spanned!(place=> cga_rt::computed(#value););
+    }
+    let (target, field) = (cx.global_name(global), field(cx, fields, global));
+    let (name, computed, known) = match global {
         Global::Attr(id) => {
             let attr = &cx.grammar.attrs[id.0 as usize];
-            let field = fields.get(attr.name.as_str()).filter(|_| attr.public);
-            (local("attr_", id.0 as usize), &attr.name, &attr.default, &attr.known, field)
+            (&attr.name, &attr.default, &attr.known)
         }
         Global::Const(id) => {
             let constant = &cx.grammar.consts[id.0 as usize];
-            (local("const_", id.0 as usize), &constant.name, &constant.value, &constant.known, None)
+            (&constant.name, &constant.value, &constant.known)
         }
     };
     let number = stream(name);

@@ -11,6 +11,7 @@ mod expr;
 mod fields;
 mod frame;
 mod items;
+mod lazy;
 mod names;
 mod public;
 mod rule;
@@ -55,12 +56,14 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
     let renewals = cx.renewals();
-    let renewals = (!renewals.is_empty()).then(|| quote_spanned!(Span::mixed_site()=> impl CgaValues { #renewals }));
+    let lazy = cx.lazy_functions();
+    let of_values = (!renewals.is_empty() || !lazy.is_empty())
+        .then(|| quote_spanned!(Span::mixed_site()=> #[allow(dead_code)] impl CgaValues { #lazy #renewals }));
     let implementation = items::rules_impl(&cx, header);
     let place = Span::mixed_site();
     let hidden = quote_spanned! { place=>
         #values
-        #renewals
+        #of_values
         #call
         /// The rules and functions, one function each.
         struct CgaRules;

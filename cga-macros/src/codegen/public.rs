@@ -200,7 +200,7 @@ fn methods(runs: bool) -> TokenStream {
     let errors = quote_spanned! { place=>
         ///
         /// # Errors
-        /// A limit that was reached, an attribute out of its range, no such start rule, a shape that is no shape.
+        /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
     };
     quote_spanned! { place=>
         /// Runs the start rule on a shape, with default settings.

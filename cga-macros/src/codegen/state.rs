@@ -15,16 +15,24 @@ use super::{Cx, inner_type, local};
 const PIECE: usize = 32;
 
 impl Cx<'_> {
-    /// The value of an attribute or constant that the run holds as `name`. Where it may be set the shape is asked first.
-    pub(super) fn global(&self, global: Global, ty: Type, is_set: bool, name: &Ident, at: &Place) -> TokenStream {
-        let place = Span::mixed_site();
-        if !is_set {
-            return cloned(ty, quote_spanned!(place=> g.#name));
+    /// The value of an attribute or constant of the run. Where it may be set the shape is asked first.
+    pub(super) fn global(&self, global: Global, ty: Type, is_set: bool, at: &Place) -> TokenStream {
+        let (place, name) = (Span::mixed_site(), self.global_name(global));
+        let (lazy, g) = (self.is_lazy(global), quote_spanned!(place=> g));
+        let held = if lazy { self.lazy_value(global, &g, &at.env) } else { quote_spanned!(place=> g.#name) };
+        match (is_set, lazy) {
+            (true, _) => self.of_shape(global, ty, &at.shape, &held),
+            (false, true) => held,
+            (false, false) => cloned(ty, held),
         }
-        let (shape, number, get) = (&at.shape, self.number(global), types::function(ty, "attribute"));
+    }
+
+    /// The value that a shape has of its own, else the one given.
+    fn of_shape(&self, global: Global, ty: Type, shape: &TokenStream, held: &TokenStream) -> TokenStream {
+        let (place, number, get) = (Span::mixed_site(), self.number(global), types::function(ty, "attribute"));
         match ty {
-            Type::Float | Type::Bool => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, g.#name)),
-            _ => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, &g.#name)),
+            Type::Float | Type::Bool => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, #held)),
+            _ => quote_spanned!(place=> cga_rt::get::#get(#shape, #number, &#held)),
         }
     }
 
@@ -36,10 +44,14 @@ impl Cx<'_> {
 
     /// Under which number a shape holds it: constants come behind the attributes.
     fn number(&self, global: Global) -> Literal {
-        Literal::u32_suffixed(match global {
+        Literal::u32_suffixed(self.plain_number(global))
+    }
+
+    fn plain_number(&self, global: Global) -> u32 {
+        match global {
             Global::Attr(id) => id.0,
             Global::Const(id) => self.grammar.attrs.len() as u32 + id.0,
-        })
+        }
     }
 
     /// The given values, and the copy on which everything starts anew.
@@ -74,9 +86,16 @@ impl Cx<'_> {
                 let name = local("renew_", number);
                 // In pieces, because compilers take long over long functions, and without optimisation they take much of
                 // the stack.
-                let pieces = renewal.globals.chunks(PIECE).enumerate().map(|(piece, globals)| {
+                let steps: Vec<TokenStream> = renewal
+                    .globals
+                    .chunk_by(|a, b| self.is_lazy(*a) && self.is_lazy(*b))
+                    .map(|globals| match globals {
+                        [global] if !self.is_lazy(*global) => self.renewed_global(*global),
+                        _ => self.renewed_lazy(globals),
+                    })
+                    .collect();
+                let pieces = steps.chunks(PIECE).enumerate().map(|(piece, steps)| {
                     let name = local(&format!("renew_{number}_"), piece);
-                    let steps = globals.iter().map(|global| self.renewed_global(*global));
                     quote_spanned! { place=>
                         fn #name(
                             g: &CgaValues,
@@ -88,7 +107,7 @@ impl Cx<'_> {
                         }
                     }
                 });
-                let names = (0..pieces.len()).map(|piece| local(&format!("renew_{number}_"), piece));
+                let names = (0..steps.len().div_ceil(PIECE)).map(|piece| local(&format!("renew_{number}_"), piece));
                 quote_spanned! { place=>
                     fn #name(
                         g: &CgaValues,
@@ -120,6 +139,46 @@ impl Cx<'_> {
         match is_given {
             Some(is_given) => quote_spanned!(place=> if !#is_given { let #value = #code; #set }),
             None => quote_spanned!(place=> let #value = #code; #set),
+        }
+    }
+
+    /// Sets lazy attributes and constants anew: they are computed on a copy of the run's values in which they are open.
+    fn renewed_lazy(&self, globals: &[Global]) -> TokenStream {
+        let place = Span::mixed_site();
+        let mut numbers: Vec<u32> = globals.iter().map(|global| self.plain_number(*global)).collect();
+        numbers.sort_unstable();
+        let numbers = numbers.into_iter().map(Literal::u32_suffixed);
+        let open = globals.iter().map(|global| {
+            let (name, number) = (self.global_name(*global), self.number(*global));
+            let Global::Attr(id) = global else {
+                return quote_spanned!(place=> own.#name = ::core::default::Default::default(););
+            };
+            let attr = &self.grammar.attrs[id.0 as usize];
+            let none = quote_spanned!(place=> ::core::default::Default::default());
+            let given = self.of_shape(*global, attr.ty, &quote_spanned!(place=> shape), &none);
+            let host = self.renewed.binary_search(&attr.name).ok().map_or(none, |field| {
+                let field = local("field_", field);
+                quote_spanned!(place=> cga_rt::Lazy::given(::core::clone::Clone::clone(&g.#field)))
+            });
+            quote_spanned! { place=>
+                own.#name = if given.binary_search(&#number).is_ok() { cga_rt::Lazy::known(#given) } else { #host };
+            }
+        });
+        let set = globals.iter().map(|global| {
+            let ty = match global {
+                Global::Attr(id) => self.grammar.attrs[id.0 as usize].ty,
+                Global::Const(id) => self.grammar.consts[id.0 as usize].ty,
+            };
+            let value = local("value_", 0);
+            let computed = self.lazy_value(*global, &quote_spanned!(place=> &own), &quote_spanned!(place=> env));
+            let set = self.set(*global, ty, &value);
+            quote_spanned!(place=> let #value = #computed; #set)
+        });
+        quote_spanned! { place=>
+            let mut own = ::core::clone::Clone::clone(g);
+            own.origin = cga_rt::Origin::anew(shape, &[#(#numbers),*]);
+            #(#open)*
+            #(#set)*
         }
     }
 

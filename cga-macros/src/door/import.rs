@@ -86,10 +86,6 @@ impl Files for Imports {
         let bytes = (is_mesh && is_small).then(|| std::fs::read(path).ok()).flatten();
         Some(bytes.map_or(Asset::There, |bytes| Asset::obj(&String::from_utf8_lossy(&bytes))))
     }
-
-    fn has_assets(&self) -> bool {
-        self.root.join("assets").is_dir()
-    }
 }
 
 impl Imports {
@@ -130,7 +126,6 @@ mod tests {
         write("assets/wood/oak.png", "");
         write("table.csv", "1;2");
         let mut files = Imports { root: root.clone(), opened: Vec::new(), listed: HashMap::new() };
-        assert!(files.has_assets());
         let groups = vec!["Bark".to_owned()];
         let tree = Asset::Mesh { has_faces: true, groups, materials: Vec::new() };
         assert_eq!(files.asset("assets/tree.obj"), Some(tree));
@@ -141,6 +136,5 @@ mod tests {
             matches!(files.asset("assets/wood"), Some(Asset::Missing(names)) if names.contains(&"tree.obj".to_owned()))
         );
         std::fs::remove_dir_all(&root).unwrap();
-        assert!(!files.has_assets());
     }
 }

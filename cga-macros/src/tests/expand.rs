@@ -55,7 +55,8 @@ fn wanted(show: &str, item: &Item) -> bool {
             matches!(item, Item::Struct(it) if it.ident != "CgaValues" && it.ident != "CgaRules")
                 || is_trait.as_deref() == Some("Default")
         }
-        "methods" => is_trait.is_none() && !owner.is_empty() && owner != "CgaRules",
+        "methods" => is_trait.is_none() && !owner.is_empty() && owner != "CgaRules" && owner != "CgaValues",
+        "lazy" => owner == "CgaValues" || is_trait.as_deref() == Some("Rules"),
         "values" => matches!(item, Item::Struct(it) if it.ident == "CgaValues") || matches!(item, Item::Enum(_)),
         "rules" => owner == "CgaRules",
         "run" => is_trait.as_deref() == Some("Rules"),

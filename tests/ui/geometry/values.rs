@@ -13,4 +13,11 @@ cga! {
     Street --> setupProjection(0, scope.xy, 1, 1) split(u, uvSpace, 0) { 0.5 : A. | ~1 : A. }
 }
 
+cga! {
+    pub grammar Textures;
+    @Allow(not_implemented)
+    @Deny(texture_without_uv)
+    Shed --> deleteUV(0) texture("brick") A.
+}
+
 fn main() {}

@@ -23,6 +23,7 @@ pub(super) use facts::Facts;
 pub(super) use known::{Attrs, Known};
 pub(super) use shape::Face;
 pub(super) use slots::{MARGIN, Slot, Slots, Sum};
+pub(super) use uvs::UvSets;
 pub(super) use value::Value;
 pub(super) use walk::{Site, Turn, called};
 

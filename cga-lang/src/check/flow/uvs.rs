@@ -37,6 +37,11 @@ impl UvSets {
         set < 10 && self.awaits & 1 << set != 0
     }
 
+    /// A bit for each set that an operation may make on a shape that has none.
+    pub(in crate::check) fn made_by(row: &Operation) -> u16 {
+        UvSets { may: 0, awaits: 0 }.after(row, None).may
+    }
+
     /// After an operation; `set` is its first argument where that is the number of a set that is known.
     pub(super) fn after(self, row: &Operation, set: Option<u32>) -> UvSets {
         let bit = set.filter(|set| *set < 10).map(|set| 1u16 << set);

@@ -15,7 +15,7 @@ use crate::span::Span;
 pub(in crate::check) enum Site<'s, 'a> {
     /// A split along an axis of the scope.
     Split(&'s Slots<'a>),
-    /// A split along an axis of a uv set, whose number may be unknown.
+    /// A split along an axis of a uv set, by number where that is known and there is such a set.
     TextureSplit(&'a Split, Option<u32>),
     /// A condition of a `case`, where those before it have failed.
     Condition(&'s Turn<'s, 'a>),
@@ -180,7 +180,8 @@ impl<'w> Walk<'w> {
         };
         self.meet_args(split.args.get(1..).unwrap_or_default(), facts, visit);
         if split.is_in_texture_space() {
-            visit.meet(&Site::TextureSplit(split, self.uv_set(split.args.get(2), facts)), facts);
+            let set = self.uv_set(split.args.get(2), facts);
+            visit.meet(&Site::TextureSplit(split, set), facts);
         }
         let Some(axis) = split_axis(split).filter(|_| !split.is_by_area()) else {
             return bodies(visit, &|_| Some(Shape::ANY));

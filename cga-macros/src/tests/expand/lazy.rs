@@ -1,0 +1,83 @@
+#[allow(dead_code)]
+impl CgaValues {
+    ///`a`, which may need itself: computed when it is first read.
+    fn attr_1(g: &CgaValues, env: &mut cga_rt::Env) -> ::core::primitive::f64 {
+        g.attr_1
+            .get(
+                env,
+                "a",
+                2064,
+                |env| {
+                    let shape = &mut g.origin.global(3826002220u32);
+                    (if (g.attr_0 == 1f64) {
+                        5f64
+                    } else {
+                        (CgaValues::attr_2(g, env) * 2f64)
+                    })
+                },
+            )
+    }
+    ///`b`, which may need itself: computed when it is first read.
+    fn attr_2(g: &CgaValues, env: &mut cga_rt::Env) -> ::core::primitive::f64 {
+        g.attr_2
+            .get(
+                env,
+                "b",
+                2064,
+                |env| {
+                    let shape = &mut g.origin.global(3876335077u32);
+                    (if (g.attr_0 == 1f64) {
+                        (CgaValues::attr_1(g, env) / 2f64)
+                    } else {
+                        3f64
+                    })
+                },
+            )
+    }
+}
+#[automatically_derived]
+impl cga_rt::Rules for CgaGrammar {
+    type Values = CgaValues;
+    type Call = CgaCall;
+    const NAMES: &'static [&'static ::core::primitive::str] = &["Lot"];
+    const STARTS: &'static [cga_rt::StartRule] = &[cga_rt::StartRule::new("Lot")];
+    const START_RULES: &'static [::core::primitive::u32] = &[0u32];
+    const START_STYLES: &'static [::core::primitive::u32] = &[0u32];
+    fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
+        ::core::result::Result::Ok(())
+    }
+    fn values(
+        &self,
+        env: &mut cga_rt::Env,
+        initial: &cga_rt::Shape,
+        style: ::core::primitive::u32,
+    ) -> CgaValues {
+        let mut g = <CgaValues as ::core::default::Default>::default();
+        g.origin = cga_rt::Origin::initial(initial);
+        g.attr_1 = cga_rt::Lazy::given(self.a);
+        g.attr_2 = cga_rt::Lazy::given(self.b);
+        g.attr_0 = self.mode;
+        cga_rt::computed(CgaValues::attr_1(&g, env));
+        cga_rt::computed(CgaValues::attr_2(&g, env));
+        g
+    }
+    fn start<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        rule: ::core::primitive::u32,
+        mut shape: cga_rt::ShapeRef<'_>,
+    ) -> cga_rt::Flow {
+        match rule {
+            0u32 => CgaRules::Lot(g, cx, &mut shape),
+            _ => cga_rt::Flow::Continue(()),
+        }
+    }
+    fn resume<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        mut shape: cga_rt::ShapeRef<'_>,
+        call: CgaCall,
+    ) -> cga_rt::Flow {
+        match call {}
+    }
+}
