@@ -55,7 +55,7 @@ codes! {
     // Declarations.
     DuplicateName "duplicate_name" Error "Two declarations of one name.",
     BadAnnotation "bad_annotation" Error "An annotation with arguments it cannot have.",
-    StrayDefault "stray_default" Warning "A default that is none of the values an attribute is held to.",
+    StrayDefault "stray_default" Warning "A default that is not among the values to which its attribute is restricted.",
     UnknownAnnotation "unknown_annotation" Warning "An annotation that is not one of CGA's.",
     UnknownCode "unknown_code" Warning "`@Allow`, `@Warn` or `@Deny` of a finding that does not exist.",
     NoStartRule "no_start_rule" Warning "No rule without parameters to begin with.",

@@ -5,7 +5,7 @@
 const MOST_FOLDERS: usize = 16;
 
 /// The places at which a file may be, the first that counts first: paths from the asset folder, with forward slashes and
-/// without `.`. None for a name that leads out of it.
+/// without `.`. None for a name that leads out of it, or ends as a folder does.
 ///
 /// A name with `/` in front is such a path already. Any other is looked for in the project of the rule file that names it:
 /// in the folder `assets` of the project, then in the project. The boundaries of projects are not known, so each folder counts as
@@ -19,7 +19,7 @@ const MOST_FOLDERS: usize = 16;
 /// assert_eq!(cga_split::files::places("../tree.obj", "lib"), None);
 /// ```
 pub fn places(name: &str, folder: &str) -> Option<Vec<String>> {
-    let path = normal(name)?;
+    let path = normal(name).filter(|_| !name.ends_with('/'))?;
     if name.starts_with('/') {
         return Some(vec![path]);
     }
@@ -76,8 +76,8 @@ mod tests {
     }
 
     #[test]
-    fn no_name_leads_out() {
-        for name in ["..", "../a", "/../a", "a/../../b", "a/..", "C:\\a", "C:/a", "..\\a", "a\0b"] {
+    fn no_name_leads_out_or_to_a_folder() {
+        for name in ["a/", "..", "../a", "/../a", "a/../../b", "a/..", "C:\\a", "C:/a", "..\\a", "a\0b"] {
             assert_eq!(places(name, "lib"), None, "{name}");
         }
         for folder in ["..", "../up", "/etc", "a/../..", "C:/lib"] {

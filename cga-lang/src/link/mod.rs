@@ -341,7 +341,7 @@ impl Link<'_> {
             self.diags.report(Code::CannotImport, span, format!("imports are nested more than {MOST_NESTED} deep"));
             return true;
         } else if self.most_tokens() < self.program.tokens.len() + length {
-            format!("more than {} tokens in all files", self.most_tokens())
+            format!("styles and imports multiply these rules to more than {} tokens", self.most_tokens())
         } else {
             return false;
         };
@@ -349,6 +349,7 @@ impl Link<'_> {
             self.full = true;
             let diag = self.diags.report(Code::CannotImport, span, full);
             diag.note("a file counts once for each place and style it is used in");
+            diag.help("use fewer styles, or import files that have styles fewer times");
         }
         true
     }
