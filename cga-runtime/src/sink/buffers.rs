@@ -247,7 +247,7 @@ impl Sink for Buffers {
         let [left, bottom, back] = [right, top, front].map(|n| n.map(|c| -c));
         let normals = [front, right, back, left, top, bottom];
         // Written in place: building the vertices elsewhere and copying them takes twice as long.
-        self.vertices.resize(start as usize + 24, [0.0; 6]);
+        self.vertices.extend_from_slice(&[[0.0; 6]; 24]);
         let (faces, _) = self.vertices[start as usize..].as_chunks_mut::<4>();
         for (to, face) in faces.iter_mut().zip(cuboid.unit.sides()) {
             let [u, v, w] = normals[face.side as usize];
