@@ -13,7 +13,7 @@ use crate::shape::ShapeRef;
 /// How a shape stands.
 #[derive(Clone, Debug)]
 pub(crate) struct Looks {
-    scope: Scope,
+    pub(super) scope: Scope,
     /// The axes of the initial shape.
     object: DMat3,
     /// Whether the normals of faces point inwards.

@@ -238,7 +238,7 @@ impl<'s> Parts<'s> {
         let (parent, arm) = (self.parent, &self.arms[number]);
         if let Source::Quads(quads) = &self.source {
             // The façade path: nothing is copied that need not be.
-            let scope = quads.scope(components[0] as usize);
+            let scope = quads.scope(&parent.scope, components[0] as usize);
             let own = if quads.is_rectangle() { Trims::None } else { Trims::Side(scope.size.truncate()) };
             return self.shape(
                 arm,

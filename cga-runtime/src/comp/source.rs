@@ -97,21 +97,17 @@ impl Source {
 /// asked of them follows from the scope.
 #[derive(Debug)]
 pub(super) struct Quads {
-    scope: Scope,
     unit: UnitMesh,
 }
 
 impl Quads {
     #[inline]
     fn of(shape: &ShapeRef<'_>) -> Option<Self> {
-        let (scope, size) = (shape.scope, shape.scope.size);
+        let size = shape.scope.size;
         match shape.geometry {
-            Geometry::Box(unit) if 0.0 < size.min_element() => Some(Quads { scope, unit }),
+            Geometry::Box(unit) if 0.0 < size.min_element() => Some(Quads { unit }),
             Geometry::Rect(across, unit) if (0..3).all(|at| at == across.index() || 0.0 < size[at]) => {
-                // It lies at the low end of the axis that it looks along.
-                let mut scope = scope;
-                scope.size[across.index()] = 0.0;
-                Some(Quads { scope, unit })
+                Some(Quads { unit })
             }
             _ => None,
         }
@@ -127,10 +123,10 @@ impl Quads {
         &self.unit.sides()[number]
     }
 
-    /// The scope of a side: x along its first edge, z outwards.
+    /// The scope of a side, in a box or a rectangle with that scope: x along its first edge, z outwards.
     #[inline(always)]
-    pub(super) fn scope(&self, number: usize) -> Scope {
-        let (Scope { origin, axes, size }, face) = (self.scope, self.face(number));
+    pub(super) fn scope(&self, whole: &Scope, number: usize) -> Scope {
+        let (Scope { origin, axes, size }, face) = (*whole, self.face(number));
         let [width, height] = face.extent(size);
         let from = axes * (face.origin * size);
         Scope { origin: origin + from, axes: face.axes(&axes), size: DVec3::new(width, height, 0.0) }
@@ -143,7 +139,7 @@ impl Quads {
             Sense::Looks(Axes::Scope, direction) => direction.takes_side(self.face(number).side),
             Sense::Looks(axes, direction) => {
                 let normal = self.face(number).side.normal();
-                looks.takes_at(axes, direction, normal, || self.scope(number).centre())
+                looks.takes_at(axes, direction, normal, || self.scope(&looks.scope, number).centre())
             }
             // A rectangle alone has no neighbours.
             Sense::Border(border) => border == self.is_rectangle(),
