@@ -6,8 +6,8 @@
 //! decided by index: which pieces meet, which edges a side lacks a partner for, which loops those make.
 //!
 //! A face in a plane goes to the side its normal points away from, which it closes (of a mesh that is inside out, to the
-//! other). A closed piece without thickness in a plane, a sheet, goes to the side below as a whole ([`sheets`]). Caps are what is still missing then:
-//! polygons with holes whose rim is made of the edges left without a partner in the plane, the same points on both
+//! other). A closed piece without thickness in a plane, a sheet, goes to the side below as a whole (`sheets.rs`). Caps
+//! are what is still missing then: polygons with holes whose rim is made of the edges left without a partner in the plane, the same points on both
 //! sides. Where the mesh was open before, it stays open.
 
 mod around;
