@@ -11,7 +11,7 @@ use crate::diag::{Diag, Diags};
 const HARDLY: f64 = 0.5;
 
 /// A rest is worth a word when it is more than that share of the extent: less is rounding, as of three times 0.33.
-const VISIBLE: f64 = 0.02;
+const VISIBLE: f64 = 0.02 + 1e-9;
 
 pub(super) fn check(slots: &Slots, facts: &Facts, tables: &Tables, diags: &mut Diags) {
     if facts.shape.is_flat(slots.axis) {

@@ -118,6 +118,9 @@ impl Parser<'_> {
             return Ok(OpKind::Error);
         }
         if self.eat(Sym::Dot) {
+            if self.assignment(&name)? {
+                return Ok(OpKind::Error);
+            }
             self.leaf_arguments()?;
             return Ok(OpKind::Leaf(name));
         }

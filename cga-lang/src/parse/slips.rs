@@ -4,8 +4,9 @@
 
 use super::head::Head;
 use super::{Parsed, Parser, Reported};
+use crate::ast::Name;
 use crate::code::Code;
-use crate::ops::operations;
+use crate::ops::{operations, shape_attr};
 use crate::token::{Sym, Tok, Tokens};
 use std::ops::Range;
 
@@ -29,6 +30,24 @@ impl Parser<'_> {
         let tokens: Tokens = (from..to).filter_map(|position| self.layout.at(position)).cloned().collect();
         let last = tokens.len().saturating_sub(1) as u32;
         tokens.text(crate::span::Span { first: 0, last }, LONGEST)
+    }
+
+    /// Reports an attribute of the shape that is given a value, as in `scope.sy = 3`, and passes over it. The tokens are also
+    /// those of a leaf `scope.` before a function `sy`, which is never meant.
+    pub(super) fn assignment(&mut self, name: &Name) -> Parsed<bool> {
+        let Some(word) = self.peek().and_then(Tok::ident) else { return Ok(false) };
+        let attribute = format!("{}.{word}", name.text);
+        if !self.nth_is(1, Sym::Assign) || shape_attr(&attribute).is_none() {
+            return Ok(false);
+        }
+        let start = self.at - 2;
+        self.at += 2;
+        let (from, span) = (self.at, self.span_from(start));
+        self.expr()?;
+        let value = self.written(from, self.at);
+        self.syntax_over(start, span, format!("`{attribute}` is changed by an operation"))
+            .help(format!("write `set({attribute}, {value})`"));
+        Ok(true)
     }
 
     /// Whether `if`, or a word like it, begins a condition here.
