@@ -4,7 +4,7 @@
 
 use super::report::STEP;
 use super::{Parsed, Parser, Reported};
-use crate::ast::{Arg, Expr, ExprKind, Op, OpKind};
+use crate::ast::{Arg, Expr, ExprKind, Name, Op, OpKind};
 use crate::code::Code;
 use crate::ops;
 use crate::token::{Sym, Tok};
@@ -118,11 +118,7 @@ impl Parser<'_> {
             return Ok(OpKind::Error);
         }
         if self.eat(Sym::Dot) {
-            if self.assignment(&name)? {
-                return Ok(OpKind::Error);
-            }
-            self.leaf_arguments()?;
-            return Ok(OpKind::Leaf(name));
+            return self.leaf(name);
         }
         let args = if self.is(Sym::LParen) { Some(self.args()?) } else { None };
         if args.is_some() && self.is(Sym::Dot) {
@@ -141,6 +137,15 @@ impl Parser<'_> {
             return if goes_on { Ok(OpKind::Error) } else { Err(Reported) };
         }
         Ok(OpKind::Call(name, args))
+    }
+
+    /// A leaf, after its dot. In a function of its own, as what nests needs little stack then.
+    fn leaf(&mut self, name: Name) -> Parsed<OpKind> {
+        if self.assignment(&name)? {
+            return Ok(OpKind::Error);
+        }
+        self.leaf_arguments()?;
+        Ok(OpKind::Leaf(name))
     }
 
     /// Old files have arguments behind a leaf. They do nothing.
