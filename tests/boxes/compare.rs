@@ -42,7 +42,7 @@ fn same<T: PartialEq + std::fmt::Debug + ?Sized>(what: &str, a: &T, b: &T) -> Di
 const TURN: f64 = 1e-7;
 
 impl Tolerance {
-    /// Whether two numbers are the same. Those that are not lengths are held to the same share of themselves.
+    /// Whether two numbers are the same. Numbers that are not lengths may differ by the same share of themselves.
     fn number(self, a: f64, b: f64) -> bool {
         a == b || a.is_nan() && b.is_nan() || (a - b).abs() <= self.length.max(1e-9 * a.abs().max(b.abs()))
     }
