@@ -100,7 +100,7 @@ pub(crate) struct Initial {
     pub(crate) start_rule: &'static str,
     /// The streets at its edges, if any.
     pub(crate) streets: Option<Arc<Streets>>,
-    /// Whether boxes and rectangles are held as meshes.
+    /// True if boxes and rectangles are held as meshes.
     pub(crate) as_meshes: bool,
 }
 

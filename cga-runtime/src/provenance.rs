@@ -26,14 +26,14 @@ impl Extruded {
         }
     }
 
-    /// Whose tag is the only one of a set.
+    /// The variant whose tag is the only one of a set.
     pub(crate) fn of(set: &TagSet) -> Option<Self> {
         let [name] = set.names() else { return None };
         Extruded::ALL.into_iter().find(|extruded| **name == *extruded.tag())
     }
 }
 
-/// What made a face, as far as its mesh says.
+/// The origin of a face, where its mesh records it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Provenance {
     /// Nothing is known.
@@ -59,7 +59,7 @@ impl Provenance {
         }
     }
 
-    /// Of a face with that tag. Nothing when it has other tags, a group or a material.
+    /// The origin of a face with that tag; `None` when it has other tags, a group or a material.
     pub(crate) fn of(mesh: &Mesh, tag: FaceTag) -> Option<Self> {
         let set = mesh.tag_sets().get(tag.tags as usize).filter(|set| !set.names().is_empty());
         match (set, tag.cap) {
@@ -80,7 +80,7 @@ impl Provenance {
         }
     }
 
-    /// Whether a query for component tags finds it.
+    /// Returns true if a query for component tags matches.
     pub(crate) fn is_tagged(self, query: &str) -> bool {
         matches!(self, Provenance::Extruded(extruded) if tag_matches(query, extruded.tag()))
     }

@@ -91,7 +91,7 @@ impl Geometry {
         matches!(self, Geometry::Rect(..) | Geometry::Box(_) | Geometry::Mesh(_))
     }
 
-    /// Whether it is as it was inserted.
+    /// The state of the geometry since its insertion.
     pub(crate) fn inserted(&self) -> Inserted {
         match self {
             Geometry::Rect(_, unit) | Geometry::Box(unit) if unit.is_inserted() => Inserted::Plain,

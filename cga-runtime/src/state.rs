@@ -19,7 +19,7 @@ pub(crate) struct State {
     pub(crate) foreign: bool,
     /// Of the initial shape: the width of the street at each edge.
     pub(crate) street_widths: Arc<[f64]>,
-    /// Of the initial shape: whether boxes and rectangles are held as meshes, which changes no result.
+    /// True if a run from this shape holds boxes and rectangles as meshes. No result depends on it.
     pub(crate) as_meshes: bool,
 }
 

@@ -21,10 +21,10 @@ pub(crate) struct UnitMesh(&'static Unit);
 
 struct Unit {
     mesh: Arc<Mesh>,
-    /// Of a rectangle all the same.
+    /// The faces in order; six equal ones for a rectangle.
     faces: [UnitFace; 6],
     face_count: usize,
-    /// What is between two planes across an axis, by axis and [`Band`].
+    /// The parts that a split makes, by axis and [`Band`].
     parts: [OnceLock<UnitMesh>; 9],
     grown: OnceLock<UnitMesh>,
     /// The same mesh as an operation inserts it.
@@ -60,7 +60,7 @@ pub(crate) enum Side {
 impl Side {
     pub(crate) const ALL: [Side; 6] = [Side::Front, Side::Right, Side::Back, Side::Left, Side::Top, Side::Bottom];
 
-    /// Where it looks.
+    /// The outward normal.
     pub(crate) const fn normal(self) -> DVec3 {
         match self {
             Side::Front => DVec3::Z,
@@ -73,7 +73,7 @@ impl Side {
     }
 }
 
-/// Which part of a box a piece is: at the low end of the axis, between two cuts, at the high end, or all of it.
+/// The position of a piece in a box: at the low end of the axis, between two cuts, at the high end, or all of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Band {
     Low,
@@ -83,7 +83,7 @@ pub(crate) enum Band {
 }
 
 impl Band {
-    /// Of a piece that begins at the low end, or ends at the high end.
+    /// The band of a piece that begins at the low end, or ends at the high end, or both.
     #[inline]
     pub(crate) fn of(is_first: bool, is_last: bool) -> Self {
         match (is_first, is_last) {
@@ -122,7 +122,7 @@ impl UnitMesh {
         })
     }
 
-    /// Whether an operation has inserted it, and nothing has changed it since.
+    /// Returns true if an operation has inserted it and nothing has changed it since.
     pub(crate) fn is_inserted(self) -> bool {
         self.0.plain.is_some()
     }
@@ -147,7 +147,7 @@ impl UnitMesh {
             .get_or_init(|| UnitMesh::shared(solid::square(across, provenance)))
     }
 
-    /// The one that equals a mesh of which all corners are at 0 or 1.
+    /// The shared unit mesh that equals a mesh whose corners are all at 0 or 1.
     fn shared(mesh: Mesh) -> Self {
         static ALL: Mutex<BTreeMap<Vec<u32>, UnitMesh>> = Mutex::new(BTreeMap::new());
         // Nothing can be half done in the map when a thread ends.
@@ -180,7 +180,7 @@ impl UnitMesh {
         self.0.mesh.points().iter().map(|&point| number_of(point))
     }
 
-    /// What a split across an axis makes of it, stretched to length 1 again.
+    /// The part that a split across an axis makes, stretched to length 1 again.
     #[inline]
     pub(crate) fn part(self, axis: Axis, band: Band) -> Self {
         if band == Band::All {

@@ -3,17 +3,17 @@
 use cga::mesh::{FaceTag, Mesh};
 use cga::{Collection, Fault, LeafView, Model, Report};
 
-/// What a run gave.
+/// The result of a run.
 pub(crate) struct Outcome {
     pub(crate) model: Model,
-    /// What it said, or the error that ended it.
+    /// The report, or the error that ended the run.
     pub(crate) report: Result<Report, String>,
 }
 
 /// How much may differ.
 #[derive(Clone, Copy)]
 pub(crate) struct Tolerance {
-    /// Of positions, in metres.
+    /// The tolerance of positions, in metres.
     pub(crate) length: f64,
 }
 
@@ -42,7 +42,7 @@ fn same<T: PartialEq + std::fmt::Debug + ?Sized>(what: &str, a: &T, b: &T) -> Di
 const TURN: f64 = 1e-7;
 
 impl Tolerance {
-    /// Whether two numbers are the same. Numbers that are not lengths may differ by the same share of themselves.
+    /// Returns true if two numbers are equal within the tolerance. Numbers that are not lengths may differ by the same share of themselves.
     fn number(self, a: f64, b: f64) -> bool {
         a == b || a.is_nan() && b.is_nan() || (a - b).abs() <= self.length.max(1e-9 * a.abs().max(b.abs()))
     }
@@ -52,7 +52,7 @@ impl Tolerance {
         a.into().into_iter().zip(b.into()).all(close)
     }
 
-    /// Whether two texts are the same but for numbers between semicolons.
+    /// Compares two texts; numbers between semicolons may differ by the tolerance.
     fn text(self, a: &str, b: &str) -> Difference {
         let same = |name: &str, a: &str, b: &str| match (a.parse::<f64>(), b.parse::<f64>()) {
             (Ok(a), Ok(b)) if name.ends_with("turn") => (a - b).abs() <= TURN,

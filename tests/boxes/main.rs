@@ -1,7 +1,7 @@
 //! Boxes and rectangles are an optimisation: a run that holds each of them as a mesh gives the same.
 //!
 //! Random grammars are run in pairs (`pairs.rs`) on random shapes with random attributes, and all that runs give is
-//! compared (`compare.rs`). `CGA_BOXES=200` plays so many more grammars in a throw-away crate; `CGA_BOXES=500..700` and
+//! compared (`compare.rs`). `CGA_BOXES=200` plays 200 more grammars in a throw-away crate; `CGA_BOXES=500..700` and
 //! `CGA_BOXES=144,1044` those of some seeds.
 
 mod compare;

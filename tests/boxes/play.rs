@@ -20,7 +20,7 @@ pub(crate) const RUNS: u64 = if cfg!(debug_assertions) { 8 } else { 50 };
 /// Leaves after which a run is stopped.
 const MOST_LEAVES: usize = 200;
 
-/// What came of many runs.
+/// The counts of many runs.
 #[derive(Default)]
 pub(crate) struct Counts {
     pub(crate) grammars: usize,

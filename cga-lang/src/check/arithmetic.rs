@@ -1,4 +1,4 @@
-//! What stands in expressions: division by zero, arguments out of bounds, conditions that are always the same.
+//! Checks of expressions: division by zero, arguments out of bounds, conditions that are always the same.
 
 use super::flow::{Facts, Flow, Turn};
 use super::{Cx, Use, bounds, branches, colour};

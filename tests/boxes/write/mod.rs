@@ -44,7 +44,7 @@ pub(crate) fn write(seed: u64) -> String {
 }
 
 impl Writer {
-    /// Whether an event of that probability in percent occurs.
+    /// Draws an event of that probability in percent.
     fn chance(&mut self, percent: usize) -> bool {
         self.random.below(100) < percent
     }

@@ -1,6 +1,6 @@
 //! Attributes, and functions that make text of everything a rule can observe.
 
-/// What each grammar begins with. The texts are words and numbers between semicolons.
+/// The beginning of each grammar. The texts are words and numbers between semicolons.
 pub(super) const TEXT: &str = r#"attr a = 3.71
 attr b = 1.37
 attr c = 0.613

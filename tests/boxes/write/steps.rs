@@ -84,7 +84,7 @@ impl Writer {
         }
     }
 
-    /// A length in metres with so many digits that it equals no other.
+    /// A length in metres with enough digits to differ from every other.
     fn length(&mut self) -> String {
         let most = *self.random.pick(&[1_0000, 4_0000, 8_0000]);
         format!("{}", (500 + self.random.below(most)) as f64 / 1e4)
