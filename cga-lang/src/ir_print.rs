@@ -1,18 +1,21 @@
 //! A grammar as text, one line a step: for snapshots and traces.
 
 mod comp;
+mod facts;
 
+use crate::facts::{Facts, RuleFacts};
 use crate::ir::{
     Anew, Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Const, EachUnary, Expr, ExprKind, Function,
-    Global, Grammar, Item, Measure, Param, Prefix, Presentation, Renewal, Rule, Size, Split, Start, Step, Target,
-    Value,
+    FunctionId, Global, Grammar, Item, Measure, Param, Prefix, Presentation, Renewal, Rule, RuleId, Size, Split, Start,
+    Step, Target, Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
 
 /// The text of a grammar.
 pub fn print(grammar: &Grammar) -> String {
-    let mut out = Printer { grammar, params: &[], out: String::new(), depth: 0 };
+    let facts = Facts::new(grammar);
+    let mut out = Printer { grammar, facts: Some(&facts), params: &[], out: String::new(), depth: 0 };
     out.grammar();
     out.out
 }
@@ -35,7 +38,7 @@ impl Items {
 
 /// The text of each item of a grammar.
 pub(crate) fn items(grammar: &Grammar) -> Items {
-    let printer = || Printer { grammar, params: &[], out: String::new(), depth: 0 };
+    let printer = || Printer { grammar, facts: None, params: &[], out: String::new(), depth: 0 };
     let function = |it| {
         let mut out = printer();
         out.function(it);
@@ -43,7 +46,7 @@ pub(crate) fn items(grammar: &Grammar) -> Items {
     };
     let rule = |it| {
         let mut out = printer();
-        out.rule(it);
+        out.rule(it, None);
         out.out
     };
     Items {
@@ -57,6 +60,8 @@ pub(crate) fn items(grammar: &Grammar) -> Items {
 
 struct Printer<'g> {
     grammar: &'g Grammar,
+    /// Without facts an item is printed as it is written: facts follow from other items.
+    facts: Option<&'g Facts>,
     params: &'g [Param],
     out: String,
     depth: usize,
@@ -144,8 +149,11 @@ impl<'g> Printer<'g> {
             let text = self.constant(own);
             self.line(&text);
         }
-        for function in &grammar.functions {
+        for (number, function) in grammar.functions.iter().enumerate() {
             self.function(function);
+            if let Some(facts) = self.facts {
+                self.uses(facts.function(FunctionId(number as u32)));
+            }
         }
         for renewal in &grammar.renewals {
             let text = self.renewal(renewal);
@@ -168,8 +176,8 @@ impl<'g> Printer<'g> {
             let names: Vec<String> = grammar.starts.iter().map(start).collect();
             self.line(&format!("start {}", names.join(", ")));
         }
-        for rule in &grammar.rules {
-            self.rule(rule);
+        for (number, rule) in grammar.rules.iter().enumerate() {
+            self.rule(rule, self.facts.map(|facts| facts.rule(RuleId(number as u32))));
         }
     }
 
@@ -192,7 +200,7 @@ impl<'g> Printer<'g> {
         self.locals(&function.params, &function.locals);
     }
 
-    fn rule(&mut self, rule: &'g Rule) {
+    fn rule(&mut self, rule: &'g Rule, facts: Option<&RuleFacts>) {
         self.params = &rule.params;
         let leaf = match rule.leaf {
             Childless::Always => ", leaf",
@@ -201,6 +209,9 @@ impl<'g> Printer<'g> {
         };
         let cycle = rule.cycle.map(|cycle| format!(", cycle {cycle}")).unwrap_or_default();
         self.line(&format!("rule {}{}{leaf}{cycle}", rule.name, params(&rule.params)));
+        if let Some(facts) = facts {
+            self.rule_facts(facts);
+        }
         self.locals(&rule.params, &rule.locals);
         self.steps(&rule.body);
     }

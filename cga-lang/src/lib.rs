@@ -30,6 +30,7 @@ pub mod check;
 pub mod code;
 pub mod compile;
 pub mod diag;
+pub mod facts;
 mod fold;
 pub mod graph;
 mod hash;

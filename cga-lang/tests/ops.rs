@@ -5,8 +5,8 @@ use cga_lang::diag::Level;
 use cga_lang::ir::Type;
 use cga_lang::lex::lex;
 use cga_lang::ops::{
-    self, Block, COMPONENTS, Default, Operation, Param, ParamKind, Places, Run, SYNTAX, component, required, selector,
-    syntax,
+    self, Block, COMPONENTS, Default, Needs, Operation, Param, ParamKind, Places, Run, SYNTAX, Uses, component,
+    required, selector, syntax,
 };
 use cga_lang::token::{Sym, Tok};
 use std::collections::{HashMap, HashSet};
@@ -61,6 +61,27 @@ fn parameters_are_well_formed() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn a_function_uses_the_shape_if_it_gets_one() {
+    let of_shape = |uses: Uses| Uses { says: false, ..uses };
+    let fits = |needs: Needs, uses: Uses| match needs {
+        Needs::Nothing => uses.is_none(),
+        Needs::Env => of_shape(uses).is_none(),
+        Needs::Shape => !of_shape(uses).is_none(),
+        // What is known of the initial shape gets the current one too.
+        Needs::Both => !uses.is_none(),
+        Needs::Component => uses.whole,
+    };
+    for row in ops::all_functions() {
+        assert!(fits(row.needs, row.uses), "{}", row.name);
+        assert!(!row.pure || row.uses.is_none(), "{}", row.name);
+    }
+    for row in ops::all_shape_attrs() {
+        assert!(fits(row.needs, row.uses), "{}", row.name);
+        assert!(row.set.is_some() || row.set_uses.is_none(), "{}", row.name);
     }
 }
 

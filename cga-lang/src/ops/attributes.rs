@@ -1,23 +1,30 @@
 //! The attributes of shapes.
 
 use super::material::MATERIAL;
-use super::{B, F, Needs, Run, ShapeAttr, T};
+use super::{B, F, Needs, Run, ShapeAttr, T, Uses};
 use crate::ir::Type;
 
 /// Every attribute of shapes.
 pub static SHAPE_ATTRS: &[&[ShapeAttr]] = &[SHAPE, MATERIAL];
 
-const fn get(name: &'static str, get: &'static str) -> ShapeAttr {
-    ShapeAttr { name, get: Run::Now(get), ty: F, needs: Needs::Shape, set: None, old: None }
+/// Cannot be set.
+const fn get(name: &'static str, get: &'static str, uses: Uses) -> ShapeAttr {
+    ShapeAttr { name, get: Run::Now(get), ty: F, needs: Needs::Shape, uses, set: None, set_uses: Uses::NONE, old: None }
 }
 
+/// Can be set. Reading and setting use the whole shape.
 pub(super) const fn both(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
-    ShapeAttr { name, get: Run::Now(call), ty, needs: Needs::Shape, set: Some(Run::Now(call)), old: None }
+    ShapeAttr { ty, set: Some(Run::Now(call)), set_uses: Uses::WHOLE, ..get(name, call, Uses::WHOLE) }
 }
 
-/// Of the initial shape: it cannot be set.
+/// The same row, with other uses.
+pub(super) const fn using(uses: Uses, set_uses: Uses, row: ShapeAttr) -> ShapeAttr {
+    ShapeAttr { uses, set_uses, ..row }
+}
+
+/// Of the initial shape: the run knows it, and it cannot be set.
 const fn initial(name: &'static str, call: &'static str) -> ShapeAttr {
-    ShapeAttr { needs: Needs::Both, ..get(name, call) }
+    ShapeAttr { needs: Needs::Both, ..get(name, call, Uses::SAYS) }
 }
 
 /// In the coordinates of the initial shape.
@@ -26,26 +33,27 @@ const fn pivot(name: &'static str, call: &'static str) -> ShapeAttr {
 }
 
 static SHAPE: &[ShapeAttr] = &[
-    both("scope.sx", "scope_sx", F),
-    both("scope.sy", "scope_sy", F),
-    both("scope.sz", "scope_sz", F),
+    using(Uses::SIZE, Uses::NONE, both("scope.sx", "scope_sx", F)),
+    using(Uses::SIZE, Uses::NONE, both("scope.sy", "scope_sy", F)),
+    using(Uses::SIZE, Uses::NONE, both("scope.sz", "scope_sz", F)),
+    // Relative to the pivot.
     both("scope.tx", "scope_tx", F),
     both("scope.ty", "scope_ty", F),
     both("scope.tz", "scope_tz", F),
     both("scope.rx", "scope_rx", F),
     both("scope.ry", "scope_ry", F),
     both("scope.rz", "scope_rz", F),
-    get("scope.elevation", "scope_elevation"),
-    get("split.index", "split_index"),
-    get("split.total", "split_total"),
-    get("comp.index", "comp_index"),
-    get("comp.total", "comp_total"),
-    ShapeAttr { ty: T, ..get("comp.sel", "comp_sel") },
+    get("scope.elevation", "scope_elevation", Uses::PLACE),
+    get("split.index", "split_index", Uses::INDEX),
+    get("split.total", "split_total", Uses::TOTAL),
+    get("comp.index", "comp_index", Uses::WHOLE),
+    get("comp.total", "comp_total", Uses::WHOLE),
+    ShapeAttr { ty: T, ..get("comp.sel", "comp_sel", Uses::WHOLE) },
     both("trim.vertical", "trim_vertical", B),
     both("trim.horizontal", "trim_horizontal", B),
-    both("seedian", "seedian", F),
+    using(Uses::DRAWS, Uses::DRAWS, both("seedian", "seedian", F)),
     // Old rules tell shapes apart by it; *getTreeKey* came in its place.
-    ShapeAttr { get: Run::Later, old: Some("write `getTreeKey()`, which is text"), ..get("uid", "") },
+    ShapeAttr { get: Run::Later, old: Some("write `getTreeKey()`, which is text"), ..get("uid", "", Uses::WHOLE) },
     ShapeAttr { ty: T, ..initial("initialShape.name", "initial_shape_name") },
     ShapeAttr { ty: T, ..initial("initialShape.startRule", "initial_shape_start_rule") },
     ShapeAttr {

@@ -1,8 +1,8 @@
 //! The functions.
 
 use super::{
-    B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Values, boolean, bounds, float, of, or,
-    queries, set_elements, text, uv_set, values, within, word,
+    B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Uses, Values, boolean, bounds, float, of,
+    or, queries, set_elements, text, uv_set, values, within, word,
 };
 use crate::ir::Type;
 
@@ -35,12 +35,22 @@ pub static FUNCTIONS: &[&[Function]] = &[
 
 /// A row that does not run yet. What the function will need is said when it does.
 const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
-    Function { name, run: Run::Later, params, ty, needs: Needs::Nothing, pure: false, old: None, about }
+    Function {
+        name,
+        run: Run::Later,
+        params,
+        ty,
+        needs: Needs::Nothing,
+        uses: Uses::NONE,
+        pure: false,
+        old: None,
+        about,
+    }
 }
 
 /// A question to a component, which does not run yet.
 const fn asked(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Function {
-    Function { run: Run::Now(call), needs: Needs::Component, ..later(name, params, B, about) }
+    Function { run: Run::Now(call), needs: Needs::Component, uses: Uses::WHOLE, ..later(name, params, B, about) }
 }
 
 /// *contextCompare*, *contextCount* and *minimumDistance function*.

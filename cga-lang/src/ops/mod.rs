@@ -12,6 +12,7 @@ mod queries;
 mod selectors;
 mod set_elements;
 mod syntax;
+mod uses;
 mod values;
 
 use crate::code::Code;
@@ -24,6 +25,7 @@ pub use functions::FUNCTIONS;
 pub use operations::OPERATIONS;
 pub use selectors::{COMPONENTS, Component, Places, Selector, component, selector, selectors};
 pub use syntax::{SPLIT_UV_SET, SYNTAX, Syntax, syntax};
+pub use uses::Uses;
 
 /// Whether a row of a table can run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +51,8 @@ pub struct Operation {
     pub scope: Effect,
     /// Whether it looks at the state at the start of the rule, bracket or part (`center`).
     pub uses_base: bool,
+    /// The parts of the shape that it reads or changes besides the scope and the material. Arguments count on their own.
+    pub uses: Uses,
     /// Whether a rule of its name with as many parameters of other types can be called (*CGA changelog 2019.1*).
     pub overloads: bool,
     /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
@@ -199,6 +203,8 @@ pub struct Function {
     pub ty: Type,
     /// What it gets before its arguments.
     pub needs: Needs,
+    /// The parts of the current shape that it reads. Arguments count on their own.
+    pub uses: Uses,
     /// Whether equal arguments always give equal results, so that it may be folded.
     pub pure: bool,
     /// For an old spelling: what to write instead, as a help line.
@@ -233,8 +239,12 @@ pub struct ShapeAttr {
     pub ty: Type,
     /// What it is read from.
     pub needs: Needs,
+    /// The parts of the shape that reading it uses.
+    pub uses: Uses,
     /// The function in the runtime's `set` module, if it can be set.
     pub set: Option<Run>,
+    /// The parts of the shape that setting it uses, besides the scope and the material.
+    pub set_uses: Uses,
     /// Why it is accepted though nobody should write it any more, and what to write instead.
     pub old: Option<&'static str>,
 }

@@ -1,8 +1,8 @@
 //! The functions that look at the shape, its geometry, the run and files.
 
 use super::{
-    B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamKind, Run, T, TS, boolean, float, of, or, param, text,
-    word,
+    B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamKind, Run, T, TS, Uses, boolean, float, of, or, param,
+    text, word,
 };
 use crate::ir::Type;
 
@@ -11,10 +11,10 @@ const fn row(
     call: &'static str,
     params: &'static [Param],
     ty: Type,
-    needs: Needs,
+    (needs, uses): (Needs, Uses),
     about: &'static str,
 ) -> Function {
-    Function { name, run: Run::Now(call), params, ty, needs, pure: false, old: None, about }
+    Function { name, run: Run::Now(call), params, ty, needs, uses, pure: false, old: None, about }
 }
 
 /// Asks the shape alone.
@@ -25,7 +25,7 @@ const fn shape(
     ty: Type,
     about: &'static str,
 ) -> Function {
-    row(name, call, params, ty, Needs::Shape, about)
+    row(name, call, params, ty, (Needs::Shape, Uses::WHOLE), about)
 }
 
 /// Asks the shape and the run.
@@ -36,10 +36,10 @@ const fn both(
     ty: Type,
     about: &'static str,
 ) -> Function {
-    row(name, call, params, ty, Needs::Both, about)
+    row(name, call, params, ty, (Needs::Both, Uses::WHOLE), about)
 }
 
-/// Asks the run alone.
+/// Asks the run alone: prints and files.
 const fn run(
     name: &'static str,
     call: &'static str,
@@ -47,7 +47,7 @@ const fn run(
     ty: Type,
     about: &'static str,
 ) -> Function {
-    row(name, call, params, ty, Needs::Env, about)
+    row(name, call, params, ty, (Needs::Env, Uses::SAYS), about)
 }
 
 /// The directions that faces can look in; of areas also all. `$no_street` is the new spelling of `noStreetSide`, which is
@@ -193,7 +193,14 @@ pub(super) static FILES: &[Function] = &[
     run("fileExists", "file_exists", &[FILE], B, "whether there is a file that can be used"),
     run("fileSearch", "file_search", &[QUERY], T, "the files that a query finds, as a list"),
     run("filesSearch", "files_search", &[QUERY], TS, "the files that a query finds"),
-    both("fileRandom", "file_random", &[QUERY], T, "one of the files that a query finds"),
+    row(
+        "fileRandom",
+        "file_random",
+        &[QUERY],
+        T,
+        (Needs::Both, Uses::DRAWS.and(Uses::SAYS)),
+        "one of the files that a query finds",
+    ),
     run("assetInfo", "asset_info", &[FILE, ASSET], F, "a size or coordinate of the box around an asset, in metres"),
     run(
         "assetNamingInfo",

@@ -99,6 +99,8 @@ pub struct Selector {
     pub name: &'static str,
     /// Where it may stand.
     pub on: Places,
+    /// Whether it takes the same components of a shape wherever the shape is and however it is turned.
+    pub rigid: bool,
     /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
     pub old: Option<&'static str>,
     /// What it takes, in a line.
@@ -111,7 +113,12 @@ const fn facing(name: &'static str, about: &'static str) -> Selector {
 }
 
 const fn only(name: &'static str, on: Places, about: &'static str) -> Selector {
-    Selector { name, on, old: None, about }
+    Selector { name, on, rigid: false, old: None, about }
+}
+
+/// The same row, of a word that asks for nothing but the shape itself.
+const fn rigid(row: Selector) -> Selector {
+    Selector { rigid: true, ..row }
 }
 
 const fn old(row: Selector, instead: &'static str) -> Selector {
@@ -120,18 +127,18 @@ const fn old(row: Selector, instead: &'static str) -> Selector {
 
 /// Every selector; in messages they stand in this order.
 static ROWS: &[Selector] = &[
-    facing("front", "what faces the scope's front, its z axis"),
-    facing("back", "what faces the scope's back"),
-    facing("left", "what faces the scope's left"),
-    facing("right", "what faces the scope's right, its x axis"),
-    facing("top", "what faces the scope's top, its y axis"),
-    facing("bottom", "what faces the scope's bottom"),
-    facing("side", "what is not horizontal"),
-    only("vertical", Places::COMP, "what stands upright"),
-    only("horizontal", Places::COMP, "what lies flat"),
-    only("aslant", Places::COMP, "what leans back, as a roof does"),
-    only("nutant", Places::COMP, "what leans forward"),
-    facing("all", "everything that is left"),
+    rigid(facing("front", "what faces the scope's front, its z axis")),
+    rigid(facing("back", "what faces the scope's back")),
+    rigid(facing("left", "what faces the scope's left")),
+    rigid(facing("right", "what faces the scope's right, its x axis")),
+    rigid(facing("top", "what faces the scope's top, its y axis")),
+    rigid(facing("bottom", "what faces the scope's bottom")),
+    rigid(facing("side", "what is not horizontal")),
+    rigid(only("vertical", Places::COMP, "what stands upright")),
+    rigid(only("horizontal", Places::COMP, "what lies flat")),
+    rigid(only("aslant", Places::COMP, "what leans back, as a roof does")),
+    rigid(only("nutant", Places::COMP, "what leans forward")),
+    rigid(facing("all", "everything that is left")),
     facing("object.front", "what faces the object's front"),
     facing("object.back", "what faces the object's back"),
     facing("object.left", "what faces the object's left"),
@@ -151,8 +158,8 @@ static ROWS: &[Selector] = &[
     facing("street.left", "what lies left between front and back"),
     facing("street.right", "what lies right between front and back"),
     facing("street.side", "what lies between front and back"),
-    only("border", Places::COMP.but(Places::HOLES), "what has an edge that only one face has"),
-    only("inside", Places::COMP.but(Places::HOLES), "what is not at the border"),
+    rigid(only("border", Places::COMP.but(Places::HOLES), "what has an edge that only one face has")),
+    rigid(only("inside", Places::COMP.but(Places::HOLES), "what is not at the border")),
     only("eave", Places::EDGES, "edges at the foot of a roof"),
     only("hip", Places::EDGES, "edges that rise from an eave"),
     only("valley", Places::EDGES, "edges between roofs that slope towards each other"),

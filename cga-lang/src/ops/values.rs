@@ -1,7 +1,7 @@
 //! The functions of values: numbers, text, lists in text, arrays, colours, paths, chance. Of rows with one name the one
 //! for single numbers comes first.
 
-use super::{B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, boolean, float, of, or, text};
+use super::{B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, Uses, boolean, float, of, or, text};
 use crate::ir::Type;
 
 /// A function of its arguments alone.
@@ -12,7 +12,17 @@ const fn plain(
     ty: Type,
     about: &'static str,
 ) -> Function {
-    Function { name, run: Run::Now(call), params, ty, needs: Needs::Nothing, pure: true, old: None, about }
+    Function {
+        name,
+        run: Run::Now(call),
+        params,
+        ty,
+        needs: Needs::Nothing,
+        uses: Uses::NONE,
+        pure: true,
+        old: None,
+        about,
+    }
 }
 
 /// One that can leave a fault or end the run.
@@ -35,7 +45,7 @@ const fn draw(
     needs: Needs,
     about: &'static str,
 ) -> Function {
-    Function { needs, pure: false, ..plain(name, call, params, ty, about) }
+    Function { needs, uses: Uses::DRAWS, pure: false, ..plain(name, call, params, ty, about) }
 }
 
 /// The same row, of an old spelling.

@@ -1,10 +1,10 @@
 //! Geometry creation: extrusion, assets, primitives, envelopes.
 
 use super::super::{
-    Bounds, Default, Effect, FILE, FS, Operation, Param, ParamKind, Values, bounds, float, length, of, or, uv_set,
-    within, word,
+    Bounds, Default, Effect, FILE, FS, Operation, Param, ParamKind, Uses, Values, bounds, float, length, of, or,
+    uv_set, within, word,
 };
-use super::{later, old, op, with};
+use super::{later, old, op, slim, using, with};
 
 const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
     rust: "ExtrudeAlong",
@@ -59,10 +59,13 @@ const N_DIVISIONS: Param = within(float("divisions"), &DIVISIONS);
 
 const SIXTEEN: Default = Default::Float(16.0);
 
+/// Assets are trimmed at the planes of the shape.
+const FROM_FILE: Uses = Uses::WHOLE.and(Uses::SAYS);
+
 const NO_DIRECTION: &str = "say which way is up: `envelope(normal, …)`";
 
 pub(super) static ROWS: &[Operation] = &[
-    op("extrude", "extrude", &[length("distance")], "extrudes each face along its normal"),
+    slim(op("extrude", "extrude", &[length("distance")], "extrudes each face along its normal")),
     op(
         "extrude",
         "extrude_along",
@@ -73,17 +76,23 @@ pub(super) static ROWS: &[Operation] = &[
         op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis"),
         "write `extrude(world.up, …)` to extrude upwards",
     ),
-    with(Effect::Fills, op("i", "insert", &[FILE], "replaces the geometry by an asset that fills the scope")),
-    op(
-        "i",
-        "insert_with",
-        &[
-            FILE,
-            UP_AXIS,
-            or(INSERT_MODE, Default::Word("alignSizeAndPosition")),
-            or(CLEANUP_MODE, Default::Word("numericalCleanup")),
-        ],
-        "replaces the geometry by an asset, which may lie down or keep its size and place",
+    with(
+        Effect::Fills,
+        using(FROM_FILE, op("i", "insert", &[FILE], "replaces the geometry by an asset that fills the scope")),
+    ),
+    using(
+        FROM_FILE,
+        op(
+            "i",
+            "insert_with",
+            &[
+                FILE,
+                UP_AXIS,
+                or(INSERT_MODE, Default::Word("alignSizeAndPosition")),
+                or(CLEANUP_MODE, Default::Word("numericalCleanup")),
+            ],
+            "replaces the geometry by an asset, which may lie down or keep its size and place",
+        ),
     ),
     later(
         "insertAlongUV",

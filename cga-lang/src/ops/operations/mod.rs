@@ -10,7 +10,7 @@ mod subdivision;
 mod texturing;
 mod transform;
 
-use super::{Block, Effect, Operation, Param, Run};
+use super::{Block, Effect, Operation, Param, Run, Uses};
 
 /// Every operation.
 pub static OPERATIONS: &[&[Operation]] = &[
@@ -38,6 +38,7 @@ const fn later(name: &'static str, params: &'static [Param], about: &'static str
         block: Block::None,
         scope: Effect::Any,
         uses_base: false,
+        uses: Uses::WHOLE,
         overloads: true,
         old: None,
         about,
@@ -52,6 +53,16 @@ const fn with(scope: Effect, row: Operation) -> Operation {
 /// The same row, of an operation that leaves the scope's size and what is in it alone.
 const fn keeps(row: Operation) -> Operation {
     with(Effect::Keeps, row)
+}
+
+/// The same row, of an operation with those uses.
+const fn using(uses: Uses, row: Operation) -> Operation {
+    Operation { uses, ..row }
+}
+
+/// The same row, of an operation that needs the scope and the material alone, and does the same wherever the shape is.
+const fn slim(row: Operation) -> Operation {
+    using(Uses::NONE, row)
 }
 
 /// The same row, of an operation that no rule overloads (*CGA changelog 2020.0*).

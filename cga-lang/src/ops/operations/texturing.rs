@@ -1,7 +1,7 @@
 //! Textures and texture coordinates. A uv set is a number from 0 to 9.
 
 use super::super::{Default, Operation, Param, ParamKind, float, length, or, param, size, uv_set, word};
-use super::{alone, keeps, later, old, op};
+use super::{alone, keeps, later, old, op, slim};
 
 const UV_SET: Param = uv_set("uvSet");
 
@@ -38,7 +38,7 @@ const HEIGHT: Param = size("textureHeight");
 const PROJECTION: &str = "says how a texture is to be laid on the shape";
 
 pub(super) static ROWS: &[Operation] = &[
-    keeps(op("texture", "texture", &[param("filePath", ParamKind::Image)], "sets the colour map")),
+    keeps(slim(op("texture", "texture", &[param("filePath", ParamKind::Image)], "sets the colour map"))),
     alone(later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION)),
     alone(later(
         "setupProjection",

@@ -1,7 +1,7 @@
 //! Moving, turning and sizing.
 
 use super::super::{Effect, Operation, Param, float, length, word};
-use super::{alone, keeps, op, with};
+use super::{alone, keeps, op, slim, with};
 
 const CENTER_AXES: Param = word(
     "axes",
@@ -26,20 +26,21 @@ const Z_ANGLE: Param = float("zAngle");
 pub(super) static ROWS: &[Operation] = &[
     alone(with(
         Effect::Sizes,
-        op("s", "size", &[length("xSize"), length("ySize"), length("zSize")], "sets the size of the scope"),
+        slim(op("s", "size", &[length("xSize"), length("ySize"), length("zSize")], "sets the size of the scope")),
     )),
-    alone(keeps(op(
+    alone(keeps(slim(op(
         "t",
         "translate",
         &[length("tx"), length("ty"), length("tz")],
         "moves along the axes of the scope",
-    ))),
+    )))),
     keeps(op(
         "translate",
         "translate_in",
         &[MODE, SYSTEM, float("x"), float("y"), float("z")],
         "moves to a place or by an amount in a coordinate system",
     )),
+    // `r` turns about the axes of the pivot, which parts of a split have from their parent.
     keeps(op("r", "rotate", &[X_ANGLE, Y_ANGLE, Z_ANGLE], "rotates about the origin of the scope, in degrees")),
     keeps(op(
         "r",
@@ -55,6 +56,11 @@ pub(super) static ROWS: &[Operation] = &[
     )),
     Operation {
         uses_base: true,
-        ..keeps(op("center", "center", &[CENTER_AXES], "moves the centre of the scope to the centre it had before"))
+        ..keeps(slim(op(
+            "center",
+            "center",
+            &[CENTER_AXES],
+            "moves the centre of the scope to the centre it had before",
+        )))
     },
 ];
