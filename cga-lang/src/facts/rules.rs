@@ -1,9 +1,8 @@
 //! Uses of rules, and which of them are rigid.
 
 use super::closure::closure;
-use super::functions::{is_lazy, value};
 use super::{Facts, RuleFacts, Uses};
-use crate::ir::{Align, Comp, Grammar, Measure, Renewal, Rule, Selector, Step, Target};
+use crate::ir::{Align, Comp, Global, Grammar, Measure, Renewal, Rule, Selector, Step, Target};
 use crate::{ir_walk, ops};
 
 /// The facts of a rule without the rules that it reaches.
@@ -59,9 +58,19 @@ impl Facts {
     /// Uses of an import that starts anew: its attributes and constants are evaluated on the shape.
     fn renewal(&self, grammar: &Grammar, renewal: &Renewal) -> Uses {
         let uses = renewal.globals.iter().map(|global| {
-            // What is computed when it is first read keeps the shape until then.
-            let kept = if is_lazy(grammar, *global) { Uses::WHOLE | Uses::DRAWS } else { Uses::NONE };
-            self.expr(value(grammar, *global)) | kept
+            let (value, lazy) = match *global {
+                Global::Attr(id) => {
+                    let attr = &grammar.attrs[id.0 as usize];
+                    (&attr.default, attr.lazy)
+                }
+                Global::Const(id) => {
+                    let constant = &grammar.consts[id.0 as usize];
+                    (&constant.value, constant.lazy)
+                }
+            };
+            // Lazy ones are computed on a copy of the shape.
+            let copied = if lazy { Uses::WHOLE | Uses::DRAWS } else { Uses::NONE };
+            self.expr(value) | copied
         });
         uses.collect()
     }
