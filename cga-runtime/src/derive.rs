@@ -14,8 +14,9 @@ use crate::grammar::Rules;
 use crate::place;
 use crate::report::{Collection, Print, Reports};
 use crate::settings::Settings;
+use crate::shape::base::Form;
 use crate::shape::{Geometry, Inserted, Shape, ShapeRef};
-use crate::sink::{Flow, Leaf, Sink};
+use crate::sink::{Filled, Flow, Leaf, Sink};
 
 /// How much of the stack direct calls may use, in the units of generated code: about a kilobyte each in a build without
 /// optimisation, much less with it. Threads have two megabytes, of which functions (`FUNCTIONS` in
@@ -68,7 +69,7 @@ impl Report {
 #[derive(Debug)]
 pub struct Cx<'r, S: ?Sized, C> {
     /// The part that does not depend on the sink.
-    pub env: Env,
+    pub env: &'r mut Env,
     sink: &'r mut S,
     waiting: VecDeque<Waiting<C>>,
     /// What direct calls take of [`STACK`] at the moment.
@@ -130,17 +131,60 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
             return self.env.limit(LimitKind::Waiting, self.env.settings.limits.waiting);
         }
         let trail = self.env.keep_trail();
-        self.waiting.push_back(Waiting { shape: shape.detach(), call, depth, trail });
+        self.waiting.push_back(Waiting { shape: self.env.whole(shape), call, depth, trail });
         Flow::Continue(())
     }
 
-    /// Hands a leaf to the sink. A shape without faces leaves nothing.
+    /// Hands the shape of a rule to the sink as a leaf. A shape without faces leaves nothing.
     #[inline]
-    pub fn leaf(&mut self, shape: &ShapeRef<'_>, rule: &'static str) -> Flow {
+    pub fn leaf(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         if self.env.ended() {
             return Flow::Break(());
         }
+        // It was counted when its rule was entered.
+        self.env.shapes -= 1;
+        self.filled(shape, rule)
+    }
+
+    /// A leaf symbol: counts as a shape of its own.
+    #[inline]
+    pub fn symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+        if !self.env.has_room(1) {
+            return self.env.too_many_shapes();
+        }
+        self.filled(shape, rule)
+    }
+
+    /// A leaf symbol for which there is room.
+    #[inline(always)]
+    pub(crate) fn filled(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+        match shape.form {
+            Form::Rect(_) | Form::Box => {
+                self.env.filled += 1;
+                self.sink.filled(&Filled {
+                    origin: shape.origin,
+                    size: shape.size,
+                    axes: shape.axes,
+                    base: shape.base,
+                    unit: shape.unit,
+                    tables: &self.env.leaf_tables,
+                    rule,
+                    material: shape.material,
+                    form: shape.form,
+                })
+            }
+            Form::Empty | Form::Other => self.other_leaf(*shape, rule),
+        }
+    }
+
+    /// A leaf that does not simply fill its scope.
+    #[cold]
+    #[inline(never)]
+    fn other_leaf(&mut self, shape: ShapeRef<'_>, rule: u32) -> Flow {
+        self.env.shapes += 1;
+        let shape = self.env.whole(&shape);
         self.env.leaves += u64::from(shape.geometry.has_surface());
+        let rule = self.env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
         let leaf = Leaf { rule, material: shape.state.material(), scope: &shape.scope };
         match &shape.geometry {
             Geometry::Rect(axis, unit) => self.sink.quad(&leaf, &place::rectangle(&shape.scope, *axis, *unit)),
@@ -155,13 +199,6 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
                 }
             }
         }
-    }
-
-    /// A leaf symbol: counts as a shape of its own.
-    #[inline]
-    pub fn symbol(&mut self, shape: &ShapeRef<'_>, name: &'static str) -> Flow {
-        self.env.count_shapes(1)?;
-        self.leaf(shape, name)
     }
 }
 
@@ -178,19 +215,23 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
     shape.check_initial()?;
     rules.check()?;
     let (start, style, start_name) = start_rule::<R>(settings.start.as_deref())?;
-    let env = Env::new(settings, R::NAMES, shape, start_name);
-    let mut cx = Cx { env, sink, waiting: VecDeque::new(), stack: 0, depth: 0 };
-    let values = rules.values(&mut cx.env, shape, style);
+    let mut env = Env::new(settings, R::NAMES, shape, start_name);
+    env.leaf_tables.names = R::LEAVES;
+    sink.begin();
+    let mut cx = Cx { env: &mut env, sink, waiting: VecDeque::new(), stack: 0, depth: 0 };
+    let values = rules.values(cx.env, shape, style);
     // A break with no error is the sink's.
     let mut flow = if cx.env.error.is_some() { Flow::Break(()) } else { Flow::Continue(()) };
     if flow.is_continue() {
-        flow = R::start(&values, &mut cx, start, shape.without_trim_planes());
+        let base = cx.env.base(shape.without_trim_planes());
+        flow = R::start(&values, &mut cx, start, &mut base.shape());
     }
     while flow.is_continue() {
         let Some(next) = cx.waiting.pop_front() else { break };
         (cx.depth, cx.stack) = (next.depth, 0);
         cx.env.resume_trail(next.trail);
-        flow = R::resume(&values, &mut cx, next.shape, next.call);
+        let base = cx.env.base(next.shape);
+        flow = R::resume(&values, &mut cx, &mut base.shape(), next.call);
     }
     let (faults, faults_left_out) = cx.env.take_faults();
     let prints = std::mem::take(&mut cx.env.prints);
@@ -202,8 +243,8 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
     match cx.env.error.take() {
         Some(error) => Err(error),
         None => Ok(Report {
-            shapes: cx.env.shapes,
-            leaves: cx.env.leaves,
+            shapes: cx.env.shape_count(),
+            leaves: cx.env.leaves + cx.env.filled,
             faults,
             faults_left_out,
             stopped: flow.is_break(),

@@ -9,6 +9,7 @@ use crate::array::Array;
 use crate::asset::{File, Query};
 use crate::comp::street::Streets;
 use crate::fault::{Error, Fault, FaultKind, LimitKind};
+use crate::material::ids::MaterialIds;
 use crate::mesh::Mesh;
 use crate::mesh::primitive::Made;
 use crate::report::{Prints, Reports};
@@ -49,6 +50,17 @@ const ASSETS_RAISED: usize = 256;
 /// may be, in metres: on a large site small things are as good as elsewhere, and a run may start from a point.
 const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
 
+/// A run can count this many shapes; a count of [`ENDED`] marks a run that has ended.
+const MOST_SHAPES: u64 = u64::MAX / 8;
+const ENDED: u64 = u64::MAX / 4;
+
+/// The names and materials of a run's leaves, by number.
+#[derive(Clone, Debug)]
+pub(crate) struct LeafTables {
+    pub(crate) names: &'static [&'static str],
+    pub(crate) materials: MaterialIds,
+}
+
 /// The run's state that does not depend on the sink.
 #[derive(Debug)]
 pub struct Env {
@@ -58,12 +70,17 @@ pub struct Env {
     pub(crate) too_small: f64,
     pub(crate) initial: Initial,
     names: &'static [&'static str],
+    /// The names and materials of leaves, by number.
+    pub(crate) leaf_tables: LeafTables,
     /// Rules entered and not yet left since the work list was last asked.
     trail: Vec<u32>,
     /// Rules that led to the work item under way.
     before: Option<Rc<Trail>>,
+    /// Shapes and leaves, without those of `filled`.
     pub(crate) shapes: u64,
     pub(crate) leaves: u64,
+    /// Leaf symbols that fill their scope: a shape and a leaf each.
+    pub(crate) filled: u64,
     vertices: u64,
     /// Functions under way that asked.
     calls: u32,
@@ -143,15 +160,17 @@ impl Env {
             },
             // The largest number marks a run that has ended; see `limit`.
             settings: Settings {
-                limits: Limits { shapes: settings.limits.shapes.min(u64::MAX - 1), ..settings.limits },
+                limits: Limits { shapes: settings.limits.shapes.min(MOST_SHAPES), ..settings.limits },
                 ..settings.clone()
             },
             too_small: if extent == 0.0 { TOO_SMALL.1 } else { (extent * TOO_SMALL.0).min(TOO_SMALL.1) },
             names,
+            leaf_tables: LeafTables { names: &[], materials: MaterialIds::new(&crate::state::UNSET) },
             trail: Vec::new(),
             before: None,
             shapes: 0,
             leaves: 0,
+            filled: 0,
             vertices: 0,
             calls: 0,
             call_stack: 0,
@@ -181,10 +200,27 @@ impl Env {
     #[inline]
     pub(crate) fn count_shapes(&mut self, count: u64) -> Flow {
         self.shapes = self.shapes.saturating_add(count);
-        if self.settings.limits.shapes < self.shapes {
-            return self.limit(LimitKind::Shapes, self.settings.limits.shapes);
+        if !self.has_room(0) {
+            return self.too_many_shapes();
         }
         Flow::Continue(())
+    }
+
+    /// Returns true if there may be that many more shapes.
+    #[inline]
+    pub(crate) fn has_room(&self, more: u64) -> bool {
+        (self.shapes + self.filled).saturating_add(more) <= self.settings.limits.shapes
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn too_many_shapes(&mut self) -> Flow {
+        self.limit(LimitKind::Shapes, self.settings.limits.shapes)
+    }
+
+    /// All shapes so far.
+    pub(crate) fn shape_count(&self) -> u64 {
+        self.shapes + self.filled
     }
 
     /// Counts the vertices of a mesh that an operation made, as sinks do: those that faces share count for each.
@@ -207,14 +243,14 @@ impl Env {
         let trail = self.trail();
         self.error.get_or_insert(Error::Limit { what, limit, trail });
         // Whoever counts next stops too: operations and functions cannot break off by themselves.
-        self.shapes = u64::MAX;
+        self.shapes = ENDED;
         ControlFlow::Break(())
     }
 
     /// Whether a limit was reached.
     #[inline]
-    pub(crate) fn ended(&self) -> bool {
-        self.shapes == u64::MAX
+    pub fn ended(&self) -> bool {
+        ENDED <= self.shapes
     }
 
     #[inline]
@@ -252,7 +288,7 @@ impl Env {
         let first = self.open.iter().rposition(|open| *open == name).unwrap_or(0);
         let names = self.open[first..].to_vec();
         self.error.get_or_insert(Error::Cycle { names });
-        self.shapes = u64::MAX;
+        self.shapes = ENDED;
     }
 
     /// Leaves a function that asked for so many bytes.

@@ -7,27 +7,37 @@ use crate::env::Env;
 use crate::material::list::{each_material_number, each_material_text};
 use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
 use crate::op::angles;
-use crate::shape::ShapeRef;
+use crate::shape::Shape;
+use crate::shape::view::View;
 use crate::text::Text;
 use crate::value::Value;
 
 macro_rules! numbers {
-    ($($(#[$doc:meta])* $name:ident = |$shape:ident| $value:expr;)*) => {$(
+    (($ty:ty) $($(#[$doc:meta])* $name:ident = |$shape:ident| $value:expr;)*) => {$(
         $(#[$doc])*
         #[inline]
-        pub fn $name($shape: &ShapeRef<'_>) -> f64 {
+        pub fn $name($shape: &$ty) -> f64 {
             $value
         }
     )*};
 }
 
-numbers! {
+numbers! { (impl View)
     /// Width.
-    scope_sx = |shape| shape.scope.size.x;
+    scope_sx = |shape| shape.size().x;
     /// Height.
-    scope_sy = |shape| shape.scope.size.y;
+    scope_sy = |shape| shape.size().y;
     /// Depth.
-    scope_sz = |shape| shape.scope.size.z;
+    scope_sz = |shape| shape.size().z;
+    /// Height of the scope's origin above the world's ground.
+    scope_elevation = |shape| shape.origin().y;
+    /// Number of the part in the last split, from 0; -1 before any.
+    split_index = |shape| f64::from(shape.split_index());
+    /// Parts of the last split.
+    split_total = |shape| f64::from(shape.split_total());
+}
+
+numbers! { (Shape)
     /// Offset from the pivot, along its x axis.
     scope_tx = |shape| offset(shape).x;
     /// Offset from the pivot, along its y axis.
@@ -40,12 +50,6 @@ numbers! {
     scope_ry = |shape| rotation(shape).y;
     /// Rotation about the pivot's z axis, in degrees.
     scope_rz = |shape| rotation(shape).z;
-    /// Height of the scope's origin above the world's ground.
-    scope_elevation = |shape| shape.scope.origin.y;
-    /// Number of the part in the last split, from 0; -1 before any.
-    split_index = |shape| f64::from(shape.split.index);
-    /// Parts of the last split.
-    split_total = |shape| f64::from(shape.split.total);
     /// Number of the component in its selector, from 0; -1 before any.
     comp_index = |shape| f64::from(shape.comp.index);
     /// Components of its selector.
@@ -53,14 +57,14 @@ numbers! {
 }
 
 /// The selector that made this component.
-pub fn comp_sel(shape: &ShapeRef<'_>) -> Text {
+pub fn comp_sel(shape: &Shape) -> Text {
     Text::fixed(shape.selector)
 }
 
 macro_rules! material_numbers {
     ($($function:ident $name:literal $which:expr;)*) => {$(
         #[doc = concat!("`material.", $name, "`.")]
-        pub fn $function(shape: &ShapeRef<'_>) -> f64 {
+        pub fn $function(shape: &Shape) -> f64 {
             material_number(shape, $which)
         }
     )*};
@@ -69,7 +73,7 @@ macro_rules! material_numbers {
 macro_rules! material_texts {
     ($($function:ident $name:literal $which:expr;)*) => {$(
         #[doc = concat!("`material.", $name, "`.")]
-        pub fn $function(shape: &ShapeRef<'_>) -> Text {
+        pub fn $function(shape: &Shape) -> Text {
             material_text(shape, $which)
         }
     )*};
@@ -79,18 +83,18 @@ each_material_number!(material_numbers);
 each_material_text!(material_texts);
 
 /// What the rules set, else what the geometry's own material has (*CGA changelog 2010.3*), else the default.
-fn material_number(shape: &ShapeRef<'_>, which: MaterialNumber) -> f64 {
+fn material_number(shape: &Shape, which: MaterialNumber) -> f64 {
     let set = shape.material().number(which);
     set.or_else(|| shape.own_material()?.number(which)).unwrap_or(which.default_value())
 }
 
-fn material_text(shape: &ShapeRef<'_>, which: MaterialText) -> Text {
+fn material_text(shape: &Shape, which: MaterialText) -> Text {
     let set = shape.material().text(which).or_else(|| shape.own_material()?.text(which));
     set.cloned().unwrap_or(Text::fixed(which.default_value()))
 }
 
 /// `material.color.rgb`: as in `#ff8000`.
-pub fn material_color_rgb(shape: &ShapeRef<'_>) -> Text {
+pub fn material_color_rgb(shape: &Shape) -> Text {
     let channel = |channel| {
         let share = material_number(shape, MaterialNumber::Color(channel));
         libm::round(share.clamp(0.0, 1.0) * 255.0) as u8
@@ -100,24 +104,24 @@ pub fn material_color_rgb(shape: &ShapeRef<'_>) -> Text {
 }
 
 /// `material.doubleSided`.
-pub fn material_double_sided(shape: &ShapeRef<'_>) -> bool {
+pub fn material_double_sided(shape: &Shape) -> bool {
     shape.material().double_sided.or_else(|| shape.own_material()?.double_sided).unwrap_or(true)
 }
 
 /// `trim.vertical`: whether vertical trim planes cut (*trim attribute*). There are no trim planes yet.
-pub fn trim_vertical(shape: &ShapeRef<'_>) -> bool {
+pub fn trim_vertical(shape: &Shape) -> bool {
     shape.state.trim().vertical
 }
 
 /// `trim.horizontal`: whether horizontal trim planes cut (*trim attribute*). There are no trim planes yet.
-pub fn trim_horizontal(shape: &ShapeRef<'_>) -> bool {
+pub fn trim_horizontal(shape: &Shape) -> bool {
     shape.state.trim().horizontal
 }
 
 /// `seedian`: the seed that random numbers of this shape follow from (*seedian attribute*). Seeds have 64 bits; those that
 /// are no whole number a float can hold read as one that is.
-pub fn seedian(shape: &ShapeRef<'_>) -> f64 {
-    let seed = shape.seed.value();
+pub fn seedian(shape: &impl View) -> f64 {
+    let seed = shape.seed_value();
     let exact = (seed as i64).unsigned_abs() <= SEED_MAX;
     if exact { seed as i64 as f64 } else { (seed >> 11) as f64 }
 }
@@ -126,26 +130,26 @@ pub fn seedian(shape: &ShapeRef<'_>) -> f64 {
 pub(crate) const SEED_MAX: u64 = 1 << 53;
 
 /// `initialShape.name`: see [`Shape::named`](crate::shape::Shape::named) (*initialShape attribute*).
-pub fn initial_shape_name(env: &Env, _: &ShapeRef<'_>) -> Text {
+pub fn initial_shape_name(env: &Env, _: &impl View) -> Text {
     env.initial.name.clone()
 }
 
 /// `initialShape.startRule` (*initialShape attribute*).
-pub fn initial_shape_start_rule(env: &Env, _: &ShapeRef<'_>) -> Text {
+pub fn initial_shape_start_rule(env: &Env, _: &impl View) -> Text {
     Text::fixed(env.initial.start_rule)
 }
 
 macro_rules! placed {
-    ($($(#[$doc:meta])* $name:ident = |$env:ident, $shape:pat_param| $value:expr;)*) => {$(
+    (($ty:ty) $($(#[$doc:meta])* $name:ident = |$env:ident, $shape:pat_param| $value:expr;)*) => {$(
         $(#[$doc])*
-        pub fn $name($env: &Env, $shape: &ShapeRef<'_>) -> f64 {
+        pub fn $name($env: &Env, $shape: &$ty) -> f64 {
             $value
         }
     )*};
 }
 
 // *initialShape attribute*: object coordinates in the world. *pivot attribute*: the pivot in object coordinates.
-placed! {
+placed! { (impl View)
     /// Where object coordinates begin, in the world: x.
     initial_shape_origin_px = |env, _| env.initial.object.origin.x;
     /// Where object coordinates begin, in the world: y.
@@ -158,6 +162,9 @@ placed! {
     initial_shape_origin_oy = |env, _| angles(&env.initial.object.axes).y;
     /// How object coordinates are turned in the world, in degrees: about z.
     initial_shape_origin_oz = |env, _| angles(&env.initial.object.axes).z;
+}
+
+placed! { (Shape)
     /// Where the pivot is in object coordinates: x.
     pivot_px = |env, shape| pivot_position(env, shape).x;
     /// Where the pivot is in object coordinates: y.
@@ -172,35 +179,27 @@ placed! {
     pivot_oz = |env, shape| pivot_rotation(env, shape).z;
 }
 
-pub(crate) fn pivot_position(env: &Env, shape: &ShapeRef<'_>) -> DVec3 {
+pub(crate) fn pivot_position(env: &Env, shape: &Shape) -> DVec3 {
     env.initial.object.to_local(shape.pivot.origin)
 }
 
-pub(crate) fn pivot_rotation(env: &Env, shape: &ShapeRef<'_>) -> DVec3 {
+pub(crate) fn pivot_rotation(env: &Env, shape: &Shape) -> DVec3 {
     angles(&(env.initial.object.axes.transpose() * shape.pivot.axes))
 }
 
-fn offset(shape: &ShapeRef<'_>) -> DVec3 {
+fn offset(shape: &Shape) -> DVec3 {
     shape.pivot.to_local(shape.scope.origin)
 }
 
-fn rotation(shape: &ShapeRef<'_>) -> DVec3 {
+fn rotation(shape: &Shape) -> DVec3 {
     angles(&(shape.pivot.axes.transpose() * shape.scope.axes))
-}
-
-/// What `set` made of an attribute of the grammar on this shape, if it did.
-#[inline]
-fn attribute<'s>(shape: &'s ShapeRef<'_>, number: u32) -> Option<&'s Value> {
-    let state = shape.state.get()?;
-    let at = state.attributes.binary_search_by_key(&number, |(id, _)| *id).ok()?;
-    Some(&state.attributes[at].1)
 }
 
 macro_rules! array_attributes {
     ($($(#[$doc:meta])* $name:ident: $item:ty = $variant:ident;)*) => {$(
         $(#[$doc])*
-        pub fn $name(shape: &ShapeRef<'_>, number: u32, initial: &Array<$item>) -> Array<$item> {
-            if let Some(Value::$variant(value)) = attribute(shape, number) { value.clone() } else { initial.clone() }
+        pub fn $name(shape: &impl View, number: u32, initial: &Array<$item>) -> Array<$item> {
+            if let Some(Value::$variant(value)) = shape.attribute(number) { value.clone() } else { initial.clone() }
         }
     )*};
 }
@@ -216,18 +215,18 @@ array_attributes! {
 
 /// A float attribute of the grammar as this shape sees it.
 #[inline]
-pub fn float_attribute(shape: &ShapeRef<'_>, number: u32, initial: f64) -> f64 {
-    if let Some(Value::Float(value)) = attribute(shape, number) { *value } else { initial }
+pub fn float_attribute(shape: &impl View, number: u32, initial: f64) -> f64 {
+    if let Some(Value::Float(value)) = shape.attribute(number) { *value } else { initial }
 }
 
 /// A bool attribute of the grammar as this shape sees it.
 #[inline]
-pub fn bool_attribute(shape: &ShapeRef<'_>, number: u32, initial: bool) -> bool {
-    if let Some(Value::Bool(value)) = attribute(shape, number) { *value } else { initial }
+pub fn bool_attribute(shape: &impl View, number: u32, initial: bool) -> bool {
+    if let Some(Value::Bool(value)) = shape.attribute(number) { *value } else { initial }
 }
 
 /// A text attribute of the grammar as this shape sees it.
 #[inline]
-pub fn text_attribute(shape: &ShapeRef<'_>, number: u32, initial: &Text) -> Text {
-    if let Some(Value::Text(value)) = attribute(shape, number) { value.clone() } else { initial.clone() }
+pub fn text_attribute(shape: &impl View, number: u32, initial: &Text) -> Text {
+    if let Some(Value::Text(value)) = shape.attribute(number) { value.clone() } else { initial.clone() }
 }

@@ -4,7 +4,7 @@ use crate::array::Array;
 use crate::env::Env;
 use crate::fault::{Fault, FaultKind};
 use crate::func;
-use crate::shape::{Shape, ShapeRef};
+use crate::shape::Shape;
 use crate::text::Text;
 
 /// A Rust value that a rule can use as a number.
@@ -207,8 +207,8 @@ impl Outcome for Result<(), Fault> {
 
 /// Runs an operation written in Rust on the current shape. After a fault the shape is what the operation left, unless
 /// that is no shape.
-pub fn operate<R: Outcome>(env: &mut Env, shape: &mut ShapeRef<'_>, operation: impl FnOnce(&mut Shape) -> R) {
-    let mut own = shape.detach();
+pub fn operate<R: Outcome>(env: &mut Env, shape: &mut Shape, operation: impl FnOnce(&mut Shape) -> R) {
+    let mut own = shape.clone();
     if let Err(fault) = operation(&mut own).outcome() {
         env.host_fault(fault);
     }

@@ -6,7 +6,7 @@ use std::cell::{Cell, OnceCell};
 use crate::env::Env;
 use crate::rt::global;
 use crate::set;
-use crate::shape::{Shape, ShapeRef};
+use crate::shape::Shape;
 
 /// A value that is computed when it is first read.
 #[derive(Clone, Debug)]
@@ -84,8 +84,8 @@ impl Origin {
     }
 
     /// A shape on which an import starts anew, without the values that it has of these attributes and constants.
-    pub fn anew(shape: &ShapeRef<'_>, numbers: &[u32]) -> Self {
-        let mut own = shape.detach();
+    pub fn anew(shape: &Shape, numbers: &[u32]) -> Self {
+        let mut own = shape.clone();
         set::forget(&mut own, numbers);
         Origin(own)
     }

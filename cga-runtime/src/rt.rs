@@ -19,15 +19,20 @@ pub use crate::op::Length;
 pub use crate::scope::Axis;
 pub use crate::scope::Scope;
 pub use crate::settings::Settings;
+pub use crate::shape::base::Base;
+pub use crate::shape::slim::{hand_on, push, successor};
+pub use crate::shape::view::View;
 pub use crate::shape::{Shape, ShapeRef};
 pub use crate::sink::{Flow, Sink};
-pub use crate::split::divide::{split, split_area, split_solved};
-pub use crate::split::{Adjust, Item, Piece, Size};
+pub use crate::split::divide::{areas, extent, sizes, solved};
+pub use crate::split::division::Division;
+pub use crate::split::{Adjust, Item, Piece, Size, solve};
 pub use crate::text::Text;
 pub use crate::value::Value;
 pub use crate::{func, get, host, later, op, query, set};
+pub use cga_split::List;
 
-use crate::seed::{Seed, Tag};
+use crate::seed::Tag;
 
 /// The default of a text attribute.
 pub fn string(text: &str) -> String {
@@ -49,36 +54,16 @@ pub fn array<T: Element, const N: usize>(columns: usize, elements: [T; N]) -> Ar
     Array::new(elements.to_vec(), N.checked_div(columns).unwrap_or_default(), columns)
 }
 
-/// A copy of the current shape for a successor.
-#[inline]
-pub fn successor<'s>(shape: &'s mut ShapeRef<'_>) -> ShapeRef<'s> {
-    shape.child(Tag::Successor)
-}
-
-/// A part that goes straight to a rule: the part itself is the successor.
-#[inline]
-pub fn hand_on(part: &mut ShapeRef<'_>) {
-    part.seed.hand_on();
-}
-
-/// A copy of the current shape for `[ … ]`.
-#[inline]
-pub fn push<'s>(shape: &'s mut ShapeRef<'_>) -> ShapeRef<'s> {
-    shape.child(Tag::Push)
-}
-
 /// The initial shape with the random stream of one attribute or constant, numbered by its name (*CGA changelog 2018.0*: each has its own).
 pub fn global(shape: &Shape, number: u32) -> Shape {
-    let mut own = shape.clone();
-    own.seed = Seed::child(shape.seed.value(), Tag::Global, number);
-    own
+    Shape { seed: shape.seed.child(Tag::Global, number), ..shape.clone() }
 }
 
 /// The same for an attribute or constant of an import that starts anew: evaluated on the current shape, which draws nothing
 /// of its own for it.
-pub fn anew<T>(shape: &mut ShapeRef<'_>, number: u32, value: impl FnOnce(&mut ShapeRef<'_>) -> T) -> T {
+pub fn anew<T>(shape: &mut Shape, number: u32, value: impl FnOnce(&mut Shape) -> T) -> T {
     let seed = shape.seed;
-    shape.seed = Seed::child(seed.value(), Tag::Global, number);
+    shape.seed = seed.child(Tag::Global, number);
     let value = value(shape);
     shape.seed = seed;
     value
@@ -87,6 +72,6 @@ pub fn anew<T>(shape: &mut ShapeRef<'_>, number: u32, value: impl FnOnce(&mut Sh
 /// One branch of a stochastic rule: a draw with the probability that is left (`30% : … 5% : …` draws 0.30, then
 /// 0.05 / 0.70; see the digest's fact 95).
 #[inline]
-pub fn branch(shape: &mut ShapeRef<'_>, percent: f64, before: f64) -> bool {
+pub fn branch(shape: &mut impl View, percent: f64, before: f64) -> bool {
     func::drawn_below(shape, percent / (100.0 - before))
 }

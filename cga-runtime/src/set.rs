@@ -10,14 +10,14 @@ use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
 use crate::op::turn;
 use crate::scope::{Frame, Scope};
 use crate::seed::Seed;
-use crate::shape::ShapeRef;
+use crate::shape::Shape;
 use crate::text::Text;
 use crate::value::Value;
 
 macro_rules! sizes {
     ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
         $(#[$doc])*
-        pub fn $name(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
             let mut size = shape.scope.size;
             size.$axis = env.finite(value, "the size");
             shape.resize(size);
@@ -28,7 +28,7 @@ macro_rules! sizes {
 macro_rules! offsets {
     ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
         $(#[$doc])*
-        pub fn $name(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
             let mut offset = shape.pivot.to_local(shape.scope.origin);
             offset.$axis = env.finite(value, "the offset");
             shape.scope.origin = shape.pivot.to_world(offset);
@@ -39,7 +39,7 @@ macro_rules! offsets {
 macro_rules! rotations {
     ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
         $(#[$doc])*
-        pub fn $name(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
             let mut angles = DVec3::new(get::scope_rx(shape), get::scope_ry(shape), get::scope_rz(shape));
             angles.$axis = env.finite(value, "the angle");
             shape.scope.axes = shape.pivot.axes * turn(angles.x, angles.y, angles.z);
@@ -77,7 +77,7 @@ rotations! {
 macro_rules! material_numbers {
     ($($function:ident $name:literal $which:expr;)*) => {$(
         #[doc = concat!("`material.", $name, "`; moved into its range (*material attribute*).")]
-        pub fn $function(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+        pub fn $function(env: &mut Env, shape: &mut Shape, value: f64) {
             material_number(env, shape, $which, value);
         }
     )*};
@@ -86,7 +86,7 @@ macro_rules! material_numbers {
 macro_rules! material_texts {
     ($($function:ident $name:literal $which:expr;)*) => {$(
         #[doc = concat!("`material.", $name, "` (*material attribute*).")]
-        pub fn $function(env: &mut Env, shape: &mut ShapeRef<'_>, value: Text) {
+        pub fn $function(env: &mut Env, shape: &mut Shape, value: Text) {
             material_text(env, shape, $which, value);
         }
     )*};
@@ -95,7 +95,7 @@ macro_rules! material_texts {
 each_material_number!(material_numbers);
 each_material_text!(material_texts);
 
-pub(crate) fn material_number(env: &mut Env, shape: &mut ShapeRef<'_>, which: MaterialNumber, value: f64) {
+pub(crate) fn material_number(env: &mut Env, shape: &mut Shape, which: MaterialNumber, value: f64) {
     let value = env.finite(value, "the material's value");
     // One channel leaves the other two as they are seen.
     let seen = matches!(which, MaterialNumber::Color(_)) && shape.material().color.is_none();
@@ -106,7 +106,7 @@ pub(crate) fn material_number(env: &mut Env, shape: &mut ShapeRef<'_>, which: Ma
     });
 }
 
-pub(crate) fn material_text(env: &mut Env, shape: &mut ShapeRef<'_>, which: MaterialText, value: Text) {
+pub(crate) fn material_text(env: &mut Env, shape: &mut Shape, which: MaterialText, value: Text) {
     if which.accepts(&value) {
         shape.change_material(|material| material.set_text(which, value));
     } else {
@@ -115,28 +115,28 @@ pub(crate) fn material_text(env: &mut Env, shape: &mut ShapeRef<'_>, which: Mate
 }
 
 /// `material.color.rgb`, as `color` reads it (*material.color attribute*).
-pub fn material_color_rgb(env: &mut Env, shape: &mut ShapeRef<'_>, value: Text) {
+pub fn material_color_rgb(env: &mut Env, shape: &mut Shape, value: Text) {
     crate::op::color_hex(env, shape, value);
 }
 
 /// `material.doubleSided` (*material attribute*).
-pub fn material_double_sided(_: &mut Env, shape: &mut ShapeRef<'_>, value: bool) {
+pub fn material_double_sided(_: &mut Env, shape: &mut Shape, value: bool) {
     shape.change_material(|material| material.double_sided = Some(value));
 }
 
 /// `trim.vertical`, for this shape and its descendants (*trim attribute*). There are no trim planes yet.
-pub fn trim_vertical(_: &mut Env, shape: &mut ShapeRef<'_>, value: bool) {
+pub fn trim_vertical(_: &mut Env, shape: &mut Shape, value: bool) {
     shape.state.change().trim.vertical = value;
 }
 
 /// `trim.horizontal`, for this shape and its descendants (*trim attribute*). There are no trim planes yet.
-pub fn trim_horizontal(_: &mut Env, shape: &mut ShapeRef<'_>, value: bool) {
+pub fn trim_horizontal(_: &mut Env, shape: &mut Shape, value: bool) {
     shape.state.change().trim.horizontal = value;
 }
 
 /// `seedian`: random numbers begin anew, for this shape and for what is derived from it afterwards (*seedian attribute*). Equal
 /// seeds give equal numbers. A number that is not whole makes a seed of its own, which reads as another number.
-pub fn seedian(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+pub fn seedian(env: &mut Env, shape: &mut Shape, value: f64) {
     let value = env.finite(value, "the seed");
     let whole = value.fract() == 0.0 && value.abs() <= get::SEED_MAX as f64;
     shape.seed = Seed::new(if whole { value as i64 as u64 } else { Seed::new(value.to_bits()).scattered() });
@@ -145,7 +145,7 @@ pub fn seedian(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
 macro_rules! pivots {
     ($($(#[$doc:meta])* $name:ident = |$position:ident, $rotation:ident| $part:expr;)*) => {$(
         $(#[$doc])*
-        pub fn $name(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
             let value = env.finite(value, "the pivot");
             let (mut position, mut rotation) = (get::pivot_position(env, shape), get::pivot_rotation(env, shape));
             let ($position, $rotation) = (&mut position, &mut rotation);
@@ -172,7 +172,7 @@ pivots! {
     pivot_oz = |_position, rotation| &mut rotation.z;
 }
 
-fn move_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, position: DVec3, rotation: DVec3) {
+fn move_pivot(env: &mut Env, shape: &mut Shape, position: DVec3, rotation: DVec3) {
     let object = &env.initial.object;
     let offset = shape.pivot.to_local(shape.scope.origin);
     let turned = shape.pivot.axes.transpose() * shape.scope.axes;
@@ -187,7 +187,7 @@ fn move_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, position: DVec3, rotation
 }
 
 /// An attribute of the grammar, for this shape and its descendants.
-pub fn attribute(shape: &mut ShapeRef<'_>, number: u32, value: Value) {
+pub fn attribute(shape: &mut Shape, number: u32, value: Value) {
     let attributes = &mut shape.state.change().attributes;
     // Mostly they come in order.
     if attributes.last().is_none_or(|(last, _)| *last < number) {
@@ -200,7 +200,7 @@ pub fn attribute(shape: &mut ShapeRef<'_>, number: u32, value: Value) {
 }
 
 /// Removes values of attributes and constants. The numbers are sorted.
-pub(crate) fn forget(shape: &mut ShapeRef<'_>, numbers: &[u32]) {
+pub(crate) fn forget(shape: &mut Shape, numbers: &[u32]) {
     shape.state.change().attributes.retain(|(number, _)| numbers.binary_search(number).is_err());
 }
 
@@ -250,7 +250,7 @@ mod tests {
         assert_eq!(get::seedian(shape), 7.0);
         let mut drawn = |env: &mut Env, value: f64| {
             seedian(env, shape, value);
-            (get::seedian(shape), shape.seed.draw(), shape.child(crate::seed::Tag::Push).seed.value())
+            (get::seedian(shape), shape.seed.draw(), shape.seed.child(crate::seed::Tag::Push, 0).value())
         };
         for value in [0.0, -3.0, 9_007_199_254_740_992.0] {
             let first = drawn(env, value);
@@ -282,7 +282,7 @@ mod tests {
         assert!(get::trim_vertical(shape) && !get::trim_horizontal(shape));
         trim_vertical(env, shape, false);
         trim_horizontal(env, shape, true);
-        let child = &mut shape.child(crate::seed::Tag::Push);
+        let child = &mut shape.clone();
         assert!(!get::trim_vertical(child) && get::trim_horizontal(child));
         trim_horizontal(env, child, false);
         assert!(get::trim_horizontal(shape));

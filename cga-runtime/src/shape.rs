@@ -3,7 +3,11 @@
 //! A shape is a value. Its geometry fills its scope: rectangles and boxes are nothing but the scope, and a mesh is shared
 //! and stretched lazily, so handing a copy to a rule costs a few machine words.
 
+pub(crate) mod axes;
+pub(crate) mod base;
 mod initial;
+pub(crate) mod slim;
+pub(crate) mod view;
 
 use std::sync::Arc;
 
@@ -13,18 +17,17 @@ use crate::material::{Color, Material};
 use crate::mesh::Mesh;
 use crate::place;
 use crate::scope::{Axis, Frame, Scope};
-use crate::seed::{Seed, Tag};
+use crate::seed::Seed;
 use crate::state::StateRef;
 use crate::trim::Trims;
 use crate::unit::UnitMesh;
 use crate::wire::PlacedWire;
 
-/// A shape that owns all it has: what a run starts with and what operations written in Rust get.
-pub type Shape = ShapeRef<'static>;
+pub use slim::ShapeRef;
 
-/// A shape while rules run: it may borrow from the shape it came from. See [`Shape`].
+/// A shape with all it has: the shape that a run starts with, and the shape that operations change.
 #[derive(Clone, Debug)]
-pub struct ShapeRef<'a> {
+pub struct Shape {
     pub(crate) scope: Scope,
     pub(crate) pivot: Frame,
     pub(crate) geometry: Geometry,
@@ -34,7 +37,7 @@ pub struct ShapeRef<'a> {
     /// `comp.sel`.
     pub(crate) selector: &'static str,
     pub(crate) trims: Trims,
-    pub(crate) state: StateRef<'a>,
+    pub(crate) state: StateRef,
 }
 
 /// `split.index` and `split.total`, or those of comp.
@@ -156,7 +159,7 @@ pub(crate) fn stretch(from: DVec3, to: DVec3) -> DVec3 {
     DVec3::new(factor(from.x, to.x), factor(from.y, to.y), factor(from.z, to.z))
 }
 
-impl<'a> ShapeRef<'a> {
+impl Shape {
     /// Where the shape is and how large, in the world.
     pub fn scope(&self) -> &Scope {
         &self.scope
@@ -267,40 +270,8 @@ impl<'a> ShapeRef<'a> {
         self.scope.size = size;
     }
 
-    /// A copy for a successor or block, with a seed of its own.
-    #[inline]
-    pub(crate) fn child(&mut self, tag: Tag) -> ShapeRef<'_> {
-        let ordinal = self.seed.reserve(1);
-        ShapeRef {
-            scope: self.scope,
-            pivot: self.pivot,
-            geometry: self.geometry.clone(),
-            seed: Seed::child(self.seed.value(), tag, ordinal),
-            split: self.split,
-            comp: self.comp,
-            selector: self.selector,
-            trims: self.trims.clone(),
-            state: self.state.lend(),
-        }
-    }
-
     /// The same shape as one that a run begins with: trim planes are where earlier operations put them.
     pub(crate) fn without_trim_planes(&self) -> Shape {
-        Shape { trims: Trims::None, ..self.detach() }
-    }
-
-    /// The same shape, borrowing nothing.
-    pub(crate) fn detach(&self) -> Shape {
-        Shape {
-            scope: self.scope,
-            pivot: self.pivot,
-            geometry: self.geometry.clone(),
-            seed: self.seed,
-            split: self.split,
-            comp: self.comp,
-            selector: self.selector,
-            trims: self.trims.clone(),
-            state: self.state.keep(),
-        }
+        Shape { trims: Trims::None, ..self.clone() }
     }
 }

@@ -48,59 +48,24 @@ impl Default for State {
     }
 }
 
-static UNSET: LazyLock<Arc<Material>> = LazyLock::new(|| Arc::new(Material::UNSET));
+pub(crate) static UNSET: LazyLock<Arc<Material>> = LazyLock::new(|| Arc::new(Material::UNSET));
 
-/// A share in a state: a child borrows its parent's for as long as the parent's rule runs.
+/// A share in a state; none as long as nothing was ever set.
 #[derive(Clone, Debug, Default)]
-pub(crate) enum StateRef<'a> {
-    /// Nothing was ever set.
-    #[default]
-    Unset,
-    Borrowed(&'a Arc<State>),
-    Owned(Arc<State>),
-}
+pub(crate) struct StateRef(Option<Arc<State>>);
 
-impl StateRef<'_> {
+impl StateRef {
+    /// Nothing was ever set.
+    pub(crate) const UNSET: StateRef = StateRef(None);
+
     #[inline]
     pub(crate) fn get(&self) -> Option<&State> {
-        match self {
-            StateRef::Unset => None,
-            StateRef::Borrowed(state) => Some(state),
-            StateRef::Owned(state) => Some(state),
-        }
-    }
-
-    /// A share for a child.
-    #[inline]
-    pub(crate) fn lend(&self) -> StateRef<'_> {
-        match self {
-            StateRef::Unset => StateRef::Unset,
-            StateRef::Borrowed(state) => StateRef::Borrowed(state),
-            StateRef::Owned(state) => StateRef::Borrowed(state),
-        }
-    }
-
-    /// A share that outlives the parent.
-    pub(crate) fn keep(&self) -> StateRef<'static> {
-        match self {
-            StateRef::Unset => StateRef::Unset,
-            StateRef::Borrowed(state) => StateRef::Owned(Arc::clone(state)),
-            StateRef::Owned(state) => StateRef::Owned(state.clone()),
-        }
+        self.0.as_deref()
     }
 
     /// The state to change it, for this shape and its descendants alone.
     pub(crate) fn change(&mut self) -> &mut State {
-        let owned = match std::mem::take(self) {
-            StateRef::Unset => Arc::default(),
-            StateRef::Borrowed(state) => Arc::clone(state),
-            StateRef::Owned(state) => state,
-        };
-        *self = StateRef::Owned(owned);
-        match self {
-            StateRef::Owned(state) => Arc::make_mut(state),
-            _ => unreachable!("it was just made owned"),
-        }
+        Arc::make_mut(self.0.get_or_insert_default())
     }
 
     /// Which trim planes cut.

@@ -26,6 +26,8 @@ struct Unit {
     face_count: usize,
     /// The parts that a split makes, by axis and [`Band`].
     parts: [OnceLock<UnitMesh>; 9],
+    /// By axis: true if a split makes parts with other unit meshes.
+    has_bands: [OnceLock<bool>; 3],
     grown: OnceLock<UnitMesh>,
     /// The same mesh as an operation inserts it.
     inserted: OnceLock<UnitMesh>,
@@ -192,6 +194,22 @@ impl UnitMesh {
         }
     }
 
+    /// Returns true if the parts of a split across an axis have other unit meshes than this one.
+    #[inline]
+    pub(crate) fn has_bands(self, axis: Axis) -> bool {
+        match self.0.has_bands[axis.index()].get() {
+            Some(known) => *known,
+            None => self.find_bands(axis),
+        }
+    }
+
+    #[cold]
+    fn find_bands(self, axis: Axis) -> bool {
+        let differs = |band| !std::ptr::eq(self.part(axis, band).0, self.0);
+        *self.0.has_bands[axis.index()]
+            .get_or_init(|| self.is_inserted() || [Band::Low, Band::Middle, Band::High].into_iter().any(differs))
+    }
+
     #[cold]
     fn cut(self, axis: Axis, band: Band) -> Self {
         let made = || match cut::slabs(&self.0.mesh, axis, &[0.25, 0.75]).parts.get(band as usize) {
@@ -251,6 +269,7 @@ impl Unit {
             faces,
             face_count,
             parts: [const { OnceLock::new() }; 9],
+            has_bands: [const { OnceLock::new() }; 3],
             grown: OnceLock::new(),
             inserted: OnceLock::new(),
             plain: None,

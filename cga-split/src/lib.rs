@@ -17,6 +17,7 @@
 #![forbid(unsafe_code)]
 
 mod choices;
+mod cursor;
 pub mod files;
 mod groups;
 mod runs;
@@ -24,6 +25,7 @@ mod search;
 mod solve;
 
 pub use choices::is_size;
+pub use cursor::{Cursor, Group, List, ListGroup};
 pub use solve::{Solution, solve};
 
 /// How a size is to be read (*split operation*).

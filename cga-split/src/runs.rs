@@ -21,7 +21,7 @@ impl Turns {
 
     /// Where the room of a group that begins there ends.
     #[inline]
-    fn limit(&self, start: f64, limit: f64, smallest: f64) -> f64 {
+    pub(crate) fn limit(&self, start: f64, limit: f64, smallest: f64) -> f64 {
         let end = start + self.room;
         if limit - smallest <= end { limit } else { end }
     }
@@ -31,7 +31,7 @@ impl Turns {
     /// Borders are measured from the group's start: a million repetitions don't drift, and none has to wait for the one
     /// before it.
     #[inline]
-    fn border(&self, number: f64, start: f64, limit: f64, smallest: f64) -> f64 {
+    pub(crate) fn border(&self, number: f64, start: f64, limit: f64, smallest: f64) -> f64 {
         let border = start + number * self.length;
         if limit - smallest <= border { limit } else { border }
     }
@@ -61,6 +61,8 @@ pub(crate) struct OneGroup {
     start: f64,
     limit: f64,
     border: f64,
+    /// True if there is no room for the group.
+    is_empty: bool,
 }
 
 /// Which runs are next.
@@ -77,7 +79,19 @@ impl OneGroup {
     pub(crate) fn new(own: Range<usize>, slots: usize, turns: Turns, extent: f64) -> Self {
         let smallest = smallest_piece(extent);
         let at = if own.start == 0 { At::First } else { At::Before };
-        OneGroup { own, slots, turns, extent, smallest, at, number: 0.0, start: 0.0, limit: 0.0, border: 0.0 }
+        OneGroup {
+            own,
+            slots,
+            turns,
+            extent,
+            smallest,
+            at,
+            number: 0.0,
+            start: 0.0,
+            limit: 0.0,
+            border: 0.0,
+            is_empty: false,
+        }
     }
 
     /// The next run; the last one ended there.
@@ -92,13 +106,14 @@ impl OneGroup {
                 self.at = At::Other;
                 (self.start, self.border) = (end, end);
                 self.limit = self.turns.limit(end, self.extent, self.smallest);
+                self.is_empty = self.limit - end <= self.smallest;
             }
             At::Other => {}
             At::End => return None,
         }
         // A repetition fills its room, whatever rounding says.
         let start = self.border;
-        if self.number < self.turns.count {
+        if self.number < self.turns.count && start < self.limit && !self.is_empty {
             self.number += 1.0;
             self.border = self.turns.border(self.number, self.start, self.limit, self.smallest);
             return Some(Run { slots: self.own.clone(), start, limit: self.border });

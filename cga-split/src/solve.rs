@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::choices::{is_extent, is_size, smallest_piece};
+use crate::cursor::Cursor;
 use crate::groups;
 use crate::runs::{AnyGroups, OneGroup, Run, Turns};
 use crate::search::Sum;
@@ -226,6 +227,22 @@ impl Solution<'_> {
         sum
     }
 
+    /// A cursor at the low end, for code that knows the pattern and asks for one slot after the other.
+    #[inline(always)]
+    pub fn cursor(&self) -> Cursor<'_> {
+        Cursor::new(self.lengths, self.extent)
+    }
+
+    /// How a group repeats; groups count in the order in which they open.
+    #[inline(always)]
+    pub(crate) fn turns(&self, group: usize) -> Turns {
+        match self.grouping() {
+            Grouping::None => Turns::NONE,
+            Grouping::One => self.repeats.one,
+            Grouping::Several => self.repeats.several.get(group).copied().unwrap_or(Turns::NONE),
+        }
+    }
+
     /// Calls `visit` for every piece, from the low end to the high end, until it says stop.
     #[inline]
     pub fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
@@ -293,8 +310,8 @@ impl Solution<'_> {
 }
 
 /// The piece that a slot of that length gets at `from`, if it gets one: what would cross `limit` is cut there.
-#[inline]
-fn piece(slot: usize, length: f64, from: f64, limit: f64, smallest: f64) -> Option<Piece> {
+#[inline(always)]
+pub(crate) fn piece(slot: usize, length: f64, from: f64, limit: f64, smallest: f64) -> Option<Piece> {
     let near = limit - smallest;
     if length <= 0.0 || near <= from {
         return None;

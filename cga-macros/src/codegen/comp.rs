@@ -8,16 +8,18 @@ use super::Cx;
 use super::expr::Place;
 
 impl Cx<'_> {
-    pub(super) fn comp(&self, comp: &Comp<Target>, rule: RuleId) -> TokenStream {
+    /// `number` counts the children that the rule makes.
+    pub(super) fn comp(&self, comp: &Comp<Target>, rule: RuleId, number: u32) -> TokenStream {
         let place = Span::mixed_site();
-        let (arms, how, when) = (self.arms(comp, &Place::rule()), how(comp), self.when(comp));
+        let (arms, how, when) = (self.arms(comp, &Place::rule(), Cx::asked), how(comp), self.when(comp));
+        let child = Literal::u32_unsuffixed(number);
         let parts = comp.arms.iter().enumerate().map(|(number, arm)| {
             let (number, code) = (Literal::u32_unsuffixed(number as u32), self.part(&arm.then, rule));
             quote_spanned!(place=> #number => #code,)
         });
         quote_spanned! { place=>
             let arms = #arms;
-            cga_rt::comp(cx, shape, #how, &arms, #when, |cx, arm, part| match arm {
+            cga_rt::comp(cx, shape, #child, #how, &arms, #when, |cx, arm, part| match arm {
                 #(#parts)*
                 _ => cga_rt::Flow::Continue(()),
             })?;
@@ -27,7 +29,7 @@ impl Cx<'_> {
     /// An array with a value for each component.
     pub(super) fn comp_value(&self, comp: &Comp<Expr>, at: &Place) -> TokenStream {
         let place = Span::mixed_site();
-        let (arms, how, when) = (self.arms(comp, at), how(comp), self.when(comp));
+        let (arms, how, when) = (self.arms(comp, at, Cx::expr), how(comp), self.when(comp));
         let values = comp.arms.iter().enumerate().map(|(number, arm)| {
             let (number, value) = (Literal::u32_unsuffixed(number as u32), self.expr(&arm.then, &Place::component()));
             quote_spanned!(place=> #number => #value,)
@@ -43,7 +45,7 @@ impl Cx<'_> {
     }
 
     /// The table.
-    fn arms<T>(&self, comp: &Comp<T>, at: &Place) -> TokenStream {
+    fn arms<T>(&self, comp: &Comp<T>, at: &Place, expr: fn(&Self, &Expr, &Place) -> TokenStream) -> TokenStream {
         let place = Span::mixed_site();
         let table = comp.arms.iter().map(|arm| {
             let select = match &arm.selector {
@@ -51,8 +53,8 @@ impl Cx<'_> {
                     let word = variant(word);
                     quote_spanned!(place=> Word(cga_rt::Word::#word))
                 }
-                Selector::Index(expr) => {
-                    let value = self.expr(expr, at);
+                Selector::Index(asked) => {
+                    let value = expr(self, asked, at);
                     quote_spanned!(place=> Index(#value))
                 }
                 Selector::When(_) => quote_spanned!(place=> When),

@@ -21,13 +21,13 @@ impl Place {
     /// In a rule, on the current shape.
     pub(super) fn rule() -> Self {
         let place = Span::mixed_site();
-        Place { env: quote_spanned!(place=> &mut cx.env), shape: quote_spanned!(place=> shape) }
+        Place { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> shape) }
     }
 
     /// In a rule, on a part of a split or comp.
     pub(super) fn part() -> Self {
         let place = Span::mixed_site();
-        Place { env: quote_spanned!(place=> &mut cx.env), shape: quote_spanned!(place=> part) }
+        Place { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> part) }
     }
 
     /// In a value of `comp`, on a component.
@@ -64,6 +64,24 @@ impl Place {
 }
 
 impl Cx<'_> {
+    /// An expression in a rule, on a slim shape. It gets the whole shape if it reads more than the slim one has.
+    pub(super) fn asked(&self, expr: &Expr, at: &Place) -> TokenStream {
+        let code = self.expr(expr, at);
+        if !self.facts.expr(expr).whole {
+            return code;
+        }
+        let (place, env, shape) = (Span::mixed_site(), &at.env, &at.shape);
+        quote_spanned! { place=> {
+            let mut whole = #env.whole(#shape);
+            let value = {
+                let #shape = &mut whole;
+                #code
+            };
+            #shape.drawn(&whole);
+            value
+        } }
+    }
+
     pub(super) fn expr(&self, expr: &Expr, at: &Place) -> TokenStream {
         let place = Span::mixed_site();
         match &expr.kind {

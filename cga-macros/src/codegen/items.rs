@@ -60,6 +60,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     let (name, label) = (header.ident(), header.label());
     let place = Span::mixed_site();
     let names = cx.grammar.rules.iter().map(|rule| &rule.name);
+    let leaves = cx.leaves.names();
     let starts = &cx.grammar.starts;
     let start_rows = starts.iter().map(table::start);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
@@ -70,12 +71,12 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     start_rules.dedup();
     let start_arms = start_rules.into_iter().map(|rule| {
         let (number, rule) = (Literal::u32_suffixed(rule.0), cx.rule(rule, place));
-        quote_spanned!(place=> #number => CgaRules::#rule(g, cx, &mut shape))
+        quote_spanned!(place=> #number => CgaRules::#rule(g, cx, shape))
     });
     let resume_arms = waiting(cx).map(|(id, params)| {
         let (variant, rule) = (local("Rule", id.0 as usize), cx.rule(id, place));
         let args: Vec<Ident> = (0..params.len()).map(|at| local("a", at)).collect();
-        quote_spanned!(place=> CgaCall::#variant(#(#args),*) => CgaRules::#rule(g, cx, &mut shape, #(#args),*))
+        quote_spanned!(place=> CgaCall::#variant(#(#args),*) => CgaRules::#rule(g, cx, shape, #(#args),*))
     });
     let resume = if waiting(cx).next().is_some() {
         quote_spanned!(place=> match call { #(#resume_arms,)* })
@@ -109,6 +110,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
             type Values = CgaValues;
             type Call = CgaCall;
             const NAMES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
+            const LEAVES: &'static [&'static ::core::primitive::str] = &[#(#leaves),*];
             const STARTS: &'static [cga_rt::StartRule] = &[#(#start_rows),*];
             const START_RULES: &'static [::core::primitive::u32] = &[#(#start_numbers),*];
             const START_STYLES: &'static [::core::primitive::u32] = &[#(#start_styles),*];
@@ -135,7 +137,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
                 g: &CgaValues,
                 cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
                 rule: ::core::primitive::u32,
-                mut shape: cga_rt::ShapeRef<'_>,
+                shape: &mut cga_rt::ShapeRef<'_>,
             ) -> cga_rt::Flow {
                 match rule {
                     #(#start_arms,)*
@@ -146,7 +148,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
             fn resume<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
                 g: &CgaValues,
                 cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-                mut shape: cga_rt::ShapeRef<'_>,
+                shape: &mut cga_rt::ShapeRef<'_>,
                 call: CgaCall,
             ) -> cga_rt::Flow {
                 #resume

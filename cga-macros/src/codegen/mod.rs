@@ -12,6 +12,7 @@ mod fields;
 mod frame;
 mod items;
 mod lazy;
+mod leaves;
 mod names;
 mod public;
 mod rule;
@@ -21,6 +22,7 @@ mod state;
 mod table;
 mod types;
 
+use cga_lang::facts::Facts;
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
@@ -45,6 +47,8 @@ struct Cx<'a> {
     hosts: Vec<HostType>,
     /// Attributes of imports that start anew, by name.
     renewed: Vec<String>,
+    facts: Facts,
+    leaves: leaves::Leaves,
 }
 
 /// Writes a grammar.
@@ -52,7 +56,8 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let (names, plan) = (names::Names::new(grammar), stack::Plan::new(grammar));
     let calls = calls::Calls::new(&grammar.functions);
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
-    let cx = Cx { grammar, source, names, plan, calls, captured: header.name.is_none(), hosts, renewed };
+    let (facts, leaves) = (Facts::new(grammar), leaves::Leaves::new(grammar));
+    let cx = Cx { grammar, source, names, plan, calls, captured: header.name.is_none(), hosts, renewed, facts, leaves };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
     let renewals = cx.renewals();

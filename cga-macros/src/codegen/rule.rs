@@ -30,20 +30,20 @@ impl Cx<'_> {
         let rule = &self.grammar.rules[id.0 as usize];
         let name = self.rule(id, self.source.token(rule.span.first));
         let (names, types): (Vec<_>, Vec<_>) = given(&rule.params, &rule.locals).unzip();
-        let locals = self.locals(&rule.params, &rule.locals, &Place::rule());
+        let locals = self.locals(&rule.params, &rule.locals, &Place::rule(), Cx::asked);
         let doc = (!rule.source.is_empty()).then(|| {
             let source = &rule.source;
             quote_spanned!(place=> #[doc = #source])
         });
-        let steps = self.steps(&rule.body, Body { id, rule });
         let base = base(&rule.body);
         let flag = (rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> let mut childless = true;));
-        let label = &rule.label;
+        let label = self.leaves.number(&rule.label);
         let leaf = match rule.leaf {
             Childless::Always => quote_spanned!(place=> cx.leaf(shape, #label)?;),
             Childless::Depends => quote_spanned!(place=> if childless { cx.leaf(shape, #label)?; }),
             Childless::Never => TokenStream::new(),
         };
+        let steps = self.steps(&rule.body, Body { id, rule }, 0, &leaf);
         let (enter, leave) = (enter(rule, id), leave(rule));
         quote_spanned! { place=>
             #doc
@@ -58,7 +58,6 @@ impl Cx<'_> {
                 #base
                 #flag
                 #steps
-                #leaf
                 #leave
             }
         }
@@ -71,9 +70,13 @@ impl Cx<'_> {
         let params = given(&function.params, &function.locals);
         let (names, types): (Vec<_>, Vec<_>) = params.unzip();
         let ty = inner_type(function.ty);
-        let locals = self.locals(&function.params, &function.locals, &Place::function());
+        let locals = self.locals(&function.params, &function.locals, &Place::function(), Cx::expr);
         let body = self.expr(&function.body, &Place::function());
         let body = quote_spanned!(place=> { #locals #body });
+        let shape = match self.facts.function(id).whole {
+            true => quote_spanned!(place=> cga_rt::Shape),
+            false => quote_spanned!(place=> impl cga_rt::View),
+        };
         let body = if let Some(stack) = self.calls.stack(id) {
             let stack = Literal::u32_unsuffixed(stack);
             quote_spanned! { place=>
@@ -88,33 +91,74 @@ impl Cx<'_> {
             body
         };
         quote_spanned! { place=>
-            fn #name(g: &CgaValues, env: &mut cga_rt::Env, shape: &mut cga_rt::ShapeRef<'_>, #(#names: #types,)*) -> #ty {
+            fn #name(g: &CgaValues, env: &mut cga_rt::Env, shape: &mut #shape, #(#names: #types,)*) -> #ty {
                 #body
             }
         }
     }
 
     /// The values of locals: they are the last parameters.
-    fn locals(&self, params: &[Param], locals: &[Expr], at: &Place) -> TokenStream {
+    fn locals(
+        &self,
+        params: &[Param],
+        locals: &[Expr],
+        at: &Place,
+        expr: fn(&Self, &Expr, &Place) -> TokenStream,
+    ) -> TokenStream {
         let first = params.len() - locals.len();
         let locals = locals.iter().enumerate().map(|(number, value)| {
-            let (name, value) = (local("p", first + number), self.expr(value, at));
+            let (name, value) = (local("p", first + number), expr(self, value, at));
             quote_spanned!(Span::mixed_site()=> let #name = #value;)
         });
         locals.collect()
     }
 
-    fn steps(&self, steps: &[Step], body: Body<'_>) -> TokenStream {
-        steps.iter().map(|step| self.step(step, body)).collect()
+    /// The statements of steps. `number` counts the children made so far, and `tail` follows on every path.
+    fn steps(&self, steps: &[Step], body: Body<'_>, mut number: u32, tail: &TokenStream) -> TokenStream {
+        let mut code = TokenStream::new();
+        let mut rest = steps;
+        while let Some((step, behind)) = rest.split_first() {
+            let count = rest.iter().take_while(|step| changes(step)).count();
+            if 0 < count {
+                let (changes, behind) = rest.split_at(count);
+                code.extend(self.changed(changes));
+                rest = behind;
+                continue;
+            }
+            rest = behind;
+            if let Step::Case { .. } | Step::Chance { .. } = step {
+                debug_assert!(rest.is_empty(), "a case takes in everything behind it");
+                code.extend(self.branches(step, body, number, tail));
+                return code;
+            }
+            code.extend(self.step(step, body, number));
+            number += 1;
+        }
+        code.extend(tail.clone());
+        code
     }
 
-    fn step(&self, step: &Step, body: Body<'_>) -> TokenStream {
+    /// Steps that change the current shape: they work on the whole of it.
+    fn changed(&self, steps: &[Step]) -> TokenStream {
         let place = Span::mixed_site();
-        let at = Place::rule();
-        let made = (body.rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> childless = false;));
+        let code: TokenStream = steps.iter().map(|step| self.change(step)).collect();
+        quote_spanned! { place=>
+            let changed = {
+                let mut whole = cx.env.whole(shape);
+                {
+                    let shape = &mut whole;
+                    #code
+                }
+                cx.env.base(whole)
+            };
+            let shape = &mut changed.shape();
+        }
+    }
+
+    fn change(&self, step: &Step) -> TokenStream {
+        let (place, at) = (Span::mixed_site(), Place::rule());
         match step {
             Step::Do(operation, args, _) => self.operation(operation, args),
-            Step::Later(what, _) => quote_spanned!(place=> cga_rt::later::operation(&mut cx.env, #what);),
             Step::SetAttr(id, expr, _) => {
                 let (value, set) = (self.expr(expr, &at), self.set(Global::Attr(*id), expr.ty, &local("a", 0)));
                 quote_spanned!(place=> { let a0 = #value; #set })
@@ -124,75 +168,107 @@ impl Cx<'_> {
                 let (set, value) = (Ident::new(set, place), self.image(expr, &at));
                 quote_spanned!(place=> {
                     let a0 = #value;
-                    cga_rt::set::#set(&mut cx.env, shape, a0);
+                    cga_rt::set::#set(cx.env, shape, a0);
                 })
             }
             Step::Rust(path, args, span) => {
                 let path = self.source.path(span.first, path);
                 let here = self.at_path(*span);
                 let call = self.with_rust_args(args, &at, |args| {
-                    quote_spanned!(here=> cga_rt::host::operate(&mut cx.env, shape, |shape| #path(shape, #(#args),*)))
+                    quote_spanned!(here=> cga_rt::host::operate(cx.env, shape, |shape| #path(shape, #(#args),*)))
                 });
                 quote_spanned!(place=> #call;)
             }
+            _ => TokenStream::new(),
+        }
+    }
+
+    /// The branches of a rule, each with the steps that follow.
+    fn branches(&self, step: &Step, body: Body<'_>, number: u32, tail: &TokenStream) -> TokenStream {
+        let (place, at) = (Span::mixed_site(), Place::rule());
+        let (conditions, bodies, otherwise): (Vec<_>, Vec<_>, _) = match step {
+            Step::Case { arms, otherwise } => (
+                arms.iter().map(|(condition, _)| self.asked(condition, &at)).collect(),
+                arms.iter().map(|(_, steps)| steps).collect(),
+                otherwise,
+            ),
+            Step::Chance { arms, otherwise } => (
+                draws(arms.iter().map(|(percent, _)| *percent), &at),
+                arms.iter().map(|(_, steps)| steps).collect(),
+                otherwise,
+            ),
+            _ => return TokenStream::new(),
+        };
+        let bodies = bodies.into_iter().map(|steps| self.steps(steps, body, number, tail));
+        let otherwise = self.steps(otherwise, body, number, tail);
+        quote_spanned!(place=> #(if #conditions { #bodies } else)* { #otherwise })
+    }
+
+    /// A step that makes children.
+    fn step(&self, step: &Step, body: Body<'_>, number: u32) -> TokenStream {
+        let place = Span::mixed_site();
+        let made = (body.rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> childless = false;));
+        let child = Literal::u32_unsuffixed(number);
+        match step {
+            Step::Later(what, _) => quote_spanned!(place=> cga_rt::later::operation(cx.env, #what);),
             Step::Give(target) => {
-                let code = self.give(target, body.id, &TokenStream::new());
+                let code = self.give(target, body.id, number, &TokenStream::new());
                 quote_spanned!(place=> #code #made)
             }
             Step::Anew(anew) => {
-                let (given, copy) = self.anew(anew);
-                let code = self.give(&anew.target, body.id, &copy);
+                let (given, copy) = self.anew(anew, &child);
+                let code = self.give(&anew.target, body.id, 0, &copy);
                 quote_spanned!(place=> { #given #code } #made)
             }
             Step::Split(split) => {
-                let code = self.split(split, body.id);
+                let code = self.split(split, body.id, number);
                 match body.rule.leaf {
-                    Childless::Depends => quote_spanned!(place=> childless &= !{ #code };),
-                    _ => quote_spanned!(place=> { #code };),
+                    Childless::Depends => quote_spanned!(place=> { #code childless &= !division.has_parts(); }),
+                    _ => quote_spanned!(place=> { #code }),
                 }
             }
             Step::Comp(comp) => {
-                let code = self.comp(comp, body.id);
+                let code = self.comp(comp, body.id, number);
                 quote_spanned!(place=> { #code } #made)
             }
             Step::Push(steps) => {
-                let (base, steps) = (base(steps), self.steps(steps, body));
+                let (base, steps) = (base(steps), self.steps(steps, body, 0, &TokenStream::new()));
                 quote_spanned!(place=> {
-                    let shape = &mut cga_rt::push(shape);
+                    let shape = &mut cga_rt::push(shape, #child);
                     #base
                     #steps
                 })
             }
-            Step::Case { arms, otherwise } => {
-                let conditions = arms.iter().map(|(condition, _)| self.expr(condition, &at));
-                let bodies = arms.iter().map(|(_, steps)| self.steps(steps, body));
-                let otherwise = self.steps(otherwise, body);
-                quote_spanned!(place=> #(if #conditions { #bodies } else)* { #otherwise })
-            }
-            Step::Chance { arms, otherwise } => {
-                let draws = draws(arms.iter().map(|(percent, _)| *percent), &at);
-                let bodies = arms.iter().map(|(_, steps)| self.steps(steps, body));
-                let otherwise = self.steps(otherwise, body);
-                quote_spanned!(place=> #(if #draws { #bodies } else)* { #otherwise })
-            }
+            Step::Do(..)
+            | Step::SetAttr(..)
+            | Step::SetShape(..)
+            | Step::Rust(..)
+            | Step::Case { .. }
+            | Step::Chance { .. } => TokenStream::new(),
         }
     }
 
-    /// Hands the current shape to a successor. `copy` stands behind the arguments, which are those of the shape before it.
-    fn give(&self, target: &Target, from: RuleId, copy: &TokenStream) -> TokenStream {
+    /// Hands the current shape to a successor, which is child number `number`. `copy` comes after the arguments, which are those of
+    /// the shape before it.
+    fn give(&self, target: &Target, from: RuleId, number: u32, copy: &TokenStream) -> TokenStream {
         let place = Span::mixed_site();
         match target {
-            Target::Leaf(name, _) => quote_spanned!(place=> #copy cx.symbol(shape, #name)?;),
+            Target::Leaf(name, _) => {
+                let name = self.leaves.number(name);
+                quote_spanned!(place=> #copy cx.symbol(shape, #name)?;)
+            }
             Target::Nil => TokenStream::new(),
             Target::Rule { rule, args, span } => {
                 let call = self.call(from, *rule, args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                let values = args.iter().map(|arg| self.expr(arg, &Place::rule()));
+                let values = args.iter().map(|arg| self.asked(arg, &Place::rule()));
+                let number = Literal::u32_unsuffixed(number);
                 quote_spanned!(place=> {
                     #(let #names = #values;)*
                     #copy
-                    let part = &mut cga_rt::successor(shape);
-                    #call?;
+                    let part = &mut cga_rt::successor(shape, #number);
+                    let flow: cga_rt::Flow = #call;
+                    flow?;
                 })
             }
         }
@@ -222,7 +298,7 @@ impl Cx<'_> {
         let base = operation.uses_base.then(|| quote_spanned!(place=> &base,));
         quote_spanned!(place=> {
             #(let #names = #values;)*
-            cga_rt::op::#name(&mut cx.env, shape, #base #(#names),*);
+            cga_rt::op::#name(cx.env, shape, #base #(#names),*);
         })
     }
 
@@ -251,11 +327,14 @@ impl Cx<'_> {
         let place = Span::mixed_site();
         match target {
             Target::Nil => quote_spanned!(place=> cga_rt::Flow::Continue(())),
-            Target::Leaf(name, _) => quote_spanned!(place=> cx.symbol(part, #name)),
+            Target::Leaf(name, _) => {
+                let name = self.leaves.number(name);
+                quote_spanned!(place=> cx.symbol(part, #name))
+            }
             Target::Rule { rule, args, span } => {
                 let call = self.call(from, *rule, args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-                let values = args.iter().map(|arg| self.expr(arg, &Place::part()));
+                let values = args.iter().map(|arg| self.asked(arg, &Place::part()));
                 let called = !is_block(&self.grammar.rules[rule.0 as usize]);
                 let hand_on = called.then(|| quote_spanned!(place=> cga_rt::hand_on(part);));
                 quote_spanned!(place=> {
@@ -266,6 +345,11 @@ impl Cx<'_> {
             }
         }
     }
+}
+
+/// Whether a step changes the current shape.
+fn changes(step: &Step) -> bool {
+    matches!(step, Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..))
 }
 
 /// Whether a rule is a block of a split or comp: part of the rule it stands in, not a rule that was called.
@@ -300,5 +384,5 @@ fn base(steps: &[Step]) -> TokenStream {
             _ => false,
         })
     }
-    if looks(steps) { quote_spanned!(Span::mixed_site()=> let base = *shape.scope();) } else { TokenStream::new() }
+    if looks(steps) { quote_spanned!(Span::mixed_site()=> let base = shape.scope();) } else { TokenStream::new() }
 }

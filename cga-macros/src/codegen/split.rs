@@ -1,43 +1,158 @@
-//! A split: its pattern and what is known of its sizes as constants, and a `match` over its slots.
+//! A split: its pattern and the known sizes as constants, then a statement a slot and a loop a group.
 
-use cga_lang::ir::{Axis, ExprKind, Item, Measure, Piece, Prefix, RuleId, Size, Solved, Split};
-use proc_macro2::{Literal, Span, TokenStream};
+use cga_lang::ir::{Axis, ExprKind, Item, Measure, Piece, Prefix, RuleId, Size, Solved, Split, Target, Value};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::Cx;
 use super::expr::Place;
+use super::{Cx, local};
+
+/// A split with what its slots have in common.
+struct Slots<'s> {
+    split: &'s Split,
+    rule: RuleId,
+    axis: TokenStream,
+    /// True if the pieces are a list, false if they are laid out one by one.
+    is_list: bool,
+}
+
+/// Where the next item of a pattern is: so many slots and groups come before it.
+#[derive(Clone, Copy, Default)]
+struct At {
+    slot: usize,
+    group: usize,
+}
 
 impl Cx<'_> {
-    /// Whether the shape was divided.
-    pub(super) fn split(&self, split: &Split, rule: RuleId) -> TokenStream {
+    /// Statements that divide the shape; whether they have done so is `division.has_parts()`. `number` counts the children that
+    /// the rule makes.
+    pub(super) fn split(&self, split: &Split, rule: RuleId, number: u32) -> TokenStream {
         let place = Span::mixed_site();
         let axis = match split.axis {
-            Axis::X => quote_spanned!(place=> X),
-            Axis::Y => quote_spanned!(place=> Y),
-            Axis::Z => quote_spanned!(place=> Z),
+            Axis::X => quote_spanned!(place=> cga_rt::Axis::X),
+            Axis::Y => quote_spanned!(place=> cga_rt::Axis::Y),
+            Axis::Z => quote_spanned!(place=> cga_rt::Axis::Z),
         };
         let adjust = if split.adjust { quote_spanned!(place=> Adjust) } else { quote_spanned!(place=> NoAdjust) };
-        let how = quote_spanned!(place=> (cga_rt::Axis::#axis, cga_rt::Adjust::#adjust));
-        let arms = split.slots.iter().enumerate().map(|(number, target)| {
-            let (number, code) = (Literal::u32_unsuffixed(number as u32), self.part(target, rule));
-            quote_spanned!(place=> #number => #code,)
-        });
-        let visit = quote_spanned! { place=>
-            |cx, slot, part| match slot {
-                #(#arms)*
-                _ => cga_rt::Flow::Continue(()),
-            }
+        // A list cannot tell the repetitions of a group from those of a group around it.
+        let solved = split.solved.as_ref().filter(|_| !has_nested_groups(&split.pattern));
+        let (pieces, row) = match (solved, split.measure) {
+            (Some(solved), _) => (known(solved, &axis), list()),
+            (None, Measure::Area) => (self.areas(split, &axis), list()),
+            (None, Measure::Length) => (self.lengths(split, &axis), quote_spanned!(place=> pieces.cursor())),
         };
-        match (&split.solved, split.measure) {
-            (Some(solved), _) => self.solved(solved, &how, &visit),
-            (None, Measure::Length) => self.unsolved(split, &quote_spanned!(place=> split), &how, &visit),
-            (None, Measure::Area) => self.unsolved(split, &quote_spanned!(place=> split_area), &how, &visit),
+        let is_list = solved.is_some() || split.measure == Measure::Area;
+        let counted = split.slots.iter().any(|target| self.facts.target(target).total);
+        let slots = Slots { split, rule, axis, is_list };
+        let statements = self.items(&slots, &split.pattern, At::default(), false);
+        let (axis, number) = (&slots.axis, Literal::u32_unsuffixed(number));
+        quote_spanned! { place=>
+            #pieces
+            let mut division = cga_rt::Division::new(
+                cx.env, shape, (#axis, cga_rt::Adjust::#adjust), #number, pieces, #counted,
+            )?;
+            let mut row = #row;
+            #statements
         }
     }
 
-    fn unsolved(&self, split: &Split, call: &TokenStream, how: &TokenStream, visit: &TokenStream) -> TokenStream {
+    /// The statements of a part of the pattern.
+    fn items(&self, slots: &Slots<'_>, pattern: &[Item], mut at: At, in_group: bool) -> TokenStream {
         let place = Span::mixed_site();
-        let count = split.sizes.len();
+        let mut code = TokenStream::new();
+        let mut rest = pattern;
+        while let Some((item, behind)) = rest.split_first() {
+            rest = behind;
+            match item {
+                Item::Slot => {
+                    code.extend(self.slot(slots, at.slot, in_group));
+                    at.slot += 1;
+                }
+                Item::Repeat(len) => {
+                    let (inside, behind) = rest.split_at((*len as usize).min(rest.len()));
+                    rest = behind;
+                    let count = inside.iter().filter(|item| matches!(item, Item::Slot)).count();
+                    let group = local("group", at.group);
+                    let open = if slots.is_list {
+                        let [from, to] = [at.slot, at.slot + count].map(|slot| Literal::u32_unsuffixed(slot as u32));
+                        quote_spanned!(place=> row.open(#from..#to))
+                    } else {
+                        let number = Literal::usize_unsuffixed(at.group);
+                        quote_spanned!(place=> row.open(pieces, #number))
+                    };
+                    let items = self.items(slots, inside, At { group: at.group + 1, ..at }, true);
+                    code.extend(quote_spanned! { place=>
+                        let mut #group = #open;
+                        while row.turn(&mut #group) {
+                            division.turn();
+                            #items
+                        }
+                    });
+                    at = At { slot: at.slot + count, group: at.group + 1 + inside.len() - count };
+                }
+            }
+        }
+        code
+    }
+
+    /// The statement of a slot.
+    fn slot(&self, slots: &Slots<'_>, slot: usize, in_group: bool) -> TokenStream {
+        let (place, axis) = (Span::mixed_site(), &slots.axis);
+        let number = Literal::usize_unsuffixed(slot);
+        match &slots.split.slots[slot] {
+            Target::Nil => quote_spanned! { place=>
+                if row.slot(#number).is_some() {
+                    division.skip();
+                }
+            },
+            Target::Leaf(name, _) => {
+                let name = self.leaves.number(name);
+                quote_spanned! { place=>
+                    if let ::core::option::Option::Some(piece) = row.slot(#number) {
+                        division.leaf(cx, #axis, piece, #name)?;
+                    }
+                }
+            }
+            target @ Target::Rule { .. } => {
+                let (code, uses) = (self.part(target, slots.rule), self.facts.target(target));
+                let draws = uses.draws;
+                quote_spanned! { place=>
+                    if let ::core::option::Option::Some(piece) = row.slot(#number) {
+                        let part = &mut division.part(#axis, piece, #number, #in_group, #draws);
+                        let flow: cga_rt::Flow = #code;
+                        flow?;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The solution of a split along lengths.
+    fn lengths(&self, split: &Split, axis: &TokenStream) -> TokenStream {
+        let (place, count) = (Span::mixed_site(), split.sizes.len());
+        let (sizes, name) = self.sizes(split);
+        quote_spanned! { place=>
+            #sizes
+            let mut lengths = [0.0; #count];
+            let extent = cga_rt::extent(cx.env, shape, #axis);
+            let pieces = &cga_rt::solve(PATTERN, &#name, &mut lengths, extent);
+        }
+    }
+
+    /// The pieces of a split along areas.
+    fn areas(&self, split: &Split, axis: &TokenStream) -> TokenStream {
+        let place = Span::mixed_site();
+        let (sizes, name) = self.sizes(split);
+        quote_spanned! { place=>
+            #sizes
+            let pieces = cga_rt::areas(cx.env, shape, #axis, PATTERN, #name);
+            let pieces = pieces.as_slice();
+        }
+    }
+
+    /// The pattern and the sizes, with the name of these.
+    fn sizes(&self, split: &Split) -> (TokenStream, Ident) {
+        let (place, count) = (Span::mixed_site(), split.sizes.len());
         let items = split.pattern.iter().map(|item| match item {
             Item::Slot => quote_spanned!(place=> cga_rt::Item::Slot),
             Item::Repeat(len) => {
@@ -45,39 +160,56 @@ impl Cx<'_> {
                 quote_spanned!(place=> cga_rt::Item::Repeat(#len))
             }
         });
-        let sizes = split.sizes.iter().map(|size| {
-            let value = self.expr(&size.value, &Place::rule());
+        let values = split.sizes.iter().map(|size| {
+            let value = self.asked(&size.value, &Place::rule());
             match size.prefix {
                 Prefix::Absolute => quote_spanned!(place=> cga_rt::Size::absolute(#value)),
                 Prefix::Relative => quote_spanned!(place=> cga_rt::Size::relative(#value)),
                 Prefix::Floating => quote_spanned!(place=> cga_rt::Size::floating(#value)),
             }
         });
-        let constant = |size: &Size| matches!(size.value.kind, ExprKind::Value(_));
-        let (keyword, name) = if split.sizes.iter().all(constant) {
-            (quote_spanned!(place=> const), quote_spanned!(place=> SIZES))
+        let constant =
+            |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
+        let is_constant = split.measure == Measure::Length && split.sizes.iter().all(constant);
+        let name = Ident::new(if is_constant { "SIZES" } else { "sizes" }, place);
+        let sizes = if is_constant {
+            quote_spanned!(place=> const SIZES: [cga_rt::Size; #count] = [#(#values),*];)
+        } else if split.measure == Measure::Length {
+            quote_spanned! { place=>
+                let sizes: [cga_rt::Size; #count] = [#(#values),*];
+                let sizes = cga_rt::sizes(cx.env, sizes);
+            }
         } else {
-            (quote_spanned!(place=> let), quote_spanned!(place=> sizes))
+            quote_spanned!(place=> let sizes: [cga_rt::Size; #count] = [#(#values),*];)
         };
-        quote_spanned! { place=>
-            const PATTERN: &[cga_rt::Item] = &[#(#items),*];
-            #keyword #name: [cga_rt::Size; #count] = [#(#sizes),*];
-            cga_rt::#call(cx, shape, #how, PATTERN, #name, #visit)?
-        }
+        (quote_spanned!(place=> const PATTERN: &[cga_rt::Item] = &[#(#items),*]; #sizes), name)
     }
+}
 
-    fn solved(&self, solved: &Solved, how: &TokenStream, visit: &TokenStream) -> TokenStream {
-        let place = Span::mixed_site();
-        let extent = Literal::f64_unsuffixed(solved.extent);
-        let pieces = solved.pieces.iter().map(|piece| {
-            let Piece { slot, start, end, length } = *piece;
-            let slot = Literal::u32_unsuffixed(slot);
-            let [start, end, length] = [start, end, length].map(Literal::f64_unsuffixed);
-            quote_spanned!(place=> cga_rt::Piece { slot: #slot, start: #start, end: #end, length: #length })
-        });
-        quote_spanned! { place=>
-            const PIECES: &[cga_rt::Piece] = &[#(#pieces),*];
-            cga_rt::split_solved(cx, shape, #how, #extent, PIECES, #visit)?
-        }
+/// The pieces of a split that is solved.
+fn known(solved: &Solved, axis: &TokenStream) -> TokenStream {
+    let place = Span::mixed_site();
+    let extent = Literal::f64_unsuffixed(solved.extent);
+    let pieces = solved.pieces.iter().map(|piece| {
+        let Piece { slot, start, end, length } = *piece;
+        let slot = Literal::u32_unsuffixed(slot);
+        let [start, end, length] = [start, end, length].map(Literal::f64_unsuffixed);
+        quote_spanned!(place=> cga_rt::Piece { slot: #slot, start: #start, end: #end, length: #length })
+    });
+    quote_spanned! { place=>
+        const PIECES: &[cga_rt::Piece] = &[#(#pieces),*];
+        let pieces = cga_rt::solved(cx.env, shape, #axis, #extent, PIECES);
     }
+}
+
+fn list() -> TokenStream {
+    quote_spanned!(Span::mixed_site()=> cga_rt::List::new(pieces))
+}
+
+/// Whether a group is in another one.
+fn has_nested_groups(pattern: &[Item]) -> bool {
+    pattern.iter().enumerate().any(|(at, item)| match item {
+        Item::Repeat(len) => pattern[at + 1..].iter().take(*len as usize).any(|item| matches!(item, Item::Repeat(_))),
+        Item::Slot => false,
+    })
 }

@@ -55,10 +55,10 @@ impl Cx<'_> {
     }
 
     /// The given values, and the copy on which everything starts anew.
-    pub(super) fn anew(&self, anew: &Anew) -> (TokenStream, TokenStream) {
+    pub(super) fn anew(&self, anew: &Anew, number: &Literal) -> (TokenStream, TokenStream) {
         let (place, at) = (Span::mixed_site(), Place::rule());
         let names: Vec<Ident> = (0..anew.given.len()).map(|number| local("given_", number)).collect();
-        let values = anew.given.iter().map(|(_, value)| self.expr(value, &at));
+        let values = anew.given.iter().map(|(_, value)| self.asked(value, &at));
         let given = quote_spanned!(place=> #(let #names = #values;)*);
         let set = anew.given.iter().zip(&names).map(|((id, value), name)| self.set(Global::Attr(*id), value.ty, name));
         let mut ids: Vec<AttrId> = anew.given.iter().map(|(id, _)| *id).collect();
@@ -68,9 +68,14 @@ impl Cx<'_> {
         (
             given,
             quote_spanned! { place=>
-                let shape = &mut cga_rt::push(shape);
-                #(#set)*
-                CgaValues::#renew(g, &mut cx.env, shape, &[#(#numbers),*]);
+                let mut whole = cx.env.whole(&cga_rt::push(shape, #number));
+                {
+                    let shape = &mut whole;
+                    #(#set)*
+                    CgaValues::#renew(g, cx.env, shape, &[#(#numbers),*]);
+                }
+                let renewed = cx.env.base(whole);
+                let shape = &mut renewed.shape();
             },
         )
     }
@@ -100,7 +105,7 @@ impl Cx<'_> {
                         fn #name(
                             g: &CgaValues,
                             env: &mut cga_rt::Env,
-                            shape: &mut cga_rt::ShapeRef<'_>,
+                            shape: &mut cga_rt::Shape,
                             given: &[::core::primitive::u32],
                         ) {
                             #(#steps)*
@@ -112,7 +117,7 @@ impl Cx<'_> {
                     fn #name(
                         g: &CgaValues,
                         env: &mut cga_rt::Env,
-                        shape: &mut cga_rt::ShapeRef<'_>,
+                        shape: &mut cga_rt::Shape,
                         given: &[::core::primitive::u32],
                     ) {
                         #(CgaValues::#names(g, env, shape, given);)*

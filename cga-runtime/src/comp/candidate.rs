@@ -3,8 +3,8 @@
 use super::looks::Looks;
 use super::select::{Sense, Word};
 use super::source::Source;
-use crate::seed::{Seed, Tag};
-use crate::shape::{Counter, ShapeRef};
+use crate::seed::Tag;
+use crate::shape::{Counter, Shape};
 use crate::text::Text;
 
 /// What `isTagged` looks at instead of the component itself.
@@ -33,24 +33,16 @@ pub fn is_tagged_at(candidate: &mut Candidate<'_>, query: Text, of: Subcomponent
 pub struct Candidate<'c> {
     pub(super) source: &'c Source,
     pub(super) looks: &'c Looks,
-    pub(super) parent: &'c ShapeRef<'c>,
+    pub(super) parent: &'c Shape,
     pub(super) number: usize,
-    /// The seed's number.
-    pub(super) ordinal: u32,
-    shape: Option<ShapeRef<'c>>,
+    shape: Option<Shape>,
     /// Whether it was found to be an edge of a roof.
     pub(super) as_roof: bool,
 }
 
 impl<'c> Candidate<'c> {
-    pub(super) fn new(
-        source: &'c Source,
-        looks: &'c Looks,
-        parent: &'c ShapeRef<'c>,
-        number: usize,
-        ordinal: u32,
-    ) -> Self {
-        Candidate { source, looks, parent, number, ordinal, shape: None, as_roof: false }
+    pub(super) fn new(source: &'c Source, looks: &'c Looks, parent: &'c Shape, number: usize) -> Self {
+        Candidate { source, looks, parent, number, shape: None, as_roof: false }
     }
 
     /// Whether a selector takes it.
@@ -71,20 +63,20 @@ impl<'c> Candidate<'c> {
     }
 
     /// Its shape.
-    pub fn shape(&mut self) -> &mut ShapeRef<'c> {
-        let Candidate { source, parent, number, ordinal, shape, .. } = self;
+    pub fn shape(&mut self) -> &mut Shape {
+        let Candidate { source, parent, number, shape, .. } = self;
         shape.get_or_insert_with(|| {
             let part = source.kept(parent, &[*number as u32], false);
-            ShapeRef {
+            Shape {
                 scope: part.scope,
                 pivot: part.pivot,
                 geometry: part.geometry,
-                seed: Seed::child(parent.seed.value(), Tag::Candidate, *ordinal),
+                seed: parent.seed.child(Tag::Candidate, *number as u32),
                 split: parent.split,
                 comp: Counter::NONE,
                 selector: parent.selector,
                 trims: parent.trims.clone(),
-                state: parent.state.lend(),
+                state: parent.state.clone(),
             }
         })
     }

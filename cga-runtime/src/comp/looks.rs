@@ -8,7 +8,7 @@ use super::select::{Axes, Direction};
 use super::street::Streets;
 use crate::env::Env;
 use crate::scope::Scope;
-use crate::shape::ShapeRef;
+use crate::shape::Shape;
 
 /// How a shape stands.
 #[derive(Clone, Debug)]
@@ -22,7 +22,7 @@ pub(crate) struct Looks {
 }
 
 impl Looks {
-    pub(crate) fn of(env: &Env, shape: &ShapeRef<'_>) -> Self {
+    pub(crate) fn of(env: &Env, shape: &Shape) -> Self {
         Looks {
             scope: shape.scope,
             object: env.initial.object.axes,

@@ -23,8 +23,8 @@ use crate::derive::Cx;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::scope::{Frame, Scope};
-use crate::seed::{Seed, Tag};
-use crate::shape::{Counter, Geometry, ShapeRef};
+use crate::seed::{self, Seed, Tag};
+use crate::shape::{Counter, Geometry, Shape, ShapeRef};
 use crate::sink::{Flow, Sink};
 use crate::trim::{Surface, Trims};
 
@@ -118,25 +118,32 @@ pub fn never(_: &mut Env, _: u32, _: &mut Candidate<'_>) -> bool {
 }
 
 /// Divides a shape into its components and calls `visit` with every part's arm and shape: arms in writing order, the
-/// components of each by number (*comp operation*). `when` says whether the condition of an arm holds.
+/// components of each by number (*comp operation*). `when` says whether the condition of an arm holds; `number` counts the
+/// children that the rule makes.
 #[inline]
+#[allow(clippy::too_many_arguments, reason = "generated code calls it")]
 pub fn comp<S: Sink + ?Sized, C>(
     cx: &mut Cx<'_, S, C>,
-    shape: &mut ShapeRef<'_>,
+    shape: &ShapeRef<'_>,
+    number: u32,
     components: Components,
     align: Align,
     arms: &[Arm],
     when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
     mut visit: impl FnMut(&mut Cx<'_, S, C>, u32, &mut ShapeRef<'_>) -> Flow,
 ) -> Flow {
-    let parts = Parts::of(&mut cx.env, shape, components, align, arms, when)?;
-    parts.each(|arm, _, part| visit(cx, arm, part))
+    let whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
+    let parts = Parts::of(cx.env, &whole, components, align, arms, when)?;
+    parts.each(|arm, _, part| {
+        let base = cx.env.base(part);
+        visit(cx, arm, &mut base.shape())
+    })
 }
 
 /// The components of a shape, each given to an arm, ready to be handed out.
 #[derive(Debug)]
 struct Parts<'s> {
-    parent: &'s ShapeRef<'s>,
+    parent: &'s Shape,
     align: Align,
     arms: &'s [Arm],
     owners: Owners,
@@ -144,16 +151,15 @@ struct Parts<'s> {
     /// Whether each arm takes edges as those of a roof.
     as_roof: Vec<bool>,
     trims: Option<Arc<Surface>>,
-    seed: u64,
-    ordinal: u32,
 }
 
 impl<'s> Parts<'s> {
-    /// Gives every component to the first arm that selects it. `Break` when a limit was reached.
+    /// Gives every component to the first arm that selects it. The seed of the shape is that of the step: components have theirs
+    /// from it. `Break` when a limit was reached.
     #[inline]
     fn of(
         env: &mut Env,
-        shape: &'s mut ShapeRef<'_>,
+        shape: &'s Shape,
         components: Components,
         align: Align,
         arms: &'s [Arm],
@@ -168,12 +174,11 @@ impl<'s> Parts<'s> {
         }
         let source = Source::of(env, shape, components, align, arms)?;
         let count = source.len();
-        let ordinal = shape.seed.reserve(count.min(u32::MAX as usize) as u32);
-        let (seed, parent) = (shape.seed.value(), &*shape);
+        let parent = shape;
         let looks = Looks::of(env, parent);
         let mut as_roof = Vec::new();
         let owners = Owners::choose(count, |number| {
-            let mut candidate = Candidate::new(&source, &looks, parent, number, ordinal.wrapping_add(number as u32));
+            let mut candidate = Candidate::new(&source, &looks, parent, number);
             let arm = arms.iter().enumerate().position(|(arm, Arm { select, .. })| {
                 candidate.as_roof = false;
                 match *select {
@@ -199,12 +204,12 @@ impl<'s> Parts<'s> {
             }
             _ => None,
         };
-        ControlFlow::Continue(Parts { parent, align, arms, owners, source, as_roof, trims, seed, ordinal })
+        ControlFlow::Continue(Parts { parent, align, arms, owners, source, as_roof, trims })
     }
 
     /// Calls with every part: its arm, the numbers of its components, and its shape.
     #[inline]
-    fn each(&self, mut visit: impl FnMut(u32, &[u32], &mut ShapeRef<'s>) -> Flow) -> Flow {
+    fn each(&self, mut visit: impl FnMut(u32, &[u32], Shape) -> Flow) -> Flow {
         for (number, arm) in self.arms.iter().enumerate() {
             let mine = || self.owners.of(number as u16);
             match arm.mode {
@@ -212,20 +217,20 @@ impl<'s> Parts<'s> {
                     let total = mine().count();
                     for (index, component) in mine().enumerate() {
                         let counter = Counter::new(index, total);
-                        visit(number as u32, &[component], &mut self.part(number, counter, &[component]))?;
+                        visit(number as u32, &[component], self.part(number, counter, &[component]))?;
                     }
                 }
                 Mode::Together => {
                     let all: Vec<u32> = mine().collect();
                     if !all.is_empty() {
-                        visit(number as u32, &all, &mut self.part(number, Counter::new(0, 1), &all))?;
+                        visit(number as u32, &all, self.part(number, Counter::new(0, 1), &all))?;
                     }
                 }
                 Mode::Connected => {
                     let sets = owners::connected(&self.source, mine());
                     for (index, set) in sets.iter().enumerate() {
                         let counter = Counter::new(index, sets.len());
-                        visit(number as u32, set, &mut self.part(number, counter, set))?;
+                        visit(number as u32, set, self.part(number, counter, set))?;
                     }
                 }
             }
@@ -234,7 +239,7 @@ impl<'s> Parts<'s> {
     }
 
     #[inline]
-    fn part(&self, number: usize, comp: Counter, components: &[u32]) -> ShapeRef<'s> {
+    fn part(&self, number: usize, comp: Counter, components: &[u32]) -> Shape {
         let (parent, arm) = (self.parent, &self.arms[number]);
         if let Source::Quads(quads) = &self.source {
             // The façade path: nothing is copied that need not be.
@@ -270,18 +275,18 @@ impl<'s> Parts<'s> {
         pivot: Frame,
         geometry: Geometry,
         own: Trims,
-    ) -> ShapeRef<'s> {
+    ) -> Shape {
         let parent = self.parent;
-        ShapeRef {
+        Shape {
             scope,
             pivot,
             geometry,
-            seed: Seed::child(self.seed, Tag::Comp, self.ordinal.wrapping_add(component)),
+            seed: Seed::new(seed::part(parent.seed.value(), component, 0)),
             split: parent.split,
             comp,
             selector: arm.text,
             trims: parent.trims.with(&parent.pivot, own, &pivot),
-            state: parent.state.lend(),
+            state: parent.state.clone(),
         }
     }
 }

@@ -9,7 +9,7 @@ use super::source::Source;
 use super::{Align, Components};
 use crate::mesh::{Bounds, Mesh};
 use crate::scope::{Axis, Frame, Scope};
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Placed, Shape};
 use crate::tol::PLANAR_EPSILON;
 use crate::unit::UnitMesh;
 use crate::wire::{PlacedWire, Wire};
@@ -24,7 +24,7 @@ pub(super) struct Part {
 impl Source {
     /// Of components with those numbers, set up from the first; edges may be those of a roof (*comp operation*).
     #[inline]
-    pub(super) fn part(&self, parent: &ShapeRef<'_>, align: Align, numbers: &[u32], as_roof: bool) -> Part {
+    pub(super) fn part(&self, parent: &Shape, align: Align, numbers: &[u32], as_roof: bool) -> Part {
         let first = numbers[0] as usize;
         if align == Align::Keep {
             return self.kept(parent, numbers, as_roof);
@@ -61,7 +61,7 @@ impl Source {
     }
 
     /// With the pivot and the axes of the shape (*comp operation*, noAlign).
-    pub(super) fn kept(&self, parent: &ShapeRef<'_>, numbers: &[u32], as_roof: bool) -> Part {
+    pub(super) fn kept(&self, parent: &Shape, numbers: &[u32], as_roof: bool) -> Part {
         let here = parent.scope.frame();
         let part = match self {
             // The mesh of a box has its sides in the same order.

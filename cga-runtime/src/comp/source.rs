@@ -12,7 +12,7 @@ use super::wire_parts::WireParts;
 use super::{Align, Arm, Components, Mode};
 use crate::env::Env;
 use crate::scope::{Axis, Scope};
-use crate::shape::{Geometry, ShapeRef};
+use crate::shape::{Geometry, Shape};
 use crate::unit::{UnitFace, UnitMesh};
 use crate::wire::Wire;
 
@@ -30,7 +30,7 @@ impl Source {
     #[inline]
     pub(super) fn of(
         env: &mut Env,
-        shape: &ShapeRef<'_>,
+        shape: &Shape,
         components: Components,
         align: Align,
         arms: &[Arm],
@@ -102,7 +102,7 @@ pub(super) struct Quads {
 
 impl Quads {
     #[inline]
-    fn of(shape: &ShapeRef<'_>) -> Option<Self> {
+    fn of(shape: &Shape) -> Option<Self> {
         let size = shape.scope.size;
         match shape.geometry {
             Geometry::Box(unit) if 0.0 < size.min_element() => Some(Quads { unit }),

@@ -34,7 +34,7 @@ fn parts(shape: &Shape, components: Components, align: Align, arms: &[Arm]) -> V
     let parts = Parts::of(env, &mut shape, components, align, arms, never);
     let std::ops::ControlFlow::Continue(parts) = parts else { panic!("no limit is near") };
     let _: Flow = parts.each(|arm, members, part| {
-        out.push((arm, members.to_vec(), part.detach()));
+        out.push((arm, members.to_vec(), part.clone()));
         Flow::Continue(())
     });
     out
@@ -316,7 +316,7 @@ fn facts_53_and_57_values_by_number() {
     let env = &mut Env::for_tests();
     let mut lot = Shape::rectangle(6.0, 4.0);
     let each = [arm(Word::All, Mode::Each)];
-    let index = |_: &mut Env, _: u32, part: &mut crate::shape::ShapeRef<'_>| f64::from(part.comp.index);
+    let index = |_: &mut Env, _: u32, part: &mut crate::shape::Shape| f64::from(part.comp.index);
     let found = comp_values(env, &mut lot, Components::Vertices, Align::ZUp, &each, never, index);
     assert_eq!(found.as_slice(), [0.0, 1.0, 2.0, 3.0]);
     let arms = [Word::Front, Word::Right].map(|word| arm(word, Mode::Together));
@@ -379,7 +379,7 @@ fn streets_decide_what_is_front() {
     let numbers = |lot: &Shape| {
         let arms = words.map(|word| arm(word, Mode::Each));
         let mut own = lot.clone();
-        let value = |_: &mut Env, arm: u32, _: &mut crate::shape::ShapeRef<'_>| f64::from(arm);
+        let value = |_: &mut Env, arm: u32, _: &mut crate::shape::Shape| f64::from(arm);
         comp_values(&mut env_of(lot), &mut own, Components::FaceEdges, Align::ZUp, &arms, never, value)
             .as_slice()
             .to_vec()
@@ -392,7 +392,7 @@ fn streets_decide_what_is_front() {
     walls.geometry = Geometry::Box(UnitMesh::cuboid());
     walls.scope.size.y = 3.0;
     let arms = words.map(|word| arm(word, Mode::Each));
-    let value = |_: &mut Env, arm: u32, _: &mut crate::shape::ShapeRef<'_>| f64::from(arm) + 1.0;
+    let value = |_: &mut Env, arm: u32, _: &mut crate::shape::Shape| f64::from(arm) + 1.0;
     let found = comp_values(&mut env_of(&lot), &mut walls, Components::Faces, Align::ZUp, &arms, never, value);
     let mut found = found.as_slice().to_vec();
     found.sort_by(f64::total_cmp);

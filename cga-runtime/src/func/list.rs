@@ -7,7 +7,7 @@
 use super::whole;
 use crate::array::{Array, Element};
 use crate::env::Env;
-use crate::shape::ShapeRef;
+use crate::shape::view::View;
 use crate::text::Text;
 
 fn items(list: &str) -> impl Iterator<Item = &str> + Clone {
@@ -97,9 +97,9 @@ pub fn list_item(env: &mut Env, list: Text, index: f64) -> Text {
 }
 
 /// An item by chance; "" without items (*listRandom*). A random number is used up in any case.
-pub fn list_random(shape: &mut ShapeRef<'_>, list: Text) -> Text {
+pub fn list_random(shape: &mut impl View, list: Text) -> Text {
     // As the utility library does it: `rand` includes its upper end there.
-    let place = shape.seed.draw() * (items(&list).count() as f64 - 1e-7);
+    let place = shape.draw() * (items(&list).count() as f64 - 1e-7);
     whole(place).and_then(|place| items(&list).nth(place)).map(Text::from).unwrap_or_default()
 }
 

@@ -1,36 +1,36 @@
 //! Random numbers, from the shape's own stream.
 
 use crate::env::Env;
-use crate::shape::ShapeRef;
+use crate::shape::view::View;
 
 /// `rand()`: evenly in 0..1 (*rand function*).
-pub fn rand(shape: &mut ShapeRef<'_>) -> f64 {
-    shape.seed.draw()
+pub fn rand(shape: &mut impl View) -> f64 {
+    shape.draw()
 }
 
 /// `rand(max)`: evenly between 0 and `max` (*rand function*).
-pub fn rand_to(env: &mut Env, shape: &mut ShapeRef<'_>, max: f64) -> f64 {
-    env.finite(max, "the largest random number") * shape.seed.draw()
+pub fn rand_to(env: &mut Env, shape: &mut impl View, max: f64) -> f64 {
+    env.finite(max, "the largest random number") * shape.draw()
 }
 
 /// `rand(min, max)`: evenly between the two (*rand function*).
-pub fn rand_between(env: &mut Env, shape: &mut ShapeRef<'_>, min: f64, max: f64) -> f64 {
+pub fn rand_between(env: &mut Env, shape: &mut impl View, min: f64, max: f64) -> f64 {
     let min = env.finite(min, "the smallest random number");
     let max = env.finite(max, "the largest random number");
-    let (extent, draw) = (max - min, shape.seed.draw());
+    let (extent, draw) = (max - min, shape.draw());
     // Ends that are far apart have no finite distance.
     if extent.is_finite() { min + extent * draw } else { min * (1.0 - draw) + max * draw }
 }
 
 /// `p(q)`: true with probability `q`; false from 0 down and true from 1 up (*p function*). A draw is used up in any case.
-pub fn chance(env: &mut Env, shape: &mut ShapeRef<'_>, q: f64) -> bool {
+pub fn chance(env: &mut Env, shape: &mut impl View, q: f64) -> bool {
     let q = env.finite(q, "the probability");
     drawn_below(shape, q)
 }
 
 /// Whether the next random number in 0..1 is below.
-pub(crate) fn drawn_below(shape: &mut ShapeRef<'_>, q: f64) -> bool {
-    shape.seed.draw() < q
+pub(crate) fn drawn_below(shape: &mut impl View, q: f64) -> bool {
+    shape.draw() < q
 }
 
 #[cfg(test)]

@@ -108,6 +108,8 @@ pub trait Rules {
     type Call;
     /// Rule names by number, for trails.
     const NAMES: &'static [&'static str];
+    /// The names of leaves by number.
+    const LEAVES: &'static [&'static str];
     /// Rules a run can start with; the default first.
     const STARTS: &'static [StartRule];
     /// Their numbers.
@@ -127,13 +129,13 @@ pub trait Rules {
         values: &Self::Values,
         cx: &mut Cx<'_, S, Self::Call>,
         rule: u32,
-        shape: ShapeRef<'_>,
+        shape: &mut ShapeRef<'_>,
     ) -> Flow;
     /// Runs a call that waited.
     fn resume<S: Sink + ?Sized>(
         values: &Self::Values,
         cx: &mut Cx<'_, S, Self::Call>,
-        shape: ShapeRef<'_>,
+        shape: &mut ShapeRef<'_>,
         call: Self::Call,
     ) -> Flow;
 }

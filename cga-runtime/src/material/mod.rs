@@ -1,6 +1,7 @@
 //! Materials and colours.
 
 pub(crate) mod attribute;
+pub(crate) mod ids;
 pub(crate) mod list;
 
 use std::sync::Arc;

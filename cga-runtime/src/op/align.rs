@@ -6,7 +6,7 @@ use super::refit::refit;
 use super::turn;
 use crate::env::Env;
 use crate::mesh::unit;
-use crate::shape::ShapeRef;
+use crate::shape::Shape;
 
 /// Axes that a scope is aligned to: one of them or all three, of the world or of the object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub enum AlignAxes {
 
 /// `alignScopeToAxes(axes)`: the scope becomes the box of the geometry along those axes, and the pivot its corner
 /// (*alignScopeToAxes operation*).
-pub fn align_to_axes(env: &mut Env, shape: &mut ShapeRef<'_>, to: AlignAxes) {
+pub fn align_to_axes(env: &mut Env, shape: &mut Shape, to: AlignAxes) {
     use AlignAxes::{ObjectX, ObjectXyz, ObjectY, ObjectZ, WorldX, WorldXyz, WorldY, WorldZ};
     let system = match to {
         WorldX | WorldY | WorldZ | WorldXyz => DMat3::IDENTITY,
@@ -71,7 +71,7 @@ fn from_zx(z: DVec3, x: DVec3) -> DMat3 {
 
 /// `rotateScope(x, y, z)`: turns the scope about the pivot's axes, x then y then z, in degrees; it becomes the box of the
 /// geometry, and the pivot stays (*rotateScope operation*).
-pub fn rotate_scope(env: &mut Env, shape: &mut ShapeRef<'_>, x: f64, y: f64, z: f64) {
+pub fn rotate_scope(env: &mut Env, shape: &mut Shape, x: f64, y: f64, z: f64) {
     let [x, y, z] = [(x, "x"), (y, "y"), (z, "z")].map(|(angle, axis)| match angle.is_finite() {
         true => angle,
         false => env.finite(angle, &format!("`rotateScope` about {axis}")),

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::refit::{CORNERS, refit};
 use crate::env::Env;
 use crate::hull::hull;
-use crate::shape::{Geometry, ShapeRef};
+use crate::shape::{Geometry, Shape};
 use crate::tol::{ANGLE_EPSILON, AREA_EPSILON};
 
 /// The two axes that are aligned; the first takes the longer side.
@@ -38,7 +38,7 @@ impl BoxAxes {
 /// around the geometry as seen from there, and the pivot becomes its corner (*alignScopeToGeometryBBox operation*). Of the
 /// two directions along the longer side the one nearer to the old axis is taken, and of equal rectangles the first turned
 /// least.
-pub fn align_to_box(env: &mut Env, shape: &mut ShapeRef<'_>, axes: BoxAxes) {
+pub fn align_to_box(env: &mut Env, shape: &mut Shape, axes: BoxAxes) {
     let [first, second, third] = axes.order();
     let along = longer_side(&mut seen(shape, first, second));
     let old = shape.scope.axes;
@@ -56,7 +56,7 @@ pub fn align_to_box(env: &mut Env, shape: &mut ShapeRef<'_>, axes: BoxAxes) {
 }
 
 /// The points of the geometry in the plane of two axes.
-fn seen(shape: &ShapeRef<'_>, first: usize, second: usize) -> Vec<DVec2> {
+fn seen(shape: &Shape, first: usize, second: usize) -> Vec<DVec2> {
     let flat = |p: DVec3| DVec2::new(p[first], p[second]);
     let size = shape.scope.size;
     match &shape.geometry {

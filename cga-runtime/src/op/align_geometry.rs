@@ -9,7 +9,7 @@ use crate::fault::FaultKind;
 use crate::mesh::{Mesh, unit};
 use crate::place;
 use crate::scope::{Frame, Scope};
-use crate::shape::{Geometry, ShapeRef};
+use crate::shape::{Geometry, Shape};
 use crate::sink::{Cuboid, Quad};
 use crate::tol::TIE_EPSILON;
 
@@ -54,32 +54,32 @@ enum EdgePick {
 }
 
 /// `alignScopeToGeometry(up, faceIndex, edgeIndex)` (*alignScopeToGeometry operation*).
-pub fn align_to_indices(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: f64, edge: f64) {
+pub fn align_to_indices(env: &mut Env, shape: &mut Shape, up: UpAxis, face: f64, edge: f64) {
     align(env, shape, up, FacePick::Number(face), EdgePick::Number(edge));
 }
 
 /// `alignScopeToGeometry(up, faceSelector, edgeIndex)` (*alignScopeToGeometry operation*).
-pub fn align_to_face(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: AlignFace, edge: f64) {
+pub fn align_to_face(env: &mut Env, shape: &mut Shape, up: UpAxis, face: AlignFace, edge: f64) {
     align(env, shape, up, FacePick::Word(face), EdgePick::Number(edge));
 }
 
 /// `alignScopeToGeometry(up, faceIndex, edgeSelector)` (*alignScopeToGeometry operation*).
-pub fn align_to_edge(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: f64, edge: AlignEdge) {
+pub fn align_to_edge(env: &mut Env, shape: &mut Shape, up: UpAxis, face: f64, edge: AlignEdge) {
     align(env, shape, up, FacePick::Number(face), EdgePick::Word(edge));
 }
 
 /// `alignScopeToGeometry(up, faceSelector, edgeSelector)` (*alignScopeToGeometry operation*).
-pub fn align_to_selected(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: AlignFace, edge: AlignEdge) {
+pub fn align_to_selected(env: &mut Env, shape: &mut Shape, up: UpAxis, face: AlignFace, edge: AlignEdge) {
     align(env, shape, up, FacePick::Word(face), EdgePick::Word(edge));
 }
 
 /// `alignScopeToGeometry(up, faceIndex)`, the old form: with the first edge (*CGA changelog 2010.1*).
-pub fn align_to_first_edge(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: f64) {
+pub fn align_to_first_edge(env: &mut Env, shape: &mut Shape, up: UpAxis, face: f64) {
     align(env, shape, up, FacePick::Number(face), EdgePick::Number(0.0));
 }
 
 /// `alignScopeToGeometry(up, auto)`, the old form: the lowest edge, of several the longest (*CGA changelog 2010.1*).
-pub fn align_to_auto(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, _: AlignAuto) {
+pub fn align_to_auto(env: &mut Env, shape: &mut Shape, up: UpAxis, _: AlignAuto) {
     align(env, shape, up, FacePick::Word(AlignFace::Any), EdgePick::Auto);
 }
 
@@ -87,7 +87,7 @@ pub fn align_to_auto(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, _: Ali
 /// these. The pivot is where the edge starts: the page says so beside its second picture and all pictures show it, though its
 /// description has it at the corner of the box. Of equals the first is taken (*CGA changelog 2018.1*); numbers count round,
 /// forwards and backwards. A point or a line has no face: only the pivot goes to its scope.
-fn align(env: &mut Env, shape: &mut ShapeRef<'_>, up: UpAxis, face: FacePick, edge: EdgePick) {
+fn align(env: &mut Env, shape: &mut Shape, up: UpAxis, face: FacePick, edge: EdgePick) {
     if !shape.geometry.has_surface() {
         if !matches!(shape.geometry, Geometry::Empty) {
             shape.set_pivot(shape.scope.frame());
@@ -118,7 +118,7 @@ struct Found {
     normal: DVec3,
 }
 
-fn pick(env: &mut Env, shape: &ShapeRef<'_>, face: FacePick, edge: EdgePick) -> Option<Found> {
+fn pick(env: &mut Env, shape: &Shape, face: FacePick, edge: EdgePick) -> Option<Found> {
     let faces = Faces::of(shape);
     let size = shape.scope.size.abs().max_element();
     // Heights in the world are those along this direction, but for a constant.
@@ -215,7 +215,7 @@ enum Faces<'a> {
 }
 
 impl<'a> Faces<'a> {
-    fn of(shape: &'a ShapeRef<'_>) -> Self {
+    fn of(shape: &'a Shape) -> Self {
         let local = Scope::new(shape.scope.size);
         match &shape.geometry {
             Geometry::Mesh(placed) => Faces::Mesh(&placed.mesh, placed.to_scope(shape.scope.size)),

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{settle, turn};
 use crate::env::Env;
-use crate::shape::ShapeRef;
+use crate::shape::Shape;
 
 /// A coordinate system.
 pub use crate::query::System as CoordSystem;
@@ -22,7 +22,7 @@ pub enum TransformMode {
 /// system's axes (*translate operation*). In the scope's own system both are the same.
 pub fn translate_in(
     env: &mut Env,
-    shape: &mut ShapeRef<'_>,
+    shape: &mut Shape,
     mode: TransformMode,
     system: CoordSystem,
     x: f64,
@@ -42,15 +42,7 @@ pub fn translate_in(
 /// `rotate(abs | rel, system, x, y, z)`: turns the scope about its origin, to angles in the system or by angles about the
 /// system's axes, x then y then z, in degrees (*rotate operation*; *r operation*: `r` is `rotate(rel, pivot, …)`). In the
 /// scope's own system both are the same.
-pub fn rotate_in(
-    env: &mut Env,
-    shape: &mut ShapeRef<'_>,
-    mode: TransformMode,
-    system: CoordSystem,
-    x: f64,
-    y: f64,
-    z: f64,
-) {
+pub fn rotate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: CoordSystem, x: f64, y: f64, z: f64) {
     let angles = finite(env, "`rotate`", [x, y, z]);
     let frame = system.frame(env, shape).axes;
     let turned = frame * turn(angles.x, angles.y, angles.z);

@@ -11,7 +11,7 @@ use crate::fault::FaultKind;
 use crate::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
 use crate::mesh::{Mesh, extrude_wire, point_normals};
 use crate::scope::{Axis, Scope};
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Placed, Shape};
 use crate::wire::Wire;
 
 /// The direction of an extrusion.
@@ -39,14 +39,14 @@ pub enum ExtrudeAxis {
 }
 
 /// `extrude(distance)`, along the face normals (*extrude operation*).
-pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) {
+pub fn extrude(env: &mut Env, shape: &mut Shape, distance: Length) {
     extrude_along(env, shape, ExtrudeAlong::FaceNormal, distance);
 }
 
 /// `extrude(face.normal | vertex.normal | world.up | world.up.flatTop, distance)` (*extrude operation*). The new scope's y
 /// axis points along the extrusion, for normals that of the first face or vertex; its x axis stays as near to the old one
 /// as it can, and the pivot stays. A distance of 0 changes nothing, except that a flat top still is made.
-pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlong, distance: Length) {
+pub fn extrude_along(env: &mut Env, shape: &mut Shape, along: ExtrudeAlong, distance: Length) {
     // Relative to the height: the direction in which a shape grows is its y axis afterwards.
     let distance = distance.of(shape.scope.size.y, env, "the distance of `extrude`");
     if distance == 0.0 && along != ExtrudeAlong::WorldUpFlatTop {
@@ -75,7 +75,7 @@ pub fn extrude_along(env: &mut Env, shape: &mut ShapeRef<'_>, along: ExtrudeAlon
 }
 
 /// Edges become faces (*extrude operation*, extrusion of edges).
-fn extrude_edges(env: &mut Env, shape: &mut ShapeRef<'_>, wire: &Wire, how: Extrude, distance: f64) {
+fn extrude_edges(env: &mut Env, shape: &mut Shape, wire: &Wire, how: Extrude, distance: f64) {
     let first = |normals: &[DVec3]| normals.iter().copied().find(|normal| *normal != DVec3::ZERO);
     let up = match how {
         Extrude::Vector(up) | Extrude::FlatTop(up) => Some(up),
@@ -94,7 +94,7 @@ fn extrude_edges(env: &mut Env, shape: &mut ShapeRef<'_>, wire: &Wire, how: Extr
 const BEYOND: &str = "`extrude` leads beyond the largest number; the shape stays as it is";
 
 /// `extrude(x | y | z | world.x | world.z, distance)`, the old form (*CGA changelog 2009.2*).
-pub fn extrude_axis(env: &mut Env, shape: &mut ShapeRef<'_>, axis: ExtrudeAxis, distance: Length) {
+pub fn extrude_axis(env: &mut Env, shape: &mut Shape, axis: ExtrudeAxis, distance: Length) {
     let along = match axis {
         ExtrudeAxis::Y => return extrude_along(env, shape, ExtrudeAlong::WorldUp, distance),
         ExtrudeAxis::X | ExtrudeAxis::WorldX => DVec3::X,
@@ -131,7 +131,7 @@ fn raised(scope: &Scope, axis: Axis, distance: f64) -> Scope {
     }
 }
 
-fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, how: Extrude, distance: f64) {
+fn extrude_any(env: &mut Env, shape: &mut Shape, how: Extrude, distance: f64) {
     match &shape.geometry {
         Geometry::Edge => return extrude_edges(env, shape, &Wire::edge(shape.scope.size.x), how, distance),
         Geometry::Wire(placed) => {
@@ -159,7 +159,7 @@ fn extrude_any(env: &mut Env, shape: &mut ShapeRef<'_>, how: Extrude, distance: 
 }
 
 /// Gives the shape what has grown, in its old scope's coordinates, with a scope whose y axis is `up`.
-fn stand(env: &mut Env, shape: &mut ShapeRef<'_>, grown: Mesh, up: DVec3, distance: f64) {
+fn stand(env: &mut Env, shape: &mut Shape, grown: Mesh, up: DVec3, distance: f64) {
     if grown.is_empty() {
         // Nothing moved.
         return;

@@ -10,7 +10,7 @@ use crate::asset::{AssetError, CUBES, File};
 use crate::env::Env;
 use crate::mesh::Mesh;
 use crate::place::Cuboid;
-use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, Shape};
 use crate::unit::UnitMesh;
 
 /// Which axis of an asset, or of an aligned scope, is its height.
@@ -44,13 +44,13 @@ pub enum CleanupMode {
 
 /// `i(file)`: replaces the geometry by an asset, fitted to the scope (*i operation*). A missing asset leaves a fault and
 /// a small box to mark its place.
-pub fn insert(env: &mut Env, shape: &mut ShapeRef<'_>, file: File) {
+pub fn insert(env: &mut Env, shape: &mut Shape, file: File) {
     insert_with(env, shape, file, UpAxis::YUp, InsertMode::AlignSizeAndPosition, CleanupMode::NumericalCleanup);
 }
 
 /// `i(file, yUp | zUp, insertMode, cleanupMode)` (*i operation*). Both modes of cleaning up give the same geometry; see
 /// [`CleanupMode`].
-pub fn insert_with(env: &mut Env, shape: &mut ShapeRef<'_>, file: File, up: UpAxis, mode: InsertMode, _: CleanupMode) {
+pub fn insert_with(env: &mut Env, shape: &mut Shape, file: File, up: UpAxis, mode: InsertMode, _: CleanupMode) {
     // Old rule files are full of it.
     if CUBES.contains(&file.name.as_str()) {
         return insert_box(env, shape, mode);
@@ -79,7 +79,7 @@ pub(crate) fn z_up(mesh: &Mesh) -> Mesh {
     mesh.map(&glam::DAffine3 { matrix3: DMat3::from_cols(DVec3::X, DVec3::NEG_Z, DVec3::Y), translation: DVec3::ZERO })
 }
 
-fn insert_box(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
+fn insert_box(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
     fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()));
 }
@@ -91,7 +91,7 @@ const MARKER: (f64, f64) = (0.1, 1e-6);
 /// Marks the place of a missing asset: a box of 0.1 m, less along an axis where the scope has less, in the middle of the
 /// scope's xz plane and on its floor. A box as large as the scope would hide what is there. The scope is that of an asset
 /// of 1 m, so that it is as large as rules expect. The box is not trimmed, so that it is seen.
-fn mark(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
+fn mark(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
     let size = shape.scope.size.abs();
     let edges = (size * MARKER.1).max(DVec3::splat(MARKER.0)).min(size);
@@ -113,7 +113,7 @@ fn mark(env: &mut Env, shape: &mut ShapeRef<'_>, mode: InsertMode) {
     }
 }
 
-fn place(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>, mode: InsertMode) {
+fn place(env: &mut Env, shape: &mut Shape, mesh: Arc<Mesh>, mode: InsertMode) {
     let (low, size) = (mesh.bounds().low, mesh.bounds().size());
     arrange(env, shape, low, size, mode);
     shape.geometry = Geometry::Mesh(Arc::new(Placed { low, size, mesh, inserted: Inserted::Asset, mirrored: false }));
@@ -122,7 +122,7 @@ fn place(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>, mode: InsertM
 }
 
 /// Sets the scope for geometry with that low corner and size.
-fn arrange(env: &mut Env, shape: &mut ShapeRef<'_>, low: DVec3, size: DVec3, mode: InsertMode) {
+fn arrange(env: &mut Env, shape: &mut Shape, low: DVec3, size: DVec3, mode: InsertMode) {
     let before = shape.scope;
     match mode {
         InsertMode::AlignSizeAndPosition => fit(shape, low, size),
@@ -141,7 +141,7 @@ fn arrange(env: &mut Env, shape: &mut ShapeRef<'_>, low: DVec3, size: DVec3, mod
 
 /// Sets the scope for geometry with that low corner and size (*i operation*, zero sizes):
 /// with three sizes the geometry is fitted; the sizes that are zero follow from the others.
-pub(crate) fn fit(shape: &mut ShapeRef<'_>, low: DVec3, size: DVec3) {
+pub(crate) fn fit(shape: &mut Shape, low: DVec3, size: DVec3) {
     let scope = &mut shape.scope;
     let zero: Vec3Mask = scope.size.cmpeq(DVec3::ZERO).into();
     // A flat asset has no scale along its flat axis.

@@ -6,12 +6,12 @@ use crate::array::Array;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::material::{Color, Layer, Material, MaterialText, Named};
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Placed, Shape};
 use crate::text::Text;
 use crate::{func, set};
 
 /// `color("#rrggbb")` or `color("#rrggbboo")` (*color operation*). The short form leaves the opacity alone.
-pub fn color_hex(env: &mut Env, shape: &mut ShapeRef<'_>, hex: Text) {
+pub fn color_hex(env: &mut Env, shape: &mut Shape, hex: Text) {
     match parse_hex(&hex) {
         Some((color, opacity)) => shape.change_material(|material| {
             material.color = Some(color);
@@ -24,26 +24,26 @@ pub fn color_hex(env: &mut Env, shape: &mut ShapeRef<'_>, hex: Text) {
 }
 
 /// `color(r, g, b)`, each in 0..=1 (*color operation*).
-pub fn color_rgb(env: &mut Env, shape: &mut ShapeRef<'_>, r: f64, g: f64, b: f64) {
+pub fn color_rgb(env: &mut Env, shape: &mut Shape, r: f64, g: f64, b: f64) {
     let color = Color::new(env.finite(r, "red"), env.finite(g, "green"), env.finite(b, "blue"));
     shape.set_color(color);
 }
 
 /// `color(r, g, b, opacity)`, each in 0..=1 (*color operation*).
-pub fn color_rgba(env: &mut Env, shape: &mut ShapeRef<'_>, r: f64, g: f64, b: f64, opacity: f64) {
+pub fn color_rgba(env: &mut Env, shape: &mut Shape, r: f64, g: f64, b: f64, opacity: f64) {
     color_rgb(env, shape, r, g, b);
     let opacity = env.finite(opacity, "opacity").clamp(0.0, 1.0);
     shape.change_material(|material| material.opacity = Some(opacity));
 }
 
 /// `opacity(f)`, an old spelling of `set(material.opacity, f)` (*opacity operation*, 2019.1).
-pub fn opacity(env: &mut Env, shape: &mut ShapeRef<'_>, value: f64) {
+pub fn opacity(env: &mut Env, shape: &mut Shape, value: f64) {
     set::material_opacity(env, shape, value);
 }
 
 /// `texture(file)`: the colour map; empty text takes it away (*texture operation*). An opacity map is reset: whether the
 /// file has an alpha channel that would become one is not looked at.
-pub fn texture(_: &mut Env, shape: &mut ShapeRef<'_>, file: Text) {
+pub fn texture(_: &mut Env, shape: &mut Shape, file: Text) {
     shape.change_material(|material| {
         material.texture = Some(file);
         let opacity = MaterialText::Map(Layer::Opacity);
@@ -55,7 +55,7 @@ pub fn texture(_: &mut Env, shape: &mut ShapeRef<'_>, file: Text) {
 
 /// `setMaterial(material)`: attributes by name, without `material.`, each followed by its value as text (*setMaterial
 /// operation*). It is as if each was set alone; what has no such name, and a name without a value, leaves a fault.
-pub fn set_material(env: &mut Env, shape: &mut ShapeRef<'_>, material: Array<Text>) {
+pub fn set_material(env: &mut Env, shape: &mut Shape, material: Array<Text>) {
     let (pairs, rest) = material.as_slice().as_chunks::<2>();
     for [name, value] in pairs {
         match Named::find(name) {
@@ -86,7 +86,7 @@ pub enum MaterialTarget {
 }
 
 /// `resetMaterial(shape | geometry | all)`: back to the defaults (*resetMaterial operation*).
-pub fn reset_material(env: &mut Env, shape: &mut ShapeRef<'_>, target: MaterialTarget) {
+pub fn reset_material(env: &mut Env, shape: &mut Shape, target: MaterialTarget) {
     if target != MaterialTarget::Geometry && *shape.material() != Material::UNSET {
         shape.change_material(|material| *material = Material::UNSET);
     }

@@ -7,12 +7,12 @@ use glam::DVec3;
 use super::pivot::rearranged;
 use super::refit::as_placed;
 use crate::env::Env;
-use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, Shape};
 use crate::wire::PlacedWire;
 
 /// `mirror(x, y, z)`: mirrors the geometry about the middle of its scope, which stays (*mirror operation*). What looked
 /// outwards does so afterwards; texture coordinates stay with their corners.
-pub fn mirror(env: &mut Env, shape: &mut ShapeRef<'_>, x: bool, y: bool, z: bool) {
+pub fn mirror(env: &mut Env, shape: &mut Shape, x: bool, y: bool, z: bool) {
     let flips = [x, y, z];
     if let Geometry::Wire(placed) = &shape.geometry {
         let size = shape.scope.size;
@@ -57,7 +57,7 @@ fn unit_mirrored(geometry: &Geometry, flips: [bool; 3]) -> Option<Geometry> {
 
 /// `reverseNormals()`: turns every face over. The first edge of each stays, its ends changing places (*reverseNormals
 /// operation*).
-pub fn reverse_normals(env: &mut Env, shape: &mut ShapeRef<'_>) {
+pub fn reverse_normals(env: &mut Env, shape: &mut Shape) {
     let Some(placed) = as_placed(shape) else { return };
     if env.count_vertices(&placed.mesh).is_break() {
         return;

@@ -48,10 +48,10 @@ pub use trim::trim;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::scope::Scope;
-use crate::shape::ShapeRef;
+use crate::shape::Shape;
 
 /// Goes back to the scope before an operation when numbers that are finite one by one have led out of what a number holds.
-pub(crate) fn settle(env: &mut Env, shape: &mut ShapeRef<'_>, before: &Scope, what: &str) {
+pub(crate) fn settle(env: &mut Env, shape: &mut Shape, before: &Scope, what: &str) {
     if !shape.scope.is_bounded() {
         shape.scope = *before;
         env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
@@ -59,7 +59,7 @@ pub(crate) fn settle(env: &mut Env, shape: &mut ShapeRef<'_>, before: &Scope, wh
 }
 
 /// Marks geometry that does not come from the initial shape: its groups do not have that shape's name.
-pub(crate) fn inserted(env: &Env, shape: &mut ShapeRef<'_>) {
+pub(crate) fn inserted(env: &Env, shape: &mut Shape) {
     if !env.initial.name.is_empty() {
         shape.state.change().foreign = true;
     }

@@ -5,7 +5,7 @@ use crate::fault::FaultKind;
 use crate::mesh::OffsetFaces;
 use crate::mesh::offset::{OffsetError, offset as offset_mesh};
 use crate::scope::Scope;
-use crate::shape::{Geometry, ShapeRef};
+use crate::shape::{Geometry, Shape};
 use crate::unit::UnitMesh;
 
 /// `offset(distance, all | inside | border)`: each face becomes what is inside its outline moved inwards (a negative
@@ -20,7 +20,7 @@ use crate::unit::UnitMesh;
 ///
 /// A face that cannot be moved stays as it is, with a fault that names it: one without a normal, one that touches itself,
 /// one with more than 5000 corners. The time grows with the square of a face's corners, to a second at most for 5000.
-pub fn offset(env: &mut Env, shape: &mut ShapeRef<'_>, distance: f64, keep: OffsetFaces) {
+pub fn offset(env: &mut Env, shape: &mut Shape, distance: f64, keep: OffsetFaces) {
     let distance = env.finite(distance, "the distance of `offset`");
     if distance == 0.0 || !shape.geometry.has_surface() {
         return;
@@ -69,7 +69,7 @@ fn report(env: &mut Env, refused: &[(usize, OffsetError)]) {
 }
 
 /// A rectangle stays one: no mesh is needed. Whether that was so, or there is nothing to be done.
-fn rectangle(shape: &mut ShapeRef<'_>, distance: f64) -> bool {
+fn rectangle(shape: &mut Shape, distance: f64) -> bool {
     let Geometry::Rect(across, unit) = shape.geometry else { return false };
     let mut to = Scope { ..shape.scope };
     for axis in (0..3).filter(|&axis| axis != across.index()) {

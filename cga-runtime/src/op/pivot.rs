@@ -9,7 +9,7 @@ use super::settle;
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::scope::{Frame, Scope};
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Placed, Shape};
 use crate::wire::{PlacedWire, Wire};
 
 /// Which old axes the new ones are, at corner 0.
@@ -27,7 +27,7 @@ pub enum AxisMap {
 /// geometry stay, with these axes (*setPivot operation*). Corners 0 to 3 go around the floor from the origin over x, 4 to
 /// 7 are above them. What words leave open, the pictures show: y (for `xyz`) stays upright, and the order of the other two
 /// makes the axes right-handed. Of a mirrored scope the sizes keep their signs.
-pub fn set_pivot(env: &mut Env, shape: &mut ShapeRef<'_>, map: AxisMap, corner: f64) {
+pub fn set_pivot(env: &mut Env, shape: &mut Shape, map: AxisMap, corner: f64) {
     let wanted = env.finite(corner, "the corner of `setPivot`");
     if wanted != wanted.floor() || !(0.0..=7.0).contains(&wanted) {
         env.fault(FaultKind::Value, format!("`setPivot` has no corner {wanted}, only 0 to 7; the pivot stays"));
@@ -89,7 +89,7 @@ fn corner_axes(map: AxisMap, corner: usize) -> ([bool; 3], [usize; 3]) {
 }
 
 /// Puts the geometry into a scope of which each axis is an old one, some of them turned round.
-fn rearrange(env: &mut Env, shape: &mut ShapeRef<'_>, from: [usize; 3], turned: [bool; 3]) -> bool {
+fn rearrange(env: &mut Env, shape: &mut Shape, from: [usize; 3], turned: [bool; 3]) -> bool {
     let Some(placed) = as_placed(shape) else { return true };
     if env.count_vertices(&placed.mesh).is_break() {
         return false;
@@ -116,7 +116,7 @@ pub(super) fn rearranged(placed: &Placed, scope: DVec3, from: [usize; 3], turned
 
 /// `mirrorScope(x, y, z)`: the scope begins at its other end along the axes named and runs back, so that its size changes
 /// sign; geometry and pivot stay (*mirrorScope operation*).
-pub fn mirror_scope(env: &mut Env, shape: &mut ShapeRef<'_>, x: bool, y: bool, z: bool) {
+pub fn mirror_scope(env: &mut Env, shape: &mut Shape, x: bool, y: bool, z: bool) {
     let (before, size) = (shape.scope, shape.scope.size);
     let flips = |axis: usize| [x, y, z][axis] && size[axis] != 0.0;
     if !(flips(0) || flips(1) || flips(2)) {

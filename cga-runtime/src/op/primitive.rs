@@ -15,7 +15,7 @@ use crate::fault::FaultKind;
 use crate::mesh::Mesh;
 use crate::mesh::primitive::Made;
 use crate::scope::Axis;
-use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, Shape};
 use crate::unit::UnitMesh;
 
 /// Sides and divisions when none are given.
@@ -26,13 +26,13 @@ const MOST_SIDES: u32 = 100_000;
 const MOST_OF_SPHERE: u32 = 1000;
 
 /// `primitiveCube()`: faces are bottom, top, front, right, back, left (*primitiveCube operation*).
-pub fn cube(env: &mut Env, shape: &mut ShapeRef<'_>) {
+pub fn cube(env: &mut Env, shape: &mut Shape) {
     fit(shape, DVec3::ZERO, DVec3::ONE);
     fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()));
 }
 
 /// `primitiveCube(width, height, depth)` (*primitiveCube operation*).
-pub fn cube_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, height: f64, depth: f64) {
+pub fn cube_sized(env: &mut Env, shape: &mut Shape, width: f64, height: f64, depth: f64) {
     let size =
         DVec3::new(env.finite(width, "the width"), env.finite(height, "the height"), env.finite(depth, "the depth"));
     stand(env, shape, size, Axis::Y);
@@ -40,49 +40,49 @@ pub fn cube_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, height: f
 }
 
 /// `primitiveCylinder()`, with 16 sides, along y (*primitiveCylinder operation*).
-pub fn cylinder(env: &mut Env, shape: &mut ShapeRef<'_>) {
+pub fn cylinder(env: &mut Env, shape: &mut Shape) {
     cylinder_sides(env, shape, f64::from(USUAL));
 }
 
 /// `primitiveCylinder(sides)` (*primitiveCylinder operation*).
-pub fn cylinder_sides(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64) {
+pub fn cylinder_sides(env: &mut Env, shape: &mut Shape, sides: f64) {
     let sides = count(env, sides, "sides of a cylinder", 3, MOST_SIDES);
     fill(env, shape, Made::Cylinder { sides });
 }
 
 /// `primitiveCylinder(sides, radius, height)` (*primitiveCylinder operation*).
-pub fn cylinder_sized(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64, radius: f64, height: f64) {
+pub fn cylinder_sized(env: &mut Env, shape: &mut Shape, sides: f64, radius: f64, height: f64) {
     let sides = count(env, sides, "sides of a cylinder", 3, MOST_SIDES);
     let (across, height) = (2.0 * env.finite(radius, "the radius"), env.finite(height, "the height"));
     fill_to_size(env, shape, Made::Cylinder { sides }, DVec3::new(across, height, across), Axis::Y);
 }
 
 /// `primitiveCone()` and `primitiveCone(sides)`, along y, its tip up (*primitiveCone operation*).
-pub fn cone(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64) {
+pub fn cone(env: &mut Env, shape: &mut Shape, sides: f64) {
     let sides = count(env, sides, "sides of a cone", 3, MOST_SIDES);
     fill(env, shape, Made::Cone { sides });
 }
 
 /// `primitiveCone(sides, radius, height)` (*primitiveCone operation*).
-pub fn cone_sized(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64, radius: f64, height: f64) {
+pub fn cone_sized(env: &mut Env, shape: &mut Shape, sides: f64, radius: f64, height: f64) {
     let sides = count(env, sides, "sides of a cone", 3, MOST_SIDES);
     let (across, height) = (2.0 * env.finite(radius, "the radius"), env.finite(height, "the height"));
     fill_to_size(env, shape, Made::Cone { sides }, DVec3::new(across, height, across), Axis::Y);
 }
 
 /// `primitiveSphere()`, with 16 sides and 16 divisions (*primitiveSphere operation*).
-pub fn sphere(env: &mut Env, shape: &mut ShapeRef<'_>) {
+pub fn sphere(env: &mut Env, shape: &mut Shape) {
     sphere_sides(env, shape, f64::from(USUAL), f64::from(USUAL));
 }
 
 /// `primitiveSphere(sides, divisions)` (*primitiveSphere operation*).
-pub fn sphere_sides(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64, divisions: f64) {
+pub fn sphere_sides(env: &mut Env, shape: &mut Shape, sides: f64, divisions: f64) {
     let made = sphere_of(env, sides, divisions);
     fill(env, shape, made);
 }
 
 /// `primitiveSphere(sides, divisions, radius)` (*primitiveSphere operation*).
-pub fn sphere_sized(env: &mut Env, shape: &mut ShapeRef<'_>, sides: f64, divisions: f64, radius: f64) {
+pub fn sphere_sized(env: &mut Env, shape: &mut Shape, sides: f64, divisions: f64, radius: f64) {
     let made = sphere_of(env, sides, divisions);
     let size = DVec3::splat(2.0 * env.finite(radius, "the radius"));
     fill_to_size(env, shape, made, size, Axis::Y);
@@ -96,7 +96,7 @@ fn sphere_of(env: &mut Env, sides: f64, divisions: f64) -> Made {
 }
 
 /// `primitiveDisk()` and `primitiveDisk(nVertices)` (*primitiveDisk operation*).
-pub fn disk(env: &mut Env, shape: &mut ShapeRef<'_>, vertices: f64) {
+pub fn disk(env: &mut Env, shape: &mut Shape, vertices: f64) {
     let sides = count(env, vertices, "vertices of a disk", 3, MOST_SIDES);
     let across = across(shape);
     let Some(mesh) = env.primitive(Made::Disk { sides, across }) else { return };
@@ -105,7 +105,7 @@ pub fn disk(env: &mut Env, shape: &mut ShapeRef<'_>, vertices: f64) {
 }
 
 /// `primitiveDisk(nVertices, radius)` (*primitiveDisk operation*).
-pub fn disk_sized(env: &mut Env, shape: &mut ShapeRef<'_>, vertices: f64, radius: f64) {
+pub fn disk_sized(env: &mut Env, shape: &mut Shape, vertices: f64, radius: f64) {
     let sides = count(env, vertices, "vertices of a disk", 3, MOST_SIDES);
     let across = across(shape);
     let mut size = DVec3::splat(2.0 * env.finite(radius, "the radius"));
@@ -114,7 +114,7 @@ pub fn disk_sized(env: &mut Env, shape: &mut ShapeRef<'_>, vertices: f64, radius
 }
 
 /// `primitiveQuad()` (*primitiveQuad operation*).
-pub fn quad(env: &mut Env, shape: &mut ShapeRef<'_>) {
+pub fn quad(env: &mut Env, shape: &mut Shape) {
     let across = across(shape);
     fit_flat(shape, across);
     put_quad(env, shape, across);
@@ -122,7 +122,7 @@ pub fn quad(env: &mut Env, shape: &mut ShapeRef<'_>) {
 
 /// `primitiveQuad(width, length)` (*primitiveQuad operation*). The width is along x, or along y where the scope has no size
 /// along x; the length along z, or along y.
-pub fn quad_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, length: f64) {
+pub fn quad_sized(env: &mut Env, shape: &mut Shape, width: f64, length: f64) {
     let (width, length) = (env.finite(width, "the width"), env.finite(length, "the length"));
     let across = across(shape);
     let size = match across {
@@ -135,7 +135,7 @@ pub fn quad_sized(env: &mut Env, shape: &mut ShapeRef<'_>, width: f64, length: f
 }
 
 /// The one axis along which the scope has no size, else y.
-fn across(shape: &ShapeRef<'_>) -> Axis {
+fn across(shape: &Shape) -> Axis {
     let flat: [bool; 3] = shape.scope.size.cmpeq(DVec3::ZERO).into();
     match flat {
         [true, false, false] => Axis::X,
@@ -145,7 +145,7 @@ fn across(shape: &ShapeRef<'_>) -> Axis {
 }
 
 /// Sets the scope for something flat across an axis.
-fn fit_flat(shape: &mut ShapeRef<'_>, across: Axis) {
+fn fit_flat(shape: &mut Shape, across: Axis) {
     if across == Axis::Y {
         fit(shape, DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0));
     }
@@ -153,7 +153,7 @@ fn fit_flat(shape: &mut ShapeRef<'_>, across: Axis) {
 }
 
 /// A rectangle. Rectangles without a mesh begin otherwise where they lie across x.
-fn put_quad(env: &mut Env, shape: &mut ShapeRef<'_>, across: Axis) {
+fn put_quad(env: &mut Env, shape: &mut Shape, across: Axis) {
     if across != Axis::X {
         fill_plainly(env, shape, Geometry::Rect(across, UnitMesh::quad(across)));
     } else if let Some(mesh) = env.primitive(Made::Square { across }) {
@@ -162,21 +162,21 @@ fn put_quad(env: &mut Env, shape: &mut ShapeRef<'_>, across: Axis) {
 }
 
 /// Fills the scope, zero sizes following the rules of `i`.
-fn fill(env: &mut Env, shape: &mut ShapeRef<'_>, made: Made) {
+fn fill(env: &mut Env, shape: &mut Shape, made: Made) {
     let Some(mesh) = env.primitive(made) else { return };
     fit(shape, DVec3::ZERO, DVec3::ONE);
     put(env, shape, mesh);
 }
 
 /// Puts a primitive into the scope that is made in a box of that size.
-fn fill_to_size(env: &mut Env, shape: &mut ShapeRef<'_>, made: Made, size: DVec3, across: Axis) {
+fn fill_to_size(env: &mut Env, shape: &mut Shape, made: Made, size: DVec3, across: Axis) {
     let Some(mesh) = env.primitive(made) else { return };
     stand(env, shape, mesh.bounds().size() * size, across);
     put(env, shape, mesh);
 }
 
 /// Replaces the geometry by a box or a rectangle.
-pub(super) fn fill_plainly(env: &mut Env, shape: &mut ShapeRef<'_>, geometry: Geometry) {
+pub(super) fn fill_plainly(env: &mut Env, shape: &mut Shape, geometry: Geometry) {
     shape.geometry = geometry;
     super::inserted(env, shape);
     if env.initial.as_meshes || shape.geometry.unit_pressed_flat(shape.scope.size).is_some() {
@@ -186,7 +186,7 @@ pub(super) fn fill_plainly(env: &mut Env, shape: &mut ShapeRef<'_>, geometry: Ge
 }
 
 /// Replaces the geometry by a mesh stretched to the scope.
-fn put(env: &mut Env, shape: &mut ShapeRef<'_>, mesh: Arc<Mesh>) {
+fn put(env: &mut Env, shape: &mut Shape, mesh: Arc<Mesh>) {
     let bounds = mesh.bounds();
     let placed = Placed { mesh, low: bounds.low, size: bounds.size(), inserted: Inserted::Asset, mirrored: false };
     shape.geometry = Geometry::Mesh(Arc::new(placed));
@@ -207,7 +207,7 @@ fn count(env: &mut Env, wanted: f64, what: &str, least: u32, most: u32) -> u32 {
 }
 
 /// Gives the scope a size, in the middle of its old plane across an axis and on its floor.
-fn stand(env: &mut Env, shape: &mut ShapeRef<'_>, size: DVec3, across: Axis) {
+fn stand(env: &mut Env, shape: &mut Shape, size: DVec3, across: Axis) {
     let before = shape.scope;
     let mut room = (shape.scope.size - size) * 0.5;
     room[across.index()] = 0.0;
@@ -237,7 +237,7 @@ mod tests {
         shape
     }
 
-    type Fill = fn(&mut Env, &mut ShapeRef<'_>);
+    type Fill = fn(&mut Env, &mut Shape);
 
     /// All that are solid, without sizes.
     const SOLID: [Fill; 4] =

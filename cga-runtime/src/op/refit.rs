@@ -9,7 +9,7 @@ use crate::fault::FaultKind;
 use crate::mesh::Bounds;
 use crate::place;
 use crate::scope::{Axis, Frame, Scope};
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Placed, Shape};
 use crate::tol::ANGLE_EPSILON;
 use crate::unit::UnitMesh;
 use crate::wire::{PlacedWire, Wire};
@@ -17,7 +17,7 @@ use crate::wire::{PlacedWire, Wire};
 /// Gives the scope other axes and makes it the box of the geometry along these. Says whether it did: not so with a fault,
 /// or at a limit. A box whose axes stay is a box still, and a rectangle whose edges follow the new axes as they would have
 /// to is a rectangle.
-pub(super) fn refit(env: &mut Env, shape: &mut ShapeRef<'_>, axes: DMat3, what: &str) -> bool {
+pub(super) fn refit(env: &mut Env, shape: &mut Shape, axes: DMat3, what: &str) -> bool {
     let scope = shape.scope;
     // The new axes as the old scope sees them.
     let turn = scope.axes.transpose() * axes;
@@ -139,7 +139,7 @@ fn flattened(points: &[DVec3]) -> Option<Vec<DVec3>> {
 
 /// The geometry of a shape with a surface as a mesh and the box that the scope stretches it from, whatever the signs of
 /// the sizes.
-pub(super) fn as_placed(shape: &ShapeRef<'_>) -> Option<Placed> {
+pub(super) fn as_placed(shape: &Shape) -> Option<Placed> {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => None,
         Geometry::Mesh(placed) => Some(Placed::clone(placed)),

@@ -2,24 +2,24 @@
 
 use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::shape::ShapeRef;
+use crate::shape::Shape;
 use crate::text::Text;
 use crate::value::Value;
 
 /// `report(key, value)`: adds a number, a truth value or text to the collection of that key and type (*report
 /// operation*). Numbers need not be finite: those that are none are counted.
-pub fn report(env: &mut Env, _: &mut ShapeRef<'_>, key: Text, value: impl Into<Value>) {
+pub fn report(env: &mut Env, _: &mut Shape, key: Text, value: impl Into<Value>) {
     env.report(key, value.into());
 }
 
 /// `print(value)`: keeps a line with the model (*print operation*).
-pub fn print(env: &mut Env, _: &mut ShapeRef<'_>, value: impl Into<Value>) {
+pub fn print(env: &mut Env, _: &mut Shape, value: impl Into<Value>) {
     env.print(value.into());
 }
 
 /// `label(name)`: a labelled copy of the shape for context and occlusion queries (*label operation*). There are no such
 /// queries yet, so nothing is stored; a name that is empty leaves a fault.
-pub fn label(env: &mut Env, _: &mut ShapeRef<'_>, name: Text) {
+pub fn label(env: &mut Env, _: &mut Shape, name: Text) {
     if name.is_empty() {
         env.fault(FaultKind::Value, "a label must not be empty; the shape gets none");
     }

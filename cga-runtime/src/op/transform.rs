@@ -6,10 +6,10 @@ use super::{Length, settle};
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::scope::Scope;
-use crate::shape::ShapeRef;
+use crate::shape::Shape;
 
 /// `t(x, y, z)`: moves along the scope's own axes (*t operation*).
-pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) {
+pub fn translate(env: &mut Env, shape: &mut Shape, x: Length, y: Length, z: Length) {
     let size = shape.scope.size;
     let by = DVec3::new(
         x.of(size.x, env, "`t` along x"),
@@ -23,7 +23,7 @@ pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, 
 
 /// `s(x, y, z)`: sets the size; the origin corner stays (*s operation*). A size beyond 1e149 m leaves the scope's own along
 /// that axis.
-pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) {
+pub fn size(env: &mut Env, shape: &mut Shape, x: Length, y: Length, z: Length) {
     let old = shape.scope.size;
     let mut new =
         DVec3::new(x.of(old.x, env, "`s` along x"), y.of(old.y, env, "`s` along y"), z.of(old.z, env, "`s` along z"));
@@ -36,7 +36,7 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
 }
 
 /// `r(x, y, z)`: turns about the pivot's axes, x then y then z, around the scope's origin (*r operation*).
-pub fn rotate(env: &mut Env, shape: &mut ShapeRef<'_>, x: f64, y: f64, z: f64) {
+pub fn rotate(env: &mut Env, shape: &mut Shape, x: f64, y: f64, z: f64) {
     rotate_about(env, shape, RotateAbout::ScopeOrigin, x, y, z);
 }
 
@@ -50,7 +50,7 @@ pub enum RotateAbout {
 }
 
 /// `r(scopeOrigin | scopeCenter, x, y, z)` (*r operation*).
-pub fn rotate_about(env: &mut Env, shape: &mut ShapeRef<'_>, about: RotateAbout, x: f64, y: f64, z: f64) {
+pub fn rotate_about(env: &mut Env, shape: &mut Shape, about: RotateAbout, x: f64, y: f64, z: f64) {
     let turn = turn(env.finite(x, "`r` about x"), env.finite(y, "`r` about y"), env.finite(z, "`r` about z"));
     let (before, centre) = (shape.scope, shape.scope.centre());
     shape.scope.axes = shape.pivot.axes * turn * shape.pivot.axes.transpose() * shape.scope.axes;
@@ -108,7 +108,7 @@ pub enum CenterAxes {
 
 /// `center(axes)`: moves the scope so that its centre is that of `base`, along the axes named (*center operation*).
 /// `base` is the scope at the start of the rule, bracket or part.
-pub fn center(env: &mut Env, shape: &mut ShapeRef<'_>, base: &Scope, axes: CenterAxes) {
+pub fn center(env: &mut Env, shape: &mut Shape, base: &Scope, axes: CenterAxes) {
     use CenterAxes::{X, Xy, Xyz, Xz, Y, Yz, Z};
     let along = DVec3::new(
         if matches!(axes, X | Xy | Xz | Xyz) { 1.0 } else { 0.0 },

@@ -7,13 +7,13 @@ use glam::{DAffine3, DVec3};
 use super::refit::as_placed;
 use crate::cut::{self, Plane};
 use crate::env::Env;
-use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, Shape};
 use crate::tol::PLANAR_EPSILON;
 use crate::trim::{TrimPlane, Trims};
 
 /// `trim()`: cuts the geometry at the shape's trim planes, those that `trim.vertical` and `trim.horizontal` have switched on
 /// (*trim operation*). It stays open where it is cut, and the scope stays as it is.
-pub fn trim(_: &mut Env, shape: &mut ShapeRef<'_>) {
+pub fn trim(_: &mut Env, shape: &mut Shape) {
     if matches!(shape.trims, Trims::None) || !shape.geometry.has_surface() {
         return;
     }
@@ -25,7 +25,7 @@ pub fn trim(_: &mut Env, shape: &mut ShapeRef<'_>) {
     }
 }
 
-fn cut(shape: &mut ShapeRef<'_>, plane: &TrimPlane) {
+fn cut(shape: &mut Shape, plane: &TrimPlane) {
     let scope = shape.scope;
     let local = Plane { point: scope.frame().to_local(plane.point), normal: scope.axes.transpose() * plane.normal };
     let near = PLANAR_EPSILON * scope.size.abs().max_element();
@@ -67,7 +67,7 @@ mod tests {
     use crate::unit::UnitMesh;
 
     /// What some work makes of each face, by number.
-    fn on_faces(shape: &Shape, mut work: impl FnMut(&mut Env, &mut ShapeRef<'_>) -> f64) -> Vec<f64> {
+    fn on_faces(shape: &Shape, mut work: impl FnMut(&mut Env, &mut Shape) -> f64) -> Vec<f64> {
         let arms = [Arm { select: Select::Word(Word::All), mode: Mode::Each, text: "all" }];
         let (env, mut shape) = (&mut Env::for_tests(), shape.clone());
         comp_values(env, &mut shape, Components::Faces, Align::ZUp, &arms, never, |env, _, part| work(env, part))
@@ -76,13 +76,13 @@ mod tests {
     }
 
     /// A slab two metres thick on the face, half a metre wider on all sides.
-    fn cover(env: &mut Env, part: &mut ShapeRef<'_>) {
+    fn cover(env: &mut Env, part: &mut Shape) {
         part.scope.origin -= part.scope.axes * DVec3::new(0.5, 0.5, 1.0);
         part.scope.size += DVec3::new(1.0, 1.0, 2.0);
         op::cube(env, part);
     }
 
-    fn extent(shape: &ShapeRef<'_>) -> DVec3 {
+    fn extent(shape: &Shape) -> DVec3 {
         shape.to_mesh().bounds().size()
     }
 
@@ -114,7 +114,7 @@ mod tests {
 
     #[test]
     fn what_is_cut_in_a_mirrored_scope_is_divided_as_it_lies() {
-        let halves = |y: f64, work: fn(&mut Env, &mut ShapeRef<'_>)| {
+        let halves = |y: f64, work: fn(&mut Env, &mut Shape)| {
             on_faces(&Shape::cuboid(3.0, 4.0, 5.0), |env, part| {
                 part.scope.size += DVec3::new(5.0, 0.0, 4.0);
                 part.scope.origin +=
@@ -247,7 +247,7 @@ mod tests {
     fn a_part_of_a_face_keeps_its_planes_and_parts_of_parts_add_theirs() {
         on_faces(&Shape::cuboid(10.0, 8.0, 6.0), |_, part| {
             assert_eq!(part.trims.planes(&part.pivot).len(), 4);
-            let mut inner = part.detach();
+            let mut inner = part.clone();
             inner.scope.size.z = 2.0;
             inner.geometry = Geometry::Box(UnitMesh::cuboid());
             on_faces(&inner, |_, part| {

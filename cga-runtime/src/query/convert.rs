@@ -7,7 +7,7 @@ use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::op::{angles, turn};
 use crate::scope::{Axis, Frame};
-use crate::shape::ShapeRef;
+use crate::shape::Shape;
 
 /// A coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub enum System {
 
 impl System {
     /// Where it starts and how it lies.
-    pub(crate) fn frame(self, env: &Env, shape: &ShapeRef<'_>) -> Frame {
+    pub(crate) fn frame(self, env: &Env, shape: &Shape) -> Frame {
         match self {
             System::Scope => shape.scope.frame(),
             System::Pivot => shape.pivot,
@@ -47,7 +47,7 @@ pub enum ConvertWhat {
 #[allow(clippy::too_many_arguments, reason = "they are those of the language")]
 pub fn convert(
     env: &mut Env,
-    shape: &ShapeRef<'_>,
+    shape: &Shape,
     axis: Axis,
     from: System,
     to: System,
@@ -63,7 +63,7 @@ pub fn convert(
 /// more than three are left out, both with a fault.
 pub fn convert_array(
     env: &mut Env,
-    shape: &ShapeRef<'_>,
+    shape: &Shape,
     from: System,
     to: System,
     what: ConvertWhat,
@@ -78,7 +78,7 @@ pub fn convert_array(
 
 pub(super) fn convert_all(
     env: &mut Env,
-    shape: &ShapeRef<'_>,
+    shape: &Shape,
     from: System,
     to: System,
     what: ConvertWhat,

@@ -3,11 +3,11 @@
 use crate::array::Array;
 use crate::env::Env;
 use crate::mesh::{FaceTag, Mesh};
-use crate::shape::{Geometry, ShapeRef};
+use crate::shape::{Geometry, Shape};
 use crate::text::Text;
 
 /// `geometry.nVertices()` (*geometry.nVertices function*): those that faces share count once.
-pub fn geometry_n_vertices(shape: &ShapeRef<'_>) -> f64 {
+pub fn geometry_n_vertices(shape: &Shape) -> f64 {
     match &shape.geometry {
         Geometry::Empty => 0.0,
         Geometry::Vertex => 1.0,
@@ -20,7 +20,7 @@ pub fn geometry_n_vertices(shape: &ShapeRef<'_>) -> f64 {
 }
 
 /// `geometry.nFaces()` (*geometry.nFaces function*).
-pub fn geometry_n_faces(shape: &ShapeRef<'_>) -> f64 {
+pub fn geometry_n_faces(shape: &Shape) -> f64 {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => 0.0,
         Geometry::Rect(..) => 1.0,
@@ -30,7 +30,7 @@ pub fn geometry_n_faces(shape: &ShapeRef<'_>) -> f64 {
 }
 
 /// `geometry.nEdges()` (*geometry.nEdges function*): those that faces share count once.
-pub fn geometry_n_edges(shape: &ShapeRef<'_>) -> f64 {
+pub fn geometry_n_edges(shape: &Shape) -> f64 {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex => 0.0,
         Geometry::Edge => 1.0,
@@ -42,7 +42,7 @@ pub fn geometry_n_edges(shape: &ShapeRef<'_>) -> f64 {
 }
 
 /// `geometry.nHoles()`: holes in faces (*geometry.nHoles function*).
-pub fn geometry_n_holes(shape: &ShapeRef<'_>) -> f64 {
+pub fn geometry_n_holes(shape: &Shape) -> f64 {
     match &shape.geometry {
         Geometry::Mesh(placed) => placed.mesh.faces().map(|face| face.holes().len()).sum::<usize>() as f64,
         _ => 0.0,
@@ -52,7 +52,7 @@ pub fn geometry_n_holes(shape: &ShapeRef<'_>) -> f64 {
 /// `geometry.groups()`: the names of the groups that have faces, in their order; faces without a group come last
 /// (*geometry.groups function*). Those of the initial shape are under its name (*CGA changelog 2021.0*), inserted ones under
 /// an empty name.
-pub fn geometry_groups(env: &Env, shape: &ShapeRef<'_>) -> Array<Text> {
+pub fn geometry_groups(env: &Env, shape: &Shape) -> Array<Text> {
     let is_foreign = shape.state.get().is_some_and(|state| state.foreign);
     let nameless = if is_foreign { Text::default() } else { env.initial.name.clone() };
     names(shape, |tag| tag.group, |mesh, id| mesh.groups().get(id).map(|name| Text::from(name.as_str())), nameless)
@@ -60,13 +60,13 @@ pub fn geometry_groups(env: &Env, shape: &ShapeRef<'_>) -> Array<Text> {
 
 /// `geometry.materials()`: the names of the materials that faces have, in their order; faces without a material come last,
 /// under an empty name (*geometry.materials function*).
-pub fn geometry_materials(shape: &ShapeRef<'_>) -> Array<Text> {
+pub fn geometry_materials(shape: &Shape) -> Array<Text> {
     let name = |mesh: &Mesh, id: usize| mesh.materials().get(id).and_then(|look| look.name.clone());
     names(shape, |tag| tag.material, name, Text::default())
 }
 
 fn names(
-    shape: &ShapeRef<'_>,
+    shape: &Shape,
     id: fn(&FaceTag) -> u32,
     name: fn(&Mesh, usize) -> Option<Text>,
     nameless: Text,

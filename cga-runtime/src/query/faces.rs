@@ -6,11 +6,11 @@ use crate::comp::looks::Looks;
 use crate::comp::select::{Sense, Word};
 use crate::env::Env;
 use crate::place;
-use crate::shape::{Geometry, ShapeRef};
+use crate::shape::{Geometry, Shape};
 
 /// Calls with the area, in square metres, of every face that looks where a word says (*geometry.area function*,
 /// *geometry.isOriented function*); other words than those for directions take all. A face without area looks nowhere.
-pub(super) fn selected(env: &Env, shape: &ShapeRef<'_>, word: Word, mut each: impl FnMut(f64)) {
+pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMut(f64)) {
     let looks = Looks::of(env, shape);
     area_vectors(shape, |vector, at| {
         let length = vector.length();
@@ -25,7 +25,7 @@ pub(super) fn selected(env: &Env, shape: &ShapeRef<'_>, word: Word, mut each: im
 }
 
 /// Calls with the area of every face along its normal, and a point of it, in scope coordinates.
-pub(super) fn area_vectors(shape: &ShapeRef<'_>, mut each: impl FnMut(DVec3, DVec3)) {
+pub(super) fn area_vectors(shape: &Shape, mut each: impl FnMut(DVec3, DVec3)) {
     let local = crate::scope::Scope::new(shape.scope.size);
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => {}

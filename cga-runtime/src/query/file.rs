@@ -3,7 +3,7 @@
 use crate::array::Array;
 use crate::asset::{AssetError, File, image};
 use crate::env::Env;
-use crate::shape::ShapeRef;
+use crate::shape::view::View;
 use crate::text::Text;
 
 /// The longest text that is read, in bytes.
@@ -43,8 +43,8 @@ pub fn files_search(env: &mut Env, query: File) -> Array<Text> {
 
 /// `fileRandom(query)`: one of the files that it finds, by chance; empty without any (*fileRandom*). It uses up one random
 /// number in any case.
-pub fn file_random(env: &mut Env, shape: &mut ShapeRef<'_>, query: File) -> Text {
-    let (draw, found) = (shape.seed.draw(), env.files(&query));
+pub fn file_random(env: &mut Env, shape: &mut impl View, query: File) -> Text {
+    let (draw, found) = (shape.draw(), env.files(&query));
     found.get((draw * found.len() as f64) as usize).cloned().unwrap_or_default()
 }
 

@@ -6,12 +6,12 @@ use super::faces::selected;
 use crate::comp::select::Word;
 use crate::env::Env;
 use crate::mesh::{FaceRef, unit};
-use crate::shape::{Geometry, Inserted, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, Shape};
 use crate::tol::{ANGLE_EPSILON, STRAIGHT_EPSILON};
 
 /// `geometry.isConcave()`: whether a face turns inwards somewhere (*geometry.isConcave function*). Corners that go straight
 /// on do not; a face with a hole does.
-pub fn geometry_is_concave(shape: &ShapeRef<'_>) -> bool {
+pub fn geometry_is_concave(shape: &Shape) -> bool {
     let Geometry::Mesh(placed) = &shape.geometry else { return false };
     let stretch = placed.stretch(shape.scope.size);
     placed.mesh.faces().any(|face| {
@@ -23,7 +23,7 @@ pub fn geometry_is_concave(shape: &ShapeRef<'_>) -> bool {
 
 /// `geometry.isRectangular(tolerance)`: whether there are faces, and all have four vertices and right angles within so many
 /// degrees (*geometry.isRectangular function*). A side without length has no angles.
-pub fn geometry_is_rectangular(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f64) -> bool {
+pub fn geometry_is_rectangular(env: &mut Env, shape: &Shape, tolerance: f64) -> bool {
     let tolerance = env.finite(tolerance, "the tolerance");
     let long = |axis: usize| shape.scope.size[axis] != 0.0;
     match &shape.geometry {
@@ -45,7 +45,7 @@ pub fn geometry_is_rectangular(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f
 
 /// `geometry.isPlanar(tolerance)`: whether there are faces, and none has a corner whose two edges lie in a plane that is off
 /// its own by more than so many degrees (*geometry.isPlanar function*). Corners that go straight on say nothing.
-pub fn geometry_is_planar(env: &mut Env, shape: &ShapeRef<'_>, tolerance: f64) -> bool {
+pub fn geometry_is_planar(env: &mut Env, shape: &Shape, tolerance: f64) -> bool {
     let tolerance = env.finite(tolerance, "the tolerance");
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => false,
@@ -70,14 +70,14 @@ fn is_planar(placed: &Placed, size: DVec3, tolerance: f64) -> bool {
 }
 
 /// `geometry.isOriented(selector)`: whether a face looks there (*geometry.isOriented function*).
-pub fn geometry_is_oriented(env: &Env, shape: &ShapeRef<'_>, selector: Word) -> bool {
+pub fn geometry_is_oriented(env: &Env, shape: &Shape, selector: Word) -> bool {
     let mut any = false;
     selected(env, shape, selector, |_| any = true);
     any
 }
 
 /// `geometry.isClosedSurface()`: whether there are faces, and two of them at every edge (*geometry.isClosedSurface function*).
-pub fn geometry_is_closed_surface(shape: &ShapeRef<'_>) -> bool {
+pub fn geometry_is_closed_surface(shape: &Shape) -> bool {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(..) => false,
         Geometry::Box(_) => true,
@@ -90,7 +90,7 @@ pub fn geometry_is_closed_surface(shape: &ShapeRef<'_>) -> bool {
 
 /// `geometry.isInstanced()`: whether the geometry is an asset or a primitive that nothing has changed since it was inserted
 /// (*geometry.isInstanced function*; *Built-in assets* has the primitives). A new size or place changes nothing.
-pub fn geometry_is_instanced(shape: &ShapeRef<'_>) -> bool {
+pub fn geometry_is_instanced(shape: &Shape) -> bool {
     shape.geometry.inserted() != Inserted::No
 }
 

@@ -4,7 +4,7 @@ use crate::array::Array;
 use crate::env::Env;
 use crate::func::{bool_to_text, float_to_text};
 use crate::material::{MATERIAL_NUMBERS, MATERIAL_TEXTS, Material};
-use crate::shape::ShapeRef;
+use crate::shape::Shape;
 use crate::text::Text;
 
 /// Which material `getMaterial` reads.
@@ -29,7 +29,7 @@ pub enum MaterialMode {
 
 /// `getMaterial(used | shape | geometry, changed | all)`: a row for each attribute, its name and its value, sorted by name
 /// (*getMaterial function*). `setMaterial` takes it.
-pub fn get_material(env: &mut Env, shape: &ShapeRef<'_>, source: MaterialSource, mode: MaterialMode) -> Array<Text> {
+pub fn get_material(env: &mut Env, shape: &Shape, source: MaterialSource, mode: MaterialMode) -> Array<Text> {
     let own = || shape.own_material().unwrap_or(&Material::UNSET);
     let material = match source {
         MaterialSource::Shape => shape.material().clone(),

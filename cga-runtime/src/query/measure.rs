@@ -6,12 +6,12 @@ use super::faces::{area_vectors, selected};
 use crate::comp::select::Word;
 use crate::env::Env;
 use crate::scope::Axis;
-use crate::shape::{Geometry, ShapeRef};
+use crate::shape::{Geometry, Shape};
 use crate::tol::{ANGLE_EPSILON, TIE_EPSILON};
 
 /// `geometry.area(selector)`: the sum of the areas of the faces, holes taken off, in square metres (*geometry.area
 /// function*).
-pub fn geometry_area(env: &Env, shape: &ShapeRef<'_>, selector: Word) -> f64 {
+pub fn geometry_area(env: &Env, shape: &Shape, selector: Word) -> f64 {
     let size = shape.scope.size.abs();
     match &shape.geometry {
         Geometry::Rect(axis, _) if selector == Word::All => match axis {
@@ -31,7 +31,7 @@ pub fn geometry_area(env: &Env, shape: &ShapeRef<'_>, selector: Word) -> f64 {
 /// `geometry.volume()`: what the faces enclose, in cubic metres (*geometry.volume function*). Never negative: a shape that is
 /// inside out holds as much as before. Flat geometry has none; of an open mesh it is that of the cones from the faces to the
 /// middle.
-pub fn geometry_volume(shape: &ShapeRef<'_>) -> f64 {
+pub fn geometry_volume(shape: &Shape) -> f64 {
     let size = shape.scope.size;
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(..) => 0.0,
@@ -45,7 +45,7 @@ pub fn geometry_volume(shape: &ShapeRef<'_>) -> f64 {
 }
 
 /// `geometry.height()`: from the lowest to the highest point in the world, in metres (*geometry.height function*).
-pub fn geometry_height(shape: &ShapeRef<'_>) -> f64 {
+pub fn geometry_height(shape: &Shape) -> f64 {
     let (size, axes) = (shape.scope.size, shape.scope.axes);
     let rise = DVec3::new(axes.x_axis.y, axes.y_axis.y, axes.z_axis.y);
     match &shape.geometry {
@@ -74,7 +74,7 @@ pub fn geometry_height(shape: &ShapeRef<'_>) -> f64 {
 
 /// `geometry.boundaryLength()`: the length of all edges that no more than one face has, in metres
 /// (*geometry.boundaryLength function*).
-pub fn geometry_boundary_length(shape: &ShapeRef<'_>) -> f64 {
+pub fn geometry_boundary_length(shape: &Shape) -> f64 {
     let size = shape.scope.size;
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Box(_) => 0.0,
@@ -110,7 +110,7 @@ pub enum AngleType {
 
 /// `geometry.angle(maxSlope | azimuth | zenith)`, in degrees (*geometry.angle function*). Slopes are those of the world; of
 /// equally steep faces the first counts.
-pub fn geometry_angle(shape: &ShapeRef<'_>, angle: AngleType) -> f64 {
+pub fn geometry_angle(shape: &Shape, angle: AngleType) -> f64 {
     let mut steepest = (0.0, 0.0);
     area_vectors(shape, |vector, _| {
         let normal = shape.scope.axes * crate::mesh::unit(vector);

@@ -85,7 +85,7 @@ fn measures(env: &mut Env, shape: &Shape) -> Vec<f64> {
     let mut list: Vec<f64> = SELECTORS.iter().map(|&selector| geometry_area(env, shape, selector)).collect();
     list.extend(SELECTORS.iter().map(|&selector| flag(geometry_is_oriented(env, shape, selector))));
     list.extend(ANGLES.iter().map(|&angle| geometry_angle(shape, angle)));
-    let plain: [fn(&crate::shape::ShapeRef<'_>) -> f64; 7] = [
+    let plain: [fn(&crate::shape::Shape) -> f64; 7] = [
         |s| geometry_volume(s),
         |s| geometry_height(s),
         |s| geometry_boundary_length(s),
@@ -336,7 +336,7 @@ fn an_inserted_asset_is_an_instance_until_it_is_changed() {
     assert!(!geometry_is_instanced(shape));
 }
 
-type Step = fn(&mut Env, &mut crate::shape::ShapeRef<'_>);
+type Step = fn(&mut Env, &mut crate::shape::Shape);
 
 /// Operations that change no geometry, then operations that do. Some insert another.
 const STEPS: [Step; 18] = [

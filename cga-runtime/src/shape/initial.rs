@@ -151,7 +151,7 @@ impl Shape {
             comp: Counter::NONE,
             selector: "",
             trims: Trims::None,
-            state: StateRef::Unset,
+            state: StateRef::UNSET,
         };
         if shape.geometry.unit_pressed_flat(scope.size).is_some() {
             shape.hold_as_mesh();

@@ -20,11 +20,17 @@ pub mod table;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::DAffine3;
+use glam::{DAffine3, DVec3};
 
+use crate::env::LeafTables;
 use crate::material::Material;
+use crate::material::ids::MaterialId;
 use crate::mesh::Mesh;
+use crate::place;
 use crate::scope::Scope;
+use crate::shape::axes::Axes;
+use crate::shape::base::{Base, Form};
+use crate::unit::UnitMesh;
 
 pub use crate::place::{Cuboid, Quad};
 
@@ -42,8 +48,78 @@ pub struct Leaf<'a> {
     pub scope: &'a Scope,
 }
 
+/// A leaf that fills its scope: a rectangle in the low plane across an axis, or the box itself. Rule and material are numbers
+/// of the run, and normals are known, so that a sink need not compute or look them up.
+#[derive(Clone, Copy, Debug)]
+pub struct Filled<'a> {
+    pub(crate) origin: DVec3,
+    pub(crate) size: DVec3,
+    pub(crate) axes: &'a Axes,
+    pub(crate) base: &'a Base,
+    pub(crate) unit: UnitMesh,
+    pub(crate) tables: &'a LeafTables,
+    pub(crate) rule: u32,
+    pub(crate) material: MaterialId,
+    /// A rectangle or a box.
+    pub(crate) form: Form,
+}
+
+impl<'a> Filled<'a> {
+    /// The name of the rule or leaf symbol, without the dot.
+    pub fn rule(&self) -> &'static str {
+        self.tables.names.get(self.rule as usize).copied().unwrap_or_default()
+    }
+
+    /// The number of the name: equal names of a run have equal numbers, counted from 0.
+    pub fn rule_number(&self) -> u32 {
+        self.rule
+    }
+
+    /// The material that the rules set.
+    pub fn material(&self) -> &'a Arc<Material> {
+        self.tables.materials.get(self.material).unwrap_or(self.base.shape.state.material())
+    }
+
+    /// The number of the material: equal numbers of a run are equal materials. Nothing for a material that few leaves have, such
+    /// as a random colour.
+    pub fn material_number(&self) -> Option<u32> {
+        (self.material != MaterialId::OF_BASE).then_some(self.material.0)
+    }
+
+    /// The scope, in the world.
+    pub fn scope(&self) -> Scope {
+        Scope { origin: self.origin, axes: self.axes.matrix, size: self.size }
+    }
+
+    /// The axes of the scope with normals as sinks need them.
+    pub fn axes(&self) -> &'a Axes {
+        self.axes
+    }
+
+    /// Hands the leaf to the method of a sink for rectangles or for boxes.
+    pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
+        let scope = self.scope();
+        let leaf = Leaf { rule: self.rule(), material: self.material(), scope: &scope };
+        match self.form {
+            Form::Rect(axis) => sink.quad(&leaf, &place::rectangle(&scope, axis, self.unit)),
+            Form::Box => sink.cuboid(&leaf, &place::cuboid(&scope, self.unit)),
+            Form::Empty | Form::Other => Flow::Continue(()),
+        }
+    }
+}
+
 /// Takes the leaves of a run. Only [`Sink::mesh`] must be written; the others turn their geometry into a mesh by default.
 pub trait Sink {
+    /// A run begins: the numbers of rules and materials are those of this run.
+    fn begin(&mut self) {}
+
+    /// A rectangle or a box that fills its scope. It becomes a [`Sink::quad`] or a [`Sink::cuboid`] by default; a sink that writes
+    /// many of them saves time with the axes and numbers that are known here.
+    #[inline]
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        leaf.pass_to(self)
+    }
+
     /// A rectangle.
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         self.mesh(leaf, &Arc::new(quad.to_mesh()), &DAffine3::IDENTITY)

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::mesh::FaceRef;
 use crate::scope::Axis;
-use crate::shape::{Geometry, Placed, ShapeRef};
+use crate::shape::{Geometry, Placed, Shape};
 use crate::tol::{ACROSS_EPSILON, AREA_EPSILON, EDGE_EPSILON};
 
 /// The area up to a distance from the scope's low end, as a function of the distance.
@@ -30,7 +30,7 @@ pub(super) struct Section {
 }
 
 impl Profile {
-    pub(super) fn new(shape: &ShapeRef<'_>, axis: Axis) -> Self {
+    pub(super) fn new(shape: &Shape, axis: Axis) -> Self {
         let size = shape.scope.size.abs();
         let (other, third) = match axis {
             Axis::X => (size.y, size.z),

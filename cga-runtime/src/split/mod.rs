@@ -2,7 +2,9 @@
 
 mod area;
 pub mod divide;
+pub mod division;
 mod parts;
+pub mod row;
 
 pub use cga_split::{Item, Piece, Prefix, Size, Solution, solve};
 

@@ -1,71 +1,27 @@
-//! Pieces become shapes.
+//! The pieces of what does not simply fill its scope: meshes, wires, lines, mirrored boxes.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Adjust, Piece, Solution};
+use super::row::Row;
+use super::{Adjust, Piece};
 use crate::cut;
 use crate::env::Env;
 use crate::fault::{FaultKind, LimitKind};
 use crate::mesh::Mesh;
 use crate::scope::{Axis, Scope};
-use crate::seed::{Seed, Tag};
-use crate::shape::{Counter, Geometry, Inserted, Placed, ShapeRef};
+use crate::shape::{Geometry, Inserted, Placed, Shape};
 use crate::sink::Flow;
 use crate::tol::PLANAR_EPSILON;
 use crate::unit::Band;
 use crate::wire::{PlacedWire, Wire};
 
-/// Pieces in a row, however they are known.
-pub(super) trait Row {
-    /// No fewer than there are.
-    fn at_most(&self) -> u64;
-    /// How many there are.
-    fn total(&self) -> u64;
-    /// Calls `visit` for each, from the low end to the high end, until it says stop.
-    fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B>;
-}
-
-impl Row for Solution<'_> {
-    #[inline]
-    fn at_most(&self) -> u64 {
-        Solution::at_most(self)
-    }
-
-    #[inline]
-    fn total(&self) -> u64 {
-        Solution::total(self)
-    }
-
-    #[inline]
-    fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
-        Solution::each(self, visit)
-    }
-}
-
-impl Row for [Piece] {
-    #[inline]
-    fn at_most(&self) -> u64 {
-        self.len() as u64
-    }
-
-    #[inline]
-    fn total(&self) -> u64 {
-        self.len() as u64
-    }
-
-    #[inline]
-    fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
-        self.iter().copied().try_for_each(visit)
-    }
-}
-
-/// What is handed out: the parts of a shape, in order.
+/// The parts of a shape, in order.
 #[derive(Debug)]
 pub(super) struct Parts<'s> {
-    parent: &'s ShapeRef<'s>,
+    parent: &'s Shape,
     axis: Axis,
     adjust: Adjust,
     /// Along the axis, the way the scope runs from its origin.
@@ -73,26 +29,20 @@ pub(super) struct Parts<'s> {
     sign: f64,
     index: usize,
     total: usize,
-    seed: u64,
-    ordinal: u32,
     /// One a piece, when the geometry is a mesh.
     slabs: Vec<Option<Arc<Mesh>>>,
 }
 
 impl<'s> Parts<'s> {
     /// Counts the pieces and cuts the geometry. `Break` when a limit was reached.
-    #[inline]
     pub(super) fn new(
         env: &mut Env,
-        shape: &'s mut ShapeRef<'_>,
+        shape: &'s Shape,
         axis: Axis,
         adjust: Adjust,
         row: &(impl Row + ?Sized),
     ) -> ControlFlow<(), Self> {
-        within_limit(env, row)?;
         let total = row.total() as usize;
-        let ordinal = shape.seed.reserve(total.min(u32::MAX as usize) as u32);
-        let seed = shape.seed.value();
         let slabs = match &shape.geometry {
             Geometry::Mesh(placed) if 0 < total => {
                 Borders { axis, size: shape.scope.size, placed }.cut(env, row, total)?
@@ -102,16 +52,15 @@ impl<'s> Parts<'s> {
         // A negative size runs the other way from the origin.
         let sign = if shape.scope.size[axis.index()] < 0.0 { -1.0 } else { 1.0 };
         let along = shape.scope.axes.col(axis.index()) * sign;
-        ControlFlow::Continue(Parts { parent: shape, axis, adjust, along, sign, index: 0, total, seed, ordinal, slabs })
+        ControlFlow::Continue(Parts { parent: shape, axis, adjust, along, sign, index: 0, total, slabs })
     }
 
     pub(super) fn total(&self) -> usize {
         self.total
     }
 
-    /// The shape of the next piece.
-    #[inline]
-    pub(super) fn next(&mut self, piece: Piece) -> ShapeRef<'s> {
+    /// The shape of the next piece. Seed and counters are those of the whole.
+    pub(super) fn next(&mut self, piece: Piece) -> Shape {
         let parent = self.parent;
         let index = self.index;
         self.index += 1;
@@ -121,17 +70,7 @@ impl<'s> Parts<'s> {
             size: with(parent.scope.size, self.axis, self.sign * piece.length),
         };
         let geometry = self.geometry(index, piece, &mut scope);
-        ShapeRef {
-            scope,
-            pivot: parent.pivot,
-            geometry,
-            seed: Seed::child(self.seed, Tag::Split, self.ordinal.wrapping_add(index as u32)),
-            split: Counter::new(index, self.total),
-            comp: parent.comp,
-            selector: parent.selector,
-            trims: parent.trims.clone(),
-            state: parent.state.lend(),
-        }
+        Shape { scope, geometry, ..parent.clone() }
     }
 
     /// What fills a part; shrinks its scope when asked to.
@@ -246,10 +185,11 @@ fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
 pub(super) fn within_limit(env: &mut Env, row: &(impl Row + ?Sized)) -> Flow {
     let limit = env.settings.limits.shapes;
     let bound = row.at_most();
-    if limit < env.shapes.saturating_add(bound) {
+    let so_far = env.shape_count();
+    if limit < so_far.saturating_add(bound) {
         // The bound counts slots that get no room, so ask exactly when it is small enough to count.
         let exact = if bound <= limit.saturating_mul(4) { row.total() } else { bound };
-        if limit < env.shapes.saturating_add(exact) {
+        if limit < so_far.saturating_add(exact) {
             return env.limit(LimitKind::Shapes, limit);
         }
     }

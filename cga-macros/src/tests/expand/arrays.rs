@@ -7,52 +7,73 @@ impl CgaRules {
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
-        {
-            let a0 = {
-                let a0 = cga_rt::get::floats_attribute(shape, 0u32, &g.attr_0);
-                let a1 = 3f64;
-                cga_rt::func::array(
-                    &mut cx.env,
-                    &[&[cga_rt::func::Part::from(a0), cga_rt::func::Part::from(a1)]],
-                )
-            };
-            cga_rt::set::attribute(shape, 0u32, cga_rt::Value::Floats(a0));
-        }
-        {
-            let a0 = cga_rt::Length::Absolute({
-                let a0 = {
-                    let a0 = cga_rt::get::floats_attribute(shape, 0u32, &g.attr_0);
-                    let a1 = 2f64;
-                    cga_rt::func::each_multiply(&mut cx.env, a0, a1)
-                };
-                CgaRules::total(g, &mut cx.env, shape, a0)
-            });
-            let a1 = cga_rt::Length::Absolute(
-                (if {
+        let changed = {
+            let mut whole = cx.env.whole(shape);
+            {
+                let shape = &mut whole;
+                {
                     let a0 = {
                         let a0 = cga_rt::get::floats_attribute(shape, 0u32, &g.attr_0);
-                        let a1 = cga_rt::array(2usize, [0f64, 1f64]);
-                        cga_rt::func::elements(&mut cx.env, a0, a1)
+                        let a1 = 3f64;
+                        cga_rt::func::array(
+                            cx.env,
+                            &[
+                                &[
+                                    cga_rt::func::Part::from(a0),
+                                    cga_rt::func::Part::from(a1),
+                                ],
+                            ],
+                        )
                     };
-                    let a1 = cga_rt::array(2usize, [1f64, 2f64]);
-                    cga_rt::func::equal(a0, a1)
-                } {
-                    1f64
-                } else {
-                    cga_rt::later::float(&mut cx.env, "geometry.du")
-                }),
-            );
-            let a2 = cga_rt::Length::Absolute(0f64);
-            cga_rt::op::translate(&mut cx.env, shape, a0, a1, a2);
-        }
-        cga_rt::later::operation(&mut cx.env, "roofHip");
-        cx.leaf(shape, "Lot")?;
+                    cga_rt::set::attribute(shape, 0u32, cga_rt::Value::Floats(a0));
+                }
+                {
+                    let a0 = cga_rt::Length::Absolute({
+                        let a0 = {
+                            let a0 = cga_rt::get::floats_attribute(
+                                shape,
+                                0u32,
+                                &g.attr_0,
+                            );
+                            let a1 = 2f64;
+                            cga_rt::func::each_multiply(cx.env, a0, a1)
+                        };
+                        CgaRules::total(g, cx.env, shape, a0)
+                    });
+                    let a1 = cga_rt::Length::Absolute(
+                        (if {
+                            let a0 = {
+                                let a0 = cga_rt::get::floats_attribute(
+                                    shape,
+                                    0u32,
+                                    &g.attr_0,
+                                );
+                                let a1 = cga_rt::array(2usize, [0f64, 1f64]);
+                                cga_rt::func::elements(cx.env, a0, a1)
+                            };
+                            let a1 = cga_rt::array(2usize, [1f64, 2f64]);
+                            cga_rt::func::equal(a0, a1)
+                        } {
+                            1f64
+                        } else {
+                            cga_rt::later::float(cx.env, "geometry.du")
+                        }),
+                    );
+                    let a2 = cga_rt::Length::Absolute(0f64);
+                    cga_rt::op::translate(cx.env, shape, a0, a1, a2);
+                }
+            }
+            cx.env.base(whole)
+        };
+        let shape = &mut changed.shape();
+        cga_rt::later::operation(cx.env, "roofHip");
+        cx.leaf(shape, 0u32)?;
         cx.leave()
     }
     fn total(
         g: &CgaValues,
         env: &mut cga_rt::Env,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &mut impl cga_rt::View,
         p0: cga_rt::Array<::core::primitive::f64>,
     ) -> ::core::primitive::f64 {
         {

@@ -9,44 +9,69 @@ impl CgaRules {
         cx.enter(0u32)?;
         let mut childless = true;
         if ((cga_rt::get::float_attribute(shape, 0u32, g.attr_0) > 2f64)
-            & cga_rt::func::chance(&mut cx.env, shape, 0.5f64))
+            & cga_rt::func::chance(cx.env, shape, 0.5f64))
         {
             {
-                let shape = &mut cga_rt::push(shape);
-                let base = *shape.scope();
-                {
-                    let a0 = cga_rt::Length::Relative(1f64);
-                    let a1 = cga_rt::Length::Relative(2f64);
-                    let a2 = cga_rt::Length::Absolute(3f64);
-                    cga_rt::op::size(&mut cx.env, shape, a0, a1, a2);
-                }
-                {
-                    let a0 = cga_rt::op::CenterAxes::Xz;
-                    cga_rt::op::center(&mut cx.env, shape, &base, a0);
-                }
+                let shape = &mut cga_rt::push(shape, 0);
+                let base = shape.scope();
+                let changed = {
+                    let mut whole = cx.env.whole(shape);
+                    {
+                        let shape = &mut whole;
+                        {
+                            let a0 = cga_rt::Length::Relative(1f64);
+                            let a1 = cga_rt::Length::Relative(2f64);
+                            let a2 = cga_rt::Length::Absolute(3f64);
+                            cga_rt::op::size(cx.env, shape, a0, a1, a2);
+                        }
+                        {
+                            let a0 = cga_rt::op::CenterAxes::Xz;
+                            cga_rt::op::center(cx.env, shape, &base, a0);
+                        }
+                    }
+                    cx.env.base(whole)
+                };
+                let shape = &mut changed.shape();
                 childless = false;
             }
-            cx.symbol(shape, "A")?;
+            cx.symbol(shape, 1u32)?;
             childless = false;
+            if childless {
+                cx.leaf(shape, 0u32)?;
+            }
         } else if (cga_rt::get::float_attribute(shape, 0u32, g.attr_0) == 1f64) {
             if cga_rt::branch(shape, 30f64, 0f64) {
-                cx.symbol(shape, "A")?;
+                cx.symbol(shape, 1u32)?;
                 childless = false;
+                if childless {
+                    cx.leaf(shape, 0u32)?;
+                }
             } else {
                 childless = false;
+                if childless {
+                    cx.leaf(shape, 0u32)?;
+                }
             }
         } else {
-            {
-                let a0 = 2f64;
-                cga_rt::set::attribute(shape, 0u32, cga_rt::Value::Float(a0));
+            let changed = {
+                let mut whole = cx.env.whole(shape);
+                {
+                    let shape = &mut whole;
+                    {
+                        let a0 = 2f64;
+                        cga_rt::set::attribute(shape, 0u32, cga_rt::Value::Float(a0));
+                    }
+                    {
+                        let a0 = 0.5f64;
+                        cga_rt::set::material_opacity(cx.env, shape, a0);
+                    }
+                }
+                cx.env.base(whole)
+            };
+            let shape = &mut changed.shape();
+            if childless {
+                cx.leaf(shape, 0u32)?;
             }
-            {
-                let a0 = 0.5f64;
-                cga_rt::set::material_opacity(&mut cx.env, shape, a0);
-            }
-        }
-        if childless {
-            cx.leaf(shape, "Lot")?;
         }
         cx.leave()
     }

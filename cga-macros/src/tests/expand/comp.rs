@@ -28,14 +28,23 @@ impl CgaRules {
             cga_rt::comp(
                 cx,
                 shape,
+                0,
                 cga_rt::Components::Faces,
                 cga_rt::Align::ZUp,
                 &arms,
                 cga_rt::never,
                 |cx, arm, part| match arm {
-                    0 => cx.symbol(part, "Wall"),
+                    0 => cx.symbol(part, 0u32),
                     1 => {
-                        let a0 = cga_rt::get::comp_index(part);
+                        let a0 = {
+                            let mut whole = cx.env.whole(part);
+                            let value = {
+                                let part = &mut whole;
+                                cga_rt::get::comp_index(part)
+                            };
+                            part.drawn(&whole);
+                            value
+                        };
                         cga_rt::hand_on(part);
                         CgaRules::Roof(g, cx, part, a0)
                     }
@@ -70,6 +79,7 @@ impl CgaRules {
             cga_rt::comp(
                 cx,
                 shape,
+                0,
                 cga_rt::Components::Edges,
                 cga_rt::Align::Keep,
                 &arms,
@@ -81,8 +91,8 @@ impl CgaRules {
                     _ => false,
                 },
                 |cx, arm, part| match arm {
-                    0 => cx.symbol(part, "X"),
-                    1 => cx.symbol(part, "Y"),
+                    0 => cx.symbol(part, 1u32),
+                    1 => cx.symbol(part, 2u32),
                     _ => cga_rt::Flow::Continue(()),
                 },
             )?;

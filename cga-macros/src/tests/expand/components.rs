@@ -7,17 +7,25 @@ impl CgaRules {
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
-        {
-            let a0 = CgaRules::names(g, &mut cx.env, shape, 2f64);
-            cga_rt::op::print(&mut cx.env, shape, a0);
-        }
-        cx.leaf(shape, "Lot")?;
+        let changed = {
+            let mut whole = cx.env.whole(shape);
+            {
+                let shape = &mut whole;
+                {
+                    let a0 = CgaRules::names(g, cx.env, shape, 2f64);
+                    cga_rt::op::print(cx.env, shape, a0);
+                }
+            }
+            cx.env.base(whole)
+        };
+        let shape = &mut changed.shape();
+        cx.leaf(shape, 0u32)?;
         cx.leave()
     }
     fn tall(
         g: &CgaValues,
         env: &mut cga_rt::Env,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &mut impl cga_rt::View,
         p0: ::core::primitive::f64,
     ) -> ::core::primitive::bool {
         { (cga_rt::get::scope_sy(shape) > p0) }
@@ -25,7 +33,7 @@ impl CgaRules {
     fn names(
         g: &CgaValues,
         env: &mut cga_rt::Env,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::Shape,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Array<cga_rt::Text> {
         {

@@ -11,25 +11,27 @@ impl CgaRules {
         if (p0 > 1f64) {
             {
                 let a0 = p0;
-                let part = &mut cga_rt::successor(shape);
-                if cx.descend(1, 2) {
+                let part = &mut cga_rt::successor(shape, 0);
+                let flow: cga_rt::Flow = if cx.descend(1, 2) {
                     let flow = CgaRules::B(g, cx, part, a0);
                     cx.ascend(1, 2);
                     flow
                 } else {
                     cx.defer(part, 1, CgaCall::Rule1(a0))
-                }?;
+                };
+                flow?;
             }
             {
                 let a0 = (p0 - 1f64);
-                let part = &mut cga_rt::successor(shape);
-                if cx.descend(1, 2) {
+                let part = &mut cga_rt::successor(shape, 1);
+                let flow: cga_rt::Flow = if cx.descend(1, 2) {
                     let flow = CgaRules::B(g, cx, part, a0);
                     cx.ascend(1, 2);
                     flow
                 } else {
                     cx.defer(part, 1, CgaCall::Rule1(a0))
-                }?;
+                };
+                flow?;
             }
         } else {}
         cx.leave()
@@ -44,14 +46,15 @@ impl CgaRules {
         cx.enter(1u32)?;
         {
             let a0 = p0;
-            let part = &mut cga_rt::successor(shape);
-            if cx.descend(1, 3) {
+            let part = &mut cga_rt::successor(shape, 0);
+            let flow: cga_rt::Flow = if cx.descend(1, 3) {
                 let flow = CgaRules::A(g, cx, part, a0);
                 cx.ascend(1, 3);
                 flow
             } else {
                 cx.defer(part, 1, CgaCall::Rule0(a0))
-            }?;
+            };
+            flow?;
         }
         cx.leave()
     }

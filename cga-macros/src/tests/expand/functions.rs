@@ -7,40 +7,52 @@ impl CgaRules {
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
-        {
-            let a0 = cga_rt::Length::Absolute(
-                CgaRules::fac_2(g, &mut cx.env, shape, 3f64, 4f64),
-            );
-            let a1 = cga_rt::Length::Absolute(cga_rt::host::ToFloat::to_float(&OFFSET));
-            let a2 = cga_rt::Length::Absolute({
-                let a0 = {
-                    let a0 = cga_rt::Text::fixed("a");
-                    let a1 = cga_rt::func::float_to_text(cga_rt::get::scope_sx(shape));
-                    cga_rt::func::concat(&mut cx.env, a0, a1)
+        let changed = {
+            let mut whole = cx.env.whole(shape);
+            {
+                let shape = &mut whole;
+                {
+                    let a0 = cga_rt::Length::Absolute(
+                        CgaRules::fac_2(g, cx.env, shape, 3f64, 4f64),
+                    );
+                    let a1 = cga_rt::Length::Absolute(
+                        cga_rt::host::ToFloat::to_float(&OFFSET),
+                    );
+                    let a2 = cga_rt::Length::Absolute({
+                        let a0 = {
+                            let a0 = cga_rt::Text::fixed("a");
+                            let a1 = cga_rt::func::float_to_text(
+                                cga_rt::get::scope_sx(shape),
+                            );
+                            cga_rt::func::concat(cx.env, a0, a1)
+                        };
+                        let a1 = true;
+                        cga_rt::host::ToFloat::to_float(
+                            &crate::noise(cga_rt::host::as_str(&a0), a1),
+                        )
+                    });
+                    cga_rt::op::translate(cx.env, shape, a0, a1, a2);
+                }
+                {
+                    let a0 = 1f64;
+                    let a1 = cga_rt::Text::fixed("x");
+                    cga_rt::host::operate(
+                        cx.env,
+                        shape,
+                        |shape| crate::ops::arch(shape, a0, cga_rt::host::as_str(&a1)),
+                    )
                 };
-                let a1 = true;
-                cga_rt::host::ToFloat::to_float(
-                    &crate::noise(cga_rt::host::as_str(&a0), a1),
-                )
-            });
-            cga_rt::op::translate(&mut cx.env, shape, a0, a1, a2);
-        }
-        {
-            let a0 = 1f64;
-            let a1 = cga_rt::Text::fixed("x");
-            cga_rt::host::operate(
-                &mut cx.env,
-                shape,
-                |shape| crate::ops::arch(shape, a0, cga_rt::host::as_str(&a1)),
-            )
+            }
+            cx.env.base(whole)
         };
-        cx.leaf(shape, "Lot")?;
+        let shape = &mut changed.shape();
+        cx.leaf(shape, 0u32)?;
         cx.leave()
     }
     fn fac(
         g: &CgaValues,
         env: &mut cga_rt::Env,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &mut impl cga_rt::View,
         p0: ::core::primitive::f64,
     ) -> ::core::primitive::f64 {
         if !env.call(240) {
@@ -59,7 +71,7 @@ impl CgaRules {
     fn fac_2(
         g: &CgaValues,
         env: &mut cga_rt::Env,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &mut impl cga_rt::View,
         p0: ::core::primitive::f64,
         p1: ::core::primitive::f64,
     ) -> ::core::primitive::f64 {

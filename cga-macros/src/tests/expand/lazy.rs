@@ -40,6 +40,7 @@ impl cga_rt::Rules for CgaGrammar {
     type Values = CgaValues;
     type Call = CgaCall;
     const NAMES: &'static [&'static ::core::primitive::str] = &["Lot"];
+    const LEAVES: &'static [&'static ::core::primitive::str] = &["X"];
     const STARTS: &'static [cga_rt::StartRule] = &[cga_rt::StartRule::new("Lot")];
     const START_RULES: &'static [::core::primitive::u32] = &[0u32];
     const START_STYLES: &'static [::core::primitive::u32] = &[0u32];
@@ -65,17 +66,17 @@ impl cga_rt::Rules for CgaGrammar {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
         rule: ::core::primitive::u32,
-        mut shape: cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         match rule {
-            0u32 => CgaRules::Lot(g, cx, &mut shape),
+            0u32 => CgaRules::Lot(g, cx, shape),
             _ => cga_rt::Flow::Continue(()),
         }
     }
     fn resume<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-        mut shape: cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         match call {}

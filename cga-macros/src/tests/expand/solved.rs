@@ -8,77 +8,95 @@ impl CgaRules {
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         let mut childless = true;
+        let changed = {
+            let mut whole = cx.env.whole(shape);
+            {
+                let shape = &mut whole;
+                {
+                    let a0 = cga_rt::Length::Absolute(10f64);
+                    let a1 = cga_rt::Length::Absolute(1f64);
+                    let a2 = cga_rt::Length::Absolute(1f64);
+                    cga_rt::op::size(cx.env, shape, a0, a1, a2);
+                }
+                {
+                    cga_rt::op::cube(cx.env, shape);
+                }
+            }
+            cx.env.base(whole)
+        };
+        let shape = &mut changed.shape();
         {
-            let a0 = cga_rt::Length::Absolute(10f64);
-            let a1 = cga_rt::Length::Absolute(1f64);
-            let a2 = cga_rt::Length::Absolute(1f64);
-            cga_rt::op::size(&mut cx.env, shape, a0, a1, a2);
+            const PIECES: &[cga_rt::Piece] = &[
+                cga_rt::Piece {
+                    slot: 0,
+                    start: 0.0,
+                    end: 1.0,
+                    length: 1.0,
+                },
+                cga_rt::Piece {
+                    slot: 1,
+                    start: 1.0,
+                    end: 3.0,
+                    length: 1.9999999999999998,
+                },
+                cga_rt::Piece {
+                    slot: 2,
+                    start: 3.0,
+                    end: 4.0,
+                    length: 1.0,
+                },
+                cga_rt::Piece {
+                    slot: 1,
+                    start: 4.0,
+                    end: 6.0,
+                    length: 1.9999999999999998,
+                },
+                cga_rt::Piece {
+                    slot: 2,
+                    start: 6.0,
+                    end: 7.0,
+                    length: 1.0,
+                },
+                cga_rt::Piece {
+                    slot: 1,
+                    start: 7.0,
+                    end: 9.0,
+                    length: 1.9999999999999998,
+                },
+                cga_rt::Piece {
+                    slot: 2,
+                    start: 9.0,
+                    end: 10.0,
+                    length: 1.0,
+                },
+            ];
+            let pieces = cga_rt::solved(cx.env, shape, cga_rt::Axis::X, 10.0, PIECES);
+            let mut division = cga_rt::Division::new(
+                cx.env,
+                shape,
+                (cga_rt::Axis::X, cga_rt::Adjust::Adjust),
+                0,
+                pieces,
+                false,
+            )?;
+            let mut row = cga_rt::List::new(pieces);
+            if let ::core::option::Option::Some(piece) = row.slot(0) {
+                division.leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
+            }
+            let mut group0 = row.open(1..3);
+            while row.turn(&mut group0) {
+                division.turn();
+                if let ::core::option::Option::Some(piece) = row.slot(1) {
+                    division.leaf(cx, cga_rt::Axis::X, piece, 2u32)?;
+                }
+                if let ::core::option::Option::Some(piece) = row.slot(2) {
+                    division.leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
+                }
+            }
+            childless &= !division.has_parts();
         }
-        {
-            cga_rt::op::cube(&mut cx.env, shape);
-        }
-        childless
-            &= !{
-                const PIECES: &[cga_rt::Piece] = &[
-                    cga_rt::Piece {
-                        slot: 0,
-                        start: 0.0,
-                        end: 1.0,
-                        length: 1.0,
-                    },
-                    cga_rt::Piece {
-                        slot: 1,
-                        start: 1.0,
-                        end: 3.0,
-                        length: 1.9999999999999998,
-                    },
-                    cga_rt::Piece {
-                        slot: 2,
-                        start: 3.0,
-                        end: 4.0,
-                        length: 1.0,
-                    },
-                    cga_rt::Piece {
-                        slot: 1,
-                        start: 4.0,
-                        end: 6.0,
-                        length: 1.9999999999999998,
-                    },
-                    cga_rt::Piece {
-                        slot: 2,
-                        start: 6.0,
-                        end: 7.0,
-                        length: 1.0,
-                    },
-                    cga_rt::Piece {
-                        slot: 1,
-                        start: 7.0,
-                        end: 9.0,
-                        length: 1.9999999999999998,
-                    },
-                    cga_rt::Piece {
-                        slot: 2,
-                        start: 9.0,
-                        end: 10.0,
-                        length: 1.0,
-                    },
-                ];
-                cga_rt::split_solved(
-                    cx,
-                    shape,
-                    (cga_rt::Axis::X, cga_rt::Adjust::Adjust),
-                    10.0,
-                    PIECES,
-                    |cx, slot, part| match slot {
-                        0 => cx.symbol(part, "Post"),
-                        1 => cx.symbol(part, "Field"),
-                        2 => cx.symbol(part, "Post"),
-                        _ => cga_rt::Flow::Continue(()),
-                    },
-                )?
-            };
         if childless {
-            cx.leaf(shape, "Lot")?;
+            cx.leaf(shape, 0u32)?;
         }
         cx.leave()
     }

@@ -8,42 +8,61 @@ impl CgaRules {
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         let mut childless = true;
-        childless
-            &= !{
-                const PATTERN: &[cga_rt::Item] = &[
-                    cga_rt::Item::Slot,
-                    cga_rt::Item::Repeat(2),
-                    cga_rt::Item::Slot,
-                    cga_rt::Item::Slot,
-                    cga_rt::Item::Slot,
-                ];
-                const SIZES: [cga_rt::Size; 4usize] = [
-                    cga_rt::Size::absolute(0.5f64),
-                    cga_rt::Size::floating(2f64),
-                    cga_rt::Size::relative(0.1f64),
-                    cga_rt::Size::absolute(1f64),
-                ];
-                cga_rt::split(
-                    cx,
-                    shape,
-                    (cga_rt::Axis::X, cga_rt::Adjust::Adjust),
-                    PATTERN,
-                    SIZES,
-                    |cx, slot, part| match slot {
-                        0 => cx.symbol(part, "Wall"),
-                        1 => {
-                            let a0 = cga_rt::get::split_index(part);
-                            cga_rt::hand_on(part);
-                            CgaRules::Tile(g, cx, part, a0)
-                        }
-                        2 => cga_rt::Flow::Continue(()),
-                        3 => CgaRules::Lot_1(g, cx, part),
-                        _ => cga_rt::Flow::Continue(()),
-                    },
-                )?
-            };
+        {
+            const PATTERN: &[cga_rt::Item] = &[
+                cga_rt::Item::Slot,
+                cga_rt::Item::Repeat(2),
+                cga_rt::Item::Slot,
+                cga_rt::Item::Slot,
+                cga_rt::Item::Slot,
+            ];
+            const SIZES: [cga_rt::Size; 4usize] = [
+                cga_rt::Size::absolute(0.5f64),
+                cga_rt::Size::floating(2f64),
+                cga_rt::Size::relative(0.1f64),
+                cga_rt::Size::absolute(1f64),
+            ];
+            let mut lengths = [0.0; 4usize];
+            let extent = cga_rt::extent(cx.env, shape, cga_rt::Axis::X);
+            let pieces = &cga_rt::solve(PATTERN, &SIZES, &mut lengths, extent);
+            let mut division = cga_rt::Division::new(
+                cx.env,
+                shape,
+                (cga_rt::Axis::X, cga_rt::Adjust::Adjust),
+                0,
+                pieces,
+                false,
+            )?;
+            let mut row = pieces.cursor();
+            if let ::core::option::Option::Some(piece) = row.slot(0) {
+                division.leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
+            }
+            let mut group0 = row.open(pieces, 0);
+            while row.turn(&mut group0) {
+                division.turn();
+                if let ::core::option::Option::Some(piece) = row.slot(1) {
+                    let part = &mut division
+                        .part(cga_rt::Axis::X, piece, 1, true, false);
+                    let flow: cga_rt::Flow = {
+                        let a0 = cga_rt::get::split_index(part);
+                        cga_rt::hand_on(part);
+                        CgaRules::Tile(g, cx, part, a0)
+                    };
+                    flow?;
+                }
+                if row.slot(2).is_some() {
+                    division.skip();
+                }
+            }
+            if let ::core::option::Option::Some(piece) = row.slot(3) {
+                let part = &mut division.part(cga_rt::Axis::X, piece, 3, false, false);
+                let flow: cga_rt::Flow = { CgaRules::Lot_1(g, cx, part) };
+                flow?;
+            }
+            childless &= !division.has_parts();
+        }
         if childless {
-            cx.leaf(shape, "Lot")?;
+            cx.leaf(shape, 0u32)?;
         }
         cx.leave()
     }
@@ -55,7 +74,7 @@ impl CgaRules {
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
-        cx.symbol(shape, "Wall")?;
+        cx.symbol(shape, 1u32)?;
         cx.leave()
     }
     fn Lot_1<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
@@ -63,13 +82,21 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        {
-            let a0 = cga_rt::Length::Absolute(1f64);
-            let a1 = cga_rt::Length::Absolute(2f64);
-            let a2 = cga_rt::Length::Absolute(3f64);
-            cga_rt::op::size(&mut cx.env, shape, a0, a1, a2);
-        }
-        cx.symbol(shape, "Post")?;
+        let changed = {
+            let mut whole = cx.env.whole(shape);
+            {
+                let shape = &mut whole;
+                {
+                    let a0 = cga_rt::Length::Absolute(1f64);
+                    let a1 = cga_rt::Length::Absolute(2f64);
+                    let a2 = cga_rt::Length::Absolute(3f64);
+                    cga_rt::op::size(cx.env, shape, a0, a1, a2);
+                }
+            }
+            cx.env.base(whole)
+        };
+        let shape = &mut changed.shape();
+        cx.symbol(shape, 2u32)?;
         cga_rt::Flow::Continue(())
     }
 }

@@ -8,6 +8,7 @@ impl cga_rt::Rules for Tower {
         "Tall$Lot",
         "Lot/1",
     ];
+    const LEAVES: &'static [&'static ::core::primitive::str] = &["Y", "X"];
     const STARTS: &'static [cga_rt::StartRule] = &[
         cga_rt::StartRule::new("Lot"),
         cga_rt::StartRule::new("Roof"),
@@ -49,19 +50,19 @@ impl cga_rt::Rules for Tower {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
         rule: ::core::primitive::u32,
-        mut shape: cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         match rule {
-            0u32 => CgaRules::Lot(g, cx, &mut shape),
-            1u32 => CgaRules::Roof(g, cx, &mut shape),
-            2u32 => CgaRules::Tall_Lot(g, cx, &mut shape),
+            0u32 => CgaRules::Lot(g, cx, shape),
+            1u32 => CgaRules::Roof(g, cx, shape),
+            2u32 => CgaRules::Tall_Lot(g, cx, shape),
             _ => cga_rt::Flow::Continue(()),
         }
     }
     fn resume<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
-        mut shape: cga_rt::ShapeRef<'_>,
+        shape: &mut cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         match call {}

@@ -1,0 +1,49 @@
+//! The names of leaves as numbers, so that sinks compare numbers.
+
+use std::collections::HashMap;
+
+use cga_lang::ir::{Childless, Grammar, Target};
+use cga_lang::ir_walk;
+use proc_macro2::Literal;
+
+/// The names of all leaves of a grammar, in the order of the rules.
+pub(super) struct Leaves {
+    names: Vec<String>,
+    numbers: HashMap<String, u32>,
+}
+
+impl Leaves {
+    pub(super) fn new(grammar: &Grammar) -> Self {
+        let mut leaves = Leaves { names: Vec::new(), numbers: HashMap::new() };
+        for rule in &grammar.rules {
+            if rule.leaf != Childless::Never {
+                leaves.add(&rule.label);
+            }
+            ir_walk::steps(&rule.body, &mut |step| {
+                for target in ir_walk::targets(step) {
+                    if let Target::Leaf(name, _) = target {
+                        leaves.add(name);
+                    }
+                }
+            });
+        }
+        leaves
+    }
+
+    fn add(&mut self, name: &str) {
+        if !self.numbers.contains_key(name) {
+            self.numbers.insert(name.to_owned(), self.names.len() as u32);
+            self.names.push(name.to_owned());
+        }
+    }
+
+    /// All names, by number.
+    pub(super) fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The number of a name.
+    pub(super) fn number(&self, name: &str) -> Literal {
+        Literal::u32_suffixed(self.numbers.get(name).copied().unwrap_or(u32::MAX))
+    }
+}

@@ -1,0 +1,107 @@
+//! The rarely changed part of shapes, and the ways between a slim shape and a whole one.
+
+use super::axes::Axes;
+use super::{Geometry, Shape, ShapeRef};
+use crate::env::Env;
+use crate::material::ids::MaterialId;
+use crate::scope::Axis;
+use crate::unit::UnitMesh;
+
+/// A whole shape for slim ones to borrow from. It is on the stack of the rule that made it.
+#[derive(Debug)]
+pub struct Base {
+    axes: Axes,
+    /// The axes of a rectangle across z that has grown.
+    raised: Axes,
+    pub(crate) shape: Shape,
+    material: MaterialId,
+}
+
+/// The geometry of a slim shape. All forms but `Other` have sizes of 0 or more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// A rectangle in the scope's low plane across an axis.
+    Rect(Axis),
+    /// The scope itself.
+    Box,
+    Empty,
+    /// The geometry of the base.
+    Other,
+}
+
+impl Base {
+    /// The slim shape.
+    #[inline]
+    pub fn shape(&self) -> ShapeRef<'_> {
+        let shape = &self.shape;
+        let (form, unit) = self.form();
+        ShapeRef {
+            origin: shape.scope.origin,
+            size: shape.scope.size,
+            axes: &self.axes,
+            base: self,
+            unit,
+            seed: shape.seed,
+            split: shape.split,
+            form,
+            material: self.material,
+        }
+    }
+
+    #[inline]
+    fn form(&self) -> (Form, UnitMesh) {
+        let is_plain = 0.0 <= self.shape.scope.size.min_element();
+        match self.shape.geometry {
+            Geometry::Rect(axis, unit) if is_plain => (Form::Rect(axis), unit),
+            Geometry::Box(unit) if is_plain => (Form::Box, unit),
+            Geometry::Empty if is_plain => (Form::Empty, UnitMesh::cuboid()),
+            _ => (Form::Other, UnitMesh::cuboid()),
+        }
+    }
+
+    /// The axes of this shape.
+    #[inline]
+    pub(crate) fn axes(&self) -> &Axes {
+        &self.axes
+    }
+
+    /// The axes of this shape after it has grown.
+    #[inline]
+    pub(crate) fn raised(&self) -> &Axes {
+        &self.raised
+    }
+}
+
+impl Env {
+    /// The whole of a shape.
+    #[cold]
+    #[inline(never)]
+    pub fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
+        let base = &shape.base.shape;
+        let mut state = base.state.clone();
+        if let Some(material) = self.leaf_tables.materials.get(shape.material)
+            && !std::sync::Arc::ptr_eq(material, state.material())
+        {
+            state.change().material = material.clone();
+        }
+        Shape {
+            scope: shape.scope(),
+            pivot: base.pivot,
+            geometry: shape.geometry(),
+            seed: shape.seed,
+            split: shape.split,
+            comp: base.comp,
+            selector: base.selector,
+            trims: base.trims.clone(),
+            state,
+        }
+    }
+
+    /// A base for slim shapes.
+    #[inline(never)]
+    pub fn base(&self, shape: Shape) -> Base {
+        let axes = Axes::new(shape.scope.axes);
+        let material = self.leaf_tables.materials.id(shape.state.material());
+        Base { axes, raised: axes.raised(), shape, material }
+    }
+}

@@ -1,0 +1,99 @@
+//! The part of a shape that expressions of rules read without making it whole.
+
+use glam::DVec3;
+
+use super::{Shape, ShapeRef};
+use crate::value::Value;
+
+/// A shape, slim or whole, as expressions of rules read it.
+pub trait View {
+    /// The origin of the scope, in the world.
+    fn origin(&self) -> DVec3;
+
+    /// The size of the scope, in metres; negative where it is mirrored.
+    fn size(&self) -> DVec3;
+
+    /// `split.index`; -1 before any split.
+    fn split_index(&self) -> i32;
+
+    /// `split.total`.
+    fn split_total(&self) -> u32;
+
+    /// The seed.
+    fn seed_value(&self) -> u64;
+
+    /// The next random number in 0..1.
+    fn draw(&mut self) -> f64;
+
+    /// The value that rules gave an attribute of the grammar on this shape, if they did.
+    fn attribute(&self, number: u32) -> Option<&Value>;
+}
+
+impl View for Shape {
+    fn origin(&self) -> DVec3 {
+        self.scope.origin
+    }
+
+    fn size(&self) -> DVec3 {
+        self.scope.size
+    }
+
+    fn split_index(&self) -> i32 {
+        self.split.index
+    }
+
+    fn split_total(&self) -> u32 {
+        self.split.total
+    }
+
+    fn seed_value(&self) -> u64 {
+        self.seed.value()
+    }
+
+    fn draw(&mut self) -> f64 {
+        self.seed.draw()
+    }
+
+    fn attribute(&self, number: u32) -> Option<&Value> {
+        let state = self.state.get()?;
+        let at = state.attributes.binary_search_by_key(&number, |(id, _)| *id).ok()?;
+        Some(&state.attributes[at].1)
+    }
+}
+
+impl View for ShapeRef<'_> {
+    #[inline]
+    fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    #[inline]
+    fn size(&self) -> DVec3 {
+        self.size
+    }
+
+    #[inline]
+    fn split_index(&self) -> i32 {
+        self.split.index
+    }
+
+    #[inline]
+    fn split_total(&self) -> u32 {
+        self.split.total
+    }
+
+    #[inline]
+    fn seed_value(&self) -> u64 {
+        self.seed.value()
+    }
+
+    #[inline]
+    fn draw(&mut self) -> f64 {
+        self.seed.draw()
+    }
+
+    #[inline]
+    fn attribute(&self, number: u32) -> Option<&Value> {
+        self.base.shape.attribute(number)
+    }
+}
