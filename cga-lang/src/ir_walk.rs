@@ -70,7 +70,7 @@ pub fn in_rule<'g>(rule: &'g Rule, visit: &mut dyn FnMut(&'g Expr)) {
 }
 
 /// The expressions of a step itself.
-pub(crate) fn in_step(step: &Step) -> Vec<&Expr> {
+pub fn in_step(step: &Step) -> Vec<&Expr> {
     match step {
         Step::Do(_, args, _) => args
             .iter()

@@ -78,6 +78,13 @@ pub struct Cx<'r, S: ?Sized, C> {
     depth: u32,
 }
 
+/// The run inside an operation that changes a material: expressions get at it as in a rule.
+#[derive(Debug)]
+pub struct Painting<'r> {
+    /// The run.
+    pub env: &'r mut Env,
+}
+
 #[derive(Debug)]
 struct Waiting<C> {
     shape: Shape,

@@ -399,6 +399,11 @@ impl Env {
         }
     }
 
+    /// The number of faults so far.
+    pub(crate) fn fault_count(&self) -> u64 {
+        self.faults.len() as u64 + self.faults_left_out
+    }
+
     fn rule_name(&self, rule: u32) -> &'static str {
         self.names.get(rule as usize).copied().unwrap_or("?")
     }

@@ -9,7 +9,7 @@ pub use crate::asset::File;
 pub use crate::attribute::{Attribute, AttributeDefault, AttributeKind, ChoiceValues, Choices, Range, check};
 pub use crate::comp::select::Word;
 pub use crate::comp::{Align, Arm, Candidate, Components, Mode, Select, comp, comp_values, never};
-pub use crate::derive::{Cx, Report, run};
+pub use crate::derive::{Cx, Painting, Report, run};
 pub use crate::env::Env;
 pub use crate::fault::{Error, Fault};
 pub use crate::grammar::{Field, Grammar, Rules, StartRule, generate};
@@ -29,6 +29,7 @@ pub use crate::split::division::Division;
 pub use crate::split::{Adjust, Item, Piece, Size, solve};
 pub use crate::text::Text;
 pub use crate::value::Value;
+pub use crate::op::slim;
 pub use crate::{func, get, host, later, op, query, set};
 pub use cga_split::List;
 

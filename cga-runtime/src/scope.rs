@@ -77,10 +77,13 @@ impl Scope {
     /// Sizes that a scope may have: squares of lengths must be numbers too. The macro counts on it (`lower/extent.rs`).
     pub(crate) const MOST_SIZE: f64 = 1e149;
 
+    /// Distances from the origin of the world that a scope may have, summed over the axes.
+    pub(crate) const MOST_DISTANCE: f64 = 1e150;
+
     /// Whether what is in it, turned any way, is far from where numbers end.
     pub(crate) fn is_bounded(&self) -> bool {
         // Maxima skip NaN, sums and comparisons do not.
-        self.origin.abs().element_sum() <= 1e150 && self.size.abs().cmple(DVec3::splat(Scope::MOST_SIZE)).all()
+        self.origin.abs().element_sum() <= Scope::MOST_DISTANCE && self.size.abs().cmple(DVec3::splat(Scope::MOST_SIZE)).all()
     }
 
     /// The extent along an axis.

@@ -1,7 +1,7 @@
 //! The attributes of the material.
 
 use super::attributes::{both, using};
-use super::{B, F, ShapeAttr, T, Uses};
+use super::{B, Changes, F, ShapeAttr, T, Uses};
 use crate::ir::Type;
 
 const OPACITY: &str = "write `material.opacity`";
@@ -14,7 +14,8 @@ const fn old_map(name: &'static str, call: &'static str, instead: &'static str) 
 /// Reading it uses the whole shape: where rules have set nothing, the geometry's own material counts. Setting it uses the
 /// material alone.
 const fn look(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
-    using(Uses::WHOLE, Uses::NONE, both(name, call, ty))
+    let row = using(Uses::WHOLE, Uses::NONE, both(name, call, ty));
+    ShapeAttr { set_changes: Changes::Material, ..row }
 }
 
 pub(super) static MATERIAL: &[ShapeAttr] = &[

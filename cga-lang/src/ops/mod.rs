@@ -53,6 +53,8 @@ pub struct Operation {
     pub uses_base: bool,
     /// The parts of the shape that it reads or changes besides the scope and the material. Arguments count on their own.
     pub uses: Uses,
+    /// The part of the shape that it changes.
+    pub changes: Changes,
     /// Whether a rule of its name with as many parameters of other types can be called (*CGA changelog 2019.1*).
     pub overloads: bool,
     /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
@@ -79,6 +81,20 @@ pub enum Effect {
     FillsWithBox,
     /// The same with something else.
     Fills,
+}
+
+/// The part of the current shape that an operation changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Changes {
+    /// Any part.
+    Whole,
+    /// The scope or the geometry of rectangles and boxes. The runtime has a second function in its `slim` module, which makes
+    /// the shape whole where that does not suffice.
+    Scope,
+    /// The material alone.
+    Material,
+    /// Nothing: the run is told something.
+    Nothing,
 }
 
 /// What stands in braces behind an operation.
@@ -245,6 +261,8 @@ pub struct ShapeAttr {
     pub set: Option<Run>,
     /// The parts of the shape that setting it uses, besides the scope and the material.
     pub set_uses: Uses,
+    /// The part of the shape that setting it changes.
+    pub set_changes: Changes,
     /// Why it is accepted though nobody should write it any more, and what to write instead.
     pub old: Option<&'static str>,
 }

@@ -22,6 +22,8 @@ mod state;
 mod table;
 mod types;
 
+use std::cell::Cell;
+
 use cga_lang::facts::Facts;
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
 use proc_macro2::{Ident, Span, TokenStream};
@@ -49,6 +51,8 @@ struct Cx<'a> {
     renewed: Vec<String>,
     facts: Facts,
     leaves: leaves::Leaves,
+    /// Operations that change the material in the same way in the whole run, so far.
+    paints: Cell<u32>,
 }
 
 /// Writes a grammar.
@@ -57,7 +61,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let calls = calls::Calls::new(&grammar.functions);
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
     let (facts, leaves) = (Facts::new(grammar), leaves::Leaves::new(grammar));
-    let cx = Cx { grammar, source, names, plan, calls, captured: header.name.is_none(), hosts, renewed, facts, leaves };
+    let cx = Cx { grammar, source, names, plan, calls, captured: header.name.is_none(), hosts, renewed, facts, leaves, paints: Cell::new(0) };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
     let renewals = cx.renewals();

@@ -1,7 +1,8 @@
 //! One function a rule, one function a function.
 
-use cga_lang::ir::{Arg, Childless, Expr, Function, Global, Param, Prefix, Rule, RuleId, Step, Target};
-use cga_lang::ops::{Operation, ParamKind, Run};
+use cga_lang::ir::{Arg, Childless, Expr, ExprKind, Function, Global, Param, Prefix, Rule, RuleId, Step, Target};
+use cga_lang::ir_walk;
+use cga_lang::ops::{Changes, Operation, ParamKind, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
@@ -138,9 +139,12 @@ impl Cx<'_> {
         code
     }
 
-    /// Steps that change the current shape: they work on the whole of it.
+    /// Steps that change the current shape. They work on the slim shape if all of them can, else on the whole.
     fn changed(&self, steps: &[Step]) -> TokenStream {
         let place = Span::mixed_site();
+        if let Some(code) = steps.iter().map(|step| self.slim(step)).collect() {
+            return code;
+        }
         let code: TokenStream = steps.iter().map(|step| self.change(step)).collect();
         quote_spanned! { place=>
             let changed = {
@@ -152,6 +156,58 @@ impl Cx<'_> {
                 cx.env.base(whole)
             };
             let shape = &mut changed.shape();
+        }
+    }
+
+    /// A step on the slim shape, where there is such a form of it.
+    fn slim(&self, step: &Step) -> Option<TokenStream> {
+        let place = Span::mixed_site();
+        let change = match step {
+            Step::Do(operation, args, _) => match operation.changes {
+                Changes::Whole => return None,
+                Changes::Nothing => {
+                    let (lets, call) = self.operation_on(operation, args, Cx::asked);
+                    return Some(quote_spanned!(place=> { #lets cga_rt::op::#call }));
+                }
+                Changes::Scope => {
+                    let (lets, call) = self.operation_on(operation, args, Cx::asked);
+                    quote_spanned!(place=> { #lets cga_rt::slim::#call })
+                }
+                Changes::Material if self.is_settled(step) => self.paint(step),
+                Changes::Material => return None,
+            },
+            Step::SetShape(attr, ..) if attr.set_changes == Changes::Material && self.is_settled(step) => {
+                self.paint(step)
+            }
+            _ => return None,
+        };
+        Some(quote_spanned! { place=>
+            let changed = #change;
+            let shape = &mut cga_rt::slim::after(shape, &changed);
+        })
+    }
+
+    /// Whether the arguments of a step are the same in the whole run.
+    fn is_settled(&self, step: &Step) -> bool {
+        ir_walk::in_step(step).into_iter().all(|expr| {
+            let mut is_settled = self.facts.expr(expr) == Uses::NONE;
+            ir_walk::parts(expr, &mut |part| is_settled &= !matches!(part.kind, ExprKind::Param(_)));
+            is_settled
+        })
+    }
+
+    /// A step that changes the material in the same way in the whole run.
+    fn paint(&self, step: &Step) -> TokenStream {
+        let change = self.change(step);
+        let number = self.paints.get();
+        self.paints.set(number + 1);
+        let number = Literal::u32_unsuffixed(number);
+        // The expressions of the step ask for `cx`.
+        quote_spanned! { Span::mixed_site()=>
+            cga_rt::slim::paint(cx.env, shape, #number, |env, shape| {
+                let cx = cga_rt::Painting { env };
+                #change
+            })
         }
     }
 
@@ -275,19 +331,30 @@ impl Cx<'_> {
     }
 
     fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
+        let (lets, call) = self.operation_on(operation, args, Cx::expr);
+        quote_spanned!(Span::mixed_site()=> { #lets cga_rt::op::#call; })
+    }
+
+    /// The arguments of an operation, and its call without the module.
+    fn operation_on(
+        &self,
+        operation: &Operation,
+        args: &[Arg],
+        expr: fn(&Self, &Expr, &Place) -> TokenStream,
+    ) -> (TokenStream, TokenStream) {
         let place = Span::mixed_site();
         let at = Place::rule();
         let name = Ident::new(operation.run.now().unwrap_or(operation.name), place);
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
         let values = args.iter().zip(operation.params).map(|(arg, param)| match (arg, &param.kind) {
-            (Arg::Value(expr), ParamKind::Length) => {
-                let value = self.expr(expr, &at);
+            (Arg::Value(value), ParamKind::Length) => {
+                let value = expr(self, value, &at);
                 quote_spanned!(place=> cga_rt::Length::Absolute(#value))
             }
-            (Arg::Value(expr), ParamKind::Image) => self.image(expr, &at),
-            (Arg::Value(expr), _) => self.expr(expr, &at),
+            (Arg::Value(value), ParamKind::Image) => self.image(value, &at),
+            (Arg::Value(value), _) => expr(self, value, &at),
             (Arg::Length(size), _) => {
-                let value = self.expr(&size.value, &at);
+                let value = expr(self, &size.value, &at);
                 match size.prefix {
                     Prefix::Relative => quote_spanned!(place=> cga_rt::Length::Relative(#value)),
                     Prefix::Absolute | Prefix::Floating => quote_spanned!(place=> cga_rt::Length::Absolute(#value)),
@@ -296,10 +363,10 @@ impl Cx<'_> {
             (Arg::Word(word), kind) => word_variant(kind, word, &quote_spanned!(place=> op)),
         });
         let base = operation.uses_base.then(|| quote_spanned!(place=> &base,));
-        quote_spanned!(place=> {
-            #(let #names = #values;)*
-            cga_rt::op::#name(cx.env, shape, #base #(#names),*);
-        })
+        (
+            quote_spanned!(place=> #(let #names = #values;)*),
+            quote_spanned!(place=> #name(cx.env, shape, #base #(#names),*)),
+        )
     }
 
     /// Calls a rule on `part`, with arguments in `a0`, `a1`, …; of type `Flow`. Where the stack may grow long the call may wait.

@@ -28,7 +28,7 @@ const COMPARED: usize = 64;
 pub(crate) struct MaterialIds {
     list: Vec<Arc<Material>>,
     /// By place in the rules: the material before the operation and the one after it, as it was found last.
-    paints: Vec<(MaterialId, MaterialId)>,
+    paints: Vec<Option<(MaterialId, MaterialId)>>,
 }
 
 impl MaterialIds {
@@ -69,15 +69,20 @@ impl MaterialIds {
     /// The result of the material operation at a place in the rules, if it is known for that material.
     #[inline]
     pub(crate) fn painted(&self, place: u32, before: MaterialId) -> Option<MaterialId> {
-        self.paints.get(place as usize).filter(|(known, _)| *known == before).map(|&(_, after)| after)
+        match self.paints.get(place as usize) {
+            Some(&Some((known, after))) if known == before => Some(after),
+            _ => None,
+        }
     }
 
-    /// Keeps such a result.
-    pub(crate) fn keep_paint(&mut self, place: u32, before: MaterialId, after: MaterialId) {
-        let place = place as usize;
-        if self.paints.len() <= place {
-            self.paints.resize(place + 1, (MaterialId::OF_BASE, MaterialId::OF_BASE));
+    /// Keeps such a result, if both materials have a number.
+    pub(crate) fn keep_paint(&mut self, place: u32, before: MaterialId, after: MaterialId) -> bool {
+        let has_numbers = before != MaterialId::OF_BASE && after != MaterialId::OF_BASE;
+        if has_numbers {
+            let place = place as usize;
+            self.paints.resize(self.paints.len().max(place + 1), None);
+            self.paints[place] = Some((before, after));
         }
-        self.paints[place] = (before, after);
+        has_numbers
     }
 }

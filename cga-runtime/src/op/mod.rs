@@ -16,6 +16,7 @@ mod pivot;
 mod primitive;
 mod refit;
 mod report;
+pub mod slim;
 #[cfg(test)]
 mod scope_tests;
 mod transform;
@@ -45,6 +46,8 @@ pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size,
 pub(crate) use transform::{angles, sin_cos, turn};
 pub use trim::trim;
 
+use glam::DVec3;
+
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::scope::Scope;
@@ -56,6 +59,16 @@ pub(crate) fn settle(env: &mut Env, shape: &mut Shape, before: &Scope, what: &st
         shape.scope = *before;
         env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
     }
+}
+
+/// Returns true if an origin is not out of what a number holds; leaves a fault otherwise.
+#[inline]
+fn settle_origin(env: &mut Env, origin: DVec3, what: &str) -> bool {
+    let fits = origin.abs().element_sum() <= Scope::MOST_DISTANCE;
+    if !fits {
+        env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
+    }
+    fits
 }
 
 /// Marks geometry that does not come from the initial shape: its groups do not have that shape's name.
@@ -75,6 +88,15 @@ pub enum Length {
 }
 
 impl Length {
+    /// In metres, given the scope's size; it need not be a number.
+    #[inline]
+    fn plain(self, size: f64) -> f64 {
+        match self {
+            Length::Absolute(metres) => metres,
+            Length::Relative(share) => share * size,
+        }
+    }
+
     /// In metres, given the scope's size.
     #[inline]
     pub(crate) fn of(self, size: f64, env: &mut Env, what: &str) -> f64 {

@@ -3,17 +3,18 @@
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::shape::Shape;
+use crate::shape::view::View;
 use crate::text::Text;
 use crate::value::Value;
 
 /// `report(key, value)`: adds a number, a truth value or text to the collection of that key and type (*report
 /// operation*). Numbers need not be finite: those that are none are counted.
-pub fn report(env: &mut Env, _: &mut Shape, key: Text, value: impl Into<Value>) {
+pub fn report(env: &mut Env, _: &mut impl View, key: Text, value: impl Into<Value>) {
     env.report(key, value.into());
 }
 
 /// `print(value)`: keeps a line with the model (*print operation*).
-pub fn print(env: &mut Env, _: &mut Shape, value: impl Into<Value>) {
+pub fn print(env: &mut Env, _: &mut impl View, value: impl Into<Value>) {
     env.print(value.into());
 }
 

@@ -6,14 +6,17 @@
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 
 use super::error::WriteError;
 use super::flatten::{Flattener, corner_point, normal_map, unit};
 use super::table::Table;
-use super::{Cuboid, Flow, Leaf, Quad, Sink};
+use super::room::Room;
+use super::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
 use crate::material::Material;
 use crate::mesh::Mesh;
+use crate::scope::Axis;
+use crate::shape::base::Form;
 
 /// Position x, y, z and normal x, y, z.
 pub type Vertex = [f32; 6];
@@ -21,8 +24,8 @@ pub type Vertex = [f32; 6];
 /// Collects leaves as triangles. Can be cleared and used again without giving memory back.
 #[derive(Debug)]
 pub struct Buffers {
-    vertices: Vec<Vertex>,
-    indices: Vec<u32>,
+    vertices: Room<Vertex>,
+    indices: Room<u32>,
     /// One a vertex, or empty as long as nothing had any.
     uvs: Vec<[f32; 2]>,
     runs: Vec<Run>,
@@ -31,6 +34,34 @@ pub struct Buffers {
     limit: usize,
     full: bool,
     flattener: Flattener,
+    ids: Ids,
+}
+
+/// The numbers of the run under way as numbers of the table.
+#[derive(Debug, Default)]
+struct Ids {
+    rules: Vec<u32>,
+    materials: Vec<u32>,
+    /// Rule and material of the last leaf that fills its scope, unless another leaf came after it.
+    last: Option<(u32, u32)>,
+}
+
+/// Not yet known.
+const UNKNOWN: u32 = u32::MAX;
+
+impl Ids {
+    /// Finds a number, or asks for it and keeps it.
+    #[inline]
+    fn find(list: &mut Vec<u32>, number: u32, ask: impl FnOnce() -> u32) -> u32 {
+        let at = number as usize;
+        if list.len() <= at {
+            list.resize(at + 1, UNKNOWN);
+        }
+        if list[at] == UNKNOWN {
+            list[at] = ask();
+        }
+        list[at]
+    }
 }
 
 /// Consecutive triangles with one rule and one material.
@@ -70,8 +101,8 @@ impl Buffers {
     /// Empty buffers with room for this many vertices and indices.
     pub fn with_capacity(vertices: usize, indices: usize) -> Self {
         Buffers {
-            vertices: Vec::with_capacity(vertices),
-            indices: Vec::with_capacity(indices),
+            vertices: Room::with_capacity(vertices),
+            indices: Room::with_capacity(indices),
             uvs: Vec::new(),
             runs: Vec::new(),
             table: Table::new(),
@@ -79,6 +110,7 @@ impl Buffers {
             limit: u32::MAX as usize,
             full: false,
             flattener: Flattener::default(),
+            ids: Ids::default(),
         }
     }
 
@@ -107,12 +139,12 @@ impl Buffers {
 
     /// The vertices.
     pub fn vertices(&self) -> &[Vertex] {
-        &self.vertices
+        self.vertices.items()
     }
 
     /// Three a triangle.
     pub fn indices(&self) -> &[u32] {
-        &self.indices
+        self.indices.items()
     }
 
     /// Texture coordinates, one pair a vertex, v upwards; empty when no geometry has any, (0, 0) where it has none.
@@ -176,11 +208,96 @@ impl Buffers {
         }
     }
 
-    #[inline]
     fn leaf(&mut self, leaf: &Leaf<'_>) {
+        self.ids.last = None;
         let rule = self.table.rule(leaf.rule);
         let material = self.table.material(leaf.material);
         self.run(rule, material);
+    }
+
+    /// Notes rule and material of a leaf that fills its scope.
+    #[inline(always)]
+    fn mark(&mut self, leaf: &Filled<'_>) {
+        if self.ids.last != Some((leaf.rule, leaf.material.0)) {
+            self.mark_other(leaf);
+        }
+    }
+
+    #[inline(never)]
+    fn mark_other(&mut self, leaf: &Filled<'_>) {
+        let Buffers { table, ids, .. } = self;
+        let rule = Ids::find(&mut ids.rules, leaf.rule, || table.rule(leaf.rule()));
+        let (material, last) = match leaf.material_number() {
+            Some(number) => {
+                let material = Ids::find(&mut ids.materials, number, || table.material(leaf.material()));
+                (material, Some((leaf.rule, number)))
+            }
+            None => (table.material(leaf.material()), None),
+        };
+        ids.last = last;
+        self.run(rule, material);
+    }
+
+    #[inline(never)]
+    fn rectangle(&mut self, leaf: &Filled<'_>) -> Flow {
+        let Some(start) = self.room(4) else { return ControlFlow::Break(()) };
+        self.mark(leaf);
+        let axes = &leaf.axes.matrix;
+        let sides = [axes.x_axis * leaf.size.x, axes.y_axis * leaf.size.y];
+        self.write_quad(start, leaf.origin - self.origin, sides, leaf.axes.normals[2]);
+        self.pad_uvs();
+        ControlFlow::Continue(())
+    }
+
+    #[inline(never)]
+    fn block(&mut self, leaf: &Filled<'_>) -> Flow {
+        let Some(start) = self.room(24) else { return ControlFlow::Break(()) };
+        self.mark(leaf);
+        let axes = &leaf.axes.matrix;
+        let sides =
+            DMat3::from_cols(axes.x_axis * leaf.size.x, axes.y_axis * leaf.size.y, axes.z_axis * leaf.size.z);
+        let cuboid = Cuboid { origin: leaf.origin - self.origin, sides, unit: leaf.unit };
+        self.write_box(start, &cuboid, &leaf.axes.normals);
+        self.pad_uvs();
+        ControlFlow::Continue(())
+    }
+
+    /// Writes a rectangle with that first corner and those sides.
+    #[inline(always)]
+    fn write_quad(&mut self, start: u32, a: DVec3, [u, v]: [DVec3; 2], normal: [f32; 3]) {
+        let b = a + u;
+        if let Some(to) = self.vertices.take(4).first_chunk_mut::<4>() {
+            *to = [a, b, b + v, a + v].map(|corner| vertex(short(corner), normal));
+        }
+        if let Some(to) = self.indices.take(6).first_chunk_mut::<6>() {
+            *to = [start, start + 1, start + 2, start, start + 2, start + 3];
+        }
+    }
+
+    /// Writes a box; `normals` look along its sides.
+    #[inline(always)]
+    fn write_box(&mut self, start: u32, cuboid: &Cuboid, normals: &[[f32; 3]; 3]) {
+        // Each corner is rounded once, so the three faces that meet there agree.
+        // Four numbers each: they are stored and loaded as one.
+        let corners = cuboid.corners().map(|p| {
+            let [x, y, z] = short(p);
+            [x, y, z, 0.0]
+        });
+        let [right, top, front] = *normals;
+        let [left, bottom, back] = [right, top, front].map(|n| n.map(|c| -c));
+        let normals = [front, right, back, left, top, bottom];
+        let (faces, _) = self.vertices.take(24).as_chunks_mut::<4>();
+        for (to, face) in faces.iter_mut().zip(cuboid.unit.sides()) {
+            let [u, v, w] = normals[face.side as usize];
+            for (to, corner) in to.iter_mut().zip(face.corners) {
+                let [x, y, z, _] = corners[usize::from(corner % 8)];
+                *to = [x, y, z, u, v, w];
+            }
+        }
+        let (quads, _) = self.indices.take(36).as_chunks_mut::<6>();
+        for (to, first) in quads.iter_mut().zip((start..).step_by(4)) {
+            *to = [first, first + 1, first + 2, first, first + 2, first + 3];
+        }
     }
 
     /// The number of the next vertex, if `more` of them fit.
@@ -213,51 +330,37 @@ fn short(v: DVec3) -> [f32; 3] {
 }
 
 impl Sink for Buffers {
+    fn begin(&mut self) {
+        self.ids.rules.clear();
+        self.ids.materials.clear();
+        self.ids.last = None;
+    }
+
     #[inline]
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        match leaf.form {
+            Form::Rect(Axis::Z) => self.rectangle(leaf),
+            Form::Box => self.block(leaf),
+            Form::Rect(_) | Form::Empty | Form::Other => leaf.pass_to(self),
+        }
+    }
+
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let Some(start) = self.room(4) else { return ControlFlow::Break(()) };
         self.leaf(leaf);
         let normal = short(unit(quad.u.cross(quad.v)));
-        let a = quad.origin - self.origin;
-        let b = a + quad.u;
-        self.vertices.extend_from_slice(&[
-            vertex(short(a), normal),
-            vertex(short(b), normal),
-            vertex(short(b + quad.v), normal),
-            vertex(short(a + quad.v), normal),
-        ]);
-        self.indices.extend_from_slice(&[start, start + 1, start + 2, start, start + 2, start + 3]);
+        self.write_quad(start, quad.origin - self.origin, [quad.u, quad.v], normal);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
 
-    #[inline]
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
         let Some(start) = self.room(24) else { return ControlFlow::Break(()) };
         self.leaf(leaf);
         let [x, y, z] = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
-        // Each corner is rounded once, so the three faces that meet there agree.
-        // Four numbers each: they are stored and loaded as one.
-        let corners = Cuboid { origin: cuboid.origin - self.origin, ..*cuboid }.corners().map(|p| {
-            let [x, y, z] = short(p);
-            [x, y, z, 0.0]
-        });
         // From cross products, not from the axes: they turn round together with the winding when a side is negative.
-        let [right, top, front] = [y.cross(z), z.cross(x), x.cross(y)].map(unit).map(short);
-        let [left, bottom, back] = [right, top, front].map(|n| n.map(|c| -c));
-        let normals = [front, right, back, left, top, bottom];
-        // Written in place: building the vertices elsewhere and copying them takes twice as long.
-        self.vertices.extend_from_slice(&[[0.0; 6]; 24]);
-        let (faces, _) = self.vertices[start as usize..].as_chunks_mut::<4>();
-        for (to, face) in faces.iter_mut().zip(cuboid.unit.sides()) {
-            let [u, v, w] = normals[face.side as usize];
-            for (to, corner) in to.iter_mut().zip(face.corners) {
-                let [x, y, z, _] = corners[usize::from(corner % 8)];
-                *to = [x, y, z, u, v, w];
-            }
-        }
-        self.indices
-            .extend_from_slice([0, 4, 8, 12, 16, 20].map(|f| [0, 1, 2, 0, 2, 3].map(|i| start + f + i)).as_flattened());
+        let normals = [y.cross(z), z.cross(x), x.cross(y)].map(unit).map(short);
+        self.write_box(start, &Cuboid { origin: cuboid.origin - self.origin, ..*cuboid }, &normals);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
@@ -266,6 +369,7 @@ impl Sink for Buffers {
         if self.room(mesh.corners.len()).is_none() {
             return ControlFlow::Break(());
         }
+        self.ids.last = None;
         let rule = self.table.rule(leaf.rule);
         let material = self.table.material(leaf.material);
         if !mesh.uvs().is_empty() && self.uvs.is_empty() {
@@ -285,7 +389,10 @@ impl Sink for Buffers {
             if !mesh.uvs().is_empty() {
                 self.uvs.extend(mesh.uvs()[face.corners].iter().map(|uv| [uv.x as f32, uv.y as f32]));
             }
-            self.indices.extend(face.triangles.as_flattened().iter().map(|i| start + i));
+            let triangles = face.triangles.as_flattened();
+            for (index, corner) in self.indices.take(triangles.len()).iter_mut().zip(triangles) {
+                *index = start + corner;
+            }
             true
         });
         self.flattener = flattener;

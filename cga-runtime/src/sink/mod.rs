@@ -13,6 +13,7 @@ pub(crate) mod number;
 pub mod obj;
 pub(crate) mod order;
 pub mod picture;
+mod room;
 pub mod stats;
 pub mod svg;
 pub mod table;

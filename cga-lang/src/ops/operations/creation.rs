@@ -4,7 +4,7 @@ use super::super::{
     Bounds, Default, Effect, FILE, FS, Operation, Param, ParamKind, Uses, Values, bounds, float, length, of, or,
     uv_set, within, word,
 };
-use super::{later, old, op, slim, using, with};
+use super::{later, old, moves, op, using, with};
 
 const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
     rust: "ExtrudeAlong",
@@ -65,7 +65,7 @@ const FROM_FILE: Uses = Uses::WHOLE.and(Uses::SAYS);
 const NO_DIRECTION: &str = "say which way is up: `envelope(normal, …)`";
 
 pub(super) static ROWS: &[Operation] = &[
-    slim(op("extrude", "extrude", &[length("distance")], "extrudes each face along its normal")),
+    moves(op("extrude", "extrude", &[length("distance")], "extrudes each face along its normal")),
     op(
         "extrude",
         "extrude_along",

@@ -2,7 +2,7 @@
 
 use super::super::{B, Bounds, Default, F, Operation, Param, ParamKind, T, TS, Uses, Values};
 use super::super::{bounds, float, of, or, param, text, within, word};
-use super::{keeps, old, op, slim, using};
+use super::{keeps, old, op, paints, says, using};
 
 const TARGET: Param = or(
     word("target", "MaterialTarget", &[("shape", "Shape"), ("geometry", "Geometry"), ("all", "All")]),
@@ -15,22 +15,22 @@ static LABELS: Bounds = bounds(Values::NotEmpty, "a label is not empty");
 const REPORT: &str = "adds a value to a collection of the run";
 
 pub(super) static ROWS: &[Operation] = &[
-    keeps(slim(op("color", "color_hex", &[text("hexValue")], "sets the colour, as in \"#ff8000\""))),
-    keeps(slim(op(
+    paints(op("color", "color_hex", &[text("hexValue")], "sets the colour, as in \"#ff8000\"")),
+    paints(op(
         "color",
         "color_rgb",
         &[float("red"), float("green"), float("blue")],
         "sets the colour, each from 0 to 1",
-    ))),
-    keeps(slim(op(
+    )),
+    paints(op(
         "color",
         "color_rgba",
         &[float("red"), float("green"), float("blue"), float("opacity")],
         "sets colour and opacity, each from 0 to 1",
-    ))),
+    )),
     // Its page is gone since 2020.0: it was short for `set` (*opacity operation*, 2019.1).
     old(
-        keeps(slim(op("opacity", "opacity", &[float("opacity")], "sets the opacity, from 0 to 1"))),
+        paints(op("opacity", "opacity", &[float("opacity")], "sets the opacity, from 0 to 1")),
         "write `set(material.opacity, …)`",
     ),
     keeps(op(
@@ -50,8 +50,8 @@ pub(super) static ROWS: &[Operation] = &[
         Uses::WHOLE.and(Uses::SAYS),
         op("label", "label", &[within(text("label"), &LABELS)], "leaves a labelled copy of the shape for queries"),
     )),
-    keeps(using(Uses::SAYS, op("report", "report", &[text("key"), of("value", F)], REPORT))),
-    keeps(using(Uses::SAYS, op("report", "report", &[text("key"), of("value", B)], REPORT))),
-    keeps(using(Uses::SAYS, op("report", "report", &[text("key"), of("value", T)], REPORT))),
-    keeps(using(Uses::SAYS, op("print", "print", &[param("value", ParamKind::Any)], "shows a value"))),
+    says(op("report", "report", &[text("key"), of("value", F)], REPORT)),
+    says(op("report", "report", &[text("key"), of("value", B)], REPORT)),
+    says(op("report", "report", &[text("key"), of("value", T)], REPORT)),
+    says(op("print", "print", &[param("value", ParamKind::Any)], "shows a value")),
 ];

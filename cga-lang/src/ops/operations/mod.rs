@@ -10,7 +10,7 @@ mod subdivision;
 mod texturing;
 mod transform;
 
-use super::{Block, Effect, Operation, Param, Run, Uses};
+use super::{Block, Changes, Effect, Operation, Param, Run, Uses};
 
 /// Every operation.
 pub static OPERATIONS: &[&[Operation]] = &[
@@ -39,6 +39,7 @@ const fn later(name: &'static str, params: &'static [Param], about: &'static str
         scope: Effect::Any,
         uses_base: false,
         uses: Uses::WHOLE,
+        changes: Changes::Whole,
         overloads: true,
         old: None,
         about,
@@ -63,6 +64,21 @@ const fn using(uses: Uses, row: Operation) -> Operation {
 /// The same row, of an operation that needs the scope and the material alone, and does the same wherever the shape is.
 const fn slim(row: Operation) -> Operation {
     using(Uses::NONE, row)
+}
+
+/// The same row, of an operation that sets the material and looks at nothing else.
+const fn paints(row: Operation) -> Operation {
+    Operation { changes: Changes::Material, ..keeps(slim(row)) }
+}
+
+/// The same row, of an operation that has a second function for slim shapes.
+const fn moves(row: Operation) -> Operation {
+    Operation { changes: Changes::Scope, ..slim(row) }
+}
+
+/// The same row, of an operation that tells the run something.
+const fn says(row: Operation) -> Operation {
+    Operation { changes: Changes::Nothing, ..keeps(using(Uses::SAYS, row)) }
 }
 
 /// The same row, of an operation that no rule overloads (*CGA changelog 2020.0*).

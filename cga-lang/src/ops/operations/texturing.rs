@@ -1,7 +1,7 @@
 //! Textures and texture coordinates. A uv set is a number from 0 to 9.
 
 use super::super::{Default, Operation, Param, ParamKind, float, length, or, param, size, uv_set, word};
-use super::{alone, keeps, later, old, op, slim};
+use super::{alone, later, old, op, paints};
 
 const UV_SET: Param = uv_set("uvSet");
 
@@ -38,7 +38,7 @@ const HEIGHT: Param = size("textureHeight");
 const PROJECTION: &str = "says how a texture is to be laid on the shape";
 
 pub(super) static ROWS: &[Operation] = &[
-    keeps(slim(op("texture", "texture", &[param("filePath", ParamKind::Image)], "sets the colour map"))),
+    paints(op("texture", "texture", &[param("filePath", ParamKind::Image)], "sets the colour map")),
     alone(later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION)),
     alone(later(
         "setupProjection",

@@ -1,7 +1,7 @@
 //! Moving, turning and sizing.
 
 use super::super::{Effect, Operation, Param, float, length, word};
-use super::{alone, keeps, op, slim, with};
+use super::{alone, keeps, moves, op, slim, with};
 
 const CENTER_AXES: Param = word(
     "axes",
@@ -26,9 +26,9 @@ const Z_ANGLE: Param = float("zAngle");
 pub(super) static ROWS: &[Operation] = &[
     alone(with(
         Effect::Sizes,
-        slim(op("s", "size", &[length("xSize"), length("ySize"), length("zSize")], "sets the size of the scope")),
+        moves(op("s", "size", &[length("xSize"), length("ySize"), length("zSize")], "sets the size of the scope")),
     )),
-    alone(keeps(slim(op(
+    alone(keeps(moves(op(
         "t",
         "translate",
         &[length("tx"), length("ty"), length("tz")],

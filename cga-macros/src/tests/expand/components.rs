@@ -7,18 +7,18 @@ impl CgaRules {
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
-        let changed = {
-            let mut whole = cx.env.whole(shape);
-            {
-                let shape = &mut whole;
-                {
-                    let a0 = CgaRules::names(g, cx.env, shape, 2f64);
-                    cga_rt::op::print(cx.env, shape, a0);
-                }
-            }
-            cx.env.base(whole)
-        };
-        let shape = &mut changed.shape();
+        {
+            let a0 = {
+                let mut whole = cx.env.whole(shape);
+                let value = {
+                    let shape = &mut whole;
+                    CgaRules::names(g, cx.env, shape, 2f64)
+                };
+                shape.drawn(&whole);
+                value
+            };
+            cga_rt::op::print(cx.env, shape, a0)
+        }
         cx.leaf(shape, 0u32)?;
         cx.leave()
     }

@@ -82,20 +82,20 @@ impl CgaRules {
         cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
+        let mut own = *shape;
         let changed = {
-            let mut whole = cx.env.whole(shape);
+            let shape = &mut own;
             {
-                let shape = &mut whole;
-                {
-                    let a0 = cga_rt::Length::Absolute(1f64);
-                    let a1 = cga_rt::Length::Absolute(2f64);
-                    let a2 = cga_rt::Length::Absolute(3f64);
-                    cga_rt::op::size(cx.env, shape, a0, a1, a2);
-                }
+                let a0 = cga_rt::Length::Absolute(1f64);
+                let a1 = cga_rt::Length::Absolute(2f64);
+                let a2 = cga_rt::Length::Absolute(3f64);
+                cga_rt::slim::size(cx.env, shape, a0, a1, a2)
             }
-            cx.env.base(whole)
         };
-        let shape = &mut changed.shape();
+        if let ::core::option::Option::Some(base) = &changed {
+            own = base.shape();
+        }
+        let shape = &mut own;
         cx.symbol(shape, 2u32)?;
         cga_rt::Flow::Continue(())
     }

@@ -1,0 +1,121 @@
+//! Operations on slim shapes: what façades are full of costs no whole shape.
+//!
+//! Each changes a slim rectangle or box as the operation of its name changes the whole shape. Where that does not suffice it
+//! makes the shape whole and gives the base of the result, which takes the place of the shape.
+
+use glam::DVec3;
+
+use super::{Length, settle_origin};
+use crate::env::Env;
+use crate::scope::{Axis, Scope};
+use crate::shape::base::{Base, Form};
+use crate::shape::{Shape, ShapeRef};
+
+/// The shape after an operation: the slim one, or the shape of the base that takes its place.
+#[inline]
+pub fn after<'a>(shape: &ShapeRef<'a>, changed: &'a Option<Base>) -> ShapeRef<'a> {
+    match changed {
+        None => *shape,
+        Some(base) => base.shape(),
+    }
+}
+
+/// `t(x, y, z)`, as [`super::translate`].
+#[inline]
+pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Base> {
+    let size = shape.size;
+    let by = DVec3::new(
+        x.of(size.x, env, "`t` along x"),
+        y.of(size.y, env, "`t` along y"),
+        z.of(size.z, env, "`t` along z"),
+    );
+    let origin = shape.origin + shape.axes.matrix * by;
+    if settle_origin(env, origin, "`t`") {
+        shape.origin = origin;
+    }
+    None
+}
+
+/// `s(x, y, z)`, as [`super::size`].
+#[inline]
+pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Base> {
+    let size = DVec3::new(x.plain(shape.size.x), y.plain(shape.size.y), z.plain(shape.size.z));
+    let (zero, most) = (DVec3::ZERO, DVec3::splat(Scope::MOST_SIZE));
+    let mut fits = size.cmpgt(zero) & size.cmple(most);
+    match shape.form {
+        // The size across a rectangle is not the rectangle's own.
+        Form::Rect(Axis::X) => fits.set(0, 0.0 <= size.x && size.x <= most.x),
+        Form::Rect(Axis::Y) => fits.set(1, 0.0 <= size.y && size.y <= most.y),
+        Form::Rect(Axis::Z) => fits.set(2, 0.0 <= size.z && size.z <= most.z),
+        Form::Box => {}
+        Form::Empty => fits = size.cmpge(zero) & size.cmple(most),
+        Form::Other => fits.set(0, false),
+    }
+    if !fits.all() {
+        return whole(env, shape, |env, shape| super::size(env, shape, x, y, z));
+    }
+    shape.size = size;
+    None
+}
+
+/// `extrude(distance)`, as [`super::extrude`].
+#[inline]
+pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Base> {
+    let (s, height) = (shape.size, distance.plain(shape.size.y));
+    let is_length = 0.0 < height && height <= Scope::MOST_SIZE;
+    match shape.form {
+        Form::Rect(Axis::Z)
+            if is_length
+                && 0.0 < s.x
+                && 0.0 < s.y
+                && s.z == 0.0
+                && std::ptr::eq(shape.axes, shape.base.axes()) =>
+        {
+            shape.unit = shape.unit.grown(Axis::Z);
+            shape.origin += shape.axes.matrix.y_axis * s.y;
+            shape.size = DVec3::new(s.x, height, s.y);
+            shape.axes = shape.base.raised();
+        }
+        Form::Rect(Axis::Y) if is_length && 0.0 < s.x && s.y == 0.0 && 0.0 < s.z => {
+            shape.unit = shape.unit.grown(Axis::Y);
+            shape.size.y = height;
+        }
+        _ => return whole(env, shape, |env, shape| super::extrude(env, shape, distance)),
+    }
+    shape.form = Form::Box;
+    None
+}
+
+/// An operation that changes the material alone. With constant arguments its result is found once for each material before:
+/// `place` counts such operations in the rules.
+#[inline]
+pub fn paint(
+    env: &mut Env,
+    shape: &mut ShapeRef<'_>,
+    place: u32,
+    change: impl FnOnce(&mut Env, &mut Shape),
+) -> Option<Base> {
+    if let Some(after) = env.leaf_tables.materials.painted(place, shape.material) {
+        shape.material = after;
+        return None;
+    }
+    let (before, faults) = (shape.material, env.fault_count());
+    let base = whole(env, shape, change)?;
+    let is_faultless = faults == env.fault_count();
+    let materials = &mut env.leaf_tables.materials;
+    let after = materials.intern(base.shape.state.material());
+    if is_faultless && materials.keep_paint(place, before, after) {
+        shape.material = after;
+        return None;
+    }
+    Some(base)
+}
+
+/// The same on the whole shape.
+#[cold]
+#[inline(never)]
+fn whole(env: &mut Env, shape: &ShapeRef<'_>, change: impl FnOnce(&mut Env, &mut Shape)) -> Option<Base> {
+    let mut whole = env.whole(shape);
+    change(env, &mut whole);
+    Some(env.base(whole))
+}

@@ -1,0 +1,58 @@
+//! A list that is written in place.
+
+/// Items that are used, and after them items that were made before their turn: a writer gets a place for the next items and
+/// fills it. That is faster than to build items elsewhere and copy them.
+#[derive(Clone, Debug)]
+pub(super) struct Room<T> {
+    items: Vec<T>,
+    used: usize,
+}
+
+impl<T: Copy + Default> Room<T> {
+    /// A list with room for that many items.
+    pub(super) fn with_capacity(count: usize) -> Self {
+        Room { items: Vec::with_capacity(count), used: 0 }
+    }
+
+    /// The items.
+    #[inline]
+    pub(super) fn items(&self) -> &[T] {
+        &self.items[..self.used]
+    }
+
+    /// The number of items.
+    #[inline]
+    pub(super) fn len(&self) -> usize {
+        self.used
+    }
+
+    /// Forgets the items, keeps the memory.
+    pub(super) fn clear(&mut self) {
+        self.used = 0;
+    }
+
+    /// The places of the next items.
+    #[inline]
+    pub(super) fn take(&mut self, count: usize) -> &mut [T] {
+        if self.items.len() - self.used < count {
+            self.grow(count);
+        }
+        let start = self.used;
+        self.used += count;
+        &mut self.items[start..start + count]
+    }
+
+    /// Adds an item.
+    #[inline]
+    pub(super) fn push(&mut self, item: T) {
+        self.take(1)[0] = item;
+    }
+
+    /// Makes room for at least that many items more: twice as much as before, and never less than the list has room for.
+    #[cold]
+    #[inline(never)]
+    fn grow(&mut self, count: usize) {
+        let wanted = (self.used + count).max(2 * self.items.len()).max(self.items.capacity());
+        self.items.resize(wanted, T::default());
+    }
+}
