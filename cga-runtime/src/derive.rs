@@ -168,17 +168,7 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
         match shape.form {
             Form::Rect(_) | Form::Box => {
                 self.env.filled += 1;
-                self.sink.filled(&Filled {
-                    origin: shape.origin,
-                    size: shape.size,
-                    axes: shape.axes,
-                    base: shape.base,
-                    unit: shape.unit,
-                    tables: &self.env.leaf_tables,
-                    rule,
-                    material: shape.material,
-                    form: shape.form,
-                })
+                self.sink.filled(&Filled { shape, tables: &self.env.leaf_tables, rule })
             }
             Form::Empty | Form::Other => self.other_leaf(*shape, rule),
         }

@@ -83,7 +83,8 @@ impl Scope {
     /// Whether what is in it, turned any way, is far from where numbers end.
     pub(crate) fn is_bounded(&self) -> bool {
         // Maxima skip NaN, sums and comparisons do not.
-        self.origin.abs().element_sum() <= Scope::MOST_DISTANCE && self.size.abs().cmple(DVec3::splat(Scope::MOST_SIZE)).all()
+        self.origin.abs().element_sum() <= Scope::MOST_DISTANCE
+            && self.size.abs().cmple(DVec3::splat(Scope::MOST_SIZE)).all()
     }
 
     /// The extent along an axis.

@@ -1,7 +1,7 @@
 //! The attributes of shapes.
 
 use super::material::MATERIAL;
-use super::{Changes, B, F, Needs, Run, ShapeAttr, T, Uses};
+use super::{B, Changes, F, Needs, Run, ShapeAttr, T, Uses};
 use crate::ir::Type;
 
 /// Every attribute of shapes.
@@ -9,12 +9,28 @@ pub static SHAPE_ATTRS: &[&[ShapeAttr]] = &[SHAPE, MATERIAL];
 
 /// Cannot be set.
 const fn get(name: &'static str, get: &'static str, uses: Uses) -> ShapeAttr {
-    ShapeAttr { name, get: Run::Now(get), ty: F, needs: Needs::Shape, uses, set: None, set_uses: Uses::NONE, set_changes: Changes::Nothing, old: None }
+    ShapeAttr {
+        name,
+        get: Run::Now(get),
+        ty: F,
+        needs: Needs::Shape,
+        uses,
+        set: None,
+        set_uses: Uses::NONE,
+        set_changes: Changes::Nothing,
+        old: None,
+    }
 }
 
 /// Can be set. Reading and setting use the whole shape.
 pub(super) const fn both(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
-    ShapeAttr { ty, set: Some(Run::Now(call)), set_uses: Uses::WHOLE, set_changes: Changes::Whole, ..get(name, call, Uses::WHOLE) }
+    ShapeAttr {
+        ty,
+        set: Some(Run::Now(call)),
+        set_uses: Uses::WHOLE,
+        set_changes: Changes::Whole,
+        ..get(name, call, Uses::WHOLE)
+    }
 }
 
 /// The same row, with other uses.

@@ -61,7 +61,19 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let calls = calls::Calls::new(&grammar.functions);
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
     let (facts, leaves) = (Facts::new(grammar), leaves::Leaves::new(grammar));
-    let cx = Cx { grammar, source, names, plan, calls, captured: header.name.is_none(), hosts, renewed, facts, leaves, paints: Cell::new(0) };
+    let cx = Cx {
+        grammar,
+        source,
+        names,
+        plan,
+        calls,
+        captured: header.name.is_none(),
+        hosts,
+        renewed,
+        facts,
+        leaves,
+        paints: Cell::new(0),
+    };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
     let renewals = cx.renewals();

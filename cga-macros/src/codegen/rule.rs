@@ -182,8 +182,9 @@ impl Cx<'_> {
             _ => return None,
         };
         Some(quote_spanned! { place=>
-            let changed = #change;
-            let shape = &mut cga_rt::slim::after(shape, &changed);
+            let mut own = *shape;
+            let changed = { let shape = &mut own; #change };
+            let shape = &mut cga_rt::slim::after(own, &changed);
         })
     }
 
@@ -402,7 +403,7 @@ impl Cx<'_> {
                 let call = self.call(from, *rule, args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.asked(arg, &Place::part()));
-                let called = !is_block(&self.grammar.rules[rule.0 as usize]);
+                let called = !is_block(&self.grammar.rules[rule.0 as usize]) && self.facts.rule(*rule).below.draws;
                 let hand_on = called.then(|| quote_spanned!(place=> cga_rt::hand_on(part);));
                 quote_spanned!(place=> {
                     #(let #names = #values;)*

@@ -42,15 +42,16 @@ impl Cx<'_> {
             (None, Measure::Length) => (self.lengths(split, &axis), quote_spanned!(place=> pieces.cursor())),
         };
         let is_list = solved.is_some() || split.measure == Measure::Area;
-        let counted = split.slots.iter().any(|target| self.facts.target(target).total);
+        let is_counted = split.slots.iter().any(|target| self.facts.target(target).total);
+        let total = if is_counted { quote_spanned!(place=> cga_rt::total(pieces)) } else { quote_spanned!(place=> 0) };
         let slots = Slots { split, rule, axis, is_list };
         let statements = self.items(&slots, &split.pattern, At::default(), false);
         let (axis, number) = (&slots.axis, Literal::u32_unsuffixed(number));
         quote_spanned! { place=>
             #pieces
-            let mut division = cga_rt::Division::new(
-                cx.env, shape, (#axis, cga_rt::Adjust::#adjust), #number, pieces, #counted,
-            )?;
+            let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, pieces)?;
+            let mut division =
+                cga_rt::Division::new(shape, &made, #axis, cga_rt::Adjust::#adjust, #number, #total);
             let mut row = #row;
             #statements
         }
@@ -118,7 +119,7 @@ impl Cx<'_> {
                 let draws = uses.draws;
                 quote_spanned! { place=>
                     if let ::core::option::Option::Some(piece) = row.slot(#number) {
-                        let part = &mut division.part(#axis, piece, #number, #in_group, #draws);
+                        let part = division.part(#axis, piece, #number, #in_group, #draws);
                         let flow: cga_rt::Flow = #code;
                         flow?;
                     }

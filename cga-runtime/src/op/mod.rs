@@ -16,9 +16,9 @@ mod pivot;
 mod primitive;
 mod refit;
 mod report;
-pub mod slim;
 #[cfg(test)]
 mod scope_tests;
+pub mod slim;
 mod transform;
 mod trim;
 

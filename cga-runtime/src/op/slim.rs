@@ -13,16 +13,16 @@ use crate::shape::{Shape, ShapeRef};
 
 /// The shape after an operation: the slim one, or the shape of the base that takes its place.
 #[inline]
-pub fn after<'a>(shape: &ShapeRef<'a>, changed: &'a Option<Base>) -> ShapeRef<'a> {
+pub fn after<'a>(shape: ShapeRef<'a>, changed: &'a Option<Box<Base>>) -> ShapeRef<'a> {
     match changed {
-        None => *shape,
+        None => shape,
         Some(base) => base.shape(),
     }
 }
 
 /// `t(x, y, z)`, as [`super::translate`].
 #[inline]
-pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Base> {
+pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
     let size = shape.size;
     let by = DVec3::new(
         x.of(size.x, env, "`t` along x"),
@@ -38,7 +38,7 @@ pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, 
 
 /// `s(x, y, z)`, as [`super::size`].
 #[inline]
-pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Base> {
+pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
     let size = DVec3::new(x.plain(shape.size.x), y.plain(shape.size.y), z.plain(shape.size.z));
     let (zero, most) = (DVec3::ZERO, DVec3::splat(Scope::MOST_SIZE));
     let mut fits = size.cmpgt(zero) & size.cmple(most);
@@ -60,16 +60,12 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
 
 /// `extrude(distance)`, as [`super::extrude`].
 #[inline]
-pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Base> {
+pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Box<Base>> {
     let (s, height) = (shape.size, distance.plain(shape.size.y));
     let is_length = 0.0 < height && height <= Scope::MOST_SIZE;
     match shape.form {
         Form::Rect(Axis::Z)
-            if is_length
-                && 0.0 < s.x
-                && 0.0 < s.y
-                && s.z == 0.0
-                && std::ptr::eq(shape.axes, shape.base.axes()) =>
+            if is_length && 0.0 < s.x && 0.0 < s.y && s.z == 0.0 && std::ptr::eq(shape.axes, shape.base.axes()) =>
         {
             shape.unit = shape.unit.grown(Axis::Z);
             shape.origin += shape.axes.matrix.y_axis * s.y;
@@ -94,7 +90,7 @@ pub fn paint(
     shape: &mut ShapeRef<'_>,
     place: u32,
     change: impl FnOnce(&mut Env, &mut Shape),
-) -> Option<Base> {
+) -> Option<Box<Base>> {
     if let Some(after) = env.leaf_tables.materials.painted(place, shape.material) {
         shape.material = after;
         return None;
@@ -114,8 +110,8 @@ pub fn paint(
 /// The same on the whole shape.
 #[cold]
 #[inline(never)]
-fn whole(env: &mut Env, shape: &ShapeRef<'_>, change: impl FnOnce(&mut Env, &mut Shape)) -> Option<Base> {
+fn whole(env: &mut Env, shape: &ShapeRef<'_>, change: impl FnOnce(&mut Env, &mut Shape)) -> Option<Box<Base>> {
     let mut whole = env.whole(shape);
     change(env, &mut whole);
-    Some(env.base(whole))
+    Some(Box::new(env.base(whole)))
 }

@@ -6,16 +6,17 @@
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, Vec4};
 
 use super::error::WriteError;
 use super::flatten::{Flattener, corner_point, normal_map, unit};
-use super::table::Table;
 use super::room::Room;
+use super::table::Table;
 use super::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
+use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 
 /// Position x, y, z and normal x, y, z.
@@ -45,6 +46,16 @@ struct Ids {
     /// Rule and material of the last leaf that fills its scope, unless another leaf came after it.
     last: Option<(u32, u32)>,
 }
+
+/// The indices of a box, counted from its first vertex.
+const BOX: [u32; 36] = {
+    let (mut list, mut at) = ([0; 36], 0);
+    while at < 36 {
+        list[at] = 4 * (at as u32 / 6) + [0, 1, 2, 0, 2, 3][at % 6];
+        at += 1;
+    }
+    list
+};
 
 /// Not yet known.
 const UNKNOWN: u32 = u32::MAX;
@@ -218,7 +229,7 @@ impl Buffers {
     /// Notes rule and material of a leaf that fills its scope.
     #[inline(always)]
     fn mark(&mut self, leaf: &Filled<'_>) {
-        if self.ids.last != Some((leaf.rule, leaf.material.0)) {
+        if self.ids.last != Some((leaf.rule, leaf.shape.material.0)) {
             self.mark_other(leaf);
         }
     }
@@ -238,13 +249,19 @@ impl Buffers {
         self.run(rule, material);
     }
 
+    #[cold]
+    #[inline(never)]
+    fn pass(&mut self, leaf: &Filled<'_>) -> Flow {
+        leaf.pass_to(self)
+    }
+
     #[inline(never)]
     fn rectangle(&mut self, leaf: &Filled<'_>) -> Flow {
         let Some(start) = self.room(4) else { return ControlFlow::Break(()) };
         self.mark(leaf);
-        let axes = &leaf.axes.matrix;
-        let sides = [axes.x_axis * leaf.size.x, axes.y_axis * leaf.size.y];
-        self.write_quad(start, leaf.origin - self.origin, sides, leaf.axes.normals[2]);
+        let axes = &leaf.shape.axes.matrix;
+        let sides = [axes.x_axis * leaf.shape.size.x, axes.y_axis * leaf.shape.size.y];
+        self.write_quad(start, leaf.shape.origin - self.origin, sides, leaf.shape.axes.normals[0]);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
@@ -253,11 +270,14 @@ impl Buffers {
     fn block(&mut self, leaf: &Filled<'_>) -> Flow {
         let Some(start) = self.room(24) else { return ControlFlow::Break(()) };
         self.mark(leaf);
-        let axes = &leaf.axes.matrix;
-        let sides =
-            DMat3::from_cols(axes.x_axis * leaf.size.x, axes.y_axis * leaf.size.y, axes.z_axis * leaf.size.z);
-        let cuboid = Cuboid { origin: leaf.origin - self.origin, sides, unit: leaf.unit };
-        self.write_box(start, &cuboid, &leaf.axes.normals);
+        let axes = &leaf.shape.axes.matrix;
+        let sides = DMat3::from_cols(
+            axes.x_axis * leaf.shape.size.x,
+            axes.y_axis * leaf.shape.size.y,
+            axes.z_axis * leaf.shape.size.z,
+        );
+        let cuboid = Cuboid { origin: leaf.shape.origin - self.origin, sides, unit: leaf.shape.unit };
+        self.write_box(start, &cuboid, &leaf.shape.axes.normals);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
@@ -267,36 +287,28 @@ impl Buffers {
     fn write_quad(&mut self, start: u32, a: DVec3, [u, v]: [DVec3; 2], normal: [f32; 3]) {
         let b = a + u;
         if let Some(to) = self.vertices.take(4).first_chunk_mut::<4>() {
-            *to = [a, b, b + v, a + v].map(|corner| vertex(short(corner), normal));
+            write_face(to, [four(a), four(b), four(b + v), four(a + v)], normal);
         }
         if let Some(to) = self.indices.take(6).first_chunk_mut::<6>() {
             *to = [start, start + 1, start + 2, start, start + 2, start + 3];
         }
     }
 
-    /// Writes a box; `normals` look along its sides.
+    /// Writes a box; `normals` are those of its sides.
     #[inline(always)]
-    fn write_box(&mut self, start: u32, cuboid: &Cuboid, normals: &[[f32; 3]; 3]) {
-        // Each corner is rounded once, so the three faces that meet there agree.
-        // Four numbers each: they are stored and loaded as one.
-        let corners = cuboid.corners().map(|p| {
-            let [x, y, z] = short(p);
-            [x, y, z, 0.0]
-        });
-        let [right, top, front] = *normals;
-        let [left, bottom, back] = [right, top, front].map(|n| n.map(|c| -c));
-        let normals = [front, right, back, left, top, bottom];
+    fn write_box(&mut self, start: u32, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
+        // Each corner is rounded once, so the three faces that meet there agree. Whole vectors are stored and loaded: parts of
+        // one would have to wait for each other.
+        let (o, [x, y, z]) = (cuboid.origin, [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis]);
+        let (p, q) = (o + y, o + z);
+        let r = p + z;
+        let corners = [four(o), four(o + x), four(p), four(p + x), four(q), four(q + x), four(r), four(r + x)];
         let (faces, _) = self.vertices.take(24).as_chunks_mut::<4>();
         for (to, face) in faces.iter_mut().zip(cuboid.unit.sides()) {
-            let [u, v, w] = normals[face.side as usize];
-            for (to, corner) in to.iter_mut().zip(face.corners) {
-                let [x, y, z, _] = corners[usize::from(corner % 8)];
-                *to = [x, y, z, u, v, w];
-            }
+            write_face(to, face.corners.map(|corner| corners[usize::from(corner & 7)]), normals[face.side as usize]);
         }
-        let (quads, _) = self.indices.take(36).as_chunks_mut::<6>();
-        for (to, first) in quads.iter_mut().zip((start..).step_by(4)) {
-            *to = [first, first + 1, first + 2, first, first + 2, first + 3];
+        if let Some(to) = self.indices.take(36).first_chunk_mut::<36>() {
+            *to = std::array::from_fn(|at| start + BOX[at]);
         }
     }
 
@@ -319,6 +331,29 @@ impl Buffers {
     }
 }
 
+/// A corner, rounded.
+#[inline(always)]
+fn four(p: DVec3) -> Vec4 {
+    Vec4::new(p.x as f32, p.y as f32, p.z as f32, 0.0)
+}
+
+/// Writes the four vertices of a face as six vectors.
+#[inline(always)]
+fn write_face(to: &mut [Vertex; 4], [a, b, c, d]: [Vec4; 4], [u, v, w]: [f32; 3]) {
+    let vectors = [
+        Vec4::new(a.x, a.y, a.z, u),
+        Vec4::new(v, w, b.x, b.y),
+        Vec4::new(b.z, u, v, w),
+        Vec4::new(c.x, c.y, c.z, u),
+        Vec4::new(v, w, d.x, d.y),
+        Vec4::new(d.z, u, v, w),
+    ];
+    let (chunks, _) = to.as_flattened_mut().as_chunks_mut::<4>();
+    for (to, vector) in chunks.iter_mut().zip(vectors) {
+        *to = vector.to_array();
+    }
+}
+
 #[inline]
 fn vertex(p: [f32; 3], n: [f32; 3]) -> Vertex {
     [p[0], p[1], p[2], n[0], n[1], n[2]]
@@ -338,10 +373,10 @@ impl Sink for Buffers {
 
     #[inline]
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
-        match leaf.form {
+        match leaf.shape.form {
             Form::Rect(Axis::Z) => self.rectangle(leaf),
             Form::Box => self.block(leaf),
-            Form::Rect(_) | Form::Empty | Form::Other => leaf.pass_to(self),
+            Form::Rect(_) | Form::Empty | Form::Other => self.pass(leaf),
         }
     }
 
@@ -359,7 +394,7 @@ impl Sink for Buffers {
         self.leaf(leaf);
         let [x, y, z] = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
         // From cross products, not from the axes: they turn round together with the winding when a side is negative.
-        let normals = [y.cross(z), z.cross(x), x.cross(y)].map(unit).map(short);
+        let normals = Axes::new(DMat3::from_cols(unit(y.cross(z)), unit(z.cross(x)), unit(x.cross(y)))).normals;
         self.write_box(start, &Cuboid { origin: cuboid.origin - self.origin, ..*cuboid }, &normals);
         self.pad_uvs();
         ControlFlow::Continue(())

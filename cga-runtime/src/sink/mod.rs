@@ -21,7 +21,7 @@ pub mod table;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3};
+use glam::DAffine3;
 
 use crate::env::LeafTables;
 use crate::material::Material;
@@ -29,9 +29,9 @@ use crate::material::ids::MaterialId;
 use crate::mesh::Mesh;
 use crate::place;
 use crate::scope::Scope;
+use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
-use crate::shape::base::{Base, Form};
-use crate::unit::UnitMesh;
+use crate::shape::base::Form;
 
 pub use crate::place::{Cuboid, Quad};
 
@@ -53,57 +53,58 @@ pub struct Leaf<'a> {
 /// of the run, and normals are known, so that a sink need not compute or look them up.
 #[derive(Clone, Copy, Debug)]
 pub struct Filled<'a> {
-    pub(crate) origin: DVec3,
-    pub(crate) size: DVec3,
-    pub(crate) axes: &'a Axes,
-    pub(crate) base: &'a Base,
-    pub(crate) unit: UnitMesh,
+    /// A rectangle or a box.
+    pub(crate) shape: &'a ShapeRef<'a>,
     pub(crate) tables: &'a LeafTables,
     pub(crate) rule: u32,
-    pub(crate) material: MaterialId,
-    /// A rectangle or a box.
-    pub(crate) form: Form,
 }
 
 impl<'a> Filled<'a> {
     /// The name of the rule or leaf symbol, without the dot.
+    #[inline]
     pub fn rule(&self) -> &'static str {
         self.tables.names.get(self.rule as usize).copied().unwrap_or_default()
     }
 
     /// The number of the name: equal names of a run have equal numbers, counted from 0.
+    #[inline]
     pub fn rule_number(&self) -> u32 {
         self.rule
     }
 
     /// The material that the rules set.
+    #[inline]
     pub fn material(&self) -> &'a Arc<Material> {
-        self.tables.materials.get(self.material).unwrap_or(self.base.shape.state.material())
+        self.tables.materials.get(self.shape.material).unwrap_or(self.shape.base.shape.state.material())
     }
 
     /// The number of the material: equal numbers of a run are equal materials. Nothing for a material that few leaves have, such
     /// as a random colour.
+    #[inline]
     pub fn material_number(&self) -> Option<u32> {
-        (self.material != MaterialId::OF_BASE).then_some(self.material.0)
+        (self.shape.material != MaterialId::OF_BASE).then_some(self.shape.material.0)
     }
 
     /// The scope, in the world.
+    #[inline]
     pub fn scope(&self) -> Scope {
-        Scope { origin: self.origin, axes: self.axes.matrix, size: self.size }
+        self.shape.scope()
     }
 
     /// The axes of the scope with normals as sinks need them.
+    #[inline]
     pub fn axes(&self) -> &'a Axes {
-        self.axes
+        self.shape.axes
     }
 
     /// Hands the leaf to the method of a sink for rectangles or for boxes.
+    #[inline]
     pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let scope = self.scope();
         let leaf = Leaf { rule: self.rule(), material: self.material(), scope: &scope };
-        match self.form {
-            Form::Rect(axis) => sink.quad(&leaf, &place::rectangle(&scope, axis, self.unit)),
-            Form::Box => sink.cuboid(&leaf, &place::cuboid(&scope, self.unit)),
+        match self.shape.form {
+            Form::Rect(axis) => sink.quad(&leaf, &place::rectangle(&scope, axis, self.shape.unit)),
+            Form::Box => sink.cuboid(&leaf, &place::cuboid(&scope, self.shape.unit)),
             Form::Empty | Form::Other => Flow::Continue(()),
         }
     }

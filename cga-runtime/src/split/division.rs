@@ -2,6 +2,8 @@
 
 use std::ops::ControlFlow;
 
+use glam::DVec3;
+
 use super::parts::{Parts, within_limit};
 use super::row::Row;
 use super::{Adjust, Piece};
@@ -19,46 +21,86 @@ use crate::unit::Band;
 #[derive(Debug)]
 pub struct Division<'s> {
     whole: &'s ShapeRef<'s>,
+    /// The pieces, where they do not simply fill their scopes.
+    made: &'s Made,
+    /// The shape of the current piece. Rules change no more of it than the seed, so that only what differs is written.
+    part: ShapeRef<'s>,
+    /// The axis, as a direction in the world.
+    along: DVec3,
     /// The seed of the step.
     seed: u64,
     /// Repetitions begun, of all groups.
     turns: u64,
     index: usize,
     total: usize,
-    adjust: Adjust,
     /// True if the parts have other unit meshes than the shape.
     has_bands: bool,
-    /// The pieces, where they do not simply fill their scopes.
-    made: Option<Box<Made>>,
 }
 
-/// Pieces that were made at once.
-#[derive(Debug)]
-struct Made {
-    pieces: Vec<Base>,
-    next: usize,
-}
+/// The pieces of a shape that does not simply fill its scope, made at once; none of one that does.
+#[derive(Debug, Default)]
+pub struct Made(Option<Vec<Base>>);
 
-impl<'s> Division<'s> {
-    /// Counts the pieces and cuts the geometry. `number` counts the children that the rule makes; `is_counted` says that a rule
-    /// reads `split.total`. `Break` when a limit was reached.
+impl Made {
+    /// Counts the pieces and cuts the geometry. `Break` when a limit was reached.
     #[inline(always)]
     pub fn new(
         env: &mut Env,
-        whole: &'s ShapeRef<'s>,
-        (axis, adjust): (Axis, Adjust),
-        number: u32,
+        whole: &ShapeRef<'_>,
+        axis: Axis,
+        adjust: Adjust,
         row: &(impl Row + ?Sized),
-        is_counted: bool,
     ) -> ControlFlow<(), Self> {
         if !env.has_room(row.at_most()) {
             within_limit(env, row)?;
         }
-        let made = if whole.is_simple_along(axis) { None } else { Made::of(env, *whole, (axis, adjust), row)? };
-        let total = if is_counted { row.total() as usize } else { 0 };
+        if whole.is_simple_along(axis) {
+            ControlFlow::Continue(Made(None))
+        } else {
+            Made::cut(env, *whole, axis, adjust, row)
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn cut(
+        env: &mut Env,
+        whole: ShapeRef<'_>,
+        axis: Axis,
+        adjust: Adjust,
+        row: &(impl Row + ?Sized),
+    ) -> ControlFlow<(), Self> {
+        let whole = env.whole(&whole);
+        let mut parts = Parts::new(env, &whole, axis, adjust, row)?;
+        let mut pieces = Vec::with_capacity(parts.total());
+        let _ = row.each(|piece| {
+            pieces.push(env.base(parts.next(piece)));
+            Flow::Continue(())
+        });
+        ControlFlow::Continue(Made(Some(pieces)))
+    }
+}
+
+impl<'s> Division<'s> {
+    /// Before the first piece. `number` counts the children that the rule makes; `total` is `split.total`, if a rule reads it.
+    #[inline(always)]
+    pub fn new(whole: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
+        let matrix = &whole.axes.matrix;
+        let along = match axis {
+            Axis::X => matrix.x_axis,
+            Axis::Y => matrix.y_axis,
+            Axis::Z => matrix.z_axis,
+        };
+        let mut part = *whole;
+        // What is flat across another axis has no thickness.
+        if adjust == Adjust::Adjust
+            && let Form::Rect(across) = whole.form
+        {
+            set(&mut part.size, across, 0.0);
+        }
         let seed = seed::step(whole.seed.value(), seed::key(Tag::Split, number));
-        let has_bands = whole.unit.has_bands(axis);
-        ControlFlow::Continue(Division { whole, seed, turns: 0, index: 0, total, adjust, has_bands, made })
+        let (total, has_bands) = (total as usize, whole.unit.has_bands(axis));
+        Division { whole, made, part, along, seed, turns: 0, index: 0, total, has_bands }
     }
 
     /// Returns true after the first piece.
@@ -77,97 +119,68 @@ impl<'s> Division<'s> {
     #[inline(always)]
     pub fn skip(&mut self) {
         self.index += 1;
-        if let Some(made) = &mut self.made {
-            made.next += 1;
-        }
     }
 
     /// The shape of the next piece. `in_group` says that its slot is in a group that repeats, `draws` that random numbers are drawn
     /// below: without, the part has no seed of its own.
     #[inline(always)]
-    pub fn part(&mut self, axis: Axis, piece: Piece, slot: u32, in_group: bool, draws: bool) -> ShapeRef<'_> {
-        let turn = if in_group { self.turns } else { 0 };
-        let seed = if draws { Seed::new(seed::part(self.seed, slot, turn)) } else { self.whole.seed };
-        let split = Counter::new(self.index, self.total);
-        self.index += 1;
-        if self.made.is_none() {
-            return ShapeRef { seed, split, ..self.place(axis, piece) };
+    pub fn part(&mut self, axis: Axis, piece: Piece, slot: u32, in_group: bool, draws: bool) -> &mut ShapeRef<'s> {
+        self.place(axis, piece);
+        if draws {
+            let turn = if in_group { self.turns } else { 0 };
+            self.part.seed = Seed::new(seed::part(self.seed, slot, turn));
         }
-        match &mut self.made {
-            Some(made) => ShapeRef { seed, split, ..made.next() },
-            None => *self.whole,
-        }
+        self.part.split = Counter::new(self.index - 1, self.total);
+        &mut self.part
     }
 
     /// Hands the next piece on as a leaf.
     #[inline(always)]
     pub fn leaf<S: Sink + ?Sized, C>(&mut self, cx: &mut Cx<'_, S, C>, axis: Axis, piece: Piece, rule: u32) -> Flow {
+        self.place(axis, piece);
+        cx.filled(&self.part, rule)
+    }
+
+    /// Gives the part its place.
+    #[inline(always)]
+    fn place(&mut self, axis: Axis, piece: Piece) {
+        let index = self.index;
         self.index += 1;
-        match &mut self.made {
-            None => cx.filled(&self.place(axis, piece), rule),
-            Some(made) => cx.symbol(&made.next(), rule),
+        if let Made(Some(pieces)) = self.made {
+            return self.take(&pieces[index]);
+        }
+        self.part.origin = self.whole.origin + self.along * piece.start;
+        set(&mut self.part.size, axis, piece.length);
+        if self.has_bands {
+            self.part.unit = self.whole.unit.part(axis, band(self.whole, axis, piece));
         }
     }
 
-    /// Where a piece that fills its scope is.
-    #[inline(always)]
-    fn place(&self, axis: Axis, piece: Piece) -> ShapeRef<'s> {
-        let whole = self.whole;
-        let matrix = &whole.axes.matrix;
-        let (along, mut size) = match axis {
-            Axis::X => (matrix.x_axis, whole.size.with_x(piece.length)),
-            Axis::Y => (matrix.y_axis, whole.size.with_y(piece.length)),
-            Axis::Z => (matrix.z_axis, whole.size.with_z(piece.length)),
-        };
-        let mut unit = whole.unit;
-        if self.has_bands {
-            unit = unit.part(axis, band(whole, axis, piece));
-        }
-        // What is flat across another axis has no thickness.
-        if self.adjust == Adjust::Adjust {
-            match whole.form {
-                Form::Rect(Axis::X) => size.x = 0.0,
-                Form::Rect(Axis::Y) => size.y = 0.0,
-                Form::Rect(Axis::Z) => size.z = 0.0,
-                _ => {}
-            }
-        }
-        ShapeRef { origin: whole.origin + along * piece.start, size, unit, ..*whole }
+    #[cold]
+    #[inline(never)]
+    fn take(&mut self, piece: &'s Base) {
+        self.part = ShapeRef { seed: self.part.seed, split: self.part.split, ..piece.shape() };
+    }
+}
+
+/// Sets the extent along an axis. Not by index: that would go through memory and stall there.
+#[inline(always)]
+fn set(size: &mut DVec3, axis: Axis, extent: f64) {
+    match axis {
+        Axis::X => size.x = extent,
+        Axis::Y => size.y = extent,
+        Axis::Z => size.z = extent,
     }
 }
 
 /// Where a piece is in a box or a rectangle. A piece that follows another is longer than the rounding.
 #[inline]
 fn band(whole: &ShapeRef<'_>, axis: Axis, piece: Piece) -> Band {
-    let extent = whole.size[axis.index()];
+    let extent = match axis {
+        Axis::X => whole.size.x,
+        Axis::Y => whole.size.y,
+        Axis::Z => whole.size.z,
+    };
     let is_last = extent - (piece.start + piece.length) <= PLANAR_EPSILON * extent;
     Band::of(piece.start == 0.0, is_last)
-}
-
-impl Made {
-    /// Cuts a shape that does not simply fill its scope. Nothing when there is none.
-    #[cold]
-    #[inline(never)]
-    fn of(
-        env: &mut Env,
-        whole: ShapeRef<'_>,
-        (axis, adjust): (Axis, Adjust),
-        row: &(impl Row + ?Sized),
-    ) -> ControlFlow<(), Option<Box<Made>>> {
-        let whole = env.whole(&whole);
-        let mut parts = Parts::new(env, &whole, axis, adjust, row)?;
-        let mut pieces = Vec::with_capacity(parts.total());
-        let _ = row.each(|piece| {
-            pieces.push(env.base(parts.next(piece)));
-            Flow::Continue(())
-        });
-        ControlFlow::Continue(Some(Box::new(Made { pieces, next: 0 })))
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn next(&mut self) -> ShapeRef<'_> {
-        self.next += 1;
-        self.pieces[self.next - 1].shape()
-    }
 }

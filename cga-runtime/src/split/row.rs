@@ -14,6 +14,11 @@ pub trait Row {
     fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B>;
 }
 
+/// The number of pieces.
+pub fn total(row: &(impl Row + ?Sized)) -> u64 {
+    row.total()
+}
+
 impl Row for Solution<'_> {
     #[inline]
     fn at_most(&self) -> u64 {

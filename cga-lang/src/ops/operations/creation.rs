@@ -4,7 +4,7 @@ use super::super::{
     Bounds, Default, Effect, FILE, FS, Operation, Param, ParamKind, Uses, Values, bounds, float, length, of, or,
     uv_set, within, word,
 };
-use super::{later, old, moves, op, using, with};
+use super::{later, moves, old, op, using, with};
 
 const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
     rust: "ExtrudeAlong",
