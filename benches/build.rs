@@ -1,4 +1,4 @@
-//! What rules cost a build: a program with 1,000 rules in release, with one sink and with three.
+//! The cost of rules in a build: a program with 1,000 rules in release, with one sink and with three.
 //!
 //! `cargo bench --bench build`; a number after `--` is another count of rules. The program is written to a temporary folder
 //! and built there; what it depends on is built before and not counted.
@@ -17,7 +17,7 @@ use cga_lang::compile::compile_text;
 use common::clock::fastest;
 use common::table::{Table, number};
 
-/// The program without rules worth the name: what it takes is taken from the others.
+/// A program with one rule. Its size is subtracted from that of the others.
 const EMPTY: &str = r##"
 cga::cga! { pub grammar Rules = "Lot --> Leaf."; }
 "##;
@@ -26,7 +26,7 @@ const RULES: &str = r##"
 cga::cga! { pub grammar Rules in "src/rules.cga"; }
 "##;
 
-/// The rest of a program; `start` names the rule to begin with.
+/// The rest of a program. Its argument is the rule to begin with.
 const MAIN: &str = r##"
 use cga::sink::{buffers::Buffers, stats::Stats};
 use cga::{Model, Settings, Shape};
@@ -117,7 +117,7 @@ impl Project {
         fs::write(path, text).expect("a file that can be written");
     }
 
-    /// How long a program takes to build, and its size in bytes. The program must run from `first_rule`.
+    /// Builds a program; gives the time and the size of the binary in bytes. The program must run from `first_rule`.
     fn build(&self, program: &str, first_rule: Option<&str>) -> (Duration, u64) {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let target = self.folder.join("target");

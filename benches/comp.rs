@@ -117,7 +117,7 @@ fn by_hand(mesh: &Mesh) -> [Vec<u32>; 3] {
     lists
 }
 
-/// How long each row is run again for the best time.
+/// The seconds for which each row is repeated.
 const SECONDS: f64 = 0.7;
 
 fn main() {

@@ -165,7 +165,7 @@ fn timed<T>(best: &mut Duration, work: impl FnOnce() -> T) -> T {
     result
 }
 
-/// How many triangles the faces of a mesh make.
+/// The number of triangles of all faces of a mesh.
 fn triangles(mesh: &Mesh) -> usize {
     let of_face = |(corners, holes): (usize, usize)| corners + 2 * holes - 2;
     mesh.faces()

@@ -1,4 +1,4 @@
-//! Memory of workloads A, B, B2 and D: what a run takes beside its output, and what buffers take while they grow.
+//! Memory of workloads A, B, B2 and D: the peak of a run beside its output, and the peak of buffers that grow.
 //!
 //! `cargo bench --bench memory`. A counting allocator gives the same bytes in every run and on every system. The stack is not
 //! counted.
@@ -14,7 +14,7 @@ use workloads::Raw;
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
 
-/// The largest number of bytes that `work` holds at once, beside those that were there before.
+/// The largest number of bytes that `work` holds at once.
 fn peak(work: impl FnOnce()) -> usize {
     let before = MEMORY.current_usage();
     MEMORY.reset_peak_usage();
@@ -39,7 +39,7 @@ fn main() {
         let (vertices, indices) = (expected.vertices, 3 * expected.triangles);
         let output = vertices * size_of::<Vertex>() + indices * size_of::<u32>();
 
-        // What a process makes once and keeps, such as unit meshes, is there after this.
+        // A process makes some meshes once and keeps them; they are made here.
         workloads::check(&mut *scene);
         let mut out = Buffers::with_capacity(vertices, indices);
         let beside = peak(|| scene.buffers(&mut out));

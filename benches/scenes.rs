@@ -1,4 +1,4 @@
-//! Workloads A, B, B2 and D: what a grammar costs beside a hand-written loop that makes the same output.
+//! Workloads A, B, B2 and D: the cost of a grammar beside a hand-written loop that makes the same output.
 //!
 //! `cargo bench --bench scenes` prints times; `-- --instructions` counts instructions instead. Any other argument chooses the
 //! scenes whose name contains it, as in `-- "A(40"`.
@@ -17,7 +17,7 @@ use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 use workloads::{Fold, Raw, Scene};
 
-/// How long each scene is run again for the best time.
+/// The seconds for which each scene is repeated.
 const SECONDS: f64 = 1.0;
 
 fn main() {
@@ -39,7 +39,7 @@ fn main() {
     sinks(&mut scenes);
 }
 
-/// A table with a row a scene: ratios first, then what they are ratios of.
+/// A table with a row for each scene: the ratios, then the costs behind them.
 fn ratios(title: &str, unit: &str) -> Table {
     let columns = [
         "scene",
@@ -53,7 +53,7 @@ fn ratios(title: &str, unit: &str) -> Table {
     Table::new(title, &columns)
 }
 
-/// The cells of such a row. `each` is what one terminal costs by hand, into buffers, and without buffers.
+/// The cells of such a row. `each` is the cost of one terminal by hand, into buffers, and without buffers.
 fn ratio_cells(terminals: usize, each: [f64; 3], digits: usize) -> Vec<String> {
     let [hand, buffers, fold] = each;
     let mut cells = vec![number(buffers / hand, 2), number(fold / hand, 2), terminals.to_string()];
@@ -63,6 +63,7 @@ fn ratio_cells(terminals: usize, each: [f64; 3], digits: usize) -> Vec<String> {
 
 fn times(scenes: &mut [Box<dyn Scene>]) {
     let mut table = ratios("Scenes: time", "ns a terminal");
+    let mut growth = Growth::default();
     for scene in scenes {
         let expected = scene.expected();
         workloads::check(&mut **scene);
@@ -88,8 +89,39 @@ fn times(scenes: &mut [Box<dyn Scene>]) {
         let each = best.map(|time: Duration| nanoseconds_each(time, expected.terminals));
         let name = shared.borrow().name();
         table.row(&name, &ratio_cells(expected.terminals, each, 1));
+        growth.add(&name, each);
     }
     table.print();
+    growth.print();
+}
+
+/// The cost of a terminal in larger and larger sizes of a workload.
+#[derive(Default)]
+struct Growth(Vec<(String, Vec<[f64; 3]>)>);
+
+impl Growth {
+    /// Takes the sizes of a workload in order.
+    fn add(&mut self, scene: &str, each: [f64; 3]) {
+        let workload = scene.split('(').next().unwrap_or(scene);
+        match self.0.last_mut() {
+            Some((last, sizes)) if last == workload => sizes.push(each),
+            _ => self.0.push((workload.to_owned(), vec![each])),
+        }
+    }
+
+    fn print(&self) {
+        let columns =
+            ["workload", "by hand, largest / smallest", "buffers", "terminals only", "buffers, ns a terminal by size"];
+        let mut table = Table::new("Scenes: growth", &columns);
+        table.note("The cost of a terminal in the largest size divided by that in the smallest: 1 is linear.");
+        for (workload, sizes) in &self.0 {
+            let (small, large) = (sizes[0], sizes[sizes.len() - 1]);
+            let mut cells: Vec<String> = (0..3).map(|way| number(large[way] / small[way], 2)).collect();
+            cells.push(sizes.iter().map(|each| number(each[1], 1)).collect::<Vec<_>>().join(", "));
+            table.row(workload, &cells);
+        }
+        table.print();
+    }
 }
 
 /// Models and files, beside the hand-written loop that fills buffers.

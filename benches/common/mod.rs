@@ -1,4 +1,4 @@
-//! What all benches share: a clock and tables.
+//! A clock and tables for all benches.
 
 #![allow(dead_code, reason = "not every bench uses all of it")]
 

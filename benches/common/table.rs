@@ -1,4 +1,4 @@
-//! Tables in Markdown with aligned columns: readable on a terminal, and as they are in `docs/performance.md`.
+//! Tables in Markdown with aligned columns: readable on a terminal, and copied as they are to `docs/performance.md`.
 
 /// A table with a heading. The first column is text, the others are numbers.
 pub(crate) struct Table {

@@ -93,10 +93,10 @@ fn building(lot: usize, out: &mut Raw) {
         let along = |by: f64| [x[0] * by, 0.0, x[1] * by];
         let up = |by: f64| [0.0, by, 0.0];
         let n = [n[0], 0.0, n[1]];
-        out.start(SHOP, colour);
+        out.start_run(SHOP, colour);
         out.quad(at(0.0, 0.0), along(width), up(4.0), n);
         let bay_width = (width - 1.0) / f64::from(bays);
-        out.start(WALL, colour);
+        out.start_run(WALL, colour);
         for floor in 0..m {
             let level = 4.0 + 3.0 * floor as f64;
             out.quad(at(0.0, level), along(0.5), up(3.0), n);
@@ -107,15 +107,15 @@ fn building(lot: usize, out: &mut Raw) {
                 out.quad(at(left, level), along(side), up(3.0), n);
                 let left = left + side;
                 out.quad(at(left, level), along(1.2), up(below), n);
-                out.start(WINDOW, colour);
+                out.start_run(WINDOW, colour);
                 out.quad(at(left, level + below), along(1.2), up(1.5), n);
-                out.start(WALL, colour);
+                out.start_run(WALL, colour);
                 out.quad(at(left, level + below + 1.5), along(1.2), up(above), n);
                 out.quad(at(left + 1.2, level), along(side), up(3.0), n);
             }
             out.quad(at(width - 0.5, level), along(0.5), up(3.0), n);
         }
     }
-    out.start(ROOF, 0);
+    out.start_run(ROOF, 0);
     out.quad([c[0], h, c[2] + d], [w, 0.0, 0.0], [0.0, 0.0, -d], [0.0, 1.0, 0.0]);
 }

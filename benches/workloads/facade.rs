@@ -62,10 +62,10 @@ const SHOP: u32 = 0;
 const WALL: u32 = 1;
 const FRAME: u32 = 2;
 const ROOF: u32 = 3;
-/// The first number of a rule for the glass.
+/// The rule of the glass; numbers from here on are free for others.
 pub(crate) const GLASS: u32 = 4;
 
-/// How many bays and floors a façade has.
+/// The number of bays and floors of a façade.
 #[derive(Clone, Copy)]
 pub(crate) struct Size {
     k: usize,
@@ -122,16 +122,16 @@ impl Size {
             };
             let along = |by: f64| [x[0] * by, 0.0, x[2] * by];
             let up = |by: f64| [0.0, by, 0.0];
-            out.start(SHOP, PLAIN);
+            out.start_run(SHOP, PLAIN);
             out.quad(at(0.0, 0.0, 0.0), along(w), up(4.0), n);
             for floor in 0..self.m {
                 let level = 4.0 + 3.0 * floor as f64;
-                out.go_on(WALL, PLAIN);
+                out.start_run_if_new(WALL, PLAIN);
                 out.quad(at(0.0, level, 0.0), along(0.5), up(3.0), n);
                 for column in 0..self.k {
                     let left = 0.5 + 2.5 * column as f64;
                     let (below, above) = (1.5 / 1.8, 1.5 * 0.8 / 1.8);
-                    out.go_on(WALL, bay);
+                    out.start_run_if_new(WALL, bay);
                     out.quad(at(left, level, 0.0), along(0.65), up(3.0), n);
                     let left = left + 0.65;
                     out.quad(at(left, level, 0.0), along(1.2), up(below), n);
@@ -141,24 +141,24 @@ impl Size {
                     let frame = |out: &mut Raw, left: f64, bottom: f64, width: f64, height: f64| {
                         out.cuboid(at(left, bottom + height, 0.0), [x, n, down], [width, 0.08, height]);
                     };
-                    out.start(FRAME, bay);
+                    out.start_run(FRAME, bay);
                     frame(out, left, sill, 0.1, 1.5);
                     frame(out, left + 0.1, sill, 1.0, 0.1);
                     let (rule, material) = glass();
-                    out.start(rule, material);
+                    out.start_run(rule, material);
                     out.quad(at(left + 0.1, sill + 0.1, -0.1), along(1.0), up(1.3), n);
-                    out.start(FRAME, bay);
+                    out.start_run(FRAME, bay);
                     frame(out, left + 0.1, sill + 1.4, 1.0, 0.1);
                     frame(out, left + 1.1, sill, 0.1, 1.5);
-                    out.start(WALL, bay);
+                    out.start_run(WALL, bay);
                     out.quad(at(left, sill + 1.5, 0.0), along(1.2), up(above), n);
                     out.quad(at(left + 1.2, level, 0.0), along(0.65), up(3.0), n);
                 }
-                out.go_on(WALL, PLAIN);
+                out.start_run_if_new(WALL, PLAIN);
                 out.quad(at(w - 0.5, level, 0.0), along(0.5), up(3.0), n);
             }
         }
-        out.start(ROOF, PLAIN);
+        out.start_run(ROOF, PLAIN);
         out.quad([0.0, h, w], [w, 0.0, 0.0], [0.0, 0.0, -w], y);
     }
 }

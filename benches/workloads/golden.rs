@@ -62,7 +62,7 @@ const BOX: u32 = 2;
 fn golden(n: u32, upright: bool, o: [f64; 3], size: [f64; 3], out: &mut Raw) {
     let axis = usize::from(upright);
     if n == 0 || size[axis] <= TOO_SHORT {
-        out.go_on(if n == 0 { BOX } else { axis as u32 }, 0);
+        out.start_run_if_new(if n == 0 { BOX } else { axis as u32 }, 0);
         out.cuboid(o, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], size);
         return;
     }

@@ -1,8 +1,8 @@
-//! What the hand-written loops fill: the same buffers as [`cga::sink::buffers::Buffers`], without a grammar.
+//! The output of the hand-written loops: the same buffers as [`cga::sink::buffers::Buffers`], without a grammar.
 
 use cga::sink::buffers::Vertex;
 
-/// Vertices, indices, and where rule or material change.
+/// Vertices, indices and runs.
 #[derive(Default)]
 pub(crate) struct Raw {
     pub(crate) vertices: Vec<Vertex>,
@@ -10,7 +10,7 @@ pub(crate) struct Raw {
     pub(crate) runs: Vec<Run>,
 }
 
-/// Where a run of triangles with one rule and one material starts.
+/// The start of consecutive triangles with one rule and one material.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Run {
     pub(crate) rule: u32,
@@ -40,17 +40,17 @@ impl Raw {
 
     /// Starts a new run, where the loop knows that rule or material changes.
     #[inline(always)]
-    pub(crate) fn start(&mut self, rule: u32, material: u32) {
+    pub(crate) fn start_run(&mut self, rule: u32, material: u32) {
         let run = Run { rule, material, index: self.indices.len(), vertex: self.vertices.len() as u32 };
         self.runs.push(run);
     }
 
     /// Starts a new run unless rule and material are those of the last one.
     #[inline(always)]
-    pub(crate) fn go_on(&mut self, rule: u32, material: u32) {
+    pub(crate) fn start_run_if_new(&mut self, rule: u32, material: u32) {
         match self.runs.last() {
             Some(last) if last.rule == rule && last.material == material => {}
-            _ => self.start(rule, material),
+            _ => self.start_run(rule, material),
         }
     }
 

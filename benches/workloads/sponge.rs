@@ -48,7 +48,7 @@ impl Workload for Sponge {
     }
 
     fn by_hand(&mut self, out: &mut Raw) {
-        out.start(0, 0);
+        out.start_run(0, 0);
         sponge(self.n, [0.0; 3], 1.0, out);
     }
 

@@ -1,4 +1,4 @@
-//! What solving costs beside writing the pieces down, and beside the same arithmetic by hand.
+//! The cost of solving beside that of writing the pieces down, and of the same arithmetic by hand.
 //!
 //! `cargo bench -p cga-split`. Both ways run in turn in the same process, best of many.
 
@@ -12,7 +12,7 @@ use cga_split::{Item, Piece, Size, solve};
 use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 
-/// How long each row is run again for the best time.
+/// The seconds for which each row is repeated.
 const SECONDS: f64 = 0.3;
 
 const REPEAT: [Item; 3] = [Item::Repeat(2), Item::Slot, Item::Slot];
