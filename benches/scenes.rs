@@ -113,8 +113,7 @@ impl Growth {
         let columns =
             ["workload", "by hand, largest / smallest", "buffers", "terminals only", "buffers, ns a terminal by size"];
         let mut table = Table::new("Scenes: growth", &columns);
-        table.note("The cost of a terminal in the largest size divided by that in the smallest: 1 is linear.");
-        for (workload, sizes) in &self.0 {
+        for (workload, sizes) in self.0.iter().filter(|(_, sizes)| 1 < sizes.len()) {
             let (small, large) = (sizes[0], sizes[sizes.len() - 1]);
             let mut cells: Vec<String> = (0..3).map(|way| number(large[way] / small[way], 2)).collect();
             cells.push(sizes.iter().map(|each| number(each[1], 1)).collect::<Vec<_>>().join(", "));

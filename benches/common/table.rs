@@ -28,8 +28,11 @@ impl Table {
         self.note = Some(note.to_owned());
     }
 
-    /// Writes the table to standard output.
+    /// Writes the table to standard output. Without rows there is only the note, and nothing without one.
     pub(crate) fn print(&self) {
+        if self.rows.is_empty() {
+            return self.note.iter().for_each(|note| println!("\n## {}\n\n{note}", self.title));
+        }
         let width = |column: usize| {
             let cells = self.rows.iter().map(|row| row[column].chars().count());
             cells.chain([self.columns[column].chars().count()]).max().unwrap_or(0)
