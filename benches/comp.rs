@@ -3,14 +3,18 @@
 //! `cargo bench --bench comp`. Beside each other: the grammar, and a loop by hand that computes each face's normal and sorts
 //! the face into a list of its direction.
 
+mod common;
+
 use std::f64::consts::{PI, TAU};
 use std::hint::black_box;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use cga::glam::{DAffine3, DVec3};
 use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Settings, Shape, Sink, cga};
 use cga_runtime::mesh::{FaceTag, MeshBuilder};
+use common::clock::{fastest, nanoseconds_each};
+use common::table::{Table, number};
 
 cga! {
     /// Every face alone.
@@ -113,68 +117,66 @@ fn by_hand(mesh: &Mesh) -> [Vec<u32>; 3] {
     lists
 }
 
-fn best(runs: u32, mut work: impl FnMut()) -> Duration {
-    let time = |work: &mut dyn FnMut()| {
-        let start = Instant::now();
-        work();
-        start.elapsed()
-    };
-    (0..runs).map(|_| time(&mut work)).min().unwrap_or_default()
-}
+/// The seconds for which each row is repeated.
+const SECONDS: f64 = 0.7;
 
 fn main() {
-    // `-- box` leaves the balls out.
-    if !std::env::args().any(|arg| arg == "box") {
-        balls();
-    }
+    balls();
     boxes();
 }
 
 fn balls() {
     let settings = Settings::default();
-    println!("ball, ns a face          faces     by hand   together       each");
+    let columns =
+        ["ball", "together / by hand", "each / by hand", "faces", "by hand, ns a face", "together, ns", "each, ns"];
+    let mut table = Table::new("Components of a mesh", &columns);
     for rows in [50, 158, 500] {
         let mesh = ball(rows);
         let faces = mesh.face_count();
         let shape = Shape::mesh_axis_aligned(mesh.clone());
-        let per_face = |time: Duration| time.as_secs_f64() * 1e9 / faces as f64;
-        let hand = best(10, || _ = black_box(by_hand(black_box(&mesh))));
         let run = |work: &dyn Fn(&mut Count)| {
-            best(10, || {
-                let mut sink = Count::default();
-                work(&mut sink);
-                assert_eq!(sink.0, faces);
-            })
+            let mut sink = Count::default();
+            work(&mut sink);
+            assert_eq!(sink.0, faces);
         };
-        let together = run(&|sink| drop(Together::default().generate_into(&shape, &settings, sink).expect("no error")));
-        let each = run(&|sink| drop(Each::default().generate_into(&shape, &settings, sink).expect("no error")));
-        println!(
-            "                     {faces:9} {:11.1} {:10.1} {:10.1}",
-            per_face(hand),
-            per_face(together),
-            per_face(each)
+        let best = fastest(
+            SECONDS,
+            [
+                &mut || _ = black_box(by_hand(black_box(&mesh))),
+                &mut || {
+                    run(&|sink| drop(Together::default().generate_into(&shape, &settings, sink).expect("no error")))
+                },
+                &mut || run(&|sink| drop(Each::default().generate_into(&shape, &settings, sink).expect("no error"))),
+            ],
         );
+        let [hand, together, each] = best.map(|time| nanoseconds_each(time, faces));
+        let ratios = [together / hand, each / hand].map(|ratio| number(ratio, 2));
+        let times = [hand, together, each].map(|time| number(time, 1));
+        table.row(&format!("{rows} rows"), &[&ratios[..], &[faces.to_string()], &times].concat());
     }
+    table.print();
 }
 
 fn boxes() {
     let settings = Settings::default();
     let row = Shape::cuboid(1000.0, 1.0, 1.0);
-    let count = |expected: usize, work: &dyn Fn(&mut Count)| {
-        best(200, || {
-            let mut sink = Count::default();
-            work(&mut sink);
-            assert_eq!(sink.0, expected);
-        })
+    let run = |expected: usize, work: &dyn Fn(&mut Count)| {
+        let mut sink = Count::default();
+        work(&mut sink);
+        assert_eq!(sink.0, expected);
     };
-    let boxes = count(6000, &|sink| drop(Boxes::default().generate_into(&row, &settings, sink).expect("no error")));
-    let whole = count(1000, &|sink| drop(Whole::default().generate_into(&row, &settings, sink).expect("no error")));
-    let asked = count(0, &|sink| drop(Asked::default().generate_into(&row, &settings, sink).expect("no error")));
-    let nothing = count(0, &|sink| drop(Nothing::default().generate_into(&row, &settings, sink).expect("no error")));
-    let each = |more: Duration, less: Duration| (more - less).as_secs_f64() * 1e9 / 1000.0;
-    println!(
-        "box, ns for all six faces: asked for their width {:.0}, handed out {:.0}",
-        each(asked, nothing),
-        each(boxes, whole)
+    let [boxes, whole, asked, nothing]: [Duration; 4] = fastest(
+        SECONDS,
+        [
+            &mut || run(6000, &|sink| drop(Boxes::default().generate_into(&row, &settings, sink).expect("no error"))),
+            &mut || run(1000, &|sink| drop(Whole::default().generate_into(&row, &settings, sink).expect("no error"))),
+            &mut || run(0, &|sink| drop(Asked::default().generate_into(&row, &settings, sink).expect("no error"))),
+            &mut || run(0, &|sink| drop(Nothing::default().generate_into(&row, &settings, sink).expect("no error"))),
+        ],
     );
+    let mut table = Table::new("Components of a box", &["all six faces", "ns a box"]);
+    let each = |more: Duration, less: Duration| [number(nanoseconds_each(more.saturating_sub(less), 1000), 0)];
+    table.row("asked for their width", &each(asked, nothing));
+    table.row("handed out", &each(boxes, whole));
+    table.print();
 }

@@ -3,6 +3,7 @@
 //! `cargo bench --bench cutting`. Beside each other: the grammar, the cutter alone, and a copy of what they make. Volumes and
 //! areas are held to formulas, areas of caps to the sum over the edges in which faces meet the planes.
 
+mod common;
 #[path = "../cga-runtime/tests/cut_support/section.rs"]
 mod section;
 
@@ -16,6 +17,7 @@ use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Settings, Shape, Sink, cga};
 use cga_runtime::cut;
 use cga_runtime::mesh::{FaceTag, MeshBuilder};
 use cga_runtime::scope::Axis;
+use common::table::{Table, number};
 use section::section;
 
 cga! {
@@ -120,7 +122,7 @@ fn overlapping_tubes(count: u32) -> Mesh {
 }
 
 /// A section of many loops that cross, half of them holes.
-fn overlaps(count: u32) {
+fn overlaps(table: &mut Table, count: u32) {
     let mesh = Arc::new(overlapping_tubes(count));
     let (mut best, mut parts) = (Duration::MAX, Vec::new());
     for _ in 0..3 {
@@ -132,7 +134,9 @@ fn overlaps(count: u32) {
         assert!(holes.clone().count() == count as usize && holes.sum::<usize>() == count as usize);
         assert!(part.is_closed() && (part.volume() / f64::from(count) - 0.095).abs() < 1e-9);
     }
-    println!("C4 overlaps    {count:>6} tubes   cutter {:>9.1} us", best.as_secs_f64() * 1e6);
+    let time = best.as_secs_f64();
+    let made = triangles(&mesh) + parts.iter().flatten().map(|part| triangles(part)).sum::<usize>();
+    table.row(&count.to_string(), &[number(time * 1e9 / made as f64, 1), number(time * 1e6, 1)]);
 }
 
 /// Points and corners of all parts, one after the other, in memory that is there.
@@ -161,12 +165,31 @@ fn timed<T>(best: &mut Duration, work: impl FnOnce() -> T) -> T {
     result
 }
 
-fn compare(name: &str, mesh: Mesh, axis: Axis, pieces: usize, volume: Option<f64>) {
+/// The number of triangles of all faces of a mesh.
+fn triangles(mesh: &Mesh) -> usize {
+    let of_face = |(corners, holes): (usize, usize)| corners + 2 * holes - 2;
+    mesh.faces()
+        .map(|face| (face.outer().len() + face.holes().map(<[u32]>::len).sum::<usize>(), face.holes().len()))
+        .map(of_face)
+        .sum()
+}
+
+/// The sums over all pieces: areas to the four digits of the documents.
+struct Documented {
+    volume: f64,
+    area: f64,
+}
+
+/// Cuts a mesh into equal pieces.
+fn compare(table: &mut Table, workload: &str, mesh: Mesh, axis: Axis, pieces: usize, documented: Documented) {
+    let name = format!("{workload}({pieces})");
     let index = axis.index();
     let extent = mesh.bounds().size()[index];
     let offsets: Vec<f64> = (1..pieces).map(|i| i as f64 * extent / pieces as f64).collect();
     let area = mesh.area() + 2.0 * offsets.iter().map(|&at| section(&mesh, axis, at)).sum::<f64>();
-    let volume = volume.unwrap_or_else(|| mesh.volume());
+    assert!((area - documented.area).abs() < 1e-4, "{name}: area {area}, not {}", documented.area);
+    let volume = mesh.volume();
+    assert!((volume - documented.volume).abs() < 1e-6, "{name}: volume {volume}, not {}", documented.volume);
     let shape = Shape::mesh_axis_aligned(mesh.clone());
     let mesh = Arc::new(mesh);
     let (slices, rings, settings) = (Slices { n: pieces as f64 }, Rings { n: pieces as f64 }, Settings::default());
@@ -197,28 +220,50 @@ fn compare(name: &str, mesh: Mesh, axis: Axis, pieces: usize, volume: Option<f64
         assert!(near(sum(Mesh::area), area), "{name}: area {}, not {area}", sum(Mesh::area));
     }
     assert_eq!(copy.points.len(), kept.iter().map(|part| part.points().len()).sum::<usize>());
-    let [grammar, cutter, copy] = best.map(|time| time.as_secs_f64() * 1e6);
-    println!(
-        "{name:<14} {pieces:>6} pieces  copy {copy:>9.1} us  cutter {cutter:>9.1} us  ratio {:>5.1}  grammar {grammar:>9.1} us  ratio {:>5.1}",
-        cutter / copy,
-        grammar / copy
-    );
+    let made = triangles(&mesh) + kept.iter().map(|part| triangles(part)).sum::<usize>();
+    let [grammar, cutter, copy] = best.map(|time| time.as_secs_f64());
+    let cells = [
+        number(grammar / copy, 1),
+        number(cutter / copy, 1),
+        number(grammar * 1e9 / made as f64, 1),
+        number(copy * 1e6, 1),
+        number(cutter * 1e6, 1),
+        number(grammar * 1e6, 1),
+    ];
+    table.row(&name, &cells);
 }
 
 fn main() {
+    let columns = [
+        "scene(pieces)",
+        "grammar / copy",
+        "cutter / copy",
+        "grammar, ns a triangle in or out",
+        "copy, us",
+        "cutter, us",
+        "grammar, us",
+    ];
+    let mut table = Table::new("Cutting closed meshes", &columns);
     let sides = 64.0;
-    let area = 0.25 * sides / 2.0 * libm::sin(TAU / sides);
-    assert!((cylinder(64).area() - (10.0 * sides * libm::sin(PI / sides) + 2.0 * area)).abs() < 1e-9);
+    let end = 0.25 * sides / 2.0 * libm::sin(TAU / sides);
     for pieces in [16, 64, 256, 1024] {
-        compare("C1 cylinder", cylinder(64), Axis::X, pieces, Some(10.0 * area));
+        let area = 10.0 * sides * libm::sin(PI / sides) + 2.0 * pieces as f64 * end;
+        compare(&mut table, "C1", cylinder(64), Axis::X, pieces, Documented { volume: 10.0 * end, area });
     }
-    for pieces in [4, 16, 64, 256] {
-        compare("C2 torus", torus(64, 32), Axis::X, pieces, None);
+    let volume = 3.132_980_5;
+    for (pieces, area) in [(4, 24.0744), (16, 51.2740), (64, 158.9476), (256, 588.6422)] {
+        compare(&mut table, "C2", torus(64, 32), Axis::X, pieces, Documented { volume, area });
     }
-    for pieces in [2, 4, 16, 64, 256] {
-        compare("C3 rings", torus(64, 32), Axis::Z, pieces, None);
+    for (pieces, area) in [(2, 25.7871), (4, 43.0742), (16, 139.0574), (64, 516.2891), (256, 2020.6795)] {
+        compare(&mut table, "C3", torus(64, 32), Axis::Z, pieces, Documented { volume, area });
     }
+    table.note("C1 is a cylinder, C2 a torus across its axis, C3 a torus along it, where every cap is a ring.");
+    table.print();
+
+    let columns = ["tubes", "cutter, ns a triangle in or out", "cutter, us"];
+    let mut table = Table::new("Cutting tubes that overlap", &columns);
     for count in [8_000, 32_000, 128_000] {
-        overlaps(count);
+        overlaps(&mut table, count);
     }
+    table.print();
 }

@@ -1,11 +1,13 @@
 //! Triangles of faces: small ones, and caps of up to a million corners.
 //!
-//! `cargo bench --bench triangles`. Time grows as the corners times their logarithm, whatever the shape. `sinks` is a face of
-//! a million corners written to vertex buffers, GLB and OBJ.
+//! `cargo bench --bench triangles`. Time grows as the corners times their logarithm, whatever the shape. A face of a
+//! million corners is written to vertex buffers, GLB and OBJ as well.
+
+mod common;
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use cga::glam::DVec2;
 use cga::sink::buffers::Buffers;
@@ -13,6 +15,8 @@ use cga::sink::gltf::Glb;
 use cga::sink::obj::Obj;
 use cga::{Mesh, Settings, Shape, Sink, cga};
 use cga_runtime::triangulate::Triangulator;
+use common::clock::{fastest, nanoseconds_each};
+use common::table::{Table, number};
 
 cga! {
     /// A shape as it is.
@@ -64,7 +68,7 @@ fn area(ring: &[DVec2]) -> f64 {
     0.5 * ring.windows(2).map(|w| (w[0] - ring[0]).perp_dot(w[1] - ring[0])).sum::<f64>()
 }
 
-fn row(name: &str, polygon: &Polygon) {
+fn row(table: &mut Table, name: &str, polygon: &Polygon) {
     let points: Vec<DVec2> = polygon.concat();
     let mut end = 0;
     let ends = polygon.iter().map(|ring| {
@@ -74,55 +78,56 @@ fn row(name: &str, polygon: &Polygon) {
     let ends: Vec<u32> = ends.collect();
     let mut triangulator = Triangulator::new();
     let mut triangles = Vec::new();
-    let mut best = Duration::MAX;
     // The clock does not see a small face alone.
     let times = 1 + 10_000 / points.len();
-    let begin = Instant::now();
-    let mut rounds = 0;
-    while rounds < 3 || begin.elapsed().as_secs_f64() < 0.5 {
-        let start = Instant::now();
+    let mut work = || {
         for _ in 0..times {
             triangles.clear();
             triangulator.polygon(black_box(&points), &ends, &mut triangles);
         }
-        best = best.min(start.elapsed() / times as u32);
-        rounds += 1;
-    }
+    };
+    let [best] = fastest(0.5, [&mut work]);
     assert_eq!(triangles.len(), points.len() + 2 * ends.len() - 4, "{name}");
     let sum: f64 = triangles.iter().map(|t| area(&t.map(|i| points[i as usize])).abs()).sum();
     let expected: f64 = polygon.iter().map(|ring| area(ring)).sum();
     assert!((sum - expected).abs() <= 1e-9 * expected, "{name}: area {sum}, not {expected}");
-    let (corners, time) = (points.len(), best.as_secs_f64() * 1e6);
-    println!("{name:<20} {corners:>8} corners  {time:>10.2} us  {:>6.1} ns a corner", time * 1e3 / corners as f64);
+    let corners = points.len();
+    let each = nanoseconds_each(best, times * corners);
+    table.row(name, &[number(each, 1), corners.to_string(), number(each * corners as f64 / 1e3, 2)]);
 }
 
-fn sink<S: Sink>(name: &str, shape: &Shape, mut sink: S) -> S {
+fn sink<S: Sink>(table: &mut Table, name: &str, shape: &Shape, mut sink: S) -> S {
     let start = Instant::now();
     Plain::default().generate_into(shape, &Settings::default(), &mut sink).expect("no limit is reached");
-    println!("{name:<20} {:>10.1} ms", start.elapsed().as_secs_f64() * 1e3);
+    table.row(name, &[number(start.elapsed().as_secs_f64() * 1e3, 1)]);
     sink
 }
 
 fn main() {
+    let mut table = Table::new("Triangles of faces", &["face", "ns a corner", "corners", "us"]);
     let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)].map(DVec2::from).to_vec();
     let hole = [(1.0, 1.0), (1.0, 2.0), (2.0, 2.0), (2.0, 1.0)].map(DVec2::from).to_vec();
-    row("quad", &vec![square.clone()]);
-    row("quad with a hole", &vec![square, hole]);
-    row("concave 8-gon", &vec![ring(8, |i| 1.0 + (i % 2) as f64)]);
-    row("concave 100-gon", &vec![ring(100, |i| 0.5 + mixed(i))]);
+    row(&mut table, "quad", &vec![square.clone()]);
+    row(&mut table, "quad with a hole", &vec![square, hole]);
+    row(&mut table, "concave 8-gon", &vec![ring(8, |i| 1.0 + (i % 2) as f64)]);
+    row(&mut table, "concave 100-gon", &vec![ring(100, |i| 0.5 + mixed(i))]);
     for corners in [1_000, 10_000, 100_000, 1_000_000] {
-        row("comb", &comb(corners, |_| 0.0));
-        row("comb without order", &comb(corners, mixed));
-        row("star", &vec![ring(corners, |i| 0.5 + mixed(i))]);
-        row("windows", &windows(((corners / 4) as f64).sqrt() as usize));
+        row(&mut table, "comb", &comb(corners, |_| 0.0));
+        row(&mut table, "comb without order", &comb(corners, mixed));
+        row(&mut table, "star", &vec![ring(corners, |i| 0.5 + mixed(i))]);
+        row(&mut table, "windows", &windows(((corners / 4) as f64).sqrt() as usize));
     }
     let outline: Vec<_> = comb(1_000_000, |_| 0.0).concat().iter().map(|p| p.extend(0.0)).collect();
+    table.print();
+
+    let mut table = Table::new("A face of a million corners", &["step", "ms"]);
     let start = Instant::now();
     let shape = Shape::mesh(Mesh::from_polygon(&outline, &[]).expect("a face"));
-    println!("{:<20} {:>10.1} ms", "mesh", start.elapsed().as_secs_f64() * 1e3);
-    let buffers = sink("sinks: buffers", &shape, Buffers::new());
+    table.row("mesh", &[number(start.elapsed().as_secs_f64() * 1e3, 1)]);
+    let buffers = sink(&mut table, "buffers", &shape, Buffers::new());
     assert_eq!(buffers.triangle_count(), outline.len() - 2);
-    let glb = sink("sinks: GLB", &shape, Glb::new());
+    let glb = sink(&mut table, "GLB", &shape, Glb::new());
     assert!(glb.finish().expect("it fits").len() > 12 * outline.len());
-    sink("sinks: OBJ", &shape, Obj::new(Vec::new(), "a.mtl"));
+    sink(&mut table, "OBJ", &shape, Obj::new(Vec::new(), "a.mtl"));
+    table.print();
 }

@@ -1,56 +1,51 @@
-//! What solving costs beside writing the pieces down, and beside the same arithmetic by hand.
+//! The cost of solving beside that of writing the pieces down, and of the same arithmetic by hand.
 //!
 //! `cargo bench -p cga-split`. Both ways run in turn in the same process, best of many.
 
+#[path = "../../benches/common/mod.rs"]
+mod common;
+
 use std::hint::black_box;
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 use cga_split::{Item, Piece, Size, solve};
+use common::clock::{fastest, nanoseconds_each};
+use common::table::{Table, number};
 
-/// Best times of two ways that are run in turn, in nanoseconds a round.
-fn compare(rounds: usize, mut a: impl FnMut(), mut b: impl FnMut()) -> [f64; 2] {
-    let mut best = [f64::INFINITY; 2];
-    for _ in 0..200 {
-        for (way, best) in [&mut a as &mut dyn FnMut(), &mut b].into_iter().zip(&mut best) {
-            let start = Instant::now();
-            for _ in 0..rounds {
-                way();
-            }
-            *best = best.min(start.elapsed().as_secs_f64() * 1e9 / rounds as f64);
-        }
-    }
-    best
-}
+/// The seconds for which each row is repeated.
+const SECONDS: f64 = 0.3;
 
 const REPEAT: [Item; 3] = [Item::Repeat(2), Item::Slot, Item::Slot];
 const WINDOWS: [Size; 2] = [Size::floating(2.5), Size::absolute(0.3)];
 
 /// `{ ~2.5 | 0.3 }*` where it repeats so often.
-fn repeat(pieces: usize) {
+fn repeat(table: &mut Table, pieces: usize) {
     let turns = pieces / 2;
     let extent = turns as f64 * 2.8 + 0.7;
     let blank = Piece { slot: 0, start: 0.0, end: 0.0, length: 0.0 };
     let (mut written, mut solved) = (vec![blank; pieces], vec![blank; pieces]);
     let mut count = 0;
-    let [writing, solving] = compare(
-        (20_000 / pieces).max(1),
-        || {
+    // The clock does not see a short split alone.
+    let rounds = (20_000 / pieces).max(1);
+    let mut write = || {
+        for _ in 0..rounds {
             // The same numbers, with the repetitions known and nothing looked at.
             let mut places = written.iter_mut();
-            let mut write = |piece| places.next().map(|place| *place = piece);
+            let mut put = |piece| places.next().map(|place| *place = piece);
             let extent = black_box(extent);
             let long = (extent - turns as f64 * 0.3) / turns as f64;
             for turn in 0..turns {
                 let start = turn as f64 * (long + 0.3);
                 let middle = start + long;
                 let end = (turn + 1) as f64 * (long + 0.3);
-                write(Piece { slot: 0, start, end: middle, length: long });
-                write(Piece { slot: 1, start: middle, end, length: 0.3 });
+                put(Piece { slot: 0, start, end: middle, length: long });
+                put(Piece { slot: 1, start: middle, end, length: 0.3 });
             }
             black_box(&written);
-        },
-        || {
+        }
+    };
+    let mut solve = || {
+        for _ in 0..rounds {
             let mut places = solved.iter_mut();
             count = 0;
             let mut lengths = [0.0; 2];
@@ -64,31 +59,28 @@ fn repeat(pieces: usize) {
                 ControlFlow::Continue(())
             });
             black_box(&solved);
-        },
-    );
+        }
+    };
+    let [writing, solving] =
+        fastest(SECONDS, [&mut write, &mut solve]).map(|time| nanoseconds_each(time, rounds * pieces));
     assert_eq!(count, pieces);
     for (a, b) in written.iter().zip(&solved) {
         assert!(a.slot == b.slot && (a.start - b.start).abs() < 1e-9 * extent, "{a:?} {b:?}");
     }
-    let each = |nanoseconds: f64| nanoseconds / pieces as f64;
-    println!(
-        "repeat     {pieces:>7} pieces   writing {:>6.2} ns   solving and writing {:>6.2} ns   more {:>5.2} ns a piece",
-        each(writing),
-        each(solving),
-        each(solving - writing)
-    );
+    let cells = [solving / writing, writing, solving].map(|value| number(value, 2));
+    table.row(&format!("a repeat, {pieces} pieces"), &cells);
 }
 
 const FLAT: [Item; 4] = [Item::Slot; 4];
 const FRAME: [Size; 4] = [Size::absolute(0.5), Size::floating(1.0), Size::relative(0.1), Size::floating(2.0)];
 
 /// `0.5 | ~1 | '0.1 | ~2`, folded into a number.
-fn four_slots() {
+fn four_slots(table: &mut Table) {
+    const ROUNDS: usize = 10_000;
     let (mut by_hand, mut by_solver) = (0.0, 0.0);
     let fold = |sum: &mut f64, slot: u32, start: f64, length: f64| *sum += start * f64::from(slot + 1) + length;
-    let [hand, solver] = compare(
-        10_000,
-        || {
+    let mut hand = || {
+        for _ in 0..ROUNDS {
             let extent: f64 = black_box(10.0);
             let extent = if 0.0 < extent && extent <= 1e150 { extent } else { 0.0 };
             let smallest = extent * 1e-12;
@@ -114,26 +106,29 @@ fn four_slots() {
                     from = end;
                 }
             }
-        },
-        || {
+        }
+    };
+    let mut solver = || {
+        for _ in 0..ROUNDS {
             let mut lengths = [0.0; 4];
             let solution = solve(&FLAT, &FRAME, &mut lengths, black_box(10.0));
             let _ = solution.each(|piece| {
                 fold(&mut by_solver, piece.slot, piece.start, piece.length);
                 ControlFlow::<()>::Continue(())
             });
-        },
-    );
+        }
+    };
+    let [hand, solver] = fastest(SECONDS, [&mut hand, &mut solver]).map(|time| nanoseconds_each(time, 4 * ROUNDS));
     assert_eq!(by_hand, by_solver);
-    println!(
-        "four slots                  by hand {hand:>6.2} ns   solver {solver:>6.2} ns   ratio {:.2}",
-        solver / hand
-    );
+    table.row("four slots", &[solver / hand, hand, solver].map(|value| number(value, 2)));
 }
 
 fn main() {
+    let columns = ["split", "solver / by hand", "by hand, ns a piece", "solver, ns a piece"];
+    let mut table = Table::new("The split solver", &columns);
     for pieces in [10, 1_000, 100_000] {
-        repeat(pieces);
+        repeat(&mut table, pieces);
     }
-    four_slots();
+    four_slots(&mut table);
+    table.print();
 }

@@ -1,0 +1,26 @@
+//! Times of several ways to do the same work, best of many.
+
+use std::time::{Duration, Instant};
+
+/// The best time of each way. The ways run in turn, so that a change in the machine's load meets all of them alike.
+///
+/// There are at least three rounds, and as many more as fit into `seconds`.
+pub(crate) fn fastest<const N: usize>(seconds: f64, mut ways: [&mut dyn FnMut(); N]) -> [Duration; N] {
+    let mut best = [Duration::MAX; N];
+    let begin = Instant::now();
+    let mut rounds = 0;
+    while rounds < 3 || begin.elapsed().as_secs_f64() < seconds {
+        for (way, best) in ways.iter_mut().zip(&mut best) {
+            let start = Instant::now();
+            way();
+            *best = (*best).min(start.elapsed());
+        }
+        rounds += 1;
+    }
+    best
+}
+
+/// Nanoseconds for each of `count` things.
+pub(crate) fn nanoseconds_each(time: Duration, count: usize) -> f64 {
+    time.as_secs_f64() * 1e9 / count as f64
+}

@@ -1,0 +1,86 @@
+//! Runs all benches and writes their tables to `docs/performance.md`, with the machine named.
+//!
+//! `cargo run --example performance`. Leave the machine alone meanwhile: times are the best of many runs, but all runs of a
+//! busy machine are slow.
+
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// Packages, benches and their arguments, in the order of the page.
+const BENCHES: [(&str, &str, &[&str]); 8] = [
+    ("cga", "scenes", &[]),
+    ("cga", "scenes", &["--instructions"]),
+    ("cga", "memory", &[]),
+    ("cga", "cutting", &[]),
+    ("cga", "comp", &[]),
+    ("cga", "triangles", &[]),
+    ("cga-split", "solve", &[]),
+    ("cga", "build", &[]),
+];
+
+const HEAD: &str = "# Performance
+
+Written by `cargo run --example performance`, which runs all benches on one machine; do not edit. Times differ from machine to
+machine, so look at the ratios. A ratio compares two ways that run in turn in one process; each time is the best of many.
+
+*By hand* is a loop without a grammar. It knows all sizes and fills the same buffers: vertices, indices, and where rule or
+material change. *Buffers* is the grammar with `Buffers`, *terminals only* the grammar with a sink that keeps nothing. Every
+scene is checked: counts and checksums are those of the formulas, and both ways have the same runs. Growth divides the cost of
+a terminal in the largest size of a workload by that in the smallest: 1 is linear.
+
+A is a façade with windows, A-color the same with a colour in every bay, A-chance with glass that is lit by chance. B is the
+Menger sponge, B2 a box that is divided in the golden ratio, D a city of façades.
+";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut page = format!("{HEAD}\nThe machine: {}.\n", machine());
+    for (package, bench, arguments) in BENCHES {
+        let output = Command::new(env!("CARGO"))
+            .args(["bench", "--package", package, "--bench", bench, "--"])
+            .args(arguments)
+            .current_dir(root)
+            .stderr(Stdio::inherit())
+            .output()?;
+        if !output.status.success() {
+            return Err(format!("the bench `{bench}` failed").into());
+        }
+        let tables = String::from_utf8(output.stdout)?;
+        print!("{tables}");
+        page.push_str(&tables);
+    }
+    fs::write(root.join("docs/performance.md"), page)?;
+    Ok(())
+}
+
+/// Processor, cores, operating system and compiler.
+fn machine() -> String {
+    let cores = std::thread::available_parallelism().map_or(1, |cores| cores.get());
+    let compiler = first_line("rustc", &["--version"]).unwrap_or_else(|| "an unknown compiler".to_owned());
+    format!("{}, {cores} cores, {}, {compiler}", processor(), system())
+}
+
+fn processor() -> String {
+    field("/proc/cpuinfo", "model name", ':')
+        .or_else(|| first_line("sysctl", &["-n", "machdep.cpu.brand_string"]))
+        .or_else(|| std::env::var("PROCESSOR_IDENTIFIER").ok())
+        .unwrap_or_else(|| std::env::consts::ARCH.to_owned())
+}
+
+fn system() -> String {
+    field("/etc/os-release", "PRETTY_NAME", '=').unwrap_or_else(|| std::env::consts::OS.to_owned())
+}
+
+/// The value after a key at the start of a line, without quotes.
+fn field(file: &str, key: &str, between: char) -> Option<String> {
+    let text = fs::read_to_string(file).ok()?;
+    let line = text.lines().find(|line| line.starts_with(key))?;
+    Some(line.split_once(between)?.1.trim().trim_matches('"').to_owned())
+}
+
+fn first_line(program: &str, arguments: &[&str]) -> Option<String> {
+    let output = Command::new(program).args(arguments).output().ok().filter(|output| output.status.success())?;
+    Some(String::from_utf8(output.stdout).ok()?.lines().next()?.to_owned())
+}
