@@ -66,11 +66,11 @@ impl Report {
 }
 
 /// A run under way: what generated code hands from rule to rule.
-#[derive(Debug)]
-pub struct Cx<'r, S: ?Sized, C> {
+#[expect(missing_debug_implementations, reason = "sinks need not be printable")]
+pub struct Cx<'r, C> {
     /// The part that does not depend on the sink.
     pub env: &'r mut Env,
-    sink: &'r mut S,
+    sink: &'r mut dyn Sink,
     waiting: VecDeque<Waiting<C>>,
     /// What direct calls take of [`STACK`] at the moment.
     stack: u32,
@@ -93,7 +93,7 @@ struct Waiting<C> {
     trail: Rc<Trail>,
 }
 
-impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
+impl<C> Cx<'_, C> {
     /// Enters a rule. Every rule that was entered is left again unless the run ends in it.
     #[inline]
     pub fn enter(&mut self, rule: u32) -> Flow {
@@ -203,12 +203,7 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
 ///
 /// # Errors
 /// See [`Error`]: a limit, an attribute out of its range, a shape that is no shape.
-pub fn run<R: Rules, S: Sink + ?Sized>(
-    rules: &R,
-    shape: &Shape,
-    settings: &Settings,
-    sink: &mut S,
-) -> Result<Report, Error> {
+pub fn run<R: Rules>(rules: &R, shape: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error> {
     shape.check_initial()?;
     rules.check()?;
     let (start, style, start_name) = start_rule::<R>(settings.start.as_deref())?;

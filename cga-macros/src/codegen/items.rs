@@ -133,9 +133,9 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
                 g
             }
 
-            fn start<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+            fn start(
                 g: &CgaValues,
-                cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+                cx: &mut cga_rt::Cx<'_, CgaCall>,
                 rule: ::core::primitive::u32,
                 shape: &mut cga_rt::ShapeRef<'_>,
             ) -> cga_rt::Flow {
@@ -145,9 +145,9 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
                 }
             }
 
-            fn resume<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+            fn resume(
                 g: &CgaValues,
-                cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+                cx: &mut cga_rt::Cx<'_, CgaCall>,
                 shape: &mut cga_rt::ShapeRef<'_>,
                 call: CgaCall,
             ) -> cga_rt::Flow {

@@ -196,7 +196,7 @@ fn methods(runs: bool) -> TokenStream {
         cga_rt::generate(self, shape, &settings)
     });
     let generate_with = body(quote_spanned!(place=> cga_rt::generate(self, shape, settings)));
-    let generate_into = body(quote_spanned!(place=> cga_rt::run(self, shape, settings, sink)));
+    let generate_into = body(quote_spanned!(place=> cga_rt::run(self, shape, settings, &mut { sink })));
     let errors = quote_spanned! { place=>
         ///
         /// # Errors

@@ -48,9 +48,9 @@ impl Cx<'_> {
         let (enter, leave) = (enter(rule, id), leave(rule));
         quote_spanned! { place=>
             #doc
-            fn #name<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+            fn #name(
                 g: &CgaValues,
-                cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+                cx: &mut cga_rt::Cx<'_, CgaCall>,
                 shape: &mut cga_rt::ShapeRef<'_>,
                 #(#names: #types,)*
             ) -> cga_rt::Flow {

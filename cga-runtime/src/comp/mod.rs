@@ -25,7 +25,7 @@ use crate::fault::FaultKind;
 use crate::scope::{Frame, Scope};
 use crate::seed::{self, Seed, Tag};
 use crate::shape::{Counter, Geometry, Shape, ShapeRef};
-use crate::sink::{Flow, Sink};
+use crate::sink::Flow;
 use crate::trim::{Surface, Trims};
 
 pub use candidate::{Candidate, Subcomponent, is_tagged, is_tagged_at};
@@ -122,15 +122,15 @@ pub fn never(_: &mut Env, _: u32, _: &mut Candidate<'_>) -> bool {
 /// children that the rule makes.
 #[inline]
 #[allow(clippy::too_many_arguments, reason = "generated code calls it")]
-pub fn comp<S: Sink + ?Sized, C>(
-    cx: &mut Cx<'_, S, C>,
+pub fn comp<C>(
+    cx: &mut Cx<'_, C>,
     shape: &ShapeRef<'_>,
     number: u32,
     components: Components,
     align: Align,
     arms: &[Arm],
     when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
-    mut visit: impl FnMut(&mut Cx<'_, S, C>, u32, &mut ShapeRef<'_>) -> Flow,
+    mut visit: impl FnMut(&mut Cx<'_, C>, u32, &mut ShapeRef<'_>) -> Flow,
 ) -> Flow {
     let whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
     let parts = Parts::of(cx.env, &whole, components, align, arms, when)?;

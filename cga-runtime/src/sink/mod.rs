@@ -140,3 +140,29 @@ pub trait Sink {
     /// Any mesh, in local coordinates; `placement` takes them to the world.
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow;
 }
+
+impl<S: Sink + ?Sized> Sink for &mut S {
+    fn begin(&mut self) {
+        (**self).begin();
+    }
+
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        (**self).filled(leaf)
+    }
+
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        (**self).quad(leaf, quad)
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        (**self).cuboid(leaf, cuboid)
+    }
+
+    fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        (**self).instance(leaf, mesh, placement)
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        (**self).mesh(leaf, mesh, placement)
+    }
+}

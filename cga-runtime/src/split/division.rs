@@ -13,7 +13,7 @@ use crate::scope::Axis;
 use crate::seed::{self, Seed, Tag};
 use crate::shape::base::{Base, Form};
 use crate::shape::{Counter, ShapeRef};
-use crate::sink::{Flow, Sink};
+use crate::sink::Flow;
 use crate::tol::PLANAR_EPSILON;
 use crate::unit::Band;
 
@@ -136,7 +136,7 @@ impl<'s> Division<'s> {
 
     /// Hands the next piece on as a leaf.
     #[inline(always)]
-    pub fn leaf<S: Sink + ?Sized, C>(&mut self, cx: &mut Cx<'_, S, C>, axis: Axis, piece: Piece, rule: u32) -> Flow {
+    pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, axis: Axis, piece: Piece, rule: u32) -> Flow {
         self.place(axis, piece);
         cx.filled(&self.part, rule)
     }

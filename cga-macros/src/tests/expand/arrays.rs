@@ -1,9 +1,9 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> set(a, [ a, 3 ]) t(total(a .* 2), case a [ [ 0, 1 ] ] == [ 1, 2 ] : 1 else : geometry.du(0, uvSpace), 0) roofHip(30)
-    fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn Lot(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;

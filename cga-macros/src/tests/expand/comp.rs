@@ -1,9 +1,9 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> comp(f) { side : Wall. | 4 = Roof(comp.index) | all : NIL }
-    fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn Lot(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
@@ -45,7 +45,6 @@ impl CgaRules {
                             part.drawn(&whole);
                             value
                         };
-                        cga_rt::hand_on(part);
                         CgaRules::Roof(g, cx, part, a0)
                     }
                     2 => cga_rt::Flow::Continue(()),
@@ -56,9 +55,9 @@ impl CgaRules {
         cx.leave()
     }
     ///Roof(n) --> comp(e, noAlign) { border && scope.sx > n = : X. | object.top : Y. }
-    fn Roof<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn Roof(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {

@@ -1,9 +1,9 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///A(n) --> case n > 1 : B(n) B(n - 1) else : NIL
-    fn A<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn A(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
@@ -37,9 +37,9 @@ impl CgaRules {
         cx.leave()
     }
     ///B(n) --> A(n)
-    fn B<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn B(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {

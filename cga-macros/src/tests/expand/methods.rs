@@ -45,6 +45,6 @@ impl Tower {
         settings: &cga_rt::Settings,
         sink: &mut Sink,
     ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
-        cga_rt::run(self, shape, settings, sink)
+        cga_rt::run(self, shape, settings, &mut { sink })
     }
 }

@@ -34,9 +34,9 @@ impl cga_rt::Rules for Tower {
         };
         g
     }
-    fn start<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn start(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         rule: ::core::primitive::u32,
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
@@ -45,9 +45,9 @@ impl cga_rt::Rules for Tower {
             _ => cga_rt::Flow::Continue(()),
         }
     }
-    fn resume<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn resume(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {

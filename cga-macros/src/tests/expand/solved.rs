@@ -1,9 +1,9 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> s(10, 1, 1) primitiveCube() split(x) { 1 : Post. | { ~2.7 : Field. | 1 : Post. }* }
-    fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn Lot(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
@@ -71,14 +71,21 @@ impl CgaRules {
                 },
             ];
             let pieces = cga_rt::solved(cx.env, shape, cga_rt::Axis::X, 10.0, PIECES);
-            let mut division = cga_rt::Division::new(
+            let made = cga_rt::Made::new(
                 cx.env,
                 shape,
-                (cga_rt::Axis::X, cga_rt::Adjust::Adjust),
-                0,
+                cga_rt::Axis::X,
+                cga_rt::Adjust::Adjust,
                 pieces,
-                false,
             )?;
+            let mut division = cga_rt::Division::new(
+                shape,
+                &made,
+                cga_rt::Axis::X,
+                cga_rt::Adjust::Adjust,
+                0,
+                0,
+            );
             let mut row = cga_rt::List::new(pieces);
             if let ::core::option::Option::Some(piece) = row.slot(0) {
                 division.leaf(cx, cga_rt::Axis::X, piece, 1u32)?;

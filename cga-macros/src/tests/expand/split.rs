@@ -1,9 +1,9 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> split(x) { 0.5 : Wall. | { ~2 : Tile(split.index) | '0.1 : NIL }* | 1 : s(1, 2, 3) Post. }
-    fn Lot<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn Lot(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
@@ -25,14 +25,21 @@ impl CgaRules {
             let mut lengths = [0.0; 4usize];
             let extent = cga_rt::extent(cx.env, shape, cga_rt::Axis::X);
             let pieces = &cga_rt::solve(PATTERN, &SIZES, &mut lengths, extent);
-            let mut division = cga_rt::Division::new(
+            let made = cga_rt::Made::new(
                 cx.env,
                 shape,
-                (cga_rt::Axis::X, cga_rt::Adjust::Adjust),
-                0,
+                cga_rt::Axis::X,
+                cga_rt::Adjust::Adjust,
                 pieces,
-                false,
             )?;
+            let mut division = cga_rt::Division::new(
+                shape,
+                &made,
+                cga_rt::Axis::X,
+                cga_rt::Adjust::Adjust,
+                0,
+                0,
+            );
             let mut row = pieces.cursor();
             if let ::core::option::Option::Some(piece) = row.slot(0) {
                 division.leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
@@ -41,11 +48,9 @@ impl CgaRules {
             while row.turn(&mut group0) {
                 division.turn();
                 if let ::core::option::Option::Some(piece) = row.slot(1) {
-                    let part = &mut division
-                        .part(cga_rt::Axis::X, piece, 1, true, false);
+                    let part = division.part(cga_rt::Axis::X, piece, 1, true, false);
                     let flow: cga_rt::Flow = {
                         let a0 = cga_rt::get::split_index(part);
-                        cga_rt::hand_on(part);
                         CgaRules::Tile(g, cx, part, a0)
                     };
                     flow?;
@@ -55,7 +60,7 @@ impl CgaRules {
                 }
             }
             if let ::core::option::Option::Some(piece) = row.slot(3) {
-                let part = &mut division.part(cga_rt::Axis::X, piece, 3, false, false);
+                let part = division.part(cga_rt::Axis::X, piece, 3, false, false);
                 let flow: cga_rt::Flow = { CgaRules::Lot_1(g, cx, part) };
                 flow?;
             }
@@ -67,9 +72,9 @@ impl CgaRules {
         cx.leave()
     }
     ///Tile(i) --> Wall.
-    fn Tile<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn Tile(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
@@ -77,9 +82,9 @@ impl CgaRules {
         cx.symbol(shape, 1u32)?;
         cx.leave()
     }
-    fn Lot_1<CgaSink: cga_rt::Sink + ?::core::marker::Sized>(
+    fn Lot_1(
         g: &CgaValues,
-        cx: &mut cga_rt::Cx<'_, CgaSink, CgaCall>,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
         shape: &mut cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         let mut own = *shape;
@@ -92,10 +97,7 @@ impl CgaRules {
                 cga_rt::slim::size(cx.env, shape, a0, a1, a2)
             }
         };
-        if let ::core::option::Option::Some(base) = &changed {
-            own = base.shape();
-        }
-        let shape = &mut own;
+        let shape = &mut cga_rt::slim::after(own, &changed);
         cx.symbol(shape, 2u32)?;
         cga_rt::Flow::Continue(())
     }
