@@ -49,6 +49,8 @@ pub struct RuleFacts {
     /// the shape, the arguments, and the attributes and constants of the run. The place in the world, the pivot, trim planes,
     /// the seed, the counters and attributes that shapes hold make no difference.
     pub rigid: bool,
+    /// The same of the steps of the rule itself: rules that it calls may do anything.
+    pub own_rigid: bool,
 }
 
 impl Facts {

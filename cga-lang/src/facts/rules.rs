@@ -26,10 +26,12 @@ impl Facts {
         let loose = closure(&edges, &own.iter().map(|own| !own.rigid).collect::<Vec<_>>());
         let facts = uses.into_iter().zip(all).zip(counters).zip(loose);
         self.rules = facts
-            .map(|(((own, all), counters), loose)| RuleFacts {
-                own,
+            .zip(&own)
+            .map(|((((uses, all), counters), loose), own)| RuleFacts {
+                own: uses,
                 below: all.without_counters() | counters,
                 rigid: !loose && counters.is_none(),
+                own_rigid: own.rigid && uses.counters().is_none(),
             })
             .collect();
     }

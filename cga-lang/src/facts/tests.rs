@@ -15,7 +15,7 @@ fn shown(text: &str) -> Vec<String> {
     let facts = Facts::new(&grammar);
     let list = |uses: Uses| uses.names().collect::<Vec<_>>().join(" ");
     let line = |(number, rule): (usize, &crate::ir::Rule)| {
-        let RuleFacts { own, below, rigid } = *facts.rule(RuleId(number as u32));
+        let RuleFacts { own, below, rigid, .. } = *facts.rule(RuleId(number as u32));
         format!("{}: {} | {}{}", rule.name, list(own), list(below), if rigid { " | rigid" } else { "" })
     };
     grammar.rules.iter().enumerate().map(line).collect()
