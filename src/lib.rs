@@ -12,17 +12,20 @@ pub use cga_runtime::derive::Report;
 pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
 /// The vector types in meshes and sinks.
 pub use cga_runtime::glam;
-pub use cga_runtime::grammar::{Grammar, StartRule};
+pub use cga_runtime::grammar::{Grammar, Rules, StartRule};
 pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
 pub use cga_runtime::mesh::{Mesh, MeshBuilder, MeshError};
 pub use cga_runtime::model::{Geometry, LeafView, Model};
+pub use cga_runtime::parallel::{Part, Parts, ShapeError, Stretch};
 pub use cga_runtime::report::{Collection, Print, Reports, Summary};
 pub use cga_runtime::scope::{Axis, Frame, Scope};
+pub use cga_runtime::session::{DynSession, Session};
 pub use cga_runtime::settings::{Limits, Settings};
 pub use cga_runtime::shape::{Shape, ShapeRef};
 pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 pub use cga_runtime::text::Text;
 pub use cga_runtime::value::{Value, ValueType};
+pub use cga_runtime::watch::{Progress, Watch};
 
 /// Meshes: building, measuring, checking, reading.
 pub mod mesh {
@@ -38,6 +41,11 @@ pub mod sink {
     pub use cga_runtime::sink::gltf;
     pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
     pub use cga_runtime::sink::{buffers, error, obj, picture, stats, svg, table};
+}
+
+/// Many initial shapes at once.
+pub mod parallel {
+    pub use cga_runtime::parallel::{Part, Parts, ShapeError, Stretch, derive_all, generate_all, run_all};
 }
 
 /// The split solver on its own: sizes and an extent → pieces.

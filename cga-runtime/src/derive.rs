@@ -34,11 +34,13 @@ pub struct Report {
     pub faults: Vec<Fault>,
     /// Faults beyond those kept.
     pub faults_left_out: u64,
-    /// Whether the sink ended the run.
+    /// Whether the sink or a [`Watch`](crate::watch::Watch) ended the run.
     pub stopped: bool,
     pub(crate) reports: Reports,
     pub(crate) prints: Vec<Print>,
     pub(crate) prints_left_out: u64,
+    /// Bytes of the printed values.
+    pub(crate) prints_bytes: usize,
 }
 
 impl Report {
@@ -165,26 +167,36 @@ impl<S: Sink + ?Sized, C> Cx<'_, S, C> {
     }
 }
 
-/// Runs a grammar on a shape.
-///
-/// # Errors
-/// See [`Error`]: a limit, an attribute out of its range, a shape that is no shape.
-pub fn run<R: Rules, S: Sink + ?Sized>(
+/// The start rule of a run: its number, its style and its name.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start {
+    rule: u32,
+    style: u32,
+    name: &'static str,
+}
+
+/// The result of a run, with or without an error.
+#[derive(Debug, Default)]
+pub(crate) struct Outcome {
+    pub(crate) report: Report,
+    pub(crate) error: Option<Error>,
+}
+
+/// Runs a grammar on a shape that was checked.
+pub(crate) fn run<R: Rules, S: Sink + ?Sized>(
     rules: &R,
+    Start { rule, style, name }: Start,
     shape: &Shape,
     settings: &Settings,
     sink: &mut S,
-) -> Result<Report, Error> {
-    shape.check_initial()?;
-    rules.check()?;
-    let (start, style, start_name) = start_rule::<R>(settings.start.as_deref())?;
-    let env = Env::new(settings, R::NAMES, shape, start_name);
+) -> Outcome {
+    let env = Env::new(settings, R::NAMES, shape, name);
     let mut cx = Cx { env, sink, waiting: VecDeque::new(), stack: 0, depth: 0 };
     let values = rules.values(&mut cx.env, shape, style);
-    // A break with no error is the sink's.
-    let mut flow = if cx.env.error.is_some() { Flow::Break(()) } else { Flow::Continue(()) };
+    // A break with no error is the sink's or the watch's.
+    let mut flow = if cx.env.ended() { Flow::Break(()) } else { Flow::Continue(()) };
     if flow.is_continue() {
-        flow = R::start(&values, &mut cx, start, shape.without_trim_planes());
+        flow = R::start(&values, &mut cx, rule, shape.without_trim_planes());
     }
     while flow.is_continue() {
         let Some(next) = cx.waiting.pop_front() else { break };
@@ -192,36 +204,32 @@ pub fn run<R: Rules, S: Sink + ?Sized>(
         cx.env.resume_trail(next.trail);
         flow = R::resume(&values, &mut cx, next.shape, next.call);
     }
+    cx.env.tell_watch(flow.is_continue());
     let (faults, faults_left_out) = cx.env.take_faults();
     let prints = std::mem::take(&mut cx.env.prints);
-    let prints_left_out = prints.left_out;
-    let prints = prints.in_order();
-    if settings.echo {
-        echo(&prints);
-    }
-    match cx.env.error.take() {
-        Some(error) => Err(error),
-        None => Ok(Report {
-            shapes: cx.env.shapes,
-            leaves: cx.env.leaves,
-            faults,
-            faults_left_out,
-            stopped: flow.is_break(),
-            reports: std::mem::take(&mut cx.env.reports),
-            prints,
-            prints_left_out,
-        }),
-    }
+    let (prints_left_out, prints_bytes) = (prints.left_out, prints.bytes);
+    let report = Report {
+        shapes: cx.env.shapes_made(),
+        leaves: cx.env.leaves,
+        faults,
+        faults_left_out,
+        stopped: flow.is_break() && cx.env.error.is_none(),
+        reports: std::mem::take(&mut cx.env.reports),
+        prints: prints.in_order(),
+        prints_left_out,
+        prints_bytes,
+    };
+    Outcome { report, error: cx.env.error.take() }
 }
 
 /// Writes lines to standard output. A closed output does not end the run.
-fn echo(prints: &[Print]) {
+pub(crate) fn echo(prints: &[Print]) {
     let mut out = std::io::stdout().lock();
     let _ = prints.iter().try_for_each(|print| writeln!(out, "{print}"));
 }
 
-/// The number, style and name of a start rule, of the default one for `None`. `Default$Lot` is `Lot`.
-fn start_rule<R: Rules>(name: Option<&str>) -> Result<(u32, u32, &'static str), Error> {
+/// The start rule of a name, or the default one. `Default$Lot` is `Lot`.
+pub(crate) fn start_rule<R: Rules>(name: Option<&str>) -> Result<Start, Error> {
     let at = match name {
         None => Some(0),
         Some(name) => {
@@ -229,10 +237,12 @@ fn start_rule<R: Rules>(name: Option<&str>) -> Result<(u32, u32, &'static str), 
             R::STARTS.iter().position(|start| start.name == name || start.name == plain)
         }
     };
-    at.and_then(|at| Some((*R::START_RULES.get(at)?, *R::START_STYLES.get(at)?, R::STARTS.get(at)?.name))).ok_or_else(
-        || {
-            let known = R::STARTS.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
-            Error::StartRule { name: name.unwrap_or_default().to_owned(), known }
-        },
-    )
+    let start = at.and_then(|at| {
+        let (rule, style) = (*R::START_RULES.get(at)?, *R::START_STYLES.get(at)?);
+        Some(Start { rule, style, name: R::STARTS.get(at)?.name })
+    });
+    start.ok_or_else(|| {
+        let known = R::STARTS.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
+        Error::StartRule { name: name.unwrap_or_default().to_owned(), known }
+    })
 }

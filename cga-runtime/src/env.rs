@@ -18,9 +18,10 @@ use crate::shape::Shape;
 use crate::sink::Flow;
 use crate::text::Text;
 use crate::value::Value;
+use crate::watch::Checkpoint;
 
 /// Faults that are kept; later ones are only counted, so that memory stays bounded.
-const FAULTS_KEPT: usize = 1000;
+pub(crate) const FAULTS_KEPT: usize = 1000;
 
 /// Rules that a trail names; of longer ones the middle is left out, so that memory stays bounded.
 const LONGEST_TRAIL: usize = 2048;
@@ -64,12 +65,14 @@ pub struct Env {
     before: Option<Rc<Trail>>,
     pub(crate) shapes: u64,
     pub(crate) leaves: u64,
+    /// Where counting leaves the fast path: at a limit, or where a watch is asked.
+    pub(crate) checkpoint: Checkpoint,
     vertices: u64,
     /// Functions under way that asked.
     calls: u32,
     /// What they take of [`FUNCTIONS`].
     call_stack: u32,
-    calls_made: u64,
+    pub(crate) calls_made: u64,
     /// Lazy attributes and constants that are being computed, from the first on.
     pub(crate) open: Vec<&'static str>,
     faults: Vec<Fault>,
@@ -152,6 +155,7 @@ impl Env {
             before: None,
             shapes: 0,
             leaves: 0,
+            checkpoint: Checkpoint::first(settings),
             vertices: 0,
             calls: 0,
             call_stack: 0,
@@ -181,8 +185,8 @@ impl Env {
     #[inline]
     pub(crate) fn count_shapes(&mut self, count: u64) -> Flow {
         self.shapes = self.shapes.saturating_add(count);
-        if self.settings.limits.shapes < self.shapes {
-            return self.limit(LimitKind::Shapes, self.settings.limits.shapes);
+        if self.checkpoint.shapes < self.shapes {
+            return self.at_shapes();
         }
         Flow::Continue(())
     }
@@ -204,14 +208,17 @@ impl Env {
     /// Ends the run.
     #[cold]
     pub(crate) fn limit<T>(&mut self, what: LimitKind, limit: u64) -> ControlFlow<(), T> {
-        let trail = self.trail();
-        self.error.get_or_insert(Error::Limit { what, limit, trail });
+        // A run that was stopped has no error.
+        if self.checkpoint.stopped_at.is_none() {
+            let trail = self.trail();
+            self.error.get_or_insert(Error::Limit { what, limit, trail });
+        }
         // Whoever counts next stops too: operations and functions cannot break off by themselves.
         self.shapes = u64::MAX;
         ControlFlow::Break(())
     }
 
-    /// Whether a limit was reached.
+    /// Whether a limit was reached, or a watch ended the run.
     #[inline]
     pub(crate) fn ended(&self) -> bool {
         self.shapes == u64::MAX
@@ -236,10 +243,10 @@ impl Env {
         let stack = self.call_stack + stack.min(FUNCTIONS);
         if FUNCTIONS < stack || self.calls == DEEPEST_CALLS {
             let _: Flow = self.limit(LimitKind::Nesting, u64::from(self.calls));
-        } else if self.settings.limits.calls < self.calls_made {
-            let _: Flow = self.limit(LimitKind::Calls, self.settings.limits.calls);
+        } else if self.checkpoint.calls < self.calls_made {
+            let _: Flow = self.at_calls();
         }
-        let may = self.error.is_none();
+        let may = !self.ended();
         if may {
             (self.calls, self.call_stack) = (self.calls + 1, stack);
         }

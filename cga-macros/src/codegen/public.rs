@@ -123,9 +123,12 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
     }
 }
 
-/// The runtime's `Grammar` of one that has errors, for code that needs the trait.
+/// The runtime's traits for a grammar that has errors, for code that needs them.
 fn unrunnable(name: &Ident, label: &str) -> TokenStream {
     quote_spanned! { Span::mixed_site()=>
+        #[automatically_derived]
+        impl cga_rt::Unrunnable for #name {}
+
         #[automatically_derived]
         impl cga_rt::Grammar for #name {
             fn name(&self) -> &'static ::core::primitive::str {
@@ -197,6 +200,9 @@ fn methods(runs: bool) -> TokenStream {
     });
     let generate_with = body(quote_spanned!(place=> cga_rt::generate(self, shape, settings)));
     let generate_into = body(quote_spanned!(place=> cga_rt::run(self, shape, settings, sink)));
+    let session = body(quote_spanned!(place=> cga_rt::Session::new(self, settings)));
+    let generate_all = body(quote_spanned!(place=> cga_rt::generate_all(self, shapes, settings)));
+    let generate_all_into = body(quote_spanned!(place=> cga_rt::run_all(self, shapes, settings, sink)));
     let errors = quote_spanned! { place=>
         ///
         /// # Errors
@@ -238,6 +244,42 @@ fn methods(runs: bool) -> TokenStream {
             sink: &mut Sink,
         ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
             #generate_into
+        }
+
+        /// Opens a session: several runs with the same settings, which share what is made once.
+        ///
+        /// # Errors
+        /// An attribute out of its range, no such start rule.
+        pub fn session(
+            &self,
+            settings: &cga_rt::Settings,
+        ) -> ::core::result::Result<cga_rt::Session<'_, Self>, cga_rt::Error> {
+            #session
+        }
+
+        /// Runs on many shapes, in parallel with the feature `rayon`, and collects a model of each.
+        ///
+        /// # Errors
+        /// The first error in the order of the shapes.
+        pub fn generate_all(
+            &self,
+            shapes: &[cga_rt::Shape],
+            settings: &cga_rt::Settings,
+        ) -> ::core::result::Result<cga_rt::Parts<cga_rt::Model>, cga_rt::ShapeError> {
+            #generate_all
+        }
+
+        /// Runs on many shapes, in parallel with the feature `rayon`, with a sink for each stretch of shapes.
+        ///
+        /// # Errors
+        /// The first error in the order of the shapes.
+        pub fn generate_all_into<Sink: cga_rt::Sink + ::core::marker::Send>(
+            &self,
+            shapes: &[cga_rt::Shape],
+            settings: &cga_rt::Settings,
+            sink: impl ::core::ops::Fn(&cga_rt::Stretch) -> Sink + ::core::marker::Sync,
+        ) -> ::core::result::Result<cga_rt::Parts<Sink>, cga_rt::ShapeError> {
+            #generate_all_into
         }
     }
 }
