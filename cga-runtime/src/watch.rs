@@ -88,7 +88,9 @@ impl Watch {
     /// ```
     pub fn every(shapes: u64, callback: impl FnMut(Progress) -> Flow + Send + 'static) -> Self {
         let callback: Callback = Box::new(callback);
-        Watch { shared: Arc::new(Shared { callback: Some((shapes.max(1), Mutex::new(callback))), ..Shared::default() }) }
+        Watch {
+            shared: Arc::new(Shared { callback: Some((shapes.max(1), Mutex::new(callback))), ..Shared::default() }),
+        }
     }
 
     /// Ends all runs with this watch, soon: each returns with `stopped` in its report. Later runs end before they begin.

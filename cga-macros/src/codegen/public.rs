@@ -249,6 +249,7 @@ fn methods() -> TokenStream {
         ///
         /// # Errors
         /// The first error in the order of the shapes.
+        #[inline]
         pub fn generate_all(
             &self,
             shapes: &[cga_rt::Shape],

@@ -19,10 +19,9 @@ impl Parts<Model> {
 
     /// The axis-aligned box around all geometry, in the world.
     pub fn bounds(&self) -> Bounds {
-        self.sinks().map(Model::bounds).fold(Bounds::EMPTY, |sum, bounds| Bounds {
-            low: sum.low.min(bounds.low),
-            high: sum.high.max(bounds.high),
-        })
+        self.sinks()
+            .map(Model::bounds)
+            .fold(Bounds::EMPTY, |sum, bounds| Bounds { low: sum.low.min(bounds.low), high: sum.high.max(bounds.high) })
     }
 
     /// All counts and measures.

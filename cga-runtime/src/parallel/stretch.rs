@@ -79,8 +79,7 @@ pub(super) fn derive_stretch(
     mut run: impl FnMut(&Shape) -> Outcome,
 ) -> Done<()> {
     let start = stretch.shapes.start;
-    let mut done =
-        Done { output: (), shapes: start..start, reports: Vec::new(), counts: Report::default(), end: None };
+    let mut done = Done { output: (), shapes: start..start, reports: Vec::new(), counts: Report::default(), end: None };
     for at in stretch.shapes.clone() {
         if ended() {
             break;

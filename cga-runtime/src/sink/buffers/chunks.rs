@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::Buffers;
+use super::{Buffers, Run, Vertex};
 use crate::mesh::Mesh;
 use crate::sink::flatten::normal_map;
 use crate::sink::{Cuboid, Flow, Leaf, Quad, Sink};
@@ -131,9 +131,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
                     return false;
                 }
                 let start = self.open_face(leaf, mesh, face.index);
-                triangle
-                    .iter()
-                    .for_each(|&i| self.buffers.corner(mesh, placement, &turn, &face, first + i as usize));
+                triangle.iter().for_each(|&i| self.buffers.corner(mesh, placement, &turn, &face, first + i as usize));
                 self.buffers.indices.extend([start, start + 1, start + 2]);
                 self.buffers.pad_uvs();
             }
@@ -154,6 +152,16 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
             buffers.uvs.resize(buffers.vertices.len(), [0.0; 2]);
         }
         buffers.vertices.len() as u32
+    }
+}
+
+impl Buffers {
+    /// The bytes that are reserved for vertices, indices, texture coordinates and parts.
+    pub fn memory(&self) -> usize {
+        size_of::<Vertex>() * self.vertices.capacity()
+            + size_of::<u32>() * self.indices.capacity()
+            + size_of::<[f32; 2]>() * self.uvs.capacity()
+            + size_of::<Run>() * self.runs.capacity()
     }
 }
 

@@ -1,0 +1,17 @@
+//! Sessions, many shapes at once, streaming, progress: the results are those of a loop over the shapes, to the byte.
+
+mod errors;
+mod grammars;
+mod same;
+mod session;
+mod streamed;
+mod watched;
+
+/// Runs it with that many threads; without the feature `rayon` always with one.
+fn with_threads<T: Send>(threads: usize, run: impl FnOnce() -> T + Send) -> T {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+    pool.install(run)
+}
+
+/// Numbers of threads to try.
+const THREADS: [usize; 3] = [1, 2, 7];
