@@ -150,7 +150,8 @@ impl Checkpoint {
     pub(crate) fn first(settings: &Settings) -> Self {
         let stride = if settings.watch.is_some() { STRIDE } else { u64::MAX };
         Checkpoint {
-            shapes: settings.limits.shapes.min(stride),
+            // The largest number marks a run that has ended.
+            shapes: settings.limits.shapes.min(stride).min(u64::MAX - 1),
             calls: settings.limits.calls.min(stride),
             stopped_at: None,
             told: Progress::default(),
@@ -217,5 +218,56 @@ impl Env {
             None if self.ended() => self.checkpoint.told.shapes,
             None => self.shapes,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::settings::Limits;
+    use crate::shape::Shape;
+
+    fn env(limits: Limits, watch: Option<Watch>) -> Env {
+        let settings = Settings { limits, watch, ..Settings::default() };
+        Env::new(&settings, &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
+    }
+
+    #[test]
+    fn what_ended_goes_on_counting_nothing() {
+        let limits = Limits { shapes: u64::MAX, calls: u64::MAX, ..Limits::default() };
+        for watch in [None, Some(Watch::new())] {
+            let mut env = env(limits, watch);
+            assert!(env.limit::<()>(LimitKind::Vertices, 1).is_break());
+            assert!(env.count_shapes(1).is_break() && env.error.is_some() && !env.call(1));
+        }
+    }
+
+    #[test]
+    fn a_stopped_run_keeps_its_count_and_gets_no_error() {
+        let watch = Watch::new();
+        let mut env = env(Limits::default(), Some(watch.clone()));
+        assert!(env.count_shapes(STRIDE).is_continue());
+        watch.stop();
+        assert!(env.count_shapes(1).is_break() && env.count_shapes(1).is_break());
+        assert!(env.limit::<()>(LimitKind::Shapes, 1).is_break() && env.error.is_none() && !env.call(1));
+        env.tell_watch(false);
+        assert_eq!((env.shapes_made(), watch.progress().shapes), (STRIDE + 1, STRIDE + 1));
+    }
+
+    #[test]
+    fn the_callback_comes_in_its_steps() {
+        let (steps, seen) = std::sync::mpsc::channel();
+        let watch = Watch::every(100_000, move |progress| {
+            let _ = steps.send(progress.shapes);
+            ControlFlow::Continue(())
+        });
+        let mut env = env(Limits::default(), Some(watch.clone()));
+        for _ in 0..400_000 {
+            assert!(env.count_shapes(1).is_continue());
+        }
+        env.tell_watch(true);
+        let steps: Vec<u64> = seen.try_iter().collect();
+        assert_eq!(steps.iter().map(|shapes| shapes / 100_000).collect::<Vec<_>>(), [1, 2, 3, 4]);
+        assert_eq!((watch.progress().initial_shapes, watch.progress().shapes), (1, 400_000));
     }
 }

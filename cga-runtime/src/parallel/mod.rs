@@ -1,15 +1,15 @@
 //! Many initial shapes at once.
 //!
 //! The shapes are divided into *stretches*: neighbours in the list, with a sink of their own. With the feature `rayon` several
-//! threads derive stretches at the same time, each with a [`Session`](crate::session::Session); without it, and where there are no
-//! threads, the same functions derive them one after the other. The number of shapes alone decides where stretches
-//! end. So the results never depend on the number of threads: they are the bytes that a loop over the shapes gives.
+//! threads derive stretches at the same time, each with a session of its own; without it, and where there are no threads, the
+//! same functions derive them one after the other. The number of shapes alone decides where stretches end. So the results
+//! never depend on the number of threads: they are the bytes that a loop over the shapes gives.
 //!
 //! The sinks are kept apart, in order ([`Parts`]): nothing is joined by copying. Reports are merged shape by shape. The first
 //! error in the order of the shapes is the error of the whole, and nothing after it counts. The same holds for a sink that
-//! ends its run: parts up to there are kept, also where a later stretch was complete by then.
+//! ends its run: parts up to there are kept, and later ones are dropped, even those that are complete.
 //!
-//! Threads take stretches in order, so that whoever streams parts gets them almost in order.
+//! Threads take stretches in order, so a program that streams its parts gets them almost in order.
 
 mod models;
 mod order;
