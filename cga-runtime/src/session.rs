@@ -4,6 +4,8 @@
 //! the same as runs of their own. A session belongs to one thread; runs in parallel have one each, see
 //! [`parallel`](crate::parallel).
 
+use std::borrow::Cow;
+
 use crate::derive::{self, Outcome, Report, Start};
 use crate::fault::Error;
 use crate::grammar::{Grammar, Rules};
@@ -22,16 +24,17 @@ pub struct Session<'g, G> {
 #[derive(Debug)]
 pub(crate) struct Setup<'g, G> {
     grammar: &'g G,
-    pub(crate) settings: Settings,
+    /// Borrowed by sessions that end before their caller does.
+    settings: Cow<'g, Settings>,
     start: Start,
 }
 
 impl<'g, G: Rules> Setup<'g, G> {
     /// Checks the attributes and finds the start rule.
-    pub(crate) fn new(grammar: &'g G, settings: &Settings) -> Result<Self, Error> {
+    pub(crate) fn new(grammar: &'g G, settings: Cow<'g, Settings>) -> Result<Self, Error> {
         grammar.check()?;
         let start = derive::start_rule::<G>(settings.start.as_deref())?;
-        Ok(Setup { grammar, settings: settings.clone(), start })
+        Ok(Setup { grammar, settings, start })
     }
 
     /// Opens a session.
@@ -47,7 +50,7 @@ impl<'g, G: Rules> Session<'g, G> {
     /// # Errors
     /// [`Error::Attribute`] and [`Error::StartRule`]: what does not depend on the initial shape is found here.
     pub fn new(grammar: &'g G, settings: &Settings) -> Result<Self, Error> {
-        Ok(Session { setup: Setup::new(grammar, settings)? })
+        Ok(Session { setup: Setup::new(grammar, Cow::Owned(settings.clone()))? })
     }
 
     /// The settings of all runs.
@@ -127,7 +130,7 @@ pub fn run<G: Rules, S: Sink + ?Sized>(
     settings: &Settings,
     sink: &mut S,
 ) -> Result<Report, Error> {
-    Session::new(grammar, settings)?.run(shape, sink)
+    once(grammar, settings)?.run(shape, sink)
 }
 
 /// Runs a grammar and collects a model. Used by generated code.
@@ -135,5 +138,10 @@ pub fn run<G: Rules, S: Sink + ?Sized>(
 /// # Errors
 /// See [`Error`].
 pub fn generate<G: Rules>(grammar: &G, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
-    Session::new(grammar, settings)?.generate(shape)
+    once(grammar, settings)?.generate(shape)
+}
+
+/// A session for one run.
+fn once<'g, G: Rules>(grammar: &'g G, settings: &'g Settings) -> Result<Session<'g, G>, Error> {
+    Ok(Session { setup: Setup::new(grammar, Cow::Borrowed(settings))? })
 }

@@ -2,10 +2,18 @@
 
 mod errors;
 mod grammars;
+mod play;
+#[path = "../../cga-lang/tests/common/random.rs"]
+mod random;
 mod same;
 mod session;
+#[path = "../boxes/start.rs"]
+mod start;
 mod streamed;
 mod watched;
+#[allow(deprecated, reason = "findings are warnings of this kind")]
+#[path = "../boxes/grammars.rs"]
+mod written;
 
 /// Runs it with that many threads; without the feature `rayon` always with one.
 fn with_threads<T: Send>(threads: usize, run: impl FnOnce() -> T + Send) -> T {

@@ -11,10 +11,10 @@ use super::grammars::{cases, settings};
 use super::{THREADS, with_threads};
 
 /// A triangle with all that is known of it.
-type Triangle = ([[u32; 8]; 3], &'static str, Material);
+pub(crate) type Triangle = ([[u32; 8]; 3], &'static str, Material);
 
 /// The triangles of buffers, in order.
-fn triangles(buffers: &Buffers) -> Vec<Triangle> {
+pub(crate) fn triangles(buffers: &Buffers) -> Vec<Triangle> {
     let corner = |index: u32| {
         let [x, y, z, u, v, w]: Vertex = buffers.vertices()[index as usize];
         let [s, t] = buffers.uvs().get(index as usize).copied().unwrap_or_default();
@@ -32,7 +32,7 @@ fn triangles(buffers: &Buffers) -> Vec<Triangle> {
 }
 
 /// Runs with chunks of at most that many vertices; gives their triangles, and the size of each.
-fn chunks(max: usize, run: impl FnOnce(&mut dyn Sink)) -> (Vec<Triangle>, Vec<usize>) {
+pub(crate) fn chunks(max: usize, run: impl FnOnce(&mut dyn Sink)) -> (Vec<Triangle>, Vec<usize>) {
     let (mut all, mut sizes) = (Vec::new(), Vec::new());
     let mut sink = Chunks::new(max, |chunk: &Buffers| {
         assert!(!chunk.vertices().is_empty() && chunk.vertices().len() <= max);

@@ -16,6 +16,7 @@ mod order;
 mod parts;
 mod stretch;
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 pub use parts::{Part, Parts, ShapeError};
@@ -41,7 +42,7 @@ pub fn run_all<G: Rules + Sync, S: Sink + Send>(
     settings: &Settings,
     sink: impl Fn(&Stretch) -> S + Sync,
 ) -> Result<Parts<S>, ShapeError> {
-    let setup = Setup::new(grammar, &quiet(settings))?;
+    let setup = Setup::new(grammar, Cow::Owned(quiet(settings)))?;
     let run = |session: &mut Session<'_, G>, shape: &Shape, sink: &mut S| session.outcome(shape, sink);
     Crew { shapes, settings, first: setup.session(), again: || Some(setup.session()) }.run_all(sink, run)
 }
@@ -75,7 +76,7 @@ pub fn generate_all<G: Rules + Sync>(
     shapes: &[Shape],
     settings: &Settings,
 ) -> Result<Parts<Model>, ShapeError> {
-    let setup = Setup::new(grammar, &quiet(settings))?;
+    let setup = Setup::new(grammar, Cow::Owned(quiet(settings)))?;
     let job = |session: &mut Session<'_, G>, stretch: &Stretch, ended: &dyn Fn() -> bool| {
         let mut models = Vec::with_capacity(stretch.shapes.len());
         let done = derive_stretch(shapes, stretch, ended, |shape| {
