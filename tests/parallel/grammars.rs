@@ -22,9 +22,10 @@ cga! {
     pub(crate) grammar Park;
     Lot   --> split(x) { { ~4 : Row(split.index) }* }
     Row(n) --> split(z) { { ~4 : Place(n) }* }
-    Place(n) --> 40% : s(^0.5, 3, ^0.5) center(xz) i("tree") Tree(n)
+    Place(n) --> 40% : s(^0.5, 3, ^0.5) center(xz) Planted(n)
                  30% : s(1, 2, 1) i("missing-" + n % 2) Lost.
                  else : primitiveCylinder(9) s(2, 2, 2) split(y) { ~1 : color(rand, 0.5, 0.5) Slice. | ~2 : NIL | ~1 : Slice. }
+    Planted(n) --> 50% : i("tree") Tree(n) else : i("tree", zUp) Tree(n)
     Tree(n) --> case n % 2 == 0 : report("tree", "even") Tree. else : report("tree", "odd " + n) color(1 / (n - n), 0, 0) Odd.
 }
 

@@ -12,7 +12,7 @@ use super::{THREADS, start, with_threads, written};
 pub(crate) type Make = fn() -> Box<dyn Grammar + Sync>;
 
 /// Lists of shapes for each grammar.
-const LISTS: u64 = if cfg!(debug_assertions) { 2 } else { 20 };
+const LISTS: u64 = if cfg!(debug_assertions) { 1 } else { 20 };
 
 /// Runs the shapes one after the other, as far as there is no error.
 fn serial(

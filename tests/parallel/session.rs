@@ -18,6 +18,21 @@ fn runs_of_a_session_are_those_of_their_own() {
     }
 }
 
+#[test]
+fn a_session_fills_one_sink_as_single_runs_do() {
+    for (grammar, shapes) in cases() {
+        let settings = settings();
+        let mut session = grammar.session(&settings).expect("a session");
+        let (mut shared, mut single) = (Model::new(), Model::new());
+        for shape in shapes.iter().take(30) {
+            assert!(session.run(shape, &mut shared).is_ok());
+            assert!(grammar.derive(shape, &settings, &mut single).is_ok());
+        }
+        // Also where meshes are instances, whoever keeps them.
+        assert!(shared.to_glb().expect("a file") == single.to_glb().expect("a file"));
+    }
+}
+
 cga! {
     grammar Pieces;
     Lot --> split(x) { { 1 : A. }* }

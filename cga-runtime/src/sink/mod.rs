@@ -65,8 +65,8 @@ pub trait Sink {
     /// Hands on what the sink still holds. There are no more leaves after it.
     ///
     /// The owner of a sink calls it, once, after the last run: the same sink may take the leaves of many runs, so a run never
-    /// calls it. [`parallel`](crate::parallel) owns the sinks of its stretches and finishes each. `Break` ends what the owner
-    /// would do next.
+    /// calls it. [`parallel`](crate::parallel) owns the sinks of its stretches and finishes each, unless a run ended with an
+    /// error. `Break` ends what the owner would do next.
     fn finish(&mut self) -> Flow {
         Flow::Continue(())
     }
