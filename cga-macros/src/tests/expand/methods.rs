@@ -61,6 +61,7 @@ impl Tower {
     ///
     /// # Errors
     /// The first error in the order of the shapes.
+    #[inline]
     pub fn generate_all(
         &self,
         shapes: &[cga_rt::Shape],
