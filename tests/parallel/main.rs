@@ -2,6 +2,7 @@
 
 mod errors;
 mod grammars;
+mod nested;
 mod play;
 #[path = "../../cga-lang/tests/common/random.rs"]
 mod random;

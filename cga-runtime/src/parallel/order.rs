@@ -1,6 +1,8 @@
 //! Work in parallel, results in order.
 
 use std::collections::BTreeMap;
+#[cfg(feature = "rayon")]
+use std::sync::atomic::AtomicBool;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -50,11 +52,21 @@ pub(super) fn in_order<W, T: Send>(
     {
         let others = rayon::current_num_threads().min(count).saturating_sub(1);
         if 0 < others {
+            // A thread that waits inside of a job, as sinks may, takes on other work. That must not be another worker: each may need
+            // all of a stack.
+            let busy: Vec<AtomicBool> = (0..rayon::current_num_threads()).map(|_| AtomicBool::new(false)).collect();
+            let begin = || {
+                let place = rayon::current_thread_index().and_then(|index| busy.get(index));
+                place.is_none_or(|busy| !busy.swap(true, Ordering::Relaxed))
+            };
             // The calling thread works too, so that the work is done even if no other thread is free.
             rayon::in_place_scope(|scope| {
+                begin();
                 for _ in 0..others {
                     scope.spawn(|_| {
-                        if let Some(mut worker) = again() {
+                        if begin()
+                            && let Some(mut worker) = again()
+                        {
                             work(&mut worker);
                         }
                     });
