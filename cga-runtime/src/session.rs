@@ -20,7 +20,7 @@ pub struct Session<'g, G> {
     setup: Setup<'g, G>,
 }
 
-/// What is decided before the first run. Unlike a session it can be shared by threads.
+/// The decisions before the first run. Unlike a session it can be shared by threads.
 #[derive(Debug)]
 pub(crate) struct Setup<'g, G> {
     grammar: &'g G,

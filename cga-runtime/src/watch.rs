@@ -98,7 +98,7 @@ impl Watch {
         self.shared.stopped.store(true, Ordering::Relaxed);
     }
 
-    /// Whether [`stop`](Watch::stop) was called, or the callback returned `Break`.
+    /// True if [`stop`](Watch::stop) was called or the callback returned `Break`.
     pub fn is_stopped(&self) -> bool {
         self.shared.stopped.load(Ordering::Relaxed)
     }

@@ -8,7 +8,7 @@ use cga::{FaultKind, Grammar, Limits, Model, Parts, Report, Rules, Settings, Sha
 use super::grammars::{Deep, Park, Shared, Street, cases, lots, settings};
 use super::{THREADS, with_threads};
 
-/// What a loop over the shapes gives: a sink with all leaves, and the merged report.
+/// The results of a loop over the shapes: a sink with all leaves, and the merged report.
 fn serial<S: cga::Sink>(grammar: &dyn Grammar, shapes: &[Shape], mut sink: S) -> (S, Report) {
     let (mut sum, settings) = (Report::default(), settings());
     for shape in shapes {

@@ -28,7 +28,7 @@ fn a_session_fills_one_sink_as_single_runs_do() {
             assert!(session.run(shape, &mut shared).is_ok());
             assert!(grammar.derive(shape, &settings, &mut single).is_ok());
         }
-        // Also where meshes are instances, whoever keeps them.
+        // Instances in the file do not depend on where meshes are kept.
         assert!(shared.to_glb().expect("a file") == single.to_glb().expect("a file"));
     }
 }

@@ -18,7 +18,7 @@ cga! {
 }
 
 cga! {
-    /// A function that takes for ever, before any shape.
+    /// A function that never ends, before any shape.
     grammar Endless;
     attr depth = 0
     f(n) = case n == 0 : 1 else : f(n - 1) + f(n - 1)

@@ -35,7 +35,7 @@ use crate::sink::Sink;
 /// Runs a grammar on all shapes, with a sink for each stretch. Each sink is [finished](Sink::finish) after its last shape.
 ///
 /// # Errors
-/// What does not depend on a shape, else the first error in the order of the shapes.
+/// An error that does not depend on a shape, else the first one in the order of the shapes.
 pub fn run_all<G: Rules + Sync, S: Sink + Send>(
     grammar: &G,
     shapes: &[Shape],

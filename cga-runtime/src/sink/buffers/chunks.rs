@@ -16,7 +16,7 @@ const LEAST: usize = 24;
 
 /// Streams leaves as chunks of triangles in constant memory.
 ///
-/// Each chunk is complete in itself: indices count from 0, and rules and materials are numbered anew. All chunks together
+/// Each chunk is complete in itself: indices count from 0, and rules and materials have numbers of their own. All chunks together
 /// have the triangles of [`Buffers`], in the same order. A chunk is handed out when the next leaf does not fit, and at
 /// [`finish`](Sink::finish). A run does not end a chunk: one chunk may have leaves of many initial shapes.
 ///
