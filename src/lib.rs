@@ -12,17 +12,49 @@ pub use cga_runtime::derive::Report;
 pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
 /// The vector types in meshes and sinks.
 pub use cga_runtime::glam;
-pub use cga_runtime::grammar::{Grammar, StartRule};
+pub use cga_runtime::grammar::{Grammar, Rules, StartRule};
 pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
 pub use cga_runtime::mesh::{Mesh, MeshBuilder, MeshError};
 pub use cga_runtime::model::{Geometry, LeafView, Model};
+pub use cga_runtime::parallel::{Part, Parts, ShapeError, Stretch};
 pub use cga_runtime::report::{Collection, Print, Reports, Summary};
 pub use cga_runtime::scope::{Axis, Frame, Scope};
+/// ```
+/// use cga::{Error, Grammar, Model, Settings, Shape, cga};
+///
+/// cga! { grammar House; Lot --> extrude(6) House. }
+///
+/// let chosen: Box<dyn Grammar> = Box::new(House::default());
+/// let (mut session, mut model) = (chosen.session(&Settings::default())?, Model::new());
+/// for width in [4.0, 5.0] {
+///     session.run(&Shape::rectangle(width, 8.0), &mut model)?;
+/// }
+/// assert_eq!(model.volume(), 6.0 * 8.0 * (4.0 + 5.0));
+/// # Ok::<(), Error>(())
+/// ```
+pub use cga_runtime::session::DynSession;
+/// ```
+/// use cga::sink::buffers::Buffers;
+/// use cga::{Error, Settings, Shape, cga};
+///
+/// cga! { grammar House; Lot --> extrude(6) House. }
+///
+/// let (house, mut buffers) = (House::default(), Buffers::new());
+/// let mut session = house.session(&Settings::default())?;
+/// for width in [4.0, 5.0] {
+///     session.run(&Shape::rectangle(width, 8.0), &mut buffers)?;
+/// }
+/// assert_eq!(buffers.triangle_count(), 24);
+/// assert_eq!(session.generate(&Shape::rectangle(1.0, 2.0))?.volume(), 12.0);
+/// # Ok::<(), Error>(())
+/// ```
+pub use cga_runtime::session::Session;
 pub use cga_runtime::settings::{Limits, Settings};
 pub use cga_runtime::shape::{Shape, ShapeRef};
 pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 pub use cga_runtime::text::Text;
 pub use cga_runtime::value::{Value, ValueType};
+pub use cga_runtime::watch::{Progress, Watch};
 
 /// Meshes: building, measuring, checking, reading.
 pub mod mesh {
@@ -38,6 +70,70 @@ pub mod sink {
     pub use cga_runtime::sink::gltf;
     pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
     pub use cga_runtime::sink::{buffers, error, obj, picture, stats, svg, table};
+}
+
+/// Many initial shapes at once, on several threads with the feature `rayon`. The results are those of a loop, to the byte.
+///
+/// [`generate_all`](parallel::generate_all) gives a model of each shape. Its parts can be written as one file, without being
+/// joined first:
+///
+/// ```
+/// use cga::{Error, Settings, Shape, cga};
+///
+/// cga! {
+///     grammar House;
+///     Lot --> extrude(6) report("floor area", 2 * scope.sx * scope.sz) split(y) { { 3 : Storey. }* }
+/// }
+///
+/// let lots: Vec<Shape> = (1..=100).map(|at| Shape::rectangle(f64::from(at), 10.0)).collect();
+/// let houses = House::default().generate_all(&lots, &Settings::default())?;
+/// assert_eq!((houses.len(), houses.count("Storey")), (100, 200));
+/// assert_eq!(houses.report().reported("floor area").unwrap().summary().sum, 101_000.0);
+/// assert_eq!(houses.to_obj("houses.mtl").0.matches("\nf ").count(), 200 * 6);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// [`run_all`](parallel::run_all) has a sink for each stretch of shapes. A grammar has the same as a method:
+///
+/// ```
+/// # use cga::{Error, Settings, Shape, cga};
+/// # cga! { grammar House; Lot --> extrude(6) split(y) { { 3 : Storey. }* } }
+/// # let lots: Vec<Shape> = (1..=100).map(|at| Shape::rectangle(f64::from(at), 10.0)).collect();
+/// use cga::sink::buffers::Buffers;
+///
+/// let parts = House::default().generate_all_into(&lots, &Settings::default(), |_stretch| Buffers::new())?;
+/// assert_eq!(parts.sinks().map(Buffers::triangle_count).sum::<usize>(), 200 * 12);
+/// assert_eq!(parts.iter().next_back().unwrap().shapes, 99..100);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// [`derive_all`](parallel::derive_all) takes a grammar that is chosen at run time:
+///
+/// ```
+/// # use cga::{Error, Grammar, Settings, Shape, cga};
+/// # cga! { grammar House; Lot --> extrude(6) split(y) { { 3 : Storey. }* } }
+/// # let lots: Vec<Shape> = (1..=100).map(|at| Shape::rectangle(f64::from(at), 10.0)).collect();
+/// use cga::parallel::derive_all;
+/// use cga::sink::stats::Stats;
+///
+/// let chosen: Box<dyn Grammar + Sync> = Box::new(House::default());
+/// let parts = derive_all(&*chosen, &lots, &Settings::default(), |_stretch| Stats::new())?;
+/// assert_eq!(parts.report().leaves, 200);
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// A [`ShapeError`] names the shape:
+///
+/// ```
+/// # use cga::{Settings, Shape, cga};
+/// # cga! { grammar House; Lot --> extrude(6) split(y) { { 3 : Storey. }* } }
+/// let lots = [Shape::rectangle(4.0, 5.0), Shape::rectangle(f64::NAN, 5.0)];
+/// let error = House::default().generate_all(&lots, &Settings::default()).unwrap_err();
+/// assert_eq!(error.shape, Some(1));
+/// assert!(error.to_string().starts_with("initial shape 1: "));
+/// ```
+pub mod parallel {
+    pub use cga_runtime::parallel::{Part, Parts, ShapeError, Stretch, derive_all, generate_all, run_all};
 }
 
 /// The split solver on its own: sizes and an extent → pieces.

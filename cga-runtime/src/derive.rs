@@ -35,11 +35,13 @@ pub struct Report {
     pub faults: Vec<Fault>,
     /// Faults beyond those kept.
     pub faults_left_out: u64,
-    /// Whether the sink ended the run.
+    /// Whether the sink or a [`Watch`](crate::watch::Watch) ended the run.
     pub stopped: bool,
     pub(crate) reports: Reports,
     pub(crate) prints: Vec<Print>,
     pub(crate) prints_left_out: u64,
+    /// Bytes of the printed values.
+    pub(crate) prints_bytes: usize,
 }
 
 impl Report {
@@ -157,7 +159,7 @@ impl<C> Cx<'_, C> {
     #[inline]
     pub fn symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         if !self.env.has_room(1) {
-            return self.env.too_many_shapes();
+            self.env.make_room(1)?;
         }
         self.filled(shape, rule)
     }
@@ -199,24 +201,39 @@ impl<C> Cx<'_, C> {
     }
 }
 
-/// Runs a grammar on a shape.
-///
-/// # Errors
-/// See [`Error`]: a limit, an attribute out of its range, a shape that is no shape.
-pub fn run<R: Rules>(rules: &R, shape: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error> {
-    shape.check_initial()?;
-    rules.check()?;
-    let (start, style, start_name) = start_rule::<R>(settings.start.as_deref())?;
-    let mut env = Env::new(settings, R::NAMES, shape, start_name);
+/// The start rule of a run: its number, its style and its name.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start {
+    rule: u32,
+    style: u32,
+    name: &'static str,
+}
+
+/// The result of a run, with or without an error.
+#[derive(Debug, Default)]
+pub(crate) struct Outcome {
+    pub(crate) report: Report,
+    pub(crate) error: Option<Error>,
+}
+
+/// Runs a grammar on a shape that was checked.
+pub(crate) fn run<R: Rules>(
+    rules: &R,
+    Start { rule, style, name }: Start,
+    shape: &Shape,
+    settings: &Settings,
+    sink: &mut dyn Sink,
+) -> Outcome {
+    let mut env = Env::new(settings, R::NAMES, shape, name);
     env.leaf_tables.names = R::LEAVES;
     sink.begin();
     let mut cx = Cx { env: &mut env, sink, waiting: VecDeque::new(), stack: 0, depth: 0 };
     let values = rules.values(cx.env, shape, style);
-    // A break with no error is the sink's.
-    let mut flow = if cx.env.error.is_some() { Flow::Break(()) } else { Flow::Continue(()) };
+    // A break with no error is the sink's or the watch's.
+    let mut flow = if cx.env.ended() { Flow::Break(()) } else { Flow::Continue(()) };
     if flow.is_continue() {
         let base = cx.env.base(shape.without_trim_planes());
-        flow = R::start(&values, &mut cx, start, &mut base.shape());
+        flow = R::start(&values, &mut cx, rule, &mut base.shape());
     }
     while flow.is_continue() {
         let Some(next) = cx.waiting.pop_front() else { break };
@@ -225,36 +242,32 @@ pub fn run<R: Rules>(rules: &R, shape: &Shape, settings: &Settings, sink: &mut d
         let base = cx.env.base(next.shape);
         flow = R::resume(&values, &mut cx, &mut base.shape(), next.call);
     }
+    cx.env.tell_watch(flow.is_continue());
     let (faults, faults_left_out) = cx.env.take_faults();
     let prints = std::mem::take(&mut cx.env.prints);
-    let prints_left_out = prints.left_out;
-    let prints = prints.in_order();
-    if settings.echo {
-        echo(&prints);
-    }
-    match cx.env.error.take() {
-        Some(error) => Err(error),
-        None => Ok(Report {
-            shapes: cx.env.shape_count(),
-            leaves: cx.env.leaves + cx.env.filled,
-            faults,
-            faults_left_out,
-            stopped: flow.is_break(),
-            reports: std::mem::take(&mut cx.env.reports),
-            prints,
-            prints_left_out,
-        }),
-    }
+    let (prints_left_out, prints_bytes) = (prints.left_out, prints.bytes);
+    let report = Report {
+        shapes: cx.env.shapes_made(),
+        leaves: cx.env.leaf_count(),
+        faults,
+        faults_left_out,
+        stopped: flow.is_break() && cx.env.error.is_none(),
+        reports: std::mem::take(&mut cx.env.reports),
+        prints: prints.in_order(),
+        prints_left_out,
+        prints_bytes,
+    };
+    Outcome { report, error: cx.env.error.take() }
 }
 
 /// Writes lines to standard output. A closed output does not end the run.
-fn echo(prints: &[Print]) {
+pub(crate) fn echo(prints: &[Print]) {
     let mut out = std::io::stdout().lock();
     let _ = prints.iter().try_for_each(|print| writeln!(out, "{print}"));
 }
 
-/// The number, style and name of a start rule, of the default one for `None`. `Default$Lot` is `Lot`.
-fn start_rule<R: Rules>(name: Option<&str>) -> Result<(u32, u32, &'static str), Error> {
+/// The start rule of a name, or the default one. `Default$Lot` is `Lot`.
+pub(crate) fn start_rule<R: Rules>(name: Option<&str>) -> Result<Start, Error> {
     let at = match name {
         None => Some(0),
         Some(name) => {
@@ -262,10 +275,12 @@ fn start_rule<R: Rules>(name: Option<&str>) -> Result<(u32, u32, &'static str), 
             R::STARTS.iter().position(|start| start.name == name || start.name == plain)
         }
     };
-    at.and_then(|at| Some((*R::START_RULES.get(at)?, *R::START_STYLES.get(at)?, R::STARTS.get(at)?.name))).ok_or_else(
-        || {
-            let known = R::STARTS.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
-            Error::StartRule { name: name.unwrap_or_default().to_owned(), known }
-        },
-    )
+    let start = at.and_then(|at| {
+        let (rule, style) = (*R::START_RULES.get(at)?, *R::START_STYLES.get(at)?);
+        Some(Start { rule, style, name: R::STARTS.get(at)?.name })
+    });
+    start.ok_or_else(|| {
+        let known = R::STARTS.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
+        Error::StartRule { name: name.unwrap_or_default().to_owned(), known }
+    })
 }

@@ -19,9 +19,10 @@ use crate::shape::Shape;
 use crate::sink::Flow;
 use crate::text::Text;
 use crate::value::Value;
+use crate::watch::Checkpoint;
 
 /// Faults that are kept; later ones are only counted, so that memory stays bounded.
-const FAULTS_KEPT: usize = 1000;
+pub(crate) const FAULTS_KEPT: usize = 1000;
 
 /// Rules that a trail names; of longer ones the middle is left out, so that memory stays bounded.
 const LONGEST_TRAIL: usize = 2048;
@@ -51,8 +52,8 @@ const ASSETS_RAISED: usize = 256;
 const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
 
 /// A run can count this many shapes; a count of [`ENDED`] marks a run that has ended.
-const MOST_SHAPES: u64 = u64::MAX / 8;
-const ENDED: u64 = u64::MAX / 4;
+pub(crate) const MOST_SHAPES: u64 = u64::MAX / 8;
+pub(crate) const ENDED: u64 = u64::MAX / 4;
 
 /// The names and materials of a run's leaves, by number.
 #[derive(Clone, Debug)]
@@ -81,12 +82,14 @@ pub struct Env {
     pub(crate) leaves: u64,
     /// Leaf symbols that fill their scope: a shape and a leaf each.
     pub(crate) filled: u64,
+    /// Where counting leaves the fast path: at a limit, or where a watch is asked.
+    pub(crate) checkpoint: Checkpoint,
     vertices: u64,
     /// Functions under way that asked.
     calls: u32,
     /// What they take of [`FUNCTIONS`].
     call_stack: u32,
-    calls_made: u64,
+    pub(crate) calls_made: u64,
     /// Lazy attributes and constants that are being computed, from the first on.
     pub(crate) open: Vec<&'static str>,
     faults: Vec<Fault>,
@@ -171,6 +174,7 @@ impl Env {
             shapes: 0,
             leaves: 0,
             filled: 0,
+            checkpoint: Checkpoint::first(settings),
             vertices: 0,
             calls: 0,
             call_stack: 0,
@@ -200,22 +204,18 @@ impl Env {
     #[inline]
     pub(crate) fn count_shapes(&mut self, count: u64) -> Flow {
         self.shapes = self.shapes.saturating_add(count);
-        if !self.has_room(0) {
-            return self.too_many_shapes();
-        }
-        Flow::Continue(())
+        if self.has_room(0) { Flow::Continue(()) } else { self.make_room(0) }
     }
 
-    /// Returns true if there may be that many more shapes.
+    /// Returns true if that many shapes more do not pass the checkpoint.
     #[inline]
     pub(crate) fn has_room(&self, more: u64) -> bool {
-        (self.shapes + self.filled).saturating_add(more) <= self.settings.limits.shapes
+        (self.shapes + self.filled).saturating_add(more) <= self.checkpoint.shapes
     }
 
-    #[cold]
-    #[inline(never)]
-    pub(crate) fn too_many_shapes(&mut self) -> Flow {
-        self.limit(LimitKind::Shapes, self.settings.limits.shapes)
+    /// All leaves so far.
+    pub(crate) fn leaf_count(&self) -> u64 {
+        self.leaves + self.filled
     }
 
     /// All shapes so far.
@@ -240,14 +240,17 @@ impl Env {
     /// Ends the run.
     #[cold]
     pub(crate) fn limit<T>(&mut self, what: LimitKind, limit: u64) -> ControlFlow<(), T> {
-        let trail = self.trail();
-        self.error.get_or_insert(Error::Limit { what, limit, trail });
+        // A run that was stopped has no error.
+        if self.checkpoint.stopped_at.is_none() {
+            let trail = self.trail();
+            self.error.get_or_insert(Error::Limit { what, limit, trail });
+        }
         // Whoever counts next stops too: operations and functions cannot break off by themselves.
         self.shapes = ENDED;
         ControlFlow::Break(())
     }
 
-    /// Whether a limit was reached.
+    /// Whether a limit was reached, or a watch ended the run.
     #[inline]
     pub fn ended(&self) -> bool {
         ENDED <= self.shapes
@@ -272,10 +275,10 @@ impl Env {
         let stack = self.call_stack + stack.min(FUNCTIONS);
         if FUNCTIONS < stack || self.calls == DEEPEST_CALLS {
             let _: Flow = self.limit(LimitKind::Nesting, u64::from(self.calls));
-        } else if self.settings.limits.calls < self.calls_made {
-            let _: Flow = self.limit(LimitKind::Calls, self.settings.limits.calls);
+        } else if self.checkpoint.calls < self.calls_made {
+            let _: Flow = self.at_calls();
         }
-        let may = self.error.is_none();
+        let may = !self.ended();
         if may {
             (self.calls, self.call_stack) = (self.calls + 1, stack);
         }

@@ -1,6 +1,7 @@
 //! Everything generated code may touch, and nothing else. Not part of the public promise: versions are pinned to each
 //! other.
 
+pub use std::boxed::Box;
 pub use std::ops::ControlFlow;
 pub use std::string::String;
 
@@ -9,16 +10,18 @@ pub use crate::asset::File;
 pub use crate::attribute::{Attribute, AttributeDefault, AttributeKind, ChoiceValues, Choices, Range, check};
 pub use crate::comp::select::Word;
 pub use crate::comp::{Align, Arm, Candidate, Components, Mode, Select, comp, comp_values, never};
-pub use crate::derive::{Cx, Painting, Report, run};
+pub use crate::derive::{Cx, Painting, Report};
 pub use crate::env::Env;
 pub use crate::fault::{Error, Fault};
-pub use crate::grammar::{Field, Grammar, Rules, StartRule, generate};
+pub use crate::grammar::{Field, Grammar, Rules, StartRule, Unrunnable};
 pub use crate::lazy::{Lazy, Origin, computed};
 pub use crate::model::Model;
 pub use crate::op::Length;
 pub use crate::op::slim;
+pub use crate::parallel::{Parts, ShapeError, Stretch, generate_all, run_all};
 pub use crate::scope::Axis;
 pub use crate::scope::Scope;
+pub use crate::session::{DynSession, Session, generate, run};
 pub use crate::settings::Settings;
 pub use crate::shape::base::Base;
 pub use crate::shape::slim::{hand_on, push, successor};

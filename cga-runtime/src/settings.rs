@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::asset::Assets;
+use crate::watch::Watch;
 
 /// Bounds on what one run may make. Reaching one ends the run with [`Error::Limit`](crate::fault::Error::Limit), unless it
 /// says otherwise.
@@ -57,4 +58,6 @@ pub struct Settings {
     /// Whether printed lines are also written to standard output when the run ends, with or without an error. They have the
     /// order of [`Report::prints`](crate::derive::Report::prints).
     pub echo: bool,
+    /// Follows the progress of runs and can end them early.
+    pub watch: Option<Watch>,
 }

@@ -81,7 +81,7 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
     let captured_types = public.captures.iter().map(|ty| types::inner(ty.inside(), runtime));
     let about = format!("The grammar `{}`.", header.label());
     let doc = (!header.has_doc).then(|| quote_spanned!(place=> #[doc = #about]));
-    let methods = methods(public.hidden.is_some());
+    let methods = methods();
     let expression = header.name.is_none();
     let default_impl = (!expression).then(|| {
         quote_spanned! { place=>
@@ -123,9 +123,12 @@ pub(crate) fn public(public: &Public, header: &Header) -> TokenStream {
     }
 }
 
-/// The runtime's `Grammar` of one that has errors, for code that needs the trait.
+/// The runtime's traits for a grammar that has errors, for code that needs them.
 fn unrunnable(name: &Ident, label: &str) -> TokenStream {
     quote_spanned! { Span::mixed_site()=>
+        #[automatically_derived]
+        impl cga_rt::Unrunnable for #name {}
+
         #[automatically_derived]
         impl cga_rt::Grammar for #name {
             fn name(&self) -> &'static ::core::primitive::str {
@@ -181,22 +184,9 @@ fn default_field(attr: &PublicAttr, runtime: &TokenStream) -> TokenStream {
     }
 }
 
-/// The methods of the struct. Where there are errors they have the same signatures and no bodies to speak of.
-fn methods(runs: bool) -> TokenStream {
+/// The methods of the struct, the same where there are errors: `cga_rt::Unrunnable` lets their bodies compile.
+fn methods() -> TokenStream {
     let place = Span::mixed_site();
-    let body = |body: TokenStream| {
-        if runs { body } else { quote_spanned!(place=> ::core::unreachable!("the rules have errors")) }
-    };
-    let generate = body(quote_spanned!(place=> cga_rt::generate(self, shape, &::core::default::Default::default())));
-    let generate_from = body(quote_spanned! { place=>
-        let settings = cga_rt::Settings {
-            start: ::core::option::Option::Some(cga_rt::string(rule)),
-            ..::core::default::Default::default()
-        };
-        cga_rt::generate(self, shape, &settings)
-    });
-    let generate_with = body(quote_spanned!(place=> cga_rt::generate(self, shape, settings)));
-    let generate_into = body(quote_spanned!(place=> cga_rt::run(self, shape, settings, &mut { sink })));
     let errors = quote_spanned! { place=>
         ///
         /// # Errors
@@ -206,7 +196,7 @@ fn methods(runs: bool) -> TokenStream {
         /// Runs the start rule on a shape, with default settings.
         #errors
         pub fn generate(&self, shape: &cga_rt::Shape) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
-            #generate
+            cga_rt::generate(self, shape, &::core::default::Default::default())
         }
 
         /// Runs the rule of that name on a shape, with default settings.
@@ -216,7 +206,11 @@ fn methods(runs: bool) -> TokenStream {
             rule: &::core::primitive::str,
             shape: &cga_rt::Shape,
         ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
-            #generate_from
+            let settings = cga_rt::Settings {
+                start: ::core::option::Option::Some(cga_rt::string(rule)),
+                ..::core::default::Default::default()
+            };
+            cga_rt::generate(self, shape, &settings)
         }
 
         /// Runs on a shape with settings: start rule, limits, assets.
@@ -226,7 +220,7 @@ fn methods(runs: bool) -> TokenStream {
             shape: &cga_rt::Shape,
             settings: &cga_rt::Settings,
         ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
-            #generate_with
+            cga_rt::generate(self, shape, settings)
         }
 
         /// Runs on a shape and hands the leaves to a sink. This is the fast path: no model in between.
@@ -237,7 +231,44 @@ fn methods(runs: bool) -> TokenStream {
             settings: &cga_rt::Settings,
             sink: &mut Sink,
         ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
-            #generate_into
+            cga_rt::run(self, shape, settings, sink)
+        }
+
+        /// Opens a session: several runs with the same settings, which share what is made once.
+        ///
+        /// # Errors
+        /// An attribute out of its range, no such start rule.
+        pub fn session(
+            &self,
+            settings: &cga_rt::Settings,
+        ) -> ::core::result::Result<cga_rt::Session<'_, Self>, cga_rt::Error> {
+            cga_rt::Session::new(self, settings)
+        }
+
+        /// Runs on many shapes, in parallel with the feature `rayon`, and collects a model of each.
+        ///
+        /// # Errors
+        /// The first error in the order of the shapes.
+        #[inline]
+        pub fn generate_all(
+            &self,
+            shapes: &[cga_rt::Shape],
+            settings: &cga_rt::Settings,
+        ) -> ::core::result::Result<cga_rt::Parts<cga_rt::Model>, cga_rt::ShapeError> {
+            cga_rt::generate_all(self, shapes, settings)
+        }
+
+        /// Runs on many shapes, in parallel with the feature `rayon`, with a sink for each stretch of shapes.
+        ///
+        /// # Errors
+        /// The first error in the order of the shapes.
+        pub fn generate_all_into<Sink: cga_rt::Sink + ::core::marker::Send>(
+            &self,
+            shapes: &[cga_rt::Shape],
+            settings: &cga_rt::Settings,
+            sink: impl ::core::ops::Fn(&cga_rt::Stretch) -> Sink + ::core::marker::Sync,
+        ) -> ::core::result::Result<cga_rt::Parts<Sink>, cga_rt::ShapeError> {
+            cga_rt::run_all(self, shapes, settings, sink)
         }
     }
 }

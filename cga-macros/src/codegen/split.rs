@@ -85,7 +85,7 @@ impl Cx<'_> {
                     code.extend(quote_spanned! { place=>
                         let mut #group = #open;
                         while row.turn(&mut #group) {
-                            division.turn();
+                            division.turn(cx.env)?;
                             #items
                         }
                     });

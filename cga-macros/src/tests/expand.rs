@@ -29,7 +29,16 @@ fn part(show: &str, file: File) -> Vec<Item> {
         }
     }
     items.retain(|item| wanted(show, item));
+    items.iter_mut().for_each(without_methods);
     items
+}
+
+/// Takes the methods of the struct out of a const: they are the same in every grammar, and shown on their own.
+fn without_methods(item: &mut Item) {
+    let Item::Const(item) = item else { return };
+    if let syn::Expr::Block(block) = &mut *item.expr {
+        block.block.stmts.retain(|it| !matches!(it, syn::Stmt::Item(Item::Impl(it)) if it.trait_.is_none()));
+    }
 }
 
 /// What only editors see stands in a const of its own.

@@ -2,15 +2,18 @@
 
 mod field;
 mod start;
+mod unrunnable;
 
 pub use field::Field;
 pub use start::StartRule;
+pub use unrunnable::Unrunnable;
 
 use crate::attribute::{self, Attribute, AttributeError};
 use crate::derive::{Cx, Report};
 use crate::env::Env;
 use crate::fault::Error;
 use crate::model::Model;
+use crate::session::{self, DynSession};
 use crate::settings::Settings;
 use crate::shape::{Shape, ShapeRef};
 use crate::sink::{Flow, Sink};
@@ -49,6 +52,18 @@ pub trait Grammar {
     /// # Errors
     /// See [`Error`].
     fn derive(&self, shape: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error>;
+
+    /// Opens a session: several runs with the same settings, which share what is made once. The grammars that `cga!` makes check
+    /// attributes and start rule here; others when a run begins.
+    ///
+    /// A concrete grammar has a method `session` of its own, whose [`Session`](crate::session::Session) calls no sink through a
+    /// pointer.
+    ///
+    /// # Errors
+    /// An attribute that is refused, an unknown start rule.
+    fn session<'g>(&'g self, settings: &Settings) -> Result<Box<dyn DynSession + 'g>, Error> {
+        Ok(Box::new(session::Plain { grammar: self, settings: settings.clone() }))
+    }
 
     /// The value of an attribute by its name.
     ///
@@ -128,16 +143,6 @@ pub trait Rules {
     fn start(values: &Self::Values, cx: &mut Cx<'_, Self::Call>, rule: u32, shape: &mut ShapeRef<'_>) -> Flow;
     /// Runs a call that waited.
     fn resume(values: &Self::Values, cx: &mut Cx<'_, Self::Call>, shape: &mut ShapeRef<'_>, call: Self::Call) -> Flow;
-}
-
-/// Runs a grammar and collects a model. Used by generated code.
-///
-/// # Errors
-/// See [`Error`].
-pub fn generate<R: Rules>(rules: &R, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
-    let mut model = Model::new();
-    let report = crate::derive::run(rules, shape, settings, &mut model)?;
-    Ok(model.with_report(report))
 }
 
 #[cfg(test)]

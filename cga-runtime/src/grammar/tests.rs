@@ -191,3 +191,14 @@ fn a_run_checks_what_fields_hold() {
     let error = attribute::check(&rules).expect_err("not the height");
     assert_eq!(error.to_string(), "attribute `storeys`: `3` is none of 12");
 }
+
+#[test]
+fn a_grammar_that_only_derives_has_sessions_too() {
+    let tower = Tower::new();
+    let mut session = tower.session(&Settings::default()).expect("a session");
+    let (mut left, mut right) = (Model::new(), Model::new());
+    let shape = Shape::rectangle(1.0, 1.0);
+    let runs = (session.run(&shape, &mut left), tower.derive(&shape, &Settings::default(), &mut right));
+    assert_eq!(runs.0.map(|report| report.leaves).ok(), runs.1.map(|report| report.leaves).ok());
+    assert_eq!(left.len(), right.len());
+}

@@ -1,5 +1,6 @@
 //! What rules report and print: data that a run collects beside its geometry (*report operation*, *print operation*).
 
+mod merge;
 mod print;
 mod table;
 

@@ -38,7 +38,7 @@ impl fmt::Display for Print {
 pub(crate) struct Prints {
     /// Lines, each with the depth of its shape.
     lines: Vec<(usize, Print)>,
-    bytes: usize,
+    pub(crate) bytes: usize,
     pub(crate) left_out: u64,
 }
 

@@ -3,13 +3,17 @@
 //! A vertex is six `f32`: position, then unit normal. Vertices are not shared between faces: a quad takes 4 and two
 //! triangles, a box 24 and twelve. Coordinates are computed as `f64` and rounded last. Front faces are counter-clockwise.
 
+mod chunks;
+
+pub use chunks::Chunks;
+
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3, Vec4};
 
 use super::error::WriteError;
-use super::flatten::{Flattener, corner_point, normal_map, unit};
+use super::flatten::{FlatFace, Flattener, corner_point, normal_map, unit};
 use super::room::Room;
 use super::table::Table;
 use super::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
@@ -145,6 +149,7 @@ impl Buffers {
         self.uvs.clear();
         self.runs.clear();
         self.table.clear();
+        self.begin();
         self.full = false;
     }
 
@@ -323,6 +328,17 @@ impl Buffers {
         Some(start as u32)
     }
 
+    /// Adds a vertex for a corner of a face.
+    #[inline]
+    fn corner(&mut self, mesh: &Mesh, placement: &DAffine3, turn: &DMat3, face: &FlatFace<'_>, corner: usize) {
+        let point = placement.transform_point3(corner_point(mesh, corner)) - self.origin;
+        let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(*turn * n));
+        self.vertices.push(vertex(short(point), short(normal)));
+        if let Some(uv) = mesh.uvs().get(corner) {
+            self.uvs.push([uv.x as f32, uv.y as f32]);
+        }
+    }
+
     #[inline]
     fn pad_uvs(&mut self) {
         if !self.uvs.is_empty() {
@@ -416,14 +432,7 @@ impl Sink for Buffers {
             let shown = self.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
             self.run(rule, shown);
             let start = self.vertices.len() as u32;
-            for corner in face.corners.clone() {
-                let point = placement.transform_point3(corner_point(mesh, corner)) - self.origin;
-                let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(turn * n));
-                self.vertices.push(vertex(short(point), short(normal)));
-            }
-            if !mesh.uvs().is_empty() {
-                self.uvs.extend(mesh.uvs()[face.corners].iter().map(|uv| [uv.x as f32, uv.y as f32]));
-            }
+            face.corners.clone().for_each(|corner| self.corner(mesh, placement, &turn, &face, corner));
             let triangles = face.triangles.as_flattened();
             for (index, corner) in self.indices.take(triangles.len()).iter_mut().zip(triangles) {
                 *index = start + corner;

@@ -97,6 +97,12 @@ impl<'a> Filled<'a> {
         self.shape.axes
     }
 
+    /// The number of its vertices when faces share none.
+    #[inline]
+    pub fn corner_count(&self) -> usize {
+        4 * self.shape.unit.face_count()
+    }
+
     /// Hands the leaf to the method of a sink for rectangles or for boxes.
     #[inline]
     pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
@@ -139,9 +145,22 @@ pub trait Sink {
 
     /// Any mesh, in local coordinates; `placement` takes them to the world.
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow;
+
+    /// Hands on what the sink still holds. There are no more leaves after it.
+    ///
+    /// The owner of a sink calls it, once, after the last run: the same sink may take the leaves of many runs, so a run never
+    /// calls it. [`parallel`](crate::parallel) owns the sinks of its stretches and finishes each, unless a run ended with an
+    /// error. `Break` ends what the owner would do next.
+    fn finish(&mut self) -> Flow {
+        Flow::Continue(())
+    }
 }
 
 impl<S: Sink + ?Sized> Sink for &mut S {
+    fn finish(&mut self) -> Flow {
+        (**self).finish()
+    }
+
     fn begin(&mut self) {
         (**self).begin();
     }

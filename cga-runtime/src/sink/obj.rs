@@ -6,6 +6,7 @@
 
 use std::collections::HashSet;
 use std::fmt::Write as _;
+use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -21,6 +22,7 @@ use super::{Cuboid, Flow, Leaf, Quad, Sink};
 use crate::material::{ColorOf, Layer, Material, MaterialNumber, MaterialText};
 use crate::mesh::Mesh;
 use crate::model::Model;
+use crate::parallel::Parts;
 
 /// Writes leaves as they come, in constant memory; materials are kept for the end.
 #[derive(Debug)]
@@ -246,12 +248,7 @@ fn write_material(text: &mut String, name: &str, material: &Material) {
 impl Model {
     /// The model as OBJ text that refers to `library`, and the text of that library.
     pub fn to_obj(&self, library: &str) -> (String, String) {
-        let mut bytes = Vec::new();
-        let mut obj = Obj::new(&mut bytes, library);
-        let _ = self.replay(&mut obj);
-        // Writing into memory does not fail, and what was written is text.
-        let materials = obj.finish().unwrap_or_default();
-        (String::from_utf8(bytes).unwrap_or_default(), materials)
+        to_text(library, |obj| self.replay(obj))
     }
 
     /// Writes an OBJ file and beside it, with the ending `.mtl`, its materials.
@@ -259,12 +256,39 @@ impl Model {
     /// # Errors
     /// What the file system says.
     pub fn write_obj(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        let path = path.as_ref();
-        let library = path.with_extension("mtl");
-        let name = library.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let mut obj = Obj::new(BufWriter::new(std::fs::File::create(path)?), &name);
-        let _ = self.replay(&mut obj);
-        std::fs::write(&library, obj.finish()?)?;
-        Ok(())
+        to_files(path.as_ref(), |obj| self.replay(obj))
     }
+}
+
+impl Parts<Model> {
+    /// All models as one OBJ text that refers to `library`, and the text of that library.
+    pub fn to_obj(&self, library: &str) -> (String, String) {
+        to_text(library, |obj| self.replay(obj))
+    }
+
+    /// Writes all models as one OBJ file and beside it, with the ending `.mtl`, their materials.
+    ///
+    /// # Errors
+    /// What the file system says.
+    pub fn write_obj(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
+        to_files(path.as_ref(), |obj| self.replay(obj))
+    }
+}
+
+fn to_text(library: &str, replay: impl FnOnce(&mut Obj<&mut Vec<u8>>) -> Flow) -> (String, String) {
+    let mut bytes = Vec::new();
+    let mut obj = Obj::new(&mut bytes, library);
+    let _ = replay(&mut obj);
+    // Writing into memory does not fail, and what was written is text.
+    let materials = obj.finish().unwrap_or_default();
+    (String::from_utf8(bytes).unwrap_or_default(), materials)
+}
+
+fn to_files(path: &Path, replay: impl FnOnce(&mut Obj<BufWriter<File>>) -> Flow) -> Result<(), WriteError> {
+    let library = path.with_extension("mtl");
+    let name = library.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let mut obj = Obj::new(BufWriter::new(File::create(path)?), &name);
+    let _ = replay(&mut obj);
+    std::fs::write(&library, obj.finish()?)?;
+    Ok(())
 }

@@ -42,6 +42,21 @@ impl<T: Copy + Default> Room<T> {
         &mut self.items[start..start + count]
     }
 
+    /// Adds items.
+    pub(super) fn extend(&mut self, items: impl ExactSizeIterator<Item = T>) {
+        self.take(items.len()).iter_mut().zip(items).for_each(|(to, item)| *to = item);
+    }
+
+    /// Makes room for exactly that many items in all.
+    pub(super) fn reserve_exact(&mut self, count: usize) {
+        self.items.reserve_exact(count.saturating_sub(self.items.len()));
+    }
+
+    /// The number of items that there is memory for.
+    pub(super) fn capacity(&self) -> usize {
+        self.items.capacity()
+    }
+
     /// Adds an item.
     #[inline]
     pub(super) fn push(&mut self, item: T) {

@@ -109,10 +109,11 @@ impl<'s> Division<'s> {
         0 < self.index
     }
 
-    /// Begins a repetition of a group.
+    /// Begins a repetition of a group. A split of many leaves may be stopped here.
     #[inline(always)]
-    pub fn turn(&mut self) {
+    pub fn turn(&mut self, env: &mut Env) -> Flow {
         self.turns += 1;
+        if env.has_room(0) { Flow::Continue(()) } else { env.make_room(0) }
     }
 
     /// Leaves a piece out.

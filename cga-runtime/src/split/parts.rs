@@ -185,6 +185,9 @@ fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
 pub(super) fn within_limit(env: &mut Env, row: &(impl Row + ?Sized)) -> Flow {
     let limit = env.settings.limits.shapes;
     let bound = row.at_most();
+    if !env.has_room(0) {
+        env.make_room(0)?;
+    }
     let so_far = env.shape_count();
     if limit < so_far.saturating_add(bound) {
         // The bound counts slots that get no room, so ask exactly when it is small enough to count.

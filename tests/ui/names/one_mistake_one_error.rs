@@ -25,6 +25,9 @@ fn main() {
     tower.clone().generate_from("Lot", &shape).unwrap();
     tower.generate_with(&shape, &Settings::default()).unwrap();
     tower.generate_into(&shape, &Settings::default(), &mut cga::Model::new()).unwrap();
+    tower.session(&Settings::default()).unwrap().run(&shape, &mut cga::Model::new()).unwrap();
+    tower.generate_all(&[shape.clone()], &Settings::default()).unwrap().to_obj("tower.mtl");
+    cga::parallel::run_all(&tower, &[shape.clone()], &Settings::default(), |_| cga::Model::new()).unwrap();
     println!("{tower:?}");
 
     let (width, height) = (2.0, 3.0);

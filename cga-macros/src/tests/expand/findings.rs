@@ -23,52 +23,8 @@ const _: () = {
             Tower {}
         }
     }
-    impl Tower {
-        /// Runs the start rule on a shape, with default settings.
-        ///
-        /// # Errors
-        /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
-        pub fn generate(
-            &self,
-            shape: &cga_rt::Shape,
-        ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
-            ::core::unreachable!("the rules have errors")
-        }
-        /// Runs the rule of that name on a shape, with default settings.
-        ///
-        /// # Errors
-        /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
-        pub fn generate_from(
-            &self,
-            rule: &::core::primitive::str,
-            shape: &cga_rt::Shape,
-        ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
-            ::core::unreachable!("the rules have errors")
-        }
-        /// Runs on a shape with settings: start rule, limits, assets.
-        ///
-        /// # Errors
-        /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
-        pub fn generate_with(
-            &self,
-            shape: &cga_rt::Shape,
-            settings: &cga_rt::Settings,
-        ) -> ::core::result::Result<cga_rt::Model, cga_rt::Error> {
-            ::core::unreachable!("the rules have errors")
-        }
-        /// Runs on a shape and hands the leaves to a sink. This is the fast path: no model in between.
-        ///
-        /// # Errors
-        /// A limit that was reached, an attribute out of its range, attributes that need each other, no such start rule, an initial shape that is refused.
-        pub fn generate_into<Sink: cga_rt::Sink + ?::core::marker::Sized>(
-            &self,
-            shape: &cga_rt::Shape,
-            settings: &cga_rt::Settings,
-            sink: &mut Sink,
-        ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
-            ::core::unreachable!("the rules have errors")
-        }
-    }
+    #[automatically_derived]
+    impl cga_rt::Unrunnable for Tower {}
     #[automatically_derived]
     impl cga_rt::Grammar for Tower {
         fn name(&self) -> &'static ::core::primitive::str {

@@ -45,6 +45,40 @@ impl Tower {
         settings: &cga_rt::Settings,
         sink: &mut Sink,
     ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
-        cga_rt::run(self, shape, settings, &mut { sink })
+        cga_rt::run(self, shape, settings, sink)
+    }
+    /// Opens a session: several runs with the same settings, which share what is made once.
+    ///
+    /// # Errors
+    /// An attribute out of its range, no such start rule.
+    pub fn session(
+        &self,
+        settings: &cga_rt::Settings,
+    ) -> ::core::result::Result<cga_rt::Session<'_, Self>, cga_rt::Error> {
+        cga_rt::Session::new(self, settings)
+    }
+    /// Runs on many shapes, in parallel with the feature `rayon`, and collects a model of each.
+    ///
+    /// # Errors
+    /// The first error in the order of the shapes.
+    #[inline]
+    pub fn generate_all(
+        &self,
+        shapes: &[cga_rt::Shape],
+        settings: &cga_rt::Settings,
+    ) -> ::core::result::Result<cga_rt::Parts<cga_rt::Model>, cga_rt::ShapeError> {
+        cga_rt::generate_all(self, shapes, settings)
+    }
+    /// Runs on many shapes, in parallel with the feature `rayon`, with a sink for each stretch of shapes.
+    ///
+    /// # Errors
+    /// The first error in the order of the shapes.
+    pub fn generate_all_into<Sink: cga_rt::Sink + ::core::marker::Send>(
+        &self,
+        shapes: &[cga_rt::Shape],
+        settings: &cga_rt::Settings,
+        sink: impl ::core::ops::Fn(&cga_rt::Stretch) -> Sink + ::core::marker::Sync,
+    ) -> ::core::result::Result<cga_rt::Parts<Sink>, cga_rt::ShapeError> {
+        cga_rt::run_all(self, shapes, settings, sink)
     }
 }

@@ -92,7 +92,7 @@ impl CgaRules {
             }
             let mut group0 = row.open(1..3);
             while row.turn(&mut group0) {
-                division.turn();
+                division.turn(cx.env)?;
                 if let ::core::option::Option::Some(piece) = row.slot(1) {
                     division.leaf(cx, cga_rt::Axis::X, piece, 2u32)?;
                 }

@@ -46,7 +46,7 @@ impl CgaRules {
             }
             let mut group0 = row.open(pieces, 0);
             while row.turn(&mut group0) {
-                division.turn();
+                division.turn(cx.env)?;
                 if let ::core::option::Option::Some(piece) = row.slot(1) {
                     let part = division.part(cga_rt::Axis::X, piece, 1, true, false);
                     let flow: cga_rt::Flow = {

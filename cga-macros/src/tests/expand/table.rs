@@ -85,4 +85,15 @@ impl cga_rt::Grammar for Tower {
     ) -> ::core::result::Result<cga_rt::Report, cga_rt::Error> {
         cga_rt::run(self, shape, settings, sink)
     }
+    fn session<'g>(
+        &'g self,
+        settings: &cga_rt::Settings,
+    ) -> ::core::result::Result<
+        cga_rt::Box<dyn cga_rt::DynSession + 'g>,
+        cga_rt::Error,
+    > {
+        ::core::result::Result::Ok(
+            cga_rt::Box::new(cga_rt::Session::new(self, settings)?),
+        )
+    }
 }

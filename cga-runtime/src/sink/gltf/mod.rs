@@ -5,6 +5,7 @@
 //! are stored once and placed by nodes. Colours are turned from sRGB to linear light; materials are double sided, as
 //! CGA's are; textures are referenced by relative address. The same leaves give the same bytes.
 
+mod buffers;
 mod json;
 mod look;
 mod pack;
@@ -23,8 +24,9 @@ use super::error::WriteError;
 use super::flatten::Flattener;
 use super::table::Table;
 use super::{Cuboid, Flow, Leaf, Quad, Sink};
-use crate::mesh::Mesh;
+use crate::mesh::{Bounds, Mesh};
 use crate::model::Model;
+use crate::parallel::Parts;
 
 /// Collects leaves for a GLB file.
 #[derive(Debug, Default)]
@@ -186,7 +188,7 @@ impl Model {
     /// # Errors
     /// As [`Glb::finish`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        let mut glb = Glb::new().with_origin(self.near_origin());
+        let mut glb = Glb::new().with_origin(near_origin(self.bounds()));
         // It stops when it is full; finishing tells.
         let _ = self.replay(&mut glb);
         glb.finish()
@@ -199,17 +201,36 @@ impl Model {
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_glb()?)?)
     }
+}
 
-    /// The origin of the world, or a point in whole metres near the model if 32-bit floats about the former would be
-    /// off by more than a millimetre.
-    fn near_origin(&self) -> DVec3 {
-        const FINE: f64 = 8192.0;
-        let bounds = self.bounds();
-        let reach = bounds.low.abs().max(bounds.high.abs()).max_element();
-        if !bounds.low.is_finite() || !bounds.high.is_finite() || reach <= FINE {
-            return DVec3::ZERO;
-        }
-        let middle = (bounds.low + bounds.high) * 0.5;
-        DVec3::new(middle.x, bounds.low.y, middle.z).round()
+impl Parts<Model> {
+    /// All models as one GLB file, the same as that of one model with all leaves.
+    ///
+    /// # Errors
+    /// As [`Glb::finish`].
+    pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
+        let mut glb = Glb::new().with_origin(near_origin(self.bounds()));
+        let _ = self.replay(&mut glb);
+        glb.finish()
     }
+
+    /// Writes all models as one GLB file.
+    ///
+    /// # Errors
+    /// As [`Glb::finish`], and what the file system says.
+    pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
+        Ok(std::fs::write(path, self.to_glb()?)?)
+    }
+}
+
+/// The origin of the world, or a point in whole metres near geometry of those bounds if 32-bit floats about the former would
+/// be off by more than a millimetre.
+fn near_origin(bounds: Bounds) -> DVec3 {
+    const FINE: f64 = 8192.0;
+    let reach = bounds.low.abs().max(bounds.high.abs()).max_element();
+    if !bounds.low.is_finite() || !bounds.high.is_finite() || reach <= FINE {
+        return DVec3::ZERO;
+    }
+    let middle = (bounds.low + bounds.high) * 0.5;
+    DVec3::new(middle.x, bounds.low.y, middle.z).round()
 }

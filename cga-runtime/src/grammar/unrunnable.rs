@@ -1,0 +1,36 @@
+//! Grammars whose rules have errors.
+
+use super::{Rules, StartRule};
+use crate::derive::Cx;
+use crate::env::Env;
+use crate::fault::Error;
+use crate::shape::{Shape, ShapeRef};
+use crate::sink::Flow;
+
+/// Marks a grammar whose rules have errors: sessions and parallel runs of it compile, so that the errors in the rules are the only
+/// ones that are reported. It never runs, as the program that it belongs to never builds.
+pub trait Unrunnable {}
+
+impl<T: Unrunnable> Rules for T {
+    type Values = ();
+    type Call = ();
+    const NAMES: &'static [&'static str] = &[];
+    const LEAVES: &'static [&'static str] = &[];
+    const STARTS: &'static [StartRule] = &[];
+    const START_RULES: &'static [u32] = &[];
+    const START_STYLES: &'static [u32] = &[];
+
+    fn check(&self) -> Result<(), Error> {
+        Ok(())
+    }
+
+    fn values(&self, _: &mut Env, _: &Shape, _: u32) -> Self::Values {}
+
+    fn start(_: &Self::Values, _: &mut Cx<'_, Self::Call>, _: u32, _: &mut ShapeRef<'_>) -> Flow {
+        Flow::Break(())
+    }
+
+    fn resume(_: &Self::Values, _: &mut Cx<'_, Self::Call>, _: &mut ShapeRef<'_>, (): Self::Call) -> Flow {
+        Flow::Break(())
+    }
+}

@@ -1,0 +1,275 @@
+//! Progress and cancellation of runs.
+//!
+//! A [`Watch`] is shared by a program and its runs, on any number of threads. A run asks it each [`STRIDE`] shapes or calls of
+//! functions that it makes, and when it begins and ends. The question costs the hot path nothing: it is asked where the
+//! counter of shapes passes a checkpoint, and without a watch the checkpoint is the limit itself.
+
+use std::fmt;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, TryLockError};
+
+use crate::env::{ENDED, Env, MOST_SHAPES};
+use crate::fault::LimitKind;
+use crate::settings::Settings;
+use crate::sink::Flow;
+
+/// Shapes that a run derives, or calls of functions that it makes, between two questions to its watch.
+pub const STRIDE: u64 = 16_384;
+
+/// How far all runs with one [`Watch`] have come.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Progress {
+    /// Initial shapes whose runs are complete.
+    pub initial_shapes: u64,
+    /// Shapes derived, leaves included.
+    pub shapes: u64,
+    /// Leaves handed to sinks.
+    pub leaves: u64,
+}
+
+/// Follows the progress of runs and ends them early. Copies are the same watch.
+///
+/// Put it into [`Settings::watch`]. It works for a single run, for a session and for runs in parallel.
+///
+/// ```
+/// use cga_runtime::settings::Settings;
+/// use cga_runtime::watch::Watch;
+///
+/// let watch = Watch::new();
+/// let settings = Settings { watch: Some(watch.clone()), ..Settings::default() };
+/// // Runs with `settings` end as soon as another thread, or a sink, calls this:
+/// watch.stop();
+/// assert!(watch.is_stopped() && settings.watch.is_some_and(|watch| watch.is_stopped()));
+/// ```
+#[derive(Clone, Default)]
+pub struct Watch {
+    shared: Arc<Shared>,
+}
+
+type Callback = Box<dyn FnMut(Progress) -> Flow + Send>;
+
+#[derive(Default)]
+struct Shared {
+    stopped: AtomicBool,
+    initial_shapes: AtomicU64,
+    shapes: AtomicU64,
+    leaves: AtomicU64,
+    callback: Option<(u64, Mutex<Callback>)>,
+}
+
+impl fmt::Debug for Watch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Watch").field("progress", &self.progress()).field("stopped", &self.is_stopped()).finish()
+    }
+}
+
+impl Watch {
+    /// A watch without a callback: ask it for its [`progress`](Watch::progress) whenever you like.
+    pub fn new() -> Self {
+        Watch::default()
+    }
+
+    /// A watch that calls back about each `shapes` shapes derived, on the thread of a run. `Break` ends all runs.
+    ///
+    /// A run asks every [`STRIDE`] shapes at most, so calls come in steps of that. There is never more than one call at a time;
+    /// while one lasts, others are left out.
+    ///
+    /// ```
+    /// use std::ops::ControlFlow;
+    /// use cga_runtime::watch::Watch;
+    ///
+    /// let watch = Watch::every(1_000_000, |progress| {
+    ///     eprintln!("{} lots, {} parts", progress.initial_shapes, progress.leaves);
+    ///     if progress.leaves < 100_000_000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    /// });
+    /// assert_eq!(watch.progress().leaves, 0);
+    /// ```
+    pub fn every(shapes: u64, callback: impl FnMut(Progress) -> Flow + Send + 'static) -> Self {
+        let callback: Callback = Box::new(callback);
+        Watch {
+            shared: Arc::new(Shared { callback: Some((shapes.max(1), Mutex::new(callback))), ..Shared::default() }),
+        }
+    }
+
+    /// Ends all runs with this watch, soon: each returns with `stopped` in its report. Later runs end before they begin.
+    pub fn stop(&self) {
+        self.shared.stopped.store(true, Ordering::Relaxed);
+    }
+
+    /// True if [`stop`](Watch::stop) was called or the callback returned `Break`.
+    pub fn is_stopped(&self) -> bool {
+        self.shared.stopped.load(Ordering::Relaxed)
+    }
+
+    /// How far the runs have come, as of their last questions.
+    pub fn progress(&self) -> Progress {
+        let read = |counter: &AtomicU64| counter.load(Ordering::Relaxed);
+        Progress {
+            initial_shapes: read(&self.shared.initial_shapes),
+            shapes: read(&self.shared.shapes),
+            leaves: read(&self.shared.leaves),
+        }
+    }
+
+    /// Adds what a run has made since it last told.
+    fn advance(&self, more: Progress) {
+        let add = |counter: &AtomicU64, more: u64| counter.fetch_add(more, Ordering::Relaxed);
+        add(&self.shared.initial_shapes, more.initial_shapes);
+        add(&self.shared.leaves, more.leaves);
+        let before = add(&self.shared.shapes, more.shapes);
+        let Some((every, callback)) = &self.shared.callback else { return };
+        if before / every == before.saturating_add(more.shapes) / every || self.is_stopped() {
+            return;
+        }
+        let mut callback = match callback.try_lock() {
+            Ok(callback) => callback,
+            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
+            // Also when the callback itself runs a grammar.
+            Err(TryLockError::WouldBlock) => return,
+        };
+        if callback(self.progress()).is_break() {
+            self.stop();
+        }
+    }
+}
+
+/// Where counting leaves the fast path, and what was told to the watch.
+#[derive(Debug)]
+pub(crate) struct Checkpoint {
+    pub(crate) shapes: u64,
+    pub(crate) calls: u64,
+    /// The number of shapes at which the watch ended the run.
+    pub(crate) stopped_at: Option<u64>,
+    told: Progress,
+}
+
+impl Checkpoint {
+    /// The first checkpoint of a run.
+    pub(crate) fn first(settings: &Settings) -> Self {
+        let stride = if settings.watch.is_some() { STRIDE } else { u64::MAX };
+        Checkpoint {
+            // Larger numbers mark a run that has ended.
+            shapes: settings.limits.shapes.min(stride).min(MOST_SHAPES),
+            calls: settings.limits.calls.min(stride),
+            stopped_at: None,
+            told: Progress::default(),
+        }
+    }
+}
+
+impl Env {
+    /// That many shapes more pass the checkpoint.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn make_room(&mut self, more: u64) -> Flow {
+        let (limit, wanted) = (self.settings.limits.shapes, self.shape_count().saturating_add(more));
+        if limit < wanted {
+            return self.limit(LimitKind::Shapes, limit);
+        }
+        self.checkpoint.shapes = limit.min(wanted.saturating_add(STRIDE));
+        self.ask_watch()
+    }
+
+    /// The counter of calls has passed its checkpoint.
+    #[cold]
+    pub(crate) fn at_calls(&mut self) -> Flow {
+        let limit = self.settings.limits.calls;
+        if limit < self.calls_made {
+            return self.limit(LimitKind::Calls, limit);
+        }
+        self.checkpoint.calls = limit.min(self.calls_made.saturating_add(STRIDE));
+        self.ask_watch()
+    }
+
+    /// Tells the watch how far the run is, and ends the run if the watch is stopped.
+    fn ask_watch(&mut self) -> Flow {
+        if !self.ended() {
+            self.tell_watch(false);
+        }
+        if !self.settings.watch.as_ref().is_some_and(Watch::is_stopped) {
+            return ControlFlow::Continue(());
+        }
+        if !self.ended() {
+            self.checkpoint.stopped_at = Some(self.shape_count());
+            // As in `limit`: everything that counts stops.
+            self.shapes = ENDED;
+        }
+        ControlFlow::Break(())
+    }
+
+    /// Tells the watch what has been made since it was last told; `complete` at the end of a run that made everything.
+    pub(crate) fn tell_watch(&mut self, complete: bool) {
+        let Some(watch) = &self.settings.watch else { return };
+        let now =
+            Progress { initial_shapes: u64::from(complete), shapes: self.shapes_made(), leaves: self.leaf_count() };
+        let told = std::mem::replace(&mut self.checkpoint.told, now);
+        watch.advance(Progress {
+            shapes: now.shapes.saturating_sub(told.shapes),
+            leaves: now.leaves.saturating_sub(told.leaves),
+            ..now
+        });
+    }
+
+    /// Shapes derived so far. The counter itself is a mark once the run has ended.
+    pub(crate) fn shapes_made(&self) -> u64 {
+        match self.checkpoint.stopped_at {
+            Some(shapes) => shapes,
+            // A limit was reached; the run has no report.
+            None if self.ended() => self.checkpoint.told.shapes,
+            None => self.shape_count(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::settings::Limits;
+    use crate::shape::Shape;
+
+    fn env(limits: Limits, watch: Option<Watch>) -> Env {
+        let settings = Settings { limits, watch, ..Settings::default() };
+        Env::new(&settings, &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
+    }
+
+    #[test]
+    fn what_ended_goes_on_counting_nothing() {
+        let limits = Limits { shapes: u64::MAX, calls: u64::MAX, ..Limits::default() };
+        for watch in [None, Some(Watch::new())] {
+            let mut env = env(limits, watch);
+            assert!(env.limit::<()>(LimitKind::Vertices, 1).is_break());
+            assert!(env.count_shapes(1).is_break() && env.error.is_some() && !env.call(1));
+        }
+    }
+
+    #[test]
+    fn a_stopped_run_keeps_its_count_and_gets_no_error() {
+        let watch = Watch::new();
+        let mut env = env(Limits::default(), Some(watch.clone()));
+        assert!(env.count_shapes(STRIDE).is_continue());
+        watch.stop();
+        assert!(env.count_shapes(1).is_break() && env.count_shapes(1).is_break());
+        assert!(env.limit::<()>(LimitKind::Shapes, 1).is_break() && env.error.is_none() && !env.call(1));
+        env.tell_watch(false);
+        assert_eq!((env.shapes_made(), watch.progress().shapes), (STRIDE + 1, STRIDE + 1));
+    }
+
+    #[test]
+    fn the_callback_comes_in_its_steps() {
+        let (steps, seen) = std::sync::mpsc::channel();
+        let watch = Watch::every(100_000, move |progress| {
+            let _ = steps.send(progress.shapes);
+            ControlFlow::Continue(())
+        });
+        let mut env = env(Limits::default(), Some(watch.clone()));
+        for _ in 0..400_000 {
+            assert!(env.count_shapes(1).is_continue());
+        }
+        env.tell_watch(true);
+        let steps: Vec<u64> = seen.try_iter().collect();
+        assert_eq!(steps.iter().map(|shapes| shapes / 100_000).collect::<Vec<_>>(), [1, 2, 3, 4]);
+        assert_eq!((watch.progress().initial_shapes, watch.progress().shapes), (1, 400_000));
+    }
+}

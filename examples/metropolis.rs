@@ -1,0 +1,96 @@
+//! A city of any size, streamed in parallel and in constant memory: each chunk of triangles is measured, or written to a file, and
+//! forgotten.
+//!
+//! `cargo run --release --features rayon --example metropolis -- 100000` derives 100,000 buildings with 59 million parts. A
+//! folder as second argument gets a GLB file for each chunk.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::time::Instant;
+
+use cga::sink::buffers::{Buffers, Chunks};
+use cga::sink::error::WriteError;
+use cga::{Flow, Settings, Shape, Watch, cga};
+
+cga! {
+    /// Walls and windows on every side, in one of three colours.
+    grammar City;
+
+    Lot    --> comp(f) { side : Facade | top : Roof. }
+    Facade --> 60% : color("#d8c8a8") Front 30% : color("#b08060") Front else : color("#90a0a8") Front
+    Front  --> split(y) { 4 : Shop. | { ~3 : Floor }* }
+    Floor  --> split(x) { 0.5 : Wall. | { ~2.5 : Tile }* | 0.5 : Wall. }
+    Tile   --> split(x) { ~1 : Wall. | 1.2 : Mid | ~1 : Wall. }
+    Mid    --> split(y) { ~1 : Wall. | 1.5 : Window. | ~0.8 : Wall. }
+}
+
+/// Vertices of a chunk: about 2 MB with its indices.
+const CHUNK: usize = 1 << 16;
+
+/// Lots that are held at a time. The list of initial shapes need not be in memory either.
+const BATCH: usize = 8192;
+
+/// One building of 2 to 10 storeys, 40 in a row.
+fn lot(at: usize) -> Shape {
+    let storeys = 2 + (7 * at) % 9;
+    Shape::cuboid(13.5, 4.0 + 3.0 * storeys as f64, 11.0)
+        .at([20.0 * (at % 40) as f64, 0.0, 20.0 * (at / 40) as f64])
+        .seed(at as u64)
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let lots: usize = arguments.next().map_or(Ok(1000), |count| count.parse())?;
+    let folder = arguments.next().map(PathBuf::from);
+    let (grammar, begin) = (City::default(), Instant::now());
+    let watch = Watch::every(20_000_000, |progress| {
+        eprintln!("{} buildings, {} parts", progress.initial_shapes, progress.leaves);
+        ControlFlow::Continue(())
+    });
+    let settings = Settings { watch: Some(watch.clone()), ..Settings::default() };
+    let (triangles, chunks, largest) = (AtomicU64::new(0), AtomicU64::new(0), AtomicUsize::new(0));
+    let failed: Mutex<Option<WriteError>> = Mutex::new(None);
+    for first in (0..lots).step_by(BATCH) {
+        let shapes: Vec<Shape> = (first..lots.min(first + BATCH)).map(lot).collect();
+        let parts = grammar.generate_all_into(&shapes, &settings, |stretch| {
+            let (triangles, chunks, largest, failed, folder) = (&triangles, &chunks, &largest, &failed, &folder);
+            let (from, mut number) = (first + stretch.shapes.start, 0);
+            Chunks::new(CHUNK, move |chunk: &Buffers| -> Flow {
+                number += 1;
+                chunks.fetch_add(1, Ordering::Relaxed);
+                triangles.fetch_add(chunk.triangle_count() as u64, Ordering::Relaxed);
+                largest.fetch_max(chunk.memory(), Ordering::Relaxed);
+                let Some(folder) = folder else { return ControlFlow::Continue(()) };
+                match chunk.write_glb(folder.join(format!("from-{from:07}-{number:03}.glb"))) {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(error) => {
+                        failed.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).get_or_insert(error);
+                        ControlFlow::Break(())
+                    }
+                }
+            })
+        })?;
+        if parts.report().stopped {
+            break;
+        }
+    }
+    if let Some(error) = failed.into_inner()? {
+        return Err(error.into());
+    }
+    let (progress, seconds) = (watch.progress(), begin.elapsed().as_secs_f64());
+    println!("{} buildings, {} parts, {} triangles", progress.initial_shapes, progress.leaves, triangles.into_inner());
+    println!("{:.1} million parts a second", progress.leaves as f64 / seconds / 1e6);
+    println!("{} chunks, the largest {:.1} MB", chunks.into_inner(), largest.into_inner() as f64 / 1e6);
+    if let Some(peak) = peak_memory() {
+        println!("peak memory of the process {peak}");
+    }
+    Ok(())
+}
+
+/// The most memory that the process ever had, where the system tells.
+fn peak_memory() -> Option<String> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    Some(status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?.trim().to_owned())
+}
