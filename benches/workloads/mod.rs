@@ -27,8 +27,9 @@ pub(crate) use raw::Raw;
 /// Runs a grammar on shapes, one after the other. The only place that does, so that all workloads run in the same way.
 macro_rules! run {
     ($grammar:expr, $settings:expr, $shapes:expr, $sink:expr) => {
+        let mut session = $grammar.session($settings).expect("the attributes are in their ranges");
         for shape in $shapes {
-            $grammar.generate_into(shape, $settings, $sink).expect("no limit is reached");
+            session.run(shape, $sink).expect("no limit is reached");
         }
     };
 }

@@ -11,12 +11,14 @@ use std::rc::Rc;
 use crate::env::{Env, Trail};
 use crate::fault::{Error, Fault, LimitKind};
 use crate::grammar::Rules;
+use crate::material::ids::MaterialIds;
 use crate::place;
 use crate::report::{Collection, Print, Reports};
 use crate::settings::Settings;
 use crate::shape::base::Form;
 use crate::shape::{Geometry, Inserted, Shape, ShapeRef};
 use crate::sink::{Filled, Flow, Leaf, Sink};
+use crate::template::{Tape, Templates};
 
 /// How much of the stack direct calls may use, in the units of generated code: about a kilobyte each in a build without
 /// optimisation, much less with it. Threads have two megabytes, of which functions (`FUNCTIONS` in
@@ -72,13 +74,23 @@ impl Report {
 pub struct Cx<'r, C> {
     /// The part that does not depend on the sink.
     pub env: &'r mut Env,
-    sink: &'r mut dyn Sink,
-    waiting: VecDeque<Waiting<C>>,
+    pub(crate) sink: &'r mut dyn Sink,
+    pub(crate) waiting: VecDeque<Waiting<C>>,
     /// What direct calls take of [`STACK`] at the moment.
-    stack: u32,
+    pub(crate) stack: u32,
     /// Nesting of rules that can reach themselves.
-    depth: u32,
+    pub(crate) depth: u32,
+    /// Parts that repeat.
+    pub(crate) templates: &'r mut Templates<C>,
+    /// The template that is made, if one is.
+    pub(crate) tape: Option<Tape<'r, C>>,
 }
+
+/// A rule without parameters, as generated code has it.
+pub type RuleFn<G, C> = fn(&G, &mut Cx<'_, C>, &mut ShapeRef<'_>) -> Flow;
+
+/// A call that waited, or that a template left out.
+pub type ResumeFn<G, C> = fn(&G, &mut Cx<'_, C>, &mut ShapeRef<'_>, C) -> Flow;
 
 /// The run inside an operation that changes a material: expressions get at it as in a rule.
 #[derive(Debug)]
@@ -88,7 +100,7 @@ pub struct Painting<'r> {
 }
 
 #[derive(Debug)]
-struct Waiting<C> {
+pub(crate) struct Waiting<C> {
     shape: Shape,
     call: C,
     depth: u32,
@@ -209,6 +221,28 @@ pub(crate) struct Start {
     name: &'static str,
 }
 
+/// The part of a run that the next run of the session can use. No result depends on it.
+pub(crate) struct Kept<C> {
+    templates: Templates<C>,
+    materials: MaterialIds,
+    bases: u64,
+}
+
+impl<C> Default for Kept<C> {
+    fn default() -> Self {
+        Kept { templates: Templates::default(), materials: MaterialIds::default(), bases: 0 }
+    }
+}
+
+impl<C> Kept<C> {
+    /// A run begins. Templates and painted materials of attributes that are computed for each initial shape are of no use to it.
+    fn begin(&mut self, is_settled: bool) {
+        if !is_settled || self.materials.is_full() {
+            *self = Kept { bases: self.bases, ..Kept::default() };
+        }
+    }
+}
+
 /// The result of a run, with or without an error.
 #[derive(Debug, Default)]
 pub(crate) struct Outcome {
@@ -222,12 +256,24 @@ pub(crate) fn run<R: Rules>(
     Start { rule, style, name }: Start,
     shape: &Shape,
     settings: &Settings,
+    kept: &mut Kept<R::Call>,
     sink: &mut dyn Sink,
 ) -> Outcome {
     let mut env = Env::new(settings, R::NAMES, shape, name);
     env.leaf_tables.names = R::LEAVES;
     sink.begin();
-    let mut cx = Cx { env: &mut env, sink, waiting: VecDeque::new(), stack: 0, depth: 0 };
+    kept.begin(R::SETTLED);
+    std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
+    env.bases = kept.bases;
+    let mut cx = Cx {
+        env: &mut env,
+        sink,
+        waiting: VecDeque::new(),
+        stack: 0,
+        depth: 0,
+        templates: &mut kept.templates,
+        tape: None,
+    };
     let values = rules.values(cx.env, shape, style);
     // A break with no error is the sink's or the watch's.
     let mut flow = if cx.env.ended() { Flow::Break(()) } else { Flow::Continue(()) };
@@ -242,22 +288,24 @@ pub(crate) fn run<R: Rules>(
         let base = cx.env.base(next.shape);
         flow = R::resume(&values, &mut cx, &mut base.shape(), next.call);
     }
-    cx.env.tell_watch(flow.is_continue());
-    let (faults, faults_left_out) = cx.env.take_faults();
-    let prints = std::mem::take(&mut cx.env.prints);
+    kept.bases = env.bases;
+    std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
+    env.tell_watch(flow.is_continue());
+    let (faults, faults_left_out) = env.take_faults();
+    let prints = std::mem::take(&mut env.prints);
     let (prints_left_out, prints_bytes) = (prints.left_out, prints.bytes);
     let report = Report {
-        shapes: cx.env.shapes_made(),
-        leaves: cx.env.leaf_count(),
+        shapes: env.shapes_made(),
+        leaves: env.leaf_count(),
         faults,
         faults_left_out,
-        stopped: flow.is_break() && cx.env.error.is_none(),
-        reports: std::mem::take(&mut cx.env.reports),
+        stopped: flow.is_break() && env.error.is_none(),
+        reports: std::mem::take(&mut env.reports),
         prints: prints.in_order(),
         prints_left_out,
         prints_bytes,
     };
-    Outcome { report, error: cx.env.error.take() }
+    Outcome { report, error: env.error.take() }
 }
 
 /// Writes lines to standard output. A closed output does not end the run.

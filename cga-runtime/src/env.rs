@@ -49,7 +49,7 @@ const ASSETS_RAISED: usize = 256;
 
 /// A share of the initial shape's largest extent below which a shape is not split any further, and the most that this
 /// may be, in metres: on a large site small things are as good as elsewhere, and a run may start from a point.
-const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
+pub(crate) const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
 
 /// A run can count this many shapes; a count of [`ENDED`] marks a run that has ended.
 pub(crate) const MOST_SHAPES: u64 = u64::MAX / 8;
@@ -84,6 +84,10 @@ pub struct Env {
     pub(crate) filled: u64,
     /// Where counting leaves the fast path: at a limit, or where a watch is asked.
     pub(crate) checkpoint: Checkpoint,
+    /// Bases made so far.
+    pub(crate) bases: u64,
+    /// The least extent that was to be split.
+    pub(crate) least_split: f64,
     vertices: u64,
     /// Functions under way that asked.
     calls: u32,
@@ -109,6 +113,20 @@ pub struct Env {
     pub(crate) tables: BTreeMap<File, Array<Text>>,
     /// What is said once a run, and was: names that are not implemented, messages.
     said_once: BTreeSet<&'static str>,
+}
+
+/// The counters of a run at one time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Counters {
+    pub(crate) shapes: u64,
+    filled: u64,
+    leaves: u64,
+    vertices: u64,
+    calls: u64,
+    faults: usize,
+    faults_left_out: u64,
+    trail: usize,
+    has_ended: bool,
 }
 
 /// What a run knows of the shape it started with.
@@ -168,13 +186,15 @@ impl Env {
             },
             too_small: if extent == 0.0 { TOO_SMALL.1 } else { (extent * TOO_SMALL.0).min(TOO_SMALL.1) },
             names,
-            leaf_tables: LeafTables { names: &[], materials: MaterialIds::new(&crate::state::UNSET) },
+            leaf_tables: LeafTables { names: &[], materials: MaterialIds::default() },
             trail: Vec::new(),
             before: None,
             shapes: 0,
             leaves: 0,
             filled: 0,
             checkpoint: Checkpoint::first(settings),
+            bases: 0,
+            least_split: f64::INFINITY,
             vertices: 0,
             calls: 0,
             call_stack: 0,
@@ -299,6 +319,58 @@ impl Env {
     pub fn called(&mut self, stack: u32) {
         self.calls -= 1;
         self.call_stack -= stack.min(FUNCTIONS);
+    }
+
+    /// The number of rules on the trail.
+    pub(crate) fn trail_len(&self) -> usize {
+        self.trail.len()
+    }
+
+    /// The rules on the trail from a number on.
+    pub(crate) fn trail_from(&self, start: usize) -> Box<[u32]> {
+        self.trail[start..].into()
+    }
+
+    /// Adds rules to the trail.
+    pub(crate) fn extend_trail(&mut self, rules: &[u32]) {
+        self.trail.extend_from_slice(rules);
+    }
+
+    /// Leaves the rules on the trail from a number on.
+    pub(crate) fn cut_trail(&mut self, len: usize) {
+        self.trail.truncate(len);
+    }
+
+    /// The counters of the run, to go back to.
+    pub(crate) fn state(&self) -> Counters {
+        Counters {
+            shapes: self.shapes,
+            filled: self.filled,
+            leaves: self.leaves,
+            vertices: self.vertices,
+            calls: self.calls_made,
+            faults: self.faults.len(),
+            faults_left_out: self.faults_left_out,
+            trail: self.trail.len(),
+            has_ended: self.error.is_some() || self.ended(),
+        }
+    }
+
+    /// Goes back to counters. Returns true if nothing but shapes and leaves that fill their scopes was made since.
+    pub(crate) fn restore(&mut self, before: Counters) -> bool {
+        let now = self.state();
+        let is_quiet = now == Counters { shapes: now.shapes, filled: now.filled, trail: now.trail, ..before };
+        if now.has_ended && !before.has_ended {
+            self.error = None;
+            self.checkpoint.stopped_at = None;
+        }
+        (self.shapes, self.filled, self.leaves) = (before.shapes, before.filled, before.leaves);
+        (self.vertices, self.calls_made) = (before.vertices, before.calls);
+        self.faults.truncate(before.faults);
+        self.asset_faults.retain(|_, at| *at < before.faults);
+        self.faults_left_out = before.faults_left_out;
+        self.trail.truncate(before.trail);
+        is_quiet
     }
 
     /// The trail so far, to be shared by deferred calls. It names at least one rule.

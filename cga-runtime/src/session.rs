@@ -5,8 +5,9 @@
 //! [`parallel`](crate::parallel).
 
 use std::borrow::Cow;
+use std::fmt;
 
-use crate::derive::{self, Outcome, Report, Start};
+use crate::derive::{self, Kept, Outcome, Report, Start};
 use crate::fault::Error;
 use crate::grammar::{Grammar, Rules};
 use crate::model::Model;
@@ -15,9 +16,15 @@ use crate::shape::Shape;
 use crate::sink::Sink;
 
 /// Several runs of one grammar with the same settings. Made by `grammar.session(&settings)`.
-#[derive(Debug)]
-pub struct Session<'g, G> {
+pub struct Session<'g, G: Rules> {
     setup: Setup<'g, G>,
+    kept: Kept<G::Call>,
+}
+
+impl<G: Rules> fmt::Debug for Session<'_, G> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Session").field("settings", self.settings()).finish_non_exhaustive()
+    }
 }
 
 /// The decisions before the first run. Unlike a session it can be shared by threads.
@@ -40,7 +47,7 @@ impl<'g, G: Rules> Setup<'g, G> {
     /// Opens a session.
     pub(crate) fn session(&self) -> Session<'g, G> {
         let Setup { grammar, start, ref settings } = *self;
-        Session { setup: Setup { grammar, settings: settings.clone(), start } }
+        Session { setup: Setup { grammar, settings: settings.clone(), start }, kept: Kept::default() }
     }
 }
 
@@ -50,7 +57,7 @@ impl<'g, G: Rules> Session<'g, G> {
     /// # Errors
     /// [`Error::Attribute`] and [`Error::StartRule`]: what does not depend on the initial shape is found here.
     pub fn new(grammar: &'g G, settings: &Settings) -> Result<Self, Error> {
-        Ok(Session { setup: Setup::new(grammar, Cow::Owned(settings.clone()))? })
+        Ok(Session { setup: Setup::new(grammar, Cow::Owned(settings.clone()))?, kept: Kept::default() })
     }
 
     /// The settings of all runs.
@@ -89,7 +96,7 @@ impl<'g, G: Rules> Session<'g, G> {
         if let Err(error) = shape.check_initial() {
             return Outcome { error: Some(error), ..Outcome::default() };
         }
-        derive::run(*grammar, *start, shape, settings, sink)
+        derive::run(*grammar, *start, shape, settings, &mut self.kept, sink)
     }
 }
 
@@ -143,5 +150,5 @@ pub fn generate<G: Rules>(grammar: &G, shape: &Shape, settings: &Settings) -> Re
 
 /// A session for one run.
 fn once<'g, G: Rules>(grammar: &'g G, settings: &'g Settings) -> Result<Session<'g, G>, Error> {
-    Ok(Session { setup: Setup::new(grammar, Cow::Borrowed(settings))? })
+    Ok(Session { setup: Setup::new(grammar, Cow::Borrowed(settings))?, kept: Kept::default() })
 }

@@ -129,6 +129,12 @@ impl UnitMesh {
         self.0.plain.is_some()
     }
 
+    /// Returns true for the same unit mesh: equal ones are one.
+    #[inline]
+    pub(crate) fn is(self, other: Self) -> bool {
+        std::ptr::eq(self.0, other.0)
+    }
+
     /// The same mesh without the mark of an insertion.
     #[inline]
     pub(crate) fn plain(self) -> Self {

@@ -37,22 +37,57 @@ pub(super) fn values(cx: &Cx<'_>) -> TokenStream {
     }
 }
 
-/// One variant for each rule that a call may have to wait for.
+/// One variant for each rule that a call may have to wait for, or that a template leaves out.
 pub(super) fn calls(cx: &Cx<'_>) -> TokenStream {
     let variants = waiting(cx).map(|(id, params)| {
         let name = local("Rule", id.0 as usize);
         quote_spanned!(Span::mixed_site()=> #name(#(#params),*))
     });
     quote_spanned! { Span::mixed_site()=>
+        #[derive(::core::clone::Clone)]
         pub enum CgaCall { #(#variants,)* }
     }
 }
 
-/// Rules whose calls may have to wait, with the types of their parameters.
+/// Rules whose calls may have to wait or may be left out, with the types of their parameters.
 fn waiting<'c>(cx: &'c Cx<'_>) -> impl Iterator<Item = (RuleId, Vec<TokenStream>)> + 'c {
     let rules = cx.grammar.rules.iter().enumerate().map(|(at, rule)| (RuleId(at as u32), rule));
-    let rules = rules.filter(|(id, _)| cx.plan.may_wait(*id));
+    let rules = rules.filter(|(id, _)| cx.plan.may_wait(*id) || cx.templates.may_be_left_out(*id));
     rules.map(|(id, rule)| (id, given(&rule.params, &rule.locals).map(|(_, ty)| ty).collect()))
+}
+
+impl Cx<'_> {
+    /// Whether no attribute and no constant depends on the initial shape.
+    fn is_settled_globally(&self) -> bool {
+        let attrs = self.grammar.attrs.iter().map(|attr| (&attr.default, attr.lazy));
+        let consts = self.grammar.consts.iter().map(|constant| (&constant.value, constant.lazy));
+        attrs.chain(consts).all(|(value, lazy)| !lazy && self.facts.expr(value).is_none())
+    }
+}
+
+/// The function that runs a call that waited or was left out.
+pub(super) fn resume(cx: &Cx<'_>) -> TokenStream {
+    let place = Span::mixed_site();
+    let resume_arms = waiting(cx).map(|(id, params)| {
+        let (variant, rule) = (local("Rule", id.0 as usize), cx.rule(id, place));
+        let args: Vec<Ident> = (0..params.len()).map(|at| local("a", at)).collect();
+        quote_spanned!(place=> CgaCall::#variant(#(#args),*) => CgaRules::#rule(g, cx, shape, #(#args),*))
+    });
+    let resume = if waiting(cx).next().is_some() {
+        quote_spanned!(place=> match call { #(#resume_arms,)* })
+    } else {
+        quote_spanned!(place=> match call {})
+    };
+    quote_spanned! { place=>
+        fn cga_resume(
+            g: &CgaValues,
+            cx: &mut cga_rt::Cx<'_, CgaCall>,
+            shape: &mut cga_rt::ShapeRef<'_>,
+            call: CgaCall,
+        ) -> cga_rt::Flow {
+            #resume
+        }
+    }
 }
 
 /// The runtime's `Rules` and `Grammar`.
@@ -61,6 +96,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     let place = Span::mixed_site();
     let names = cx.grammar.rules.iter().map(|rule| &rule.name);
     let leaves = cx.leaves.names();
+    let is_settled = cx.is_settled_globally();
     let starts = &cx.grammar.starts;
     let start_rows = starts.iter().map(table::start);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
@@ -73,16 +109,6 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
         let (number, rule) = (Literal::u32_suffixed(rule.0), cx.rule(rule, place));
         quote_spanned!(place=> #number => CgaRules::#rule(g, cx, shape))
     });
-    let resume_arms = waiting(cx).map(|(id, params)| {
-        let (variant, rule) = (local("Rule", id.0 as usize), cx.rule(id, place));
-        let args: Vec<Ident> = (0..params.len()).map(|at| local("a", at)).collect();
-        quote_spanned!(place=> CgaCall::#variant(#(#args),*) => CgaRules::#rule(g, cx, shape, #(#args),*))
-    });
-    let resume = if waiting(cx).next().is_some() {
-        quote_spanned!(place=> match call { #(#resume_arms,)* })
-    } else {
-        quote_spanned!(place=> match call {})
-    };
     let fields = fields::of(cx.grammar, cx.source);
     let check = if fields.iter().any(table::is_restricted) {
         quote_spanned!(place=> cga_rt::check(self))
@@ -111,6 +137,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
             type Call = CgaCall;
             const NAMES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
             const LEAVES: &'static [&'static ::core::primitive::str] = &[#(#leaves),*];
+            const SETTLED: ::core::primitive::bool = #is_settled;
             const STARTS: &'static [cga_rt::StartRule] = &[#(#start_rows),*];
             const START_RULES: &'static [::core::primitive::u32] = &[#(#start_numbers),*];
             const START_STYLES: &'static [::core::primitive::u32] = &[#(#start_styles),*];
@@ -151,7 +178,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
                 shape: &mut cga_rt::ShapeRef<'_>,
                 call: CgaCall,
             ) -> cga_rt::Flow {
-                #resume
+                CgaRules::cga_resume(g, cx, shape, call)
             }
         }
 

@@ -20,6 +20,7 @@ mod split;
 mod stack;
 mod state;
 mod table;
+mod templates;
 mod types;
 
 use std::cell::Cell;
@@ -51,6 +52,7 @@ struct Cx<'a> {
     renewed: Vec<String>,
     facts: Facts,
     leaves: leaves::Leaves,
+    templates: templates::Templates,
     /// Operations that change the material in the same way in the whole run, so far.
     paints: Cell<u32>,
 }
@@ -61,6 +63,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
     let calls = calls::Calls::new(&grammar.functions);
     let (hosts, renewed) = (host_types(grammar), state::renewed(grammar));
     let (facts, leaves) = (Facts::new(grammar), leaves::Leaves::new(grammar));
+    let templates = templates::Templates::new(grammar, &facts, &plan);
     let cx = Cx {
         grammar,
         source,
@@ -72,10 +75,12 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         renewed,
         facts,
         leaves,
+        templates,
         paints: Cell::new(0),
     };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
+    let resume = items::resume(&cx);
     let renewals = cx.renewals();
     let lazy = cx.lazy_functions();
     let of_values = (!renewals.is_empty() || !lazy.is_empty())
@@ -93,6 +98,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         impl CgaRules {
             #rules
             #functions
+            #resume
         }
         #implementation
     };

@@ -370,17 +370,28 @@ impl Cx<'_> {
         )
     }
 
-    /// Calls a rule on `part`, with arguments in `a0`, `a1`, …; of type `Flow`. Where the stack may grow long the call may wait.
+    /// Calls a rule on `part`, with arguments in `a0`, `a1`, …; of type `Flow`. Where the stack may grow long the call may wait, and
+    /// while a template is made it may be left out.
     pub(super) fn call(&self, from: RuleId, rule: RuleId, args: usize, span: Span) -> TokenStream {
         let place = Span::mixed_site();
         let name = self.rule(rule, span);
         let args: Vec<TokenStream> = (0..args).map(|number| local("a", number)).map(|name| quote!(#name)).collect();
         let direct = quote_spanned!(place=> CgaRules::#name(g, cx, part, #(#args),*));
-        let Some(step) = self.plan.step(from, rule) else { return direct };
-        let (levels, stack) = (Literal::u32_unsuffixed(step.levels), Literal::u32_unsuffixed(step.stack));
+        let ask = self.plan.step(from, rule);
+        let (levels, stack) = ask.map_or((0, 0), |ask| (ask.levels, ask.stack));
+        let (levels, stack) = (Literal::u32_unsuffixed(levels), Literal::u32_unsuffixed(stack));
         let variant = local("Rule", rule.0 as usize);
+        let hole = self.templates.is_hole(from, rule).then(|| {
+            quote_spanned!(place=> if cx.records() { cx.hole(part, #levels, #stack, CgaCall::#variant(#(#args),*)) } else)
+        });
+        if ask.is_none() {
+            return match hole {
+                Some(hole) => quote_spanned!(place=> #hole { #direct }),
+                None => direct,
+            };
+        }
         quote_spanned! { place=>
-            if cx.descend(#levels, #stack) {
+            #hole if cx.descend(#levels, #stack) {
                 let flow = #direct;
                 cx.ascend(#levels, #stack);
                 flow
@@ -388,6 +399,12 @@ impl Cx<'_> {
                 cx.defer(part, #levels, CgaCall::#variant(#(#args),*))
             }
         }
+    }
+
+    /// A part that goes straight to a rule is the successor itself, with the seed of one.
+    pub(super) fn hand_on(&self, rule: RuleId) -> Option<TokenStream> {
+        let is_called = !is_block(&self.grammar.rules[rule.0 as usize]) && self.facts.rule(rule).below.draws;
+        is_called.then(|| quote_spanned!(Span::mixed_site()=> cga_rt::hand_on(part);))
     }
 
     /// What a part of a split or comp becomes; of type `Flow`.
@@ -403,8 +420,7 @@ impl Cx<'_> {
                 let call = self.call(from, *rule, args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.asked(arg, &Place::part()));
-                let called = !is_block(&self.grammar.rules[rule.0 as usize]) && self.facts.rule(*rule).below.draws;
-                let hand_on = called.then(|| quote_spanned!(place=> cga_rt::hand_on(part);));
+                let hand_on = self.hand_on(*rule);
                 quote_spanned!(place=> {
                     #(let #names = #values;)*
                     #hand_on

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
 use super::expr::Place;
-use super::{Cx, local};
+use super::{Cx, local, templates};
 
 /// A split with what its slots have in common.
 struct Slots<'s> {
@@ -115,7 +115,12 @@ impl Cx<'_> {
                 }
             }
             target @ Target::Rule { .. } => {
-                let (code, uses) = (self.part(target, slots.rule), self.facts.target(target));
+                let root = templates::root(target, slots.rule, &self.facts, &self.plan).filter(|_| in_group);
+                let code = match root {
+                    Some(rule) => self.repeat(rule, target),
+                    None => self.part(target, slots.rule),
+                };
+                let uses = self.facts.target(target);
                 let draws = uses.draws;
                 quote_spanned! { place=>
                     if let ::core::option::Option::Some(piece) = row.slot(#number) {
@@ -126,6 +131,14 @@ impl Cx<'_> {
                 }
             }
         }
+    }
+
+    /// Runs a rule on a part that repeats; of type `Flow`.
+    fn repeat(&self, rule: RuleId, target: &Target) -> TokenStream {
+        let Target::Rule { span, .. } = target else { return TokenStream::new() };
+        let (place, name) = (Span::mixed_site(), self.rule(rule, self.source.token(span.first)));
+        let (number, hand_on) = (Literal::u32_unsuffixed(self.templates.place()), self.hand_on(rule));
+        quote_spanned!(place=> { #hand_on cx.repeat(#number, g, part, CgaRules::#name, CgaRules::cga_resume) })
     }
 
     /// The solution of a split along lengths.

@@ -108,7 +108,7 @@ fn generated_code_is_as_reviewed() {
         let whole = items(crate::expand(stream));
         let shown = File { shebang: None, frontmatter: None, attrs: Vec::new(), items: part(show, whole) };
         let actual = prettyplease::unparse(&shown);
-        assert!(actual.lines().count() <= 130, "{} is longer than anybody reads", path.display());
+        assert!(actual.lines().count() <= 150, "{} is longer than anybody reads", path.display());
         let expected = path.with_extension("rs");
         if fs::read_to_string(&expected).unwrap_or_default() == actual {
             continue;

@@ -120,7 +120,7 @@ pub trait Rules {
     /// Attributes and constants, evaluated for one initial shape.
     type Values;
     /// Calls that may wait on the work list: rules in cycles with their arguments.
-    type Call;
+    type Call: Clone;
     /// Rule names by number, for trails.
     const NAMES: &'static [&'static str];
     /// The names of leaves by number.
@@ -131,6 +131,9 @@ pub trait Rules {
     const START_RULES: &'static [u32];
     /// The styles they put in force, by number.
     const START_STYLES: &'static [u32];
+
+    /// True if attributes and constants do not depend on the initial shape.
+    const SETTLED: bool;
 
     /// Checks the attributes against their ranges.
     ///

@@ -16,6 +16,7 @@ impl<T: Unrunnable> Rules for T {
     type Call = ();
     const NAMES: &'static [&'static str] = &[];
     const LEAVES: &'static [&'static str] = &[];
+    const SETTLED: bool = true;
     const STARTS: &'static [StartRule] = &[];
     const START_RULES: &'static [u32] = &[];
     const START_STYLES: &'static [u32] = &[];

@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use super::Material;
+use crate::state::UNSET;
 
 /// The number of a material among those of the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,8 +18,11 @@ impl MaterialId {
     pub(crate) const OF_BASE: MaterialId = MaterialId(u32::MAX);
 }
 
-/// Materials that have a number.
-const MOST: usize = 1024;
+/// Materials that have a number in a run. More than rules can make with constant colours, in any sensible use.
+const MOST: usize = 1 << 16;
+
+/// Materials that a session keeps for its next run.
+const MANY: usize = 1024;
 
 /// Materials added last that are compared with one that has no number yet.
 const COMPARED: usize = 64;
@@ -31,9 +35,16 @@ pub(crate) struct MaterialIds {
     paints: Vec<Option<(MaterialId, MaterialId)>>,
 }
 
+impl Default for MaterialIds {
+    fn default() -> Self {
+        MaterialIds { list: vec![UNSET.clone()], paints: Vec::new() }
+    }
+}
+
 impl MaterialIds {
-    pub(crate) fn new(unset: &Arc<Material>) -> Self {
-        MaterialIds { list: vec![unset.clone()], paints: Vec::new() }
+    /// Returns true if the table is so large that another run should begin with an empty one.
+    pub(crate) fn is_full(&self) -> bool {
+        MANY <= self.list.len()
     }
 
     /// The material with a number; nothing for that of the base.

@@ -1,10 +1,11 @@
 //! The rarely changed part of shapes, and the ways between a slim shape and a whole one.
 
 use super::axes::Axes;
-use super::{Geometry, Shape, ShapeRef};
+use super::{Counter, Geometry, Shape, ShapeRef};
 use crate::env::Env;
 use crate::material::ids::MaterialId;
-use crate::scope::Axis;
+use crate::scope::{Axis, Scope};
+use crate::trim::Trims;
 use crate::unit::UnitMesh;
 
 /// A whole shape for slim ones to borrow from. It is on the stack of the rule that made it.
@@ -15,6 +16,8 @@ pub struct Base {
     raised: Axes,
     pub(crate) shape: Shape,
     material: MaterialId,
+    /// The number of the base in its session; 0 for one at the origin.
+    pub(crate) number: u64,
 }
 
 /// The geometry of a slim shape. All forms but `Other` have sizes of 0 or more.
@@ -46,6 +49,24 @@ impl Base {
             form,
             material: self.material,
         }
+    }
+
+    /// The base of a shape that is moved to the origin, with the axes of the world.
+    pub(crate) fn at_origin(part: &ShapeRef<'_>) -> Self {
+        let scope = Scope::new(part.size);
+        let shape = Shape {
+            scope,
+            pivot: scope.frame(),
+            geometry: part.geometry(),
+            seed: part.seed,
+            split: part.split,
+            comp: Counter::NONE,
+            selector: "",
+            trims: Trims::None,
+            state: part.base.shape.state.clone(),
+        };
+        let axes = Axes::new(scope.axes);
+        Base { axes, raised: axes.raised(), shape, material: part.material, number: 0 }
     }
 
     #[inline]
@@ -99,9 +120,10 @@ impl Env {
 
     /// A base for slim shapes.
     #[inline(never)]
-    pub fn base(&self, shape: Shape) -> Base {
+    pub fn base(&mut self, shape: Shape) -> Base {
         let axes = Axes::new(shape.scope.axes);
+        self.bases += 1;
         let material = self.leaf_tables.materials.id(shape.state.material());
-        Base { axes, raised: axes.raised(), shape, material }
+        Base { axes, raised: axes.raised(), shape, material, number: self.bases }
     }
 }

@@ -16,8 +16,9 @@ use super::error::WriteError;
 use super::flatten::{FlatFace, Flattener, corner_point, normal_map, unit};
 use super::room::Room;
 use super::table::Table;
-use super::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
+use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::material::Material;
+use crate::material::ids::MaterialId;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
 use crate::shape::axes::Axes;
@@ -50,16 +51,6 @@ struct Ids {
     /// Rule and material of the last leaf that fills its scope, unless another leaf came after it.
     last: Option<(u32, u32)>,
 }
-
-/// The indices of a box, counted from its first vertex.
-const BOX: [u32; 36] = {
-    let (mut list, mut at) = ([0; 36], 0);
-    while at < 36 {
-        list[at] = 4 * (at as u32 / 6) + [0, 1, 2, 0, 2, 3][at % 6];
-        at += 1;
-    }
-    list
-};
 
 /// Not yet known.
 const UNKNOWN: u32 = u32::MAX;
@@ -215,10 +206,15 @@ impl Buffers {
     /// Starts a new part unless the last one goes on.
     #[inline]
     fn run(&mut self, rule: u32, material: u32) {
+        self.run_at(rule, material, self.indices.len(), self.vertices.len() as u32);
+    }
+
+    #[inline]
+    fn run_at(&mut self, rule: u32, material: u32, index: usize, vertex: u32) {
         match self.runs.last() {
             Some(last) if last.rule == rule && last.material == material => {}
             _ => {
-                let run = Run { rule, material, index: self.indices.len(), vertex: self.vertices.len() as u32 };
+                let run = Run { rule, material, index, vertex };
                 self.runs.push(run);
             }
         }
@@ -241,17 +237,22 @@ impl Buffers {
 
     #[inline(never)]
     fn mark_other(&mut self, leaf: &Filled<'_>) {
+        let (rule, material) = self.numbers(leaf, leaf.shape.material);
+        self.ids.last = leaf.material_number().map(|material| (leaf.rule, material));
+        self.run(rule, material);
+    }
+
+    /// The numbers of the rule of a leaf and of a material in the table.
+    #[inline]
+    fn numbers(&mut self, leaf: &Filled<'_>, material: MaterialId) -> (u32, u32) {
         let Buffers { table, ids, .. } = self;
         let rule = Ids::find(&mut ids.rules, leaf.rule, || table.rule(leaf.rule()));
-        let (material, last) = match leaf.material_number() {
-            Some(number) => {
-                let material = Ids::find(&mut ids.materials, number, || table.material(leaf.material()));
-                (material, Some((leaf.rule, number)))
-            }
-            None => (table.material(leaf.material()), None),
+        let material = if material == MaterialId::OF_BASE {
+            table.material(leaf.of_id(material))
+        } else {
+            Ids::find(&mut ids.materials, material.0, || table.material(leaf.of_id(material)))
         };
-        ids.last = last;
-        self.run(rule, material);
+        (rule, material)
     }
 
     #[cold]
@@ -287,6 +288,36 @@ impl Buffers {
         ControlFlow::Continue(())
     }
 
+    /// Writes leaves of a part that repeats, for which there is room.
+    #[inline(never)]
+    fn repeat(&mut self, replay: &Replay<'_>, count: usize) {
+        let (start, first_index) = (self.vertices.len() as u32, self.indices.len());
+        let (mut vertex, mut index, mut leaf) = (start, first_index, 0);
+        for (filled, mark) in replay.marks() {
+            let (rule, material) = self.numbers(&filled, mark.material);
+            self.run_at(rule, material, index, vertex);
+            vertex += mark.corners as u32;
+            index += mark.corners / 4 * 6;
+            leaf += mark.leaves;
+        }
+        self.ids.last = None;
+        write_quad_indices(self.indices.take(count / 4 * 6), start);
+        let base = replay.origin() - self.origin;
+        let (faces, _) = self.vertices.take(count).as_chunks_mut::<4>();
+        let mut faces = faces.iter_mut();
+        for (placed, record, axes) in replay.leaves(0..leaf) {
+            let (origin, sides) = (base + placed.origin, placed.sides);
+            if record.form == Form::Box {
+                let cuboid = Cuboid { origin, sides, unit: record.unit };
+                write_box(faces.by_ref(), &cuboid, &axes.normals);
+            } else if let Some(to) = faces.next() {
+                let b = origin + sides.x_axis;
+                let corners = [origin, b, b + sides.y_axis, origin + sides.y_axis].map(four);
+                write_face(to, corners, axes.normals[0]);
+            }
+        }
+    }
+
     /// Writes a rectangle with that first corner and those sides.
     #[inline(always)]
     fn write_quad(&mut self, start: u32, a: DVec3, [u, v]: [DVec3; 2], normal: [f32; 3]) {
@@ -302,19 +333,9 @@ impl Buffers {
     /// Writes a box; `normals` are those of its sides.
     #[inline(always)]
     fn write_box(&mut self, start: u32, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
-        // Each corner is rounded once, so the three faces that meet there agree. Whole vectors are stored and loaded: parts of
-        // one would have to wait for each other.
-        let (o, [x, y, z]) = (cuboid.origin, [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis]);
-        let (p, q) = (o + y, o + z);
-        let r = p + z;
-        let corners = [four(o), four(o + x), four(p), four(p + x), four(q), four(q + x), four(r), four(r + x)];
         let (faces, _) = self.vertices.take(24).as_chunks_mut::<4>();
-        for (to, face) in faces.iter_mut().zip(cuboid.unit.sides()) {
-            write_face(to, face.corners.map(|corner| corners[usize::from(corner & 7)]), normals[face.side as usize]);
-        }
-        if let Some(to) = self.indices.take(36).first_chunk_mut::<36>() {
-            *to = std::array::from_fn(|at| start + BOX[at]);
-        }
+        write_box(faces.iter_mut(), cuboid, normals);
+        write_quad_indices(self.indices.take(36), start);
     }
 
     /// The number of the next vertex, if `more` of them fit.
@@ -351,6 +372,35 @@ impl Buffers {
 #[inline(always)]
 fn four(p: DVec3) -> Vec4 {
     Vec4::new(p.x as f32, p.y as f32, p.z as f32, 0.0)
+}
+
+/// Writes the faces of a box; `normals` are those of its sides.
+#[inline(always)]
+fn write_box<'v>(faces: impl Iterator<Item = &'v mut [Vertex; 4]>, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
+    // Each corner is rounded once, so the three faces that meet there agree. Whole vectors are stored and loaded: parts of
+    // one would have to wait for each other.
+    let (o, [x, y, z]) = (cuboid.origin, [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis]);
+    let (p, q) = (o + y, o + z);
+    let r = p + z;
+    let corners = [four(o), four(o + x), four(p), four(p + x), four(q), four(q + x), four(r), four(r + x)];
+    for (face, to) in cuboid.unit.sides().iter().zip(faces) {
+        write_face(to, face.corners.map(|corner| corners[usize::from(corner & 7)]), normals[face.side as usize]);
+    }
+}
+
+/// Writes the indices of quads whose vertices follow each other.
+#[inline(always)]
+fn write_quad_indices(to: &mut [u32], start: u32) {
+    const PAIR: [u32; 12] = [0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7];
+    let (pairs, rest) = to.as_chunks_mut::<12>();
+    let mut first = start;
+    for pair in pairs {
+        *pair = PAIR.map(|corner| first + corner);
+        first += 8;
+    }
+    for (to, corner) in rest.iter_mut().zip(PAIR) {
+        *to = first + corner;
+    }
 }
 
 /// Writes the four vertices of a face as six vectors.
@@ -394,6 +444,16 @@ impl Sink for Buffers {
             Form::Box => self.block(leaf),
             Form::Rect(_) | Form::Empty | Form::Other => self.pass(leaf),
         }
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        let count = replay.corner_count();
+        if !replay.is_plain() || self.limit - self.vertices.len() < count {
+            return replay.each(self);
+        }
+        self.repeat(replay, count);
+        self.pad_uvs();
+        ControlFlow::Continue(())
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {

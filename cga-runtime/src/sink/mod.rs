@@ -34,6 +34,7 @@ use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 
 pub use crate::place::{Cuboid, Quad};
+pub use crate::template::Replay;
 
 /// Go on, or stop the run.
 pub type Flow = ControlFlow<()>;
@@ -75,7 +76,13 @@ impl<'a> Filled<'a> {
     /// The material that the rules set.
     #[inline]
     pub fn material(&self) -> &'a Arc<Material> {
-        self.tables.materials.get(self.shape.material).unwrap_or(self.shape.base.shape.state.material())
+        self.of_id(self.shape.material)
+    }
+
+    /// The material with a number; the leaf's own base has the one without.
+    #[inline]
+    pub(crate) fn of_id(&self, id: MaterialId) -> &'a Arc<Material> {
+        self.tables.materials.get(id).unwrap_or(self.shape.base.shape.state.material())
     }
 
     /// The number of the material: equal numbers of a run are equal materials. Nothing for a material that few leaves have, such
@@ -128,6 +135,12 @@ pub trait Sink {
         leaf.pass_to(self)
     }
 
+    /// Leaves of a part that repeats. They go one by one to [`Sink::filled`] by default; a sink that writes many of them saves time
+    /// with all of them at once.
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        replay.each(self)
+    }
+
     /// A rectangle.
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         self.mesh(leaf, &Arc::new(quad.to_mesh()), &DAffine3::IDENTITY)
@@ -167,6 +180,10 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         (**self).filled(leaf)
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        (**self).replay(replay)
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {

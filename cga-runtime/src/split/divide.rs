@@ -25,19 +25,26 @@ fn check(env: &mut Env, sizes: &mut [Size], what: &'static str) {
 
 /// The extent to split: zero when there is nothing to divide, or too little.
 #[inline]
-pub fn extent(env: &Env, shape: &ShapeRef<'_>, axis: Axis) -> f64 {
+pub fn extent(env: &mut Env, shape: &ShapeRef<'_>, axis: Axis) -> f64 {
     let extent = match axis {
         Axis::X => shape.size.x,
         Axis::Y => shape.size.y,
         Axis::Z => shape.size.z,
     };
     let extent = extent.abs();
+    env.least_split = env.least_split.min(extent);
     if env.too_small < extent { extent } else { 0.0 }
 }
 
 /// The pieces of a split that the macro has solved: none where the shape is too small to be split.
 #[inline]
-pub fn solved(env: &Env, shape: &ShapeRef<'_>, axis: Axis, known: f64, pieces: &'static [Piece]) -> &'static [Piece] {
+pub fn solved(
+    env: &mut Env,
+    shape: &ShapeRef<'_>,
+    axis: Axis,
+    known: f64,
+    pieces: &'static [Piece],
+) -> &'static [Piece] {
     debug_assert_eq!(shape.size[axis.index()].abs(), known, "the macro knows the extent");
     if extent(env, shape, axis) == 0.0 { &[] } else { pieces }
 }

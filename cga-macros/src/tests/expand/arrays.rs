@@ -81,4 +81,12 @@ impl CgaRules {
             (p1 + cga_rt::func::element(env, ::core::clone::Clone::clone(&p0), 0f64))
         }
     }
+    fn cga_resume(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
+        shape: &mut cga_rt::ShapeRef<'_>,
+        call: CgaCall,
+    ) -> cga_rt::Flow {
+        match call {}
+    }
 }

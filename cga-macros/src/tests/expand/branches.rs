@@ -75,4 +75,12 @@ impl CgaRules {
         }
         cx.leave()
     }
+    fn cga_resume(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
+        shape: &mut cga_rt::ShapeRef<'_>,
+        call: CgaCall,
+    ) -> cga_rt::Flow {
+        match call {}
+    }
 }

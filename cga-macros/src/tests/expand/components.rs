@@ -97,4 +97,12 @@ impl CgaRules {
             }
         }
     }
+    fn cga_resume(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
+        shape: &mut cga_rt::ShapeRef<'_>,
+        call: CgaCall,
+    ) -> cga_rt::Flow {
+        match call {}
+    }
 }

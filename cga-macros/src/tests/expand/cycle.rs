@@ -58,4 +58,15 @@ impl CgaRules {
         }
         cx.leave()
     }
+    fn cga_resume(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
+        shape: &mut cga_rt::ShapeRef<'_>,
+        call: CgaCall,
+    ) -> cga_rt::Flow {
+        match call {
+            CgaCall::Rule0(a0) => CgaRules::A(g, cx, shape, a0),
+            CgaCall::Rule1(a0) => CgaRules::B(g, cx, shape, a0),
+        }
+    }
 }

@@ -41,6 +41,7 @@ impl cga_rt::Rules for CgaGrammar {
     type Call = CgaCall;
     const NAMES: &'static [&'static ::core::primitive::str] = &["Lot"];
     const LEAVES: &'static [&'static ::core::primitive::str] = &["X"];
+    const SETTLED: ::core::primitive::bool = false;
     const STARTS: &'static [cga_rt::StartRule] = &[cga_rt::StartRule::new("Lot")];
     const START_RULES: &'static [::core::primitive::u32] = &[0u32];
     const START_STYLES: &'static [::core::primitive::u32] = &[0u32];
@@ -79,6 +80,6 @@ impl cga_rt::Rules for CgaGrammar {
         shape: &mut cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
-        match call {}
+        CgaRules::cga_resume(g, cx, shape, call)
     }
 }

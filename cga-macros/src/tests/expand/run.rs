@@ -4,6 +4,7 @@ impl cga_rt::Rules for Tower {
     type Call = CgaCall;
     const NAMES: &'static [&'static ::core::primitive::str] = &["Lot", "Again"];
     const LEAVES: &'static [&'static ::core::primitive::str] = &["X"];
+    const SETTLED: ::core::primitive::bool = false;
     const STARTS: &'static [cga_rt::StartRule] = &[cga_rt::StartRule::new("Lot")];
     const START_RULES: &'static [::core::primitive::u32] = &[0u32];
     const START_STYLES: &'static [::core::primitive::u32] = &[0u32];
@@ -51,8 +52,6 @@ impl cga_rt::Rules for Tower {
         shape: &mut cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
-        match call {
-            CgaCall::Rule1(a0) => CgaRules::Again(g, cx, shape, a0),
-        }
+        CgaRules::cga_resume(g, cx, shape, call)
     }
 }

@@ -101,4 +101,12 @@ impl CgaRules {
         cx.symbol(shape, 2u32)?;
         cga_rt::Flow::Continue(())
     }
+    fn cga_resume(
+        g: &CgaValues,
+        cx: &mut cga_rt::Cx<'_, CgaCall>,
+        shape: &mut cga_rt::ShapeRef<'_>,
+        call: CgaCall,
+    ) -> cga_rt::Flow {
+        match call {}
+    }
 }

@@ -9,6 +9,7 @@ impl cga_rt::Rules for Tower {
         "Lot/1",
     ];
     const LEAVES: &'static [&'static ::core::primitive::str] = &["Y", "X"];
+    const SETTLED: ::core::primitive::bool = true;
     const STARTS: &'static [cga_rt::StartRule] = &[
         cga_rt::StartRule::new("Lot"),
         cga_rt::StartRule::new("Roof"),
@@ -65,6 +66,6 @@ impl cga_rt::Rules for Tower {
         shape: &mut cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
-        match call {}
+        CgaRules::cga_resume(g, cx, shape, call)
     }
 }

@@ -7,6 +7,7 @@ pub struct CgaValues {
     captured_0: ::core::primitive::f64,
     captured_1: cga_rt::Text,
 }
+#[derive(::core::clone::Clone)]
 pub enum CgaCall {
     Rule1(::core::primitive::f64, cga_rt::Text),
 }

@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec3};
 use super::{Buffers, Run, Vertex};
 use crate::mesh::Mesh;
 use crate::sink::flatten::normal_map;
-use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
+use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 
 /// The vertices of a box, which is never divided.
 const LEAST: usize = 24;
@@ -174,6 +174,14 @@ impl<F: FnMut(&Buffers) -> Flow> Sink for Chunks<F> {
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         self.room(leaf.corner_count())?;
         self.buffers.filled(leaf)
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        // Leaves go one by one where a chunk ends between them.
+        if self.full < self.buffers.vertices.len() + replay.corner_count() {
+            return replay.each(self);
+        }
+        self.buffers.replay(replay)
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {

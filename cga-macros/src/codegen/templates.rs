@@ -1,0 +1,94 @@
+//! Which parts that repeat are derived once and replayed, and which calls they leave out.
+
+use std::cell::Cell;
+use std::collections::HashSet;
+
+use cga_lang::facts::Facts;
+use cga_lang::ir::{Grammar, Item, RuleId, Step, Target};
+use cga_lang::ir_walk;
+
+use super::stack::Plan;
+
+/// The templates of a grammar.
+pub(super) struct Templates {
+    /// Calls that are left out while a template is made: from a rule to another.
+    holes: HashSet<(RuleId, RuleId)>,
+    /// Rules that are left out somewhere.
+    left_out: HashSet<RuleId>,
+    /// Places with a template so far.
+    places: Cell<u32>,
+}
+
+impl Templates {
+    pub(super) fn new(grammar: &Grammar, facts: &Facts, plan: &Plan) -> Self {
+        let is_open = |from: RuleId, to: RuleId| !facts.rule(to).own_rigid || plan.step(from, to).is_some();
+        let mut todo: Vec<RuleId> = Vec::new();
+        for (at, rule) in grammar.rules.iter().enumerate() {
+            ir_walk::steps(&rule.body, &mut |step| {
+                if let Step::Split(split) = step {
+                    let repeated = split.slots.iter().zip(in_groups(&split.pattern)).filter(|(_, is_in)| *is_in);
+                    todo.extend(repeated.filter_map(|(target, _)| root(target, RuleId(at as u32), facts, plan)));
+                }
+            });
+        }
+        let (mut met, mut holes): (HashSet<RuleId>, HashSet<(RuleId, RuleId)>) = Default::default();
+        while let Some(rule) = todo.pop() {
+            if !met.insert(rule) {
+                continue;
+            }
+            for called in ir_walk::called(&grammar.rules[rule.0 as usize].body) {
+                if is_open(rule, called) {
+                    holes.insert((rule, called));
+                } else {
+                    todo.push(called);
+                }
+            }
+        }
+        let left_out = holes.iter().map(|(_, rule)| *rule).collect();
+        Templates { holes, left_out, places: Cell::new(0) }
+    }
+
+    /// Whether a call may be met while a template is made, and is left out then.
+    pub(super) fn is_hole(&self, from: RuleId, to: RuleId) -> bool {
+        self.holes.contains(&(from, to))
+    }
+
+    /// Whether a call of a rule is left out somewhere.
+    pub(super) fn may_be_left_out(&self, rule: RuleId) -> bool {
+        self.left_out.contains(&rule)
+    }
+
+    /// The number of another place with a template.
+    pub(super) fn place(&self) -> u32 {
+        let place = self.places.get();
+        self.places.set(place + 1);
+        place
+    }
+}
+
+/// The rule of a slot in a group, if a template can be made of it: a rigid one without arguments that never waits.
+pub(super) fn root(target: &Target, from: RuleId, facts: &Facts, plan: &Plan) -> Option<RuleId> {
+    match target {
+        Target::Rule { rule, args, .. } if args.is_empty() && facts.rule(*rule).own_rigid => {
+            plan.step(from, *rule).is_none().then_some(*rule)
+        }
+        _ => None,
+    }
+}
+
+/// Whether each slot of a pattern is in a group.
+fn in_groups(pattern: &[Item]) -> impl Iterator<Item = bool> {
+    // Items left in the outermost group.
+    let mut inside = 0;
+    pattern.iter().filter_map(move |item| {
+        let is_in = 0 < inside;
+        inside -= u32::from(is_in);
+        match item {
+            Item::Repeat(len) => {
+                inside = inside.max(*len);
+                None
+            }
+            Item::Slot => Some(is_in),
+        }
+    })
+}

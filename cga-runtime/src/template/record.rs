@@ -1,0 +1,219 @@
+//! Making a template: a rule runs at the origin, into a sink that keeps the leaves.
+
+use std::collections::VecDeque;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::{Entry, Hole, INHERITED, Key, MOST, Mark, Record, Segment, Template, Templates, Turned};
+use crate::derive::{Cx, RuleFn};
+use crate::material::ids::MaterialId;
+use crate::mesh::Mesh;
+use crate::scope::Axis;
+use crate::seed::Seed;
+use crate::shape::ShapeRef;
+use crate::shape::base::{Base, Form};
+use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
+
+/// The holes of a template that is made.
+pub(crate) struct Tape<'r, C> {
+    /// The base of the shape at the origin.
+    base: &'r Base,
+    /// Leaves of the run, and rules on its trail, before the template.
+    leaves: u64,
+    trail: usize,
+    holes: Vec<Hole<C>>,
+    has_failed: bool,
+}
+
+/// Keeps leaves.
+struct Recorder<'r> {
+    base: &'r Base,
+    leaves: Vec<Record>,
+    frames: Vec<DMat3>,
+    has_failed: bool,
+}
+
+impl Recorder<'_> {
+    fn fail(&mut self) -> Flow {
+        self.has_failed = true;
+        ControlFlow::Break(())
+    }
+}
+
+impl Sink for Recorder<'_> {
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        let shape = leaf.shape;
+        let is_known = shape.material != MaterialId::OF_BASE || std::ptr::eq(shape.base, self.base);
+        if !is_known || MOST <= self.leaves.len() {
+            return self.fail();
+        }
+        let matrix = shape.axes.matrix;
+        let frame = self.frames.iter().position(|frame| *frame == matrix).unwrap_or_else(|| {
+            self.frames.push(matrix);
+            self.frames.len() - 1
+        });
+        self.leaves.push(Record {
+            origin: shape.origin,
+            size: shape.size,
+            unit: shape.unit,
+            form: shape.form,
+            frame: frame as u32,
+            rule: leaf.rule,
+            material: shape.material,
+        });
+        ControlFlow::Continue(())
+    }
+
+    fn quad(&mut self, _: &Leaf<'_>, _: &Quad) -> Flow {
+        self.fail()
+    }
+
+    fn cuboid(&mut self, _: &Leaf<'_>, _: &Cuboid) -> Flow {
+        self.fail()
+    }
+
+    fn mesh(&mut self, _: &Leaf<'_>, _: &Arc<Mesh>, _: &DAffine3) -> Flow {
+        self.fail()
+    }
+}
+
+impl<C: Clone> Cx<'_, C> {
+    /// Returns true while a template is made: calls that are not rigid become holes.
+    #[inline]
+    pub fn records(&self) -> bool {
+        self.tape.is_some()
+    }
+
+    /// Keeps a call as a hole of the template that is made. The call asks for levels of recursion and for so much of the stack.
+    #[cold]
+    #[inline(never)]
+    pub fn hole(&mut self, shape: &ShapeRef<'_>, levels: u32, stack: u32, call: C) -> Flow {
+        let Some(tape) = &mut self.tape else { return ControlFlow::Break(()) };
+        let is_raised = std::ptr::eq(shape.axes, tape.base.raised());
+        let has_base = std::ptr::eq(shape.base, tape.base);
+        if !has_base || !(is_raised || std::ptr::eq(shape.axes, tape.base.axes())) || MOST <= tape.holes.len() {
+            tape.has_failed = true;
+            return ControlFlow::Break(());
+        }
+        tape.holes.push(Hole {
+            at: (self.env.filled - tape.leaves) as usize,
+            origin: shape.origin,
+            size: shape.size,
+            unit: shape.unit,
+            form: shape.form,
+            is_raised,
+            material: shape.material,
+            seed: [0, shape.seed.value()],
+            split: shape.split,
+            levels,
+            stack,
+            call,
+            trail: self.env.trail_from(tape.trail),
+        });
+        ControlFlow::Continue(())
+    }
+
+    /// Makes the template for a shape and keeps it, or keeps that there is none.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn prepare<G>(
+        &mut self,
+        place: u32,
+        g: &G,
+        part: &ShapeRef<'_>,
+        rule: RuleFn<G, C>,
+    ) -> Option<Arc<Turned<C>>> {
+        let (least, too_small) = (self.env.least_split, self.env.too_small);
+        self.env.least_split = f64::INFINITY;
+        let template = self.record(g, part, rule, 0).and_then(|mut template| {
+            if template.holes.is_empty() {
+                return Some(template);
+            }
+            // A seed is affine in the seed of the repetition: two points give the line.
+            let other = self.record(g, part, rule, 1)?;
+            for (hole, other) in template.holes.iter_mut().zip(&other.holes) {
+                let [_, at_zero] = hole.seed;
+                hole.seed = [other.seed[1].wrapping_sub(at_zero), at_zero];
+            }
+            (template.holes.len() == other.holes.len()).then_some(template)
+        });
+        // Of two runs whose limits differ, both make the same of extents above the largest limit.
+        let no_matter = crate::env::TOO_SMALL.1 < self.env.least_split;
+        self.env.least_split = least.min(self.env.least_split);
+        let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
+        let turned = template.map(|template| Arc::new(Arc::new(template).turned(part.base.number, part.axes)));
+        self.templates.keep(place, Entry { key, turned: turned.clone() });
+        turned
+    }
+
+    /// Derives a rule at the origin. Nothing where it leaves more than leaves that fill their scopes and holes.
+    fn record<G>(&mut self, g: &G, part: &ShapeRef<'_>, rule: RuleFn<G, C>, seed: u64) -> Option<Template<C>> {
+        let before = self.env.state();
+        let base = Base::at_origin(part);
+        let mut recorder =
+            Recorder { base: &base, leaves: Vec::new(), frames: vec![DMat3::IDENTITY], has_failed: false };
+        let tape = Tape {
+            base: &base,
+            leaves: self.env.filled,
+            trail: self.env.trail_len(),
+            holes: Vec::new(),
+            has_failed: false,
+        };
+        let mut templates = Templates::default();
+        let mut cx = Cx {
+            env: self.env,
+            sink: &mut recorder,
+            waiting: VecDeque::new(),
+            stack: self.stack,
+            depth: self.depth,
+            templates: &mut templates,
+            tape: Some(tape),
+        };
+        let mut shape = ShapeRef {
+            origin: DVec3::ZERO,
+            axes: base.axes(),
+            base: &base,
+            seed: Seed::new(seed),
+            split: INHERITED,
+            ..*part
+        };
+        let flow = rule(g, &mut cx, &mut shape);
+        let is_complete = flow.is_continue() && cx.waiting.is_empty();
+        let Tape { holes, has_failed: is_lost, .. } = cx.tape.take()?;
+        let Recorder { leaves, frames, has_failed, .. } = recorder;
+        let shapes = self.env.shapes.saturating_sub(before.shapes);
+        let is_quiet = self.env.restore(before);
+        if !is_complete || !is_quiet || has_failed || is_lost {
+            return None;
+        }
+        let (segments, marks) = segments(&leaves, holes.iter().map(|hole| hole.at));
+        Some(Template { shapes, leaves, frames, segments, marks, holes })
+    }
+}
+
+/// Divides leaves at the holes, and finds those after each other with equal rule and material.
+fn segments(leaves: &[Record], holes: impl Iterator<Item = usize>) -> (Vec<Segment>, Vec<Mark>) {
+    let (mut segments, mut marks) = (Vec::new(), Vec::<Mark>::new());
+    let mut start = 0;
+    for end in holes.chain([leaves.len()]) {
+        let first = marks.len();
+        let (mut corners, mut is_plain) = (0, true);
+        for leaf in &leaves[start..end] {
+            let own = 4 * leaf.unit.face_count();
+            corners += own;
+            is_plain &= matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box);
+            match marks[first..].last_mut() {
+                Some(mark) if mark.rule == leaf.rule && mark.material == leaf.material => {
+                    mark.leaves += 1;
+                    mark.corners += own;
+                }
+                _ => marks.push(Mark { rule: leaf.rule, material: leaf.material, leaves: 1, corners: own }),
+            }
+        }
+        segments.push(Segment { leaves: start..end, marks: first..marks.len(), corners, is_plain });
+        start = end;
+    }
+    (segments, marks)
+}
