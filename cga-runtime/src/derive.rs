@@ -225,12 +225,11 @@ pub(crate) struct Start {
 pub(crate) struct Kept<C> {
     templates: Templates<C>,
     materials: MaterialIds,
-    bases: u64,
 }
 
 impl<C> Default for Kept<C> {
     fn default() -> Self {
-        Kept { templates: Templates::default(), materials: MaterialIds::default(), bases: 0 }
+        Kept { templates: Templates::default(), materials: MaterialIds::default() }
     }
 }
 
@@ -238,7 +237,7 @@ impl<C> Kept<C> {
     /// A run begins. Templates and painted materials of attributes that are computed for each initial shape are of no use to it.
     fn begin(&mut self, is_settled: bool) {
         if !is_settled || self.materials.is_full() {
-            *self = Kept { bases: self.bases, ..Kept::default() };
+            *self = Kept::default();
         }
     }
 }
@@ -264,7 +263,6 @@ pub(crate) fn run<R: Rules>(
     sink.begin();
     kept.begin(R::SETTLED);
     std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
-    env.bases = kept.bases;
     let mut cx = Cx {
         env: &mut env,
         sink,
@@ -288,7 +286,6 @@ pub(crate) fn run<R: Rules>(
         let base = cx.env.base(next.shape);
         flow = R::resume(&values, &mut cx, &mut base.shape(), next.call);
     }
-    kept.bases = env.bases;
     std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
     env.tell_watch(flow.is_continue());
     let (faults, faults_left_out) = env.take_faults();

@@ -84,8 +84,6 @@ pub struct Env {
     pub(crate) filled: u64,
     /// Where counting leaves the fast path: at a limit, or where a watch is asked.
     pub(crate) checkpoint: Checkpoint,
-    /// Bases made so far.
-    pub(crate) bases: u64,
     /// The least extent that was to be split.
     pub(crate) least_split: f64,
     vertices: u64,
@@ -193,7 +191,6 @@ impl Env {
             leaves: 0,
             filled: 0,
             checkpoint: Checkpoint::first(settings),
-            bases: 0,
             least_split: f64::INFINITY,
             vertices: 0,
             calls: 0,

@@ -13,7 +13,7 @@ mod record;
 mod replay;
 
 use std::ops::Range;
-use std::sync::Arc;
+use std::rc::Rc;
 
 use glam::{DMat3, DVec3};
 
@@ -29,7 +29,11 @@ pub use replay::Replay;
 /// The templates of a place in the rules that are kept, the last ones used.
 const KEPT: usize = 16;
 
-/// The leaves, and the holes, that a template has at most.
+/// The axes that a template is kept along, the last ones used: four for buildings along the axes of the world.
+const KEPT_AXES: usize = 4;
+
+/// The leaves, and the holes, that a template has at most. The leaves of small ones stay in the nearest cache
+/// while they are written again and again.
 const MOST: usize = 64;
 
 /// The templates of a session, by place in the rules.
@@ -42,7 +46,9 @@ pub(crate) struct Templates<C> {
 #[derive(Debug)]
 struct Entry<C> {
     key: Key,
-    turned: Option<Arc<Turned<C>>>,
+    template: Option<Rc<Template<C>>>,
+    /// The template along the axes of bases, those used last at the end.
+    turned: Vec<Rc<Turned>>,
 }
 
 /// The properties of a shape that its template depends on.
@@ -61,13 +67,22 @@ struct Key {
 struct Template<C> {
     /// Shapes derived, without leaves.
     shapes: u64,
+    body: Body,
+    holes: Vec<Hole<C>>,
+}
+
+/// The leaves of a template.
+#[derive(Debug)]
+struct Body {
+    /// The number of the template among all of the process.
+    number: u64,
     leaves: Vec<Record>,
     /// The axes of leaves.
     frames: Vec<DMat3>,
-    /// The stretches of leaves before, between and behind the holes.
+    /// The stretches of leaves before, between and after the holes.
     segments: Vec<Segment>,
     marks: Vec<Mark>,
-    holes: Vec<Hole<C>>,
+    rows: Vec<Row>,
 }
 
 /// A leaf at its place in a template.
@@ -89,6 +104,7 @@ pub(crate) struct Record {
 struct Segment {
     leaves: Range<usize>,
     marks: Range<usize>,
+    rows: Range<usize>,
     /// The number of vertices when faces share none.
     corners: usize,
     /// True if all leaves are boxes or rectangles across z.
@@ -100,8 +116,16 @@ struct Segment {
 pub(crate) struct Mark {
     pub(crate) rule: u32,
     pub(crate) material: MaterialId,
-    pub(crate) leaves: usize,
-    pub(crate) corners: usize,
+    /// Vertices of the segment before these leaves.
+    pub(crate) corners: u32,
+}
+
+/// Leaves after each other that are rectangles, or boxes, along the same axes.
+#[derive(Clone, Debug)]
+pub(crate) struct Row {
+    pub(crate) is_box: bool,
+    frame: u32,
+    leaves: Range<usize>,
 }
 
 /// A call of a rule that each repetition makes itself.
@@ -127,18 +151,15 @@ struct Hole<C> {
     trail: Box<[u32]>,
 }
 
-/// A template along the axes of a base.
+/// A template along the axes of bases.
 #[derive(Debug)]
-struct Turned<C> {
-    template: Arc<Template<C>>,
-    /// The number of the base.
-    base: u64,
+struct Turned {
     axes: Vec<Axes>,
     leaves: Vec<Placed>,
     holes: Vec<DVec3>,
 }
 
-/// A leaf, relative to the origin of the repetition, in the world.
+/// A leaf, relative to the origin of the repetition, in the world: its origin and its sides.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placed {
     pub(crate) origin: DVec3,
@@ -185,7 +206,7 @@ impl<C> Templates<C> {
         list.last_mut()
     }
 
-    fn keep(&mut self, place: u32, entry: Entry<C>) {
+    fn keep(&mut self, place: u32, entry: Entry<C>) -> Option<&mut Entry<C>> {
         let place = place as usize;
         if self.places.len() <= place {
             self.places.resize_with(place + 1, Vec::new);
@@ -195,29 +216,53 @@ impl<C> Templates<C> {
             list.remove(0);
         }
         list.push(entry);
+        list.last_mut()
+    }
+}
+
+impl<C> Entry<C> {
+    /// The template along axes, if there is a template.
+    #[inline]
+    fn turned(&mut self, axes: &Axes) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
+        let template = self.template.clone()?;
+        let turned = match self.turned.last() {
+            Some(last) if last.axes[0].matrix == axes.matrix => last.clone(),
+            _ => self.turn(&template, axes),
+        };
+        Some((template, turned))
+    }
+
+    #[inline(never)]
+    fn turn(&mut self, template: &Template<C>, axes: &Axes) -> Rc<Turned> {
+        let turned = match self.turned.iter().position(|turned| turned.axes[0].matrix == axes.matrix) {
+            Some(at) => self.turned.remove(at),
+            None => {
+                if self.turned.len() == KEPT_AXES {
+                    self.turned.remove(0);
+                }
+                Rc::new(template.turned(axes))
+            }
+        };
+        self.turned.push(turned.clone());
+        turned
     }
 }
 
 impl<C> Template<C> {
-    /// Turns it to the axes of a base.
-    fn turned(self: &Arc<Self>, base: u64, axes: &Axes) -> Turned<C> {
-        let frames: Vec<Axes> = self
-            .frames
-            .iter()
-            .map(|frame| if *frame == DMat3::IDENTITY { *axes } else { Axes::new(axes.matrix * *frame) })
-            .collect();
-        let leaves = self.leaves.iter().map(|leaf| {
+    /// Turns it to axes.
+    fn turned(&self, axes: &Axes) -> Turned {
+        let turn = |frame: &DMat3| if *frame == DMat3::IDENTITY { *axes } else { Axes::new(axes.matrix * *frame) };
+        let frames: Vec<Axes> = self.body.frames.iter().map(turn).collect();
+        let leaves = self.body.leaves.iter().map(|leaf| {
             let frame = &frames[leaf.frame as usize].matrix;
             let sides =
                 DMat3::from_cols(frame.x_axis * leaf.size.x, frame.y_axis * leaf.size.y, frame.z_axis * leaf.size.z);
             Placed { origin: axes.matrix * leaf.origin, sides }
         });
         Turned {
-            base,
             leaves: leaves.collect(),
             holes: self.holes.iter().map(|hole| axes.matrix * hole.origin).collect(),
             axes: frames,
-            template: self.clone(),
         }
     }
 }

@@ -16,8 +16,6 @@ pub struct Base {
     raised: Axes,
     pub(crate) shape: Shape,
     material: MaterialId,
-    /// The number of the base in its session; 0 for one at the origin.
-    pub(crate) number: u64,
 }
 
 /// The geometry of a slim shape. All forms but `Other` have sizes of 0 or more.
@@ -66,7 +64,7 @@ impl Base {
             state: part.base.shape.state.clone(),
         };
         let axes = Axes::new(scope.axes);
-        Base { axes, raised: axes.raised(), shape, material: part.material, number: 0 }
+        Base { axes, raised: axes.raised(), shape, material: part.material }
     }
 
     #[inline]
@@ -120,10 +118,9 @@ impl Env {
 
     /// A base for slim shapes.
     #[inline(never)]
-    pub fn base(&mut self, shape: Shape) -> Base {
+    pub fn base(&self, shape: Shape) -> Base {
         let axes = Axes::new(shape.scope.axes);
-        self.bases += 1;
         let material = self.leaf_tables.materials.id(shape.state.material());
-        Base { axes, raised: axes.raised(), shape, material, number: self.bases }
+        Base { axes, raised: axes.raised(), shape, material }
     }
 }

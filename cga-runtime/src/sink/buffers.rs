@@ -50,7 +50,21 @@ struct Ids {
     materials: Vec<u32>,
     /// Rule and material of the last leaf that fills its scope, unless another leaf came after it.
     last: Option<(u32, u32)>,
+    /// Parts that were replayed, each at the place that its number gives.
+    replayed: [Marks; PARTS_KNOWN],
 }
+
+/// The marks of a part that repeats, as numbers of the table.
+#[derive(Debug, Default)]
+struct Marks {
+    part: (u64, usize),
+    /// True if no two after each other are equal.
+    is_distinct: bool,
+    marks: Vec<(u32, u32)>,
+}
+
+/// Parts that repeat whose marks are known.
+const PARTS_KNOWN: usize = 32;
 
 /// Not yet known.
 const UNKNOWN: u32 = u32::MAX;
@@ -141,6 +155,7 @@ impl Buffers {
         self.runs.clear();
         self.table.clear();
         self.begin();
+        self.ids.replayed.iter_mut().for_each(|known| known.part = (0, 0));
         self.full = false;
     }
 
@@ -292,29 +307,72 @@ impl Buffers {
     #[inline(never)]
     fn repeat(&mut self, replay: &Replay<'_>, count: usize) {
         let (start, first_index) = (self.vertices.len() as u32, self.indices.len());
-        let (mut vertex, mut index, mut leaf) = (start, first_index, 0);
-        for (filled, mark) in replay.marks() {
-            let (rule, material) = self.numbers(&filled, mark.material);
-            self.run_at(rule, material, index, vertex);
-            vertex += mark.corners as u32;
-            index += mark.corners / 4 * 6;
-            leaf += mark.leaves;
-        }
-        self.ids.last = None;
+        self.mark_all(replay, start, first_index);
         write_quad_indices(self.indices.take(count / 4 * 6), start);
         let base = replay.origin() - self.origin;
-        let (faces, _) = self.vertices.take(count).as_chunks_mut::<4>();
-        let mut faces = faces.iter_mut();
-        for (placed, record, axes) in replay.leaves(0..leaf) {
-            let (origin, sides) = (base + placed.origin, placed.sides);
-            if record.form == Form::Box {
-                let cuboid = Cuboid { origin, sides, unit: record.unit };
-                write_box(faces.by_ref(), &cuboid, &axes.normals);
-            } else if let Some(to) = faces.next() {
-                let b = origin + sides.x_axis;
-                let corners = [origin, b, b + sides.y_axis, origin + sides.y_axis].map(four);
-                write_face(to, corners, axes.normals[0]);
+        let (mut faces, _) = self.vertices.take(count).as_chunks_mut::<4>();
+        for (row, axes, placed, records) in replay.rows() {
+            let each = if row.is_box { 6 } else { 1 };
+            let (own, rest) = faces.split_at_mut(each * placed.len());
+            faces = rest;
+            if row.is_box {
+                for ((to, placed), record) in own.as_chunks_mut::<6>().0.iter_mut().zip(placed).zip(records) {
+                    let cuboid = Cuboid { origin: base + placed.origin, sides: placed.sides, unit: record.unit };
+                    write_box(to, &cuboid, &axes.normals);
+                }
+            } else {
+                let normal = axes.normals[0];
+                for (to, placed) in own.iter_mut().zip(placed) {
+                    let a = base + placed.origin;
+                    let (b, d) = (a + placed.sides.x_axis, a + placed.sides.y_axis);
+                    write_face(to, [four(a), four(b), four(b + placed.sides.y_axis), four(d)], normal);
+                }
             }
+        }
+    }
+
+    /// Finds the numbers of rules and materials of a part that repeats.
+    #[cold]
+    #[inline(never)]
+    fn find_marks(&mut self, replay: &Replay<'_>, place: usize) {
+        let mut marks = std::mem::take(&mut self.ids.replayed[place].marks);
+        marks.clear();
+        marks.extend(replay.marks().iter().map(|mark| self.numbers(&replay.leaf_of(*mark), mark.material)));
+        // The material of a base is another one for the next base.
+        let is_known = replay.marks().iter().all(|mark| mark.material != MaterialId::OF_BASE);
+        let is_distinct = marks.windows(2).all(|pair| pair[0] != pair[1]);
+        let part = if is_known { replay.number() } else { (0, 0) };
+        self.ids.replayed[place] = Marks { part, is_distinct, marks };
+    }
+
+    /// Notes rules and materials of leaves that repeat.
+    #[inline]
+    fn mark_all(&mut self, replay: &Replay<'_>, start: u32, first_index: usize) {
+        let number = replay.number();
+        let place = (number.0 as usize ^ number.1) % PARTS_KNOWN;
+        if self.ids.replayed[place].part != number {
+            self.find_marks(replay, place);
+        }
+        self.ids.last = None;
+        let Buffers { ids, runs, .. } = self;
+        let Marks { is_distinct, marks: numbers, .. } = &ids.replayed[place];
+        let new = replay.marks().iter().zip(numbers).map(|(mark, &(rule, material))| Run {
+            rule,
+            material,
+            index: first_index + mark.corners as usize / 4 * 6,
+            vertex: start + mark.corners,
+        });
+        let goes_on = |last: &Run, next: &Run| (last.rule, last.material) == (next.rule, next.material);
+        if *is_distinct {
+            let first = numbers.first().zip(runs.last());
+            let skip = first.is_some_and(|(first, last)| *first == (last.rule, last.material));
+            runs.extend(new.skip(usize::from(skip)));
+        } else {
+            new.for_each(|next| {
+                if !runs.last().is_some_and(|last| goes_on(last, &next)) {
+                    runs.push(next);
+                }
+            });
         }
     }
 
@@ -334,7 +392,9 @@ impl Buffers {
     #[inline(always)]
     fn write_box(&mut self, start: u32, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
         let (faces, _) = self.vertices.take(24).as_chunks_mut::<4>();
-        write_box(faces.iter_mut(), cuboid, normals);
+        if let Some(to) = faces.first_chunk_mut::<6>() {
+            write_box(to, cuboid, normals);
+        }
         write_quad_indices(self.indices.take(36), start);
     }
 
@@ -376,14 +436,14 @@ fn four(p: DVec3) -> Vec4 {
 
 /// Writes the faces of a box; `normals` are those of its sides.
 #[inline(always)]
-fn write_box<'v>(faces: impl Iterator<Item = &'v mut [Vertex; 4]>, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
+fn write_box(to: &mut [[Vertex; 4]; 6], cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
     // Each corner is rounded once, so the three faces that meet there agree. Whole vectors are stored and loaded: parts of
     // one would have to wait for each other.
     let (o, [x, y, z]) = (cuboid.origin, [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis]);
     let (p, q) = (o + y, o + z);
     let r = p + z;
     let corners = [four(o), four(o + x), four(p), four(p + x), four(q), four(q + x), four(r), four(r + x)];
-    for (face, to) in cuboid.unit.sides().iter().zip(faces) {
+    for (face, to) in cuboid.unit.sides().iter().zip(to) {
         write_face(to, face.corners.map(|corner| corners[usize::from(corner & 7)]), normals[face.side as usize]);
     }
 }

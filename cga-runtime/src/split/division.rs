@@ -91,7 +91,8 @@ impl<'s> Division<'s> {
             Axis::Y => matrix.y_axis,
             Axis::Z => matrix.z_axis,
         };
-        let mut part = *whole;
+        // Not a plain copy: fields that were written one by one and are read together are waited for.
+        let mut part = ShapeRef { origin: DVec3::ZERO, split: Counter::NONE, ..*whole };
         // What is flat across another axis has no thickness.
         if adjust == Adjust::Adjust
             && let Form::Rect(across) = whole.form

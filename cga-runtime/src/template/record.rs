@@ -2,11 +2,13 @@
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
+use std::rc::Rc;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::{Entry, Hole, INHERITED, Key, MOST, Mark, Record, Segment, Template, Templates, Turned};
+use super::{Body, Entry, Hole, INHERITED, Key, MOST, Mark, Record, Row, Segment, Template, Templates, Turned};
 use crate::derive::{Cx, RuleFn};
 use crate::material::ids::MaterialId;
 use crate::mesh::Mesh;
@@ -15,6 +17,9 @@ use crate::seed::Seed;
 use crate::shape::ShapeRef;
 use crate::shape::base::{Base, Form};
 use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
+
+/// The number of the next template. Numbers are in no output: they tell templates of all sessions apart.
+static NUMBER: AtomicU64 = AtomicU64::new(1);
 
 /// The holes of a template that is made.
 pub(crate) struct Tape<'r, C> {
@@ -124,7 +129,7 @@ impl<C: Clone> Cx<'_, C> {
         g: &G,
         part: &ShapeRef<'_>,
         rule: RuleFn<G, C>,
-    ) -> Option<Arc<Turned<C>>> {
+    ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
         let (least, too_small) = (self.env.least_split, self.env.too_small);
         self.env.least_split = f64::INFINITY;
         let template = self.record(g, part, rule, 0).and_then(|mut template| {
@@ -143,9 +148,8 @@ impl<C: Clone> Cx<'_, C> {
         let no_matter = crate::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
         let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
-        let turned = template.map(|template| Arc::new(Arc::new(template).turned(part.base.number, part.axes)));
-        self.templates.keep(place, Entry { key, turned: turned.clone() });
-        turned
+        let entry = Entry { key, template: template.map(Rc::new), turned: Vec::new() };
+        self.templates.keep(place, entry)?.turned(part.axes)
     }
 
     /// Derives a rule at the origin. Nothing where it leaves more than leaves that fill their scopes and holes.
@@ -188,32 +192,42 @@ impl<C: Clone> Cx<'_, C> {
         if !is_complete || !is_quiet || has_failed || is_lost {
             return None;
         }
-        let (segments, marks) = segments(&leaves, holes.iter().map(|hole| hole.at));
-        Some(Template { shapes, leaves, frames, segments, marks, holes })
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let body = Body { number, leaves, frames, segments: Vec::new(), marks: Vec::new(), rows: Vec::new() };
+        Some(Template { shapes, body: body.divided(holes.iter().map(|hole| hole.at)), holes })
     }
 }
 
-/// Divides leaves at the holes, and finds those after each other with equal rule and material.
-fn segments(leaves: &[Record], holes: impl Iterator<Item = usize>) -> (Vec<Segment>, Vec<Mark>) {
-    let (mut segments, mut marks) = (Vec::new(), Vec::<Mark>::new());
-    let mut start = 0;
-    for end in holes.chain([leaves.len()]) {
-        let first = marks.len();
-        let (mut corners, mut is_plain) = (0, true);
-        for leaf in &leaves[start..end] {
-            let own = 4 * leaf.unit.face_count();
-            corners += own;
-            is_plain &= matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box);
-            match marks[first..].last_mut() {
-                Some(mark) if mark.rule == leaf.rule && mark.material == leaf.material => {
-                    mark.leaves += 1;
-                    mark.corners += own;
+impl Body {
+    /// Divides the leaves at the holes, and finds those after each other that are alike.
+    fn divided(mut self, holes: impl Iterator<Item = usize>) -> Self {
+        let ends = holes.chain([self.leaves.len()]);
+        let mut start = 0;
+        for end in ends {
+            let (first_mark, first_row) = (self.marks.len(), self.rows.len());
+            let (mut corners, mut is_plain) = (0, true);
+            for (at, leaf) in self.leaves[..end].iter().enumerate().skip(start) {
+                is_plain &= matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box);
+                match self.marks[first_mark..].last() {
+                    Some(mark) if mark.rule == leaf.rule && mark.material == leaf.material => {}
+                    _ => self.marks.push(Mark { rule: leaf.rule, material: leaf.material, corners: corners as u32 }),
                 }
-                _ => marks.push(Mark { rule: leaf.rule, material: leaf.material, leaves: 1, corners: own }),
+                let is_box = leaf.form == Form::Box;
+                match self.rows[first_row..].last_mut() {
+                    Some(row) if row.is_box == is_box && row.frame == leaf.frame => row.leaves.end += 1,
+                    _ => self.rows.push(Row { is_box, frame: leaf.frame, leaves: at..at + 1 }),
+                }
+                corners += 4 * leaf.unit.face_count();
             }
+            self.segments.push(Segment {
+                leaves: start..end,
+                marks: first_mark..self.marks.len(),
+                rows: first_row..self.rows.len(),
+                corners,
+                is_plain,
+            });
+            start = end;
         }
-        segments.push(Segment { leaves: start..end, marks: first..marks.len(), corners, is_plain });
-        start = end;
+        self
     }
-    (segments, marks)
 }

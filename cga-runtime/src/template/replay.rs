@@ -1,10 +1,8 @@
 //! Repeating a template: its leaves go to the sink, its holes are called.
 
-use std::ops::Range;
-
 use glam::DVec3;
 
-use super::{INHERITED, Mark, Placed, Record, Template, Turned};
+use super::{Body, Hole, INHERITED, Mark, Placed, Record, Row, Segment, Template, Turned};
 use crate::derive::{Cx, ResumeFn, RuleFn};
 use crate::env::LeafTables;
 use crate::seed::Seed;
@@ -18,53 +16,31 @@ use crate::sink::{Filled, Flow, Sink};
 pub struct Replay<'a> {
     part: &'a ShapeRef<'a>,
     tables: &'a LeafTables,
-    axes: &'a [Axes],
-    records: &'a [Record],
-    placed: &'a [Placed],
-    marks: &'a [Mark],
-    corners: usize,
-    is_plain: bool,
+    body: &'a Body,
+    turned: &'a Turned,
+    segment: &'a Segment,
 }
 
 impl<'a> Replay<'a> {
-    fn new<C>(
-        template: &'a Template<C>,
-        turned: &'a Turned<C>,
-        segment: usize,
-        part: &'a ShapeRef<'a>,
-        tables: &'a LeafTables,
-    ) -> Self {
-        let segment = &template.segments[segment];
-        Replay {
-            part,
-            tables,
-            axes: &turned.axes,
-            records: &template.leaves[segment.leaves.clone()],
-            placed: &turned.leaves[segment.leaves.clone()],
-            marks: &template.marks[segment.marks.clone()],
-            corners: segment.corners,
-            is_plain: segment.is_plain,
-        }
-    }
-
     /// The number of leaves.
     pub fn leaf_count(&self) -> usize {
-        self.records.len()
+        self.segment.leaves.len()
     }
 
     /// The number of vertices when faces share none.
     pub fn corner_count(&self) -> usize {
-        self.corners
+        self.segment.corners
     }
 
     /// Hands the leaves one by one to [`Sink::filled`].
     #[inline]
     pub fn each<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
-        for (record, placed) in self.records.iter().zip(self.placed) {
+        let range = self.segment.leaves.clone();
+        for (record, placed) in self.body.leaves[range.clone()].iter().zip(&self.turned.leaves[range]) {
             let shape = ShapeRef {
                 origin: self.part.origin + placed.origin,
                 size: record.size,
-                axes: &self.axes[record.frame as usize],
+                axes: &self.turned.axes[record.frame as usize],
                 unit: record.unit,
                 form: record.form,
                 material: record.material,
@@ -77,24 +53,32 @@ impl<'a> Replay<'a> {
 
     /// True if all leaves are boxes or rectangles across z.
     pub(crate) fn is_plain(&self) -> bool {
-        self.is_plain
+        self.segment.is_plain
     }
 
-    /// The leaves after each other with equal rule and material, each with its first leaf.
-    pub(crate) fn marks(&self) -> impl Iterator<Item = (Filled<'a>, Mark)> {
-        let Replay { part, tables, .. } = *self;
-        self.marks.iter().map(move |mark| (Filled { shape: part, tables, rule: mark.rule }, *mark))
+    /// The numbers of the template and of the segment: parts with equal numbers differ only in their place and their axes, and
+    /// where a material has no number in that.
+    pub(crate) fn number(&self) -> (u64, usize) {
+        (self.body.number, self.segment.leaves.start)
     }
 
-    /// A stretch of leaves: their places, and the normals and units of their boxes.
-    #[inline]
-    pub(crate) fn leaves(&self, range: Range<usize>) -> impl Iterator<Item = (&'a Placed, &'a Record, &'a Axes)> {
-        let axes = self.axes;
-        let records = &self.records[range.clone()];
-        self.placed[range]
-            .iter()
-            .zip(records)
-            .map(move |(placed, record)| (placed, record, &axes[record.frame as usize]))
+    /// The leaves after each other with equal rule and material.
+    pub(crate) fn marks(&self) -> &'a [Mark] {
+        &self.body.marks[self.segment.marks.clone()]
+    }
+
+    /// A leaf with the rule of a mark. Its shape is the whole part.
+    pub(crate) fn leaf_of(&self, mark: Mark) -> Filled<'a> {
+        Filled { shape: self.part, tables: self.tables, rule: mark.rule }
+    }
+
+    /// The leaves in rows: boxes or rectangles, their axes, their places and their records.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a Row, &'a Axes, &'a [Placed], &'a [Record])> {
+        let Replay { body, turned, segment, .. } = *self;
+        body.rows[segment.rows.clone()].iter().map(move |row| {
+            let axes = &turned.axes[row.frame as usize];
+            (row, axes, &turned.leaves[row.leaves.clone()], &body.leaves[row.leaves.clone()])
+        })
     }
 
     /// The place of the repetition.
@@ -120,38 +104,38 @@ impl<C: Clone> Cx<'_, C> {
             return rule(g, self, part);
         }
         let turned = match self.templates.find(place, part, self.env.too_small) {
+            Some(entry) => entry.turned(part.axes),
             None => self.prepare(place, g, part, rule),
-            Some(entry) => {
-                if let Some(turned) = &mut entry.turned
-                    && turned.base != part.base.number
-                {
-                    *turned = turned.template.turned(part.base.number, part.axes).into();
-                }
-                entry.turned.clone()
-            }
         };
         match turned {
             None => rule(g, self, part),
-            Some(turned) => self.replay(&turned, g, part, resume),
+            Some((template, turned)) => self.replay(&template, &turned, g, part, resume),
         }
     }
 
     #[inline(never)]
-    fn replay<G>(&mut self, turned: &Turned<C>, g: &G, part: &ShapeRef<'_>, resume: ResumeFn<G, C>) -> Flow {
-        let template = &*turned.template;
-        let count = template.shapes + template.leaves.len() as u64;
+    fn replay<G>(
+        &mut self,
+        template: &Template<C>,
+        turned: &Turned,
+        g: &G,
+        part: &ShapeRef<'_>,
+        resume: ResumeFn<G, C>,
+    ) -> Flow {
+        let body = &template.body;
+        let count = template.shapes + body.leaves.len() as u64;
         if !self.env.has_room(count) {
             self.env.make_room(count)?;
         }
         self.env.shapes += template.shapes;
-        for (segment, leaves) in template.segments.iter().enumerate() {
-            if !leaves.leaves.is_empty() {
-                self.env.filled += leaves.leaves.len() as u64;
-                let replay = Replay::new(template, turned, segment, part, &self.env.leaf_tables);
-                self.sink.replay(&replay)?;
+        let mut holes = template.holes.iter().zip(&turned.holes);
+        for segment in &body.segments {
+            if !segment.leaves.is_empty() {
+                self.env.filled += segment.leaves.len() as u64;
+                self.sink.replay(&Replay { part, tables: &self.env.leaf_tables, body, turned, segment })?;
             }
-            if segment < template.holes.len() {
-                self.fill(turned, segment, g, part, resume)?;
+            if let Some((hole, offset)) = holes.next() {
+                self.fill(hole, part.origin + *offset, g, part, resume)?;
             }
         }
         Flow::Continue(())
@@ -160,16 +144,15 @@ impl<C: Clone> Cx<'_, C> {
     /// Calls the rule of a hole.
     fn fill<G>(
         &mut self,
-        turned: &Turned<C>,
-        number: usize,
+        hole: &Hole<C>,
+        origin: DVec3,
         g: &G,
         part: &ShapeRef<'_>,
         resume: ResumeFn<G, C>,
     ) -> Flow {
-        let hole = &turned.template.holes[number];
         let [factor, sum] = hole.seed;
         let mut shape = ShapeRef {
-            origin: part.origin + turned.holes[number],
+            origin,
             size: hole.size,
             axes: if hole.is_raised { part.base.raised() } else { part.axes },
             unit: hole.unit,
@@ -177,7 +160,7 @@ impl<C: Clone> Cx<'_, C> {
             material: hole.material,
             seed: Seed::new(part.seed.value().wrapping_mul(factor).wrapping_add(sum)),
             split: if hole.split == INHERITED { part.split } else { hole.split },
-            ..*part
+            base: part.base,
         };
         let trail = self.env.trail_len();
         self.env.extend_trail(&hole.trail);
