@@ -87,10 +87,10 @@ pub struct Cx<'r, C> {
 }
 
 /// A rule without parameters, as generated code has it.
-pub type RuleFn<G, C> = fn(&G, &mut Cx<'_, C>, &mut ShapeRef<'_>) -> Flow;
+pub type RuleFn<G, C> = fn(&G, &mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
 
 /// A call that waited, or that a template left out.
-pub type ResumeFn<G, C> = fn(&G, &mut Cx<'_, C>, &mut ShapeRef<'_>, C) -> Flow;
+pub type ResumeFn<G, C> = fn(&G, &mut Cx<'_, C>, &ShapeRef<'_>, C) -> Flow;
 
 /// The run inside an operation that changes a material: expressions get at it as in a rule.
 #[derive(Debug)]
@@ -184,7 +184,7 @@ impl<C> Cx<'_, C> {
                 self.env.filled += 1;
                 self.sink.filled(&Filled { shape, tables: &self.env.leaf_tables, rule })
             }
-            Form::Empty | Form::Other => self.other_leaf(*shape, rule),
+            Form::Empty | Form::Other => self.other_leaf(shape.clone(), rule),
         }
     }
 
@@ -277,14 +277,14 @@ pub(crate) fn run<R: Rules>(
     let mut flow = if cx.env.ended() { Flow::Break(()) } else { Flow::Continue(()) };
     if flow.is_continue() {
         let base = cx.env.base(shape.without_trim_planes());
-        flow = R::start(&values, &mut cx, rule, &mut base.shape());
+        flow = R::start(&values, &mut cx, rule, &base.shape());
     }
     while flow.is_continue() {
         let Some(next) = cx.waiting.pop_front() else { break };
         (cx.depth, cx.stack) = (next.depth, 0);
         cx.env.resume_trail(next.trail);
         let base = cx.env.base(next.shape);
-        flow = R::resume(&values, &mut cx, &mut base.shape(), next.call);
+        flow = R::resume(&values, &mut cx, &base.shape(), next.call);
     }
     std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
     env.tell_watch(flow.is_continue());

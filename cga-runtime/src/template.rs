@@ -171,13 +171,13 @@ const INHERITED: Counter = Counter { index: i32::MIN, total: 0 };
 
 impl Key {
     fn of(part: &ShapeRef<'_>, too_small: f64) -> Self {
-        Key { size: part.size, form: part.form, unit: part.unit, material: part.material, too_small }
+        Key { size: part.size, form: part.form, unit: part.unit, material: part.material.get(), too_small }
     }
 
     #[inline]
     fn fits(&self, part: &ShapeRef<'_>, too_small: f64) -> bool {
         self.size == part.size
-            && self.material == part.material
+            && self.material == part.material.get()
             && self.form == part.form
             && self.unit.is(part.unit)
             && (self.too_small == too_small || self.too_small.is_nan())

@@ -21,13 +21,19 @@ impl Place {
     /// In a rule, on the current shape.
     pub(super) fn rule() -> Self {
         let place = Span::mixed_site();
-        Place { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> shape) }
+        Place { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> (&mut { shape })) }
     }
 
     /// In a rule, on a part of a split or comp.
     pub(super) fn part() -> Self {
         let place = Span::mixed_site();
-        Place { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> part) }
+        Place { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> (&mut { part })) }
+    }
+
+    /// In a rule, on the whole of the current shape.
+    pub(super) fn whole() -> Self {
+        let place = Span::mixed_site();
+        Place { env: quote_spanned!(place=> cx.env), shape: quote_spanned!(place=> shape) }
     }
 
     /// In a value of `comp`, on a component.
@@ -66,18 +72,18 @@ impl Place {
 impl Cx<'_> {
     /// An expression in a rule, on a slim shape. It gets the whole shape if it reads more than the slim one has.
     pub(super) fn asked(&self, expr: &Expr, at: &Place) -> TokenStream {
-        let code = self.expr(expr, at);
         if !self.facts.expr(expr).whole {
-            return code;
+            return self.expr(expr, at);
         }
-        let (place, env, shape) = (Span::mixed_site(), &at.env, &at.shape);
+        let (place, env, slim, code) = (Span::mixed_site(), &at.env, &at.shape, self.expr(expr, &Place::whole()));
         quote_spanned! { place=> {
-            let mut whole = #env.whole(#shape);
+            let slim = #slim;
+            let mut whole = #env.whole(slim);
             let value = {
-                let #shape = &mut whole;
+                let shape = &mut whole;
                 #code
             };
-            #shape.drawn(&whole);
+            slim.drawn(&whole);
             value
         } }
     }

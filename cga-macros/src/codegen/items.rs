@@ -82,7 +82,7 @@ pub(super) fn resume(cx: &Cx<'_>) -> TokenStream {
         fn cga_resume(
             g: &CgaValues,
             cx: &mut cga_rt::Cx<'_, CgaCall>,
-            shape: &mut cga_rt::ShapeRef<'_>,
+            shape: &cga_rt::ShapeRef<'_>,
             call: CgaCall,
         ) -> cga_rt::Flow {
             #resume
@@ -164,7 +164,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
                 g: &CgaValues,
                 cx: &mut cga_rt::Cx<'_, CgaCall>,
                 rule: ::core::primitive::u32,
-                shape: &mut cga_rt::ShapeRef<'_>,
+                shape: &cga_rt::ShapeRef<'_>,
             ) -> cga_rt::Flow {
                 match rule {
                     #(#start_arms,)*
@@ -175,7 +175,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
             fn resume(
                 g: &CgaValues,
                 cx: &mut cga_rt::Cx<'_, CgaCall>,
-                shape: &mut cga_rt::ShapeRef<'_>,
+                shape: &cga_rt::ShapeRef<'_>,
                 call: CgaCall,
             ) -> cga_rt::Flow {
                 CgaRules::cga_resume(g, cx, shape, call)

@@ -51,7 +51,7 @@ impl Cx<'_> {
             fn #name(
                 g: &CgaValues,
                 cx: &mut cga_rt::Cx<'_, CgaCall>,
-                shape: &mut cga_rt::ShapeRef<'_>,
+                shape: &cga_rt::ShapeRef<'_>,
                 #(#names: #types,)*
             ) -> cga_rt::Flow {
                 #enter
@@ -155,37 +155,40 @@ impl Cx<'_> {
                 }
                 cx.env.base(whole)
             };
-            let shape = &mut changed.shape();
+            let shape = &changed.shape();
         }
     }
 
     /// A step on the slim shape, where there is such a form of it.
     fn slim(&self, step: &Step) -> Option<TokenStream> {
         let place = Span::mixed_site();
-        let change = match step {
+        match step {
             Step::Do(operation, args, _) => match operation.changes {
-                Changes::Whole => return None,
+                Changes::Whole => None,
                 Changes::Nothing => {
-                    let (lets, call) = self.operation_on(operation, args, Cx::asked);
-                    return Some(quote_spanned!(place=> { #lets cga_rt::op::#call }));
+                    let (lets, call) = self.operation_on(operation, args, &Place::rule(), Cx::asked);
+                    Some(quote_spanned!(place=> { #lets let shape = &mut { shape }; cga_rt::op::#call }))
                 }
                 Changes::Scope => {
-                    let (lets, call) = self.operation_on(operation, args, Cx::asked);
-                    quote_spanned!(place=> { #lets cga_rt::slim::#call })
+                    let (lets, call) = self.operation_on(operation, args, &Place::rule(), Cx::asked);
+                    Some(quote_spanned! { place=>
+                        let mut own;
+                        let changed = {
+                            #lets
+                            own = ::core::clone::Clone::clone(shape);
+                            let shape = &mut own;
+                            cga_rt::slim::#call
+                        };
+                        let shape = &cga_rt::slim::after(own, &changed);
+                    })
                 }
-                Changes::Material if self.is_settled(step) => self.paint(step),
-                Changes::Material => return None,
+                Changes::Material => self.is_settled(step).then(|| self.paint(step)),
             },
-            Step::SetShape(attr, ..) if attr.set_changes == Changes::Material && self.is_settled(step) => {
-                self.paint(step)
+            Step::SetShape(attr, ..) if attr.set_changes == Changes::Material => {
+                self.is_settled(step).then(|| self.paint(step))
             }
-            _ => return None,
-        };
-        Some(quote_spanned! { place=>
-            let mut own = *shape;
-            let changed = { let shape = &mut own; #change };
-            let shape = &mut cga_rt::slim::after(own, &changed);
-        })
+            _ => None,
+        }
     }
 
     /// Whether the arguments of a step are the same in the whole run.
@@ -205,15 +208,17 @@ impl Cx<'_> {
         let number = Literal::u32_unsuffixed(number);
         // The expressions of the step ask for `cx`.
         quote_spanned! { Span::mixed_site()=>
-            cga_rt::slim::paint(cx.env, shape, #number, |env, shape| {
+            let changed = cga_rt::slim::paint(cx.env, shape, #number, |env, shape| {
                 let cx = cga_rt::Painting { env };
                 #change
-            })
+            });
+            let changed = cga_rt::slim::instead(&changed);
+            let shape = changed.as_ref().unwrap_or(shape);
         }
     }
 
     fn change(&self, step: &Step) -> TokenStream {
-        let (place, at) = (Span::mixed_site(), Place::rule());
+        let (place, at) = (Span::mixed_site(), Place::whole());
         match step {
             Step::Do(operation, args, _) => self.operation(operation, args),
             Step::SetAttr(id, expr, _) => {
@@ -291,7 +296,7 @@ impl Cx<'_> {
             Step::Push(steps) => {
                 let (base, steps) = (base(steps), self.steps(steps, body, 0, &TokenStream::new()));
                 quote_spanned!(place=> {
-                    let shape = &mut cga_rt::push(shape, #child);
+                    let shape = &cga_rt::push(shape, #child);
                     #base
                     #steps
                 })
@@ -323,7 +328,7 @@ impl Cx<'_> {
                 quote_spanned!(place=> {
                     #(let #names = #values;)*
                     #copy
-                    let part = &mut cga_rt::successor(shape, #number);
+                    let part = &cga_rt::successor(shape, #number);
                     let flow: cga_rt::Flow = #call;
                     flow?;
                 })
@@ -332,7 +337,7 @@ impl Cx<'_> {
     }
 
     fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
-        let (lets, call) = self.operation_on(operation, args, Cx::expr);
+        let (lets, call) = self.operation_on(operation, args, &Place::whole(), Cx::expr);
         quote_spanned!(Span::mixed_site()=> { #lets cga_rt::op::#call; })
     }
 
@@ -341,21 +346,21 @@ impl Cx<'_> {
         &self,
         operation: &Operation,
         args: &[Arg],
+        at: &Place,
         expr: fn(&Self, &Expr, &Place) -> TokenStream,
     ) -> (TokenStream, TokenStream) {
         let place = Span::mixed_site();
-        let at = Place::rule();
         let name = Ident::new(operation.run.now().unwrap_or(operation.name), place);
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
         let values = args.iter().zip(operation.params).map(|(arg, param)| match (arg, &param.kind) {
             (Arg::Value(value), ParamKind::Length) => {
-                let value = expr(self, value, &at);
+                let value = expr(self, value, at);
                 quote_spanned!(place=> cga_rt::Length::Absolute(#value))
             }
-            (Arg::Value(value), ParamKind::Image) => self.image(value, &at),
-            (Arg::Value(value), _) => expr(self, value, &at),
+            (Arg::Value(value), ParamKind::Image) => self.image(value, at),
+            (Arg::Value(value), _) => expr(self, value, at),
             (Arg::Length(size), _) => {
-                let value = expr(self, &size.value, &at);
+                let value = expr(self, &size.value, at);
                 match size.prefix {
                     Prefix::Relative => quote_spanned!(place=> cga_rt::Length::Relative(#value)),
                     Prefix::Absolute | Prefix::Floating => quote_spanned!(place=> cga_rt::Length::Absolute(#value)),

@@ -75,7 +75,7 @@ impl Cx<'_> {
                     CgaValues::#renew(g, cx.env, shape, &[#(#numbers),*]);
                 }
                 let renewed = cx.env.base(whole);
-                let shape = &mut renewed.shape();
+                let shape = &renewed.shape();
             },
         )
     }

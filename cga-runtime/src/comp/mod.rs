@@ -130,13 +130,13 @@ pub fn comp<C>(
     align: Align,
     arms: &[Arm],
     when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
-    mut visit: impl FnMut(&mut Cx<'_, C>, u32, &mut ShapeRef<'_>) -> Flow,
+    mut visit: impl FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
     let whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
     let parts = Parts::of(cx.env, &whole, components, align, arms, when)?;
     parts.each(|arm, _, part| {
         let base = cx.env.base(part);
-        visit(cx, arm, &mut base.shape())
+        visit(cx, arm, &base.shape())
     })
 }
 

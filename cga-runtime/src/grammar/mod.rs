@@ -143,9 +143,9 @@ pub trait Rules {
     /// Evaluates attributes and constants, as the style in force has them.
     fn values(&self, env: &mut Env, shape: &Shape, style: u32) -> Self::Values;
     /// Runs a start rule.
-    fn start(values: &Self::Values, cx: &mut Cx<'_, Self::Call>, rule: u32, shape: &mut ShapeRef<'_>) -> Flow;
+    fn start(values: &Self::Values, cx: &mut Cx<'_, Self::Call>, rule: u32, shape: &ShapeRef<'_>) -> Flow;
     /// Runs a call that waited.
-    fn resume(values: &Self::Values, cx: &mut Cx<'_, Self::Call>, shape: &mut ShapeRef<'_>, call: Self::Call) -> Flow;
+    fn resume(values: &Self::Values, cx: &mut Cx<'_, Self::Call>, shape: &ShapeRef<'_>, call: Self::Call) -> Flow;
 }
 
 #[cfg(test)]

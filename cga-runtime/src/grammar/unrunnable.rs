@@ -27,11 +27,11 @@ impl<T: Unrunnable> Rules for T {
 
     fn values(&self, _: &mut Env, _: &Shape, _: u32) -> Self::Values {}
 
-    fn start(_: &Self::Values, _: &mut Cx<'_, Self::Call>, _: u32, _: &mut ShapeRef<'_>) -> Flow {
+    fn start(_: &Self::Values, _: &mut Cx<'_, Self::Call>, _: u32, _: &ShapeRef<'_>) -> Flow {
         Flow::Break(())
     }
 
-    fn resume(_: &Self::Values, _: &mut Cx<'_, Self::Call>, _: &mut ShapeRef<'_>, (): Self::Call) -> Flow {
+    fn resume(_: &Self::Values, _: &mut Cx<'_, Self::Call>, _: &ShapeRef<'_>, (): Self::Call) -> Flow {
         Flow::Break(())
     }
 }

@@ -20,6 +20,12 @@ pub fn after<'a>(shape: ShapeRef<'a>, changed: &'a Option<Box<Base>>) -> ShapeRe
     }
 }
 
+/// The shape that takes the place of a painted one, if one does.
+#[inline]
+pub fn instead(changed: &Option<Box<Base>>) -> Option<ShapeRef<'_>> {
+    changed.as_ref().map(|base| base.shape())
+}
+
 /// `t(x, y, z)`, as [`super::translate`].
 #[inline]
 pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
@@ -87,21 +93,21 @@ pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Opt
 #[inline]
 pub fn paint(
     env: &mut Env,
-    shape: &mut ShapeRef<'_>,
+    shape: &ShapeRef<'_>,
     place: u32,
     change: impl FnOnce(&mut Env, &mut Shape),
 ) -> Option<Box<Base>> {
-    if let Some(after) = env.leaf_tables.materials.painted(place, shape.material) {
-        shape.material = after;
+    if let Some(after) = env.leaf_tables.materials.painted(place, shape.material.get()) {
+        shape.material.set(after);
         return None;
     }
-    let (before, faults) = (shape.material, env.fault_count());
+    let (before, faults) = (shape.material.get(), env.fault_count());
     let base = whole(env, shape, change)?;
     let is_faultless = faults == env.fault_count();
     let materials = &mut env.leaf_tables.materials;
     let after = materials.intern(base.shape.state.material());
     if is_faultless && materials.keep_paint(place, before, after) {
-        shape.material = after;
+        shape.material.set(after);
         return None;
     }
     Some(base)

@@ -1,5 +1,7 @@
 //! The rarely changed part of shapes, and the ways between a slim shape and a whole one.
 
+use std::cell::Cell;
+
 use super::axes::Axes;
 use super::{Counter, Geometry, Shape, ShapeRef};
 use crate::env::Env;
@@ -42,10 +44,10 @@ impl Base {
             axes: &self.axes,
             base: self,
             unit,
-            seed: shape.seed,
+            seed: Cell::new(shape.seed),
             split: shape.split,
             form,
-            material: self.material,
+            material: Cell::new(self.material),
         }
     }
 
@@ -56,7 +58,7 @@ impl Base {
             scope,
             pivot: scope.frame(),
             geometry: part.geometry(),
-            seed: part.seed,
+            seed: part.seed.get(),
             split: part.split,
             comp: Counter::NONE,
             selector: "",
@@ -64,7 +66,7 @@ impl Base {
             state: part.base.shape.state.clone(),
         };
         let axes = Axes::new(scope.axes);
-        Base { axes, raised: axes.raised(), shape, material: part.material }
+        Base { axes, raised: axes.raised(), shape, material: part.material.get() }
     }
 
     #[inline]
@@ -98,7 +100,7 @@ impl Env {
     pub fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
         let base = &shape.base.shape;
         let mut state = base.state.clone();
-        if let Some(material) = self.leaf_tables.materials.get(shape.material)
+        if let Some(material) = self.leaf_tables.materials.get(shape.material.get())
             && !std::sync::Arc::ptr_eq(material, state.material())
         {
             state.change().material = material.clone();
@@ -107,7 +109,7 @@ impl Env {
             scope: shape.scope(),
             pivot: base.pivot,
             geometry: shape.geometry(),
-            seed: shape.seed,
+            seed: shape.seed.get(),
             split: shape.split,
             comp: base.comp,
             selector: base.selector,

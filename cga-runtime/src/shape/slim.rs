@@ -4,6 +4,8 @@
 //! the last [`Base`] above: the start of a run, a component, the result of an operation, a piece of a mesh. So a part of a
 //! split costs a few machine words and has nothing to drop.
 
+use std::cell::Cell;
+
 use glam::DVec3;
 
 use super::axes::Axes;
@@ -15,7 +17,7 @@ use crate::seed::{self, Seed, Tag};
 use crate::unit::UnitMesh;
 
 /// A shape while rules run: the fields that splits change, and a reference to the rest.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct ShapeRef<'a> {
     pub(crate) origin: DVec3,
     pub(crate) size: DVec3,
@@ -24,10 +26,11 @@ pub struct ShapeRef<'a> {
     pub(crate) base: &'a Base,
     /// The mesh of a box or a rectangle; unused in other forms.
     pub(crate) unit: UnitMesh,
-    pub(crate) seed: Seed,
+    /// Random numbers are drawn, and the material is painted, in place: a whole split has one shape for its parts.
+    pub(crate) seed: Cell<Seed>,
     pub(crate) split: Counter,
     pub(crate) form: Form,
-    pub(crate) material: MaterialId,
+    pub(crate) material: Cell<MaterialId>,
 }
 
 impl<'a> ShapeRef<'a> {
@@ -48,14 +51,14 @@ impl<'a> ShapeRef<'a> {
     }
 
     /// Takes over the random numbers that the whole of this shape has drawn.
-    pub fn drawn(&mut self, whole: &Shape) {
-        self.seed = whole.seed;
+    pub fn drawn(&self, whole: &Shape) {
+        self.seed.set(whole.seed);
     }
 
     /// A copy with the seed of a child.
     #[inline]
     pub(crate) fn child(&self, key: u64) -> ShapeRef<'a> {
-        ShapeRef { seed: Seed::new(seed::step(self.seed.value(), key)), ..*self }
+        ShapeRef { seed: Cell::new(Seed::new(seed::step(self.seed.get().value(), key))), ..self.clone() }
     }
 
     /// True if a split along an axis makes parts that simply fill their scopes.
@@ -83,6 +86,6 @@ pub fn push<'a>(shape: &ShapeRef<'a>, number: u32) -> ShapeRef<'a> {
 
 /// A part that goes straight to a rule is the successor itself: `~1 : A` and `~1 : color(c) A` have the same seed in `A`.
 #[inline]
-pub fn hand_on(part: &mut ShapeRef<'_>) {
-    part.seed = part.seed.child(Tag::Successor, 0);
+pub fn hand_on(part: &ShapeRef<'_>) {
+    part.seed.set(part.seed.get().child(Tag::Successor, 0));
 }

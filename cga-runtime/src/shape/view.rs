@@ -61,7 +61,7 @@ impl View for Shape {
     }
 }
 
-impl View for ShapeRef<'_> {
+impl View for &ShapeRef<'_> {
     #[inline]
     fn origin(&self) -> DVec3 {
         self.origin
@@ -84,12 +84,15 @@ impl View for ShapeRef<'_> {
 
     #[inline]
     fn seed_value(&self) -> u64 {
-        self.seed.value()
+        self.seed.get().value()
     }
 
     #[inline]
     fn draw(&mut self) -> f64 {
-        self.seed.draw()
+        let mut seed = self.seed.get();
+        let number = seed.draw();
+        self.seed.set(seed);
+        number
     }
 
     #[inline]

@@ -245,14 +245,14 @@ impl Buffers {
     /// Notes rule and material of a leaf that fills its scope.
     #[inline(always)]
     fn mark(&mut self, leaf: &Filled<'_>) {
-        if self.ids.last != Some((leaf.rule, leaf.shape.material.0)) {
+        if self.ids.last != Some((leaf.rule, leaf.shape.material.get().0)) {
             self.mark_other(leaf);
         }
     }
 
     #[inline(never)]
     fn mark_other(&mut self, leaf: &Filled<'_>) {
-        let (rule, material) = self.numbers(leaf, leaf.shape.material);
+        let (rule, material) = self.numbers(leaf, leaf.shape.material.get());
         self.ids.last = leaf.material_number().map(|material| (leaf.rule, material));
         self.run(rule, material);
     }

@@ -76,7 +76,7 @@ impl<'a> Filled<'a> {
     /// The material that the rules set.
     #[inline]
     pub fn material(&self) -> &'a Arc<Material> {
-        self.of_id(self.shape.material)
+        self.of_id(self.shape.material.get())
     }
 
     /// The material with a number; the leaf's own base has the one without.
@@ -89,7 +89,7 @@ impl<'a> Filled<'a> {
     /// as a random colour.
     #[inline]
     pub fn material_number(&self) -> Option<u32> {
-        (self.shape.material != MaterialId::OF_BASE).then_some(self.shape.material.0)
+        Some(self.shape.material.get()).filter(|id| *id != MaterialId::OF_BASE).map(|id| id.0)
     }
 
     /// The scope, in the world.

@@ -23,7 +23,8 @@ pub struct Division<'s> {
     whole: &'s ShapeRef<'s>,
     /// The pieces, where they do not simply fill their scopes.
     made: &'s Made,
-    /// The shape of the current piece. Rules change no more of it than the seed, so that only what differs is written.
+    /// The shape of the current piece. Rules change no more of it than seed and material, so that only the rest that differs is
+    /// written.
     part: ShapeRef<'s>,
     /// The axis, as a direction in the world.
     along: DVec3,
@@ -57,7 +58,7 @@ impl Made {
         if whole.is_simple_along(axis) {
             ControlFlow::Continue(Made(None))
         } else {
-            Made::cut(env, *whole, axis, adjust, row)
+            Made::cut(env, whole.clone(), axis, adjust, row)
         }
     }
 
@@ -92,14 +93,14 @@ impl<'s> Division<'s> {
             Axis::Z => matrix.z_axis,
         };
         // Not a plain copy: fields that were written one by one and are read together are waited for.
-        let mut part = ShapeRef { origin: DVec3::ZERO, split: Counter::NONE, ..*whole };
+        let mut part = ShapeRef { origin: DVec3::ZERO, split: Counter::NONE, ..whole.clone() };
         // What is flat across another axis has no thickness.
         if adjust == Adjust::Adjust
             && let Form::Rect(across) = whole.form
         {
             set(&mut part.size, across, 0.0);
         }
-        let seed = seed::step(whole.seed.value(), seed::key(Tag::Split, number));
+        let seed = seed::step(whole.seed.get().value(), seed::key(Tag::Split, number));
         let (total, has_bands) = (total as usize, whole.unit.has_bands(axis));
         Division { whole, made, part, along, seed, turns: 0, index: 0, total, has_bands }
     }
@@ -126,14 +127,14 @@ impl<'s> Division<'s> {
     /// The shape of the next piece. `in_group` says that its slot is in a group that repeats, `draws` that random numbers are drawn
     /// below: without, the part has no seed of its own.
     #[inline(always)]
-    pub fn part(&mut self, axis: Axis, piece: Piece, slot: u32, in_group: bool, draws: bool) -> &mut ShapeRef<'s> {
+    pub fn part(&mut self, axis: Axis, piece: Piece, slot: u32, in_group: bool, draws: bool) -> &ShapeRef<'s> {
         self.place(axis, piece);
         if draws {
             let turn = if in_group { self.turns } else { 0 };
-            self.part.seed = Seed::new(seed::part(self.seed, slot, turn));
+            self.part.seed.set(Seed::new(seed::part(self.seed, slot, turn)));
         }
         self.part.split = Counter::new(self.index - 1, self.total);
-        &mut self.part
+        &self.part
     }
 
     /// Hands the next piece on as a leaf.
@@ -151,6 +152,8 @@ impl<'s> Division<'s> {
         if let Made(Some(pieces)) = self.made {
             return self.take(&pieces[index]);
         }
+        // The part before it may have been painted.
+        self.part.material.set(self.whole.material.get());
         self.part.origin = self.whole.origin + self.along * piece.start;
         set(&mut self.part.size, axis, piece.length);
         if self.has_bands {
@@ -161,7 +164,7 @@ impl<'s> Division<'s> {
     #[cold]
     #[inline(never)]
     fn take(&mut self, piece: &'s Base) {
-        self.part = ShapeRef { seed: self.part.seed, split: self.part.split, ..piece.shape() };
+        self.part = ShapeRef { seed: self.part.seed.clone(), split: self.part.split, ..piece.shape() };
     }
 }
 

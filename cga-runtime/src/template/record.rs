@@ -1,5 +1,6 @@
 //! Making a template: a rule runs at the origin, into a sink that keeps the leaves.
 
+use std::cell::Cell;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use std::rc::Rc;
@@ -50,7 +51,7 @@ impl Recorder<'_> {
 impl Sink for Recorder<'_> {
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         let shape = leaf.shape;
-        let is_known = shape.material != MaterialId::OF_BASE || std::ptr::eq(shape.base, self.base);
+        let is_known = shape.material.get() != MaterialId::OF_BASE || std::ptr::eq(shape.base, self.base);
         if !is_known || MOST <= self.leaves.len() {
             return self.fail();
         }
@@ -66,7 +67,7 @@ impl Sink for Recorder<'_> {
             form: shape.form,
             frame: frame as u32,
             rule: leaf.rule,
-            material: shape.material,
+            material: shape.material.get(),
         });
         ControlFlow::Continue(())
     }
@@ -109,8 +110,8 @@ impl<C: Clone> Cx<'_, C> {
             unit: shape.unit,
             form: shape.form,
             is_raised,
-            material: shape.material,
-            seed: [0, shape.seed.value()],
+            material: shape.material.get(),
+            seed: [0, shape.seed.get().value()],
             split: shape.split,
             levels,
             stack,
@@ -175,15 +176,15 @@ impl<C: Clone> Cx<'_, C> {
             templates: &mut templates,
             tape: Some(tape),
         };
-        let mut shape = ShapeRef {
+        let shape = ShapeRef {
             origin: DVec3::ZERO,
             axes: base.axes(),
             base: &base,
-            seed: Seed::new(seed),
+            seed: Cell::new(Seed::new(seed)),
             split: INHERITED,
-            ..*part
+            ..part.clone()
         };
-        let flow = rule(g, &mut cx, &mut shape);
+        let flow = rule(g, &mut cx, &shape);
         let is_complete = flow.is_continue() && cx.waiting.is_empty();
         let Tape { holes, has_failed: is_lost, .. } = cx.tape.take()?;
         let Recorder { leaves, frames, has_failed, .. } = recorder;

@@ -1,5 +1,7 @@
 //! Repeating a template: its leaves go to the sink, its holes are called.
 
+use std::cell::Cell;
+
 use glam::DVec3;
 
 use super::{Body, Hole, INHERITED, Mark, Placed, Record, Row, Segment, Template, Turned};
@@ -43,8 +45,8 @@ impl<'a> Replay<'a> {
                 axes: &self.turned.axes[record.frame as usize],
                 unit: record.unit,
                 form: record.form,
-                material: record.material,
-                ..*self.part
+                material: Cell::new(record.material),
+                ..self.part.clone()
             };
             sink.filled(&Filled { shape: &shape, tables: self.tables, rule: record.rule })?;
         }
@@ -95,7 +97,7 @@ impl<C: Clone> Cx<'_, C> {
         &mut self,
         place: u32,
         g: &G,
-        part: &mut ShapeRef<'_>,
+        part: &ShapeRef<'_>,
         rule: RuleFn<G, C>,
         resume: ResumeFn<G, C>,
     ) -> Flow {
@@ -142,32 +144,25 @@ impl<C: Clone> Cx<'_, C> {
     }
 
     /// Calls the rule of a hole.
-    fn fill<G>(
-        &mut self,
-        hole: &Hole<C>,
-        origin: DVec3,
-        g: &G,
-        part: &ShapeRef<'_>,
-        resume: ResumeFn<G, C>,
-    ) -> Flow {
+    fn fill<G>(&mut self, hole: &Hole<C>, origin: DVec3, g: &G, part: &ShapeRef<'_>, resume: ResumeFn<G, C>) -> Flow {
         let [factor, sum] = hole.seed;
-        let mut shape = ShapeRef {
+        let shape = ShapeRef {
             origin,
             size: hole.size,
             axes: if hole.is_raised { part.base.raised() } else { part.axes },
             unit: hole.unit,
             form: hole.form,
-            material: hole.material,
-            seed: Seed::new(part.seed.value().wrapping_mul(factor).wrapping_add(sum)),
+            material: Cell::new(hole.material),
+            seed: Cell::new(Seed::new(part.seed.get().value().wrapping_mul(factor).wrapping_add(sum))),
             split: if hole.split == INHERITED { part.split } else { hole.split },
             base: part.base,
         };
         let trail = self.env.trail_len();
         self.env.extend_trail(&hole.trail);
         let flow = if hole.stack == 0 {
-            resume(g, self, &mut shape, hole.call.clone())
+            resume(g, self, &shape, hole.call.clone())
         } else if self.descend(hole.levels, hole.stack) {
-            let flow = resume(g, self, &mut shape, hole.call.clone());
+            let flow = resume(g, self, &shape, hole.call.clone());
             self.ascend(hole.levels, hole.stack);
             flow
         } else {

@@ -4,7 +4,7 @@ impl CgaRules {
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         let changed = {
@@ -65,7 +65,7 @@ impl CgaRules {
             }
             cx.env.base(whole)
         };
-        let shape = &mut changed.shape();
+        let shape = &changed.shape();
         cga_rt::later::operation(cx.env, "roofHip");
         cx.leaf(shape, 0u32)?;
         cx.leave()
@@ -84,7 +84,7 @@ impl CgaRules {
     fn cga_resume(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         match call {}

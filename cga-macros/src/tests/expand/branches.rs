@@ -4,15 +4,15 @@ impl CgaRules {
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         let mut childless = true;
-        if ((cga_rt::get::float_attribute(shape, 0u32, g.attr_0) > 2f64)
-            & cga_rt::func::chance(cx.env, shape, 0.5f64))
+        if ((cga_rt::get::float_attribute((&mut { shape }), 0u32, g.attr_0) > 2f64)
+            & cga_rt::func::chance(cx.env, (&mut { shape }), 0.5f64))
         {
             {
-                let shape = &mut cga_rt::push(shape, 0);
+                let shape = &cga_rt::push(shape, 0);
                 let base = shape.scope();
                 let changed = {
                     let mut whole = cx.env.whole(shape);
@@ -31,7 +31,7 @@ impl CgaRules {
                     }
                     cx.env.base(whole)
                 };
-                let shape = &mut changed.shape();
+                let shape = &changed.shape();
                 childless = false;
             }
             cx.symbol(shape, 1u32)?;
@@ -39,8 +39,10 @@ impl CgaRules {
             if childless {
                 cx.leaf(shape, 0u32)?;
             }
-        } else if (cga_rt::get::float_attribute(shape, 0u32, g.attr_0) == 1f64) {
-            if cga_rt::branch(shape, 30f64, 0f64) {
+        } else if (cga_rt::get::float_attribute((&mut { shape }), 0u32, g.attr_0)
+            == 1f64)
+        {
+            if cga_rt::branch((&mut { shape }), 30f64, 0f64) {
                 cx.symbol(shape, 1u32)?;
                 childless = false;
                 if childless {
@@ -68,7 +70,7 @@ impl CgaRules {
                 }
                 cx.env.base(whole)
             };
-            let shape = &mut changed.shape();
+            let shape = &changed.shape();
             if childless {
                 cx.leaf(shape, 0u32)?;
             }
@@ -78,7 +80,7 @@ impl CgaRules {
     fn cga_resume(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         match call {}

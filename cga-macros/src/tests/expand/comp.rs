@@ -4,7 +4,7 @@ impl CgaRules {
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         {
@@ -37,12 +37,13 @@ impl CgaRules {
                     0 => cx.symbol(part, 0u32),
                     1 => {
                         let a0 = {
-                            let mut whole = cx.env.whole(part);
+                            let slim = (&mut { part });
+                            let mut whole = cx.env.whole(slim);
                             let value = {
-                                let part = &mut whole;
-                                cga_rt::get::comp_index(part)
+                                let shape = &mut whole;
+                                cga_rt::get::comp_index(shape)
                             };
-                            part.drawn(&whole);
+                            slim.drawn(&whole);
                             value
                         };
                         CgaRules::Roof(g, cx, part, a0)
@@ -58,7 +59,7 @@ impl CgaRules {
     fn Roof(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
@@ -101,7 +102,7 @@ impl CgaRules {
     fn cga_resume(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         match call {}

@@ -4,19 +4,21 @@ impl CgaRules {
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         {
             let a0 = {
-                let mut whole = cx.env.whole(shape);
+                let slim = (&mut { shape });
+                let mut whole = cx.env.whole(slim);
                 let value = {
                     let shape = &mut whole;
                     CgaRules::names(g, cx.env, shape, 2f64)
                 };
-                shape.drawn(&whole);
+                slim.drawn(&whole);
                 value
             };
+            let shape = &mut { shape };
             cga_rt::op::print(cx.env, shape, a0)
         }
         cx.leaf(shape, 0u32)?;
@@ -100,7 +102,7 @@ impl CgaRules {
     fn cga_resume(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         match call {}

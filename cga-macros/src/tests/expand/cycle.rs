@@ -4,14 +4,14 @@ impl CgaRules {
     fn A(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         if (p0 > 1f64) {
             {
                 let a0 = p0;
-                let part = &mut cga_rt::successor(shape, 0);
+                let part = &cga_rt::successor(shape, 0);
                 let flow: cga_rt::Flow = if cx.descend(1, 2) {
                     let flow = CgaRules::B(g, cx, part, a0);
                     cx.ascend(1, 2);
@@ -23,7 +23,7 @@ impl CgaRules {
             }
             {
                 let a0 = (p0 - 1f64);
-                let part = &mut cga_rt::successor(shape, 1);
+                let part = &cga_rt::successor(shape, 1);
                 let flow: cga_rt::Flow = if cx.descend(1, 2) {
                     let flow = CgaRules::B(g, cx, part, a0);
                     cx.ascend(1, 2);
@@ -40,13 +40,13 @@ impl CgaRules {
     fn B(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
         {
             let a0 = p0;
-            let part = &mut cga_rt::successor(shape, 0);
+            let part = &cga_rt::successor(shape, 0);
             let flow: cga_rt::Flow = if cx.descend(1, 3) {
                 let flow = CgaRules::A(g, cx, part, a0);
                 cx.ascend(1, 3);
@@ -61,7 +61,7 @@ impl CgaRules {
     fn cga_resume(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         match call {

@@ -67,7 +67,7 @@ impl cga_rt::Rules for CgaGrammar {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         rule: ::core::primitive::u32,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         match rule {
             0u32 => CgaRules::Lot(g, cx, shape),
@@ -77,7 +77,7 @@ impl cga_rt::Rules for CgaGrammar {
     fn resume(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         CgaRules::cga_resume(g, cx, shape, call)

@@ -4,7 +4,7 @@ impl CgaRules {
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         let mut childless = true;
@@ -24,7 +24,7 @@ impl CgaRules {
             }
             cx.env.base(whole)
         };
-        let shape = &mut changed.shape();
+        let shape = &changed.shape();
         {
             const PIECES: &[cga_rt::Piece] = &[
                 cga_rt::Piece {
@@ -110,7 +110,7 @@ impl CgaRules {
     fn cga_resume(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         match call {}

@@ -4,7 +4,7 @@ impl CgaRules {
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         cx.enter(0u32)?;
         let mut childless = true;
@@ -50,7 +50,7 @@ impl CgaRules {
                 if let ::core::option::Option::Some(piece) = row.slot(1) {
                     let part = division.part(cga_rt::Axis::X, piece, 1, true, false);
                     let flow: cga_rt::Flow = {
-                        let a0 = cga_rt::get::split_index(part);
+                        let a0 = cga_rt::get::split_index((&mut { part }));
                         CgaRules::Tile(g, cx, part, a0)
                     };
                     flow?;
@@ -75,7 +75,7 @@ impl CgaRules {
     fn Tile(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         p0: ::core::primitive::f64,
     ) -> cga_rt::Flow {
         cx.enter(1u32)?;
@@ -85,26 +85,25 @@ impl CgaRules {
     fn Lot_1(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
-        let mut own = *shape;
+        let mut own;
         let changed = {
+            let a0 = cga_rt::Length::Absolute(1f64);
+            let a1 = cga_rt::Length::Absolute(2f64);
+            let a2 = cga_rt::Length::Absolute(3f64);
+            own = ::core::clone::Clone::clone(shape);
             let shape = &mut own;
-            {
-                let a0 = cga_rt::Length::Absolute(1f64);
-                let a1 = cga_rt::Length::Absolute(2f64);
-                let a2 = cga_rt::Length::Absolute(3f64);
-                cga_rt::slim::size(cx.env, shape, a0, a1, a2)
-            }
+            cga_rt::slim::size(cx.env, shape, a0, a1, a2)
         };
-        let shape = &mut cga_rt::slim::after(own, &changed);
+        let shape = &cga_rt::slim::after(own, &changed);
         cx.symbol(shape, 2u32)?;
         cga_rt::Flow::Continue(())
     }
     fn cga_resume(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         match call {}

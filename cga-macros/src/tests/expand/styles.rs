@@ -51,7 +51,7 @@ impl cga_rt::Rules for Tower {
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
         rule: ::core::primitive::u32,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
     ) -> cga_rt::Flow {
         match rule {
             0u32 => CgaRules::Lot(g, cx, shape),
@@ -63,7 +63,7 @@ impl cga_rt::Rules for Tower {
     fn resume(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
-        shape: &mut cga_rt::ShapeRef<'_>,
+        shape: &cga_rt::ShapeRef<'_>,
         call: CgaCall,
     ) -> cga_rt::Flow {
         CgaRules::cga_resume(g, cx, shape, call)
