@@ -68,6 +68,24 @@ fn heavy_rules_are_counted_as_what_they_are() {
     assert_eq!(model.count("End"), 1);
 }
 
+cga! {
+    /// Operations between successors: each has a whole shape of its own.
+    grammar Changing;
+    attr levels = 2000
+    Lot --> A(0)
+    A(n) --> case n > levels : End. else : Many(n)
+    Many(n) -->
+        r(0, 1, 0) X. s(^1, ^1, ^1) X. r(0, 1, 0) X. color(rand(1), 0, 0) X. r(0, 1, 0) X. t(^0, ^0, ^0) X. r(0, 1, 0) X.
+        set(levels, levels) X. center(xyz) X. r(0, 1, 0) X. mirrorScope(false, true, false) X. alignScopeToAxes(y) X.
+        set(material.opacity, rand(1)) X. r(0, 1, 0) X. r(0, 1, 0) X. r(0, 1, 0) X. r(0, 1, 0) X. r(0, 1, 0) X. A(n + 1)
+}
+
+#[test]
+fn operations_between_successors_are_counted() {
+    let model = on_a_small_stack(|| Changing::default().generate_with(&lot(), &deep())).expect("no limit");
+    assert_eq!(model.count("End"), 1);
+}
+
 cga! { grammar Chain in "tests/rules/chain.cga"; }
 
 #[test]

@@ -1,5 +1,8 @@
 //! What a run keeps besides its sink: limits, faults, the trail of rules, assets.
 
+mod counters;
+mod trail;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 use std::rc::Rc;
@@ -19,13 +22,12 @@ use crate::shape::Shape;
 use crate::sink::Flow;
 use crate::text::Text;
 use crate::value::Value;
+
 use crate::watch::Checkpoint;
+pub(crate) use trail::Trail;
 
 /// Faults that are kept; later ones are only counted, so that memory stays bounded.
 pub(crate) const FAULTS_KEPT: usize = 1000;
-
-/// Rules that a trail names; of longer ones the middle is left out, so that memory stays bounded.
-const LONGEST_TRAIL: usize = 2048;
 
 /// How deep functions that ask may nest, as CGA documents (*CGA changelog 2014.1*).
 const DEEPEST_CALLS: u32 = 1024;
@@ -113,20 +115,6 @@ pub struct Env {
     said_once: BTreeSet<&'static str>,
 }
 
-/// The counters of a run at one time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Counters {
-    pub(crate) shapes: u64,
-    filled: u64,
-    leaves: u64,
-    vertices: u64,
-    calls: u64,
-    faults: usize,
-    faults_left_out: u64,
-    trail: usize,
-    has_ended: bool,
-}
-
 /// What a run knows of the shape it started with.
 #[derive(Clone, Debug)]
 pub(crate) struct Initial {
@@ -138,25 +126,6 @@ pub(crate) struct Initial {
     pub(crate) streets: Option<Arc<Streets>>,
     /// True if boxes and rectangles are held as meshes.
     pub(crate) as_meshes: bool,
-}
-
-/// Rules that led to a deferred call, shared by all calls deferred under them.
-#[derive(Debug)]
-pub(crate) struct Trail {
-    before: Option<Rc<Trail>>,
-    rules: Box<[u32]>,
-    /// The number of rules from the start rule on.
-    depth: usize,
-}
-
-impl Drop for Trail {
-    /// One after the other: a deep recursion makes a long list, and dropping it level by level would need as much stack.
-    fn drop(&mut self) {
-        let mut next = self.before.take();
-        while let Some(mut trail) = next.and_then(Rc::into_inner) {
-            next = trail.before.take();
-        }
-    }
 }
 
 impl Env {
@@ -316,97 +285,6 @@ impl Env {
     pub fn called(&mut self, stack: u32) {
         self.calls -= 1;
         self.call_stack -= stack.min(FUNCTIONS);
-    }
-
-    /// The number of rules on the trail.
-    pub(crate) fn trail_len(&self) -> usize {
-        self.trail.len()
-    }
-
-    /// The rules on the trail from a number on.
-    pub(crate) fn trail_from(&self, start: usize) -> Box<[u32]> {
-        self.trail[start..].into()
-    }
-
-    /// Adds rules to the trail.
-    pub(crate) fn extend_trail(&mut self, rules: &[u32]) {
-        self.trail.extend_from_slice(rules);
-    }
-
-    /// Leaves the rules on the trail from a number on.
-    pub(crate) fn cut_trail(&mut self, len: usize) {
-        self.trail.truncate(len);
-    }
-
-    /// The counters of the run, to go back to.
-    pub(crate) fn state(&self) -> Counters {
-        Counters {
-            shapes: self.shapes,
-            filled: self.filled,
-            leaves: self.leaves,
-            vertices: self.vertices,
-            calls: self.calls_made,
-            faults: self.faults.len(),
-            faults_left_out: self.faults_left_out,
-            trail: self.trail.len(),
-            has_ended: self.error.is_some() || self.ended(),
-        }
-    }
-
-    /// Goes back to counters. Returns true if nothing but shapes and leaves that fill their scopes was made since.
-    pub(crate) fn restore(&mut self, before: Counters) -> bool {
-        let now = self.state();
-        let is_quiet = now == Counters { shapes: now.shapes, filled: now.filled, trail: now.trail, ..before };
-        if now.has_ended && !before.has_ended {
-            self.error = None;
-            self.checkpoint.stopped_at = None;
-        }
-        (self.shapes, self.filled, self.leaves) = (before.shapes, before.filled, before.leaves);
-        (self.vertices, self.calls_made) = (before.vertices, before.calls);
-        self.faults.truncate(before.faults);
-        self.asset_faults.retain(|_, at| *at < before.faults);
-        self.faults_left_out = before.faults_left_out;
-        self.trail.truncate(before.trail);
-        is_quiet
-    }
-
-    /// The trail so far, to be shared by deferred calls. It names at least one rule.
-    pub(crate) fn keep_trail(&self) -> Rc<Trail> {
-        // A deferred block enters no rule.
-        if let (Some(before), []) = (&self.before, self.trail.as_slice()) {
-            return before.clone();
-        }
-        Rc::new(Trail { before: self.before.clone(), rules: self.trail.as_slice().into(), depth: self.depth() })
-    }
-
-    /// Goes back to where a deferred call was made.
-    pub(crate) fn resume_trail(&mut self, trail: Rc<Trail>) {
-        self.before = Some(trail);
-        self.trail.clear();
-    }
-
-    /// The depth of the current shape in the tree of shapes: the number of rules from the start rule on.
-    fn depth(&self) -> usize {
-        self.before.as_ref().map_or(0, |before| before.depth) + self.trail.len()
-    }
-
-    /// The rules that led here, from the start rule down.
-    fn trail(&self) -> Vec<&'static str> {
-        let mut parts = vec![self.trail.as_slice()];
-        let mut before = self.before.as_deref();
-        while let Some(trail) = before {
-            parts.push(&trail.rules);
-            before = trail.before.as_deref();
-        }
-        let name = |&rule: &u32| self.rule_name(rule);
-        let count: usize = parts.iter().map(|part| part.len()).sum();
-        let rules = parts.into_iter().rev().flatten();
-        if count <= LONGEST_TRAIL {
-            return rules.map(name).collect();
-        }
-        let half = LONGEST_TRAIL / 2;
-        let (head, tail) = (rules.clone().take(half), rules.skip(count - half));
-        head.map(name).chain(["…"]).chain(tail.map(name)).collect()
     }
 
     /// The files that a query finds, sorted.

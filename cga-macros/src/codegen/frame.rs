@@ -16,8 +16,10 @@ pub(super) fn rule(rule: &Rule) -> u32 {
             Step::Split(split) => 3000 + 500 * split.slots.len(),
             Step::Comp(comp) => 4000 + 500 * comp.arms.len(),
             Step::Push(_) => 400,
-            Step::Anew(anew) => 1100 + 200 * anew.given.len(),
-            _ => 100,
+            // A whole shape, a base and two slim shapes; steps after each other share them.
+            Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) => 1300,
+            Step::Anew(anew) => 2300 + 200 * anew.given.len(),
+            Step::Later(..) | Step::Case { .. } | Step::Chance { .. } => 100,
         }
     });
     // What is computed on the way has its place too.

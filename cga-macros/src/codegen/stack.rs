@@ -112,7 +112,7 @@ mod tests {
     fn calls_inside_a_cycle_ask() {
         assert_eq!(
             asks("A --> case scope.sx > 1 : B else : D B --> s('0.5, '1, '1) A D --> X"),
-            ["A → B: 1, 2", "B → A: 1, 3"]
+            ["A → B: 1, 3", "B → A: 1, 3"]
         );
     }
 

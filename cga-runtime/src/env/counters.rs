@@ -1,0 +1,51 @@
+//! The counters of a run, and the way back to them.
+
+use super::Env;
+
+/// The counters of a run at one time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Counters {
+    pub(crate) shapes: u64,
+    filled: u64,
+    leaves: u64,
+    vertices: u64,
+    calls: u64,
+    faults: usize,
+    faults_left_out: u64,
+    trail: usize,
+    has_ended: bool,
+}
+
+impl Env {
+    /// The counters of the run, to go back to.
+    pub(crate) fn state(&self) -> Counters {
+        Counters {
+            shapes: self.shapes,
+            filled: self.filled,
+            leaves: self.leaves,
+            vertices: self.vertices,
+            calls: self.calls_made,
+            faults: self.faults.len(),
+            faults_left_out: self.faults_left_out,
+            trail: self.trail.len(),
+            has_ended: self.error.is_some() || self.ended(),
+        }
+    }
+
+    /// Goes back to counters. Returns true if nothing but shapes and leaves that fill their scopes was made since.
+    pub(crate) fn restore(&mut self, before: Counters) -> bool {
+        let now = self.state();
+        let is_quiet = now == Counters { shapes: now.shapes, filled: now.filled, trail: now.trail, ..before };
+        if now.has_ended && !before.has_ended {
+            self.error = None;
+            self.checkpoint.stopped_at = None;
+        }
+        (self.shapes, self.filled, self.leaves) = (before.shapes, before.filled, before.leaves);
+        (self.vertices, self.calls_made) = (before.vertices, before.calls);
+        self.faults.truncate(before.faults);
+        self.asset_faults.retain(|_, at| *at < before.faults);
+        self.faults_left_out = before.faults_left_out;
+        self.trail.truncate(before.trail);
+        is_quiet
+    }
+}

@@ -1,0 +1,88 @@
+//! The rules that led to a shape.
+
+use std::rc::Rc;
+
+use super::Env;
+
+/// Rules that a trail names; of longer ones the middle is left out, so that memory stays bounded.
+const LONGEST_TRAIL: usize = 2048;
+
+/// Rules that led to a deferred call, shared by all calls deferred under them.
+#[derive(Debug)]
+pub(crate) struct Trail {
+    pub(super) before: Option<Rc<Trail>>,
+    pub(super) rules: Box<[u32]>,
+    /// The number of rules from the start rule on.
+    depth: usize,
+}
+
+impl Drop for Trail {
+    /// One after the other: a deep recursion makes a long list, and dropping it level by level would need as much stack.
+    fn drop(&mut self) {
+        let mut next = self.before.take();
+        while let Some(mut trail) = next.and_then(Rc::into_inner) {
+            next = trail.before.take();
+        }
+    }
+}
+
+impl Env {
+    /// The number of rules on the trail.
+    pub(crate) fn trail_len(&self) -> usize {
+        self.trail.len()
+    }
+
+    /// The rules on the trail from a number on.
+    pub(crate) fn trail_from(&self, start: usize) -> Box<[u32]> {
+        self.trail[start..].into()
+    }
+
+    /// Adds rules to the trail.
+    pub(crate) fn extend_trail(&mut self, rules: &[u32]) {
+        self.trail.extend_from_slice(rules);
+    }
+
+    /// Leaves the rules on the trail from a number on.
+    pub(crate) fn cut_trail(&mut self, len: usize) {
+        self.trail.truncate(len);
+    }
+
+    /// The trail so far, to be shared by deferred calls. It names at least one rule.
+    pub(crate) fn keep_trail(&self) -> Rc<Trail> {
+        // A deferred block enters no rule.
+        if let (Some(before), []) = (&self.before, self.trail.as_slice()) {
+            return before.clone();
+        }
+        Rc::new(Trail { before: self.before.clone(), rules: self.trail.as_slice().into(), depth: self.depth() })
+    }
+
+    /// Goes back to where a deferred call was made.
+    pub(crate) fn resume_trail(&mut self, trail: Rc<Trail>) {
+        self.before = Some(trail);
+        self.trail.clear();
+    }
+
+    /// The depth of the current shape in the tree of shapes: the number of rules from the start rule on.
+    pub(super) fn depth(&self) -> usize {
+        self.before.as_ref().map_or(0, |before| before.depth) + self.trail.len()
+    }
+
+    /// The rules that led here, from the start rule down.
+    pub(super) fn trail(&self) -> Vec<&'static str> {
+        let mut parts = vec![self.trail.as_slice()];
+        let mut before = self.before.as_deref();
+        while let Some(trail) = before {
+            parts.push(&trail.rules);
+            before = trail.before.as_deref();
+        }
+        let name = |&rule: &u32| self.rule_name(rule);
+        let count: usize = parts.iter().map(|part| part.len()).sum();
+        let rules = parts.into_iter().rev().flatten();
+        if count <= LONGEST_TRAIL {
+            return rules.map(name).collect();
+        }
+        let half = LONGEST_TRAIL / 2;
+        let (head, tail) = (rules.clone().take(half), rules.skip(count - half));
+        head.map(name).chain(["…"]).chain(tail.map(name)).collect()
+    }
+}
