@@ -164,7 +164,7 @@ impl<C> Cx<'_, C> {
         }
         // It was counted when its rule was entered.
         self.env.shapes -= 1;
-        self.filled(shape, rule)
+        filled(self.env, self.sink, shape, rule)
     }
 
     /// A leaf symbol: counts as a shape of its own.
@@ -173,41 +173,41 @@ impl<C> Cx<'_, C> {
         if !self.env.has_room(1) {
             self.env.make_room(1)?;
         }
-        self.filled(shape, rule)
+        filled(self.env, self.sink, shape, rule)
     }
+}
 
-    /// A leaf symbol for which there is room.
-    #[inline(always)]
-    pub(crate) fn filled(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
-        match shape.form {
-            Form::Rect(_) | Form::Box => {
-                self.env.filled += 1;
-                self.sink.filled(&Filled { shape, tables: &self.env.leaf_tables, rule })
-            }
-            Form::Empty | Form::Other => self.other_leaf(shape.clone(), rule),
+/// Hands a leaf symbol, for which there is room, to the sink.
+#[inline]
+pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    match shape.form {
+        Form::Rect(_) | Form::Box => {
+            env.filled += 1;
+            sink.filled(&Filled { shape, tables: &env.leaf_tables, rule })
         }
+        Form::Empty | Form::Other => other_leaf(env, sink, shape, rule),
     }
+}
 
-    /// A leaf that does not simply fill its scope.
-    #[cold]
-    #[inline(never)]
-    fn other_leaf(&mut self, shape: ShapeRef<'_>, rule: u32) -> Flow {
-        self.env.shapes += 1;
-        let shape = self.env.whole(&shape);
-        self.env.leaves += u64::from(shape.geometry.has_surface());
-        let rule = self.env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
-        let leaf = Leaf { rule, material: shape.state.material(), scope: &shape.scope };
-        match &shape.geometry {
-            Geometry::Rect(axis, unit) => self.sink.quad(&leaf, &place::rectangle(&shape.scope, *axis, *unit)),
-            Geometry::Box(unit) => self.sink.cuboid(&leaf, &place::cuboid(&shape.scope, *unit)),
-            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Flow::Continue(()),
-            Geometry::Mesh(placed) => {
-                let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);
-                if placed.inserted == Inserted::Asset {
-                    self.sink.instance(&leaf, &placed.mesh, &placement)
-                } else {
-                    self.sink.mesh(&leaf, &placed.mesh, &placement)
-                }
+/// A leaf that does not simply fill its scope.
+#[cold]
+#[inline(never)]
+fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    env.shapes += 1;
+    let shape = env.whole(shape);
+    env.leaves += u64::from(shape.geometry.has_surface());
+    let rule = env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
+    let leaf = Leaf { rule, material: shape.state.material(), scope: &shape.scope };
+    match &shape.geometry {
+        Geometry::Rect(axis, unit) => sink.quad(&leaf, &place::rectangle(&shape.scope, *axis, *unit)),
+        Geometry::Box(unit) => sink.cuboid(&leaf, &place::cuboid(&shape.scope, *unit)),
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Flow::Continue(()),
+        Geometry::Mesh(placed) => {
+            let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);
+            if placed.inserted == Inserted::Asset {
+                sink.instance(&leaf, &placed.mesh, &placement)
+            } else {
+                sink.mesh(&leaf, &placed.mesh, &placement)
             }
         }
     }

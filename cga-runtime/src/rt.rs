@@ -31,7 +31,7 @@ pub use crate::sink::{Flow, Sink};
 pub use crate::split::divide::{areas, extent, sizes, solved};
 pub use crate::split::division::{Division, Made};
 pub use crate::split::row::total;
-pub use crate::split::{Adjust, Item, Piece, Size, solve};
+pub use crate::split::{Adjust, Item, Piece, Size, solve, solve_any};
 pub use crate::text::Text;
 pub use crate::value::Value;
 pub use crate::{func, get, host, later, op, query, set};

@@ -63,6 +63,12 @@ impl<'s> Cursor<'s> {
         Some(piece)
     }
 
+    /// As [`Cursor::slot`], compiled once.
+    #[inline(never)]
+    pub fn any_slot(&mut self, slot: usize) -> Option<Piece> {
+        self.slot(slot)
+    }
+
     /// Enters the next group; groups count in the order in which they open.
     #[inline(always)]
     pub fn open(&mut self, solution: &Solution<'_>, group: usize) -> Group {
@@ -121,6 +127,12 @@ impl<'s> List<'s> {
         }
         self.pieces = rest;
         Some(*first)
+    }
+
+    /// As [`List::slot`], compiled once.
+    #[inline(never)]
+    pub fn any_slot(&mut self, slot: u32) -> Option<Piece> {
+        self.slot(slot)
     }
 
     /// Enters a group with those slots.

@@ -26,7 +26,7 @@ mod solve;
 
 pub use choices::is_size;
 pub use cursor::{Cursor, Group, List, ListGroup};
-pub use solve::{Solution, solve};
+pub use solve::{Solution, solve, solve_any};
 
 /// How a size is to be read (*split operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -75,6 +75,15 @@ pub fn solve<'a>(pattern: &'a [Item], sizes: &[Size], lengths: &'a mut [f64], ex
     Solution { pattern, lengths, extent, repeats }
 }
 
+/// As [`solve`], compiled once: for splits whose sizes are not constants, or many.
+///
+/// # Panics
+/// As [`solve`].
+#[inline(never)]
+pub fn solve_any<'a>(pattern: &'a [Item], sizes: &[Size], lengths: &'a mut [f64], extent: f64) -> Solution<'a> {
+    solve(pattern, sizes, lengths, extent)
+}
+
 /// Sets lengths, floats not yet stretched; gives their sum.
 #[inline(always)]
 fn measure(sizes: &[Size], lengths: &mut [f64], extent: f64) -> Sum {

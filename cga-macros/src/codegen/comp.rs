@@ -19,7 +19,7 @@ impl Cx<'_> {
         });
         quote_spanned! { place=>
             let arms = #arms;
-            cga_rt::comp(cx, shape, #child, #how, &arms, #when, |cx, arm, part| match arm {
+            cga_rt::comp(cx, shape, #child, #how, &arms, &mut #when, &mut |cx, arm, part| match arm {
                 #(#parts)*
                 _ => cga_rt::Flow::Continue(()),
             })?;

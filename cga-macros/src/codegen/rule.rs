@@ -48,6 +48,7 @@ impl Cx<'_> {
         let (enter, leave) = (enter(rule, id), leave(rule));
         quote_spanned! { place=>
             #doc
+            #[inline(never)]
             fn #name(
                 g: &CgaValues,
                 cx: &mut cga_rt::Cx<'_, CgaCall>,
@@ -208,7 +209,7 @@ impl Cx<'_> {
         let number = Literal::u32_unsuffixed(number);
         // The expressions of the step ask for `cx`.
         quote_spanned! { Span::mixed_site()=>
-            let changed = cga_rt::slim::paint(cx.env, shape, #number, |env, shape| {
+            let changed = cga_rt::slim::paint(cx.env, shape, #number, g, |g, env, shape| {
                 let cx = cga_rt::Painting { env };
                 #change
             });

@@ -14,6 +14,8 @@ struct Slots<'s> {
     axis: TokenStream,
     /// True if the pieces are a list, false if they are laid out one by one.
     is_list: bool,
+    /// True for few slots of constant sizes: they are laid out in place, and the compiler folds what it knows.
+    in_place: bool,
 }
 
 /// Where the next item of a pattern is: so many slots and groups come before it.
@@ -44,7 +46,7 @@ impl Cx<'_> {
         let is_list = solved.is_some() || split.measure == Measure::Area;
         let is_counted = split.slots.iter().any(|target| self.facts.target(target).total);
         let total = if is_counted { quote_spanned!(place=> cga_rt::total(pieces)) } else { quote_spanned!(place=> 0) };
-        let slots = Slots { split, rule, axis, is_list };
+        let slots = Slots { split, rule, axis, is_list, in_place: is_small(split) };
         let statements = self.items(&slots, &split.pattern, At::default(), false);
         let (axis, number) = (&slots.axis, Literal::u32_unsuffixed(number));
         quote_spanned! { place=>
@@ -100,16 +102,18 @@ impl Cx<'_> {
     fn slot(&self, slots: &Slots<'_>, slot: usize, in_group: bool) -> TokenStream {
         let (place, axis) = (Span::mixed_site(), &slots.axis);
         let number = Literal::usize_unsuffixed(slot);
+        let [next, part] = if slots.in_place { ["slot", "part"] } else { ["any_slot", "any_part"] };
+        let [next, part] = [next, part].map(|name| Ident::new(name, place));
         match &slots.split.slots[slot] {
             Target::Nil => quote_spanned! { place=>
-                if row.slot(#number).is_some() {
+                if row.#next(#number).is_some() {
                     division.skip();
                 }
             },
             Target::Leaf(name, _) => {
                 let name = self.leaves.number(name);
                 quote_spanned! { place=>
-                    if let ::core::option::Option::Some(piece) = row.slot(#number) {
+                    if let ::core::option::Option::Some(piece) = row.#next(#number) {
                         division.leaf(cx, #axis, piece, #name)?;
                     }
                 }
@@ -123,8 +127,8 @@ impl Cx<'_> {
                 let uses = self.facts.target(target);
                 let draws = uses.draws;
                 quote_spanned! { place=>
-                    if let ::core::option::Option::Some(piece) = row.slot(#number) {
-                        let part = division.part(#axis, piece, #number, #in_group, #draws);
+                    if let ::core::option::Option::Some(piece) = row.#next(#number) {
+                        let part = division.#part(#axis, piece, #number, #in_group, #draws);
                         let flow: cga_rt::Flow = #code;
                         flow?;
                     }
@@ -145,11 +149,12 @@ impl Cx<'_> {
     fn lengths(&self, split: &Split, axis: &TokenStream) -> TokenStream {
         let (place, count) = (Span::mixed_site(), split.sizes.len());
         let (sizes, name) = self.sizes(split);
+        let solve = Ident::new(if is_small(split) { "solve" } else { "solve_any" }, place);
         quote_spanned! { place=>
             #sizes
             let mut lengths = [0.0; #count];
             let extent = cga_rt::extent(cx.env, shape, #axis);
-            let pieces = &cga_rt::solve(PATTERN, &#name, &mut lengths, extent);
+            let pieces = &cga_rt::#solve(PATTERN, &#name, &mut lengths, extent);
         }
     }
 
@@ -218,6 +223,15 @@ fn known(solved: &Solved, axis: &TokenStream) -> TokenStream {
 
 fn list() -> TokenStream {
     quote_spanned!(Span::mixed_site()=> cga_rt::List::new(pieces))
+}
+
+fn is_constant(size: &Size) -> bool {
+    matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite())
+}
+
+/// Whether a split has few slots, all of constant sizes.
+fn is_small(split: &Split) -> bool {
+    split.slots.len() <= 3 && split.sizes.iter().all(is_constant)
 }
 
 /// Whether a group is in another one.

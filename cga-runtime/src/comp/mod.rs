@@ -120,7 +120,6 @@ pub fn never(_: &mut Env, _: u32, _: &mut Candidate<'_>) -> bool {
 /// Divides a shape into its components and calls `visit` with every part's arm and shape: arms in writing order, the
 /// components of each by number (*comp operation*). `when` says whether the condition of an arm holds; `number` counts the
 /// children that the rule makes.
-#[inline]
 #[allow(clippy::too_many_arguments, reason = "generated code calls it")]
 pub fn comp<C>(
     cx: &mut Cx<'_, C>,
@@ -129,8 +128,8 @@ pub fn comp<C>(
     components: Components,
     align: Align,
     arms: &[Arm],
-    when: impl FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
-    mut visit: impl FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
+    when: &mut dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool,
+    visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
     let whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
     let parts = Parts::of(cx.env, &whole, components, align, arms, when)?;

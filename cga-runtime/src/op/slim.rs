@@ -90,19 +90,20 @@ pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Opt
 
 /// An operation that changes the material alone. With constant arguments its result is found once for each material before:
 /// `place` counts such operations in the rules.
-#[inline]
-pub fn paint(
+#[inline(never)]
+pub fn paint<G>(
     env: &mut Env,
     shape: &ShapeRef<'_>,
     place: u32,
-    change: impl FnOnce(&mut Env, &mut Shape),
+    g: &G,
+    change: fn(&G, &mut Env, &mut Shape),
 ) -> Option<Box<Base>> {
     if let Some(after) = env.leaf_tables.materials.painted(place, shape.material.get()) {
         shape.material.set(after);
         return None;
     }
     let (before, faults) = (shape.material.get(), env.fault_count());
-    let base = whole(env, shape, change)?;
+    let base = whole(env, shape, |env, shape| change(g, env, shape))?;
     let is_faultless = faults == env.fault_count();
     let materials = &mut env.leaf_tables.materials;
     let after = materials.intern(base.shape.state.material());

@@ -7,13 +7,13 @@ use glam::DVec3;
 use super::parts::{Parts, within_limit};
 use super::row::Row;
 use super::{Adjust, Piece};
-use crate::derive::Cx;
+use crate::derive::{Cx, filled};
 use crate::env::Env;
 use crate::scope::Axis;
 use crate::seed::{self, Seed, Tag};
 use crate::shape::base::{Base, Form};
 use crate::shape::{Counter, ShapeRef};
-use crate::sink::Flow;
+use crate::sink::{Flow, Sink};
 use crate::tol::PLANAR_EPSILON;
 use crate::unit::Band;
 
@@ -137,11 +137,22 @@ impl<'s> Division<'s> {
         &self.part
     }
 
+    /// As [`Division::part`], compiled once.
+    #[inline(never)]
+    pub fn any_part(&mut self, axis: Axis, piece: Piece, slot: u32, in_group: bool, draws: bool) -> &ShapeRef<'s> {
+        self.part(axis, piece, slot, in_group, draws)
+    }
+
     /// Hands the next piece on as a leaf.
-    #[inline(always)]
+    #[inline]
     pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, axis: Axis, piece: Piece, rule: u32) -> Flow {
+        self.hand_out(cx.env, cx.sink, axis, piece, rule)
+    }
+
+    #[inline(never)]
+    fn hand_out(&mut self, env: &mut Env, sink: &mut dyn Sink, axis: Axis, piece: Piece, rule: u32) -> Flow {
         self.place(axis, piece);
-        cx.filled(&self.part, rule)
+        filled(env, sink, &self.part, rule)
     }
 
     /// Gives the part its place.

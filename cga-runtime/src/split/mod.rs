@@ -6,7 +6,7 @@ pub mod division;
 mod parts;
 pub mod row;
 
-pub use cga_split::{Item, Piece, Prefix, Size, Solution, solve};
+pub use cga_split::{Item, Piece, Prefix, Size, Solution, solve, solve_any};
 
 /// Whether parts shrink to what is in them (*split operation*, adjustSelector).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

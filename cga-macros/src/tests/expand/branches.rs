@@ -1,6 +1,7 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> case height > 2 && p(0.5) : [ s('1, '2, 3) center(xz) NIL ] A.case height == 1 : 30 % : A. else : NIL else : set(height, 2) set(material.opacity, 0.5)
+    #[inline(never)]
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,

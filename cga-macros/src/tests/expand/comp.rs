@@ -1,6 +1,7 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> comp(f) { side : Wall. | 4 = Roof(comp.index) | all : NIL }
+    #[inline(never)]
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
@@ -32,8 +33,8 @@ impl CgaRules {
                 cga_rt::Components::Faces,
                 cga_rt::Align::ZUp,
                 &arms,
-                cga_rt::never,
-                |cx, arm, part| match arm {
+                &mut cga_rt::never,
+                &mut |cx, arm, part| match arm {
                     0 => cx.symbol(part, 0u32),
                     1 => {
                         let a0 = {
@@ -56,6 +57,7 @@ impl CgaRules {
         cx.leave()
     }
     ///Roof(n) --> comp(e, noAlign) { border && scope.sx > n = : X. | object.top : Y. }
+    #[inline(never)]
     fn Roof(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
@@ -83,14 +85,14 @@ impl CgaRules {
                 cga_rt::Components::Edges,
                 cga_rt::Align::Keep,
                 &arms,
-                |env, arm, candidate| match arm {
+                &mut |env, arm, candidate| match arm {
                     0 => {
                         (candidate.is(cga_rt::Word::Border)
                             & (cga_rt::get::scope_sx(candidate.shape()) > p0))
                     }
                     _ => false,
                 },
-                |cx, arm, part| match arm {
+                &mut |cx, arm, part| match arm {
                     0 => cx.symbol(part, 1u32),
                     1 => cx.symbol(part, 2u32),
                     _ => cga_rt::Flow::Continue(()),

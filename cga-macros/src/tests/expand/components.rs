@@ -1,6 +1,7 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> print(names(2))
+    #[inline(never)]
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,

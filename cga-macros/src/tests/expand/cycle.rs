@@ -1,6 +1,7 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///A(n) --> case n > 1 : B(n) B(n - 1) else : NIL
+    #[inline(never)]
     fn A(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
@@ -37,6 +38,7 @@ impl CgaRules {
         cx.leave()
     }
     ///B(n) --> A(n)
+    #[inline(never)]
     fn B(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,

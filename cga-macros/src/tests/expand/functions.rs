@@ -1,6 +1,7 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> t(fac(3, 4), #…, crate::noise("a" + scope.sx, true)) crate::ops::arch(1, "x")
+    #[inline(never)]
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,

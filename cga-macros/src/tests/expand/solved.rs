@@ -1,6 +1,7 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> s(10, 1, 1) primitiveCube() split(x) { 1 : Post. | { ~2.7 : Field. | 1 : Post. }* }
+    #[inline(never)]
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,

@@ -1,6 +1,7 @@
 #[allow(non_snake_case, dead_code, clippy::all)]
 impl CgaRules {
     ///Lot --> split(x) { 0.5 : Wall. | { ~2 : Tile(split.index) | '0.1 : NIL }* | 1 : s(1, 2, 3) Post. }
+    #[inline(never)]
     fn Lot(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
@@ -24,7 +25,7 @@ impl CgaRules {
             ];
             let mut lengths = [0.0; 4usize];
             let extent = cga_rt::extent(cx.env, shape, cga_rt::Axis::X);
-            let pieces = &cga_rt::solve(PATTERN, &SIZES, &mut lengths, extent);
+            let pieces = &cga_rt::solve_any(PATTERN, &SIZES, &mut lengths, extent);
             let made = cga_rt::Made::new(
                 cx.env,
                 shape,
@@ -41,26 +42,26 @@ impl CgaRules {
                 0,
             );
             let mut row = pieces.cursor();
-            if let ::core::option::Option::Some(piece) = row.slot(0) {
+            if let ::core::option::Option::Some(piece) = row.any_slot(0) {
                 division.leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
             }
             let mut group0 = row.open(pieces, 0);
             while row.turn(&mut group0) {
                 division.turn(cx.env)?;
-                if let ::core::option::Option::Some(piece) = row.slot(1) {
-                    let part = division.part(cga_rt::Axis::X, piece, 1, true, false);
+                if let ::core::option::Option::Some(piece) = row.any_slot(1) {
+                    let part = division.any_part(cga_rt::Axis::X, piece, 1, true, false);
                     let flow: cga_rt::Flow = {
                         let a0 = cga_rt::get::split_index((&mut { part }));
                         CgaRules::Tile(g, cx, part, a0)
                     };
                     flow?;
                 }
-                if row.slot(2).is_some() {
+                if row.any_slot(2).is_some() {
                     division.skip();
                 }
             }
-            if let ::core::option::Option::Some(piece) = row.slot(3) {
-                let part = division.part(cga_rt::Axis::X, piece, 3, false, false);
+            if let ::core::option::Option::Some(piece) = row.any_slot(3) {
+                let part = division.any_part(cga_rt::Axis::X, piece, 3, false, false);
                 let flow: cga_rt::Flow = { CgaRules::Lot_1(g, cx, part) };
                 flow?;
             }
@@ -72,6 +73,7 @@ impl CgaRules {
         cx.leave()
     }
     ///Tile(i) --> Wall.
+    #[inline(never)]
     fn Tile(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
@@ -82,6 +84,7 @@ impl CgaRules {
         cx.symbol(shape, 1u32)?;
         cx.leave()
     }
+    #[inline(never)]
     fn Lot_1(
         g: &CgaValues,
         cx: &mut cga_rt::Cx<'_, CgaCall>,
