@@ -10,6 +10,7 @@ pub(crate) mod flatten;
 pub mod gltf;
 pub(crate) mod measure;
 pub(crate) mod number;
+mod numbers;
 pub mod obj;
 pub(crate) mod order;
 pub mod picture;
