@@ -19,13 +19,13 @@ use self::part::Run;
 use self::write::{four, short, vertex, write_box, write_face, write_quad_indices};
 use super::error::WriteError;
 use super::flatten::{FlatFace, Flattener, corner_point, normal_map, unit};
+use super::normals;
 use super::numbers::Numbers;
 use super::room::Room;
 use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
-use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 
 /// Position x, y, z and normal x, y, z.
@@ -243,11 +243,10 @@ impl Buffers {
         }
         self.last = None;
         write_quad_indices(self.indices.take(count / 4 * 6), start);
-        let base = replay.origin() - self.origin;
         let (faces, _) = self.vertices.take(count).as_chunks_mut::<4>();
         let mut faces = faces.iter_mut();
         for (placed, record, axes) in replay.leaves(0..leaf) {
-            let (origin, sides) = (base + placed.origin, placed.sides);
+            let (origin, sides) = (replay.origin() + placed.origin - self.origin, placed.sides);
             if record.form == Form::Box {
                 let cuboid = Cuboid { origin, sides, unit: record.unit };
                 write_box(faces.by_ref(), &cuboid, &axes.normals);
@@ -337,7 +336,7 @@ impl Sink for Buffers {
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let Some(start) = self.room(4) else { return ControlFlow::Break(()) };
         self.leaf(leaf);
-        let normal = short(unit(quad.u.cross(quad.v)));
+        let normal = normals::of_quad(leaf, quad);
         self.write_quad(start, quad.origin - self.origin, [quad.u, quad.v], normal);
         self.pad_uvs();
         ControlFlow::Continue(())
@@ -346,9 +345,7 @@ impl Sink for Buffers {
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
         let Some(start) = self.room(24) else { return ControlFlow::Break(()) };
         self.leaf(leaf);
-        let [x, y, z] = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
-        // From cross products, not from the axes: they turn round together with the winding when a side is negative.
-        let normals = Axes::new(DMat3::from_cols(unit(y.cross(z)), unit(z.cross(x)), unit(x.cross(y)))).normals;
+        let normals = normals::of_cuboid(leaf, cuboid);
         self.write_box(start, &Cuboid { origin: cuboid.origin - self.origin, ..*cuboid }, &normals);
         self.pad_uvs();
         ControlFlow::Continue(())

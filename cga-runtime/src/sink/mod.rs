@@ -9,8 +9,9 @@ pub(crate) mod flatten;
 #[cfg(feature = "gltf")]
 pub mod gltf;
 pub(crate) mod measure;
+mod normals;
 pub(crate) mod number;
-mod numbers;
+pub(crate) mod numbers;
 pub mod obj;
 pub(crate) mod order;
 pub mod picture;
