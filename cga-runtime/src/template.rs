@@ -24,7 +24,7 @@ use crate::shape::{Counter, ShapeRef};
 use crate::unit::UnitMesh;
 
 pub(crate) use record::Tape;
-pub use replay::Replay;
+pub use replay::{PartId, Replay};
 
 /// The templates of a place in the rules that are kept, the last ones used.
 const KEPT: usize = 16;
@@ -36,6 +36,8 @@ const MOST: usize = 64;
 #[derive(Debug)]
 pub(crate) struct Templates<C> {
     places: Vec<Vec<Entry<C>>>,
+    /// Templates made so far.
+    made: u64,
 }
 
 /// A template, or the knowledge that there is none.
@@ -59,11 +61,13 @@ struct Key {
 /// The result of a rigid rule on a shape at the origin.
 #[derive(Debug)]
 struct Template<C> {
+    /// The number of the template in its session.
+    number: u64,
     /// Shapes derived, without leaves.
     shapes: u64,
     leaves: Vec<Record>,
     /// The axes of leaves.
-    frames: Vec<DMat3>,
+    frames: Vec<Axes>,
     /// The stretches of leaves before, between and behind the holes.
     segments: Vec<Segment>,
     marks: Vec<Mark>,
@@ -165,7 +169,7 @@ impl Key {
 
 impl<C> Default for Templates<C> {
     fn default() -> Self {
-        Templates { places: Vec::new() }
+        Templates { places: Vec::new(), made: 0 }
     }
 }
 
@@ -204,7 +208,10 @@ impl<C> Template<C> {
         let frames: Vec<Axes> = self
             .frames
             .iter()
-            .map(|frame| if *frame == DMat3::IDENTITY { *axes } else { Axes::new(axes.matrix * *frame) })
+            .map(|frame| match frame.matrix == DMat3::IDENTITY {
+                true => *axes,
+                false => Axes::new(axes.matrix * frame.matrix),
+            })
             .collect();
         let leaves = self.leaves.iter().map(|leaf| {
             let frame = &frames[leaf.frame as usize].matrix;

@@ -5,7 +5,7 @@
 
 mod chunks;
 mod part;
-mod write;
+pub(super) mod write;
 
 pub use chunks::Chunks;
 pub use part::Part;

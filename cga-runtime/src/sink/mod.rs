@@ -36,7 +36,7 @@ use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 
 pub use crate::place::{Cuboid, Quad};
-pub use crate::template::Replay;
+pub use crate::template::{PartId, Replay};
 
 /// Go on, or stop the run.
 pub type Flow = ControlFlow<()>;

@@ -3,12 +3,14 @@
 //! Leaves that fill their scopes have numbers that are those of the run. A list leads from these to the numbers of the sink's
 //! table, so that a leaf costs two loads, however often rules and materials alternate.
 
+use std::fmt;
+
 use super::table::Table;
 use super::{Filled, Leaf};
 use crate::material::ids::MaterialId;
 
 /// A table of rule names and materials, and the numbers of the run under way as numbers of the table.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Numbers {
     pub(crate) table: Table,
     rules: Vec<u32>,
@@ -17,6 +19,13 @@ pub(crate) struct Numbers {
 
 /// Not yet known.
 const UNKNOWN: u32 = u32::MAX;
+
+impl fmt::Debug for Numbers {
+    /// The table alone: the numbers of a run tell nothing about the leaves.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.table.fmt(f)
+    }
+}
 
 impl Numbers {
     /// Another run begins, with numbers of its own. The table keeps its numbers.

@@ -13,6 +13,7 @@ use crate::mesh::Mesh;
 use crate::scope::Axis;
 use crate::seed::Seed;
 use crate::shape::ShapeRef;
+use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
 use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
 
@@ -143,6 +144,9 @@ impl<C: Clone> Cx<'_, C> {
         let no_matter = crate::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
         let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
+        self.templates.made += 1;
+        let number = self.templates.made;
+        let template = template.map(|template| Template { number, ..template });
         let turned = template.map(|template| Arc::new(Arc::new(template).turned(part.base.number, part.axes)));
         self.templates.keep(place, Entry { key, turned: turned.clone() });
         turned
@@ -189,7 +193,8 @@ impl<C: Clone> Cx<'_, C> {
             return None;
         }
         let (segments, marks) = segments(&leaves, holes.iter().map(|hole| hole.at));
-        Some(Template { shapes, leaves, frames, segments, marks, holes })
+        let frames = frames.into_iter().map(Axes::new).collect();
+        Some(Template { number: 0, shapes, leaves, frames, segments, marks, holes })
     }
 }
 

@@ -2,11 +2,12 @@
 
 use std::ops::Range;
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 use super::{INHERITED, Mark, Placed, Record, Template, Turned};
 use crate::derive::{Cx, ResumeFn, RuleFn};
 use crate::env::LeafTables;
+use crate::material::ids::MaterialId;
 use crate::seed::Seed;
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
@@ -14,10 +15,62 @@ use crate::shape::base::Form;
 use crate::sink::{Filled, Flow, Sink};
 
 /// Leaves of a part that repeats, at one of its places. All of them fill their scopes.
+///
+/// A sink can keep such a part once, with a list of its places, as programs that draw instances want it:
+///
+/// ```
+/// use std::collections::HashMap;
+/// use std::sync::Arc;
+///
+/// use cga_runtime::mesh::Mesh;
+/// use cga_runtime::sink::buffers::Buffers;
+/// use cga_runtime::sink::{Filled, Flow, Leaf, PartId, Replay, Sink};
+/// use glam::DAffine3;
+///
+/// /// Meshes with their places, and everything that does not repeat.
+/// #[derive(Default)]
+/// struct Scene {
+///     parts: Vec<(Buffers, Vec<DAffine3>)>,
+///     by_id: HashMap<PartId, usize>,
+///     rest: Buffers,
+/// }
+///
+/// impl Sink for Scene {
+///     // Numbers and identities are those of a run.
+///     fn begin(&mut self) {
+///         self.by_id.clear();
+///         self.rest.begin();
+///     }
+///
+///     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+///         let parts = &mut self.parts;
+///         let index = *self.by_id.entry(replay.part()).or_insert_with(|| {
+///             let mut mesh = Buffers::new();
+///             let _ = replay.each_local(&mut mesh);
+///             parts.push((mesh, Vec::new()));
+///             parts.len() - 1
+///         });
+///         self.parts[index].1.push(replay.placement());
+///         Flow::Continue(())
+///     }
+///
+///     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+///         self.rest.filled(leaf)
+///     }
+///
+///     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+///         self.rest.mesh(leaf, mesh, placement)
+///     }
+/// }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Replay<'a> {
     part: &'a ShapeRef<'a>,
     tables: &'a LeafTables,
+    /// The template, the stretch of its leaves, and the axes of the leaves at the origin.
+    template: u64,
+    segment: usize,
+    frames: &'a [Axes],
     axes: &'a [Axes],
     records: &'a [Record],
     placed: &'a [Placed],
@@ -26,18 +79,31 @@ pub struct Replay<'a> {
     is_plain: bool,
 }
 
+/// The identity of a repeated part within a run: equal identities are equal parts. Parts with other identities may be equal as
+/// well, as a run keeps few of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct PartId {
+    template: u64,
+    segment: usize,
+    /// The number of the base whose material some leaves have, if they have no other.
+    base: u64,
+}
+
 impl<'a> Replay<'a> {
     fn new<C>(
         template: &'a Template<C>,
         turned: &'a Turned<C>,
-        segment: usize,
+        number: usize,
         part: &'a ShapeRef<'a>,
         tables: &'a LeafTables,
     ) -> Self {
-        let segment = &template.segments[segment];
+        let segment = &template.segments[number];
         Replay {
             part,
             tables,
+            template: template.number,
+            segment: number,
+            frames: &template.frames,
             axes: &turned.axes,
             records: &template.leaves[segment.leaves.clone()],
             placed: &turned.leaves[segment.leaves.clone()],
@@ -55,6 +121,35 @@ impl<'a> Replay<'a> {
     /// The number of vertices when faces share none.
     pub fn corner_count(&self) -> usize {
         self.corners
+    }
+
+    /// The identity of the part, wherever it is repeated.
+    pub fn part(&self) -> PartId {
+        let has_own = self.marks.iter().any(|mark| mark.material == MaterialId::OF_BASE);
+        let base = if has_own { self.part.base.number } else { 0 };
+        PartId { template: self.template, segment: self.segment, base }
+    }
+
+    /// From the coordinates of the part to the world: a rotation and a translation.
+    pub fn placement(&self) -> DAffine3 {
+        DAffine3 { matrix3: self.part.axes.matrix, translation: self.part.origin }
+    }
+
+    /// Hands the leaves one by one to [`Sink::filled`], in the coordinates of the part: the same at all of its places.
+    pub fn each_local<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
+        for record in self.records {
+            let shape = ShapeRef {
+                origin: record.origin,
+                size: record.size,
+                axes: &self.frames[record.frame as usize],
+                unit: record.unit,
+                form: record.form,
+                material: record.material,
+                ..*self.part
+            };
+            sink.filled(&Filled { shape: &shape, tables: self.tables, rule: record.rule })?;
+        }
+        Flow::Continue(())
     }
 
     /// Hands the leaves one by one to [`Sink::filled`].

@@ -7,8 +7,18 @@ use crate::sink::Cuboid;
 
 /// A corner, rounded.
 #[inline(always)]
-pub(super) fn four(p: DVec3) -> Vec4 {
+pub(in crate::sink) fn four(p: DVec3) -> Vec4 {
     Vec4::new(p.x as f32, p.y as f32, p.z as f32, 0.0)
+}
+
+/// The corners of a box, as numbers x + 2y + 4z count them. Each is rounded once, so the three faces that meet there agree.
+#[inline(always)]
+pub(in crate::sink) fn box_corners(cuboid: &Cuboid) -> [Vec4; 8] {
+    // Whole vectors are stored and loaded: parts of one would have to wait for each other.
+    let (o, [x, y, z]) = (cuboid.origin, [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis]);
+    let (p, q) = (o + y, o + z);
+    let r = p + z;
+    [four(o), four(o + x), four(p), four(p + x), four(q), four(q + x), four(r), four(r + x)]
 }
 
 /// Writes the faces of a box; `normals` are those of its sides.
@@ -18,12 +28,7 @@ pub(super) fn write_box<'v>(
     cuboid: &Cuboid,
     normals: &[[f32; 3]; 6],
 ) {
-    // Each corner is rounded once, so the three faces that meet there agree. Whole vectors are stored and loaded: parts of
-    // one would have to wait for each other.
-    let (o, [x, y, z]) = (cuboid.origin, [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis]);
-    let (p, q) = (o + y, o + z);
-    let r = p + z;
-    let corners = [four(o), four(o + x), four(p), four(p + x), four(q), four(q + x), four(r), four(r + x)];
+    let corners = box_corners(cuboid);
     for (face, to) in cuboid.unit.sides().iter().zip(faces) {
         write_face(to, face.corners.map(|corner| corners[usize::from(corner & 7)]), normals[face.side as usize]);
     }
@@ -31,7 +36,7 @@ pub(super) fn write_box<'v>(
 
 /// Writes the indices of quads whose vertices follow each other.
 #[inline(always)]
-pub(super) fn write_quad_indices(to: &mut [u32], start: u32) {
+pub(in crate::sink) fn write_quad_indices(to: &mut [u32], start: u32) {
     const PAIR: [u32; 12] = [0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7];
     let (pairs, rest) = to.as_chunks_mut::<12>();
     let mut first = start;
