@@ -55,6 +55,18 @@ enum Stored {
     Instance(u32),
 }
 
+impl Stored {
+    /// The geometry of a leaf that fills its scope.
+    #[inline]
+    fn filled(form: Form, unit: UnitMesh) -> Option<Self> {
+        match form {
+            Form::Rect(axis) => Some(Stored::Rect(axis, unit)),
+            Form::Box => Some(Stored::Full(unit)),
+            Form::Empty | Form::Other => None,
+        }
+    }
+}
+
 /// The geometry of a leaf, in the world.
 #[derive(Clone, Copy, Debug)]
 pub enum Geometry<'a> {
@@ -322,19 +334,26 @@ impl Sink for Model {
     }
 
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
-        let stored = match leaf.shape.form {
-            Form::Rect(axis) => Stored::Rect(axis, leaf.shape.unit),
-            Form::Box => Stored::Full(leaf.shape.unit),
-            Form::Empty | Form::Other => return ControlFlow::Continue(()),
-        };
-        let (rule, material) = self.numbers.filled(leaf);
-        self.records.push(Record { scope: leaf.scope(), rule, material, stored });
+        if let Some(stored) = Stored::filled(leaf.shape.form, leaf.shape.unit) {
+            let (rule, material) = self.numbers.filled(leaf);
+            self.records.push(Record { scope: leaf.scope(), rule, material, stored });
+        }
         ControlFlow::Continue(())
     }
 
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
         self.records.reserve(replay.leaf_count());
-        replay.each(self)
+        let mut leaf = 0;
+        for (filled, mark) in replay.marks() {
+            let (rule, material) = self.numbers.with_material(&filled, mark.material);
+            let leaves = replay.leaves(leaf..leaf + mark.leaves);
+            leaf += mark.leaves;
+            self.records.extend(leaves.filter_map(|(placed, record, axes)| {
+                let scope = Scope { origin: replay.origin() + placed.origin, axes: *axes.matrix(), size: record.size };
+                Some(Record { scope, rule, material, stored: Stored::filled(record.form, record.unit)? })
+            }));
+        }
+        ControlFlow::Continue(())
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {

@@ -78,7 +78,7 @@ struct Template<C> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Record {
     origin: DVec3,
-    size: DVec3,
+    pub(crate) size: DVec3,
     pub(crate) unit: UnitMesh,
     /// A rectangle or a box.
     pub(crate) form: Form,

@@ -52,6 +52,19 @@ impl Numbers {
         self.with_material(leaf, leaf.shape.material)
     }
 
+    /// The rule of a leaf, for sinks that do not show materials.
+    #[inline]
+    pub(crate) fn rule(&mut self, leaf: &Filled<'_>) -> u32 {
+        match self.rules.get(leaf.rule as usize) {
+            Some(&rule) if rule != UNKNOWN => rule,
+            _ => {
+                let rule = self.table.rule(leaf.rule());
+                keep(&mut self.rules, leaf.rule, rule);
+                rule
+            }
+        }
+    }
+
     /// The rule of a leaf and another material of the run.
     #[inline]
     pub(crate) fn with_material(&mut self, leaf: &Filled<'_>, material: MaterialId) -> (u32, u32) {

@@ -1,4 +1,7 @@
-//! The binary part of a file: views whose bytes are written once, in place, when all lengths are known.
+//! The binary part of a file: views whose bytes are written once, when all lengths are known.
+//!
+//! Everything in a file begins at a multiple of four bytes, and a file is a list of words until it is complete: lists of numbers
+//! are copied at the speed of memory.
 
 use std::fmt;
 
@@ -13,13 +16,15 @@ pub(super) struct Binary<'a> {
     bytes: Vec<View<'a>>,
 }
 
-/// Fills the bytes of a view.
-type Write<'a> = Box<dyn Fn(&mut [u8]) + 'a>;
+/// Four bytes.
+pub(super) type Word = [u8; 4];
+
+/// Appends the words of a view.
+type Write<'a> = Box<dyn Fn(&mut Vec<Word>) + 'a>;
 
 /// The place of a view, and what writes its bytes.
 struct View<'a> {
     start: usize,
-    length: usize,
     write: Write<'a>,
 }
 
@@ -35,14 +40,14 @@ impl<'a> Binary<'a> {
         self.length = self.length.next_multiple_of(8);
     }
 
-    /// Appends a view of that many bytes, on an 8-byte boundary; gives its number. `write` fills it later.
-    pub(super) fn view(&mut self, length: usize, more: &str, write: impl Fn(&mut [u8]) + 'a) -> usize {
+    /// Appends a view of that many bytes, on an 8-byte boundary; gives its number. `write` writes them later.
+    pub(super) fn view(&mut self, length: usize, more: &str, write: impl Fn(&mut Vec<Word>) + 'a) -> usize {
         self.align();
         let start = self.length;
         self.length += length;
         let offset = if start == 0 { String::new() } else { format!(",\"byteOffset\":{start}") };
         self.views.push(format!("{{\"buffer\":0{offset},\"byteLength\":{length}{more}}}"));
-        self.bytes.push(View { start, length, write: Box::new(write) });
+        self.bytes.push(View { start, write: Box::new(write) });
         self.views.len() - 1
     }
 
@@ -63,14 +68,15 @@ impl<'a> Binary<'a> {
     }
 }
 
-/// Writes words one after the other; gives the rest of the bytes.
-pub(super) fn put(to: &mut [u8], words: impl Iterator<Item = [u8; 4]>) -> &mut [u8] {
-    let mut count = 0;
-    for (to, word) in to.as_chunks_mut::<4>().0.iter_mut().zip(words) {
-        *to = word;
-        count += 4;
+/// Appends bytes, and zeros or spaces up to the next word.
+pub(super) fn text(to: &mut Vec<Word>, bytes: &[u8], padding: u8) {
+    let (words, rest) = bytes.as_chunks::<4>();
+    to.extend_from_slice(words);
+    if !rest.is_empty() {
+        let mut word = [padding; 4];
+        word[..rest.len()].copy_from_slice(rest);
+        to.push(word);
     }
-    &mut to[count..]
 }
 
 /// Header and chunks. The description is padded so that the binary part starts on an 8-byte boundary of the file.
@@ -78,26 +84,23 @@ pub(super) fn container(json: &str, binary: &Binary<'_>) -> Result<Vec<u8>, Writ
     let json_length = (json.len() + 4).next_multiple_of(8) - 4;
     let binary_chunk = if binary.length == 0 { 0 } else { 8 + binary.length };
     let total = 20 + json_length + binary_chunk;
-    let Ok(word) = u32::try_from(total) else {
+    let Ok(length) = u32::try_from(total) else {
         return Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) });
     };
-    let mut file = vec![0; total];
-    let (head, rest) = file.split_at_mut(20);
-    head[..4].copy_from_slice(b"glTF");
-    for (to, word) in head[4..].chunks_exact_mut(4).zip([2, word, json_length as u32]) {
-        to.copy_from_slice(&word.to_le_bytes());
-    }
-    head[16..].copy_from_slice(b"JSON");
-    let (text, rest) = rest.split_at_mut(json_length);
-    text.fill(b' ');
-    text[..json.len()].copy_from_slice(json.as_bytes());
+    let mut file: Vec<Word> = Vec::with_capacity(total / 4);
+    file.push(*b"glTF");
+    file.extend([2, length, json_length as u32].map(u32::to_le_bytes));
+    file.push(*b"JSON");
+    text(&mut file, json.as_bytes(), b' ');
+    file.resize((20 + json_length) / 4, [b' '; 4]);
     if binary.length != 0 {
-        let (head, bytes) = rest.split_at_mut(8);
-        head[..4].copy_from_slice(&(binary.length as u32).to_le_bytes());
-        head[4..].copy_from_slice(b"BIN\0");
+        file.extend([(binary.length as u32).to_le_bytes(), *b"BIN\0"]);
+        let start = file.len();
         for view in &binary.bytes {
-            (view.write)(&mut bytes[view.start..view.start + view.length]);
+            file.resize(start + view.start / 4, [0; 4]);
+            (view.write)(&mut file);
         }
+        file.resize(start + binary.length / 4, [0; 4]);
     }
-    Ok(file)
+    Ok(file.into_flattened())
 }

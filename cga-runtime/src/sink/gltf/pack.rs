@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use glam::DVec3;
+use glam::{DVec3, Vec4};
 
-use super::binary::{Binary, container, put};
+use super::binary::{Binary, Word, container, text};
 use super::json::joined;
 use super::parts::Place;
 use super::primitive::Primitive;
@@ -63,15 +63,13 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
 /// Rule names: one string table, one row a rule.
 fn write_rules(json: &mut String, binary: &mut Binary<'_>, rules: &[&str], has_instances: bool) {
     let mut offsets = vec![0u32];
-    let mut text = Vec::new();
+    let mut names = Vec::new();
     for rule in rules {
-        text.extend_from_slice(rule.as_bytes());
-        offsets.push(text.len() as u32);
+        names.extend_from_slice(rule.as_bytes());
+        offsets.push(names.len() as u32);
     }
-    let values = binary.view(text.len(), "", move |to| to.copy_from_slice(&text));
-    let offsets = binary.view(4 * offsets.len(), "", move |to| {
-        put(to, offsets.iter().map(|o| o.to_le_bytes()));
-    });
+    let values = binary.view(names.len(), "", move |to| text(to, &names, 0));
+    let offsets = binary.view(4 * offsets.len(), "", move |to| to.extend(offsets.iter().map(|o| o.to_le_bytes())));
     json.push_str("\"extensionsUsed\":[\"EXT_mesh_features\",\"EXT_structural_metadata\"");
     // A reader without the extension would show each part once, at a wrong place.
     json.push_str(match has_instances {
@@ -181,12 +179,10 @@ impl<'a> Binary<'a> {
         length: usize,
         more: &str,
         primitives: &[&'a Primitive],
-        write: for<'t> fn(&'t mut [u8], &Primitive) -> &'t mut [u8],
+        write: fn(&mut Vec<Word>, &Primitive),
     ) -> usize {
         let primitives = primitives.to_vec();
-        self.view(length, more, move |to| {
-            primitives.iter().fold(to, |rest, primitive| write(rest, primitive));
-        })
+        self.view(length, more, move |to| primitives.iter().for_each(|primitive| write(to, primitive)))
     }
 
     /// The accessors of the translations and the rotations of instances, for each mesh that has some.
@@ -202,13 +198,11 @@ impl<'a> Binary<'a> {
         }
         let all = lists.clone();
         let translations = self.view(12 * count, "", move |to| {
-            let words = all.iter().copied().flatten().flat_map(|place| place.translation).map(f32::to_le_bytes);
-            put(to, words);
+            all.iter().copied().flatten().for_each(|place| to.extend(place.translation.map(f32::to_le_bytes)));
         });
         let all = lists.clone();
         let rotations = self.view(16 * count, "", move |to| {
-            let words = all.iter().copied().flatten().flat_map(|place| place.rotation).map(f32::to_le_bytes);
-            put(to, words);
+            all.iter().copied().flatten().for_each(|place| to.extend(place.rotation.map(f32::to_le_bytes)));
         });
         let mut at = 0;
         let accessors = lists.iter().map(|list| {
@@ -221,27 +215,26 @@ impl<'a> Binary<'a> {
     }
 }
 
-fn write_indices<'t>(to: &'t mut [u8], primitive: &Primitive) -> &'t mut [u8] {
-    put(to, primitive.indices.items().iter().map(|index| index.to_le_bytes()))
+fn write_indices(to: &mut Vec<Word>, primitive: &Primitive) {
+    to.extend(primitive.indices.items().iter().map(|index| index.to_le_bytes()));
 }
 
-fn write_positions<'t>(to: &'t mut [u8], primitive: &Primitive) -> &'t mut [u8] {
-    put(to, primitive.positions.items().as_flattened().iter().map(|c| c.to_le_bytes()))
+fn write_positions(to: &mut Vec<Word>, primitive: &Primitive) {
+    to.extend(primitive.positions.items().as_flattened().iter().map(|c| c.to_le_bytes()));
 }
 
-fn write_normals<'t>(to: &'t mut [u8], primitive: &Primitive) -> &'t mut [u8] {
-    put(to, primitive.normals.items().as_flattened().iter().map(|c| c.to_le_bytes()))
+fn write_normals(to: &mut Vec<Word>, primitive: &Primitive) {
+    to.extend(primitive.normals.items().as_flattened().iter().map(|c| c.to_le_bytes()));
 }
 
-fn write_rule_numbers<'t>(to: &'t mut [u8], primitive: &Primitive) -> &'t mut [u8] {
-    primitive.rules().fold(to, |rest, (rule, vertices)| {
-        let word = (rule as f32).to_le_bytes();
-        put(rest, std::iter::repeat_n(word, vertices.len()))
-    })
+fn write_rule_numbers(to: &mut Vec<Word>, primitive: &Primitive) {
+    for (rule, vertices) in primitive.rules() {
+        to.extend(std::iter::repeat_n((rule as f32).to_le_bytes(), vertices.len()));
+    }
 }
 
-fn write_uvs<'t>(to: &'t mut [u8], primitive: &Primitive) -> &'t mut [u8] {
-    put(to, primitive.uvs.as_flattened().iter().map(|c| c.to_le_bytes()))
+fn write_uvs(to: &mut Vec<Word>, primitive: &Primitive) {
+    to.extend(primitive.uvs.as_flattened().iter().map(|c| c.to_le_bytes()));
 }
 
 /// The members `min` and `max`. Every digit of the `f32`s is written: readers compare.
@@ -253,25 +246,42 @@ fn extremes(positions: &[[f32; 3]]) -> Result<String, WriteError> {
 /// The least and the largest coordinates, if all are finite.
 fn bounds(positions: &[[f32; 3]]) -> Option<([f32; 3], [f32; 3])> {
     // Four positions at once, as they are three whole vectors.
-    const WIDE: usize = 12;
-    let (chunks, rest) = positions.as_flattened().as_chunks::<WIDE>();
-    let (mut low, mut high, mut zero) = ([f32::INFINITY; WIDE], [f32::NEG_INFINITY; WIDE], [0.0f32; WIDE]);
+    let (chunks, rest) = positions.as_flattened().as_chunks::<12>();
+    let (mut lows, mut highs) = ([Vec4::INFINITY; 3], [Vec4::NEG_INFINITY; 3]);
+    // Coordinates that are not finite become NaN, and the sum stays it.
+    let mut zeros = [Vec4::ZERO; 3];
     for chunk in chunks {
-        for (i, &c) in chunk.iter().enumerate() {
-            low[i] = if c < low[i] { c } else { low[i] };
-            high[i] = if high[i] < c { c } else { high[i] };
-            // What is not finite becomes NaN, and stays it.
-            zero[i] += 0.0 * c;
+        for (i, c) in chunk.as_chunks::<4>().0.iter().map(|c| Vec4::from_array(*c)).enumerate() {
+            lows[i] = lows[i].min(c);
+            highs[i] = highs[i].max(c);
+            zeros[i] += c * 0.0;
         }
     }
-    for (i, &c) in rest.iter().enumerate() {
-        low[i] = low[i].min(c);
-        high[i] = high[i].max(c);
-        zero[i] += 0.0 * c;
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    let flat = |vectors: [Vec4; 3]| vectors.map(|vector| vector.to_array());
+    for (i, &c) in flat(lows).as_flattened().iter().chain(rest).enumerate() {
+        low[i % 3] = low[i % 3].min(c);
     }
-    for i in 3..WIDE {
-        low[i % 3] = low[i % 3].min(low[i]);
-        high[i % 3] = high[i % 3].max(high[i]);
+    for (i, &c) in flat(highs).as_flattened().iter().chain(rest).enumerate() {
+        high[i % 3] = high[i % 3].max(c);
     }
-    zero.iter().all(|zero| *zero == 0.0).then_some(([low[0], low[1], low[2]], [high[0], high[1], high[2]]))
+    let is_finite = flat(zeros).as_flattened().iter().all(|zero| *zero == 0.0) && rest.iter().all(|c| c.is_finite());
+    is_finite.then_some((low, high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bounds;
+
+    #[test]
+    fn bounds_are_those_of_all_positions_and_finite() {
+        let mut positions: Vec<[f32; 3]> = (0..11).map(|i| [i as f32, -(i as f32), 0.5]).collect();
+        assert_eq!(bounds(&positions), Some(([0.0, -10.0, 0.5], [10.0, 0.0, 0.5])));
+        for (at, odd) in [(0, f32::NAN), (10, f32::NAN), (3, f32::INFINITY), (9, f32::NEG_INFINITY)] {
+            let kept = std::mem::replace(&mut positions[at][1], odd);
+            assert_eq!(bounds(&positions), None);
+            positions[at][1] = kept;
+        }
+        assert_eq!(bounds(&positions[..2]), Some(([0.0, -1.0, 0.5], [1.0, 0.0, 0.5])));
+    }
 }
