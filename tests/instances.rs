@@ -8,7 +8,7 @@ use cga::glam::{DAffine3, DMat4, DQuat, DVec3};
 use cga::sink::buffers::Buffers;
 use cga::sink::gltf::Glb;
 use cga::sink::{Filled, PartId, Replay};
-use cga::{Flow, Leaf, Mesh, Settings, Shape, Sink, cga};
+use cga::{Color, Flow, Leaf, Mesh, Settings, Shape, Sink, cga};
 use serde_json::Value;
 
 cga! {
@@ -182,9 +182,38 @@ fn kept_and_fresh_templates_give_the_same_bytes() {
         }
         assert!(glb.finish().expect("a file") == expected);
     }
-    // A template of a part that was forgotten meanwhile is made again, and is the same part.
-    let parts = File::new(&expected).json["meshes"].as_array().map_or(0, Vec::len);
-    assert!(parts < 200, "{parts} meshes");
+}
+
+#[test]
+fn a_part_whose_template_was_forgotten_is_the_same_part() {
+    let meshes = |rounds: usize| {
+        let (settings, grammar) = (settings(), Bays::default());
+        let mut session = grammar.session(&settings).expect("a session");
+        let mut glb = Glb::new().with_instances();
+        for round in 0..rounds {
+            for at in 0..40 {
+                let shape = Shape::cuboid(4.0 + 0.01 * f64::from(at), 3.0, 1.0).at([0.0, 0.0, 5.0 * round as f64]);
+                session.run(&shape, &mut glb).expect("no limit");
+            }
+        }
+        File::new(&glb.finish().expect("a file")).json["meshes"].as_array().map_or(0, Vec::len)
+    };
+    assert_eq!((meshes(1), meshes(3)), (40, 40));
+}
+
+#[test]
+fn parts_in_the_material_of_their_shape_are_told_apart() {
+    let mut glb = Glb::new().with_instances();
+    let mut merged = Glb::new();
+    for at in 0..6 {
+        let mut lot = Shape::cuboid(8.0, 3.0, 1.0).at([0.0, 0.0, 5.0 * f64::from(at)]);
+        lot.set_color(Color::new(f64::from(at % 3) / 2.0, 0.5, 0.5));
+        Bays::default().generate_into(&lot, &settings(), &mut glb).expect("no limit");
+        Bays::default().generate_into(&lot, &settings(), &mut merged).expect("no limit");
+    }
+    let [merged, instanced] = [merged, glb].map(|glb| File::new(&glb.finish().expect("a file")));
+    assert_same(merged.triangles(), instanced.triangles());
+    assert_eq!(instanced.json["meshes"].as_array().map_or(0, Vec::len), 3);
 }
 
 #[test]

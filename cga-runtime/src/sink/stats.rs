@@ -104,13 +104,16 @@ impl Stats {
     }
 
     #[inline]
-    fn reach(&mut self, point: DVec3) {
-        let Bounds { low, high } = &mut self.bounds;
-        for axis in 0..3 {
-            let c = point[axis];
-            low[axis] = if c < low[axis] { c } else { low[axis] };
-            high[axis] = if high[axis] < c { c } else { high[axis] };
+    fn reach(&mut self, points: impl IntoIterator<Item = DVec3>) {
+        // NaN is not less than anything, so it does not count.
+        let less = |a: f64, b: f64| if a < b { a } else { b };
+        let more = |a: f64, b: f64| if b < a { a } else { b };
+        let Bounds { mut low, mut high } = self.bounds;
+        for p in points {
+            low = DVec3::new(less(p.x, low.x), less(p.y, low.y), less(p.z, low.z));
+            high = DVec3::new(more(p.x, high.x), more(p.y, high.y), more(p.z, high.z));
         }
+        self.bounds = Bounds { low, high };
     }
 
     #[inline]
@@ -119,7 +122,7 @@ impl Stats {
         self.add(rule, 2, 4, across.length(), 0.0);
         // Of both triangles together.
         self.checksum += quad.origin.dot(across) / 3.0;
-        quad.corners().into_iter().for_each(|corner| self.reach(corner));
+        self.reach(quad.corners());
     }
 
     #[inline]
@@ -127,7 +130,7 @@ impl Stats {
         let volume = cuboid_volume(cuboid);
         self.add(rule, 12, 24, cuboid_area(cuboid), volume);
         self.checksum += volume;
-        cuboid.corners().into_iter().for_each(|corner| self.reach(corner));
+        self.reach(cuboid.corners());
     }
 }
 
@@ -197,7 +200,7 @@ impl Sink for Stats {
         self.checksum += sum / 6.0;
         let rule = self.numbers.table.rule(leaf.rule);
         self.add(rule, triangles, mesh.corners.len() as u64, mesh_area(mesh, placement), mesh_volume(mesh, placement));
-        mesh.points.iter().for_each(|&point| self.reach(placement.transform_point3(point)));
+        self.reach(mesh.points.iter().map(|&point| placement.transform_point3(point)));
         ControlFlow::Continue(())
     }
 }
