@@ -173,10 +173,17 @@ fn stretches_stream_in_parallel() {
     assert!(sizes.iter().all(|borders| *borders == sizes[0]), "threads move no border");
 }
 
+cga! {
+    /// Floors that repeat, with more vertices than a small chunk.
+    grammar Floors;
+    Lot   --> comp(f) { side : split(y) { { ~3.1 : Floor }* } | all : NIL }
+    Floor --> split(x) { { ~2.3 : split(x) { ~1 : A. | 1.2 : B. | ~0.7 : C. } }* }
+}
+
 #[test]
 fn far_from_the_origin_chunks_have_the_bits_of_whole_buffers() {
     let far = cga::glam::DVec3::new(512_345.3, 0.7, 5_400_000.1);
-    let grammar = super::grammars::Street::default();
+    let grammar = Floors::default();
     let shapes: Vec<Shape> = (0..8)
         .map(|at| Shape::cuboid(13.5, 31.0, 11.0).at((far + 20.1 * f64::from(at)).to_array()).seed(at as u64))
         .collect();
