@@ -43,7 +43,7 @@ impl Primitive {
     /// Adds the triangles of one part of buffers.
     fn part(&mut self, buffers: &Buffers, part: &Part, rule: u32, moved: DVec3) {
         let vertices = &buffers.vertices()[part.vertices.clone()];
-        self.rule(rule);
+        self.begin(rule, false);
         let start = self.positions.len() as u32;
         let first = part.vertices.start as u32;
         let position = |&[x, y, z, ..]: &[f32; 6]| match moved == DVec3::ZERO {

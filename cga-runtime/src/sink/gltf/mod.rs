@@ -14,6 +14,7 @@ mod look;
 mod pack;
 mod parts;
 mod primitive;
+mod streams;
 
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -180,7 +181,7 @@ impl Sink for Glb {
             let (rule, material) = self.numbers.with_material(&filled, mark.material);
             let leaves = leaf..leaf + mark.leaves;
             leaf = leaves.end;
-            self.plain(material).stretch(rule, replay, leaves, mark.corners, origin);
+            self.plain(material).repeat(rule, replay, leaves, mark.corners / 4, origin);
         }
         self.add(replay.corner_count(), replay.corner_count() / 4 * 6)
     }

@@ -4,10 +4,11 @@ use std::fmt::Write as _;
 
 use glam::{DVec3, Vec4};
 
-use super::binary::{Binary, Word, container, text};
+use super::binary::{Binary, container, text};
 use super::json::joined;
 use super::parts::Place;
 use super::primitive::Primitive;
+use super::streams::Stream;
 use super::{Glb, MAX_BYTES, Places, Shared};
 use crate::sink::error::WriteError;
 use crate::sink::number::list;
@@ -135,33 +136,33 @@ impl<'a> Binary<'a> {
         }
         let target = |target: u32| format!(",\"target\":{target}");
         let strided = |stride: u32| format!(",\"byteStride\":{stride},\"target\":{VERTICES}");
-        let vertices = primitives.iter().map(|p| p.positions.len()).sum::<usize>();
+        let vertices = primitives.iter().map(|p| p.vertex_count()).sum::<usize>();
 
-        let count = primitives.iter().map(|p| p.indices.len()).sum::<usize>();
-        let (view, mut at) = (self.stream(4 * count, &target(INDICES), primitives, write_indices), 0);
+        let count = primitives.iter().map(|p| p.index_count()).sum::<usize>();
+        let (view, mut at) = (self.stream(4 * count, &target(INDICES), primitives, Primitive::write_indices), 0);
         for (p, a) in primitives.iter().zip(&mut all) {
-            a.indices = self.accessor(view, at, U32, p.indices.len(), "SCALAR", "");
-            at += 4 * p.indices.len();
+            a.indices = self.accessor(view, at, U32, p.index_count(), "SCALAR", "");
+            at += 4 * p.index_count();
         }
-        let (view, mut at) = (self.stream(12 * vertices, &strided(12), primitives, write_positions), 0);
+        let (view, mut at) = (self.stream(12 * vertices, &strided(12), primitives, Primitive::write_positions), 0);
         for (p, a) in primitives.iter().zip(&mut all) {
             let range = extremes(p.positions.items())?;
-            a.position = self.accessor(view, at, F32, p.positions.len(), "VEC3", &range);
-            at += 12 * p.positions.len();
+            a.position = self.accessor(view, at, F32, p.vertex_count(), "VEC3", &range);
+            at += 12 * p.vertex_count();
         }
-        let (view, mut at) = (self.stream(12 * vertices, &strided(12), primitives, write_normals), 0);
+        let (view, mut at) = (self.stream(12 * vertices, &strided(12), primitives, Primitive::write_normals), 0);
         for (p, a) in primitives.iter().zip(&mut all) {
-            a.normal = self.accessor(view, at, F32, p.normals.len(), "VEC3", "");
-            at += 12 * p.normals.len();
+            a.normal = self.accessor(view, at, F32, p.vertex_count(), "VEC3", "");
+            at += 12 * p.vertex_count();
         }
-        let (view, mut at) = (self.stream(4 * vertices, &strided(4), primitives, write_rule_numbers), 0);
+        let (view, mut at) = (self.stream(4 * vertices, &strided(4), primitives, Primitive::write_rules), 0);
         for (p, a) in primitives.iter().zip(&mut all) {
-            a.rule = self.accessor(view, at, F32, p.positions.len(), "SCALAR", "");
-            at += 4 * p.positions.len();
+            a.rule = self.accessor(view, at, F32, p.vertex_count(), "SCALAR", "");
+            at += 4 * p.vertex_count();
         }
         let count = primitives.iter().map(|p| p.uvs.len()).sum::<usize>();
         if 0 < count {
-            let (view, mut at) = (self.stream(8 * count, &strided(8), primitives, write_uvs), 0);
+            let (view, mut at) = (self.stream(8 * count, &strided(8), primitives, Primitive::write_uvs), 0);
             for (p, a) in primitives.iter().zip(&mut all).filter(|(p, _)| !p.uvs.is_empty()) {
                 a.uv = Some(self.accessor(view, at, F32, p.uvs.len(), "VEC2", ""));
                 at += 8 * p.uvs.len();
@@ -174,15 +175,9 @@ impl<'a> Binary<'a> {
     }
 
     /// A view with what `write` writes of each primitive.
-    fn stream(
-        &mut self,
-        length: usize,
-        more: &str,
-        primitives: &[&'a Primitive],
-        write: fn(&mut Vec<Word>, &Primitive),
-    ) -> usize {
+    fn stream(&mut self, length: usize, more: &str, primitives: &[&'a Primitive], write: Stream) -> usize {
         let primitives = primitives.to_vec();
-        self.view(length, more, move |to| primitives.iter().for_each(|primitive| write(to, primitive)))
+        self.view(length, more, move |to| primitives.iter().for_each(|primitive| write(primitive, to)))
     }
 
     /// The accessors of the translations and the rotations of instances, for each mesh that has some.
@@ -213,28 +208,6 @@ impl<'a> Binary<'a> {
         });
         accessors.collect()
     }
-}
-
-fn write_indices(to: &mut Vec<Word>, primitive: &Primitive) {
-    to.extend(primitive.indices.items().iter().map(|index| index.to_le_bytes()));
-}
-
-fn write_positions(to: &mut Vec<Word>, primitive: &Primitive) {
-    to.extend(primitive.positions.items().as_flattened().iter().map(|c| c.to_le_bytes()));
-}
-
-fn write_normals(to: &mut Vec<Word>, primitive: &Primitive) {
-    to.extend(primitive.normals.items().as_flattened().iter().map(|c| c.to_le_bytes()));
-}
-
-fn write_rule_numbers(to: &mut Vec<Word>, primitive: &Primitive) {
-    for (rule, vertices) in primitive.rules() {
-        to.extend(std::iter::repeat_n((rule as f32).to_le_bytes(), vertices.len()));
-    }
-}
-
-fn write_uvs(to: &mut Vec<Word>, primitive: &Primitive) {
-    to.extend(primitive.uvs.as_flattened().iter().map(|c| c.to_le_bytes()));
 }
 
 /// The members `min` and `max`. Every digit of the `f32`s is written: readers compare.

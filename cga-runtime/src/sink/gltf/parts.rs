@@ -111,7 +111,7 @@ impl Glb {
             }
             for primitive in &primitives {
                 let index = self.primitives.with_look(primitive.look, false);
-                self.primitives.list[index].add(primitive, &first, self.origin);
+                self.primitives.list[index].add_quads(primitive, &first, self.origin);
             }
         }
         shared

@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec2, DVec3, Vec4};
 use super::look::Looks;
 use crate::mesh::Mesh;
 use crate::shape::base::Form;
-use crate::sink::buffers::write::{box_corners, four, write_quad_indices};
+use crate::sink::buffers::write::{box_corners, four};
 use crate::sink::flatten::{FlatFace, corner_point, normal_map, unit};
 use crate::sink::room::Room;
 use crate::sink::table::Table;
@@ -25,16 +25,33 @@ pub(super) struct Primitives {
     plain: Vec<Option<u32>>,
 }
 
-/// Streams of one glTF primitive. Texture coordinates are there for all vertices or for none.
+/// The triangles of one glTF primitive. Texture coordinates are there for all vertices or for none.
+///
+/// A quad has four vertices, one normal, and indices that follow from its place; the faces of meshes have all of them. The
+/// streams of the file are made of both when it is written (`streams.rs`).
 #[derive(Debug, Default)]
 pub(super) struct Primitive {
     pub(super) look: u32,
     pub(super) positions: Room<[f32; 3]>,
-    pub(super) normals: Room<[f32; 3]>,
     pub(super) uvs: Vec<[f32; 2]>,
-    pub(super) indices: Room<u32>,
-    /// Stretches of vertices with one rule: the rule and the first vertex.
-    rules: Vec<(u32, u32)>,
+    /// One a quad.
+    pub(super) quad_normals: Room<[f32; 3]>,
+    /// One a vertex of a mesh.
+    pub(super) normals: Vec<[f32; 3]>,
+    /// The indices of meshes.
+    pub(super) indices: Vec<u32>,
+    pub(super) stretches: Vec<Stretch>,
+}
+
+/// Vertices after each other with one rule, of quads or of meshes. It ends where the next one begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Stretch {
+    pub(super) rule: u32,
+    pub(super) is_quads: bool,
+    /// The first vertex.
+    pub(super) vertex: u32,
+    /// The first of the indices of meshes.
+    pub(super) index: u32,
 }
 
 /// Bytes that a vertex without texture coordinates takes, and an index.
@@ -85,7 +102,7 @@ impl Primitives {
     /// Drops primitives without triangles: the format knows no empty lists, and a face can be too thin for a triangle.
     pub(super) fn into_list(self) -> Vec<Primitive> {
         let mut list = self.list;
-        list.retain(|primitive| primitive.indices.len() != 0);
+        list.retain(|primitive| primitive.index_count() != 0);
         list
     }
 }
@@ -102,10 +119,11 @@ fn flipped(uv: DVec2) -> [f32; 2] {
 impl PartialEq for Primitive {
     fn eq(&self, other: &Self) -> bool {
         self.look == other.look
-            && self.rules == other.rules
+            && self.stretches == other.stretches
             && self.positions.items() == other.positions.items()
-            && self.normals.items() == other.normals.items()
-            && self.indices.items() == other.indices.items()
+            && self.quad_normals.items() == other.quad_normals.items()
+            && self.normals == other.normals
+            && self.indices == other.indices
             && self.uvs == other.uvs
     }
 }
@@ -115,65 +133,53 @@ impl Hash for Primitive {
         // Equal numbers have equal hashes: adding 0 takes the sign off −0.
         let bits = |c: &f32| (c + 0.0).to_bits();
         self.look.hash(state);
-        self.rules.hash(state);
+        self.stretches.hash(state);
         self.positions.items().as_flattened().iter().for_each(|c| bits(c).hash(state));
-        self.indices.items().hash(state);
+        self.indices.hash(state);
     }
 }
 
 impl Primitive {
-    /// The rules of the vertices: stretches of vertices, each with its rule.
-    pub(super) fn rules(&self) -> impl Iterator<Item = (u32, Range<usize>)> {
-        self.rules.iter().enumerate().map(|(i, &(rule, first))| {
-            let end = self.rules.get(i + 1).map_or(self.positions.len(), |&(_, next)| next as usize);
-            (rule, first as usize..end)
-        })
+    /// The number of vertices.
+    pub(super) fn vertex_count(&self) -> usize {
+        self.positions.len()
     }
 
-    /// Says whose vertices follow.
+    /// The number of indices.
+    pub(super) fn index_count(&self) -> usize {
+        self.indices.len() + 6 * self.quad_normals.len()
+    }
+
+    /// Begins a stretch unless the last one goes on.
     #[inline]
-    pub(super) fn rule(&mut self, rule: u32) {
-        match self.rules.last() {
-            Some(&(last, _)) if last == rule => {}
-            _ => self.rules.push((rule, self.positions.len() as u32)),
+    pub(super) fn begin(&mut self, rule: u32, is_quads: bool) {
+        match self.stretches.last() {
+            Some(last) if last.rule == rule && last.is_quads == is_quads => {}
+            _ => {
+                let (vertex, index) = (self.positions.len() as u32, self.indices.len() as u32);
+                self.stretches.push(Stretch { rule, is_quads, vertex, index });
+            }
         }
     }
 
     /// Adds a rectangle with that first corner, relative to the origin of the file, and those sides.
-    pub(super) fn quad(&mut self, rule: u32, a: DVec3, [u, v]: [DVec3; 2], normal: [f32; 3]) {
-        self.rule(rule);
-        let start = self.positions.len() as u32;
-        write_quad_indices(self.indices.take(6), start);
-        let mut faces = faces(&mut self.positions, &mut self.normals, 4);
-        if let Some(to) = faces.next() {
-            write_quad(to, a, [u, v], normal);
+    pub(super) fn quad(&mut self, rule: u32, a: DVec3, sides: [DVec3; 2], normal: [f32; 3]) {
+        if let Some(to) = self.quads(rule, 1).next() {
+            write_quad(to, a, sides, normal);
         }
     }
 
     /// Adds a box, relative to the origin of the file; `normals` are those of its sides.
     pub(super) fn cuboid(&mut self, rule: u32, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
-        self.rule(rule);
-        let start = self.positions.len() as u32;
-        write_quad_indices(self.indices.take(36), start);
-        write_box(faces(&mut self.positions, &mut self.normals, 24), cuboid, normals);
+        write_box(self.quads(rule, 6), cuboid, normals);
     }
 
-    /// Adds leaves of a part that repeats, with one rule and this many corners.
+    /// Adds leaves of a part that repeats, with one rule and this many faces.
     #[inline(never)]
-    pub(super) fn stretch(
-        &mut self,
-        rule: u32,
-        replay: &Replay<'_>,
-        leaves: Range<usize>,
-        corners: usize,
-        file_origin: DVec3,
-    ) {
-        self.rule(rule);
-        let start = self.positions.len() as u32;
-        write_quad_indices(self.indices.take(corners / 4 * 6), start);
-        let mut faces = faces(&mut self.positions, &mut self.normals, corners);
+    pub(super) fn repeat(&mut self, rule: u32, replay: &Replay<'_>, leaves: Range<usize>, faces: usize, origin: DVec3) {
+        let mut faces = self.quads(rule, faces);
         for (placed, record, axes) in replay.leaves(leaves) {
-            let (origin, sides) = (replay.origin() + placed.origin - file_origin, placed.sides);
+            let (origin, sides) = (replay.origin() + placed.origin - origin, placed.sides);
             if record.form == Form::Box {
                 write_box(faces.by_ref(), &Cuboid { origin, sides, unit: record.unit }, &axes.normals);
             } else if let Some(to) = faces.next() {
@@ -182,21 +188,30 @@ impl Primitive {
         }
     }
 
-    /// Adds the triangles of another primitive without texture coordinates, moved to a place.
-    pub(super) fn add(&mut self, other: &Primitive, placement: &DAffine3, origin: DVec3) {
+    /// The places of the next quads.
+    #[inline(always)]
+    fn quads(&mut self, rule: u32, count: usize) -> impl Iterator<Item = QuadPlace<'_>> {
+        self.begin(rule, true);
+        let (positions, _) = self.positions.take(4 * count).as_chunks_mut::<4>();
+        positions.iter_mut().zip(self.quad_normals.take(count))
+    }
+
+    /// Adds the quads of another primitive, which has nothing else, moved to a place.
+    pub(super) fn add_quads(&mut self, other: &Primitive, placement: &DAffine3, origin: DVec3) {
         let start = self.positions.len() as u32;
-        self.rules.extend(other.rules.iter().map(|&(rule, first)| (rule, first + start)));
+        let index = self.indices.len() as u32;
+        let moved = |stretch: &Stretch| Stretch { vertex: start + stretch.vertex, index, ..*stretch };
+        self.stretches.extend(other.stretches.iter().map(moved));
         let wide = |v: &[f32; 3]| DVec3::from_array(v.map(f64::from));
         let turn = normal_map(&placement.matrix3);
-        let (positions, normals) = (other.positions.items(), other.normals.items());
+        let (positions, normals) = (other.positions.items(), other.quad_normals.items());
         self.positions.extend(positions.iter().map(|p| short(placement.transform_point3(wide(p)) - origin)));
-        self.normals.extend(normals.iter().map(|n| short(turn * wide(n))));
-        self.indices.extend(other.indices.items().iter().map(|index| index + start));
+        self.quad_normals.extend(normals.iter().map(|n| short(turn * wide(n))));
     }
 
     /// Adds a face of a mesh.
     pub(super) fn face(&mut self, mesh: &Mesh, placement: &DAffine3, face: &FlatFace<'_>, rule: u32, origin: DVec3) {
-        self.rule(rule);
+        self.begin(rule, false);
         let start = self.positions.len() as u32;
         let turn = normal_map(&placement.matrix3);
         for corner in face.corners.clone() {
@@ -212,44 +227,30 @@ impl Primitive {
     }
 }
 
-/// The places of the positions and the normals of a face.
-type FacePlaces<'a> = (&'a mut [[f32; 3]; 4], &'a mut [[f32; 3]; 4]);
-
-/// The places of the next faces, with this many corners in all.
-#[inline(always)]
-fn faces<'a>(
-    positions: &'a mut Room<[f32; 3]>,
-    normals: &'a mut Room<[f32; 3]>,
-    corners: usize,
-) -> impl Iterator<Item = FacePlaces<'a>> {
-    let (positions, _) = positions.take(corners).as_chunks_mut::<4>();
-    let (normals, _) = normals.take(corners).as_chunks_mut::<4>();
-    positions.iter_mut().zip(normals)
-}
+/// The places of the positions and of the normal of a quad.
+type QuadPlace<'a> = (&'a mut [[f32; 3]; 4], &'a mut [f32; 3]);
 
 #[inline(always)]
-fn write_quad(to: FacePlaces<'_>, a: DVec3, [u, v]: [DVec3; 2], normal: [f32; 3]) {
+fn write_quad(to: QuadPlace<'_>, a: DVec3, [u, v]: [DVec3; 2], normal: [f32; 3]) {
     let b = a + u;
     write_face(to, [four(a), four(b), four(b + v), four(a + v)], normal);
 }
 
 #[inline(always)]
-fn write_box<'a>(faces: impl Iterator<Item = FacePlaces<'a>>, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
+fn write_box<'a>(faces: impl Iterator<Item = QuadPlace<'a>>, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
     let corners = box_corners(cuboid);
     for (face, to) in cuboid.unit.sides().iter().zip(faces) {
         write_face(to, face.corners.map(|corner| corners[usize::from(corner & 7)]), normals[face.side as usize]);
     }
 }
 
-/// Writes the corners of a face as three vectors, and the normals.
+/// Writes the corners of a face as three vectors, and its normal.
 #[inline(always)]
-fn write_face((positions, normals): FacePlaces<'_>, [a, b, c, d]: [Vec4; 4], [u, v, w]: [f32; 3]) {
-    let put = |to: &mut [[f32; 3]; 4], vectors: [Vec4; 3]| {
-        let (chunks, _) = to.as_flattened_mut().as_chunks_mut::<4>();
-        for (to, vector) in chunks.iter_mut().zip(vectors) {
-            *to = vector.to_array();
-        }
-    };
-    put(positions, [Vec4::new(a.x, a.y, a.z, b.x), Vec4::new(b.y, b.z, c.x, c.y), Vec4::new(c.z, d.x, d.y, d.z)]);
-    put(normals, [Vec4::new(u, v, w, u), Vec4::new(v, w, u, v), Vec4::new(w, u, v, w)]);
+fn write_face((positions, to_normal): QuadPlace<'_>, [a, b, c, d]: [Vec4; 4], normal: [f32; 3]) {
+    let vectors = [Vec4::new(a.x, a.y, a.z, b.x), Vec4::new(b.y, b.z, c.x, c.y), Vec4::new(c.z, d.x, d.y, d.z)];
+    let (chunks, _) = positions.as_flattened_mut().as_chunks_mut::<4>();
+    for (to, vector) in chunks.iter_mut().zip(vectors) {
+        *to = vector.to_array();
+    }
+    *to_normal = normal;
 }
