@@ -4,11 +4,11 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use cga::glam::{DAffine3, DMat4, DQuat, DVec3};
+use cga::glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
 use cga::sink::buffers::Buffers;
 use cga::sink::gltf::Glb;
 use cga::sink::{Filled, PartId, Replay};
-use cga::{Color, Flow, Leaf, Mesh, Settings, Shape, Sink, cga};
+use cga::{Color, Flow, Leaf, Mesh, Scope, Settings, Shape, Sink, cga};
 use serde_json::Value;
 
 cga! {
@@ -27,6 +27,12 @@ cga! {
     /// One bay, or many.
     grammar Bays;
     Lot --> comp(f) { front : split(x) { { ~2 : split(y) { 1 : Wall. | ~1 : Glass. } }* } | all : NIL }
+}
+
+cga! {
+    /// Blocks along the axes of the shape itself.
+    grammar Rows;
+    Lot --> split(x) { { ~2 : split(y) { 1 : Wall. | ~1 : Glass. } }* }
 }
 
 /// A triangle in the world, with its rule, its colour and its normal.
@@ -235,6 +241,20 @@ fn a_run_into_the_sink_and_a_model_give_the_same_bytes() {
         Street::default().generate_into(shape, &settings(), &mut model).expect("no limit");
     }
     assert!(model.to_glb().expect("a file") == fresh(&shapes, Glb::new()));
+}
+
+#[test]
+fn axes_that_are_no_rotation_make_no_instances() {
+    for (depth, has_instances) in [(1.0, true), (-1.0, false)] {
+        let mut lot = Shape::cuboid(8.0, 3.0, 1.0);
+        lot.set_scope(Scope { axes: DMat3::from_diagonal(DVec3::new(1.0, 1.0, depth)), ..*lot.scope() });
+        let [merged, instanced] = [Glb::new(), Glb::new().with_instances()].map(|mut glb| {
+            Rows::default().generate_into(&lot, &settings(), &mut glb).expect("no limit");
+            File::new(&glb.finish().expect("a file"))
+        });
+        assert_same(merged.triangles(), instanced.triangles());
+        assert_eq!(!instanced.json["extensionsRequired"].is_null(), has_instances);
+    }
 }
 
 /// Meshes with their places, and everything that does not repeat: what a program that draws instances keeps.

@@ -75,6 +75,10 @@ impl Glb {
     /// Notes a place of a part that repeats.
     pub(super) fn place_part(&mut self, parts: &mut Parts, replay: &Replay<'_>) -> Flow {
         let placement = replay.placement();
+        // A host program may set axes that are no rotation, which a list of places cannot express.
+        if 1e-6 < (placement.matrix3.determinant() - 1.0).abs() {
+            return replay.each(self);
+        }
         let number = match parts.by_id.get(&replay.part()) {
             Some(&known) => known,
             None => {
