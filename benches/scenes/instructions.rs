@@ -6,8 +6,13 @@
 use std::hint::black_box;
 use std::process::Command;
 
+use cga::Model;
 use cga::sink::buffers::Buffers;
+use cga::sink::gltf::Glb;
+use cga::sink::obj::Obj;
+use cga::sink::stats::Stats;
 
+use crate::common::table::{Table, number};
 use crate::workloads::{self, Fold, Raw, Scene};
 use crate::{ratio_cells, ratios};
 
@@ -15,6 +20,9 @@ use crate::{ratio_cells, ratios};
 pub(crate) const CHILD: &str = "--counted";
 
 const WAYS: [&str; 3] = ["by hand", "buffers", "terminals"];
+
+/// The other sinks. Each run makes a new one, and writes its bytes where there are any.
+const SINKS: [&str; 5] = ["new buffers", "model", "GLB bytes", "OBJ text", "stats"];
 
 /// Prints a row for each scene.
 pub(crate) fn print(scenes: &[Box<dyn Scene>]) {
@@ -27,6 +35,17 @@ pub(crate) fn print(scenes: &[Box<dyn Scene>]) {
         let terminals = scene.expected().terminals;
         let each = WAYS.map(|way| count(&scene.name(), way) as f64 / terminals as f64);
         table.row(&scene.name(), &ratio_cells(terminals, each, 0));
+    }
+    table.print();
+    sinks(scenes);
+}
+
+fn sinks(scenes: &[Box<dyn Scene>]) {
+    let mut table = Table::new("Scenes: other sinks, instructions a terminal", &[&["scene"], &SINKS[..]].concat());
+    for scene in scenes {
+        let terminals = scene.expected().terminals;
+        let cells = SINKS.map(|way| number(count(&scene.name(), way) as f64 / terminals as f64, 0));
+        table.row(&scene.name(), &cells);
     }
     table.print();
 }
@@ -65,6 +84,31 @@ pub(crate) fn run(scene: &str, way: &str) {
                 scene.buffers(&mut out);
             });
         }
+        _ if way == SINKS[0] => twice(&mut || {
+            let mut out = Buffers::new();
+            scene.buffers(&mut out);
+            black_box(out);
+        }),
+        _ if way == SINKS[1] => twice(&mut || {
+            let mut model = Model::new();
+            scene.model(&mut model);
+            black_box(model);
+        }),
+        _ if way == SINKS[2] => twice(&mut || {
+            let mut glb = Glb::new();
+            scene.glb(&mut glb);
+            black_box(glb.finish().expect("it fits"));
+        }),
+        _ if way == SINKS[3] => twice(&mut || {
+            let mut obj = Obj::new(std::io::sink(), "scene.mtl");
+            scene.obj(&mut obj);
+            black_box(obj.finish().expect("nothing fails"));
+        }),
+        _ if way == SINKS[4] => twice(&mut || {
+            let mut stats = Stats::new();
+            scene.stats(&mut stats);
+            black_box(stats.checksum());
+        }),
         _ => twice(&mut || {
             let mut fold = Fold::default();
             scene.fold(&mut fold);

@@ -17,6 +17,7 @@ mod sponge;
 
 use cga::sink::buffers::Buffers;
 use cga::sink::gltf::Glb;
+use cga::sink::obj::Obj;
 use cga::sink::stats::Stats;
 use cga::{Model, Sink};
 
@@ -59,6 +60,7 @@ pub(crate) trait Scene {
     fn fold(&mut self, out: &mut Fold);
     fn model(&mut self, out: &mut Model);
     fn glb(&mut self, out: &mut Glb);
+    fn obj(&mut self, out: &mut Obj<std::io::Sink>);
     fn stats(&mut self, out: &mut Stats);
 }
 
@@ -92,6 +94,10 @@ impl<W: Workload> Scene for W {
     }
 
     fn glb(&mut self, out: &mut Glb) {
+        self.derive(out);
+    }
+
+    fn obj(&mut self, out: &mut Obj<std::io::Sink>) {
         self.derive(out);
     }
 

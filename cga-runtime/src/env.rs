@@ -3,6 +3,7 @@
 mod counters;
 mod trail;
 
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 use std::rc::Rc;
@@ -86,6 +87,8 @@ pub struct Env {
     pub(crate) filled: u64,
     /// Where counting leaves the fast path: at a limit, or where a watch is asked.
     pub(crate) checkpoint: Checkpoint,
+    /// Bases made so far.
+    pub(crate) bases: Cell<u64>,
     /// The least extent that was to be split.
     pub(crate) least_split: f64,
     vertices: u64,
@@ -160,6 +163,7 @@ impl Env {
             leaves: 0,
             filled: 0,
             checkpoint: Checkpoint::first(settings),
+            bases: Cell::new(0),
             least_split: f64::INFINITY,
             vertices: 0,
             calls: 0,

@@ -16,10 +16,11 @@ use crate::mesh::{Bounds, Mesh};
 use crate::place;
 use crate::report::{Collection, Print, Reports};
 use crate::scope::{Axis, Scope};
+use crate::shape::base::Form;
 use crate::sink::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
+use crate::sink::numbers::Numbers;
 use crate::sink::stats::Stats;
-use crate::sink::table::Table;
-use crate::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::unit::UnitMesh;
 
 /// The leaves of a run.
@@ -29,7 +30,7 @@ pub struct Model {
     quads: Vec<Quad>,
     cuboids: Vec<Cuboid>,
     meshes: Vec<(Arc<Mesh>, DAffine3)>,
-    table: Table,
+    numbers: Numbers,
     report: Report,
 }
 
@@ -52,6 +53,18 @@ enum Stored {
     Cuboid(u32),
     Mesh(u32),
     Instance(u32),
+}
+
+impl Stored {
+    /// The geometry of a leaf that fills its scope.
+    #[inline]
+    fn filled(form: Form, unit: UnitMesh) -> Option<Self> {
+        match form {
+            Form::Rect(axis) => Some(Stored::Rect(axis, unit)),
+            Form::Box => Some(Stored::Full(unit)),
+            Form::Empty | Form::Other => None,
+        }
+    }
 }
 
 /// The geometry of a leaf, in the world.
@@ -87,12 +100,12 @@ pub struct LeafView<'a> {
 impl<'a> LeafView<'a> {
     /// The name of the rule or leaf symbol, without the dot.
     pub fn rule(&self) -> &'static str {
-        self.model.table.rules()[self.record.rule as usize]
+        self.model.numbers.table.rules()[self.record.rule as usize]
     }
 
     /// What the rules set.
     pub fn material(&self) -> &'a Arc<Material> {
-        &self.model.table.materials()[self.record.material as usize]
+        &self.model.numbers.table.materials()[self.record.material as usize]
     }
 
     /// Counts in [`Model::materials`].
@@ -242,12 +255,12 @@ impl Model {
 
     /// The names of the rules that made leaves, in the order in which they first did.
     pub fn rules(&self) -> &[&'static str] {
-        self.table.rules()
+        self.numbers.table.rules()
     }
 
     /// The materials of the leaves, each once.
     pub fn materials(&self) -> &[Arc<Material>] {
-        self.table.materials()
+        self.numbers.table.materials()
     }
 
     /// How many leaves each rule made, in the order of [`Model::rules`].
@@ -304,8 +317,7 @@ impl Model {
     }
 
     fn push(&mut self, leaf: &Leaf<'_>, stored: Stored) -> Flow {
-        let rule = self.table.rule(leaf.rule);
-        let material = self.table.material(leaf.material);
+        let (rule, material) = self.numbers.leaf(leaf);
         self.records.push(Record { scope: *leaf.scope, rule, material, stored });
         ControlFlow::Continue(())
     }
@@ -317,6 +329,33 @@ impl Model {
 }
 
 impl Sink for Model {
+    fn begin(&mut self) {
+        self.numbers.begin();
+    }
+
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        if let Some(stored) = Stored::filled(leaf.shape.form, leaf.shape.unit) {
+            let (rule, material) = self.numbers.filled(leaf);
+            self.records.push(Record { scope: leaf.scope(), rule, material, stored });
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        self.records.reserve(replay.leaf_count());
+        let mut leaf = 0;
+        for (filled, mark) in replay.marks() {
+            let (rule, material) = self.numbers.with_material(&filled, mark.material);
+            let leaves = replay.leaves(leaf..leaf + mark.leaves);
+            leaf += mark.leaves;
+            self.records.extend(leaves.filter_map(|(placed, record, axes)| {
+                let scope = Scope { origin: replay.origin() + placed.origin, axes: *axes.matrix(), size: record.size };
+                Some(Record { scope, rule, material, stored: Stored::filled(record.form, record.unit)? })
+            }));
+        }
+        ControlFlow::Continue(())
+    }
+
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let implied = [Axis::Z, Axis::Y, Axis::X]
             .into_iter()

@@ -24,7 +24,7 @@ use crate::shape::{Counter, ShapeRef};
 use crate::unit::UnitMesh;
 
 pub(crate) use record::Tape;
-pub use replay::Replay;
+pub use replay::{PartId, Replay};
 
 /// The templates of a place in the rules that are kept, the last ones used.
 const KEPT: usize = 16;
@@ -78,7 +78,7 @@ struct Body {
     number: u64,
     leaves: Vec<Record>,
     /// The axes of leaves.
-    frames: Vec<DMat3>,
+    frames: Vec<Axes>,
     /// The stretches of leaves before, between and after the holes.
     segments: Vec<Segment>,
     marks: Vec<Mark>,
@@ -89,7 +89,7 @@ struct Body {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Record {
     origin: DVec3,
-    size: DVec3,
+    pub(crate) size: DVec3,
     pub(crate) unit: UnitMesh,
     /// A rectangle or a box.
     pub(crate) form: Form,
@@ -116,8 +116,11 @@ struct Segment {
 pub(crate) struct Mark {
     pub(crate) rule: u32,
     pub(crate) material: MaterialId,
+    /// The number of leaves, and that of their vertices when faces share none.
+    pub(crate) leaves: usize,
+    pub(crate) corners: usize,
     /// Vertices of the segment before these leaves.
-    pub(crate) corners: u32,
+    pub(crate) before: u32,
 }
 
 /// Leaves after each other that are rectangles, or boxes, along the same axes.
@@ -251,7 +254,10 @@ impl<C> Entry<C> {
 impl<C> Template<C> {
     /// Turns it to axes.
     fn turned(&self, axes: &Axes) -> Turned {
-        let turn = |frame: &DMat3| if *frame == DMat3::IDENTITY { *axes } else { Axes::new(axes.matrix * *frame) };
+        let turn = |frame: &Axes| match frame.matrix == DMat3::IDENTITY {
+            true => *axes,
+            false => Axes::new(axes.matrix * frame.matrix),
+        };
         let frames: Vec<Axes> = self.body.frames.iter().map(turn).collect();
         let leaves = self.body.leaves.iter().map(|leaf| {
             let frame = &frames[leaf.frame as usize].matrix;

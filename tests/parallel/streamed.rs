@@ -173,6 +173,36 @@ fn stretches_stream_in_parallel() {
     assert!(sizes.iter().all(|borders| *borders == sizes[0]), "threads move no border");
 }
 
+cga! {
+    /// Floors that repeat, with more vertices than a small chunk.
+    grammar Floors;
+    Lot   --> comp(f) { side : split(y) { { ~3.1 : Floor }* } | all : NIL }
+    Floor --> split(x) { { ~2.3 : split(x) { ~1 : A. | 1.2 : B. | ~0.7 : C. } }* }
+}
+
+#[test]
+fn far_from_the_origin_chunks_have_the_bits_of_whole_buffers() {
+    let far = cga::glam::DVec3::new(512_345.3, 0.7, 5_400_000.1);
+    let grammar = Floors::default();
+    let shapes: Vec<Shape> = (0..8)
+        .map(|at| Shape::cuboid(13.5, 31.0, 11.0).at((far + 20.1 * f64::from(at)).to_array()).seed(at as u64))
+        .collect();
+    let mut whole = Buffers::new().with_origin(far);
+    let mut streamed = Vec::new();
+    let mut sink = Chunks::new(50, |chunk: &Buffers| {
+        streamed.extend(triangles(chunk));
+        Flow::Continue(())
+    })
+    .with_origin(far);
+    for shape in &shapes {
+        assert!(grammar.derive(shape, &settings(), &mut whole).is_ok());
+        assert!(grammar.derive(shape, &settings(), &mut sink).is_ok());
+    }
+    assert!(sink.finish().is_continue());
+    drop(sink);
+    assert!(streamed == triangles(&whole));
+}
+
 #[test]
 fn each_chunk_is_a_file() {
     let (grammar, shape) = (super::grammars::Street::default(), &super::grammars::lots(1)[0]);

@@ -18,6 +18,8 @@ pub struct Base {
     raised: Axes,
     pub(crate) shape: Shape,
     material: MaterialId,
+    /// The number of the base in its run; 0 for one at the origin.
+    pub(crate) number: u64,
 }
 
 /// The geometry of a slim shape. All forms but `Other` have sizes of 0 or more.
@@ -66,7 +68,7 @@ impl Base {
             state: part.base.shape.state.clone(),
         };
         let axes = Axes::new(scope.axes);
-        Base { axes, raised: axes.raised(), shape, material: part.material.get() }
+        Base { axes, raised: axes.raised(), shape, material: part.material.get(), number: 0 }
     }
 
     #[inline]
@@ -123,6 +125,7 @@ impl Env {
     pub fn base(&self, shape: Shape) -> Base {
         let axes = Axes::new(shape.scope.axes);
         let material = self.leaf_tables.materials.id(shape.state.material());
-        Base { axes, raised: axes.raised(), shape, material }
+        self.bases.set(self.bases.get() + 1);
+        Base { axes, raised: axes.raised(), shape, material, number: self.bases.get() }
     }
 }

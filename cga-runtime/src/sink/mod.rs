@@ -9,7 +9,9 @@ pub(crate) mod flatten;
 #[cfg(feature = "gltf")]
 pub mod gltf;
 pub(crate) mod measure;
+mod normals;
 pub(crate) mod number;
+pub(crate) mod numbers;
 pub mod obj;
 pub(crate) mod order;
 pub mod picture;
@@ -34,7 +36,7 @@ use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 
 pub use crate::place::{Cuboid, Quad};
-pub use crate::template::Replay;
+pub use crate::template::{PartId, Replay};
 
 /// Go on, or stop the run.
 pub type Flow = ControlFlow<()>;

@@ -1,6 +1,7 @@
 //! Numbers as text: the same digits on every machine.
 
 use std::fmt;
+use std::io::Write as _;
 
 /// The shortest decimal that reads back as the same value, without exponent; −0 as 0 and what is not finite as 0.
 pub(crate) struct Short<T>(pub(crate) T);
@@ -37,6 +38,73 @@ where
     text
 }
 
+/// The texts of numbers that were printed lately: coordinates of neighbours are equal, and finding shortest digits is slow.
+#[derive(Debug)]
+pub(crate) struct Texts {
+    places: Vec<Known>,
+}
+
+/// A number as bits and its text. No number that is looked up has the bits 0.
+#[derive(Clone, Copy, Debug, Default)]
+struct Known {
+    bits: u64,
+    length: u8,
+    text: [u8; 23],
+}
+
+/// The places are a power of two, of 32 bytes each.
+const PLACE_BITS: u32 = 10;
+
+impl Default for Texts {
+    fn default() -> Self {
+        Texts { places: vec![Known::default(); 1 << PLACE_BITS] }
+    }
+}
+
+impl Texts {
+    /// Appends a number as [`Short`] writes it.
+    #[inline]
+    pub(crate) fn push(&mut self, to: &mut Vec<u8>, value: f64) {
+        if value == 0.0 || !value.is_finite() {
+            return to.push(b'0');
+        }
+        let place = value.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> (u64::BITS - PLACE_BITS);
+        let known = &mut self.places[place as usize];
+        if known.bits != value.to_bits() {
+            return print(known, to, value);
+        }
+        to.extend_from_slice(&known.text[..usize::from(known.length)]);
+    }
+}
+
+/// Prints a number, and keeps its text unless it is long.
+#[inline(never)]
+fn print(known: &mut Known, to: &mut Vec<u8>, value: f64) {
+    let start = to.len();
+    // Writing into memory does not fail.
+    let _ = write!(to, "{value}");
+    let text = &to[start..];
+    if let Some(place) = known.text.get_mut(..text.len()) {
+        place.copy_from_slice(text);
+        (known.bits, known.length) = (value.to_bits(), text.len() as u8);
+    }
+}
+
+/// Appends a whole number.
+#[inline]
+pub(crate) fn push_whole(to: &mut Vec<u8>, mut value: u64) {
+    let mut digits = [0; 20];
+    let mut start = digits.len();
+    loop {
+        start -= 1;
+        digits[start] = b'0' + (value % 10) as u8;
+        value /= 10;
+        if value == 0 {
+            return to.extend_from_slice(&digits[start..]);
+        }
+    }
+}
+
 /// From an sRGB channel to linear light, both in 0..=1.
 pub(crate) fn linear(srgb: f64) -> f64 {
     match srgb {
@@ -55,5 +123,22 @@ mod tests {
         assert_eq!(text, ["0.1", "0", "1", "-2.5", "0.001", "0"]);
         assert_eq!(Short(0.1f32).to_string(), "0.1");
         assert_eq!((linear(0.0), linear(1.0)), (0.0, 1.0));
+    }
+
+    #[test]
+    fn texts_that_are_kept_are_those_of_their_numbers() {
+        let mut texts = Texts::default();
+        let values =
+            (0..5000).map(|i| f64::from(i % 1700 - 800) * 0.37).chain([1e-300, -1e-300, 1e300, f64::NAN, -0.0]);
+        for value in values {
+            let mut text = Vec::new();
+            texts.push(&mut text, value);
+            assert_eq!(String::from_utf8(text).as_deref(), Ok(&*Short(value).to_string()));
+        }
+        for value in [0, 9, 10, 1234567890, u64::MAX] {
+            let mut text = Vec::new();
+            push_whole(&mut text, value);
+            assert_eq!(String::from_utf8(text).as_deref(), Ok(&*value.to_string()));
+        }
     }
 }

@@ -16,20 +16,25 @@ use glam::{DAffine3, DVec3};
 
 use super::error::WriteError;
 use super::flatten::{Flattener, normal_map, unit};
-use super::number::Short;
-use super::table::Table;
+use super::number::{Short, Texts, push_whole};
+use super::numbers::Numbers;
 use super::{Cuboid, Flow, Leaf, Quad, Sink};
 use crate::material::{ColorOf, Layer, Material, MaterialNumber, MaterialText};
 use crate::mesh::Mesh;
 use crate::model::Model;
 use crate::parallel::Parts;
 
+/// The bytes of text that are handed over at once, or somewhat more.
+const MUCH: usize = 1 << 15;
+
 /// Writes leaves as they come, in constant memory; materials are kept for the end.
 #[derive(Debug)]
 pub struct Obj<W: Write> {
     out: W,
-    text: String,
-    table: Table,
+    /// Text for `out`, handed over in pieces of some size.
+    text: Vec<u8>,
+    texts: Texts,
+    numbers: Numbers,
     names: Names,
     /// Rule and material of what was written last.
     run: Option<(u32, u32)>,
@@ -47,8 +52,9 @@ impl<W: Write> Obj<W> {
         let failed = write!(out, "mtllib {library}\ns off\n").err();
         Obj {
             out,
-            text: String::new(),
-            table: Table::new(),
+            text: Vec::new(),
+            texts: Texts::default(),
+            numbers: Numbers::default(),
             names: Names::default(),
             run: None,
             points: 0,
@@ -64,12 +70,13 @@ impl<W: Write> Obj<W> {
     /// # Errors
     /// What `out` said, if anything, at any time.
     pub fn finish(mut self) -> Result<String, WriteError> {
+        let _ = self.hand_over();
         if let Some(error) = self.failed.take() {
             return Err(error.into());
         }
         self.out.flush()?;
         let mut library = String::new();
-        for (material, name) in self.table.materials().iter().zip(&self.names.list) {
+        for (material, name) in self.numbers.table.materials().iter().zip(&self.names.list) {
             // Some materials only served to make others.
             if let Some(name) = name {
                 write_material(&mut library, name, material);
@@ -84,28 +91,45 @@ impl<W: Write> Obj<W> {
             return;
         }
         self.run = Some((rule, material));
-        let group = self.table.rules()[rule as usize];
-        let name = self.names.of(material, &self.table.materials()[material as usize]);
-        let _ = write!(self.text, "g {group}\nusemtl {name}\n");
+        let group = self.numbers.table.rules()[rule as usize];
+        let name = self.names.of(material, &self.numbers.table.materials()[material as usize]);
+        for text in ["g ", group, "\nusemtl ", name, "\n"] {
+            self.text.extend_from_slice(text.as_bytes());
+        }
     }
 
     fn point(&mut self, p: DVec3) {
-        let _ = writeln!(self.text, "v {} {} {}", Short(p.x), Short(p.y), Short(p.z));
+        self.line("v", &p.to_array());
         self.points += 1;
     }
 
-    fn polygon(&mut self, corners: impl IntoIterator<Item = u64>) {
-        self.text.push('f');
-        for corner in corners {
-            let _ = write!(self.text, " {corner}");
+    /// A line of a key and numbers.
+    fn line(&mut self, key: &str, numbers: &[f64]) {
+        self.text.extend_from_slice(key.as_bytes());
+        for &number in numbers {
+            self.text.push(b' ');
+            self.texts.push(&mut self.text, number);
         }
-        self.text.push('\n');
+        self.text.push(b'\n');
     }
 
-    /// Hands over what a leaf has come to.
+    fn polygon(&mut self, corners: impl IntoIterator<Item = u64>) {
+        self.text.push(b'f');
+        for corner in corners {
+            self.text.push(b' ');
+            push_whole(&mut self.text, corner);
+        }
+        self.text.push(b'\n');
+    }
+
+    /// Hands over what leaves have come to, once it is much.
     fn flush(&mut self) -> Flow {
+        if self.text.len() < MUCH && self.failed.is_none() { ControlFlow::Continue(()) } else { self.hand_over() }
+    }
+
+    fn hand_over(&mut self) -> Flow {
         if self.failed.is_none() {
-            self.failed = self.out.write_all(self.text.as_bytes()).err();
+            self.failed = self.out.write_all(&self.text).err();
         }
         self.text.clear();
         if self.failed.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -114,7 +138,7 @@ impl<W: Write> Obj<W> {
 
 impl<W: Write> Sink for Obj<W> {
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        let (rule, material) = (self.table.rule(leaf.rule), self.table.material(leaf.material));
+        let (rule, material) = self.numbers.leaf(leaf);
         self.run(rule, material);
         let start = self.points;
         quad.points().into_iter().for_each(|point| self.point(point));
@@ -123,7 +147,7 @@ impl<W: Write> Sink for Obj<W> {
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        let (rule, material) = (self.table.rule(leaf.rule), self.table.material(leaf.material));
+        let (rule, material) = self.numbers.leaf(leaf);
         self.run(rule, material);
         let start = self.points;
         let (corners, unit) = (cuboid.corners(), cuboid.unit);
@@ -135,42 +159,44 @@ impl<W: Write> Sink for Obj<W> {
     }
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
-        let (rule, material) = (self.table.rule(leaf.rule), self.table.material(leaf.material));
+        let (rule, material) = self.numbers.leaf(leaf);
         let turn = normal_map(&placement.matrix3);
         let (points, uvs, normals) = (self.points + 1, self.uvs + 1, self.normals + 1);
         mesh.points.iter().for_each(|&point| self.point(placement.transform_point3(point)));
         for uv in mesh.uvs() {
-            let _ = writeln!(self.text, "vt {} {}", Short(uv.x), Short(uv.y));
+            self.line("vt", &uv.to_array());
         }
         for &normal in &mesh.normals {
-            let n = unit(turn * normal);
-            let _ = writeln!(self.text, "vn {} {} {}", Short(n.x), Short(n.y), Short(n.z));
+            self.line("vn", &unit(turn * normal).to_array());
         }
         self.uvs += mesh.uvs().len() as u64;
         self.normals += mesh.normals.len() as u64;
-        let corner = |text: &mut String, corner: usize| {
-            let point = points + u64::from(mesh.corners[corner]);
-            let _ = match (mesh.uvs().is_empty(), mesh.normals.is_empty()) {
-                (true, true) => write!(text, " {point}"),
-                (false, true) => write!(text, " {point}/{}", uvs + corner as u64),
-                (true, false) => write!(text, " {point}//{}", normals + corner as u64),
-                (false, false) => write!(text, " {point}/{}/{}", uvs + corner as u64, normals + corner as u64),
-            };
+        let corner = |text: &mut Vec<u8>, corner: usize| {
+            text.push(b' ');
+            push_whole(text, points + u64::from(mesh.corners[corner]));
+            if !mesh.uvs().is_empty() {
+                text.push(b'/');
+                push_whole(text, uvs + corner as u64);
+            }
+            if !mesh.normals.is_empty() {
+                text.extend_from_slice(if mesh.uvs().is_empty() { b"//" } else { b"/" });
+                push_whole(text, normals + corner as u64);
+            }
         };
         let mut flattener = std::mem::take(&mut self.flattener);
         flattener.faces(mesh, placement, |face| {
-            let shown = self.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            let shown = self.numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
             self.run(rule, shown);
             if mesh.face(face.index).holes().len() == 0 {
-                self.text.push('f');
+                self.text.push(b'f');
                 face.corners.clone().for_each(|c| corner(&mut self.text, c));
-                self.text.push('\n');
+                self.text.push(b'\n');
                 return true;
             }
             for triangle in face.triangles {
-                self.text.push('f');
+                self.text.push(b'f');
                 triangle.iter().for_each(|&i| corner(&mut self.text, face.corners.start + i as usize));
-                self.text.push('\n');
+                self.text.push(b'\n');
             }
             true
         });

@@ -2,7 +2,7 @@
 
 /// Items that are used, and after them items that were made before their turn: a writer gets a place for the next items and
 /// fills it. That is faster than to build items elsewhere and copy them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Room<T> {
     items: Vec<T>,
     used: usize,

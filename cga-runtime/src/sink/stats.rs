@@ -7,10 +7,12 @@ use glam::{DAffine3, DVec3};
 
 use super::buffers::Vertex;
 use super::flatten::{Flattener, corner_point};
-use super::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
-use super::table::Table;
-use super::{Cuboid, Flow, Leaf, Quad, Sink};
+use super::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume};
+use super::numbers::Numbers;
+use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::mesh::{Bounds, Mesh};
+use crate::place;
+use crate::shape::base::Form;
 
 /// Sums over some leaves. Triangles and vertices are counted as [`super::buffers::Buffers`] makes them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,7 +32,7 @@ pub struct Measures {
 /// Measures what it is handed.
 #[derive(Debug)]
 pub struct Stats {
-    table: Table,
+    numbers: Numbers,
     rules: Vec<Measures>,
     checksum: f64,
     bounds: Bounds,
@@ -40,7 +42,7 @@ pub struct Stats {
 impl Default for Stats {
     fn default() -> Self {
         Stats {
-            table: Table::new(),
+            numbers: Numbers::default(),
             rules: Vec::new(),
             checksum: 0.0,
             bounds: Bounds::EMPTY,
@@ -68,7 +70,7 @@ impl Stats {
 
     /// Rule names with their measures, in the order in which the rules first made a leaf.
     pub fn rules(&self) -> impl ExactSizeIterator<Item = (&'static str, &Measures)> + '_ {
-        self.table.rules().iter().copied().zip(&self.rules)
+        self.numbers.table.rules().iter().copied().zip(&self.rules)
     }
 
     /// The measures of one rule; of nothing, when it made no leaf.
@@ -87,8 +89,9 @@ impl Stats {
         self.bounds
     }
 
-    fn add(&mut self, leaf: &Leaf<'_>, triangles: u64, vertices: u64, area: f64, volume: f64) {
-        let rule = self.table.rule(leaf.rule) as usize;
+    #[inline]
+    fn add(&mut self, rule: u32, triangles: u64, vertices: u64, area: f64, volume: f64) {
+        let rule = rule as usize;
         if self.rules.len() <= rule {
             self.rules.resize(rule + 1, Measures::default());
         }
@@ -100,8 +103,34 @@ impl Stats {
         sum.volume += volume;
     }
 
-    fn reach(&mut self, point: DVec3) {
-        self.bounds = Bounds { low: self.bounds.low.min(point), high: self.bounds.high.max(point) };
+    #[inline]
+    fn reach(&mut self, points: impl IntoIterator<Item = DVec3>) {
+        // NaN is not less than anything, so it does not count.
+        let less = |a: f64, b: f64| if a < b { a } else { b };
+        let more = |a: f64, b: f64| if b < a { a } else { b };
+        let Bounds { mut low, mut high } = self.bounds;
+        for p in points {
+            low = DVec3::new(less(p.x, low.x), less(p.y, low.y), less(p.z, low.z));
+            high = DVec3::new(more(p.x, high.x), more(p.y, high.y), more(p.z, high.z));
+        }
+        self.bounds = Bounds { low, high };
+    }
+
+    #[inline]
+    fn rectangle(&mut self, rule: u32, quad: &Quad) {
+        let across = quad.u.cross(quad.v);
+        self.add(rule, 2, 4, across.length(), 0.0);
+        // Of both triangles together.
+        self.checksum += quad.origin.dot(across) / 3.0;
+        self.reach(quad.corners());
+    }
+
+    #[inline]
+    fn block(&mut self, rule: u32, cuboid: &Cuboid) {
+        let volume = cuboid_volume(cuboid);
+        self.add(rule, 12, 24, cuboid_area(cuboid), volume);
+        self.checksum += volume;
+        self.reach(cuboid.corners());
     }
 }
 
@@ -111,19 +140,49 @@ fn tetrahedron(a: DVec3, b: DVec3, c: DVec3) -> f64 {
 }
 
 impl Sink for Stats {
+    fn begin(&mut self) {
+        self.numbers.begin();
+    }
+
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        let (scope, unit) = (leaf.scope(), leaf.shape.unit);
+        let rule = self.numbers.rule(leaf);
+        match leaf.shape.form {
+            Form::Rect(axis) => self.rectangle(rule, &place::rectangle(&scope, axis, unit)),
+            Form::Box => self.block(rule, &place::cuboid(&scope, unit)),
+            Form::Empty | Form::Other => {}
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        if !replay.is_plain() {
+            return replay.each(self);
+        }
+        let mut leaf = 0;
+        for (filled, mark) in replay.marks() {
+            let rule = self.numbers.rule(&filled);
+            for (placed, record, _) in replay.leaves(leaf..leaf + mark.leaves) {
+                let (origin, sides, unit) = (replay.origin() + placed.origin, placed.sides, record.unit);
+                match record.form {
+                    Form::Box => self.block(rule, &Cuboid { origin, sides, unit }),
+                    _ => self.rectangle(rule, &Quad { origin, u: sides.x_axis, v: sides.y_axis, unit }),
+                }
+            }
+            leaf += mark.leaves;
+        }
+        ControlFlow::Continue(())
+    }
+
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        self.add(leaf, 2, 4, quad_area(quad), 0.0);
-        let [a, b, c, d] = quad.corners();
-        self.checksum += (tetrahedron(a, b, c) + tetrahedron(a, c, d)) / 6.0;
-        [a, b, c, d].into_iter().for_each(|corner| self.reach(corner));
+        let rule = self.numbers.table.rule(leaf.rule);
+        self.rectangle(rule, quad);
         ControlFlow::Continue(())
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        let volume = cuboid_volume(cuboid);
-        self.add(leaf, 12, 24, cuboid_area(cuboid), volume);
-        self.checksum += volume;
-        cuboid.corners().into_iter().for_each(|corner| self.reach(corner));
+        let rule = self.numbers.table.rule(leaf.rule);
+        self.block(rule, cuboid);
         ControlFlow::Continue(())
     }
 
@@ -139,8 +198,9 @@ impl Sink for Stats {
             true
         });
         self.checksum += sum / 6.0;
-        self.add(leaf, triangles, mesh.corners.len() as u64, mesh_area(mesh, placement), mesh_volume(mesh, placement));
-        mesh.points.iter().for_each(|&point| self.reach(placement.transform_point3(point)));
+        let rule = self.numbers.table.rule(leaf.rule);
+        self.add(rule, triangles, mesh.corners.len() as u64, mesh_area(mesh, placement), mesh_volume(mesh, placement));
+        self.reach(mesh.points.iter().map(|&point| placement.transform_point3(point)));
         ControlFlow::Continue(())
     }
 }

@@ -3,13 +3,14 @@
 //! A leaf usually has the rule or the material of a recent leaf, at the same address, so addresses are asked first and
 //! text or values only when they are new. An address is only trusted while the table itself keeps what lives there alive.
 
+use std::fmt;
 use std::sync::Arc;
 
 use crate::material::{Color, Material, MaterialNumber};
 use crate::text::Text;
 
 /// Interned rule names and materials. The same leaves in the same order give the same numbers.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub struct Table {
     rules: Vec<&'static str>,
     /// Address, length and number of every name met so far: names are static, so an address keeps its meaning.
@@ -18,8 +19,8 @@ pub struct Table {
     materials: Vec<Arc<Material>>,
     /// Hash and number of every material.
     material_values: Slots<(u64, u32)>,
-    /// The material asked for last. Holding it keeps its address from being given to another.
-    last_material: Option<(Arc<Material>, u32)>,
+    /// Materials that were asked for lately, by address. Holding them keeps their addresses from being given to others.
+    recent: Vec<Option<(Arc<Material>, u32)>>,
     faces: FaceMaterials,
 }
 
@@ -33,6 +34,24 @@ struct FaceMaterials {
 
 /// Not yet known.
 const UNKNOWN: u32 = u32::MAX;
+
+/// The places for materials that were asked for lately. Leaves of a façade alternate between a few.
+const RECENT: usize = 16;
+
+/// The place of a material among those that were asked for lately.
+#[inline]
+fn recent_place(material: &Arc<Material>) -> usize {
+    let address = Arc::as_ptr(material).addr() as u64;
+    (address.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 60) as usize
+}
+
+impl fmt::Debug for Table {
+    /// The contents, without the ways to find them, which differ between equal tables.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Table { rules, materials, .. } = self;
+        f.debug_struct("Table").field("rules", rules).field("materials", materials).finish_non_exhaustive()
+    }
+}
 
 impl Table {
     /// Nothing seen yet.
@@ -57,7 +76,7 @@ impl Table {
         self.last_rule = (0, 0, 0);
         self.materials.clear();
         self.material_values.clear();
-        self.last_material = None;
+        self.recent.clear();
         self.faces = FaceMaterials::default();
     }
 
@@ -74,8 +93,8 @@ impl Table {
     /// The number of a material.
     #[inline]
     pub fn material(&mut self, material: &Arc<Material>) -> u32 {
-        if let Some((last, id)) = &self.last_material
-            && Arc::ptr_eq(last, material)
+        if let Some(Some((known, id))) = self.recent.get(recent_place(material))
+            && Arc::ptr_eq(known, material)
         {
             return *id;
         }
@@ -129,7 +148,8 @@ impl Table {
     #[inline(never)]
     fn other_material(&mut self, material: &Arc<Material>) -> u32 {
         let id = self.intern(material, || material.clone());
-        self.last_material = Some((material.clone(), id));
+        self.recent.resize(RECENT, None);
+        self.recent[recent_place(material)] = Some((material.clone(), id));
         id
     }
 

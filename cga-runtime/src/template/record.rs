@@ -16,6 +16,7 @@ use crate::mesh::Mesh;
 use crate::scope::Axis;
 use crate::seed::Seed;
 use crate::shape::ShapeRef;
+use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
 use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
 
@@ -194,7 +195,14 @@ impl<C: Clone> Cx<'_, C> {
             return None;
         }
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-        let body = Body { number, leaves, frames, segments: Vec::new(), marks: Vec::new(), rows: Vec::new() };
+        let body = Body {
+            number,
+            leaves,
+            frames: frames.into_iter().map(Axes::new).collect(),
+            segments: Vec::new(),
+            marks: Vec::new(),
+            rows: Vec::new(),
+        };
         Some(Template { shapes, body: body.divided(holes.iter().map(|hole| hole.at)), holes })
     }
 }
@@ -209,16 +217,23 @@ impl Body {
             let (mut corners, mut is_plain) = (0, true);
             for (at, leaf) in self.leaves[..end].iter().enumerate().skip(start) {
                 is_plain &= matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box);
-                match self.marks[first_mark..].last() {
-                    Some(mark) if mark.rule == leaf.rule && mark.material == leaf.material => {}
-                    _ => self.marks.push(Mark { rule: leaf.rule, material: leaf.material, corners: corners as u32 }),
+                let own = 4 * leaf.unit.face_count();
+                match self.marks[first_mark..].last_mut() {
+                    Some(mark) if mark.rule == leaf.rule && mark.material == leaf.material => {
+                        mark.leaves += 1;
+                        mark.corners += own;
+                    }
+                    _ => {
+                        let Record { rule, material, .. } = *leaf;
+                        self.marks.push(Mark { rule, material, leaves: 1, corners: own, before: corners as u32 });
+                    }
                 }
                 let is_box = leaf.form == Form::Box;
                 match self.rows[first_row..].last_mut() {
                     Some(row) if row.is_box == is_box && row.frame == leaf.frame => row.leaves.end += 1,
                     _ => self.rows.push(Row { is_box, frame: leaf.frame, leaves: at..at + 1 }),
                 }
-                corners += 4 * leaf.unit.face_count();
+                corners += own;
             }
             self.segments.push(Segment {
                 leaves: start..end,

@@ -1,12 +1,14 @@
 //! Repeating a template: its leaves go to the sink, its holes are called.
 
 use std::cell::Cell;
+use std::ops::Range;
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 use super::{Body, Hole, INHERITED, Mark, Placed, Record, Row, Segment, Template, Turned};
 use crate::derive::{Cx, ResumeFn, RuleFn};
 use crate::env::LeafTables;
+use crate::material::ids::MaterialId;
 use crate::seed::Seed;
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
@@ -14,6 +16,54 @@ use crate::shape::base::Form;
 use crate::sink::{Filled, Flow, Sink};
 
 /// Leaves of a part that repeats, at one of its places. All of them fill their scopes.
+///
+/// A sink can keep such a part once, with a list of its places, as programs that draw instances want it:
+///
+/// ```
+/// use std::collections::HashMap;
+/// use std::sync::Arc;
+///
+/// use cga_runtime::mesh::Mesh;
+/// use cga_runtime::sink::buffers::Buffers;
+/// use cga_runtime::sink::{Filled, Flow, Leaf, PartId, Replay, Sink};
+/// use glam::DAffine3;
+///
+/// /// Meshes with their places, and everything that does not repeat.
+/// #[derive(Default)]
+/// struct Scene {
+///     parts: Vec<(Buffers, Vec<DAffine3>)>,
+///     by_id: HashMap<PartId, usize>,
+///     rest: Buffers,
+/// }
+///
+/// impl Sink for Scene {
+///     // Numbers and identities are those of a run.
+///     fn begin(&mut self) {
+///         self.by_id.clear();
+///         self.rest.begin();
+///     }
+///
+///     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+///         let parts = &mut self.parts;
+///         let index = *self.by_id.entry(replay.part()).or_insert_with(|| {
+///             let mut mesh = Buffers::new();
+///             let _ = replay.each_local(&mut mesh);
+///             parts.push((mesh, Vec::new()));
+///             parts.len() - 1
+///         });
+///         self.parts[index].1.push(replay.placement());
+///         Flow::Continue(())
+///     }
+///
+///     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+///         self.rest.filled(leaf)
+///     }
+///
+///     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+///         self.rest.mesh(leaf, mesh, placement)
+///     }
+/// }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Replay<'a> {
     part: &'a ShapeRef<'a>,
@@ -21,6 +71,16 @@ pub struct Replay<'a> {
     body: &'a Body,
     turned: &'a Turned,
     segment: &'a Segment,
+}
+
+/// The identity of a repeated part within a run: equal identities are equal parts. Parts with other identities may be equal as
+/// well, as a run keeps few of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct PartId {
+    template: u64,
+    segment: usize,
+    /// The number of the base whose material some leaves have, if they have no other.
+    base: u64,
 }
 
 impl<'a> Replay<'a> {
@@ -32,6 +92,35 @@ impl<'a> Replay<'a> {
     /// The number of vertices when faces share none.
     pub fn corner_count(&self) -> usize {
         self.segment.corners
+    }
+
+    /// The identity of the part, wherever it is repeated.
+    pub fn part(&self) -> PartId {
+        let has_own = self.mark_list().iter().any(|mark| mark.material == MaterialId::OF_BASE);
+        let base = if has_own { self.part.base.number } else { 0 };
+        PartId { template: self.body.number, segment: self.segment.leaves.start, base }
+    }
+
+    /// From the coordinates of the part to the world: a rotation and a translation.
+    pub fn placement(&self) -> DAffine3 {
+        DAffine3 { matrix3: self.part.axes.matrix, translation: self.part.origin }
+    }
+
+    /// Hands the leaves one by one to [`Sink::filled`], in the coordinates of the part: the same at all of its places.
+    pub fn each_local<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
+        for record in &self.body.leaves[self.segment.leaves.clone()] {
+            let shape = ShapeRef {
+                origin: record.origin,
+                size: record.size,
+                axes: &self.body.frames[record.frame as usize],
+                unit: record.unit,
+                form: record.form,
+                material: Cell::new(record.material),
+                ..self.part.clone()
+            };
+            sink.filled(&Filled { shape: &shape, tables: self.tables, rule: record.rule })?;
+        }
+        Flow::Continue(())
     }
 
     /// Hands the leaves one by one to [`Sink::filled`].
@@ -64,14 +153,25 @@ impl<'a> Replay<'a> {
         (self.body.number, self.segment.leaves.start)
     }
 
-    /// The leaves after each other with equal rule and material.
-    pub(crate) fn marks(&self) -> &'a [Mark] {
+    /// The leaves after each other with equal rule and material, each with its first leaf.
+    pub(crate) fn marks(&self) -> impl Iterator<Item = (Filled<'a>, Mark)> {
+        let Replay { part, tables, .. } = *self;
+        self.mark_list().iter().map(move |mark| (Filled { shape: part, tables, rule: mark.rule }, *mark))
+    }
+
+    /// The same without leaves.
+    pub(crate) fn mark_list(&self) -> &'a [Mark] {
         &self.body.marks[self.segment.marks.clone()]
     }
 
-    /// A leaf with the rule of a mark. Its shape is the whole part.
-    pub(crate) fn leaf_of(&self, mark: Mark) -> Filled<'a> {
-        Filled { shape: self.part, tables: self.tables, rule: mark.rule }
+    /// A stretch of leaves: their places, and the normals and units of their boxes.
+    #[inline]
+    pub(crate) fn leaves(&self, range: Range<usize>) -> impl Iterator<Item = (&'a Placed, &'a Record, &'a Axes)> {
+        let (axes, first) = (&self.turned.axes, self.segment.leaves.start);
+        let range = first + range.start..first + range.end;
+        let records = &self.body.leaves[range.clone()];
+        let placed = self.turned.leaves[range].iter().zip(records);
+        placed.map(move |(placed, record)| (placed, record, &axes[record.frame as usize]))
     }
 
     /// The leaves in rows: boxes or rectangles, their axes, their places and their records.

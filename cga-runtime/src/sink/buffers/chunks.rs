@@ -6,13 +6,17 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use super::{Buffers, Run, Vertex};
+use super::part::Run;
+use super::{Buffers, Vertex};
 use crate::mesh::Mesh;
 use crate::sink::flatten::normal_map;
 use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 
 /// The vertices of a box, which is never divided.
 const LEAST: usize = 24;
+
+/// The most vertices of a chunk. A face with holes may have more triangles than vertices, and both are counted in `u32`.
+const MOST: usize = u32::MAX as usize / 2;
 
 /// Streams leaves as chunks of triangles in constant memory.
 ///
@@ -58,7 +62,7 @@ impl<F> fmt::Debug for Chunks<F> {
 impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     /// Chunks of at most that many vertices, and never less than 24. `each` gets them in order; `Break` ends the run.
     pub fn new(max_vertices: usize, each: F) -> Self {
-        let capacity = max_vertices.clamp(LEAST, u32::MAX as usize);
+        let capacity = max_vertices.clamp(LEAST, MOST);
         Chunks { buffers: Buffers::new(), capacity, full: 0, each, chunks: 0, ended: false }
     }
 
@@ -144,9 +148,8 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     /// Continues or begins the part of a face; gives the number of its first vertex.
     fn open_face(&mut self, leaf: &Leaf<'_>, mesh: &Mesh, face: usize) -> u32 {
         let buffers = &mut self.buffers;
-        let rule = buffers.table.rule(leaf.rule);
-        let material = buffers.table.material(leaf.material);
-        let shown = buffers.table.face_material(material, &mesh.materials, mesh.tags[face].material);
+        let (rule, material) = buffers.numbers.leaf(leaf);
+        let shown = buffers.numbers.table.face_material(material, &mesh.materials, mesh.tags[face].material);
         buffers.run(rule, shown);
         if !mesh.uvs().is_empty() && buffers.uvs.is_empty() {
             buffers.uvs.resize(buffers.vertices.len(), [0.0; 2]);

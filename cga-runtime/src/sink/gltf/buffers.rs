@@ -28,10 +28,12 @@ impl Glb {
         let has_uvs = !buffers.uvs().is_empty();
         let moved = buffers.origin() - self.origin;
         for part in buffers.parts() {
-            let rule = self.table.rule(buffers.rules()[part.rule as usize]);
-            let material = self.table.material(&buffers.materials()[part.material as usize]);
+            let table = &mut self.numbers.table;
+            let rule = table.rule(buffers.rules()[part.rule as usize]);
+            let material = table.material(&buffers.materials()[part.material as usize]);
             self.add(part.vertices.len(), part.indices.len())?;
-            self.primitive(material, has_uvs).part(buffers, &part, rule, moved);
+            let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, has_uvs);
+            primitive.part(buffers, &part, rule, moved);
         }
         ControlFlow::Continue(())
     }
@@ -41,6 +43,7 @@ impl Primitive {
     /// Adds the triangles of one part of buffers.
     fn part(&mut self, buffers: &Buffers, part: &Part, rule: u32, moved: DVec3) {
         let vertices = &buffers.vertices()[part.vertices.clone()];
+        self.begin(rule, false);
         let start = self.positions.len() as u32;
         let first = part.vertices.start as u32;
         let position = |&[x, y, z, ..]: &[f32; 6]| match moved == DVec3::ZERO {
@@ -49,7 +52,6 @@ impl Primitive {
         };
         self.positions.extend(vertices.iter().map(position));
         self.normals.extend(vertices.iter().map(|&[.., x, y, z]| [x, y, z]));
-        self.rules.extend(std::iter::repeat_n(rule as f32, vertices.len()));
         if let Some(uvs) = buffers.uvs().get(part.vertices.clone()) {
             // glTF counts v downwards.
             self.uvs.extend(uvs.iter().map(|&[u, v]| [u, 1.0 - v]));

@@ -2,54 +2,66 @@
 //!
 //! Triangles are grouped into one primitive a material. Each vertex carries the number of its rule (`_FEATURE_ID_0`,
 //! `EXT_mesh_features`), and a property table (`EXT_structural_metadata`) has the names. Assets inserted more than once
-//! are stored once and placed by nodes. Colours are turned from sRGB to linear light; materials are double sided, as
+//! are stored once and placed by nodes; on request, parts that rules repeat are stored once with a list of their places
+//! (`EXT_mesh_gpu_instancing`). Colours are turned from sRGB to linear light; materials are double sided, as
 //! CGA's are; textures are referenced by relative address. The same leaves give the same bytes.
 
+mod assets;
+mod binary;
 mod buffers;
 mod json;
 mod look;
 mod pack;
+mod parts;
 mod primitive;
+mod streams;
 
-use std::collections::HashMap;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 
+use self::assets::Assets;
 use self::look::Looks;
-use self::primitive::{INDEX_BYTES, Primitive, VERTEX_BYTES};
+use self::parts::{Parts, Place};
+use self::primitive::{INDEX_BYTES, Primitive, Primitives, VERTEX_BYTES};
 use super::error::WriteError;
 use super::flatten::Flattener;
-use super::table::Table;
-use super::{Cuboid, Flow, Leaf, Quad, Sink};
+use super::normals;
+use super::numbers::Numbers;
+use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::mesh::{Bounds, Mesh};
 use crate::model::Model;
-use crate::parallel::Parts;
+use crate::parallel;
+use crate::scope::Axis;
+use crate::shape::base::Form;
 
 /// Collects leaves for a GLB file.
 #[derive(Debug, Default)]
 pub struct Glb {
     origin: DVec3,
-    table: Table,
+    numbers: Numbers,
     looks: Looks,
-    primitives: Vec<Primitive>,
-    /// Primitives by look and whether they have texture coordinates. Only ever asked, never walked.
-    by_look: HashMap<(u32, bool), usize>,
-    instances: Vec<Instances>,
-    by_asset: HashMap<(usize, u32, u32), usize>,
+    primitives: Primitives,
+    assets: Assets,
+    /// Repeated parts, if they are to be instances.
+    parts: Option<Parts>,
     flattener: Flattener,
     bytes: u64,
 }
 
-/// One asset with one rule and one material, at one or more places.
-#[derive(Debug)]
-struct Instances {
-    mesh: Arc<Mesh>,
-    rule: u32,
-    material: u32,
-    placements: Vec<DAffine3>,
+/// A glTF mesh that is shown at several places.
+struct Shared {
+    primitives: Vec<Primitive>,
+    places: Places,
+}
+
+enum Places {
+    /// A node each.
+    Nodes(Vec<DAffine3>),
+    /// One node for all.
+    Instances(Vec<Place>),
 }
 
 /// What the 32-bit lengths of the format allow, less room for the description.
@@ -68,115 +80,134 @@ impl Glb {
         self
     }
 
+    /// Stores each repeated part once, with the list of its places (`EXT_mesh_gpu_instancing`). The file is smaller and shows
+    /// the same triangles; a reader must know the extension.
+    ///
+    /// Parts are known while a run goes on: the sink must take the leaves of the run itself. A [`Model`] keeps single leaves.
+    ///
+    /// ```
+    /// use cga_runtime::sink::gltf::Glb;
+    ///
+    /// let glb = Glb::new().with_instances();
+    /// // … `grammar.generate_into(&shape, &settings, &mut glb)?`, then:
+    /// assert!(glb.finish().unwrap().starts_with(b"glTF"));
+    /// ```
+    pub fn with_instances(mut self) -> Self {
+        self.parts = Some(Parts::default());
+        self
+    }
+
     /// The file.
     ///
     /// # Errors
     /// [`WriteError::TooLarge`] for more than 4 GiB, [`WriteError::NotFinite`] for coordinates that are no `f32`.
     pub fn finish(mut self) -> Result<Vec<u8>, WriteError> {
-        let mut shared = self.place_instances();
-        // A face can be too thin for a triangle, and the format knows no empty lists.
-        self.primitives.retain(|primitive| !primitive.indices.is_empty());
-        shared.iter_mut().for_each(|asset| asset.primitives.retain(|primitive| !primitive.indices.is_empty()));
-        shared.retain(|asset| !asset.primitives.is_empty());
+        let mut shared = self.place_assets();
+        if let Some(parts) = self.parts.take() {
+            shared.extend(self.place_parts(parts));
+        }
+        shared.retain(|mesh| !mesh.primitives.is_empty());
         if MAX_BYTES < self.bytes {
             return Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) });
         }
-        pack::pack(&self, &shared)
+        let main = std::mem::take(&mut self.primitives).into_list();
+        pack::pack(&self, &main, &shared)
     }
 
     fn add(&mut self, vertices: usize, indices: usize) -> Flow {
-        self.bytes += vertices as u64 * VERTEX_BYTES + indices as u64 * INDEX_BYTES;
+        self.add_bytes(vertices as u64 * VERTEX_BYTES + indices as u64 * INDEX_BYTES)
+    }
+
+    fn add_bytes(&mut self, bytes: u64) -> Flow {
+        self.bytes += bytes;
         if MAX_BYTES < self.bytes { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    fn primitive(&mut self, material: u32, has_uvs: bool) -> &mut Primitive {
-        let look = self.looks.of(material, &self.table.materials()[material as usize], has_uvs);
-        let primitives = &mut self.primitives;
-        let index = *self.by_look.entry((look, has_uvs)).or_insert_with(|| {
-            primitives.push(Primitive::new(look));
-            primitives.len() - 1
-        });
-        &mut self.primitives[index]
+    /// The primitive for a material without texture coordinates.
+    #[inline]
+    fn plain(&mut self, material: u32) -> &mut Primitive {
+        self.primitives.plain(&mut self.looks, &self.numbers.table, material)
     }
 
     fn add_mesh(&mut self, rule: u32, material: u32, mesh: &Mesh, placement: &DAffine3) {
-        let origin = self.origin;
-        let mut flattener = std::mem::take(&mut self.flattener);
+        let Glb { origin, numbers, looks, primitives, flattener, .. } = self;
         flattener.faces(mesh, placement, |face| {
-            let shown = self.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
-            self.primitive(shown, !mesh.uvs().is_empty()).face(mesh, placement, &face, rule, origin);
+            let shown = numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            let primitive = primitives.of(looks, &numbers.table, shown, !mesh.uvs().is_empty());
+            primitive.face(mesh, placement, &face, rule, *origin);
             true
         });
-        self.flattener = flattener;
     }
-
-    /// Assets at several places become meshes of their own; the others join the rest.
-    fn place_instances(&mut self) -> Vec<Shared> {
-        let mut shared = Vec::new();
-        for instances in std::mem::take(&mut self.instances) {
-            let Instances { mesh, rule, material, placements } = instances;
-            let (own, loose): (Vec<_>, Vec<_>) = placements.into_iter().partition(is_node_transform);
-            if 2 <= own.len() {
-                // Filled in the mesh's own coordinates, with a list of primitives of its own.
-                let main = std::mem::take(&mut self.primitives);
-                let by_look = std::mem::take(&mut self.by_look);
-                let origin = std::mem::take(&mut self.origin);
-                self.add_mesh(rule, material, &mesh, &DAffine3::IDENTITY);
-                self.origin = origin;
-                self.by_look = by_look;
-                let primitives = std::mem::replace(&mut self.primitives, main);
-                shared.push(Shared { primitives, placements: own });
-            } else {
-                own.iter().for_each(|placement| self.add_mesh(rule, material, &mesh, placement));
-            }
-            loose.iter().for_each(|placement| self.add_mesh(rule, material, &mesh, placement));
-        }
-        shared
-    }
-}
-
-/// A glTF mesh that several nodes show.
-struct Shared {
-    primitives: Vec<Primitive>,
-    placements: Vec<DAffine3>,
-}
-
-/// Whether a glTF node can express it: no shear, and no mirroring, which would turn the faces there.
-fn is_node_transform(placement: &DAffine3) -> bool {
-    let [x, y, z] = [placement.matrix3.x_axis, placement.matrix3.y_axis, placement.matrix3.z_axis];
-    let right = |a: DVec3, b: DVec3| a.dot(b).abs() <= 1e-9 * a.length() * b.length();
-    0.0 < placement.matrix3.determinant() && right(x, y) && right(y, z) && right(z, x)
 }
 
 impl Sink for Glb {
+    fn begin(&mut self) {
+        self.numbers.begin();
+        self.parts.iter_mut().for_each(Parts::begin);
+    }
+
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        let shape = leaf.shape;
+        let (size, axes) = (shape.size, &shape.axes.matrix);
+        let (origin, x, y) = (shape.origin - self.origin, axes.x_axis * size.x, axes.y_axis * size.y);
+        match shape.form {
+            Form::Rect(Axis::Z) => {
+                let (rule, material) = self.numbers.filled(leaf);
+                self.plain(material).quad(rule, origin, [x, y], shape.axes.normals[0]);
+                self.add(4, 6)
+            }
+            Form::Box => {
+                let (rule, material) = self.numbers.filled(leaf);
+                let sides = DMat3::from_cols(x, y, axes.z_axis * size.z);
+                let cuboid = Cuboid { origin, sides, unit: shape.unit };
+                self.plain(material).cuboid(rule, &cuboid, &shape.axes.normals);
+                self.add(24, 36)
+            }
+            Form::Rect(_) | Form::Empty | Form::Other => leaf.pass_to(self),
+        }
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        if let Some(mut parts) = self.parts.take() {
+            let flow = self.place_part(&mut parts, replay);
+            self.parts = Some(parts);
+            return flow;
+        }
+        if !replay.is_plain() {
+            return replay.each(self);
+        }
+        let (mut leaf, origin) = (0, self.origin);
+        for (filled, mark) in replay.marks() {
+            let (rule, material) = self.numbers.with_material(&filled, mark.material);
+            let leaves = leaf..leaf + mark.leaves;
+            leaf = leaves.end;
+            self.plain(material).repeat(rule, replay, leaves, mark.corners / 4, origin);
+        }
+        self.add(replay.corner_count(), replay.corner_count() / 4 * 6)
+    }
+
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        let (rule, origin) = (self.table.rule(leaf.rule), self.origin);
-        let material = self.table.material(leaf.material);
-        self.primitive(material, false).quad(quad, rule, origin);
+        let (rule, material) = self.numbers.leaf(leaf);
+        let (origin, normal) = (quad.origin - self.origin, normals::of_quad(leaf, quad));
+        self.plain(material).quad(rule, origin, [quad.u, quad.v], normal);
         self.add(4, 6)
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        let (rule, origin) = (self.table.rule(leaf.rule), self.origin);
-        let material = self.table.material(leaf.material);
-        self.primitive(material, false).cuboid(cuboid, rule, origin);
+        let (rule, material) = self.numbers.leaf(leaf);
+        let moved = Cuboid { origin: cuboid.origin - self.origin, ..*cuboid };
+        self.plain(material).cuboid(rule, &moved, &normals::of_cuboid(leaf, cuboid));
         self.add(24, 36)
     }
 
     fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
-        let (rule, material) = (self.table.rule(leaf.rule), self.table.material(leaf.material));
-        let instances = &mut self.instances;
-        // The address stays the mesh's own: the first one seen is kept in the list.
-        let index = *self.by_asset.entry((Arc::as_ptr(mesh).addr(), rule, material)).or_insert_with(|| {
-            instances.push(Instances { mesh: mesh.clone(), rule, material, placements: Vec::new() });
-            instances.len() - 1
-        });
-        self.instances[index].placements.push(*placement);
+        let (rule, material) = self.numbers.leaf(leaf);
+        self.assets.add(mesh, rule, material, placement);
         ControlFlow::Continue(())
     }
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
-        let (rule, material) = (self.table.rule(leaf.rule), self.table.material(leaf.material));
+        let (rule, material) = self.numbers.leaf(leaf);
         self.add_mesh(rule, material, mesh, placement);
         self.add(mesh.corners.len(), 3 * mesh.corners.len())
     }
@@ -203,7 +234,7 @@ impl Model {
     }
 }
 
-impl Parts<Model> {
+impl parallel::Parts<Model> {
     /// All models as one GLB file, the same as that of one model with all leaves.
     ///
     /// # Errors

@@ -1,26 +1,111 @@
 //! The triangles of one material, growing leaf by leaf.
 
-use glam::{DAffine3, DVec2, DVec3};
+use std::collections::HashMap;
+use std::hash::{Hash, Hasher};
+use std::ops::Range;
 
+use glam::{DAffine3, DVec2, DVec3, Vec4};
+
+use super::look::Looks;
 use crate::mesh::Mesh;
+use crate::shape::base::Form;
+use crate::sink::buffers::write::{box_corners, four};
 use crate::sink::flatten::{FlatFace, corner_point, normal_map, unit};
-use crate::sink::{Cuboid, Quad};
+use crate::sink::room::Room;
+use crate::sink::table::Table;
+use crate::sink::{Cuboid, Replay};
 
-/// Streams of one glTF primitive. Texture coordinates are there for all vertices or for none.
+/// The primitives of a glTF mesh, in the order in which they are first asked for.
+#[derive(Debug, Default)]
+pub(super) struct Primitives {
+    pub(super) list: Vec<Primitive>,
+    /// By look and whether they have texture coordinates. Only ever asked, never walked.
+    by_look: HashMap<(u32, bool), usize>,
+    /// Those without texture coordinates, by number of the material.
+    plain: Vec<Option<u32>>,
+}
+
+/// The triangles of one glTF primitive. Texture coordinates are there for all vertices or for none.
+///
+/// A quad has four vertices, one normal, and indices that follow from its place; the faces of meshes have all of them. The
+/// streams of the file are made of both when it is written (`streams.rs`).
 #[derive(Debug, Default)]
 pub(super) struct Primitive {
     pub(super) look: u32,
-    pub(super) positions: Vec<[f32; 3]>,
-    pub(super) normals: Vec<[f32; 3]>,
+    pub(super) positions: Room<[f32; 3]>,
     pub(super) uvs: Vec<[f32; 2]>,
-    /// The rule of each vertex.
-    pub(super) rules: Vec<f32>,
+    /// One a quad.
+    pub(super) quad_normals: Room<[f32; 3]>,
+    /// One a vertex of a mesh.
+    pub(super) normals: Vec<[f32; 3]>,
+    /// The indices of meshes.
     pub(super) indices: Vec<u32>,
+    pub(super) stretches: Vec<Stretch>,
+}
+
+/// Vertices after each other with one rule, of quads or of meshes. It ends where the next one begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Stretch {
+    pub(super) rule: u32,
+    pub(super) is_quads: bool,
+    /// The first vertex.
+    pub(super) vertex: u32,
+    /// The first of the indices of meshes.
+    pub(super) index: u32,
 }
 
 /// Bytes that a vertex without texture coordinates takes, and an index.
 pub(super) const VERTEX_BYTES: u64 = 28;
 pub(super) const INDEX_BYTES: u64 = 4;
+
+impl Primitives {
+    /// The primitive for a material without texture coordinates.
+    #[inline]
+    pub(super) fn plain(&mut self, looks: &mut Looks, table: &Table, material: u32) -> &mut Primitive {
+        let index = match self.plain.get(material as usize) {
+            Some(&Some(index)) => index as usize,
+            _ => self.find_plain(looks, table, material),
+        };
+        &mut self.list[index]
+    }
+
+    /// The primitive for a material, with or without texture coordinates.
+    pub(super) fn of(&mut self, looks: &mut Looks, table: &Table, material: u32, has_uvs: bool) -> &mut Primitive {
+        let index = self.find(looks, table, material, has_uvs);
+        &mut self.list[index]
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn find_plain(&mut self, looks: &mut Looks, table: &Table, material: u32) -> usize {
+        let index = self.find(looks, table, material, false);
+        let at = material as usize;
+        self.plain.resize(self.plain.len().max(at + 1), None);
+        self.plain[at] = Some(index as u32);
+        index
+    }
+
+    fn find(&mut self, looks: &mut Looks, table: &Table, material: u32, has_uvs: bool) -> usize {
+        let look = looks.of(material, &table.materials()[material as usize], has_uvs);
+        self.with_look(look, has_uvs)
+    }
+
+    /// The number of the primitive with a look.
+    pub(super) fn with_look(&mut self, look: u32, has_uvs: bool) -> usize {
+        let list = &mut self.list;
+        *self.by_look.entry((look, has_uvs)).or_insert_with(|| {
+            list.push(Primitive { look, ..Primitive::default() });
+            list.len() - 1
+        })
+    }
+
+    /// Drops primitives without triangles: the format knows no empty lists, and a face can be too thin for a triangle.
+    pub(super) fn into_list(self) -> Vec<Primitive> {
+        let mut list = self.list;
+        list.retain(|primitive| primitive.index_count() != 0);
+        list
+    }
+}
 
 fn short(v: DVec3) -> [f32; 3] {
     v.to_array().map(|c| c as f32)
@@ -31,28 +116,102 @@ fn flipped(uv: DVec2) -> [f32; 2] {
     [uv.x as f32, (1.0 - uv.y) as f32]
 }
 
+impl PartialEq for Primitive {
+    fn eq(&self, other: &Self) -> bool {
+        self.look == other.look
+            && self.stretches == other.stretches
+            && self.positions.items() == other.positions.items()
+            && self.quad_normals.items() == other.quad_normals.items()
+            && self.normals == other.normals
+            && self.indices == other.indices
+            && self.uvs == other.uvs
+    }
+}
+
+impl Hash for Primitive {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        // Equal numbers have equal hashes: adding 0 takes the sign off −0.
+        let bits = |c: &f32| (c + 0.0).to_bits();
+        self.look.hash(state);
+        self.stretches.hash(state);
+        self.positions.items().as_flattened().iter().for_each(|c| bits(c).hash(state));
+        self.indices.hash(state);
+    }
+}
+
 impl Primitive {
-    pub(super) fn new(look: u32) -> Self {
-        Primitive { look, ..Primitive::default() }
+    /// The number of vertices.
+    pub(super) fn vertex_count(&self) -> usize {
+        self.positions.len()
     }
 
-    pub(super) fn quad(&mut self, quad: &Quad, rule: u32, origin: DVec3) {
-        let start = self.positions.len() as u32;
-        let normal = short(unit(quad.u.cross(quad.v)));
-        self.positions.extend(quad.corners().map(|corner| short(corner - origin)));
-        self.normals.extend([normal; 4]);
-        self.rules.extend([rule as f32; 4]);
-        self.indices.extend([0, 1, 2, 0, 2, 3].map(|i| start + i));
+    /// The number of indices.
+    pub(super) fn index_count(&self) -> usize {
+        self.indices.len() + 6 * self.quad_normals.len()
     }
 
-    pub(super) fn cuboid(&mut self, cuboid: &Cuboid, rule: u32, origin: DVec3) {
-        // A box without extent along an axis still has six faces; the opposite ones share their direction then.
-        for face in cuboid.faces() {
-            self.quad(&face, rule, origin);
+    /// Begins a stretch unless the last one goes on.
+    #[inline]
+    pub(super) fn begin(&mut self, rule: u32, is_quads: bool) {
+        match self.stretches.last() {
+            Some(last) if last.rule == rule && last.is_quads == is_quads => {}
+            _ => {
+                let (vertex, index) = (self.positions.len() as u32, self.indices.len() as u32);
+                self.stretches.push(Stretch { rule, is_quads, vertex, index });
+            }
         }
     }
 
+    /// Adds a rectangle with that first corner, relative to the origin of the file, and those sides.
+    pub(super) fn quad(&mut self, rule: u32, a: DVec3, sides: [DVec3; 2], normal: [f32; 3]) {
+        if let Some(to) = self.quads(rule, 1).next() {
+            write_quad(to, a, sides, normal);
+        }
+    }
+
+    /// Adds a box, relative to the origin of the file; `normals` are those of its sides.
+    pub(super) fn cuboid(&mut self, rule: u32, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
+        write_box(self.quads(rule, 6), cuboid, normals);
+    }
+
+    /// Adds leaves of a part that repeats, with one rule and this many faces.
+    #[inline(never)]
+    pub(super) fn repeat(&mut self, rule: u32, replay: &Replay<'_>, leaves: Range<usize>, faces: usize, origin: DVec3) {
+        let mut faces = self.quads(rule, faces);
+        for (placed, record, axes) in replay.leaves(leaves) {
+            let (origin, sides) = (replay.origin() + placed.origin - origin, placed.sides);
+            if record.form == Form::Box {
+                write_box(faces.by_ref(), &Cuboid { origin, sides, unit: record.unit }, &axes.normals);
+            } else if let Some(to) = faces.next() {
+                write_quad(to, origin, [sides.x_axis, sides.y_axis], axes.normals[0]);
+            }
+        }
+    }
+
+    /// The places of the next quads.
+    #[inline(always)]
+    fn quads(&mut self, rule: u32, count: usize) -> impl Iterator<Item = QuadPlace<'_>> {
+        self.begin(rule, true);
+        let (positions, _) = self.positions.take(4 * count).as_chunks_mut::<4>();
+        positions.iter_mut().zip(self.quad_normals.take(count))
+    }
+
+    /// Adds the quads of another primitive, which has nothing else, moved to a place.
+    pub(super) fn add_quads(&mut self, other: &Primitive, placement: &DAffine3, origin: DVec3) {
+        let start = self.positions.len() as u32;
+        let index = self.indices.len() as u32;
+        let moved = |stretch: &Stretch| Stretch { vertex: start + stretch.vertex, index, ..*stretch };
+        self.stretches.extend(other.stretches.iter().map(moved));
+        let wide = |v: &[f32; 3]| DVec3::from_array(v.map(f64::from));
+        let turn = normal_map(&placement.matrix3);
+        let (positions, normals) = (other.positions.items(), other.quad_normals.items());
+        self.positions.extend(positions.iter().map(|p| short(placement.transform_point3(wide(p)) - origin)));
+        self.quad_normals.extend(normals.iter().map(|n| short(turn * wide(n))));
+    }
+
+    /// Adds a face of a mesh.
     pub(super) fn face(&mut self, mesh: &Mesh, placement: &DAffine3, face: &FlatFace<'_>, rule: u32, origin: DVec3) {
+        self.begin(rule, false);
         let start = self.positions.len() as u32;
         let turn = normal_map(&placement.matrix3);
         for corner in face.corners.clone() {
@@ -60,11 +219,38 @@ impl Primitive {
             let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(turn * n));
             self.positions.push(short(point));
             self.normals.push(short(normal));
-            self.rules.push(rule as f32);
         }
         if !mesh.uvs().is_empty() {
             self.uvs.extend(mesh.uvs()[face.corners.clone()].iter().map(|&uv| flipped(uv)));
         }
         self.indices.extend(face.triangles.as_flattened().iter().map(|i| start + i));
     }
+}
+
+/// The places of the positions and of the normal of a quad.
+type QuadPlace<'a> = (&'a mut [[f32; 3]; 4], &'a mut [f32; 3]);
+
+#[inline(always)]
+fn write_quad(to: QuadPlace<'_>, a: DVec3, [u, v]: [DVec3; 2], normal: [f32; 3]) {
+    let b = a + u;
+    write_face(to, [four(a), four(b), four(b + v), four(a + v)], normal);
+}
+
+#[inline(always)]
+fn write_box<'a>(faces: impl Iterator<Item = QuadPlace<'a>>, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
+    let corners = box_corners(cuboid);
+    for (face, to) in cuboid.unit.sides().iter().zip(faces) {
+        write_face(to, face.corners.map(|corner| corners[usize::from(corner & 7)]), normals[face.side as usize]);
+    }
+}
+
+/// Writes the corners of a face as three vectors, and its normal.
+#[inline(always)]
+fn write_face((positions, to_normal): QuadPlace<'_>, [a, b, c, d]: [Vec4; 4], normal: [f32; 3]) {
+    let vectors = [Vec4::new(a.x, a.y, a.z, b.x), Vec4::new(b.y, b.z, c.x, c.y), Vec4::new(c.z, d.x, d.y, d.z)];
+    let (chunks, _) = positions.as_flattened_mut().as_chunks_mut::<4>();
+    for (to, vector) in chunks.iter_mut().zip(vectors) {
+        *to = vector.to_array();
+    }
+    *to_normal = normal;
 }

@@ -1,0 +1,67 @@
+//! The streams of a file: what it has of each vertex and each triangle, as words.
+
+use std::ops::Range;
+
+use super::binary::Word;
+use super::primitive::{Primitive, Stretch};
+
+/// Appends what a file has of a primitive.
+pub(super) type Stream = fn(&Primitive, &mut Vec<Word>);
+
+impl Primitive {
+    /// The stretches, each with its vertices and the indices of meshes.
+    fn walk(&self) -> impl Iterator<Item = (&Stretch, Range<usize>, Range<usize>)> {
+        self.stretches.iter().enumerate().map(|(i, stretch)| {
+            let (vertex, index) = match self.stretches.get(i + 1) {
+                Some(next) => (next.vertex as usize, next.index as usize),
+                None => (self.positions.len(), self.indices.len()),
+            };
+            (stretch, stretch.vertex as usize..vertex, stretch.index as usize..index)
+        })
+    }
+
+    pub(super) fn write_indices(&self, to: &mut Vec<Word>) {
+        for (stretch, vertices, indices) in self.walk() {
+            if stretch.is_quads {
+                for first in vertices.step_by(4) {
+                    let quad = [0, 1, 2, 0, 2, 3].map(|corner| first as u32 + corner);
+                    to.extend_from_slice(&quad.map(u32::to_le_bytes));
+                }
+            } else {
+                to.extend(self.indices[indices].iter().map(|index| index.to_le_bytes()));
+            }
+        }
+    }
+
+    pub(super) fn write_positions(&self, to: &mut Vec<Word>) {
+        to.extend(self.positions.items().as_flattened().iter().map(|c| c.to_le_bytes()));
+    }
+
+    pub(super) fn write_normals(&self, to: &mut Vec<Word>) {
+        let (mut of_quads, mut of_meshes) = (self.quad_normals.items(), &self.normals[..]);
+        for (stretch, vertices, _) in self.walk() {
+            if stretch.is_quads {
+                let (normals, rest) = of_quads.split_at(vertices.len() / 4);
+                of_quads = rest;
+                for normal in normals {
+                    to.extend_from_slice([normal.map(f32::to_le_bytes); 4].as_flattened());
+                }
+            } else {
+                let (normals, rest) = of_meshes.split_at(vertices.len());
+                of_meshes = rest;
+                to.extend(normals.as_flattened().iter().map(|c| c.to_le_bytes()));
+            }
+        }
+    }
+
+    /// Writes the number of the rule of each vertex.
+    pub(super) fn write_rules(&self, to: &mut Vec<Word>) {
+        for (stretch, vertices, _) in self.walk() {
+            to.extend(std::iter::repeat_n((stretch.rule as f32).to_le_bytes(), vertices.len()));
+        }
+    }
+
+    pub(super) fn write_uvs(&self, to: &mut Vec<Word>) {
+        to.extend(self.uvs.as_flattened().iter().map(|c| c.to_le_bytes()));
+    }
+}
