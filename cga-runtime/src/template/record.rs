@@ -12,6 +12,7 @@ use crate::material::ids::MaterialId;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
 use crate::seed::Seed;
+use crate::settings::Repeats;
 use crate::shape::ShapeRef;
 use crate::shape::base::{Base, Form};
 use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
@@ -125,7 +126,11 @@ impl<C: Clone> Cx<'_, C> {
         part: &ShapeRef<'_>,
         rule: RuleFn<G, C>,
     ) -> Option<Arc<Turned<C>>> {
-        let (least, too_small) = (self.env.least_split, self.env.too_small);
+        let (least, too_small, repeats) = (self.env.least_split, self.env.too_small, self.env.settings.repeats);
+        if repeats == Repeats::Direct {
+            self.templates.keep(place, Entry { key: Key::of(part, too_small), turned: None });
+            return None;
+        }
         self.env.least_split = f64::INFINITY;
         let template = self.record(g, part, rule, 0).and_then(|mut template| {
             if template.holes.is_empty() {
@@ -144,7 +149,9 @@ impl<C: Clone> Cx<'_, C> {
         self.env.least_split = least.min(self.env.least_split);
         let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
         let turned = template.map(|template| Arc::new(Arc::new(template).turned(part.base.number, part.axes)));
-        self.templates.keep(place, Entry { key, turned: turned.clone() });
+        if repeats == Repeats::Kept {
+            self.templates.keep(place, Entry { key, turned: turned.clone() });
+        }
         turned
     }
 

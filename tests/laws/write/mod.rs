@@ -1,9 +1,11 @@
-//! Random grammars that use every construct whose result could depend on how a box or rectangle is held.
+//! Random grammars that use every construct whose result could depend on how a box or rectangle is held, or on how parts
+//! that repeat are derived.
 //!
 //! Text is written from templates: `$` and a letter is a value of that kind, drawn by [`Writer::value`].
 
 mod blocks;
 mod prologue;
+mod repeats;
 mod steps;
 
 use crate::random::Random;
@@ -35,11 +37,15 @@ impl Here {
     }
 }
 
-/// The grammar of a seed.
+/// The grammar of a seed: for odd ones one with many parts that repeat.
 pub(crate) fn write(seed: u64) -> String {
     let mut writer = Writer { random: Random(seed), text: format!("// Seed {seed}.\n"), mark: 1 };
-    writer.text.push_str(prologue::TEXT);
-    writer.rules();
+    if seed % 2 == 0 {
+        writer.text.push_str(prologue::TEXT);
+        writer.rules();
+    } else {
+        writer.repeats();
+    }
     writer.text
 }
 

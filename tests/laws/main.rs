@@ -1,14 +1,17 @@
-//! Boxes and rectangles are an optimisation: a run that holds each of them as a mesh gives the same.
+//! The laws of runs: boxes and meshes, templates and direct derivation, sessions, threads and chunks give the same.
 //!
-//! Random grammars are run in pairs (`pairs.rs`) on random shapes with random attributes, and all that runs give is
-//! compared (`compare.rs`). `CGA_BOXES=200` plays 200 more grammars in a throw-away crate; `CGA_BOXES=500..700` and
-//! `CGA_BOXES=144,1044` those of some seeds.
+//! Random grammars are run in pairs (`laws.rs`) on random shapes with random attributes, and all that runs give is
+//! compared (`compare.rs`, `exact.rs`). `CGA_LAWS=200` plays 200 more grammars in a throw-away crate; `CGA_LAWS=500..700` and
+//! `CGA_LAWS=144,1044` those of some seeds.
 
 mod compare;
+mod exact;
+mod few;
 mod files;
 #[allow(deprecated, reason = "findings are warnings of this kind")]
 mod grammars;
-mod pairs;
+mod host;
+mod laws;
 mod play;
 #[path = "../../cga-lang/tests/common/random.rs"]
 mod random;
@@ -27,9 +30,9 @@ const SEEDS: Range<u64> = 100..124;
 fn the_grammars_are_those_of_their_seeds() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let seeds: Vec<u64> = SEEDS.collect();
-    let files = files::all(&seeds, root, "tests/boxes/grammars.rs", "tests/boxes/rules");
+    let files = files::all(&seeds, root, "tests/laws/grammars.rs", "tests/laws/rules");
     if std::env::var_os("CGA_BLESS").is_some() {
-        files::put(&files, &root.join("tests/boxes/rules"));
+        files::put(&files, &root.join("tests/laws/rules"));
     }
     for (path, text) in files {
         let now = fs::read_to_string(&path).unwrap_or_default();
@@ -38,7 +41,7 @@ fn the_grammars_are_those_of_their_seeds() {
 }
 
 #[test]
-fn runs_with_boxes_and_with_meshes_give_the_same() {
+fn runs_give_the_same() {
     let counts = play::play(grammars::ALL);
     println!("{}", counts.summary());
     assert!(counts.broken == 0, "{}{}", counts.differences(), counts.summary());
@@ -49,19 +52,19 @@ fn runs_with_boxes_and_with_meshes_give_the_same() {
     );
 }
 
-/// Plays many more grammars when `CGA_BOXES` says how many or which: they are compiled in a crate of their own.
+/// Plays many more grammars when `CGA_LAWS` says how many or which: they are compiled in a crate of their own.
 #[test]
 fn further_grammars_give_the_same() {
-    let Ok(text) = std::env::var("CGA_BOXES") else { return };
+    let Ok(text) = std::env::var("CGA_LAWS") else { return };
     let number =
-        |text: &str| text.parse::<u64>().expect("`CGA_BOXES` is a number, two with `..` between them, or a list");
+        |text: &str| text.parse::<u64>().expect("`CGA_LAWS` is a number, two with `..` between them, or a list");
     let seeds: Vec<u64> = match (text.split_once(".."), text.contains(',')) {
         (Some((first, end)), _) => (number(first)..number(end)).collect(),
         (None, true) => text.split(',').map(number).collect(),
         (None, false) => (1000..1000 + number(&text)).collect(),
     };
     let source = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let root = source.join("target/boxes");
+    let root = source.join("target/laws");
     fs::create_dir_all(root.join("src")).expect("a folder for the crate");
     files::put(&files::all(&seeds, &root, "src/grammars.rs", "rules"), &root.join("rules"));
     fs::write(root.join("Cargo.toml"), manifest(source)).expect("the crate's manifest");
@@ -77,20 +80,23 @@ fn further_grammars_give_the_same() {
 
 /// The manifest of the throw-away crate: the grammars are compiled fast, what they call runs fast.
 fn manifest(source: &Path) -> String {
-    let profile = "[profile.release.package.boxes]\nopt-level = 0\n";
-    let package = "[package]\nname = \"boxes\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n";
-    format!("{package}[dependencies]\ncga = {{ path = {:?} }}\n{profile}", source)
+    let profile = "[profile.release.package.laws]\nopt-level = 0\n";
+    let package = "[package]\nname = \"laws\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n";
+    format!("{package}[dependencies]\nrayon = \"1\"\ncga = {{ path = {:?}, features = [\"rayon\"] }}\n{profile}", source)
 }
 
 /// The program of the throw-away crate: the same runs of other grammars.
 fn program(source: &Path) -> String {
     let mut text = String::from("#![allow(deprecated, dead_code, unused)]\nmod grammars;\n");
     for (name, path) in [
-        ("compare", "tests/boxes/compare.rs"),
-        ("pairs", "tests/boxes/pairs.rs"),
-        ("play", "tests/boxes/play.rs"),
+        ("compare", "tests/laws/compare.rs"),
+        ("exact", "tests/laws/exact.rs"),
+        ("few", "tests/laws/few.rs"),
+        ("host", "tests/laws/host.rs"),
+        ("laws", "tests/laws/laws.rs"),
+        ("play", "tests/laws/play.rs"),
         ("random", "cga-lang/tests/common/random.rs"),
-        ("start", "tests/boxes/start.rs"),
+        ("start", "tests/laws/start.rs"),
     ] {
         text += &format!("#[path = {:?}]\nmod {name};\n", source.join(path));
     }
