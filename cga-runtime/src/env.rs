@@ -1,6 +1,6 @@
 //! What a run keeps besides its sink: limits, faults, the trail of rules, assets.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -111,8 +111,10 @@ pub struct Env {
     searches: BTreeMap<File, Rc<[Text]>>,
     /// Tables that were read, by file.
     pub(crate) tables: BTreeMap<File, Array<Text>>,
-    /// What is said once a run, and was: names that are not implemented, messages.
-    said_once: BTreeSet<&'static str>,
+    /// What is said once a run, and was, in order: names that are not implemented, messages.
+    said_once: Vec<&'static str>,
+    /// How often it was to be said, and how often a fault happened again that is counted.
+    said_again: u64,
 }
 
 /// The counters of a run at one time.
@@ -125,6 +127,8 @@ pub(crate) struct Counters {
     calls: u64,
     faults: usize,
     faults_left_out: u64,
+    said_once: usize,
+    said_again: u64,
     trail: usize,
     has_ended: bool,
 }
@@ -210,7 +214,8 @@ impl Env {
             prints: Prints::default(),
             searches: BTreeMap::new(),
             tables: BTreeMap::new(),
-            said_once: BTreeSet::new(),
+            said_once: Vec::new(),
+            said_again: 0,
         }
     }
 
@@ -351,6 +356,8 @@ impl Env {
             calls: self.calls_made,
             faults: self.faults.len(),
             faults_left_out: self.faults_left_out,
+            said_once: self.said_once.len(),
+            said_again: self.said_again,
             trail: self.trail.len(),
             has_ended: self.error.is_some() || self.ended(),
         }
@@ -369,6 +376,7 @@ impl Env {
         self.faults.truncate(before.faults);
         self.asset_faults.retain(|_, at| *at < before.faults);
         self.faults_left_out = before.faults_left_out;
+        self.said_once.truncate(before.said_once);
         self.trail.truncate(before.trail);
         is_quiet
     }
@@ -462,16 +470,26 @@ impl Env {
 
     /// Notes a fault unless the same was noted before.
     pub(crate) fn fault_once(&mut self, kind: FaultKind, message: &'static str) {
-        if self.said_once.insert(message) {
+        if self.is_new(message) {
             self.fault(kind, message);
         }
     }
 
     /// Notes that something is not implemented, once a run.
     pub(crate) fn not_implemented(&mut self, name: &'static str, instead: &str) {
-        if self.said_once.insert(name) {
+        if self.is_new(name) {
             self.fault(FaultKind::NotImplemented, format!("`{name}` is not implemented yet; {instead}"));
         }
+    }
+
+    /// Whether something that is said once a run was not said yet.
+    fn is_new(&mut self, text: &'static str) -> bool {
+        self.said_again += 1;
+        let is_new = !self.said_once.contains(&text);
+        if is_new {
+            self.said_once.push(text);
+        }
+        is_new
     }
 
     /// The number of faults so far.
@@ -494,6 +512,7 @@ impl Env {
     pub(crate) fn asset_fault(&mut self, message: String) {
         if let Some(&at) = self.asset_faults.get(&message) {
             self.faults[at].count = self.faults[at].count.saturating_add(1);
+            self.said_again += 1;
             return;
         }
         if let Some(at) = self.add_fault(FaultKind::Asset, message.clone()) {

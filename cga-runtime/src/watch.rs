@@ -172,6 +172,11 @@ impl Env {
         self.ask_watch()
     }
 
+    /// Returns true if that many shapes more do not pass the limit.
+    pub(crate) fn is_within_limit(&self, more: u64) -> bool {
+        self.shape_count().saturating_add(more) <= self.settings.limits.shapes
+    }
+
     /// The counter of calls has passed its checkpoint.
     #[cold]
     pub(crate) fn at_calls(&mut self) -> Flow {

@@ -28,6 +28,14 @@ pub(crate) struct Tape<'r, C> {
     has_failed: bool,
 }
 
+/// The reason that there is no template.
+enum Lost {
+    /// The rule makes something that templates do not hold.
+    Never,
+    /// A limit or a watch ended the derivation.
+    Ended,
+}
+
 /// Keeps leaves.
 struct Recorder<'r> {
     base: &'r Base,
@@ -134,7 +142,7 @@ impl<C: Clone> Cx<'_, C> {
         self.env.least_split = f64::INFINITY;
         let template = self.record(g, part, rule, 0).and_then(|mut template| {
             if template.holes.is_empty() {
-                return Some(template);
+                return Ok(template);
             }
             // A seed is affine in the seed of the repetition: two points give the line.
             let other = self.record(g, part, rule, 1)?;
@@ -142,21 +150,23 @@ impl<C: Clone> Cx<'_, C> {
                 let [_, at_zero] = hole.seed;
                 hole.seed = [other.seed[1].wrapping_sub(at_zero), at_zero];
             }
-            (template.holes.len() == other.holes.len()).then_some(template)
+            if template.holes.len() == other.holes.len() { Ok(template) } else { Err(Lost::Never) }
         });
         // Of two runs whose limits differ, both make the same of extents above the largest limit.
         let no_matter = crate::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
         let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
-        let turned = template.map(|template| Arc::new(Arc::new(template).turned(part.base.number, part.axes)));
-        if repeats == Repeats::Kept {
+        // Another run of the session may have room for it.
+        let is_ended = matches!(template, Err(Lost::Ended));
+        let turned = template.ok().map(|template| Arc::new(Arc::new(template).turned(part.base.number, part.axes)));
+        if repeats == Repeats::Kept && !is_ended {
             self.templates.keep(place, Entry { key, turned: turned.clone() });
         }
         turned
     }
 
     /// Derives a rule at the origin. Nothing where it leaves more than leaves that fill their scopes and holes.
-    fn record<G>(&mut self, g: &G, part: &ShapeRef<'_>, rule: RuleFn<G, C>, seed: u64) -> Option<Template<C>> {
+    fn record<G>(&mut self, g: &G, part: &ShapeRef<'_>, rule: RuleFn<G, C>, seed: u64) -> Result<Template<C>, Lost> {
         let before = self.env.state();
         let base = Base::at_origin(part);
         let mut recorder =
@@ -188,15 +198,19 @@ impl<C: Clone> Cx<'_, C> {
         };
         let flow = rule(g, &mut cx, &mut shape);
         let is_complete = flow.is_continue() && cx.waiting.is_empty();
-        let Tape { holes, has_failed: is_lost, .. } = cx.tape.take()?;
+        let (holes, is_lost) = cx.tape.take().map_or((Vec::new(), true), |tape| (tape.holes, tape.has_failed));
         let Recorder { leaves, frames, has_failed, .. } = recorder;
         let shapes = self.env.shapes.saturating_sub(before.shapes);
+        let is_ended = self.env.ended();
         let is_quiet = self.env.restore(before);
+        if is_ended {
+            return Err(Lost::Ended);
+        }
         if !is_complete || !is_quiet || has_failed || is_lost {
-            return None;
+            return Err(Lost::Never);
         }
         let (segments, marks) = segments(&leaves, holes.iter().map(|hole| hole.at));
-        Some(Template { shapes, leaves, frames, segments, marks, holes })
+        Ok(Template { shapes, leaves, frames, segments, marks, holes })
     }
 }
 

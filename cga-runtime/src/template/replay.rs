@@ -132,17 +132,40 @@ impl<C: Clone> Cx<'_, C> {
         };
         match turned {
             None => rule(g, self, part),
-            Some(turned) => self.replay(&turned, g, part, resume),
+            Some(turned) => {
+                let template = &*turned.template;
+                let count = template.shapes + template.leaves.len() as u64;
+                if !self.env.has_room(count) {
+                    return self.replay_at_checkpoint(&turned, count, g, part, rule, resume);
+                }
+                self.replay(&turned, g, part, resume)
+            }
         }
+    }
+
+    /// Replays a template that passes the checkpoint. Where it passes the limit, the rule runs directly: it ends at the same
+    /// shape whether a template is there or not.
+    #[cold]
+    #[inline(never)]
+    fn replay_at_checkpoint<G>(
+        &mut self,
+        turned: &Turned<C>,
+        count: u64,
+        g: &G,
+        part: &mut ShapeRef<'_>,
+        rule: RuleFn<G, C>,
+        resume: ResumeFn<G, C>,
+    ) -> Flow {
+        if !self.env.is_within_limit(count) {
+            return rule(g, self, part);
+        }
+        self.env.make_room(count)?;
+        self.replay(turned, g, part, resume)
     }
 
     #[inline(never)]
     fn replay<G>(&mut self, turned: &Turned<C>, g: &G, part: &ShapeRef<'_>, resume: ResumeFn<G, C>) -> Flow {
         let template = &*turned.template;
-        let count = template.shapes + template.leaves.len() as u64;
-        if !self.env.has_room(count) {
-            self.env.make_room(count)?;
-        }
         self.env.shapes += template.shapes;
         for (segment, leaves) in template.segments.iter().enumerate() {
             if !leaves.leaves.is_empty() {
