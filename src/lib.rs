@@ -70,7 +70,7 @@ pub mod mesh {
 pub mod sink {
     #[cfg(feature = "gltf")]
     pub use cga_runtime::sink::gltf;
-    pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+    pub use cga_runtime::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
     pub use cga_runtime::sink::{buffers, error, obj, picture, stats, svg, table};
 }
 

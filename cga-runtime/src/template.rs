@@ -61,6 +61,8 @@ struct Key {
 struct Template<C> {
     /// Shapes derived, without leaves.
     shapes: u64,
+    /// The most shapes that the derivation asked room for.
+    room: u64,
     leaves: Vec<Record>,
     /// The axes of leaves.
     frames: Vec<DMat3>,

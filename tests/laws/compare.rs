@@ -8,6 +8,8 @@ pub(crate) struct Outcome {
     pub(crate) model: Model,
     /// The report, or the error that ended the run.
     pub(crate) report: Result<Report, String>,
+    /// The leaves that came from templates, where they were counted.
+    pub(crate) replayed: usize,
 }
 
 /// How much may differ.
@@ -36,7 +38,7 @@ pub(crate) fn difference(left: &Outcome, right: &Outcome, tolerance: Tolerance) 
 /// The same for runs that may have ended early: those that did have to agree about the leaves that both have.
 pub(crate) fn ended_alike(left: &Outcome, right: &Outcome, tolerance: Tolerance) -> Difference {
     let ended = |run: &Outcome| run.report.as_ref().map_or_else(
-        |error| error.split(',').next().unwrap_or_default().to_owned(),
+        |error| error.split(" (in ").next().unwrap_or_default().to_owned(),
         |report| if report.stopped { "stopped".to_owned() } else { String::new() },
     );
     let (a, b) = (ended(left), ended(right));

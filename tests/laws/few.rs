@@ -1,9 +1,10 @@
-//! A model that takes some leaves only.
+//! Sinks of the harness.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cga::glam::DAffine3;
+use cga::sink::Replay;
 use cga::{Cuboid, Flow, Leaf, Mesh, Model, Quad, Sink};
 
 /// Leaves after which a run is stopped.
@@ -43,5 +44,22 @@ impl Sink for Few {
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         self.model.mesh(leaf, mesh, placement)?;
         self.go_on()
+    }
+}
+
+/// Counts the leaves that come from templates.
+#[derive(Default)]
+pub(crate) struct Replayed {
+    pub(crate) leaves: usize,
+}
+
+impl Sink for Replayed {
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        self.leaves += replay.leaf_count();
+        ControlFlow::Continue(())
+    }
+
+    fn mesh(&mut self, _: &Leaf<'_>, _: &Arc<Mesh>, _: &DAffine3) -> Flow {
+        ControlFlow::Continue(())
     }
 }

@@ -6,7 +6,7 @@ use cga::{Error, Flow, Grammar, Limits, Model, Repeats, Report, Settings, Shape,
 
 use crate::compare::{Outcome, Tolerance, difference, ended_alike};
 use crate::exact;
-use crate::few::Few;
+use crate::few::{Few, Replayed};
 
 /// A grammar with shapes to run it on.
 pub(crate) struct Case<'a> {
@@ -49,7 +49,7 @@ impl Case<'_> {
     fn model(&self, settings: &Settings, shape: &Shape) -> Outcome {
         let mut model = Model::new();
         let report = self.grammar.derive(shape, settings, &mut model);
-        Outcome { model, report: report.map_err(|error| error.to_string()) }
+        Outcome { model, report: report.map_err(|error| error.to_string()), replayed: 0 }
     }
 
     fn buffers(&self, settings: &Settings, shape: &Shape) -> Buffers {
@@ -77,7 +77,7 @@ fn boxes(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
         let mut few = Few::new();
         let settings = Settings { limits, ..case.settings.clone() };
         let report = case.grammar.derive(shape, &settings, &mut few);
-        Outcome { model: few.model, report: report.map_err(|error| error.to_string()) }
+        Outcome { model: few.model, report: report.map_err(|error| error.to_string()), replayed: 0 }
     };
     let [left, right] = [run(&case.shapes[0]), run(&case.shapes[0].clone().held_as_meshes())];
     // Boxes count as vertices only when they become meshes, so that this limit alone may end one run of the two.
@@ -92,11 +92,14 @@ fn boxes(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
 fn again(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
     let [kept, again] = [Repeats::Kept, Repeats::Again].map(|repeats| case.with(repeats));
     let shape = &case.shapes[0];
-    let [left, right] = [&kept, &again].map(|settings| case.model(settings, shape));
+    let [mut left, right] = [&kept, &again].map(|settings| case.model(settings, shape));
     let found = exact::outcomes(&left, &right).or_else(|| {
         let [left, right] = [&kept, &again].map(|settings| case.buffers(settings, shape));
         exact::buffers(&left, &right)
     });
+    let mut replayed = Replayed::default();
+    let _ = case.grammar.derive(shape, &kept, &mut replayed);
+    left.replayed = replayed.leaves;
     (found, Some(left))
 }
 
@@ -120,7 +123,7 @@ fn session(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
     for (at, shape) in case.shapes.iter().chain(case.shapes).enumerate() {
         let mut model = Model::new();
         let report = session.run(shape, &mut model);
-        let left = Outcome { model, report: report.map_err(|error| error.to_string()) };
+        let left = Outcome { model, report: report.map_err(|error| error.to_string()), replayed: 0 };
         let right = case.model(&case.settings, shape);
         if let Some(text) = exact::outcomes(&left, &right) {
             return (Some(format!("{text} (shape {at})")), None);

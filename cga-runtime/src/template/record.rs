@@ -167,7 +167,8 @@ impl<C: Clone> Cx<'_, C> {
 
     /// Derives a rule at the origin. Nothing where it leaves more than leaves that fill their scopes and holes.
     fn record<G>(&mut self, g: &G, part: &ShapeRef<'_>, rule: RuleFn<G, C>, seed: u64) -> Result<Template<C>, Lost> {
-        let before = self.env.state();
+        let (before, count) = (self.env.state(), self.env.shape_count());
+        let checkpoint = self.env.measure_room();
         let base = Base::at_origin(part);
         let mut recorder =
             Recorder { base: &base, leaves: Vec::new(), frames: vec![DMat3::IDENTITY], has_failed: false };
@@ -201,6 +202,7 @@ impl<C: Clone> Cx<'_, C> {
         let (holes, is_lost) = cx.tape.take().map_or((Vec::new(), true), |tape| (tape.holes, tape.has_failed));
         let Recorder { leaves, frames, has_failed, .. } = recorder;
         let shapes = self.env.shapes.saturating_sub(before.shapes);
+        let room = self.env.measured_room(checkpoint).saturating_sub(count);
         let is_ended = self.env.ended();
         let is_quiet = self.env.restore(before);
         if is_ended {
@@ -210,7 +212,7 @@ impl<C: Clone> Cx<'_, C> {
             return Err(Lost::Never);
         }
         let (segments, marks) = segments(&leaves, holes.iter().map(|hole| hole.at));
-        Ok(Template { shapes, leaves, frames, segments, marks, holes })
+        Ok(Template { shapes, room, leaves, frames, segments, marks, holes })
     }
 }
 

@@ -133,10 +133,8 @@ impl<C: Clone> Cx<'_, C> {
         match turned {
             None => rule(g, self, part),
             Some(turned) => {
-                let template = &*turned.template;
-                let count = template.shapes + template.leaves.len() as u64;
-                if !self.env.has_room(count) {
-                    return self.replay_at_checkpoint(&turned, count, g, part, rule, resume);
+                if !self.env.has_room(turned.template.room) {
+                    return self.replay_at_checkpoint(&turned, g, part, rule, resume);
                 }
                 self.replay(&turned, g, part, resume)
             }
@@ -150,16 +148,16 @@ impl<C: Clone> Cx<'_, C> {
     fn replay_at_checkpoint<G>(
         &mut self,
         turned: &Turned<C>,
-        count: u64,
         g: &G,
         part: &mut ShapeRef<'_>,
         rule: RuleFn<G, C>,
         resume: ResumeFn<G, C>,
     ) -> Flow {
-        if !self.env.is_within_limit(count) {
+        let room = turned.template.room;
+        if !self.env.is_within_limit(room) {
             return rule(g, self, part);
         }
-        self.env.make_room(count)?;
+        self.env.make_room(room)?;
         self.replay(turned, g, part, resume)
     }
 

@@ -162,7 +162,8 @@ impl Writer {
 
     /// A rule's body, or that of a slot.
     fn part(&mut self, here: Here, is_open: bool) {
-        for _ in 0..*self.random.pick(&[0, 0, 0, 1, 1, 2]) {
+        let most = if here.rule < 3 { 2 } else { 3 };
+        for _ in 0..self.random.below(most) * self.random.below(2) {
             if is_open && self.chance(60) {
                 self.open(here);
             } else if self.chance(85) {
@@ -174,7 +175,8 @@ impl Writer {
             }
         }
         let is_high = here.rule < 4;
-        match self.random.below(24) {
+        let drawn = self.random.below(24);
+        match if here.rule < 3 && here.depth == 2 && self.chance(60) { 0 } else { drawn } {
             0..11 if 0 < here.depth && is_high => {
                 let axis = match (here.rule, self.random.below(10)) {
                     (0, 0..7) => "y",
@@ -243,7 +245,7 @@ impl Writer {
     /// A call of a rule further down, or a leaf.
     fn target(&mut self, here: Here) -> String {
         match self.random.below(20) {
-            0..11 if here.rule + 1 < RULES.len() => {
+            drawn @ 0..15 if here.rule + 1 < RULES.len() && (drawn < 11 || here.rule < 3 && self.chance(70)) => {
                 let next = here.rule + 1 + self.random.below(2);
                 RULES[next.min(RULES.len() - 1)].to_owned()
             }
