@@ -29,6 +29,14 @@ pub(crate) const ALL: &[(u64, Make)] = &[
     (121, || Box::new(G121::default())),
     (122, || Box::new(G122::default())),
     (123, || Box::new(G123::default())),
+    (124, || Box::new(G124::default())),
+    (125, || Box::new(G125::default())),
+    (126, || Box::new(G126::default())),
+    (127, || Box::new(G127::default())),
+    (128, || Box::new(G128::default())),
+    (129, || Box::new(G129::default())),
+    (130, || Box::new(G130::default())),
+    (131, || Box::new(G131::default())),
 ];
 
 cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G100 in "tests/laws/rules/100.cga"; }
@@ -55,3 +63,11 @@ cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G120 in "tests/laws/
 cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G121 in "tests/laws/rules/121.cga"; }
 cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G122 in "tests/laws/rules/122.cga"; }
 cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G123 in "tests/laws/rules/123.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G124 in "tests/laws/rules/124.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G125 in "tests/laws/rules/125.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G126 in "tests/laws/rules/126.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G127 in "tests/laws/rules/127.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G128 in "tests/laws/rules/128.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G129 in "tests/laws/rules/129.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G130 in "tests/laws/rules/130.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G131 in "tests/laws/rules/131.cga"; }
