@@ -108,7 +108,10 @@ fn neighbours_share_the_corners_of_their_border() {
                      {distance:.1e} in f64, {cracks} by up to {gap:.1e} in f32"
                 );
                 assert!(300 * lots_each < places);
-                assert!(distance <= rounding && gap <= rounding, "{distance} and {gap} m apart; rounding is {rounding}");
+                assert!(
+                    distance <= rounding && gap <= rounding,
+                    "{distance} and {gap} m apart; rounding is {rounding}"
+                );
             }
         }
     }

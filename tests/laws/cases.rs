@@ -64,9 +64,8 @@ fn a_run_that_a_limit_ends_leaves_no_mark_in_its_session() {
 fn a_limit_ends_a_run_at_the_same_shape_with_a_template_and_without_one() {
     for most in 100..400 {
         let limits = Limits { shapes: most, ..Limits::default() };
-        let run = |repeats| {
-            outcome(&Full::default(), &Settings { repeats, limits, ..Settings::default() }, &lot(3.0, 4.0))
-        };
+        let run =
+            |repeats| outcome(&Full::default(), &Settings { repeats, limits, ..Settings::default() }, &lot(3.0, 4.0));
         let difference = exact::outcomes(&run(Repeats::Kept), &run(Repeats::Again));
         assert!(difference.is_none(), "{most} shapes: {difference:?}");
     }

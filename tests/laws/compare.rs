@@ -37,19 +37,21 @@ pub(crate) fn difference(left: &Outcome, right: &Outcome, tolerance: Tolerance) 
 
 /// The same for runs that may have ended early: those that did have to agree about the leaves that both have.
 pub(crate) fn ended_alike(left: &Outcome, right: &Outcome, tolerance: Tolerance) -> Difference {
-    let ended = |run: &Outcome| run.report.as_ref().map_or_else(
-        |error| error.split(" (in ").next().unwrap_or_default().to_owned(),
-        |report| if report.stopped { "stopped".to_owned() } else { String::new() },
-    );
+    let ended = |run: &Outcome| {
+        run.report.as_ref().map_or_else(
+            |error| error.split(" (in ").next().unwrap_or_default().to_owned(),
+            |report| if report.stopped { "stopped".to_owned() } else { String::new() },
+        )
+    };
     let (a, b) = (ended(left), ended(right));
     if a.is_empty() && b.is_empty() {
         return difference(left, right, tolerance);
     }
     let pairs = left.model.leaves().zip(right.model.leaves()).enumerate();
     same("the end", &a, &b).or_else(|| {
-        pairs.into_iter().find_map(|(at, (a, b))| {
-            leaf(&a, &b, tolerance).map(|text| format!("leaf {at}, {}, {text}", a.rule()))
-        })
+        pairs
+            .into_iter()
+            .find_map(|(at, (a, b))| leaf(&a, &b, tolerance).map(|text| format!("leaf {at}, {}, {text}", a.rule())))
     })
 }
 

@@ -34,10 +34,9 @@ pub(crate) fn leaves<'a>(
     b: impl Iterator<Item = LeafView<'a>>,
 ) -> Option<String> {
     let (a, b): (Vec<_>, Vec<_>) = (a.collect(), b.collect());
-    let differs =
-        |(a, b): (&LeafView<'_>, &LeafView<'_>)| {
-            (a.rule(), a.material(), a.scope()) != (b.rule(), b.material(), b.scope())
-        };
+    let differs = |(a, b): (&LeafView<'_>, &LeafView<'_>)| {
+        (a.rule(), a.material(), a.scope()) != (b.rule(), b.material(), b.scope())
+    };
     if let Some(at) = a.iter().zip(&b).position(differs) {
         let tell = |leaf: &LeafView<'_>| format!("{} {:?} {:?}", leaf.rule(), leaf.material(), leaf.scope());
         return texts(&format!("leaf {at}"), &tell(&a[at]), &tell(&b[at]));

@@ -1,4 +1,5 @@
 //! Rust that the written grammars call.
+#![allow(dead_code, reason = "the grammars at hand may call none of it")]
 
 use cga::{Color, Shape};
 

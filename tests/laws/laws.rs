@@ -148,9 +148,11 @@ fn parallel(case: &Case<'_>) -> (Option<String>, Option<Outcome>) {
     // `Model` has a part a shape, `Buffers` one for several.
     let models = with_threads(threads, || derive_all(case.grammar, case.shapes, &case.settings, |_| Model::new()));
     let found = match (&serial, &models) {
-        (Ok(report), Ok(models)) => exact::texts("the report", &format!("{report:?}"), &format!("{:?}", models.report()))
-            .or_else(|| exact::leaves(model.leaves(), models.leaves()))
-            .or_else(|| exact::texts("the OBJ", &model.to_obj("a").0, &models.to_obj("a").0)),
+        (Ok(report), Ok(models)) => {
+            exact::texts("the report", &format!("{report:?}"), &format!("{:?}", models.report()))
+                .or_else(|| exact::leaves(model.leaves(), models.leaves()))
+                .or_else(|| exact::texts("the OBJ", &model.to_obj("a").0, &models.to_obj("a").0))
+        }
         (Err((at, error)), Err(other)) if other.shape == Some(*at) && other.error == *error => None,
         (serial, models) => Some(format!("the error: {:?} and {:?}", serial.as_ref().err(), models.as_ref().err())),
     };

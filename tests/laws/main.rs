@@ -85,7 +85,10 @@ fn further_grammars_give_the_same() {
 fn manifest(source: &Path) -> String {
     let profile = "[profile.release.package.laws]\nopt-level = 0\n";
     let package = "[package]\nname = \"laws\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n";
-    format!("{package}[dependencies]\nrayon = \"1\"\ncga = {{ path = {:?}, features = [\"rayon\"] }}\n{profile}", source)
+    format!(
+        "{package}[dependencies]\nrayon = \"1\"\ncga = {{ path = {:?}, features = [\"rayon\"] }}\n{profile}",
+        source
+    )
 }
 
 /// The program of the throw-away crate: the same runs of other grammars.

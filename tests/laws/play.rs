@@ -63,7 +63,12 @@ pub(crate) fn play(grammars: &[(u64, Make)]) -> Counts {
         }
         counts.broken += usize::from(broken);
         if std::env::var_os("CGA_LAWS").is_some() {
-            println!("seed {seed}: {} ms, {} replayed{}", began.elapsed().as_millis(), counts.replayed, if broken { ", broken" } else { "" });
+            println!(
+                "seed {seed}: {} ms, {} replayed{}",
+                began.elapsed().as_millis(),
+                counts.replayed,
+                if broken { ", broken" } else { "" }
+            );
         }
     }
     counts

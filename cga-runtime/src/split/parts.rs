@@ -156,7 +156,8 @@ impl<'s> Parts<'s> {
             // a rectangle.
             let near = PLANAR_EPSILON * fit;
             let spans = fit.cmpgt(DVec3::ZERO)
-                & (bounds.low - low).abs().cmple(near) & (bounds.high - (low + fit)).abs().cmple(near);
+                & (bounds.low - low).abs().cmple(near)
+                & (bounds.high - (low + fit)).abs().cmple(near);
             let moved = DVec3::select(spans, DVec3::ZERO, (bounds.low - low) * stretch);
             scope.origin += scope.axes * moved;
             scope.size = DVec3::select(spans, scope.size, bounds.size() * stretch);

@@ -147,7 +147,9 @@ impl Writer {
             let here = Here { rule: RULES.len() - 2, depth: 1, indent: 1 };
             match (name, self.random.below(3)) {
                 ("Deep", 0) => self.line(here, "[ case n < 1 : X. else : split(x) { ~1 : Y. | '0.6 : Deep(n - 1) } ]"),
-                ("Deep", 1) => self.line(here, "[ case n < 1 : X. else : [ s('0.3, '1, '1) X. ] t('0.1, 0, 0.01) Deep(n - 1) ]"),
+                ("Deep", 1) => {
+                    self.line(here, "[ case n < 1 : X. else : [ s('0.3, '1, '1) X. ] t('0.1, 0, 0.01) Deep(n - 1) ]")
+                }
                 (_, 0) => self.line(here, "[ case n % 2 == 0 : s('1, '0.9, '1) Window. else : Wall. ]"),
                 _ => self.part(here, is_open),
             }
@@ -293,7 +295,8 @@ impl Writer {
     }
 
     fn slot(&mut self, here: Here, bar: &str, axis: &str) {
-        let sizes = ["~(scope.s? * 0.2371)", "~(scope.s? * 0.171)", "'0.2", "'0.2713", "~$L", "~b", "$L", "~a", "0.31", "~1"];
+        let sizes =
+            ["~(scope.s? * 0.2371)", "~(scope.s? * 0.171)", "'0.2", "'0.2713", "~$L", "~b", "$L", "~a", "0.31", "~1"];
         let size = self.fill(&sizes).replace('?', axis);
         if self.chance(80) {
             // A call alone: the group can be derived from a template.
