@@ -4,7 +4,7 @@ mod counters;
 mod trail;
 
 use std::cell::Cell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -114,8 +114,10 @@ pub struct Env {
     searches: BTreeMap<File, Rc<[Text]>>,
     /// Tables that were read, by file.
     pub(crate) tables: BTreeMap<File, Array<Text>>,
-    /// What is said once a run, and was: names that are not implemented, messages.
-    said_once: BTreeSet<&'static str>,
+    /// Texts that are said once a run, and were, in order: names that are not implemented, messages.
+    said_once: Vec<&'static str>,
+    /// How often they were to be said, and how often a fault happened again that is counted.
+    said_again: u64,
 }
 
 /// What a run knows of the shape it started with.
@@ -180,7 +182,8 @@ impl Env {
             prints: Prints::default(),
             searches: BTreeMap::new(),
             tables: BTreeMap::new(),
-            said_once: BTreeSet::new(),
+            said_once: Vec::new(),
+            said_again: 0,
         }
     }
 
@@ -341,16 +344,26 @@ impl Env {
 
     /// Notes a fault unless the same was noted before.
     pub(crate) fn fault_once(&mut self, kind: FaultKind, message: &'static str) {
-        if self.said_once.insert(message) {
+        if self.is_new(message) {
             self.fault(kind, message);
         }
     }
 
     /// Notes that something is not implemented, once a run.
     pub(crate) fn not_implemented(&mut self, name: &'static str, instead: &str) {
-        if self.said_once.insert(name) {
+        if self.is_new(name) {
             self.fault(FaultKind::NotImplemented, format!("`{name}` is not implemented yet; {instead}"));
         }
+    }
+
+    /// Returns true if a text that is said once a run was not said yet.
+    fn is_new(&mut self, text: &'static str) -> bool {
+        self.said_again += 1;
+        let is_new = !self.said_once.contains(&text);
+        if is_new {
+            self.said_once.push(text);
+        }
+        is_new
     }
 
     /// The number of faults so far.
@@ -373,6 +386,7 @@ impl Env {
     pub(crate) fn asset_fault(&mut self, message: String) {
         if let Some(&at) = self.asset_faults.get(&message) {
             self.faults[at].count = self.faults[at].count.saturating_add(1);
+            self.said_again += 1;
             return;
         }
         if let Some(at) = self.add_fault(FaultKind::Asset, message.clone()) {

@@ -60,4 +60,20 @@ pub struct Settings {
     pub echo: bool,
     /// Follows the progress of runs and can end them early.
     pub watch: Option<Watch>,
+    /// How parts that repeat are derived; tests compare the ways.
+    #[doc(hidden)]
+    pub repeats: Repeats,
+}
+
+/// How parts that repeat are derived.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Repeats {
+    /// From templates that are kept.
+    #[default]
+    Kept,
+    /// From templates that are made again for each repetition. The bytes are those of `Kept`.
+    Again,
+    /// Each at its place in the world. Positions differ from those of `Kept` by rounding.
+    Direct,
 }

@@ -67,6 +67,8 @@ struct Key {
 struct Template<C> {
     /// Shapes derived, without leaves.
     shapes: u64,
+    /// The most shapes that the derivation asked room for.
+    room: u64,
     body: Body,
     holes: Vec<Hole<C>>,
 }

@@ -142,6 +142,8 @@ pub(crate) struct Checkpoint {
     pub(crate) calls: u64,
     /// The number of shapes at which the watch ended the run.
     pub(crate) stopped_at: Option<u64>,
+    /// The most shapes that were asked for while a template is made. The checkpoint is 0 then, so that all questions come here.
+    recorded: Option<u64>,
     told: Progress,
 }
 
@@ -154,6 +156,7 @@ impl Checkpoint {
             shapes: settings.limits.shapes.min(stride).min(MOST_SHAPES),
             calls: settings.limits.calls.min(stride),
             stopped_at: None,
+            recorded: None,
             told: Progress::default(),
         }
     }
@@ -168,8 +171,34 @@ impl Env {
         if limit < wanted {
             return self.limit(LimitKind::Shapes, limit);
         }
+        if let Some(most) = &mut self.checkpoint.recorded {
+            *most = wanted.max(*most);
+            return ControlFlow::Continue(());
+        }
         self.checkpoint.shapes = limit.min(wanted.saturating_add(STRIDE));
         self.ask_watch()
+    }
+
+    /// Returns true if that many shapes more do not pass the limit.
+    pub(crate) fn is_within_limit(&self, more: u64) -> bool {
+        self.shape_count().saturating_add(more) <= self.settings.limits.shapes
+    }
+
+    /// Begins to measure the room that a derivation asks for; gives the checkpoint to go back to.
+    pub(crate) fn measure_room(&mut self) -> u64 {
+        self.checkpoint.recorded = Some(self.shape_count());
+        std::mem::take(&mut self.checkpoint.shapes)
+    }
+
+    /// Returns true between the two.
+    pub(crate) fn measures_room(&self) -> bool {
+        self.checkpoint.recorded.is_some()
+    }
+
+    /// Ends it: the most shapes that it asked for.
+    pub(crate) fn measured_room(&mut self, checkpoint: u64) -> u64 {
+        self.checkpoint.shapes = checkpoint;
+        self.checkpoint.recorded.take().unwrap_or_default()
     }
 
     /// The counter of calls has passed its checkpoint.

@@ -1,5 +1,5 @@
 //! The order of faces and vertices, which `comp` counts and sinks keep. A box is numbered as the mesh that it stands for;
-//! `tests/boxes` compares the two in random programs.
+//! `tests/laws` compares the two in random programs.
 
 use cga::glam::DVec3;
 use cga::{Grammar, Model, Shape, cga};

@@ -2,18 +2,20 @@
 
 mod errors;
 mod grammars;
+#[path = "../laws/host.rs"]
+mod host;
 mod nested;
 mod play;
 #[path = "../../cga-lang/tests/common/random.rs"]
 mod random;
 mod same;
 mod session;
-#[path = "../boxes/start.rs"]
+#[path = "../laws/start.rs"]
 mod start;
 mod streamed;
 mod watched;
 #[allow(deprecated, reason = "findings are warnings of this kind")]
-#[path = "../boxes/grammars.rs"]
+#[path = "../laws/grammars.rs"]
 mod written;
 
 /// Runs it with that many threads; without the feature `rayon` always with one.

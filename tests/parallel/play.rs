@@ -1,4 +1,4 @@
-//! The random grammars of `tests/boxes` on random lists of shapes: a loop, threads and chunks give the same.
+//! The random grammars of `tests/laws` on random lists of shapes: a loop, threads and chunks give the same.
 
 use cga::parallel::{ShapeError, derive_all};
 use cga::sink::buffers::Buffers;

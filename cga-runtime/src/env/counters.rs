@@ -12,6 +12,8 @@ pub(crate) struct Counters {
     calls: u64,
     faults: usize,
     faults_left_out: u64,
+    said_once: usize,
+    said_again: u64,
     trail: usize,
     has_ended: bool,
 }
@@ -27,6 +29,8 @@ impl Env {
             calls: self.calls_made,
             faults: self.faults.len(),
             faults_left_out: self.faults_left_out,
+            said_once: self.said_once.len(),
+            said_again: self.said_again,
             trail: self.trail.len(),
             has_ended: self.error.is_some() || self.ended(),
         }
@@ -45,6 +49,7 @@ impl Env {
         self.faults.truncate(before.faults);
         self.asset_faults.retain(|_, at| *at < before.faults);
         self.faults_left_out = before.faults_left_out;
+        self.said_once.truncate(before.said_once);
         self.trail.truncate(before.trail);
         is_quiet
     }

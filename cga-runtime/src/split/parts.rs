@@ -152,9 +152,12 @@ impl<'s> Parts<'s> {
             if !bounds.low.is_finite() {
                 return Geometry::Empty;
             }
-            // Along an axis that it spans but for rounding the slot is its scope, as of a box.
+            // Along an axis that it spans but for rounding the slot is its scope, as of a box. What is flat has no thickness, as
+            // a rectangle.
             let near = PLANAR_EPSILON * fit;
-            let spans = (bounds.low - low).abs().cmple(near) & (bounds.high - (low + fit)).abs().cmple(near);
+            let spans = fit.cmpgt(DVec3::ZERO)
+                & (bounds.low - low).abs().cmple(near)
+                & (bounds.high - (low + fit)).abs().cmple(near);
             let moved = DVec3::select(spans, DVec3::ZERO, (bounds.low - low) * stretch);
             scope.origin += scope.axes * moved;
             scope.size = DVec3::select(spans, scope.size, bounds.size() * stretch);
@@ -189,11 +192,14 @@ pub(super) fn within_limit(env: &mut Env, row: &(impl Row + ?Sized)) -> Flow {
         env.make_room(0)?;
     }
     let so_far = env.shape_count();
-    if limit < so_far.saturating_add(bound) {
+    if limit < so_far.saturating_add(bound) || env.measures_room() {
         // The bound counts slots that get no room, so ask exactly when it is small enough to count.
         let exact = if bound <= limit.saturating_mul(4) { row.total() } else { bound };
         if limit < so_far.saturating_add(exact) {
             return env.limit(LimitKind::Shapes, limit);
+        }
+        if env.measures_room() {
+            return env.make_room(exact);
         }
     }
     Flow::Continue(())

@@ -15,6 +15,7 @@ use crate::material::ids::MaterialId;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
 use crate::seed::Seed;
+use crate::settings::Repeats;
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
@@ -32,6 +33,14 @@ pub(crate) struct Tape<'r, C> {
     trail: usize,
     holes: Vec<Hole<C>>,
     has_failed: bool,
+}
+
+/// The reason that there is no template.
+enum Lost {
+    /// The rule makes something that templates do not hold.
+    Never,
+    /// A limit or a watch ended the derivation.
+    Ended,
 }
 
 /// Keeps leaves.
@@ -132,11 +141,16 @@ impl<C: Clone> Cx<'_, C> {
         part: &ShapeRef<'_>,
         rule: RuleFn<G, C>,
     ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
-        let (least, too_small) = (self.env.least_split, self.env.too_small);
+        let (least, too_small, repeats) = (self.env.least_split, self.env.too_small, self.env.settings.repeats);
+        if repeats == Repeats::Direct {
+            let key = Key::of(part, too_small);
+            self.templates.keep(place, Entry { key, template: None, turned: Vec::new() });
+            return None;
+        }
         self.env.least_split = f64::INFINITY;
         let template = self.record(g, part, rule, 0).and_then(|mut template| {
             if template.holes.is_empty() {
-                return Some(template);
+                return Ok(template);
             }
             // A seed is affine in the seed of the repetition: two points give the line.
             let other = self.record(g, part, rule, 1)?;
@@ -144,19 +158,25 @@ impl<C: Clone> Cx<'_, C> {
                 let [_, at_zero] = hole.seed;
                 hole.seed = [other.seed[1].wrapping_sub(at_zero), at_zero];
             }
-            (template.holes.len() == other.holes.len()).then_some(template)
+            if template.holes.len() == other.holes.len() { Ok(template) } else { Err(Lost::Never) }
         });
         // Of two runs whose limits differ, both make the same of extents above the largest limit.
         let no_matter = crate::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
         let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
-        let entry = Entry { key, template: template.map(Rc::new), turned: Vec::new() };
-        self.templates.keep(place, entry)?.turned(part.axes)
+        // Another run of the session may have room for it.
+        let is_ended = matches!(template, Err(Lost::Ended));
+        let mut entry = Entry { key, template: template.ok().map(Rc::new), turned: Vec::new() };
+        if repeats == Repeats::Kept && !is_ended {
+            return self.templates.keep(place, entry)?.turned(part.axes);
+        }
+        entry.turned(part.axes)
     }
 
     /// Derives a rule at the origin. Nothing where it leaves more than leaves that fill their scopes and holes.
-    fn record<G>(&mut self, g: &G, part: &ShapeRef<'_>, rule: RuleFn<G, C>, seed: u64) -> Option<Template<C>> {
-        let before = self.env.state();
+    fn record<G>(&mut self, g: &G, part: &ShapeRef<'_>, rule: RuleFn<G, C>, seed: u64) -> Result<Template<C>, Lost> {
+        let (before, count) = (self.env.state(), self.env.shape_count());
+        let checkpoint = self.env.measure_room();
         let base = Base::at_origin(part);
         let mut recorder =
             Recorder { base: &base, leaves: Vec::new(), frames: vec![DMat3::IDENTITY], has_failed: false };
@@ -187,12 +207,17 @@ impl<C: Clone> Cx<'_, C> {
         };
         let flow = rule(g, &mut cx, &shape);
         let is_complete = flow.is_continue() && cx.waiting.is_empty();
-        let Tape { holes, has_failed: is_lost, .. } = cx.tape.take()?;
+        let (holes, is_lost) = cx.tape.take().map_or((Vec::new(), true), |tape| (tape.holes, tape.has_failed));
         let Recorder { leaves, frames, has_failed, .. } = recorder;
         let shapes = self.env.shapes.saturating_sub(before.shapes);
+        let room = self.env.measured_room(checkpoint).saturating_sub(count);
+        let is_ended = self.env.ended();
         let is_quiet = self.env.restore(before);
+        if is_ended {
+            return Err(Lost::Ended);
+        }
         if !is_complete || !is_quiet || has_failed || is_lost {
-            return None;
+            return Err(Lost::Never);
         }
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
         let body = Body {
@@ -203,7 +228,7 @@ impl<C: Clone> Cx<'_, C> {
             marks: Vec::new(),
             rows: Vec::new(),
         };
-        Some(Template { shapes, body: body.divided(holes.iter().map(|hole| hole.at)), holes })
+        Ok(Template { shapes, room, body: body.divided(holes.iter().map(|hole| hole.at)), holes })
     }
 }
 

@@ -211,7 +211,17 @@ impl<C: Clone> Cx<'_, C> {
         };
         match turned {
             None => rule(g, self, part),
-            Some((template, turned)) => self.replay(&template, &turned, g, part, resume),
+            Some((template, turned)) => {
+                if !self.env.has_room(template.room) {
+                    // Where the limit is passed the rule runs directly: it ends at the same shape, whether a template is there or
+                    // not.
+                    if !self.env.is_within_limit(template.room) {
+                        return rule(g, self, part);
+                    }
+                    self.env.make_room(template.room)?;
+                }
+                self.replay(&template, &turned, g, part, resume)
+            }
         }
     }
 
@@ -225,10 +235,6 @@ impl<C: Clone> Cx<'_, C> {
         resume: ResumeFn<G, C>,
     ) -> Flow {
         let body = &template.body;
-        let count = template.shapes + body.leaves.len() as u64;
-        if !self.env.has_room(count) {
-            self.env.make_room(count)?;
-        }
         self.env.shapes += template.shapes;
         let mut holes = template.holes.iter().zip(&turned.holes);
         for segment in &body.segments {

@@ -1,0 +1,86 @@
+//! Differences that the laws found once.
+
+use cga::{Grammar, Limits, Model, Repeats, Settings, Shape, cga};
+
+use crate::compare::Outcome;
+use crate::exact;
+
+/// A lot whose places are no round numbers.
+fn lot(width: f64, height: f64) -> Shape {
+    let [cos, sin] = [0.352, 0.936];
+    let outline = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
+    let outline = outline.map(|[x, z]| [x * cos - z * sin, x * sin + z * cos]);
+    Shape::footprint(&outline, &[]).expect("an outline").at([117.3, 0.313, -1013.7])
+}
+
+fn outcome(grammar: &dyn Grammar, settings: &Settings, shape: &Shape) -> Outcome {
+    let mut model = Model::new();
+    let report = grammar.derive(shape, settings, &mut model);
+    Outcome { model, report: report.map_err(|error| error.to_string()), replayed: 0 }
+}
+
+cga! {
+    @Allow(not_implemented)
+    grammar Unready;
+    Lot  --> split(x) { { 1 : Tile }* }
+    Tile --> projectUV(0) Wall.
+}
+
+#[test]
+fn a_fault_that_is_said_once_is_said_where_no_template_is_made() {
+    for repeats in [Repeats::Kept, Repeats::Again, Repeats::Direct] {
+        let settings = Settings { repeats, ..Settings::default() };
+        let run = outcome(&Unready::default(), &settings, &lot(5.0, 5.0));
+        assert_eq!(run.report.map(|report| report.faults.len()), Ok(1), "{repeats:?}");
+    }
+}
+
+cga! {
+    grammar Full;
+    Lot  --> split(y) { ~1 : Fill | 1 : Row }
+    Fill --> split(x) { { 0.01 : Small. }* }
+    Row  --> split(x) { { 1 : Tile }* }
+    Tile --> split(y) { { 0.313 : split(x) { 0.217 : Wall. | ~1 : Lit } }* }
+    Lit  --> 40% : Glass. 30% : split(x) { ~1 : Glass. | ~1 : Glass. } else : NIL
+}
+
+#[test]
+fn a_run_that_a_limit_ends_leaves_no_mark_in_its_session() {
+    let full = Full::default();
+    for most in 300..330 {
+        let settings = Settings { limits: Limits { shapes: most, ..Limits::default() }, ..Settings::default() };
+        let mut session = full.session(&settings).expect("a session");
+        for width in [3.0, 2.0, 3.0, 1.0] {
+            let mut model = Model::new();
+            let report = session.run(&lot(width, 4.0), &mut model).map_err(|error| error.to_string());
+            let alone = outcome(&full, &settings, &lot(width, 4.0));
+            let difference = exact::outcomes(&Outcome { model, report, replayed: 0 }, &alone);
+            assert!(difference.is_none(), "{most} shapes, {width} m: {difference:?}");
+        }
+    }
+}
+
+#[test]
+fn a_limit_ends_a_run_at_the_same_shape_with_a_template_and_without_one() {
+    for most in 100..400 {
+        let limits = Limits { shapes: most, ..Limits::default() };
+        let run =
+            |repeats| outcome(&Full::default(), &Settings { repeats, limits, ..Settings::default() }, &lot(3.0, 4.0));
+        let difference = exact::outcomes(&run(Repeats::Kept), &run(Repeats::Again));
+        assert!(difference.is_none(), "{most} shapes: {difference:?}");
+    }
+}
+
+cga! {
+    grammar Thick;
+    Lot --> s(^1, ^1, 2.5) split(x) { { ~1 : X. }* }
+}
+
+#[test]
+fn a_piece_of_a_flat_shape_has_no_thickness() {
+    let wall = Shape::rectangle(4.0, 3.0);
+    for shape in [wall.clone(), wall.held_as_meshes()] {
+        let model = Thick::default().generate(&shape).expect("no limit");
+        assert_eq!(model.leaves().map(|leaf| leaf.scope().size.min_element()).collect::<Vec<_>>(), [0.0; 4]);
+    }
+}

@@ -1,0 +1,188 @@
+//! The comparison of two runs.
+
+use cga::mesh::{FaceTag, Mesh};
+use cga::{Collection, Fault, LeafView, Model, Report};
+
+/// The result of a run.
+pub(crate) struct Outcome {
+    pub(crate) model: Model,
+    /// The report, or the error that ended the run.
+    pub(crate) report: Result<Report, String>,
+    /// The leaves that came from templates, where they were counted.
+    pub(crate) replayed: usize,
+}
+
+/// How much may differ.
+#[derive(Clone, Copy)]
+pub(crate) struct Tolerance {
+    /// The tolerance of positions, in metres.
+    pub(crate) length: f64,
+}
+
+/// A first difference: what differs, and the two sides.
+type Difference = Option<String>;
+
+/// The first difference of two runs. What rules print comes first, since it tells where in the grammar runs part.
+pub(crate) fn difference(left: &Outcome, right: &Outcome, tolerance: Tolerance) -> Difference {
+    match (&left.report, &right.report) {
+        (Ok(a), Ok(b)) => {
+            let prints = || prints(a, b, tolerance);
+            let leaves = || leaves(&left.model, &right.model, tolerance);
+            prints().or_else(leaves).or_else(|| reports(a, b, tolerance))
+        }
+        (Err(a), Err(b)) => same("the error", a, b).or_else(|| leaves(&left.model, &right.model, tolerance)),
+        (a, b) => Some(format!("the error: {:?} and {:?}", a.as_ref().err(), b.as_ref().err())),
+    }
+}
+
+/// The same for runs that may have ended early: those that did have to agree about the leaves that both have.
+pub(crate) fn ended_alike(left: &Outcome, right: &Outcome, tolerance: Tolerance) -> Difference {
+    let ended = |run: &Outcome| {
+        run.report.as_ref().map_or_else(
+            |error| error.split(" (in ").next().unwrap_or_default().to_owned(),
+            |report| if report.stopped { "stopped".to_owned() } else { String::new() },
+        )
+    };
+    let (a, b) = (ended(left), ended(right));
+    if a.is_empty() && b.is_empty() {
+        return difference(left, right, tolerance);
+    }
+    let pairs = left.model.leaves().zip(right.model.leaves()).enumerate();
+    same("the end", &a, &b).or_else(|| {
+        pairs
+            .into_iter()
+            .find_map(|(at, (a, b))| leaf(&a, &b, tolerance).map(|text| format!("leaf {at}, {}, {text}", a.rule())))
+    })
+}
+
+fn same<T: PartialEq + std::fmt::Debug + ?Sized>(what: &str, a: &T, b: &T) -> Difference {
+    (a != b).then(|| format!("{what}: {a:?} and {b:?}"))
+}
+
+/// How far sines and cosines of the angles of a frame may be apart. Where the middle angle is upright, the last bit of an axis
+/// changes it by the root of that.
+const TURN: f64 = 1e-7;
+
+impl Tolerance {
+    /// Returns true if two numbers are equal within the tolerance. Numbers that are not lengths may differ by the same share of themselves.
+    fn number(self, a: f64, b: f64) -> bool {
+        a == b || a.is_nan() && b.is_nan() || (a - b).abs() <= self.length.max(1e-9 * a.abs().max(b.abs()))
+    }
+
+    fn vectors(self, a: impl Into<[f64; 3]>, b: impl Into<[f64; 3]>, least: f64) -> bool {
+        let close = |(a, b): (f64, f64)| (a - b).abs() <= self.length.max(least);
+        a.into().into_iter().zip(b.into()).all(close)
+    }
+
+    /// Compares two texts; numbers between semicolons may differ by the tolerance.
+    fn text(self, a: &str, b: &str) -> Difference {
+        let same = |name: &str, a: &str, b: &str| match (a.parse::<f64>(), b.parse::<f64>()) {
+            (Ok(a), Ok(b)) if name.ends_with("turn") => (a - b).abs() <= TURN,
+            (Ok(a), Ok(b)) => self.number(a, b),
+            _ => a == b,
+        };
+        let (left, right): (Vec<&str>, Vec<&str>) = (a.split(';').collect(), b.split(';').collect());
+        // Each number belongs to the word before it.
+        let mut name = "";
+        for (at, (a, b)) in left.iter().zip(&right).enumerate() {
+            if !a.is_empty() && a.parse::<f64>().is_err() && 0 < at && a == b {
+                name = a;
+            }
+            if !same(name, a, b) {
+                return Some(format!("{}, {name}: {a:?} and {b:?}", left[0]));
+            }
+        }
+        (left.len() != right.len()).then(|| format!("{}, its length: {a} and {b}", left[0]))
+    }
+}
+
+fn prints(a: &Report, b: &Report, tolerance: Tolerance) -> Difference {
+    let lines =
+        |report: &Report| report.prints().iter().map(|print| (print.rule, print.to_string())).collect::<Vec<_>>();
+    let (left, right) = (lines(a), lines(b));
+    for (at, ((rule, a), (other, b))) in left.iter().zip(&right).enumerate() {
+        if let Some(text) = same("the rule", rule, other).or_else(|| tolerance.text(a, b)) {
+            return Some(format!("print {at} in {rule}, {text}"));
+        }
+    }
+    same("the number of prints", &left.len(), &right.len())
+}
+
+fn reports(a: &Report, b: &Report, tolerance: Tolerance) -> Difference {
+    let kinds = |faults: &[Fault]| {
+        let mut kinds: Vec<String> =
+            faults.iter().map(|fault| format!("{:?} {}", fault.kind, fault.trail.join(" "))).collect();
+        kinds.sort_unstable();
+        kinds
+    };
+    let keys = |report: &Report| report.reports().iter().map(|it| (it.key().to_owned(), it.ty())).collect::<Vec<_>>();
+    same("the faults", &kinds(&a.faults), &kinds(&b.faults))
+        .or_else(|| same("the faults left out", &a.faults_left_out, &b.faults_left_out))
+        .or_else(|| same("the keys of reports", &keys(a), &keys(b)))
+        .or_else(|| a.reports().iter().zip(b.reports().iter()).find_map(|(a, b)| collections(a, b, tolerance)))
+        .or_else(|| same("the number of shapes", &a.shapes, &b.shapes))
+        .or_else(|| same("the number of leaves said", &a.leaves, &b.leaves))
+}
+
+fn collections(a: &Collection, b: &Collection, tolerance: Tolerance) -> Difference {
+    let (left, right) = (a.summary(), b.summary());
+    let what = format!("what is reported as {:?}", a.key());
+    let numbers = [(Some(left.sum), Some(right.sum)), (left.min(), right.min()), (left.max(), right.max())];
+    let room = Tolerance { length: tolerance.length * left.count.max(1) as f64 };
+    let differs = |(a, b): &(Option<f64>, Option<f64>)| match (a, b) {
+        (Some(a), Some(b)) => !room.number(*a, *b),
+        (a, b) => a != b,
+    };
+    same(&what, &(left.count, left.nans), &(right.count, right.nans))
+        .or_else(|| numbers.iter().find(|pair| differs(pair)).map(|pair| format!("{what}: {pair:?}")))
+        .or_else(|| same(&what, &a.texts().collect::<Vec<_>>(), &b.texts().collect::<Vec<_>>()))
+}
+
+fn leaves(a: &Model, b: &Model, tolerance: Tolerance) -> Difference {
+    for (at, (a, b)) in a.leaves().zip(b.leaves()).enumerate() {
+        if let Some(text) = leaf(&a, &b, tolerance) {
+            return Some(format!("leaf {at}, {}, {text}", a.rule()));
+        }
+    }
+    same("the number of leaves", &a.len(), &b.len())
+}
+
+fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference {
+    let (left, right) = (a.scope(), b.scope());
+    let ((mesh, placement), (other, place)) = (a.mesh(), b.mesh());
+    let axes = (0..3).all(|axis| tolerance.vectors(left.axes.col(axis), right.axes.col(axis), 1e-9));
+    let scope =
+        tolerance.vectors(left.origin, right.origin, 0.0) && axes && tolerance.vectors(left.size, right.size, 0.0);
+    same("the rule", a.rule(), b.rule())
+        .or_else(|| same("the material", a.material(), b.material()))
+        .or_else(|| (!scope).then(|| format!("the scope:\n    {left:?}\n    {right:?}")))
+        .or_else(|| faces(&mesh, &other))
+        .or_else(|| {
+            let world = |(a, b): (&cga::glam::DVec3, &cga::glam::DVec3)| {
+                let [a, b] = [placement.transform_point3(*a), place.transform_point3(*b)];
+                (!tolerance.vectors(a, b, 0.0)).then(|| format!("{a} and {b}"))
+            };
+            let (at, found) =
+                mesh.points().iter().zip(other.points()).map(world).enumerate().find(|it| it.1.is_some())?;
+            found.map(|text| format!("the position of vertex {at}: {text}"))
+        })
+}
+
+/// Everything about two meshes but positions.
+fn faces(a: &Mesh, b: &Mesh) -> Difference {
+    let loops =
+        |mesh: &Mesh| mesh.faces().map(|face| face.loops().map(<[u32]>::to_vec).collect()).collect::<Vec<Vec<_>>>();
+    let list = |mesh: &Mesh, what: fn(&Mesh, FaceTag) -> String| {
+        mesh.faces().map(|face| what(mesh, face.tag())).collect::<Vec<_>>()
+    };
+    let by_name = |what: &str, tell: fn(&Mesh, FaceTag) -> String| same(what, &list(a, tell), &list(b, tell));
+    same("the number of faces", &a.face_count(), &b.face_count())
+        .or_else(|| same("the number of vertices", &a.points().len(), &b.points().len()))
+        .or_else(|| same("the loops of the faces", &loops(a), &loops(b)))
+        .or_else(|| by_name("the caps", |_, tag| tag.cap.to_string()))
+        .or_else(|| by_name("the tags", |mesh, tag| format!("{:?}", mesh.tag_sets().get(tag.tags as usize))))
+        .or_else(|| by_name("the groups", |mesh, tag| format!("{:?}", mesh.groups().get(tag.group as usize))))
+        .or_else(|| by_name("the materials", |mesh, tag| format!("{:?}", mesh.materials().get(tag.material as usize))))
+        .or_else(|| same("whether there are texture coordinates", &a.uvs().is_empty(), &b.uvs().is_empty()))
+        .or_else(|| same("whether there are normals", &a.normals().is_empty(), &b.normals().is_empty()))
+}

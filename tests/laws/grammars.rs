@@ -1,0 +1,73 @@
+//! The grammars that are played, each with its seed. They are written, not edited.
+
+use crate::play::Make;
+use cga::cga;
+
+/// Each with the seed it is written with.
+pub(crate) const ALL: &[(u64, Make)] = &[
+    (100, || Box::new(G100::default())),
+    (101, || Box::new(G101::default())),
+    (102, || Box::new(G102::default())),
+    (103, || Box::new(G103::default())),
+    (104, || Box::new(G104::default())),
+    (105, || Box::new(G105::default())),
+    (106, || Box::new(G106::default())),
+    (107, || Box::new(G107::default())),
+    (108, || Box::new(G108::default())),
+    (109, || Box::new(G109::default())),
+    (110, || Box::new(G110::default())),
+    (111, || Box::new(G111::default())),
+    (112, || Box::new(G112::default())),
+    (113, || Box::new(G113::default())),
+    (114, || Box::new(G114::default())),
+    (115, || Box::new(G115::default())),
+    (116, || Box::new(G116::default())),
+    (117, || Box::new(G117::default())),
+    (118, || Box::new(G118::default())),
+    (119, || Box::new(G119::default())),
+    (120, || Box::new(G120::default())),
+    (121, || Box::new(G121::default())),
+    (122, || Box::new(G122::default())),
+    (123, || Box::new(G123::default())),
+    (124, || Box::new(G124::default())),
+    (125, || Box::new(G125::default())),
+    (126, || Box::new(G126::default())),
+    (127, || Box::new(G127::default())),
+    (128, || Box::new(G128::default())),
+    (129, || Box::new(G129::default())),
+    (130, || Box::new(G130::default())),
+    (131, || Box::new(G131::default())),
+];
+
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G100 in "tests/laws/rules/100.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G101 in "tests/laws/rules/101.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G102 in "tests/laws/rules/102.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G103 in "tests/laws/rules/103.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G104 in "tests/laws/rules/104.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G105 in "tests/laws/rules/105.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G106 in "tests/laws/rules/106.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G107 in "tests/laws/rules/107.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G108 in "tests/laws/rules/108.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G109 in "tests/laws/rules/109.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G110 in "tests/laws/rules/110.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G111 in "tests/laws/rules/111.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G112 in "tests/laws/rules/112.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G113 in "tests/laws/rules/113.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G114 in "tests/laws/rules/114.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G115 in "tests/laws/rules/115.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G116 in "tests/laws/rules/116.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G117 in "tests/laws/rules/117.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G118 in "tests/laws/rules/118.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G119 in "tests/laws/rules/119.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G120 in "tests/laws/rules/120.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G121 in "tests/laws/rules/121.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G122 in "tests/laws/rules/122.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G123 in "tests/laws/rules/123.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G124 in "tests/laws/rules/124.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G125 in "tests/laws/rules/125.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G126 in "tests/laws/rules/126.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G127 in "tests/laws/rules/127.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G128 in "tests/laws/rules/128.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G129 in "tests/laws/rules/129.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G130 in "tests/laws/rules/130.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G131 in "tests/laws/rules/131.cga"; }
