@@ -49,6 +49,8 @@ pub use cga_runtime::session::DynSession;
 /// # Ok::<(), Error>(())
 /// ```
 pub use cga_runtime::session::Session;
+#[doc(hidden)]
+pub use cga_runtime::settings::Repeats;
 pub use cga_runtime::settings::{Limits, Settings};
 pub use cga_runtime::shape::{Shape, ShapeRef};
 pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
