@@ -31,7 +31,7 @@ fn arm(word: Word, mode: Mode) -> Arm {
 fn parts(shape: &Shape, components: Components, align: Align, arms: &[Arm]) -> Vec<(u32, Vec<u32>, Shape)> {
     let (env, mut shape) = (&mut Env::for_tests(), shape.clone());
     let mut out = Vec::new();
-    let parts = Parts::of(env, &mut shape, components, align, arms, never);
+    let parts = Parts::of(env, &shape, components, align, arms, never);
     let std::ops::ControlFlow::Continue(parts) = parts else { panic!("no limit is near") };
     let _: Flow = parts.each(|arm, members, part| {
         out.push((arm, members.to_vec(), part.clone()));

@@ -279,7 +279,7 @@ impl Buffers {
             runs.extend(new.skip(usize::from(goes_on)));
         } else {
             new.for_each(|next| {
-                if !runs.last().is_some_and(|last| (last.rule, last.material) == (next.rule, next.material)) {
+                if runs.last().is_none_or(|last| (last.rule, last.material) != (next.rule, next.material)) {
                     runs.push(next);
                 }
             });
