@@ -29,7 +29,7 @@ fn arm(word: Word, mode: Mode) -> Arm {
 
 /// The parts of a comp: arm, members and shape of each.
 fn parts(shape: &Shape, components: Components, align: Align, arms: &[Arm]) -> Vec<(u32, Vec<u32>, Shape)> {
-    let (env, mut shape) = (&mut Env::for_tests(), shape.clone());
+    let (env, shape) = (&mut Env::for_tests(), shape.clone());
     let mut out = Vec::new();
     let parts = Parts::of(env, &shape, components, align, arms, never);
     let std::ops::ControlFlow::Continue(parts) = parts else { panic!("no limit is near") };
