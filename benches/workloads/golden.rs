@@ -5,7 +5,7 @@ use cga::{Settings, Shape, Sink, cga};
 use super::{Expected, Raw, Workload, run};
 
 cga! {
-    /// Halves that are no halves, `level` times over.
+    /// A box divided in the golden ratio, `level` times over.
     grammar Divided;
 
     attr level = 12

@@ -45,7 +45,7 @@ pub struct RuleFacts {
     /// Uses of the rule and of every rule that it reaches. The counters are those that the rule gets with its shape, read by
     /// the rule or by a rule that it hands them on to: parts of a split have new ones.
     pub below: Uses,
-    /// Whether the result in the coordinates of the scope depends on nothing but the size, the geometry and the material of
+    /// True if the result in the coordinates of the scope depends on nothing but the size, the geometry and the material of
     /// the shape, the arguments, and the attributes and constants of the run. The place in the world, the pivot, trim planes,
     /// the seed, the counters and attributes that shapes hold make no difference.
     pub rigid: bool,

@@ -37,7 +37,7 @@ pub struct Report {
     pub faults: Vec<Fault>,
     /// Faults beyond those kept.
     pub faults_left_out: u64,
-    /// Whether the sink or a [`Watch`](crate::watch::Watch) ended the run.
+    /// True if the sink or a [`Watch`](crate::watch::Watch) ended the run.
     pub stopped: bool,
     pub(crate) reports: Reports,
     pub(crate) prints: Vec<Print>,
@@ -122,7 +122,7 @@ impl<C> Cx<'_, C> {
         Flow::Continue(())
     }
 
-    /// Whether a call may use the stack: one that goes down `levels` of recursion, 0 or 1, and takes so much of [`STACK`].
+    /// Returns true if a call may use the stack: one that goes down `levels` of recursion, 0 or 1, and takes so much of [`STACK`].
     /// If so, [`Cx::ascend`] follows the call, else [`Cx::defer`].
     #[inline]
     pub fn descend(&mut self, levels: u32, stack: u32) -> bool {

@@ -243,7 +243,7 @@ impl Env {
         ControlFlow::Break(())
     }
 
-    /// Whether a limit was reached, or a watch ended the run.
+    /// Returns true if a limit was reached, or a watch ended the run.
     #[inline]
     pub fn ended(&self) -> bool {
         ENDED <= self.shapes

@@ -98,7 +98,7 @@ impl Library {
         &self.entries[number].text
     }
 
-    /// The names of the files that some files import, as far as they can be read.
+    /// The names of the files that files import. Files that cannot be read import nothing.
     pub(crate) fn imported(&mut self, numbers: &[usize]) -> HashSet<String> {
         let mut imported = HashSet::new();
         for &number in numbers {

@@ -61,7 +61,7 @@ fn check(options: &Options, out: &mut dyn Write) -> std::io::Result<ExitCode> {
 mod tests {
     use super::*;
 
-    /// What is printed for a folder with some files.
+    /// The lines printed for a folder with these files.
     fn printed(name: &str, files: &[(&str, &str)]) -> String {
         let folder = std::env::temp_dir().join(format!("cga-check-{name}-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder");

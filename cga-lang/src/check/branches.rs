@@ -110,7 +110,7 @@ fn again(turn: &Turn, cx: &Cx, diags: &mut Diags) {
     diag.note("what it leads to is never done");
 }
 
-/// Whether an expression is the same whenever it is computed on one shape: without chance, without Rust.
+/// Returns true if an expression is the same whenever it is computed on one shape: without chance, without Rust.
 fn is_settled(expr: &Expr, tables: &Tables) -> bool {
     let own = match &expr.kind {
         ExprKind::Name(name) | ExprKind::Call(name, _) => match tables.of(name) {
@@ -170,7 +170,7 @@ fn told(expr: &Expr, facts: &Facts, flow: &Flow) -> Option<String> {
     }
 }
 
-/// Whether it is a switch that decides a condition.
+/// Returns true if it is a switch that decides a condition.
 fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, cx: &Cx) -> bool {
     let decides = |side: &Expr, truth: bool| {
         flow.value(side, facts).truth() == Some(truth) && is_decided_by_switch(side, truth, facts, flow, cx)
@@ -186,7 +186,7 @@ fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flo
     }
 }
 
-/// Whether an order comparison tests a switch: a constant against zero, which turns a part off (`overhang > 0`), or a constant
+/// Returns true if an order comparison tests a switch: a constant against zero, which turns a part off (`overhang > 0`), or a constant
 /// that the rules do nothing with but compare it, more than once (`lod > 1`, `lod > 2`).
 fn is_level(constant: &Expr, bound: &Expr, cx: &Cx) -> bool {
     let (ExprKind::Name(name) | ExprKind::Call(name, _), ExprKind::Number(bound)) = (&constant.kind, &bound.kind)
@@ -220,7 +220,7 @@ pub(super) fn levels(cx: &Cx) -> HashSet<u32> {
     counts.into_iter().filter(|(_, count)| 1 < count.unwrap_or(0)).map(|(index, _)| index).collect()
 }
 
-/// Whether an expression has no names: `1 == 1` is a switch, too.
+/// Returns true if an expression has no names: `1 == 1` is a switch, too.
 fn is_literal(expr: &Expr) -> bool {
     matches!(
         expr.kind,
@@ -228,7 +228,7 @@ fn is_literal(expr: &Expr) -> bool {
     ) && expr.parts().into_iter().all(is_literal)
 }
 
-/// Whether an expression is a bare `true` or `false`, or made of constants alone: a switch that its author sets by hand.
+/// Returns true if an expression is a bare `true` or `false`, or made of constants alone: a switch that its author sets by hand.
 pub(super) fn is_switch(expr: &Expr, tables: &Tables) -> bool {
     fn names(expr: &Expr, tables: &Tables, constants: &mut usize, others: &mut usize) {
         if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {

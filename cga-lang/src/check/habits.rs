@@ -16,7 +16,7 @@ const STEPS: &[(&[&str], &str)] = &[
     (&["match", "switch", "select"], "write `case value == 1 : … case value == 2 : … else : …`"),
 ];
 
-/// What a step of another name is in CGA.
+/// The CGA form of a step that other languages write differently.
 pub(super) fn step(name: &str) -> Option<&'static str> {
     STEPS.iter().find(|(names, _)| names.contains(&name)).map(|(_, help)| *help)
 }
@@ -34,7 +34,7 @@ const VALUES: &[(&str, &str)] = &[
     ("PI", "3.14159265"),
 ];
 
-/// What a value of another name is in CGA.
+/// The CGA form of a value that other languages write differently.
 pub(super) fn value(name: &str) -> Option<&'static str> {
     let own = name.strip_prefix("this.").unwrap_or(name);
     VALUES.iter().find(|(name, _)| *name == own).map(|(_, meant)| *meant)

@@ -8,7 +8,7 @@ use crate::{ir_walk, ops};
 /// The facts of a rule without the rules that it reaches.
 struct Own {
     uses: Uses,
-    /// Whether it is rigid, apart from the counters that it gets with its shape.
+    /// True if it is rigid, apart from the counters that it gets with its shape.
     rigid: bool,
 }
 
@@ -95,7 +95,7 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
     }
 }
 
-/// Whether the shapes that a step makes keep `split.index` and `split.total`.
+/// Returns true if the shapes that a step makes keep `split.index` and `split.total`.
 fn hands_counters_on(step: &Step) -> bool {
     !matches!(step, Step::Split(_))
 }
@@ -115,7 +115,7 @@ fn called(rule: &Rule, from: fn(&Step) -> bool) -> Vec<usize> {
     list
 }
 
-/// Whether a comp divides a shape alike wherever it is. `noAlign` gives parts the axes of the pivot, and a condition asks
+/// Returns true if a comp divides a shape alike wherever it is. `noAlign` gives parts the axes of the pivot, and a condition asks
 /// about a whole shape.
 fn is_rigid(comp: &Comp<Target>) -> bool {
     comp.align == Align::ZUp

@@ -27,7 +27,7 @@ pub use selectors::{COMPONENTS, Component, Places, Selector, component, selector
 pub use syntax::{SPLIT_UV_SET, SYNTAX, Syntax, syntax};
 pub use uses::Uses;
 
-/// Whether a row of a table can run.
+/// True if a row of a table can run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Run {
     /// By the function of that name in the runtime's module (`op`, `func`, `get`, `set`).
@@ -49,13 +49,13 @@ pub struct Operation {
     pub block: Block,
     /// What it does to the scope's size.
     pub scope: Effect,
-    /// Whether it looks at the state at the start of the rule, bracket or part (`center`).
+    /// True if it looks at the state at the start of the rule, bracket or part (`center`).
     pub uses_base: bool,
     /// The parts of the shape that it reads or changes besides the scope and the material. Arguments count on their own.
     pub uses: Uses,
     /// The part of the shape that it changes.
     pub changes: Changes,
-    /// Whether a rule of its name with as many parameters of other types can be called (*CGA changelog 2019.1*).
+    /// True if a rule of its name with as many parameters of other types can be called (*CGA changelog 2019.1*).
     pub overloads: bool,
     /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
     pub old: Option<&'static str>,
@@ -221,7 +221,7 @@ pub struct Function {
     pub needs: Needs,
     /// The parts of the current shape that it reads. Arguments count on their own.
     pub uses: Uses,
-    /// Whether equal arguments always give equal results, so that it may be folded.
+    /// True if equal arguments always give equal results, so that it may be folded.
     pub pure: bool,
     /// For an old spelling: what to write instead, as a help line.
     pub old: Option<&'static str>,
@@ -278,7 +278,7 @@ impl Run {
 }
 
 impl ParamKind {
-    /// Whether a bare word can stand there as that word: not as the name of a value.
+    /// Returns true if a bare word can stand there as that word: not as the name of a value.
     pub fn has_word(&self, word: &str) -> bool {
         matches!(self, ParamKind::Word { words, .. } if words.iter().any(|(own, _)| *own == word))
     }
@@ -300,7 +300,7 @@ impl ParamKind {
         }
     }
 
-    /// Whether one argument can be meant for both.
+    /// Returns true if one argument can be meant for both.
     pub fn overlaps(&self, other: &ParamKind) -> bool {
         match (self, other) {
             (ParamKind::Word { words, .. }, ParamKind::Word { .. }) => {
@@ -325,21 +325,21 @@ impl ParamKind {
 }
 
 impl ShapeAttr {
-    /// Whether it is the name of an image. An old name sets the same map as the new one.
+    /// Returns true if it is the name of an image. An old name sets the same map as the new one.
     pub fn is_image(&self) -> bool {
         self.ty == Type::Text && matches!(self.set, Some(Run::Now(call)) if call.ends_with("map"))
     }
 }
 
 impl Block {
-    /// Whether the braces hold parts of the shape, each with operations: a subdivision (*Rule inlining*).
+    /// Returns true if the braces hold parts of the shape, each with operations: a subdivision (*Rule inlining*).
     pub fn divides(self) -> bool {
         matches!(self, Block::Slots | Block::Sections | Block::Arms(_) | Block::Ops)
     }
 }
 
 impl Operation {
-    /// Whether it can be called with so many arguments.
+    /// Returns true if it can be called with so many arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)
     }
@@ -360,7 +360,7 @@ impl Operation {
 }
 
 impl Function {
-    /// Whether it can be called with so many arguments.
+    /// Returns true if it can be called with so many arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)
     }

@@ -75,18 +75,18 @@ impl Places {
         Places(self.0 & !other.0)
     }
 
-    /// Whether selectors are words alone there, no indices and no conditions (*innerRectangle*, *shapeL, shapeU, shapeO
+    /// Returns true if selectors are words alone there, no indices and no conditions (*innerRectangle*, *shapeL, shapeU, shapeO
     /// operations*; *CGA changelog 2019.0*).
     pub const fn has_words_only(self) -> bool {
         self.0 != 0 && Places::SHAPE.and(Places::PERIMETER).has(self)
     }
 
-    /// Whether `=:` can stand behind a selector: only components are connected (*comp* and *modify operation*).
+    /// Returns true if `=:` can stand behind a selector: only components are connected (*comp* and *modify operation*).
     pub const fn connects(self) -> bool {
         self.0 & Places::COMP.0 != 0
     }
 
-    /// Whether all of those are among these.
+    /// Returns true if all of those are among these.
     pub const fn has(self, other: Places) -> bool {
         self.0 & other.0 == other.0
     }
@@ -99,7 +99,7 @@ pub struct Selector {
     pub name: &'static str,
     /// Where it may stand.
     pub on: Places,
-    /// Whether it takes the same components of a shape wherever the shape is and however it is turned.
+    /// True if it takes the same components of a shape wherever the shape is and however it is turned.
     pub rigid: bool,
     /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
     pub old: Option<&'static str>,

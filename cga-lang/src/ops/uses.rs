@@ -85,12 +85,12 @@ impl Uses {
         Uses { index: false, total: false, ..self }
     }
 
-    /// Whether nothing is used.
+    /// Returns true if nothing is used.
     pub fn is_none(self) -> bool {
         self == Uses::NONE
     }
 
-    /// Whether no more is read than what shapes of one size have in common wherever they are: nothing, or sizes of the scope.
+    /// Returns true if no more is read than what shapes of one size have in common wherever they are: nothing, or sizes of the scope.
     pub fn is_rigid(self) -> bool {
         self.and(Uses::SIZE) == Uses::SIZE
     }

@@ -57,7 +57,7 @@ fn waiting<'c>(cx: &'c Cx<'_>) -> impl Iterator<Item = (RuleId, Vec<TokenStream>
 }
 
 impl Cx<'_> {
-    /// Whether no attribute and no constant depends on the initial shape.
+    /// Returns true if no attribute and no constant depends on the initial shape.
     fn is_settled_globally(&self) -> bool {
         let attrs = self.grammar.attrs.iter().map(|attr| (&attr.default, attr.lazy));
         let consts = self.grammar.consts.iter().map(|constant| (&constant.value, constant.lazy));

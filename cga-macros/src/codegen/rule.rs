@@ -192,7 +192,7 @@ impl Cx<'_> {
         }
     }
 
-    /// Whether the arguments of a step are the same in the whole run.
+    /// Returns true if the arguments of a step are the same in the whole run.
     fn is_settled(&self, step: &Step) -> bool {
         ir_walk::in_step(step).into_iter().all(|expr| {
             let mut is_settled = self.facts.expr(expr) == Uses::NONE;
@@ -437,12 +437,12 @@ impl Cx<'_> {
     }
 }
 
-/// Whether a step changes the current shape.
+/// Returns true if a step changes the current shape.
 fn changes(step: &Step) -> bool {
     matches!(step, Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..))
 }
 
-/// Whether a rule is a block of a split or comp: part of the rule it stands in, not a rule that was called.
+/// Returns true if a rule is a block of a split or comp: part of the rule it stands in, not a rule that was called.
 pub(super) fn is_block(rule: &Rule) -> bool {
     rule.block
 }

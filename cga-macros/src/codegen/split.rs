@@ -229,12 +229,12 @@ fn is_constant(size: &Size) -> bool {
     matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite())
 }
 
-/// Whether a split has few slots, all of constant sizes.
+/// Returns true if a split has few slots, all of constant sizes.
 fn is_small(split: &Split) -> bool {
     split.slots.len() <= 3 && split.sizes.iter().all(is_constant)
 }
 
-/// Whether a group is in another one.
+/// Returns true if a group is in another one.
 fn has_nested_groups(pattern: &[Item]) -> bool {
     pattern.iter().enumerate().any(|(at, item)| match item {
         Item::Repeat(len) => pattern[at + 1..].iter().take(*len as usize).any(|item| matches!(item, Item::Repeat(_))),

@@ -48,12 +48,12 @@ impl Templates {
         Templates { holes, left_out, places: Cell::new(0) }
     }
 
-    /// Whether a call may be met while a template is made, and is left out then.
+    /// Returns true if a call may be met while a template is made, and is left out then.
     pub(super) fn is_hole(&self, from: RuleId, to: RuleId) -> bool {
         self.holes.contains(&(from, to))
     }
 
-    /// Whether a call of a rule is left out somewhere.
+    /// Returns true if a call of a rule is left out somewhere.
     pub(super) fn may_be_left_out(&self, rule: RuleId) -> bool {
         self.left_out.contains(&rule)
     }
@@ -76,7 +76,7 @@ pub(super) fn root(target: &Target, from: RuleId, facts: &Facts, plan: &Plan) ->
     }
 }
 
-/// Whether each slot of a pattern is in a group.
+/// Returns true if each slot of a pattern is in a group.
 fn in_groups(pattern: &[Item]) -> impl Iterator<Item = bool> {
     // Items left in the outermost group.
     let mut inside = 0;

@@ -57,7 +57,7 @@ use crate::shape::Shape;
 pub(crate) fn settle(env: &mut Env, shape: &mut Shape, before: &Scope, what: &str) {
     if !shape.scope.is_bounded() {
         shape.scope = *before;
-        env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
+        leads_beyond(env, what);
     }
 }
 
@@ -66,9 +66,14 @@ pub(crate) fn settle(env: &mut Env, shape: &mut Shape, before: &Scope, what: &st
 fn settle_origin(env: &mut Env, origin: DVec3, what: &str) -> bool {
     let fits = origin.abs().element_sum() <= Scope::MOST_DISTANCE;
     if !fits {
-        env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
+        leads_beyond(env, what);
     }
     fits
+}
+
+#[cold]
+fn leads_beyond(env: &mut Env, what: &str) {
+    env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
 }
 
 /// Marks geometry that does not come from the initial shape: its groups do not have that shape's name.

@@ -109,16 +109,7 @@ impl<'a> Replay<'a> {
     /// Hands the leaves one by one to [`Sink::filled`], in the coordinates of the part: the same at all of its places.
     pub fn each_local<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         for record in &self.body.leaves[self.segment.leaves.clone()] {
-            let shape = ShapeRef {
-                origin: record.origin,
-                size: record.size,
-                axes: &self.body.frames[record.frame as usize],
-                unit: record.unit,
-                form: record.form,
-                material: Cell::new(record.material),
-                ..self.part.clone()
-            };
-            sink.filled(&Filled { shape: &shape, tables: self.tables, rule: record.rule })?;
+            self.hand(sink, record, record.origin, &self.body.frames[record.frame as usize])?;
         }
         Flow::Continue(())
     }
@@ -128,18 +119,24 @@ impl<'a> Replay<'a> {
     pub fn each<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let range = self.segment.leaves.clone();
         for (record, placed) in self.body.leaves[range.clone()].iter().zip(&self.turned.leaves[range]) {
-            let shape = ShapeRef {
-                origin: self.part.origin + placed.origin,
-                size: record.size,
-                axes: &self.turned.axes[record.frame as usize],
-                unit: record.unit,
-                form: record.form,
-                material: Cell::new(record.material),
-                ..self.part.clone()
-            };
-            sink.filled(&Filled { shape: &shape, tables: self.tables, rule: record.rule })?;
+            self.hand(sink, record, self.part.origin + placed.origin, &self.turned.axes[record.frame as usize])?;
         }
         Flow::Continue(())
+    }
+
+    /// Hands a leaf to a sink, at an origin and along axes.
+    #[inline(always)]
+    fn hand<S: Sink + ?Sized>(&self, sink: &mut S, record: &Record, origin: DVec3, axes: &'a Axes) -> Flow {
+        let shape = ShapeRef {
+            origin,
+            size: record.size,
+            axes,
+            unit: record.unit,
+            form: record.form,
+            material: Cell::new(record.material),
+            ..self.part.clone()
+        };
+        sink.filled(&Filled { shape: &shape, tables: self.tables, rule: record.rule })
     }
 
     /// True if all leaves are boxes or rectangles across z.

@@ -61,7 +61,7 @@ impl Glb {
     }
 }
 
-/// Whether a glTF node can express it: no shear, and no mirroring, which would turn the faces there.
+/// Returns true if a glTF node can express it: no shear, and no mirroring, which would turn the faces there.
 fn is_node_transform(placement: &DAffine3) -> bool {
     let [x, y, z] = [placement.matrix3.x_axis, placement.matrix3.y_axis, placement.matrix3.z_axis];
     let right = |a: DVec3, b: DVec3| a.dot(b).abs() <= 1e-9 * a.length() * b.length();
