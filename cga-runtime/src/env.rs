@@ -196,7 +196,7 @@ impl Env {
     /// Counts shapes before they are made.
     #[inline]
     pub(crate) fn count_shapes(&mut self, count: u64) -> Flow {
-        self.shapes = self.shapes.saturating_add(count);
+        self.shapes += count;
         if self.has_room(0) { Flow::Continue(()) } else { self.make_room(0) }
     }
 

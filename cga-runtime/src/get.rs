@@ -51,9 +51,9 @@ numbers! { (Shape)
     /// Rotation about the pivot's z axis, in degrees.
     scope_rz = |shape| rotation(shape).z;
     /// Number of the component in its selector, from 0; -1 before any.
-    comp_index = |shape| f64::from(shape.comp.index);
+    comp_index = |shape| f64::from(shape.comp.index());
     /// Components of its selector.
-    comp_total = |shape| f64::from(shape.comp.total);
+    comp_total = |shape| f64::from(shape.comp.total());
 }
 
 /// The selector that made this component.

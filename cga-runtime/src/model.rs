@@ -334,7 +334,7 @@ impl Sink for Model {
     }
 
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
-        if let Some(stored) = Stored::filled(leaf.shape.form, leaf.shape.unit) {
+        if let Some(stored) = Stored::filled(leaf.shape.form, leaf.shape.unit.get()) {
             let (rule, material) = self.numbers.filled(leaf);
             self.records.push(Record { scope: leaf.scope(), rule, material, stored });
         }
@@ -349,7 +349,7 @@ impl Sink for Model {
             let leaves = replay.leaves(leaf..leaf + mark.leaves);
             leaf += mark.leaves;
             self.records.extend(leaves.filter_map(|(placed, record, axes)| {
-                let scope = Scope { origin: replay.origin() + placed.origin, axes: *axes.matrix(), size: record.size };
+                let scope = Scope { origin: replay.origin() + placed.origin.truncate(), axes: *axes.matrix(), size: record.size };
                 Some(Record { scope, rule, material, stored: Stored::filled(record.form, record.unit)? })
             }));
         }

@@ -43,18 +43,34 @@ pub struct Shape {
 /// `split.index` and `split.total`, or those of comp.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Counter {
-    pub(crate) index: i32,
-    pub(crate) total: u32,
+    /// Index and total in one word: it is written and read as such.
+    word: u64,
 }
 
 impl Counter {
     /// *split attribute*, *comp attribute*: before the first operation the index is -1 and the total 0.
-    pub(crate) const NONE: Counter = Counter { index: -1, total: 0 };
+    pub(crate) const NONE: Counter = Counter::of(-1, 0);
 
     #[inline]
     pub(crate) fn new(index: usize, total: usize) -> Self {
         let cap = |n: usize| n.min(i32::MAX as usize);
-        Counter { index: cap(index) as i32, total: cap(total) as u32 }
+        Counter::of(cap(index) as i32, cap(total) as u32)
+    }
+
+    /// With these numbers.
+    #[inline]
+    pub(crate) const fn of(index: i32, total: u32) -> Self {
+        Counter { word: index as u32 as u64 | (total as u64) << 32 }
+    }
+
+    #[inline]
+    pub(crate) fn index(self) -> i32 {
+        self.word as u32 as i32
+    }
+
+    #[inline]
+    pub(crate) fn total(self) -> u32 {
+        (self.word >> 32) as u32
     }
 }
 

@@ -18,9 +18,11 @@ use std::rc::Rc;
 use glam::{DMat3, DVec3};
 
 use crate::material::ids::MaterialId;
+use crate::scope::Axis;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 use crate::shape::{Counter, ShapeRef};
+use crate::sink::corners::{Placed, four};
 use crate::unit::UnitMesh;
 
 pub(crate) use record::Tape;
@@ -160,31 +162,31 @@ struct Hole<C> {
 #[derive(Debug)]
 struct Turned {
     axes: Vec<Axes>,
+    /// Relative to the origin of the repetition, along the axes of the world.
     leaves: Vec<Placed>,
     holes: Vec<DVec3>,
 }
 
-/// A leaf, relative to the origin of the repetition, in the world: its origin and its sides.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Placed {
-    pub(crate) origin: DVec3,
-    pub(crate) sides: DMat3,
-}
-
 /// The counters of a shape that is recorded: holes with these get those of the repetition.
-const INHERITED: Counter = Counter { index: i32::MIN, total: 0 };
+const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
 impl Key {
     fn of(part: &ShapeRef<'_>, too_small: f64) -> Self {
-        Key { size: part.size, form: part.form, unit: part.unit, material: part.material.get(), too_small }
+        Key {
+            size: part.size.get(),
+            form: part.form,
+            unit: part.unit.get(),
+            material: part.material.get(),
+            too_small,
+        }
     }
 
     #[inline]
     fn fits(&self, part: &ShapeRef<'_>, too_small: f64) -> bool {
-        self.size == part.size
+        self.size == part.size.get()
             && self.material == part.material.get()
             && self.form == part.form
-            && self.unit.is(part.unit)
+            && self.unit.is(part.unit.get())
             && (self.too_small == too_small || self.too_small.is_nan())
     }
 }
@@ -262,10 +264,9 @@ impl<C> Template<C> {
         };
         let frames: Vec<Axes> = self.body.frames.iter().map(turn).collect();
         let leaves = self.body.leaves.iter().map(|leaf| {
-            let frame = &frames[leaf.frame as usize].matrix;
-            let sides =
-                DMat3::from_cols(frame.x_axis * leaf.size.x, frame.y_axis * leaf.size.y, frame.z_axis * leaf.size.z);
-            Placed { origin: axes.matrix * leaf.origin, sides }
+            let (frame, size) = (&frames[leaf.frame as usize], leaf.size);
+            let sides = [(Axis::X, size.x), (Axis::Y, size.y), (Axis::Z, size.z)];
+            Placed { origin: four(axes.matrix * leaf.origin), sides: sides.map(|(axis, size)| frame.along(axis) * size) }
         });
         Turned {
             leaves: leaves.collect(),

@@ -44,18 +44,30 @@ impl Cx<'_> {
             (None, Measure::Length) => (self.lengths(split, &axis), quote_spanned!(place=> pieces.cursor())),
         };
         let is_list = solved.is_some() || split.measure == Measure::Area;
+        let in_place = is_small(split);
         let is_counted = split.slots.iter().any(|target| self.facts.target(target).total);
-        let total = if is_counted { quote_spanned!(place=> cga_rt::total(pieces)) } else { quote_spanned!(place=> 0) };
-        let slots = Slots { split, rule, axis, is_list, in_place: is_small(split) };
+        let total = if is_counted {
+            quote_spanned!(place=> cga_rt::Row::total(&pieces))
+        } else {
+            quote_spanned!(place=> 0)
+        };
+        let again = if in_place && !is_list {
+            quote_spanned!(place=> cga_rt::Pattern { items: PATTERN, sizes: &SIZES, extent })
+        } else {
+            quote_spanned!(place=> pieces)
+        };
+        let slots = Slots { split, rule, axis, is_list, in_place };
         let statements = self.items(&slots, &split.pattern, At::default(), false);
         let (axis, number) = (&slots.axis, Literal::u32_unsuffixed(number));
         quote_spanned! { place=>
             #pieces
-            let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, pieces)?;
+            let at_most = cga_rt::Row::at_most(&pieces);
+            let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, at_most, #again)?;
             let mut division =
                 cga_rt::Division::new(shape, &made, #axis, cga_rt::Adjust::#adjust, #number, #total);
             let mut row = #row;
             #statements
+            division.end(#axis);
         }
     }
 
@@ -102,8 +114,8 @@ impl Cx<'_> {
     fn slot(&self, slots: &Slots<'_>, slot: usize, in_group: bool) -> TokenStream {
         let (place, axis) = (Span::mixed_site(), &slots.axis);
         let number = Literal::usize_unsuffixed(slot);
-        let [next, part] = if slots.in_place { ["slot", "part"] } else { ["any_slot", "any_part"] };
-        let [next, part] = [next, part].map(|name| Ident::new(name, place));
+        let names = if slots.in_place { ["slot", "part", "leaf"] } else { ["any_slot", "any_part", "any_leaf"] };
+        let [next, part, leaf] = names.map(|name| Ident::new(name, place));
         match &slots.split.slots[slot] {
             Target::Nil => quote_spanned! { place=>
                 if row.#next(#number).is_some() {
@@ -114,7 +126,7 @@ impl Cx<'_> {
                 let name = self.leaves.number(name);
                 quote_spanned! { place=>
                     if let ::core::option::Option::Some(piece) = row.#next(#number) {
-                        division.leaf(cx, #axis, piece, #name)?;
+                        division.#leaf(cx, #axis, piece, #name)?;
                     }
                 }
             }
@@ -125,10 +137,12 @@ impl Cx<'_> {
                     None => self.part(target, slots.rule),
                 };
                 let uses = self.facts.target(target);
-                let draws = uses.draws;
+                let (draws, counts) = (uses.draws, uses.index || uses.total);
                 quote_spanned! { place=>
                     if let ::core::option::Option::Some(piece) = row.#next(#number) {
-                        let part = division.#part(#axis, piece, #number, #in_group, #draws);
+                        let slot =
+                            cga_rt::Slot { number: #number, in_group: #in_group, draws: #draws, counts: #counts };
+                        let part = division.#part(#axis, piece, slot);
                         let flow: cga_rt::Flow = #code;
                         flow?;
                     }

@@ -316,7 +316,7 @@ fn facts_53_and_57_values_by_number() {
     let env = &mut Env::for_tests();
     let mut lot = Shape::rectangle(6.0, 4.0);
     let each = [arm(Word::All, Mode::Each)];
-    let index = |_: &mut Env, _: u32, part: &mut crate::shape::Shape| f64::from(part.comp.index);
+    let index = |_: &mut Env, _: u32, part: &mut crate::shape::Shape| f64::from(part.comp.index());
     let found = comp_values(env, &mut lot, Components::Vertices, Align::ZUp, &each, never, index);
     assert_eq!(found.as_slice(), [0.0, 1.0, 2.0, 3.0]);
     let arms = [Word::Front, Word::Right].map(|word| arm(word, Mode::Together));

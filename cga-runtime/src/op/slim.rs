@@ -29,15 +29,15 @@ pub fn instead(changed: &Option<Box<Base>>) -> Option<ShapeRef<'_>> {
 /// `t(x, y, z)`, as [`super::translate`].
 #[inline]
 pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
-    let size = shape.size;
+    let size = shape.size.get();
     let by = DVec3::new(
         x.of(size.x, env, "`t` along x"),
         y.of(size.y, env, "`t` along y"),
         z.of(size.z, env, "`t` along z"),
     );
-    let origin = shape.origin + shape.axes.matrix * by;
+    let origin = shape.origin() + shape.axes.matrix * by;
     if settle_origin(env, origin, "`t`") {
-        shape.origin = origin;
+        shape.origin.set(origin.extend(0.0));
     }
     None
 }
@@ -45,7 +45,8 @@ pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, 
 /// `s(x, y, z)`, as [`super::size`].
 #[inline]
 pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
-    let size = DVec3::new(x.plain(shape.size.x), y.plain(shape.size.y), z.plain(shape.size.z));
+    let size = shape.size.get();
+    let size = DVec3::new(x.plain(size.x), y.plain(size.y), z.plain(size.z));
     let (zero, most) = (DVec3::ZERO, DVec3::splat(Scope::MOST_SIZE));
     let mut fits = size.cmpgt(zero) & size.cmple(most);
     match shape.form {
@@ -60,27 +61,28 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
     if !fits.all() {
         return whole(env, shape, |env, shape| super::size(env, shape, x, y, z));
     }
-    shape.size = size;
+    shape.size.set(size);
     None
 }
 
 /// `extrude(distance)`, as [`super::extrude`].
 #[inline]
 pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Box<Base>> {
-    let (s, height) = (shape.size, distance.plain(shape.size.y));
+    let s = shape.size.get();
+    let height = distance.plain(s.y);
     let is_length = 0.0 < height && height <= Scope::MOST_SIZE;
     match shape.form {
         Form::Rect(Axis::Z)
             if is_length && 0.0 < s.x && 0.0 < s.y && s.z == 0.0 && std::ptr::eq(shape.axes, shape.base.axes()) =>
         {
-            shape.unit = shape.unit.grown(Axis::Z);
-            shape.origin += shape.axes.matrix.y_axis * s.y;
-            shape.size = DVec3::new(s.x, height, s.y);
+            shape.unit.set(shape.unit.get().grown(Axis::Z));
+            shape.origin.set(shape.origin.get() + shape.axes.along(Axis::Y) * s.y);
+            shape.size.set(DVec3::new(s.x, height, s.y));
             shape.axes = shape.base.raised();
         }
         Form::Rect(Axis::Y) if is_length && 0.0 < s.x && s.y == 0.0 && 0.0 < s.z => {
-            shape.unit = shape.unit.grown(Axis::Y);
-            shape.size.y = height;
+            shape.unit.set(shape.unit.get().grown(Axis::Y));
+            shape.size.set_along(Axis::Y, height);
         }
         _ => return whole(env, shape, |env, shape| super::extrude(env, shape, distance)),
     }

@@ -1,23 +1,26 @@
 //! Axes with the normals that sinks need.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, DVec4, Vec4};
 
 use crate::scope::Axis;
+use crate::unit::Side;
 
 /// The axes of scopes, orthonormal, and the normals of whatever is aligned to them, rounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes {
     pub(crate) matrix: DMat3,
-    /// By side of a box, as [`Side`](crate::unit::Side) counts them: front, right, back, left, top, bottom.
-    pub(crate) normals: [[f32; 3]; 6],
+    /// The columns, each with a fourth coordinate of 0.
+    columns: [DVec4; 3],
+    /// By side of a box, as [`Side`] counts them: front, right, back, left, top, bottom. Each after a 0, see [`normal`].
+    pub(crate) normals: [Vec4; 6],
 }
 
 impl Axes {
     #[inline]
     pub(crate) fn new(matrix: DMat3) -> Self {
-        let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(round);
+        let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(normal);
         let [left, bottom, back] = [x, y, z].map(opposite);
-        Axes { matrix, normals: [z, x, back, left, y, bottom] }
+        Axes { matrix, columns: columns(&matrix), normals: [z, x, back, left, y, bottom] }
     }
 
     /// The axes of a rectangle across z that has grown: y points where z did, x stays.
@@ -25,7 +28,14 @@ impl Axes {
     pub(crate) fn raised(&self) -> Self {
         let [x, y, z] = [self.matrix.x_axis, self.matrix.y_axis, self.matrix.z_axis];
         let [front, right, back, left, top, bottom] = self.normals;
-        Axes { matrix: DMat3::from_cols(x, z, -y), normals: [bottom, right, top, left, front, back] }
+        let matrix = DMat3::from_cols(x, z, -y);
+        Axes { matrix, columns: columns(&matrix), normals: [bottom, right, top, left, front, back] }
+    }
+
+    /// The direction of an axis, with a fourth coordinate of 0.
+    #[inline(always)]
+    pub(crate) fn along(&self, axis: Axis) -> DVec4 {
+        self.columns[axis.index()]
     }
 
     /// The axes as columns.
@@ -35,18 +45,32 @@ impl Axes {
 
     /// The direction of an axis, rounded: the normal of a rectangle across it.
     pub fn normal(&self, axis: Axis) -> [f32; 3] {
-        match axis {
-            Axis::X => self.normals[1],
-            Axis::Y => self.normals[4],
-            Axis::Z => self.normals[0],
-        }
+        let side = match axis {
+            Axis::X => Side::Right,
+            Axis::Y => Side::Top,
+            Axis::Z => Side::Front,
+        };
+        without_zero(self.normals[side as usize])
     }
 }
 
-fn round(v: DVec3) -> [f32; 3] {
-    [v.x as f32, v.y as f32, v.z as f32]
+#[inline]
+fn columns(matrix: &DMat3) -> [DVec4; 3] {
+    [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.extend(0.0))
 }
 
-fn opposite([x, y, z]: [f32; 3]) -> [f32; 3] {
-    [-x, -y, -z]
+/// A normal, rounded, after a 0, as writers of vertices add it to a coordinate. A number 0 has no sign.
+#[inline]
+pub(crate) fn normal(v: DVec3) -> Vec4 {
+    DVec4::new(0.0, v.x, v.y, v.z).as_vec4() + Vec4::ZERO
+}
+
+/// The three numbers of such a normal.
+#[inline]
+pub(crate) fn without_zero(normal: Vec4) -> [f32; 3] {
+    [normal.y, normal.z, normal.w]
+}
+
+fn opposite(normal: Vec4) -> Vec4 {
+    Vec4::ZERO - normal
 }

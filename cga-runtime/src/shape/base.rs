@@ -1,7 +1,5 @@
 //! The rarely changed part of shapes, and the ways between a slim shape and a whole one.
 
-use std::cell::Cell;
-
 use super::axes::Axes;
 use super::{Counter, Geometry, Shape, ShapeRef};
 use crate::env::Env;
@@ -38,30 +36,18 @@ impl Base {
     /// The slim shape.
     #[inline]
     pub fn shape(&self) -> ShapeRef<'_> {
-        let shape = &self.shape;
-        let (form, unit) = self.form();
-        ShapeRef {
-            origin: shape.scope.origin,
-            size: shape.scope.size,
-            axes: &self.axes,
-            base: self,
-            unit,
-            seed: Cell::new(shape.seed),
-            split: shape.split,
-            form,
-            material: Cell::new(self.material),
-        }
+        ShapeRef::of(self, self.form(), self.material)
     }
 
     /// The base of a shape that is moved to the origin, with the axes of the world.
     pub(crate) fn at_origin(part: &ShapeRef<'_>) -> Self {
-        let scope = Scope::new(part.size);
+        let scope = Scope::new(part.size.get());
         let shape = Shape {
             scope,
             pivot: scope.frame(),
             geometry: part.geometry(),
             seed: part.seed.get(),
-            split: part.split,
+            split: part.split.get(),
             comp: Counter::NONE,
             selector: "",
             trims: Trims::None,
@@ -112,7 +98,7 @@ impl Env {
             pivot: base.pivot,
             geometry: shape.geometry(),
             seed: shape.seed.get(),
-            split: shape.split,
+            split: shape.split.get(),
             comp: base.comp,
             selector: base.selector,
             trims: base.trims.clone(),

@@ -1,12 +1,13 @@
 //! The shape that rules hand on.
 //!
-//! A split changes the origin, the size, the seed and the counters of a shape. These are copied; the rest is borrowed from
-//! the last [`Base`] above: the start of a run, a component, the result of an operation, a piece of a mesh. So a part of a
-//! split costs a few machine words and has nothing to drop.
+//! A split changes the origin, one extent, the seed and the counters of a shape. A [`Division`](crate::split::division) changes
+//! them in place, for one part after the other, and puts them back in the end. The rest is borrowed from the last [`Base`]
+//! above: the start of a run, a component, the result of an operation, a piece of a mesh. So a part of a split costs a few
+//! machine words, is never copied, and has nothing to drop.
 
 use std::cell::Cell;
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
 use super::axes::Axes;
 use super::base::{Base, Form};
@@ -17,34 +18,97 @@ use crate::seed::{self, Seed, Tag};
 use crate::unit::UnitMesh;
 
 /// A shape while rules run: the fields that splits change, and a reference to the rest.
+///
+/// A rule may leave another seed and another material in the shape that it was given.
 #[derive(Clone, Debug)]
 pub struct ShapeRef<'a> {
-    pub(crate) origin: DVec3,
-    pub(crate) size: DVec3,
+    /// With a fourth coordinate of 0. Of three, two would be written together and the third alone, and who reads another two
+    /// together has to wait for both.
+    pub(crate) origin: Cell<DVec4>,
+    pub(crate) size: Size,
     /// The axes of the base, or those of the base when it has grown.
     pub(crate) axes: &'a Axes,
     pub(crate) base: &'a Base,
     /// The mesh of a box or a rectangle; unused in other forms.
-    pub(crate) unit: UnitMesh,
-    /// Random numbers are drawn, and the material is painted, in place: a whole split has one shape for its parts.
+    pub(crate) unit: Cell<UnitMesh>,
     pub(crate) seed: Cell<Seed>,
-    pub(crate) split: Counter,
+    pub(crate) split: Cell<Counter>,
     pub(crate) form: Form,
     pub(crate) material: Cell<MaterialId>,
 }
 
+/// The size of a slim shape, in metres. Each extent is read and written alone, so that none waits for the others.
+#[derive(Clone, Debug)]
+pub(crate) struct Size([Cell<f64>; 3]);
+
+impl Size {
+    /// The extents along all axes.
+    #[inline]
+    pub(crate) fn get(&self) -> DVec3 {
+        DVec3::new(self.0[0].get(), self.0[1].get(), self.0[2].get())
+    }
+
+    /// Sets all extents.
+    #[inline]
+    pub(crate) fn set(&self, size: DVec3) {
+        self.0.iter().zip(size.to_array()).for_each(|(extent, value)| extent.set(value));
+    }
+
+    /// The extent along an axis.
+    #[inline(always)]
+    pub(crate) fn along(&self, axis: Axis) -> f64 {
+        self.0[axis.index()].get()
+    }
+
+    /// Sets the extent along an axis.
+    #[inline(always)]
+    pub(crate) fn set_along(&self, axis: Axis, extent: f64) {
+        self.0[axis.index()].set(extent);
+    }
+}
+
+impl From<DVec3> for Size {
+    #[inline]
+    fn from(size: DVec3) -> Self {
+        Size(size.to_array().map(Cell::new))
+    }
+}
+
 impl<'a> ShapeRef<'a> {
+    /// The shape of a base.
+    #[inline]
+    pub(crate) fn of(base: &'a Base, (form, unit): (Form, UnitMesh), material: MaterialId) -> Self {
+        let shape = &base.shape;
+        ShapeRef {
+            origin: Cell::new(shape.scope.origin.extend(0.0)),
+            size: shape.scope.size.into(),
+            axes: base.axes(),
+            base,
+            unit: Cell::new(unit),
+            seed: Cell::new(shape.seed),
+            split: Cell::new(shape.split),
+            form,
+            material: Cell::new(material),
+        }
+    }
+
+    /// The corner of the scope, in the world.
+    #[inline(always)]
+    pub(crate) fn origin(&self) -> DVec3 {
+        self.origin.get().truncate()
+    }
+
     /// The place of the shape and its size, in the world.
     #[inline]
     pub fn scope(&self) -> Scope {
-        Scope { origin: self.origin, axes: self.axes.matrix, size: self.size }
+        Scope { origin: self.origin(), axes: self.axes.matrix, size: self.size.get() }
     }
 
     /// The geometry.
     pub(crate) fn geometry(&self) -> Geometry {
         match self.form {
-            Form::Rect(axis) => Geometry::Rect(axis, self.unit),
-            Form::Box => Geometry::Box(self.unit),
+            Form::Rect(axis) => Geometry::Rect(axis, self.unit.get()),
+            Form::Box => Geometry::Box(self.unit.get()),
             Form::Empty => Geometry::Empty,
             Form::Other => self.base.shape.geometry.clone(),
         }

@@ -39,11 +39,11 @@ impl View for Shape {
     }
 
     fn split_index(&self) -> i32 {
-        self.split.index
+        self.split.index()
     }
 
     fn split_total(&self) -> u32 {
-        self.split.total
+        self.split.total()
     }
 
     fn seed_value(&self) -> u64 {
@@ -64,22 +64,22 @@ impl View for Shape {
 impl View for &ShapeRef<'_> {
     #[inline]
     fn origin(&self) -> DVec3 {
-        self.origin
+        ShapeRef::origin(self)
     }
 
     #[inline]
     fn size(&self) -> DVec3 {
-        self.size
+        self.size.get()
     }
 
     #[inline]
     fn split_index(&self) -> i32 {
-        self.split.index
+        self.split.get().index()
     }
 
     #[inline]
     fn split_total(&self) -> u32 {
-        self.split.total
+        self.split.get().total()
     }
 
     #[inline]

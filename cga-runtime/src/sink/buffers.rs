@@ -14,11 +14,12 @@ pub use part::Part;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, Vec4};
 
 use self::part::Run;
 use self::replayed::{Marks, Replayed};
-use self::write::{four, short, vertex, write_box, write_face, write_quad_indices};
+use self::write::{short, vertex, write_box, write_quad, write_quad_indices};
+use super::corners::{Placed, four};
 use super::error::WriteError;
 use super::flatten::{FlatFace, Flattener, corner_point, normal_map, unit};
 use super::normals;
@@ -29,6 +30,7 @@ use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
 use crate::shape::base::Form;
+use crate::unit::UnitMesh;
 
 /// Position x, y, z and normal x, y, z.
 pub type Vertex = [f32; 6];
@@ -211,9 +213,7 @@ impl Buffers {
     fn rectangle(&mut self, leaf: &Filled<'_>) -> Flow {
         let Some(start) = self.room(4) else { return ControlFlow::Break(()) };
         self.mark(leaf);
-        let axes = &leaf.shape.axes.matrix;
-        let sides = [axes.x_axis * leaf.shape.size.x, axes.y_axis * leaf.shape.size.y];
-        self.write_quad(start, leaf.shape.origin - self.origin, sides, leaf.shape.axes.normals[0]);
+        self.write_quad(start, Placed::of(leaf.shape), leaf.shape.axes.normals[0]);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
@@ -222,14 +222,7 @@ impl Buffers {
     fn block(&mut self, leaf: &Filled<'_>) -> Flow {
         let Some(start) = self.room(24) else { return ControlFlow::Break(()) };
         self.mark(leaf);
-        let axes = &leaf.shape.axes.matrix;
-        let sides = DMat3::from_cols(
-            axes.x_axis * leaf.shape.size.x,
-            axes.y_axis * leaf.shape.size.y,
-            axes.z_axis * leaf.shape.size.z,
-        );
-        let cuboid = Cuboid { origin: leaf.shape.origin - self.origin, sides, unit: leaf.shape.unit };
-        self.write_box(start, &cuboid, &leaf.shape.axes.normals);
+        self.write_box(start, Placed::of(leaf.shape), leaf.shape.unit.get(), &leaf.shape.axes.normals);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
@@ -240,6 +233,7 @@ impl Buffers {
         let start = self.vertices.len() as u32;
         self.mark_all(replay, start, self.indices.len() / 3);
         write_quad_indices(self.indices.take(count / 4 * 6), start);
+        let (place, origin) = (four(replay.origin()), four(self.origin));
         let (mut faces, _) = self.vertices.take(count).as_chunks_mut::<4>();
         for (row, axes, placed, records) in replay.rows() {
             let each = if row.is_box { 6 } else { 1 };
@@ -247,15 +241,12 @@ impl Buffers {
             faces = rest;
             if row.is_box {
                 for ((to, placed), record) in own.as_chunks_mut::<6>().0.iter_mut().zip(placed).zip(records) {
-                    let origin = replay.origin() + placed.origin - self.origin;
-                    write_box(to, &Cuboid { origin, sides: placed.sides, unit: record.unit }, &axes.normals);
+                    write_box(to, &placed.moved(place).moved(-origin), record.unit, &axes.normals);
                 }
             } else {
                 let normal = axes.normals[0];
                 for (to, placed) in own.iter_mut().zip(placed) {
-                    let a = replay.origin() + placed.origin - self.origin;
-                    let (b, d) = (a + placed.sides.x_axis, a + placed.sides.y_axis);
-                    write_face(to, [four(a), four(b), four(b + placed.sides.y_axis), four(d)], normal);
+                    write_quad(to, placed.moved(place).moved(-origin), normal);
                 }
             }
         }
@@ -286,12 +277,12 @@ impl Buffers {
         }
     }
 
-    /// Writes a rectangle with that first corner and those sides.
+    /// Writes a rectangle.
     #[inline(always)]
-    fn write_quad(&mut self, start: u32, a: DVec3, [u, v]: [DVec3; 2], normal: [f32; 3]) {
-        let b = a + u;
+    fn write_quad(&mut self, start: u32, placed: Placed, normal: Vec4) {
+        let origin = four(self.origin);
         if let Some(to) = self.vertices.take(4).first_chunk_mut::<4>() {
-            write_face(to, [four(a), four(b), four(b + v), four(a + v)], normal);
+            write_quad(to, placed.moved(-origin), normal);
         }
         if let Some(to) = self.indices.take(6).first_chunk_mut::<6>() {
             *to = [start, start + 1, start + 2, start, start + 2, start + 3];
@@ -300,10 +291,11 @@ impl Buffers {
 
     /// Writes a box; `normals` are those of its sides.
     #[inline(always)]
-    fn write_box(&mut self, start: u32, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
+    fn write_box(&mut self, start: u32, placed: Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
+        let origin = four(self.origin);
         let (faces, _) = self.vertices.take(24).as_chunks_mut::<4>();
         if let Some(to) = faces.first_chunk_mut::<6>() {
-            write_box(to, cuboid, normals);
+            write_box(to, &placed.moved(-origin), unit, normals);
         }
         write_quad_indices(self.indices.take(36), start);
     }
@@ -367,7 +359,7 @@ impl Sink for Buffers {
         let Some(start) = self.room(4) else { return ControlFlow::Break(()) };
         self.leaf(leaf);
         let normal = normals::of_quad(leaf, quad);
-        self.write_quad(start, quad.origin - self.origin, [quad.u, quad.v], normal);
+        self.write_quad(start, Placed::from(quad), normal);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
@@ -376,7 +368,7 @@ impl Sink for Buffers {
         let Some(start) = self.room(24) else { return ControlFlow::Break(()) };
         self.leaf(leaf);
         let normals = normals::of_cuboid(leaf, cuboid);
-        self.write_box(start, &Cuboid { origin: cuboid.origin - self.origin, ..*cuboid }, &normals);
+        self.write_box(start, Placed::from(cuboid), cuboid.unit, &normals);
         self.pad_uvs();
         ControlFlow::Continue(())
     }

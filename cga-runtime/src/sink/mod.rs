@@ -4,6 +4,7 @@
 //! A sink may end the run by returning `ControlFlow::Break(())`.
 
 pub mod buffers;
+pub(crate) mod corners;
 pub mod error;
 pub(crate) mod flatten;
 #[cfg(feature = "gltf")]
@@ -109,7 +110,7 @@ impl<'a> Filled<'a> {
     /// The number of its vertices when faces share none.
     #[inline]
     pub fn corner_count(&self) -> usize {
-        4 * self.shape.unit.face_count()
+        4 * self.shape.unit.get().face_count()
     }
 
     /// Hands the leaf to the method of a sink for rectangles or for boxes.
@@ -118,8 +119,8 @@ impl<'a> Filled<'a> {
         let scope = self.scope();
         let leaf = Leaf { rule: self.rule(), material: self.material(), scope: &scope };
         match self.shape.form {
-            Form::Rect(axis) => sink.quad(&leaf, &place::rectangle(&scope, axis, self.shape.unit)),
-            Form::Box => sink.cuboid(&leaf, &place::cuboid(&scope, self.shape.unit)),
+            Form::Rect(axis) => sink.quad(&leaf, &place::rectangle(&scope, axis, self.shape.unit.get())),
+            Form::Box => sink.cuboid(&leaf, &place::cuboid(&scope, self.shape.unit.get())),
             Form::Empty | Form::Other => Flow::Continue(()),
         }
     }

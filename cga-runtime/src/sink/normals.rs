@@ -2,28 +2,28 @@
 //!
 //! A leaf that fills its scope has the normals of its axes, whether it comes from a run or from a model.
 
-use glam::DMat3;
+use glam::{DMat3, Vec4};
 
 use super::flatten::unit;
 use super::{Cuboid, Leaf, Quad};
 use crate::place;
 use crate::scope::Axis;
-use crate::shape::axes::Axes;
+use crate::shape::axes::{self, Axes};
 
 /// The normal of a rectangle.
 #[inline]
-pub(super) fn of_quad(leaf: &Leaf<'_>, quad: &Quad) -> [f32; 3] {
+pub(super) fn of_quad(leaf: &Leaf<'_>, quad: &Quad) -> Vec4 {
     let scope = leaf.scope;
     let normal = match 0.0 <= scope.size.min_element() && *quad == place::rectangle(scope, Axis::Z, quad.unit) {
         true => scope.axes.z_axis,
         false => unit(quad.u.cross(quad.v)),
     };
-    normal.to_array().map(|c| c as f32)
+    axes::normal(normal)
 }
 
 /// The normals of a box, by side.
 #[inline]
-pub(super) fn of_cuboid(leaf: &Leaf<'_>, cuboid: &Cuboid) -> [[f32; 3]; 6] {
+pub(super) fn of_cuboid(leaf: &Leaf<'_>, cuboid: &Cuboid) -> [Vec4; 6] {
     let scope = leaf.scope;
     if 0.0 <= scope.size.min_element() && *cuboid == place::cuboid(scope, cuboid.unit) {
         return Axes::new(scope.axes).normals;

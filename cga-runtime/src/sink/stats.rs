@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat3, DVec3};
 
 use super::buffers::Vertex;
 use super::flatten::{Flattener, corner_point};
@@ -145,7 +145,7 @@ impl Sink for Stats {
     }
 
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
-        let (scope, unit) = (leaf.scope(), leaf.shape.unit);
+        let (scope, unit) = (leaf.scope(), leaf.shape.unit.get());
         let rule = self.numbers.rule(leaf);
         match leaf.shape.form {
             Form::Rect(axis) => self.rectangle(rule, &place::rectangle(&scope, axis, unit)),
@@ -163,10 +163,11 @@ impl Sink for Stats {
         for (filled, mark) in replay.marks() {
             let rule = self.numbers.rule(&filled);
             for (placed, record, _) in replay.leaves(leaf..leaf + mark.leaves) {
-                let (origin, sides, unit) = (replay.origin() + placed.origin, placed.sides, record.unit);
+                let (origin, unit) = (replay.origin() + placed.origin.truncate(), record.unit);
+                let [u, v, w] = placed.sides.map(|side| side.truncate());
                 match record.form {
-                    Form::Box => self.block(rule, &Cuboid { origin, sides, unit }),
-                    _ => self.rectangle(rule, &Quad { origin, u: sides.x_axis, v: sides.y_axis, unit }),
+                    Form::Box => self.block(rule, &Cuboid { origin, sides: DMat3::from_cols(u, v, w), unit }),
+                    _ => self.rectangle(rule, &Quad { origin, u, v, unit }),
                 }
             }
             leaf += mark.leaves;

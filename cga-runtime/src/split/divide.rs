@@ -26,13 +26,10 @@ fn check(env: &mut Env, sizes: &mut [Size], what: &'static str) {
 /// The extent to split: zero when there is nothing to divide, or too little.
 #[inline]
 pub fn extent(env: &mut Env, shape: &ShapeRef<'_>, axis: Axis) -> f64 {
-    let extent = match axis {
-        Axis::X => shape.size.x,
-        Axis::Y => shape.size.y,
-        Axis::Z => shape.size.z,
-    };
-    let extent = extent.abs();
-    env.least_split = env.least_split.min(extent);
+    let extent = shape.size.along(axis).abs();
+    if extent < env.least_split {
+        env.least_split = extent;
+    }
     if env.too_small < extent { extent } else { 0.0 }
 }
 
@@ -45,7 +42,7 @@ pub fn solved(
     known: f64,
     pieces: &'static [Piece],
 ) -> &'static [Piece] {
-    debug_assert_eq!(shape.size[axis.index()].abs(), known, "the macro knows the extent");
+    debug_assert_eq!(shape.size.along(axis).abs(), known, "the macro knows the extent");
     if extent(env, shape, axis) == 0.0 { &[] } else { pieces }
 }
 

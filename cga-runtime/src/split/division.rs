@@ -2,32 +2,32 @@
 
 use std::ops::ControlFlow;
 
-use glam::DVec3;
+use glam::DVec4;
 
 use super::parts::{Parts, within_limit};
 use super::row::Row;
 use super::{Adjust, Piece};
 use crate::derive::{Cx, filled};
 use crate::env::Env;
+use crate::material::ids::MaterialId;
 use crate::scope::Axis;
 use crate::seed::{self, Seed, Tag};
 use crate::shape::base::{Base, Form};
 use crate::shape::{Counter, ShapeRef};
 use crate::sink::{Flow, Sink};
 use crate::tol::PLANAR_EPSILON;
-use crate::unit::Band;
+use crate::unit::{Band, UnitMesh};
 
 /// A shape that is divided along an axis. Generated code asks for the shape of each piece, or hands a leaf on.
+///
+/// The parts have no shape of their own: while a division is under way, its shape is the current part. [`Division::end`] puts
+/// the whole back.
 #[derive(Debug)]
 pub struct Division<'s> {
-    whole: &'s ShapeRef<'s>,
+    shape: &'s ShapeRef<'s>,
     /// The pieces, where they do not simply fill their scopes.
-    made: &'s Made,
-    /// The shape of the current piece. Rules change no more of it than seed and material, so that only the rest that differs is
-    /// written.
-    part: ShapeRef<'s>,
-    /// The axis, as a direction in the world.
-    along: DVec3,
+    made: Option<Box<[ShapeRef<'s>]>>,
+    whole: Whole,
     /// The seed of the step.
     seed: u64,
     /// Repetitions begun, of all groups.
@@ -38,27 +38,42 @@ pub struct Division<'s> {
     has_bands: bool,
 }
 
+/// The properties of a shape that are others in its parts.
+#[derive(Debug)]
+struct Whole {
+    origin: DVec4,
+    /// Along the axis of the split.
+    extent: f64,
+    /// Along the axis that a rectangle is flat across. Its parts have no thickness.
+    thickness: f64,
+    unit: UnitMesh,
+    seed: Seed,
+    split: Counter,
+    material: MaterialId,
+}
+
 /// The pieces of a shape that does not simply fill its scope, made at once; none of one that does.
 #[derive(Debug, Default)]
 pub struct Made(Option<Vec<Base>>);
 
 impl Made {
-    /// Counts the pieces and cuts the geometry. `Break` when a limit was reached.
+    /// Counts the pieces, of which there are at most so many, and cuts the geometry. `Break` when a limit was reached.
     #[inline(always)]
     pub fn new(
         env: &mut Env,
         whole: &ShapeRef<'_>,
         axis: Axis,
         adjust: Adjust,
-        row: &(impl Row + ?Sized),
+        at_most: u64,
+        row: impl Row,
     ) -> ControlFlow<(), Self> {
-        if !env.has_room(row.at_most()) {
+        if !env.has_room(at_most) {
             within_limit(env, row)?;
         }
         if whole.is_simple_along(axis) {
             ControlFlow::Continue(Made(None))
         } else {
-            Made::cut(env, whole.clone(), axis, adjust, row)
+            Made::cut(env, whole, axis, adjust, row)
         }
     }
 
@@ -66,12 +81,12 @@ impl Made {
     #[inline(never)]
     fn cut(
         env: &mut Env,
-        whole: ShapeRef<'_>,
+        whole: &ShapeRef<'_>,
         axis: Axis,
         adjust: Adjust,
-        row: &(impl Row + ?Sized),
+        row: impl Row,
     ) -> ControlFlow<(), Self> {
-        let whole = env.whole(&whole);
+        let whole = env.whole(whole);
         let mut parts = Parts::new(env, &whole, axis, adjust, row)?;
         let mut pieces = Vec::with_capacity(parts.total());
         let _ = row.each(|piece| {
@@ -82,27 +97,63 @@ impl Made {
     }
 }
 
+/// A slot of a split, as code generation knows it.
+#[derive(Clone, Copy, Debug)]
+pub struct Slot {
+    /// Its number in the pattern.
+    pub number: u32,
+    /// True if it is in a group that repeats.
+    pub in_group: bool,
+    /// True if random numbers are drawn below: without, the part has no seed of its own.
+    pub draws: bool,
+    /// True if `split.index` or `split.total` is read below.
+    pub counts: bool,
+}
+
 impl<'s> Division<'s> {
     /// Before the first piece. `number` counts the children that the rule makes; `total` is `split.total`, if a rule reads it.
     #[inline(always)]
-    pub fn new(whole: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
-        let matrix = &whole.axes.matrix;
-        let along = match axis {
-            Axis::X => matrix.x_axis,
-            Axis::Y => matrix.y_axis,
-            Axis::Z => matrix.z_axis,
+    pub fn new(shape: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
+        let mut whole = Whole {
+            origin: shape.origin.get(),
+            extent: shape.size.along(axis),
+            thickness: 0.0,
+            unit: shape.unit.get(),
+            seed: shape.seed.get(),
+            split: shape.split.get(),
+            material: shape.material.get(),
         };
-        // Not a plain copy: fields that were written one by one and are read together are waited for.
-        let mut part = ShapeRef { origin: DVec3::ZERO, split: Counter::NONE, ..whole.clone() };
-        // What is flat across another axis has no thickness.
         if adjust == Adjust::Adjust
-            && let Form::Rect(across) = whole.form
+            && let Form::Rect(across) = shape.form
         {
-            set(&mut part.size, across, 0.0);
+            whole.thickness = shape.size.along(across);
+            if whole.thickness != 0.0 {
+                shape.size.set_along(across, 0.0);
+            }
         }
-        let seed = seed::step(whole.seed.get().value(), seed::key(Tag::Split, number));
+        let made = made.0.as_ref().map(|pieces| shapes(pieces));
+        let seed = seed::step(whole.seed.value(), seed::key(Tag::Split, number));
         let (total, has_bands) = (total as usize, whole.unit.has_bands(axis));
-        Division { whole, made, part, along, seed, turns: 0, index: 0, total, has_bands }
+        Division { shape, made, whole, seed, turns: 0, index: 0, total, has_bands }
+    }
+
+    /// Makes the shape whole again. A division that the end of the run breaks off need not.
+    #[inline(always)]
+    pub fn end(&self, axis: Axis) {
+        let (shape, whole) = (self.shape, &self.whole);
+        shape.origin.set(whole.origin);
+        shape.size.set_along(axis, whole.extent);
+        shape.seed.set(whole.seed);
+        shape.split.set(whole.split);
+        shape.material.set(whole.material);
+        if self.has_bands {
+            shape.unit.set(whole.unit);
+        }
+        if whole.thickness != 0.0
+            && let Form::Rect(across) = shape.form
+        {
+            shape.size.set_along(across, whole.thickness);
+        }
     }
 
     /// Returns true after the first piece.
@@ -124,79 +175,76 @@ impl<'s> Division<'s> {
         self.index += 1;
     }
 
-    /// The shape of the next piece. `in_group` says that its slot is in a group that repeats, `draws` that random numbers are drawn
-    /// below: without, the part has no seed of its own.
+    /// The shape of the next piece.
     #[inline(always)]
-    pub fn part(&mut self, axis: Axis, piece: Piece, slot: u32, in_group: bool, draws: bool) -> &ShapeRef<'s> {
-        self.place(axis, piece);
-        if draws {
-            let turn = if in_group { self.turns } else { 0 };
-            self.part.seed.set(Seed::new(seed::part(self.seed, slot, turn)));
+    pub fn part(&mut self, axis: Axis, piece: Piece, slot: Slot) -> &ShapeRef<'s> {
+        let (seed, split) = (self.seed, Counter::new(self.index, self.total));
+        let turn = if slot.in_group { self.turns } else { 0 };
+        let part = self.place(axis, piece);
+        if slot.draws {
+            part.seed.set(Seed::new(seed::part(seed, slot.number, turn)));
         }
-        self.part.split = Counter::new(self.index - 1, self.total);
-        &self.part
+        if slot.counts {
+            part.split.set(split);
+        }
+        part
     }
 
     /// As [`Division::part`], compiled once.
     #[inline(never)]
-    pub fn any_part(&mut self, axis: Axis, piece: Piece, slot: u32, in_group: bool, draws: bool) -> &ShapeRef<'s> {
-        self.part(axis, piece, slot, in_group, draws)
+    pub fn any_part(&mut self, axis: Axis, piece: Piece, slot: Slot) -> &ShapeRef<'s> {
+        self.part(axis, piece, slot)
     }
 
     /// Hands the next piece on as a leaf.
-    #[inline]
+    #[inline(always)]
     pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, axis: Axis, piece: Piece, rule: u32) -> Flow {
+        filled(cx.env, cx.sink, self.place(axis, piece), rule)
+    }
+
+    /// As [`Division::leaf`], compiled once.
+    #[inline(always)]
+    pub fn any_leaf<C>(&mut self, cx: &mut Cx<'_, C>, axis: Axis, piece: Piece, rule: u32) -> Flow {
         self.hand_out(cx.env, cx.sink, axis, piece, rule)
     }
 
     #[inline(never)]
     fn hand_out(&mut self, env: &mut Env, sink: &mut dyn Sink, axis: Axis, piece: Piece, rule: u32) -> Flow {
-        self.place(axis, piece);
-        filled(env, sink, &self.part, rule)
+        filled(env, sink, self.place(axis, piece), rule)
     }
 
-    /// Gives the part its place.
+    /// Gives the shape the place of the next piece.
     #[inline(always)]
-    fn place(&mut self, axis: Axis, piece: Piece) {
+    fn place(&mut self, axis: Axis, piece: Piece) -> &ShapeRef<'s> {
         let index = self.index;
         self.index += 1;
-        if let Made(Some(pieces)) = self.made {
-            return self.take(&pieces[index]);
+        if let Some(made) = &self.made {
+            return &made[index];
         }
+        let (shape, whole) = (self.shape, &self.whole);
         // The part before it may have been painted.
-        self.part.material.set(self.whole.material.get());
-        self.part.origin = self.whole.origin + self.along * piece.start;
-        set(&mut self.part.size, axis, piece.length);
+        shape.material.set(whole.material);
+        shape.origin.set(whole.origin + shape.axes.along(axis) * piece.start);
+        shape.size.set_along(axis, piece.length);
         if self.has_bands {
-            self.part.unit = self.whole.unit.part(axis, band(self.whole, axis, piece));
+            shape.unit.set(whole.unit.part(axis, whole.band(piece)));
         }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn take(&mut self, piece: &'s Base) {
-        self.part = ShapeRef { seed: self.part.seed.clone(), split: self.part.split, ..piece.shape() };
+        shape
     }
 }
 
-/// Sets the extent along an axis. Not by index: that would go through memory and stall there.
-#[inline(always)]
-fn set(size: &mut DVec3, axis: Axis, extent: f64) {
-    match axis {
-        Axis::X => size.x = extent,
-        Axis::Y => size.y = extent,
-        Axis::Z => size.z = extent,
-    }
+/// The shapes of pieces that were made at once.
+#[cold]
+#[inline(never)]
+fn shapes(pieces: &[Base]) -> Box<[ShapeRef<'_>]> {
+    pieces.iter().map(Base::shape).collect()
 }
 
-/// Where a piece is in a box or a rectangle. A piece that follows another is longer than the rounding.
-#[inline]
-fn band(whole: &ShapeRef<'_>, axis: Axis, piece: Piece) -> Band {
-    let extent = match axis {
-        Axis::X => whole.size.x,
-        Axis::Y => whole.size.y,
-        Axis::Z => whole.size.z,
-    };
-    let is_last = extent - (piece.start + piece.length) <= PLANAR_EPSILON * extent;
-    Band::of(piece.start == 0.0, is_last)
+impl Whole {
+    /// The position of a piece. One that follows another is longer than the rounding.
+    #[inline]
+    fn band(&self, piece: Piece) -> Band {
+        let is_last = self.extent - (piece.start + piece.length) <= PLANAR_EPSILON * self.extent;
+        Band::of(piece.start == 0.0, is_last)
+    }
 }

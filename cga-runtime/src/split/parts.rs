@@ -40,7 +40,7 @@ impl<'s> Parts<'s> {
         shape: &'s Shape,
         axis: Axis,
         adjust: Adjust,
-        row: &(impl Row + ?Sized),
+        row: impl Row,
     ) -> ControlFlow<(), Self> {
         let total = row.total() as usize;
         let slabs = match &shape.geometry {
@@ -184,8 +184,9 @@ fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
 }
 
 /// Whether there may be so many shapes, before anything is laid out. `Break` when not.
-#[inline]
-pub(super) fn within_limit(env: &mut Env, row: &(impl Row + ?Sized)) -> Flow {
+#[cold]
+#[inline(never)]
+pub(super) fn within_limit(env: &mut Env, row: impl Row) -> Flow {
     let limit = env.settings.limits.shapes;
     let bound = row.at_most();
     if !env.has_room(0) {
@@ -214,7 +215,7 @@ struct Borders<'p> {
 
 impl Borders<'_> {
     /// Cuts the mesh at the borders of all pieces in one pass; one slab a piece. `Break` when that is too much.
-    fn cut(&self, env: &mut Env, row: &(impl Row + ?Sized), pieces: usize) -> ControlFlow<(), Vec<Option<Arc<Mesh>>>> {
+    fn cut(&self, env: &mut Env, row: impl Row, pieces: usize) -> ControlFlow<(), Vec<Option<Arc<Mesh>>>> {
         let at = self.axis.index();
         let extent = self.size[at].abs();
         // Planes in mesh coordinates, so that no vertex moves.

@@ -2,10 +2,12 @@
 
 use std::ops::ControlFlow;
 
+use cga_split::{Item, Size, solve_any};
+
 use super::{Piece, Solution};
 
-/// Pieces in a row, however they are known.
-pub trait Row {
+/// Pieces in a row, however they are known. Rows are handed on by value: one whose address somebody has is in memory.
+pub trait Row: Copy {
     /// No fewer than there are.
     fn at_most(&self) -> u64;
     /// How many there are.
@@ -14,12 +16,38 @@ pub trait Row {
     fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B>;
 }
 
-/// The number of pieces.
-pub fn total(row: &(impl Row + ?Sized)) -> u64 {
-    row.total()
+/// A split with constant sizes. It is solved again where that is rare, so that the first solution need not be in memory.
+#[derive(Clone, Copy, Debug)]
+pub struct Pattern {
+    /// Slots and groups.
+    pub items: &'static [Item],
+    /// One a slot.
+    pub sizes: &'static [Size],
+    /// The length to divide, in metres.
+    pub extent: f64,
 }
 
-impl Row for Solution<'_> {
+impl Pattern {
+    fn solved<T>(&self, ask: impl FnOnce(&Solution<'_>) -> T) -> T {
+        ask(&solve_any(self.items, self.sizes, &mut vec![0.0; self.sizes.len()], self.extent))
+    }
+}
+
+impl Row for Pattern {
+    fn at_most(&self) -> u64 {
+        self.solved(|solution| solution.at_most())
+    }
+
+    fn total(&self) -> u64 {
+        self.solved(|solution| solution.total())
+    }
+
+    fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
+        self.solved(|solution| solution.each(visit))
+    }
+}
+
+impl Row for &Solution<'_> {
     #[inline]
     fn at_most(&self) -> u64 {
         Solution::at_most(self)
@@ -36,7 +64,7 @@ impl Row for Solution<'_> {
     }
 }
 
-impl Row for [Piece] {
+impl Row for &[Piece] {
     #[inline]
     fn at_most(&self) -> u64 {
         self.len() as u64

@@ -1,13 +1,12 @@
 //! Making a template: a rule runs at the origin, into a sink that keeps the leaves.
 
-use std::cell::Cell;
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3};
 
 use super::{Body, Entry, Hole, INHERITED, Key, MOST, Mark, Record, Row, Segment, Template, Templates, Turned};
 use crate::derive::{Cx, RuleFn};
@@ -71,9 +70,9 @@ impl Sink for Recorder<'_> {
             self.frames.len() - 1
         });
         self.leaves.push(Record {
-            origin: shape.origin,
-            size: shape.size,
-            unit: shape.unit,
+            origin: shape.origin(),
+            size: shape.size.get(),
+            unit: shape.unit.get(),
             form: shape.form,
             frame: frame as u32,
             rule: leaf.rule,
@@ -115,14 +114,14 @@ impl<C: Clone> Cx<'_, C> {
         }
         tape.holes.push(Hole {
             at: (self.env.filled - tape.leaves) as usize,
-            origin: shape.origin,
-            size: shape.size,
-            unit: shape.unit,
+            origin: shape.origin(),
+            size: shape.size.get(),
+            unit: shape.unit.get(),
             form: shape.form,
             is_raised,
             material: shape.material.get(),
             seed: [0, shape.seed.get().value()],
-            split: shape.split,
+            split: shape.split.get(),
             levels,
             stack,
             call,
@@ -197,14 +196,9 @@ impl<C: Clone> Cx<'_, C> {
             templates: &mut templates,
             tape: Some(tape),
         };
-        let shape = ShapeRef {
-            origin: DVec3::ZERO,
-            axes: base.axes(),
-            base: &base,
-            seed: Cell::new(Seed::new(seed)),
-            split: INHERITED,
-            ..part.clone()
-        };
+        let shape = base.shape();
+        shape.seed.set(Seed::new(seed));
+        shape.split.set(INHERITED);
         let flow = rule(g, &mut cx, &shape);
         let is_complete = flow.is_continue() && cx.waiting.is_empty();
         let (holes, is_lost) = cx.tape.take().map_or((Vec::new(), true), |tape| (tape.holes, tape.has_failed));

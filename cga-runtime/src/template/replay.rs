@@ -3,9 +3,9 @@
 use std::cell::Cell;
 use std::ops::Range;
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec3, DVec4};
 
-use super::{Body, Hole, INHERITED, Mark, Placed, Record, Row, Segment, Template, Turned};
+use super::{Body, Hole, INHERITED, Mark, Record, Row, Segment, Template, Turned};
 use crate::derive::{Cx, ResumeFn, RuleFn};
 use crate::env::LeafTables;
 use crate::material::ids::MaterialId;
@@ -13,6 +13,7 @@ use crate::seed::Seed;
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
+use crate::sink::corners::{Placed, four};
 use crate::sink::{Filled, Flow, Sink};
 
 /// Leaves of a part that repeats, at one of its places. All of them fill their scopes.
@@ -103,40 +104,37 @@ impl<'a> Replay<'a> {
 
     /// From the coordinates of the part to the world: a rotation and a translation.
     pub fn placement(&self) -> DAffine3 {
-        DAffine3 { matrix3: self.part.axes.matrix, translation: self.part.origin }
+        DAffine3 { matrix3: self.part.axes.matrix, translation: self.part.origin() }
     }
 
     /// Hands the leaves one by one to [`Sink::filled`], in the coordinates of the part: the same at all of its places.
     pub fn each_local<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
-        for record in &self.body.leaves[self.segment.leaves.clone()] {
-            self.hand(sink, record, record.origin, &self.body.frames[record.frame as usize])?;
-        }
-        Flow::Continue(())
+        let placed = self.body.leaves[self.segment.leaves.clone()].iter().map(|record| four(record.origin));
+        self.hand(sink, placed, &self.body.frames)
     }
 
     /// Hands the leaves one by one to [`Sink::filled`].
     #[inline]
     pub fn each<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let range = self.segment.leaves.clone();
-        for (record, placed) in self.body.leaves[range.clone()].iter().zip(&self.turned.leaves[range]) {
-            self.hand(sink, record, self.part.origin + placed.origin, &self.turned.axes[record.frame as usize])?;
-        }
-        Flow::Continue(())
+        let placed = self.turned.leaves[range].iter().map(|placed| self.part.origin.get() + placed.origin);
+        self.hand(sink, placed, &self.turned.axes)
     }
 
-    /// Hands a leaf to a sink, at an origin and along axes.
+    /// Hands the leaves to a sink, with those origins and axes.
     #[inline(always)]
-    fn hand<S: Sink + ?Sized>(&self, sink: &mut S, record: &Record, origin: DVec3, axes: &'a Axes) -> Flow {
-        let shape = ShapeRef {
-            origin,
-            size: record.size,
-            axes,
-            unit: record.unit,
-            form: record.form,
-            material: Cell::new(record.material),
-            ..self.part.clone()
-        };
-        sink.filled(&Filled { shape: &shape, tables: self.tables, rule: record.rule })
+    fn hand<S: Sink + ?Sized>(&self, sink: &mut S, origins: impl Iterator<Item = DVec4>, axes: &'a [Axes]) -> Flow {
+        let mut shape = self.part.clone();
+        for (record, origin) in self.body.leaves[self.segment.leaves.clone()].iter().zip(origins) {
+            shape.origin.set(origin);
+            shape.size.set(record.size);
+            shape.axes = &axes[record.frame as usize];
+            shape.unit.set(record.unit);
+            shape.form = record.form;
+            shape.material.set(record.material);
+            sink.filled(&Filled { shape: &shape, tables: self.tables, rule: record.rule })?;
+        }
+        Flow::Continue(())
     }
 
     /// True if all leaves are boxes or rectangles across z.
@@ -183,7 +181,7 @@ impl<'a> Replay<'a> {
     /// The place of the repetition.
     #[inline]
     pub(crate) fn origin(&self) -> DVec3 {
-        self.part.origin
+        self.part.origin()
     }
 }
 
@@ -240,7 +238,7 @@ impl<C: Clone> Cx<'_, C> {
                 self.sink.replay(&Replay { part, tables: &self.env.leaf_tables, body, turned, segment })?;
             }
             if let Some((hole, offset)) = holes.next() {
-                self.fill(hole, part.origin + *offset, g, part, resume)?;
+                self.fill(hole, part.origin() + *offset, g, part, resume)?;
             }
         }
         Flow::Continue(())
@@ -250,14 +248,14 @@ impl<C: Clone> Cx<'_, C> {
     fn fill<G>(&mut self, hole: &Hole<C>, origin: DVec3, g: &G, part: &ShapeRef<'_>, resume: ResumeFn<G, C>) -> Flow {
         let [factor, sum] = hole.seed;
         let shape = ShapeRef {
-            origin,
-            size: hole.size,
+            origin: Cell::new(origin.extend(0.0)),
+            size: hole.size.into(),
             axes: if hole.is_raised { part.base.raised() } else { part.axes },
-            unit: hole.unit,
+            unit: Cell::new(hole.unit),
             form: hole.form,
             material: Cell::new(hole.material),
             seed: Cell::new(Seed::new(part.seed.get().value().wrapping_mul(factor).wrapping_add(sum))),
-            split: if hole.split == INHERITED { part.split } else { hole.split },
+            split: Cell::new(if hole.split == INHERITED { part.split.get() } else { hole.split }),
             base: part.base,
         };
         let trail = self.env.trail_len();

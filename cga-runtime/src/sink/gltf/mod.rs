@@ -20,12 +20,13 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DVec3};
 
 use self::assets::Assets;
 use self::look::Looks;
 use self::parts::{Parts, Place};
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, VERTEX_BYTES};
+use super::corners::{Placed, four};
 use super::error::WriteError;
 use super::flatten::Flattener;
 use super::normals;
@@ -148,19 +149,16 @@ impl Sink for Glb {
 
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         let shape = leaf.shape;
-        let (size, axes) = (shape.size, &shape.axes.matrix);
-        let (origin, x, y) = (shape.origin - self.origin, axes.x_axis * size.x, axes.y_axis * size.y);
+        let placed = Placed::of(shape).moved(-four(self.origin));
         match shape.form {
             Form::Rect(Axis::Z) => {
                 let (rule, material) = self.numbers.filled(leaf);
-                self.plain(material).quad(rule, origin, [x, y], shape.axes.normals[0]);
+                self.plain(material).quad(rule, &placed, shape.axes.normals[0]);
                 self.add(4, 6)
             }
             Form::Box => {
                 let (rule, material) = self.numbers.filled(leaf);
-                let sides = DMat3::from_cols(x, y, axes.z_axis * size.z);
-                let cuboid = Cuboid { origin, sides, unit: shape.unit };
-                self.plain(material).cuboid(rule, &cuboid, &shape.axes.normals);
+                self.plain(material).cuboid(rule, &placed, shape.unit.get(), &shape.axes.normals);
                 self.add(24, 36)
             }
             Form::Rect(_) | Form::Empty | Form::Other => leaf.pass_to(self),
@@ -176,7 +174,7 @@ impl Sink for Glb {
         if !replay.is_plain() {
             return replay.each(self);
         }
-        let (mut leaf, origin) = (0, self.origin);
+        let (mut leaf, origin) = (0, four(self.origin));
         for (filled, mark) in replay.marks() {
             let (rule, material) = self.numbers.with_material(&filled, mark.material);
             let leaves = leaf..leaf + mark.leaves;
@@ -188,15 +186,15 @@ impl Sink for Glb {
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        let (origin, normal) = (quad.origin - self.origin, normals::of_quad(leaf, quad));
-        self.plain(material).quad(rule, origin, [quad.u, quad.v], normal);
+        let placed = Placed::from(quad).moved(-four(self.origin));
+        self.plain(material).quad(rule, &placed, normals::of_quad(leaf, quad));
         self.add(4, 6)
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        let moved = Cuboid { origin: cuboid.origin - self.origin, ..*cuboid };
-        self.plain(material).cuboid(rule, &moved, &normals::of_cuboid(leaf, cuboid));
+        let placed = Placed::from(cuboid).moved(-four(self.origin));
+        self.plain(material).cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
         self.add(24, 36)
     }
 

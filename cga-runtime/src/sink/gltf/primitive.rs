@@ -4,16 +4,18 @@ use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
 use std::ops::Range;
 
-use glam::{DAffine3, DVec2, DVec3, Vec4};
+use glam::{DAffine3, DVec2, DVec3, DVec4, Vec4};
 
 use super::look::Looks;
 use crate::mesh::Mesh;
+use crate::shape::axes::without_zero;
 use crate::shape::base::Form;
-use crate::sink::buffers::write::{box_corners, four};
+use crate::sink::corners::{Placed, four};
 use crate::sink::flatten::{FlatFace, corner_point, normal_map, unit};
 use crate::sink::room::Room;
 use crate::sink::table::Table;
-use crate::sink::{Cuboid, Replay};
+use crate::sink::Replay;
+use crate::unit::UnitMesh;
 
 /// The primitives of a glTF mesh, in the order in which they are first asked for.
 #[derive(Debug, Default)]
@@ -162,28 +164,28 @@ impl Primitive {
         }
     }
 
-    /// Adds a rectangle with that first corner, relative to the origin of the file, and those sides.
-    pub(super) fn quad(&mut self, rule: u32, a: DVec3, sides: [DVec3; 2], normal: [f32; 3]) {
+    /// Adds a rectangle, relative to the origin of the file.
+    pub(super) fn quad(&mut self, rule: u32, placed: &Placed, normal: Vec4) {
         if let Some(to) = self.quads(rule, 1).next() {
-            write_quad(to, a, sides, normal);
+            write_quad(to, placed, normal);
         }
     }
 
     /// Adds a box, relative to the origin of the file; `normals` are those of its sides.
-    pub(super) fn cuboid(&mut self, rule: u32, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
-        write_box(self.quads(rule, 6), cuboid, normals);
+    pub(super) fn cuboid(&mut self, rule: u32, placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
+        write_box(self.quads(rule, 6), placed, unit, normals);
     }
 
     /// Adds leaves of a part that repeats, with one rule and this many faces.
     #[inline(never)]
-    pub(super) fn repeat(&mut self, rule: u32, replay: &Replay<'_>, leaves: Range<usize>, faces: usize, origin: DVec3) {
-        let mut faces = self.quads(rule, faces);
+    pub(super) fn repeat(&mut self, rule: u32, replay: &Replay<'_>, leaves: Range<usize>, faces: usize, origin: DVec4) {
+        let (mut faces, place) = (self.quads(rule, faces), four(replay.origin()));
         for (placed, record, axes) in replay.leaves(leaves) {
-            let (origin, sides) = (replay.origin() + placed.origin - origin, placed.sides);
+            let placed = placed.moved(place).moved(-origin);
             if record.form == Form::Box {
-                write_box(faces.by_ref(), &Cuboid { origin, sides, unit: record.unit }, &axes.normals);
+                write_box(faces.by_ref(), &placed, record.unit, &axes.normals);
             } else if let Some(to) = faces.next() {
-                write_quad(to, origin, [sides.x_axis, sides.y_axis], axes.normals[0]);
+                write_quad(to, &placed, axes.normals[0]);
             }
         }
     }
@@ -231,26 +233,25 @@ impl Primitive {
 type QuadPlace<'a> = (&'a mut [[f32; 3]; 4], &'a mut [f32; 3]);
 
 #[inline(always)]
-fn write_quad(to: QuadPlace<'_>, a: DVec3, [u, v]: [DVec3; 2], normal: [f32; 3]) {
-    let b = a + u;
-    write_face(to, [four(a), four(b), four(b + v), four(a + v)], normal);
+fn write_quad(to: QuadPlace<'_>, placed: &Placed, normal: Vec4) {
+    write_face(to, placed.quad_corners(), normal);
 }
 
 #[inline(always)]
-fn write_box<'a>(faces: impl Iterator<Item = QuadPlace<'a>>, cuboid: &Cuboid, normals: &[[f32; 3]; 6]) {
-    let corners = box_corners(cuboid);
-    for (face, to) in cuboid.unit.sides().iter().zip(faces) {
+fn write_box<'a>(faces: impl Iterator<Item = QuadPlace<'a>>, placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
+    let corners = placed.box_corners();
+    for (face, to) in unit.sides().iter().zip(faces) {
         write_face(to, face.corners.map(|corner| corners[usize::from(corner & 7)]), normals[face.side as usize]);
     }
 }
 
 /// Writes the corners of a face as three vectors, and its normal.
 #[inline(always)]
-fn write_face((positions, to_normal): QuadPlace<'_>, [a, b, c, d]: [Vec4; 4], normal: [f32; 3]) {
+fn write_face((positions, to_normal): QuadPlace<'_>, [a, b, c, d]: [Vec4; 4], normal: Vec4) {
     let vectors = [Vec4::new(a.x, a.y, a.z, b.x), Vec4::new(b.y, b.z, c.x, c.y), Vec4::new(c.z, d.x, d.y, d.z)];
     let (chunks, _) = positions.as_flattened_mut().as_chunks_mut::<4>();
     for (to, vector) in chunks.iter_mut().zip(vectors) {
         *to = vector.to_array();
     }
-    *to_normal = normal;
+    *to_normal = without_zero(normal);
 }
