@@ -56,17 +56,25 @@ pub(super) fn write_quad(to: &mut [Vertex; 4], mut placed: Placed, n: Vec4) {
 /// Writes the indices of quads whose vertices follow each other.
 #[inline(always)]
 pub(in crate::sink) fn write_quad_indices(to: &mut [u32], start: u32) {
-    // From the vertex before the first: a sum with 0 is no sum, and the compiler adds four numbers at once or one by one.
-    const PAIR: [u32; 12] = [1, 2, 3, 1, 3, 4, 5, 6, 7, 5, 7, 8];
+    // Two indices are one number, so that no sum is one with 0: the compiler writes two such numbers at once.
+    const PAIR: [u64; 6] = [two(0, 1), two(2, 0), two(2, 3), two(4, 5), two(6, 4), two(6, 7)];
+    let split = |two: u64| [two as u32, (two >> 32) as u32];
+    let mut first = two(start, start);
     let (pairs, rest) = to.as_chunks_mut::<12>();
-    let mut before = start.wrapping_sub(1);
     for pair in pairs {
-        *pair = PAIR.map(|corner| before.wrapping_add(corner));
-        before = before.wrapping_add(8);
+        for (to, corners) in pair.as_chunks_mut::<2>().0.iter_mut().zip(PAIR) {
+            *to = split(first.wrapping_add(corners));
+        }
+        first = first.wrapping_add(two(8, 8));
     }
-    for (to, corner) in rest.iter_mut().zip(PAIR) {
-        *to = before.wrapping_add(corner);
+    for (to, corners) in rest.as_chunks_mut::<2>().0.iter_mut().zip(PAIR) {
+        *to = split(first.wrapping_add(corners));
     }
+}
+
+/// Two indices in the order in which they are written.
+const fn two(first: u32, second: u32) -> u64 {
+    first as u64 | (second as u64) << 32
 }
 
 #[inline]
