@@ -349,7 +349,11 @@ impl Sink for Model {
             let leaves = replay.leaves(leaf..leaf + mark.leaves);
             leaf += mark.leaves;
             self.records.extend(leaves.filter_map(|(placed, record, axes)| {
-                let scope = Scope { origin: replay.origin() + placed.origin.truncate(), axes: *axes.matrix(), size: record.size };
+                let scope = Scope {
+                    origin: (replay.origin() + placed.origin).truncate(),
+                    axes: *axes.matrix(),
+                    size: record.size,
+                };
                 Some(Record { scope, rule, material, stored: Stored::filled(record.form, record.unit)? })
             }));
         }

@@ -32,6 +32,7 @@ pub use crate::split::divide::{areas, extent, sizes, solved};
 pub use crate::split::division::{Division, Made, Slot};
 pub use crate::split::row::{Pattern, Row};
 pub use crate::split::{Adjust, Item, Piece, Size, solve, solve_any};
+pub use crate::template::Last;
 pub use crate::text::Text;
 pub use crate::value::Value;
 pub use crate::{func, get, host, later, op, query, set};

@@ -26,12 +26,12 @@ use crate::sink::corners::{Placed, four};
 use crate::unit::UnitMesh;
 
 pub(crate) use record::Tape;
-pub use replay::{PartId, Replay};
+pub use replay::{Last, PartId, Replay};
 
 /// The templates of a place in the rules that are kept, the last ones used.
 const KEPT: usize = 16;
 
-/// The axes that a template is kept along, the last ones used: four for buildings along the axes of the world.
+/// The axes that a template is kept along, the last ones that were new: four for buildings along the axes of the world.
 const KEPT_AXES: usize = 4;
 
 /// The leaves, and the holes, that a template has at most. The leaves of small ones stay in the nearest cache
@@ -49,7 +49,7 @@ pub(crate) struct Templates<C> {
 struct Entry<C> {
     key: Key,
     template: Option<Rc<Template<C>>>,
-    /// The template along the axes of bases, those used last at the end.
+    /// The template along the axes of bases.
     turned: Vec<Rc<Turned>>,
 }
 
@@ -172,13 +172,7 @@ const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
 impl Key {
     fn of(part: &ShapeRef<'_>, too_small: f64) -> Self {
-        Key {
-            size: part.size.get(),
-            form: part.form,
-            unit: part.unit.get(),
-            material: part.material.get(),
-            too_small,
-        }
+        Key { size: part.size.get(), form: part.form, unit: part.unit.get(), material: part.material.get(), too_small }
     }
 
     #[inline]
@@ -209,7 +203,8 @@ impl<C> Templates<C> {
         }
         let at = list.iter().position(|entry| entry.key.fits(part, too_small))?;
         // The last one used is the last in the list.
-        list[at..].rotate_left(1);
+        let last = list.len() - 1;
+        list.swap(at, last);
         list.last_mut()
     }
 
@@ -232,24 +227,20 @@ impl<C> Entry<C> {
     #[inline]
     fn turned(&mut self, axes: &Axes) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
         let template = self.template.clone()?;
-        let turned = match self.turned.last() {
-            Some(last) if last.axes[0].matrix == axes.matrix => last.clone(),
-            _ => self.turn(&template, axes),
+        let turned = match self.turned.iter().find(|turned| turned.axes[0].matrix == axes.matrix) {
+            Some(known) => known.clone(),
+            None => self.turn(&template, axes),
         };
         Some((template, turned))
     }
 
+    #[cold]
     #[inline(never)]
     fn turn(&mut self, template: &Template<C>, axes: &Axes) -> Rc<Turned> {
-        let turned = match self.turned.iter().position(|turned| turned.axes[0].matrix == axes.matrix) {
-            Some(at) => self.turned.remove(at),
-            None => {
-                if self.turned.len() == KEPT_AXES {
-                    self.turned.remove(0);
-                }
-                Rc::new(template.turned(axes))
-            }
-        };
+        let turned = Rc::new(template.turned(axes));
+        if self.turned.len() == KEPT_AXES {
+            self.turned.remove(0);
+        }
         self.turned.push(turned.clone());
         turned
     }
@@ -266,7 +257,10 @@ impl<C> Template<C> {
         let leaves = self.body.leaves.iter().map(|leaf| {
             let (frame, size) = (&frames[leaf.frame as usize], leaf.size);
             let sides = [(Axis::X, size.x), (Axis::Y, size.y), (Axis::Z, size.z)];
-            Placed { origin: four(axes.matrix * leaf.origin), sides: sides.map(|(axis, size)| frame.along(axis) * size) }
+            Placed {
+                origin: four(axes.matrix * leaf.origin),
+                sides: sides.map(|(axis, size)| frame.along(axis) * size),
+            }
         });
         Turned {
             leaves: leaves.collect(),

@@ -46,11 +46,8 @@ impl Cx<'_> {
         let is_list = solved.is_some() || split.measure == Measure::Area;
         let in_place = is_small(split);
         let is_counted = split.slots.iter().any(|target| self.facts.target(target).total);
-        let total = if is_counted {
-            quote_spanned!(place=> cga_rt::Row::total(&pieces))
-        } else {
-            quote_spanned!(place=> 0)
-        };
+        let total =
+            if is_counted { quote_spanned!(place=> cga_rt::Row::total(&pieces)) } else { quote_spanned!(place=> 0) };
         let again = if in_place && !is_list {
             quote_spanned!(place=> cga_rt::Pattern { items: PATTERN, sizes: &SIZES, extent })
         } else {
@@ -96,7 +93,12 @@ impl Cx<'_> {
                         quote_spanned!(place=> row.open(pieces, #number))
                     };
                     let items = self.items(slots, inside, At { group: at.group + 1, ..at }, true);
+                    // Those of groups inside are declared there.
+                    let repeated =
+                        own_slots(inside).map(|slot| at.slot + slot).filter(|slot| self.root(slots, *slot).is_some());
+                    let last = repeated.map(|slot| local("last", slot));
                     code.extend(quote_spanned! { place=>
+                        #(let mut #last = ::core::default::Default::default();)*
                         let mut #group = #open;
                         while row.turn(&mut #group) {
                             division.turn(cx.env)?;
@@ -131,9 +133,8 @@ impl Cx<'_> {
                 }
             }
             target @ Target::Rule { .. } => {
-                let root = templates::root(target, slots.rule, &self.facts, &self.plan).filter(|_| in_group);
-                let code = match root {
-                    Some(rule) => self.repeat(rule, target),
+                let code = match self.root(slots, slot).filter(|_| in_group) {
+                    Some(rule) => self.repeat(rule, target, slots, slot),
                     None => self.part(target, slots.rule),
                 };
                 let uses = self.facts.target(target);
@@ -151,12 +152,21 @@ impl Cx<'_> {
         }
     }
 
+    /// The rule that is repeated from a template if the slot is in a group.
+    fn root(&self, slots: &Slots<'_>, slot: usize) -> Option<RuleId> {
+        templates::root(&slots.split.slots[slot], slots.rule, &self.facts, &self.plan)
+    }
+
     /// Runs a rule on a part that repeats; of type `Flow`.
-    fn repeat(&self, rule: RuleId, target: &Target) -> TokenStream {
+    fn repeat(&self, rule: RuleId, target: &Target, slots: &Slots<'_>, slot: usize) -> TokenStream {
         let Target::Rule { span, .. } = target else { return TokenStream::new() };
         let (place, name) = (Span::mixed_site(), self.rule(rule, self.source.token(span.first)));
         let (number, hand_on) = (Literal::u32_unsuffixed(self.templates.place()), self.hand_on(rule));
-        quote_spanned!(place=> { #hand_on cx.repeat(#number, g, part, CgaRules::#name, CgaRules::cga_resume) })
+        let (axis, last) = (&slots.axis, local("last", slot));
+        quote_spanned! { place=> {
+            #hand_on
+            cx.repeat(#number, &mut #last, g, (part, #axis), CgaRules::#name, CgaRules::cga_resume)
+        } }
     }
 
     /// The solution of a split along lengths.
@@ -246,6 +256,21 @@ fn is_constant(size: &Size) -> bool {
 /// Returns true if a split has few slots, all of constant sizes.
 fn is_small(split: &Split) -> bool {
     split.slots.len() <= 3 && split.sizes.iter().all(is_constant)
+}
+
+/// The slots of a pattern that are in none of its groups.
+fn own_slots(pattern: &[Item]) -> impl Iterator<Item = usize> {
+    let (mut slot, mut group_end) = (0, 0);
+    pattern.iter().enumerate().filter_map(move |(at, item)| match item {
+        Item::Slot => {
+            slot += 1;
+            (group_end <= at).then_some(slot - 1)
+        }
+        Item::Repeat(len) => {
+            group_end = group_end.max(at + 1 + *len as usize);
+            None
+        }
+    })
 }
 
 /// Returns true if a group is in another one.

@@ -14,11 +14,11 @@ pub use part::Part;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3, Vec4};
+use glam::{DAffine3, DMat3, DVec3, DVec4, Vec4};
 
 use self::part::Run;
 use self::replayed::{Marks, Replayed};
-use self::write::{short, vertex, write_box, write_quad, write_quad_indices};
+use self::write::{marked, short, vertex, write_box, write_quad, write_quad_indices};
 use super::corners::{Placed, four};
 use super::error::WriteError;
 use super::flatten::{FlatFace, Flattener, corner_point, normal_map, unit};
@@ -47,7 +47,8 @@ pub struct Buffers {
     replayed: Replayed,
     /// Rule and material of the last leaf that fills its scope, unless another leaf came after it.
     last: Option<(u32, u32)>,
-    origin: DVec3,
+    /// With a fourth coordinate of 0.
+    origin: DVec4,
     limit: usize,
     full: bool,
     flattener: Flattener,
@@ -75,7 +76,7 @@ impl Buffers {
             numbers: Numbers::default(),
             replayed: Replayed::default(),
             last: None,
-            origin: DVec3::ZERO,
+            origin: DVec4::ZERO,
             limit: u32::MAX as usize,
             full: false,
             flattener: Flattener::default(),
@@ -85,7 +86,7 @@ impl Buffers {
     /// Subtracts a point of the world, in metres, from every position before it is rounded. Far from the world's
     /// origin (map coordinates) `f32` alone is not fine enough.
     pub fn with_origin(mut self, origin: DVec3) -> Self {
-        self.origin = origin;
+        self.origin = four(origin);
         self
     }
 
@@ -124,7 +125,7 @@ impl Buffers {
 
     /// The point that was subtracted from all positions.
     pub fn origin(&self) -> DVec3 {
-        self.origin
+        self.origin.truncate()
     }
 
     /// The parts, in order; together they are everything.
@@ -233,7 +234,7 @@ impl Buffers {
         let start = self.vertices.len() as u32;
         self.mark_all(replay, start, self.indices.len() / 3);
         write_quad_indices(self.indices.take(count / 4 * 6), start);
-        let (place, origin) = (four(replay.origin()), four(self.origin));
+        let (place, origin) = (replay.origin(), self.origin);
         let (mut faces, _) = self.vertices.take(count).as_chunks_mut::<4>();
         for (row, axes, placed, records) in replay.rows() {
             let each = if row.is_box { 6 } else { 1 };
@@ -245,8 +246,9 @@ impl Buffers {
                 }
             } else {
                 let normal = axes.normals[0];
+                let place = marked(place, normal);
                 for (to, placed) in own.iter_mut().zip(placed) {
-                    write_quad(to, placed.moved(place).moved(-origin), normal);
+                    write_quad(to, &placed.moved(place).moved(-origin), normal);
                 }
             }
         }
@@ -280,9 +282,10 @@ impl Buffers {
     /// Writes a rectangle.
     #[inline(always)]
     fn write_quad(&mut self, start: u32, placed: Placed, normal: Vec4) {
-        let origin = four(self.origin);
+        let origin = self.origin;
         if let Some(to) = self.vertices.take(4).first_chunk_mut::<4>() {
-            write_quad(to, placed.moved(-origin), normal);
+            let placed = Placed { origin: marked(placed.origin, normal), ..placed };
+            write_quad(to, &placed.moved(-origin), normal);
         }
         if let Some(to) = self.indices.take(6).first_chunk_mut::<6>() {
             *to = [start, start + 1, start + 2, start, start + 2, start + 3];
@@ -292,7 +295,7 @@ impl Buffers {
     /// Writes a box; `normals` are those of its sides.
     #[inline(always)]
     fn write_box(&mut self, start: u32, placed: Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
-        let origin = four(self.origin);
+        let origin = self.origin;
         let (faces, _) = self.vertices.take(24).as_chunks_mut::<4>();
         if let Some(to) = faces.first_chunk_mut::<6>() {
             write_box(to, &placed.moved(-origin), unit, normals);
@@ -314,7 +317,7 @@ impl Buffers {
     /// Adds a vertex for a corner of a face.
     #[inline]
     fn corner(&mut self, mesh: &Mesh, placement: &DAffine3, turn: &DMat3, face: &FlatFace<'_>, corner: usize) {
-        let point = placement.transform_point3(corner_point(mesh, corner)) - self.origin;
+        let point = placement.transform_point3(corner_point(mesh, corner)) - self.origin();
         let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(*turn * n));
         self.vertices.push(vertex(short(point), short(normal)));
         if let Some(uv) = mesh.uvs().get(corner) {

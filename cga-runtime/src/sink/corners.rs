@@ -3,8 +3,8 @@
 use glam::{DVec3, DVec4, Vec4};
 
 use super::{Cuboid, Quad};
-use crate::shape::ShapeRef;
 use crate::scope::Axis;
+use crate::shape::ShapeRef;
 
 /// The place of a rectangle or a box: its first corner and its sides from there. A rectangle has the first two sides.
 ///

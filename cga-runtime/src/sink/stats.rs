@@ -163,7 +163,7 @@ impl Sink for Stats {
         for (filled, mark) in replay.marks() {
             let rule = self.numbers.rule(&filled);
             for (placed, record, _) in replay.leaves(leaf..leaf + mark.leaves) {
-                let (origin, unit) = (replay.origin() + placed.origin.truncate(), record.unit);
+                let (origin, unit) = ((replay.origin() + placed.origin).truncate(), record.unit);
                 let [u, v, w] = placed.sides.map(|side| side.truncate());
                 match record.form {
                     Form::Box => self.block(rule, &Cuboid { origin, sides: DMat3::from_cols(u, v, w), unit }),

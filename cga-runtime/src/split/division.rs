@@ -79,13 +79,7 @@ impl Made {
 
     #[cold]
     #[inline(never)]
-    fn cut(
-        env: &mut Env,
-        whole: &ShapeRef<'_>,
-        axis: Axis,
-        adjust: Adjust,
-        row: impl Row,
-    ) -> ControlFlow<(), Self> {
+    fn cut(env: &mut Env, whole: &ShapeRef<'_>, axis: Axis, adjust: Adjust, row: impl Row) -> ControlFlow<(), Self> {
         let whole = env.whole(whole);
         let mut parts = Parts::new(env, &whole, axis, adjust, row)?;
         let mut pieces = Vec::with_capacity(parts.total());

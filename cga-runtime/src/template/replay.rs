@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 use std::ops::Range;
+use std::rc::Rc;
 
 use glam::{DAffine3, DVec3, DVec4};
 
@@ -9,12 +10,14 @@ use super::{Body, Hole, INHERITED, Mark, Record, Row, Segment, Template, Turned}
 use crate::derive::{Cx, ResumeFn, RuleFn};
 use crate::env::LeafTables;
 use crate::material::ids::MaterialId;
+use crate::scope::Axis;
 use crate::seed::Seed;
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 use crate::sink::corners::{Placed, four};
 use crate::sink::{Filled, Flow, Sink};
+use crate::unit::UnitMesh;
 
 /// Leaves of a part that repeats, at one of its places. All of them fill their scopes.
 ///
@@ -178,57 +181,88 @@ impl<'a> Replay<'a> {
         })
     }
 
-    /// The place of the repetition.
+    /// The place of the repetition, with a fourth coordinate of 0.
     #[inline]
-    pub(crate) fn origin(&self) -> DVec3 {
-        self.part.origin()
+    pub(crate) fn origin(&self) -> DVec4 {
+        self.part.origin.get()
+    }
+}
+
+/// The template of the last repetition of a slot: the next one is often as large, and the parts of a split do not differ in
+/// more than their place, one extent and the unit mesh.
+pub struct Last<C>(Option<(f64, UnitMesh, Rc<Template<C>>, Rc<Turned>)>);
+
+impl<C> Default for Last<C> {
+    fn default() -> Self {
+        Last(None)
     }
 }
 
 impl<C: Clone> Cx<'_, C> {
-    /// Runs a rigid rule on a part that repeats: from its template, which is made first if there is none yet.
+    /// Runs a rigid rule on a part that repeats along an axis: from its template, which is made first if there is none yet.
     #[inline]
     pub fn repeat<G>(
+        &mut self,
+        place: u32,
+        last: &mut Last<C>,
+        g: &G,
+        (part, axis): (&ShapeRef<'_>, Axis),
+        rule: RuleFn<G, C>,
+        resume: ResumeFn<G, C>,
+    ) -> Flow {
+        let (extent, unit) = (part.size.along(axis), part.unit.get());
+        match &last.0 {
+            Some((known, of, template, turned)) if *known == extent && of.is(unit) => {
+                self.replay_within(template, turned, g, part, rule, resume)
+            }
+            _ => {
+                *last = Last(
+                    self.template(place, g, part, rule).map(|(template, turned)| (extent, unit, template, turned)),
+                );
+                match &last.0 {
+                    None => rule(g, self, part),
+                    Some((_, _, template, turned)) => self.replay_within(template, turned, g, part, rule, resume),
+                }
+            }
+        }
+    }
+
+    /// The template for a part.
+    #[inline(never)]
+    fn template<G>(
         &mut self,
         place: u32,
         g: &G,
         part: &ShapeRef<'_>,
         rule: RuleFn<G, C>,
-        resume: ResumeFn<G, C>,
-    ) -> Flow {
+    ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
         let is_filled = matches!(part.form, Form::Rect(_) | Form::Box);
         if self.tape.is_some() || !is_filled || !std::ptr::eq(part.axes, part.base.axes()) {
-            return rule(g, self, part);
+            return None;
         }
-        let turned = match self.templates.find(place, part, self.env.too_small) {
+        match self.templates.find(place, part, self.env.too_small) {
             Some(entry) => entry.turned(part.axes),
             None => self.prepare(place, g, part, rule),
-        };
-        match turned {
-            None => rule(g, self, part),
-            Some((template, turned)) => {
-                if !self.env.has_room(template.room) {
-                    // Where the limit is passed the rule runs directly: it ends at the same shape, whether a template is there or
-                    // not.
-                    if !self.env.is_within_limit(template.room) {
-                        return rule(g, self, part);
-                    }
-                    self.env.make_room(template.room)?;
-                }
-                self.replay(&template, &turned, g, part, resume)
-            }
         }
     }
 
     #[inline(never)]
-    fn replay<G>(
+    fn replay_within<G>(
         &mut self,
         template: &Template<C>,
         turned: &Turned,
         g: &G,
         part: &ShapeRef<'_>,
+        rule: RuleFn<G, C>,
         resume: ResumeFn<G, C>,
     ) -> Flow {
+        if !self.env.has_room(template.room) {
+            // Where the limit is passed the rule runs directly: it ends at the same shape, whether a template is there or not.
+            if !self.env.is_within_limit(template.room) {
+                return rule(g, self, part);
+            }
+            self.env.make_room(template.room)?;
+        }
         let body = &template.body;
         self.env.shapes += template.shapes;
         let mut holes = template.holes.iter().zip(&turned.holes);

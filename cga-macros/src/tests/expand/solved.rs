@@ -72,11 +72,13 @@ impl CgaRules {
                 },
             ];
             let pieces = cga_rt::solved(cx.env, shape, cga_rt::Axis::X, 10.0, PIECES);
+            let at_most = cga_rt::Row::at_most(&pieces);
             let made = cga_rt::Made::new(
                 cx.env,
                 shape,
                 cga_rt::Axis::X,
                 cga_rt::Adjust::Adjust,
+                at_most,
                 pieces,
             )?;
             let mut division = cga_rt::Division::new(
@@ -101,6 +103,7 @@ impl CgaRules {
                     division.leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
                 }
             }
+            division.end(cga_rt::Axis::X);
             childless &= !division.has_parts();
         }
         if childless {

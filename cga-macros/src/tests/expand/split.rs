@@ -26,11 +26,13 @@ impl CgaRules {
             let mut lengths = [0.0; 4usize];
             let extent = cga_rt::extent(cx.env, shape, cga_rt::Axis::X);
             let pieces = &cga_rt::solve_any(PATTERN, &SIZES, &mut lengths, extent);
+            let at_most = cga_rt::Row::at_most(&pieces);
             let made = cga_rt::Made::new(
                 cx.env,
                 shape,
                 cga_rt::Axis::X,
                 cga_rt::Adjust::Adjust,
+                at_most,
                 pieces,
             )?;
             let mut division = cga_rt::Division::new(
@@ -43,13 +45,19 @@ impl CgaRules {
             );
             let mut row = pieces.cursor();
             if let ::core::option::Option::Some(piece) = row.any_slot(0) {
-                division.leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
+                division.any_leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
             }
             let mut group0 = row.open(pieces, 0);
             while row.turn(&mut group0) {
                 division.turn(cx.env)?;
                 if let ::core::option::Option::Some(piece) = row.any_slot(1) {
-                    let part = division.any_part(cga_rt::Axis::X, piece, 1, true, false);
+                    let slot = cga_rt::Slot {
+                        number: 1,
+                        in_group: true,
+                        draws: false,
+                        counts: true,
+                    };
+                    let part = division.any_part(cga_rt::Axis::X, piece, slot);
                     let flow: cga_rt::Flow = {
                         let a0 = cga_rt::get::split_index((&mut { part }));
                         CgaRules::Tile(g, cx, part, a0)
@@ -61,10 +69,17 @@ impl CgaRules {
                 }
             }
             if let ::core::option::Option::Some(piece) = row.any_slot(3) {
-                let part = division.any_part(cga_rt::Axis::X, piece, 3, false, false);
+                let slot = cga_rt::Slot {
+                    number: 3,
+                    in_group: false,
+                    draws: false,
+                    counts: false,
+                };
+                let part = division.any_part(cga_rt::Axis::X, piece, slot);
                 let flow: cga_rt::Flow = { CgaRules::Lot_1(g, cx, part) };
                 flow?;
             }
+            division.end(cga_rt::Axis::X);
             childless &= !division.has_parts();
         }
         if childless {

@@ -212,7 +212,7 @@ impl<F: FnMut(&Buffers) -> Flow> Sink for Chunks<F> {
     /// Hands out the last chunk and gives its memory back.
     fn finish(&mut self) -> Flow {
         let flow = self.hand_out();
-        self.buffers = Buffers::new().with_origin(self.buffers.origin);
+        self.buffers = Buffers::new().with_origin(self.buffers.origin());
         self.full = 0;
         flow
     }

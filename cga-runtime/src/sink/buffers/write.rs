@@ -1,6 +1,6 @@
 //! Vertices and indices of quads, written in place.
 
-use glam::{DVec3, Vec4};
+use glam::{DVec3, DVec4, Vec4};
 
 use super::Vertex;
 use crate::sink::corners::Placed;
@@ -27,6 +27,12 @@ pub(super) fn write_box(to: &mut [[Vertex; 4]; 6], placed: &Placed, unit: UnitMe
     }
 }
 
+/// An origin with the first number of a normal as its fourth coordinate: so a corner is the vector that is written.
+#[inline(always)]
+pub(super) fn marked(origin: DVec4, normal: Vec4) -> DVec4 {
+    origin.with_w(f64::from(normal.y))
+}
+
 /// Writes the vertices of a face.
 #[inline(always)]
 fn write(to: &mut [Vertex; 4], vectors: [Vec4; 6]) {
@@ -36,11 +42,9 @@ fn write(to: &mut [Vertex; 4], vectors: [Vec4; 6]) {
     }
 }
 
-/// Writes the four vertices of a rectangle as six vectors.
+/// Writes the four vertices of a rectangle as six vectors. The origin is [`marked`] with the normal.
 #[inline(always)]
-pub(super) fn write_quad(to: &mut [Vertex; 4], mut placed: Placed, n: Vec4) {
-    // With the first part of the normal as its fourth coordinate a corner is a vector as it is.
-    placed.origin.w = f64::from(n.y);
+pub(super) fn write_quad(to: &mut [Vertex; 4], placed: &Placed, n: Vec4) {
     let [a, b, c, d] = placed.quad_corners();
     let vectors = [
         a,

@@ -10,11 +10,11 @@ use super::look::Looks;
 use crate::mesh::Mesh;
 use crate::shape::axes::without_zero;
 use crate::shape::base::Form;
-use crate::sink::corners::{Placed, four};
+use crate::sink::Replay;
+use crate::sink::corners::Placed;
 use crate::sink::flatten::{FlatFace, corner_point, normal_map, unit};
 use crate::sink::room::Room;
 use crate::sink::table::Table;
-use crate::sink::Replay;
 use crate::unit::UnitMesh;
 
 /// The primitives of a glTF mesh, in the order in which they are first asked for.
@@ -179,7 +179,7 @@ impl Primitive {
     /// Adds leaves of a part that repeats, with one rule and this many faces.
     #[inline(never)]
     pub(super) fn repeat(&mut self, rule: u32, replay: &Replay<'_>, leaves: Range<usize>, faces: usize, origin: DVec4) {
-        let (mut faces, place) = (self.quads(rule, faces), four(replay.origin()));
+        let (mut faces, place) = (self.quads(rule, faces), replay.origin());
         for (placed, record, axes) in replay.leaves(leaves) {
             let placed = placed.moved(place).moved(-origin);
             if record.form == Form::Box {
