@@ -189,19 +189,29 @@ impl Buffers {
         self.run(rule, material);
     }
 
-    /// Notes rule and material of a leaf that fills its scope.
+    /// Returns true if a leaf with that many vertices has the rule and the material of the last one, and there is room for it.
     #[inline(always)]
-    fn mark(&mut self, leaf: &Filled<'_>) {
-        if self.last != Some((leaf.rule, leaf.shape.material.get().0)) {
-            self.mark_other(leaf);
-        }
+    fn goes_on(&self, leaf: &Filled<'_>, vertices: usize) -> bool {
+        self.last == Some((leaf.rule, leaf.shape.material.get().0))
+            && vertices <= self.limit - self.vertices.len()
+            && self.vertices.has(vertices)
+            && self.indices.has(vertices / 4 * 6)
+            && self.uvs.is_empty()
     }
 
+    /// Writes a leaf with that many vertices that does not go on. Not a part of the way on which the others go, so that it needs
+    /// no more registers than there are.
     #[inline(never)]
-    fn mark_other(&mut self, leaf: &Filled<'_>) {
+    fn other(&mut self, leaf: &Filled<'_>, vertices: usize) -> Flow {
+        self.room(vertices)?;
+        self.vertices.reserve(vertices);
+        self.indices.reserve(vertices / 4 * 6);
         let (rule, material) = self.numbers.filled(leaf);
         self.last = leaf.material_number().map(|material| (leaf.rule, material));
         self.run(rule, material);
+        if leaf.shape.form == Form::Box { self.write_block(leaf) } else { self.write_rectangle(leaf) }
+        self.pad_uvs();
+        ControlFlow::Continue(())
     }
 
     #[cold]
@@ -212,25 +222,41 @@ impl Buffers {
 
     #[inline(never)]
     fn rectangle(&mut self, leaf: &Filled<'_>) -> Flow {
-        let Some(start) = self.room(4) else { return ControlFlow::Break(()) };
-        self.mark(leaf);
-        self.write_quad(start, Placed::of(leaf.shape), leaf.shape.axes.normals[0]);
-        self.pad_uvs();
+        if !self.goes_on(leaf, 4) {
+            return self.other(leaf, 4);
+        }
+        self.write_rectangle(leaf);
         ControlFlow::Continue(())
     }
 
     #[inline(never)]
     fn block(&mut self, leaf: &Filled<'_>) -> Flow {
-        let Some(start) = self.room(24) else { return ControlFlow::Break(()) };
-        self.mark(leaf);
-        self.write_box(start, Placed::of(leaf.shape), leaf.shape.unit.get(), &leaf.shape.axes.normals);
-        self.pad_uvs();
+        if !self.goes_on(leaf, 24) {
+            return self.other(leaf, 24);
+        }
+        self.write_block(leaf);
         ControlFlow::Continue(())
+    }
+
+    #[inline(always)]
+    fn write_rectangle(&mut self, leaf: &Filled<'_>) {
+        self.write_quad(Placed::of(leaf.shape), leaf.shape.axes.normals[0]);
+    }
+
+    #[inline(always)]
+    fn write_block(&mut self, leaf: &Filled<'_>) {
+        self.write_box(Placed::of(leaf.shape), leaf.shape.unit.get(), &leaf.shape.axes.normals);
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn each(&mut self, replay: &Replay<'_>) -> Flow {
+        replay.each(self)
     }
 
     /// Writes leaves of a part that repeats, for which there is room.
     #[inline(never)]
-    fn repeat(&mut self, replay: &Replay<'_>, count: usize) {
+    fn repeat(&mut self, replay: &Replay<'_>, count: usize) -> Flow {
         let start = self.vertices.len() as u32;
         self.mark_all(replay, start, self.indices.len() / 3);
         write_quad_indices(self.indices.take(count / 4 * 6), start);
@@ -252,37 +278,33 @@ impl Buffers {
                 }
             }
         }
+        self.pad_uvs();
+        ControlFlow::Continue(())
     }
 
     /// Notes rules and materials of leaves that repeat.
     #[inline]
     fn mark_all(&mut self, replay: &Replay<'_>, start: u32, triangle: usize) {
         self.last = None;
-        let Marks { is_distinct, marks: numbers, .. } = self.replayed.of(replay, &mut self.numbers);
+        let Marks { is_distinct, runs: marks, .. } = self.replayed.of(replay, &mut self.numbers);
         let runs = &mut self.runs;
-        let new = replay.mark_list().iter().zip(numbers).map(|(mark, &(rule, material))| Run {
-            rule,
-            material,
-            triangle: triangle as u32 + mark.before / 2,
-            vertex: start + mark.before,
-        });
+        let moved = |run: &Run| run.moved(triangle as u32, start);
         if *is_distinct {
-            let first = numbers.first().zip(runs.last());
-            let goes_on = first.is_some_and(|(first, last)| *first == (last.rule, last.material));
-            runs.extend(new.skip(usize::from(goes_on)));
+            let goes_on = marks.first().zip(runs.last()).is_some_and(|(first, last)| first.is_like(last));
+            runs.extend(marks[usize::from(goes_on)..].iter().map(moved));
         } else {
-            new.for_each(|next| {
-                if runs.last().is_none_or(|last| (last.rule, last.material) != (next.rule, next.material)) {
-                    runs.push(next);
+            for next in marks {
+                if !runs.last().is_some_and(|last| last.is_like(next)) {
+                    runs.push(moved(next));
                 }
-            });
+            }
         }
     }
 
     /// Writes a rectangle.
     #[inline(always)]
-    fn write_quad(&mut self, start: u32, placed: Placed, normal: Vec4) {
-        let origin = self.origin;
+    fn write_quad(&mut self, placed: Placed, normal: Vec4) {
+        let (origin, start) = (self.origin, self.vertices.len() as u32);
         if let Some(to) = self.vertices.take(4).first_chunk_mut::<4>() {
             let placed = Placed { origin: marked(placed.origin, normal), ..placed };
             write_quad(to, &placed.moved(-origin), normal);
@@ -294,8 +316,8 @@ impl Buffers {
 
     /// Writes a box; `normals` are those of its sides.
     #[inline(always)]
-    fn write_box(&mut self, start: u32, placed: Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
-        let origin = self.origin;
+    fn write_box(&mut self, placed: Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
+        let (origin, start) = (self.origin, self.vertices.len() as u32);
         let (faces, _) = self.vertices.take(24).as_chunks_mut::<4>();
         if let Some(to) = faces.first_chunk_mut::<6>() {
             write_box(to, &placed.moved(-origin), unit, normals);
@@ -303,15 +325,14 @@ impl Buffers {
         write_quad_indices(self.indices.take(36), start);
     }
 
-    /// The number of the next vertex, if `more` of them fit.
+    /// `Break` if so many vertices more do not fit.
     #[inline]
-    fn room(&mut self, more: usize) -> Option<u32> {
-        let start = self.vertices.len();
-        if self.limit - start < more {
+    fn room(&mut self, more: usize) -> Flow {
+        if self.limit - self.vertices.len() < more {
             self.full = true;
-            return None;
+            return ControlFlow::Break(());
         }
-        Some(start as u32)
+        ControlFlow::Continue(())
     }
 
     /// Adds a vertex for a corner of a face.
@@ -351,27 +372,25 @@ impl Sink for Buffers {
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
         let count = replay.corner_count();
         if !replay.is_plain() || self.limit - self.vertices.len() < count {
-            return replay.each(self);
+            return self.each(replay);
         }
-        self.repeat(replay, count);
-        self.pad_uvs();
-        ControlFlow::Continue(())
+        self.repeat(replay, count)
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        let Some(start) = self.room(4) else { return ControlFlow::Break(()) };
+        self.room(4)?;
         self.leaf(leaf);
         let normal = normals::of_quad(leaf, quad);
-        self.write_quad(start, Placed::from(quad), normal);
+        self.write_quad(Placed::from(quad), normal);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        let Some(start) = self.room(24) else { return ControlFlow::Break(()) };
+        self.room(24)?;
         self.leaf(leaf);
         let normals = normals::of_cuboid(leaf, cuboid);
-        self.write_box(start, Placed::from(cuboid), cuboid.unit, &normals);
+        self.write_box(Placed::from(cuboid), cuboid.unit, &normals);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
@@ -380,7 +399,8 @@ impl Sink for Buffers {
         // A face with holes may have more triangles than vertices, but less than twice as many.
         let corners = mesh.corners.len();
         self.full |= u32::MAX as usize - self.triangle_count() < 2 * corners;
-        if self.room(corners).is_none() || self.full {
+        self.room(corners)?;
+        if self.full {
             return ControlFlow::Break(());
         }
         self.last = None;

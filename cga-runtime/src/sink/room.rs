@@ -31,10 +31,23 @@ impl<T: Copy + Default> Room<T> {
         self.used = 0;
     }
 
+    /// True if that many items more need no memory.
+    #[inline(always)]
+    pub(super) fn has(&self, count: usize) -> bool {
+        count <= self.items.len() - self.used
+    }
+
+    /// Makes room for that many items more.
+    pub(super) fn reserve(&mut self, count: usize) {
+        if !self.has(count) {
+            self.grow(count);
+        }
+    }
+
     /// The places of the next items.
     #[inline]
     pub(super) fn take(&mut self, count: usize) -> &mut [T] {
-        if self.items.len() - self.used < count {
+        if !self.has(count) {
             self.grow(count);
         }
         let start = self.used;

@@ -26,6 +26,18 @@ pub(super) struct Run {
 }
 
 impl Run {
+    /// True for one with the same rule and the same material.
+    #[inline]
+    pub(super) fn is_like(&self, other: &Run) -> bool {
+        (self.rule, self.material) == (other.rule, other.material)
+    }
+
+    /// The same after so many triangles and vertices more.
+    #[inline]
+    pub(super) fn moved(&self, triangles: u32, vertices: u32) -> Run {
+        Run { triangle: self.triangle + triangles, vertex: self.vertex + vertices, ..*self }
+    }
+
     /// The number of indices before it.
     pub(super) fn index(&self) -> usize {
         3 * self.triangle as usize

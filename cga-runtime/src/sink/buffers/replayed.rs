@@ -1,5 +1,6 @@
 //! The rules and materials of parts that repeat, as numbers of the buffers' table.
 
+use super::part::Run;
 use crate::material::ids::MaterialId;
 use crate::sink::Replay;
 use crate::sink::numbers::Numbers;
@@ -17,8 +18,8 @@ pub(super) struct Marks {
     part: (u64, usize),
     /// True if no two after each other are equal.
     pub(super) is_distinct: bool,
-    /// Rule and material.
-    pub(super) marks: Vec<(u32, u32)>,
+    /// As if the part began the buffers.
+    pub(super) runs: Vec<Run>,
 }
 
 impl Replayed {
@@ -38,9 +39,12 @@ impl Marks {
     #[cold]
     #[inline(never)]
     fn find(&mut self, replay: &Replay<'_>, numbers: &mut Numbers) {
-        self.marks.clear();
-        self.marks.extend(replay.marks().map(|(leaf, mark)| numbers.with_material(&leaf, mark.material)));
-        self.is_distinct = self.marks.windows(2).all(|pair| pair[0] != pair[1]);
+        self.runs.clear();
+        self.runs.extend(replay.marks().map(|(leaf, mark)| {
+            let (rule, material) = numbers.with_material(&leaf, mark.material);
+            Run { rule, material, triangle: mark.before / 2, vertex: mark.before }
+        }));
+        self.is_distinct = self.runs.windows(2).all(|pair| !pair[0].is_like(&pair[1]));
         // The material of a base is another one for the next base.
         let is_known = replay.mark_list().iter().all(|mark| mark.material != MaterialId::OF_BASE);
         self.part = if is_known { replay.number() } else { (0, 0) };
