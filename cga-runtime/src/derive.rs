@@ -197,7 +197,7 @@ fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u3
     let shape = env.whole(shape);
     env.leaves += u64::from(shape.geometry.has_surface());
     let rule = env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
-    let leaf = Leaf { rule, material: shape.state.material(), scope: &shape.scope };
+    let leaf = Leaf::new(rule, shape.state.material(), &shape.scope);
     match &shape.geometry {
         Geometry::Rect(axis, unit) => sink.quad(&leaf, &place::rectangle(&shape.scope, *axis, *unit)),
         Geometry::Box(unit) => sink.cuboid(&leaf, &place::cuboid(&shape.scope, *unit)),

@@ -188,7 +188,7 @@ impl<'a> LeafView<'a> {
 
     /// Hands it to a sink.
     pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
-        let leaf = Leaf { rule: self.rule(), material: self.material(), scope: self.scope() };
+        let leaf = Leaf::new(self.rule(), self.material(), self.scope());
         match self.geometry() {
             Geometry::Quad(quad) => sink.quad(&leaf, &quad),
             Geometry::Cuboid(cuboid) => sink.cuboid(&leaf, &cuboid),
@@ -318,7 +318,7 @@ impl Model {
 
     fn push(&mut self, leaf: &Leaf<'_>, stored: Stored) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
-        self.records.push(Record { scope: *leaf.scope, rule, material, stored });
+        self.records.push(Record { scope: leaf.scope(), rule, material, stored });
         ControlFlow::Continue(())
     }
 
@@ -361,9 +361,9 @@ impl Sink for Model {
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        let implied = [Axis::Z, Axis::Y, Axis::X]
-            .into_iter()
-            .find(|&axis| *quad == place::rectangle(leaf.scope, axis, quad.unit));
+        let scope = leaf.scope();
+        let implied =
+            [Axis::Z, Axis::Y, Axis::X].into_iter().find(|&axis| *quad == place::rectangle(&scope, axis, quad.unit));
         let stored = implied.map_or_else(
             || {
                 self.quads.push(*quad);
@@ -375,7 +375,7 @@ impl Sink for Model {
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        if *cuboid == place::cuboid(leaf.scope, cuboid.unit) {
+        if *cuboid == place::cuboid(&leaf.scope(), cuboid.unit) {
             return self.push(leaf, Stored::Full(cuboid.unit));
         }
         self.cuboids.push(*cuboid);

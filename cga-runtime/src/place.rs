@@ -91,10 +91,16 @@ impl Cuboid {
 pub(crate) fn rectangle(scope: &Scope, axis: Axis, unit: UnitMesh) -> Quad {
     let (x, y, z) =
         (scope.axes.x_axis * scope.size.x, scope.axes.y_axis * scope.size.y, scope.axes.z_axis * scope.size.z);
+    low_side(scope.origin, [x, y, z], axis, unit)
+}
+
+/// The same in a box with that corner and those sides.
+#[inline]
+pub(crate) fn low_side(origin: DVec3, [x, y, z]: [DVec3; 3], axis: Axis, unit: UnitMesh) -> Quad {
     let (origin, u, v) = match axis {
-        Axis::X => (scope.origin + z, -z, y),
-        Axis::Y => (scope.origin + z, x, -z),
-        Axis::Z => (scope.origin, x, y),
+        Axis::X => (origin + z, -z, y),
+        Axis::Y => (origin + z, x, -z),
+        Axis::Z => (origin, x, y),
     };
     Quad { origin, u, v, unit }
 }

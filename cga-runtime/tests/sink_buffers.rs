@@ -148,7 +148,7 @@ fn faces_of_a_mesh_show_their_own_materials_unless_the_shape_sets_one() {
 fn a_full_buffer_ends_the_run_and_says_so() {
     let mut buffers = Buffers::new().with_limit(27);
     let (material, scope) = (Arc::new(Material::UNSET), Scope::new(DVec3::ONE));
-    let leaf = Leaf { rule: "Box", material: &material, scope: &scope };
+    let leaf = Leaf::new("Box", &material, &scope);
     let cuboid = upright(DVec3::ZERO, DVec3::ONE);
     assert_eq!(buffers.cuboid(&leaf, &cuboid), ControlFlow::Continue(()));
     assert!(buffers.check().is_ok());

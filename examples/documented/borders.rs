@@ -26,7 +26,7 @@ pub(crate) fn with_scopes(model: &Model, width: f64) -> Model {
             let inwards = (next - to).normalize_or_zero() * width;
             let strip = Quad::new(from + lift, to - from, inwards);
             let scope = Scope { origin: strip.origin, ..*leaf.scope() };
-            let _ = out.quad(&Leaf { rule: "Edge", material: &material, scope: &scope }, &strip);
+            let _ = out.quad(&Leaf::new("Edge", &material, &scope), &strip);
         }
     }
     out

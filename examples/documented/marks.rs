@@ -125,13 +125,13 @@ impl Pen {
         let scope = Scope { origin: frame.to_world(low), axes: frame.axes, size };
         let cuboid = Cuboid::new(scope.origin, scope.axes * DMat3::from_diagonal(size));
         let material = paint(color);
-        let _ = self.out.cuboid(&Leaf { rule: "Mark", material: &material, scope: &scope }, &cuboid);
+        let _ = self.out.cuboid(&Leaf::new("Mark", &material, &scope), &cuboid);
     }
 
     fn mesh(&mut self, mesh: Arc<Mesh>, color: [f64; 3], place: &DAffine3) {
         let material = paint(color);
         let scope = Scope { origin: place.translation, axes: place.matrix3, size: mesh.bounds().size() };
-        let _ = self.out.mesh(&Leaf { rule: "Mark", material: &material, scope: &scope }, &mesh, place);
+        let _ = self.out.mesh(&Leaf::new("Mark", &material, &scope), &mesh, place);
     }
 }
 

@@ -209,7 +209,11 @@ impl Buffers {
         let (rule, material) = self.numbers.filled(leaf);
         self.last = leaf.material_number().map(|material| (leaf.rule, material));
         self.run(rule, material);
-        if leaf.shape.form == Form::Box { self.write_block(leaf) } else { self.write_rectangle(leaf) }
+        if leaf.shape.form == Form::Box {
+            self.write_block(leaf)
+        } else {
+            self.write_rectangle(leaf)
+        }
         self.pad_uvs();
         ControlFlow::Continue(())
     }

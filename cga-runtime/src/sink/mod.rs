@@ -24,7 +24,9 @@ pub mod table;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::DAffine3;
+use glam::{DAffine3, DMat3, DVec4};
+
+use self::corners::Placed;
 
 use crate::env::LeafTables;
 use crate::material::Material;
@@ -49,8 +51,29 @@ pub struct Leaf<'a> {
     pub rule: &'static str,
     /// What the rules set; what it leaves unset comes from the mesh's own material or is the default.
     pub material: &'a Arc<Material>,
+    scope: LeafScope<'a>,
+}
+
+/// Where the scope of a leaf is: most sinks do not ask for it, so that it is not made before.
+#[derive(Clone, Copy, Debug)]
+enum LeafScope<'a> {
+    Known(&'a Scope),
+    Of(&'a ShapeRef<'a>),
+}
+
+impl<'a> Leaf<'a> {
+    /// A leaf of that rule with that scope, in the world, for sinks that are filled by hand.
+    pub fn new(rule: &'static str, material: &'a Arc<Material>, scope: &'a Scope) -> Self {
+        Leaf { rule, material, scope: LeafScope::Known(scope) }
+    }
+
     /// The leaf's scope, in the world.
-    pub scope: &'a Scope,
+    pub fn scope(&self) -> Scope {
+        match self.scope {
+            LeafScope::Known(scope) => *scope,
+            LeafScope::Of(shape) => shape.scope(),
+        }
+    }
 }
 
 /// A leaf that fills its scope: a rectangle in the low plane across an axis, or the box itself. Rule and material are numbers
@@ -116,11 +139,12 @@ impl<'a> Filled<'a> {
     /// Hands the leaf to the method of a sink for rectangles or for boxes.
     #[inline]
     pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
-        let scope = self.scope();
-        let leaf = Leaf { rule: self.rule(), material: self.material(), scope: &scope };
+        let leaf = Leaf { rule: self.rule(), material: self.material(), scope: LeafScope::Of(self.shape) };
+        let (placed, unit) = (Placed::of(self.shape), self.shape.unit.get());
+        let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.map(DVec4::truncate));
         match self.shape.form {
-            Form::Rect(axis) => sink.quad(&leaf, &place::rectangle(&scope, axis, self.shape.unit.get())),
-            Form::Box => sink.cuboid(&leaf, &place::cuboid(&scope, self.shape.unit.get())),
+            Form::Rect(axis) => sink.quad(&leaf, &place::low_side(origin, [x, y, z], axis, unit)),
+            Form::Box => sink.cuboid(&leaf, &Cuboid { origin, sides: DMat3::from_cols(x, y, z), unit }),
             Form::Empty | Form::Other => Flow::Continue(()),
         }
     }

@@ -13,7 +13,7 @@ use crate::shape::axes::{self, Axes};
 /// The normal of a rectangle.
 #[inline]
 pub(super) fn of_quad(leaf: &Leaf<'_>, quad: &Quad) -> Vec4 {
-    let scope = leaf.scope;
+    let scope = &leaf.scope();
     let normal = match 0.0 <= scope.size.min_element() && *quad == place::rectangle(scope, Axis::Z, quad.unit) {
         true => scope.axes.z_axis,
         false => unit(quad.u.cross(quad.v)),
@@ -24,7 +24,7 @@ pub(super) fn of_quad(leaf: &Leaf<'_>, quad: &Quad) -> Vec4 {
 /// The normals of a box, by side.
 #[inline]
 pub(super) fn of_cuboid(leaf: &Leaf<'_>, cuboid: &Cuboid) -> [Vec4; 6] {
-    let scope = leaf.scope;
+    let scope = &leaf.scope();
     if 0.0 <= scope.size.min_element() && *cuboid == place::cuboid(scope, cuboid.unit) {
         return Axes::new(scope.axes).normals;
     }
