@@ -39,7 +39,8 @@ fn geometry_that_fills_a_turned_scope_is_exact() {
     let scope = Scope { origin: dvec3(0.1, 0.2, 0.3), axes, size: dvec3(1.1, 2.2, 0.0) };
     let quad = Quad::new(scope.origin, axes.x_axis * 1.1, axes.y_axis * 2.2);
     let mut model = Model::new();
-    let leaf = Leaf::new("Q", &color(1.0, 1.0, 1.0), &scope);
+    let white = color(1.0, 1.0, 1.0);
+    let leaf = Leaf::new("Q", &white, &scope);
     assert!(model.quad(&leaf, &quad).is_continue());
     let view = model.leaves().next().expect("one leaf");
     assert!(matches!(view.geometry(), Geometry::Quad(same) if same == quad));
