@@ -63,12 +63,6 @@ impl<'s> Cursor<'s> {
         Some(piece)
     }
 
-    /// As [`Cursor::slot`], compiled once.
-    #[inline(never)]
-    pub fn any_slot(&mut self, slot: usize) -> Option<Piece> {
-        self.slot(slot)
-    }
-
     /// Enters the next group; groups count in the order in which they open.
     #[inline(always)]
     pub fn open(&mut self, solution: &Solution<'_>, group: usize) -> Group {
@@ -79,6 +73,18 @@ impl<'s> Cursor<'s> {
             turns.count = 0.0;
         }
         Group { turns, number: 0.0, start, room, outer }
+    }
+
+    /// As [`Cursor::open`], compiled once.
+    #[inline(never)]
+    pub fn any_open(&mut self, solution: &Solution<'_>, group: usize) -> Group {
+        self.open(solution, group)
+    }
+
+    /// As [`Cursor::turn`], compiled once.
+    #[inline(never)]
+    pub fn any_turn(&mut self, group: &mut Group) -> bool {
+        self.turn(group)
     }
 
     /// Begins the next repetition of a group; false after the last one.
@@ -129,16 +135,22 @@ impl<'s> List<'s> {
         Some(*first)
     }
 
-    /// As [`List::slot`], compiled once.
-    #[inline(never)]
-    pub fn any_slot(&mut self, slot: u32) -> Option<Piece> {
-        self.slot(slot)
-    }
-
     /// Enters a group with those slots.
     #[inline(always)]
     pub fn open(&mut self, slots: Range<u32>) -> ListGroup {
         ListGroup { slots }
+    }
+
+    /// As [`List::open`]: there is no other way.
+    #[inline]
+    pub fn any_open(&mut self, slots: Range<u32>) -> ListGroup {
+        self.open(slots)
+    }
+
+    /// As [`List::turn`], compiled once.
+    #[inline(never)]
+    pub fn any_turn(&mut self, group: &mut ListGroup) -> bool {
+        self.turn(group)
     }
 
     /// Begins the next repetition of a group; false after the last one.

@@ -14,8 +14,34 @@ struct Slots<'s> {
     axis: TokenStream,
     /// True if the pieces are a list, false if they are laid out one by one.
     is_list: bool,
-    /// True for few slots of constant sizes: they are laid out in place, and the compiler folds what it knows.
-    in_place: bool,
+    names: Names,
+}
+
+/// The functions that a split calls.
+struct Names {
+    new: Ident,
+    open: Ident,
+    turn: Ident,
+    part: Ident,
+    leaf: Ident,
+    skip: Ident,
+    end: Ident,
+}
+
+impl Names {
+    /// Those that are inlined, and fold what is known, or those that are compiled once.
+    fn new(in_place: bool) -> Self {
+        let name = |inlined, shared| Ident::new(if in_place { inlined } else { shared }, Span::mixed_site());
+        Names {
+            new: name("new", "any"),
+            open: name("open", "any_open"),
+            turn: name("turn", "any_turn"),
+            part: name("part", "any_part"),
+            leaf: name("leaf", "any_leaf"),
+            skip: name("skip", "any_skip"),
+            end: name("end", "any_end"),
+        }
+    }
 }
 
 /// Where the next item of a pattern is: so many slots and groups come before it.
@@ -38,13 +64,13 @@ impl Cx<'_> {
         let adjust = if split.adjust { quote_spanned!(place=> Adjust) } else { quote_spanned!(place=> NoAdjust) };
         // A list cannot tell the repetitions of a group from those of a group around it.
         let solved = split.solved.as_ref().filter(|_| !has_nested_groups(&split.pattern));
+        let in_place = self.is_in_place(split, rule);
         let (pieces, row) = match (solved, split.measure) {
             (Some(solved), _) => (known(solved, &axis), list()),
             (None, Measure::Area) => (self.areas(split, &axis), list()),
-            (None, Measure::Length) => (self.lengths(split, &axis), quote_spanned!(place=> pieces.cursor())),
+            (None, Measure::Length) => (self.lengths(split, &axis, in_place), quote_spanned!(place=> pieces.cursor())),
         };
         let is_list = solved.is_some() || split.measure == Measure::Area;
-        let in_place = is_small(split);
         let is_counted = split.slots.iter().any(|target| self.facts.target(target).total);
         let total =
             if is_counted { quote_spanned!(place=> cga_rt::Row::total(&pieces)) } else { quote_spanned!(place=> 0) };
@@ -53,18 +79,18 @@ impl Cx<'_> {
         } else {
             quote_spanned!(place=> pieces)
         };
-        let slots = Slots { split, rule, axis, is_list, in_place };
+        let slots = Slots { split, rule, axis, is_list, names: Names::new(in_place) };
         let statements = self.items(&slots, &split.pattern, At::default(), false);
-        let (axis, number) = (&slots.axis, Literal::u32_unsuffixed(number));
+        let (axis, number, Names { new, end, .. }) = (&slots.axis, Literal::u32_unsuffixed(number), &slots.names);
         quote_spanned! { place=>
             #pieces
             let at_most = cga_rt::Row::at_most(&pieces);
             let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, at_most, #again)?;
             let mut division =
-                cga_rt::Division::new(shape, &made, #axis, cga_rt::Adjust::#adjust, #number, #total);
+                cga_rt::Division::#new(shape, &made, #axis, cga_rt::Adjust::#adjust, #number, #total);
             let mut row = #row;
             #statements
-            division.end(#axis);
+            division.#end(#axis);
         }
     }
 
@@ -85,12 +111,13 @@ impl Cx<'_> {
                     rest = behind;
                     let count = inside.iter().filter(|item| matches!(item, Item::Slot)).count();
                     let group = local("group", at.group);
-                    let open = if slots.is_list {
+                    let Names { open, turn, .. } = &slots.names;
+                    let opened = if slots.is_list {
                         let [from, to] = [at.slot, at.slot + count].map(|slot| Literal::u32_unsuffixed(slot as u32));
-                        quote_spanned!(place=> row.open(#from..#to))
+                        quote_spanned!(place=> row.#open(#from..#to))
                     } else {
                         let number = Literal::usize_unsuffixed(at.group);
-                        quote_spanned!(place=> row.open(pieces, #number))
+                        quote_spanned!(place=> row.#open(pieces, #number))
                     };
                     let items = self.items(slots, inside, At { group: at.group + 1, ..at }, true);
                     // Those of groups inside are declared there.
@@ -99,8 +126,8 @@ impl Cx<'_> {
                     let last = repeated.map(|slot| local("last", slot));
                     code.extend(quote_spanned! { place=>
                         #(let mut #last = ::core::default::Default::default();)*
-                        let mut #group = #open;
-                        while row.turn(&mut #group) {
+                        let mut #group = #opened;
+                        while row.#turn(&mut #group) {
                             division.turn(cx.env)?;
                             #items
                         }
@@ -114,23 +141,13 @@ impl Cx<'_> {
 
     /// The statement of a slot.
     fn slot(&self, slots: &Slots<'_>, slot: usize, in_group: bool) -> TokenStream {
-        let (place, axis) = (Span::mixed_site(), &slots.axis);
+        let (place, axis, Names { part, leaf, skip, .. }) = (Span::mixed_site(), &slots.axis, &slots.names);
         let number = Literal::usize_unsuffixed(slot);
-        let names = if slots.in_place { ["slot", "part", "leaf"] } else { ["any_slot", "any_part", "any_leaf"] };
-        let [next, part, leaf] = names.map(|name| Ident::new(name, place));
         match &slots.split.slots[slot] {
-            Target::Nil => quote_spanned! { place=>
-                if row.#next(#number).is_some() {
-                    division.skip();
-                }
-            },
+            Target::Nil => quote_spanned!(place=> division.#skip(&mut row, #number);),
             Target::Leaf(name, _) => {
                 let name = self.leaves.number(name);
-                quote_spanned! { place=>
-                    if let ::core::option::Option::Some(piece) = row.#next(#number) {
-                        division.#leaf(cx, #axis, piece, #name)?;
-                    }
-                }
+                quote_spanned!(place=> division.#leaf(cx, &mut row, #axis, #number, #name)?;)
             }
             target @ Target::Rule { .. } => {
                 let code = match self.root(slots, slot).filter(|_| in_group) {
@@ -140,16 +157,25 @@ impl Cx<'_> {
                 let uses = self.facts.target(target);
                 let (draws, counts) = (uses.draws, uses.index || uses.total);
                 quote_spanned! { place=>
-                    if let ::core::option::Option::Some(piece) = row.#next(#number) {
-                        let slot =
-                            cga_rt::Slot { number: #number, in_group: #in_group, draws: #draws, counts: #counts };
-                        let part = division.#part(#axis, piece, slot);
+                    let slot = cga_rt::Slot { number: #number, in_group: #in_group, draws: #draws, counts: #counts };
+                    if let ::core::option::Option::Some(part) = division.#part(&mut row, #axis, slot) {
                         let flow: cga_rt::Flow = #code;
                         flow?;
                     }
                 }
             }
         }
+    }
+
+    /// Returns true for few slots of constant sizes in a rule that can reach itself: the split is laid out in the rule, and the
+    /// compiler folds what it knows. Such rules run most often; of rules that repeat there are templates, and the code of others
+    /// would be large for what it gains.
+    fn is_in_place(&self, split: &Split, rule: RuleId) -> bool {
+        let is_constant =
+            |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
+        self.grammar.rules[rule.0 as usize].cycle.is_some()
+            && split.slots.len() <= 3
+            && split.sizes.iter().all(is_constant)
     }
 
     /// The rule that is repeated from a template if the slot is in a group.
@@ -170,10 +196,10 @@ impl Cx<'_> {
     }
 
     /// The solution of a split along lengths.
-    fn lengths(&self, split: &Split, axis: &TokenStream) -> TokenStream {
+    fn lengths(&self, split: &Split, axis: &TokenStream, in_place: bool) -> TokenStream {
         let (place, count) = (Span::mixed_site(), split.sizes.len());
         let (sizes, name) = self.sizes(split);
-        let solve = Ident::new(if is_small(split) { "solve" } else { "solve_any" }, place);
+        let solve = Ident::new(if in_place { "solve" } else { "solve_any" }, place);
         quote_spanned! { place=>
             #sizes
             let mut lengths = [0.0; #count];
@@ -247,15 +273,6 @@ fn known(solved: &Solved, axis: &TokenStream) -> TokenStream {
 
 fn list() -> TokenStream {
     quote_spanned!(Span::mixed_site()=> cga_rt::List::new(pieces))
-}
-
-fn is_constant(size: &Size) -> bool {
-    matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite())
-}
-
-/// Returns true if a split has few slots, all of constant sizes.
-fn is_small(split: &Split) -> bool {
-    split.slots.len() <= 3 && split.sizes.iter().all(is_constant)
 }
 
 /// The slots of a pattern that are in none of its groups.

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use glam::DVec4;
 
 use super::parts::{Parts, within_limit};
-use super::row::Row;
+use super::row::{Row, Slots};
 use super::{Adjust, Piece};
 use crate::derive::{Cx, filled};
 use crate::env::Env;
@@ -131,6 +131,18 @@ impl<'s> Division<'s> {
         Division { shape, made, whole, seed, turns: 0, index: 0, total, has_bands }
     }
 
+    /// As [`Division::new`], compiled once.
+    #[inline(never)]
+    pub fn any(shape: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
+        Division::new(shape, made, axis, adjust, number, total)
+    }
+
+    /// As [`Division::end`], compiled once.
+    #[inline(never)]
+    pub fn any_end(&self, axis: Axis) {
+        self.end(axis);
+    }
+
     /// Makes the shape whole again. A division that the end of the run breaks off need not.
     #[inline(always)]
     pub fn end(&self, axis: Axis) {
@@ -163,15 +175,22 @@ impl<'s> Division<'s> {
         if env.has_room(0) { Flow::Continue(()) } else { env.make_room(0) }
     }
 
-    /// Leaves a piece out.
+    /// Leaves out the piece of a slot.
     #[inline(always)]
-    pub fn skip(&mut self) {
-        self.index += 1;
+    pub fn skip(&mut self, slots: &mut impl Slots, slot: u32) {
+        self.index += usize::from(slots.slot(slot).is_some());
     }
 
-    /// The shape of the next piece.
+    /// As [`Division::skip`], compiled once.
+    #[inline(never)]
+    pub fn any_skip(&mut self, slots: &mut impl Slots, slot: u32) {
+        self.skip(slots, slot);
+    }
+
+    /// The shape of the piece of a slot, if it gets one.
     #[inline(always)]
-    pub fn part(&mut self, axis: Axis, piece: Piece, slot: Slot) -> &ShapeRef<'s> {
+    pub fn part(&mut self, slots: &mut impl Slots, axis: Axis, slot: Slot) -> Option<&ShapeRef<'s>> {
+        let piece = slots.slot(slot.number)?;
         let (seed, split) = (self.seed, Counter::new(self.index, self.total));
         let turn = if slot.in_group { self.turns } else { 0 };
         let part = self.place(axis, piece);
@@ -181,30 +200,51 @@ impl<'s> Division<'s> {
         if slot.counts {
             part.split.set(split);
         }
-        part
+        Some(part)
     }
 
     /// As [`Division::part`], compiled once.
     #[inline(never)]
-    pub fn any_part(&mut self, axis: Axis, piece: Piece, slot: Slot) -> &ShapeRef<'s> {
-        self.part(axis, piece, slot)
+    pub fn any_part(&mut self, slots: &mut impl Slots, axis: Axis, slot: Slot) -> Option<&ShapeRef<'s>> {
+        self.part(slots, axis, slot)
     }
 
-    /// Hands the next piece on as a leaf.
+    /// Hands the piece of a slot on as a leaf, if the slot gets one.
     #[inline(always)]
-    pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, axis: Axis, piece: Piece, rule: u32) -> Flow {
-        filled(cx.env, cx.sink, self.place(axis, piece), rule)
+    pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, slots: &mut impl Slots, axis: Axis, slot: u32, rule: u32) -> Flow {
+        match slots.slot(slot) {
+            Some(piece) => filled(cx.env, cx.sink, self.place(axis, piece), rule),
+            None => Flow::Continue(()),
+        }
     }
 
     /// As [`Division::leaf`], compiled once.
     #[inline(always)]
-    pub fn any_leaf<C>(&mut self, cx: &mut Cx<'_, C>, axis: Axis, piece: Piece, rule: u32) -> Flow {
-        self.hand_out(cx.env, cx.sink, axis, piece, rule)
+    pub fn any_leaf<C>(
+        &mut self,
+        cx: &mut Cx<'_, C>,
+        slots: &mut impl Slots,
+        axis: Axis,
+        slot: u32,
+        rule: u32,
+    ) -> Flow {
+        self.hand_out(cx.env, cx.sink, slots, axis, slot, rule)
     }
 
     #[inline(never)]
-    fn hand_out(&mut self, env: &mut Env, sink: &mut dyn Sink, axis: Axis, piece: Piece, rule: u32) -> Flow {
-        filled(env, sink, self.place(axis, piece), rule)
+    fn hand_out(
+        &mut self,
+        env: &mut Env,
+        sink: &mut dyn Sink,
+        slots: &mut impl Slots,
+        axis: Axis,
+        slot: u32,
+        rule: u32,
+    ) -> Flow {
+        match slots.slot(slot) {
+            Some(piece) => filled(env, sink, self.place(axis, piece), rule),
+            None => Flow::Continue(()),
+        }
     }
 
     /// Gives the shape the place of the next piece.

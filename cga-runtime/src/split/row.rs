@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use cga_split::{Item, Size, solve_any};
+use cga_split::{Cursor, Item, List, Size, solve_any};
 
 use super::{Piece, Solution};
 
@@ -14,6 +14,26 @@ pub trait Row: Copy {
     fn total(&self) -> u64;
     /// Calls `visit` for each, from the low end to the high end, until it says stop.
     fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B>;
+}
+
+/// The pieces of a pattern, asked for slot by slot.
+pub trait Slots {
+    /// The piece of the next slot, if it gets one.
+    fn slot(&mut self, slot: u32) -> Option<Piece>;
+}
+
+impl Slots for Cursor<'_> {
+    #[inline(always)]
+    fn slot(&mut self, slot: u32) -> Option<Piece> {
+        Cursor::slot(self, slot as usize)
+    }
+}
+
+impl Slots for List<'_> {
+    #[inline(always)]
+    fn slot(&mut self, slot: u32) -> Option<Piece> {
+        List::slot(self, slot)
+    }
 }
 
 /// A split with constant sizes. It is solved again where that is rare, so that the first solution need not be in memory.

@@ -81,7 +81,7 @@ impl CgaRules {
                 at_most,
                 pieces,
             )?;
-            let mut division = cga_rt::Division::new(
+            let mut division = cga_rt::Division::any(
                 shape,
                 &made,
                 cga_rt::Axis::X,
@@ -90,20 +90,14 @@ impl CgaRules {
                 0,
             );
             let mut row = cga_rt::List::new(pieces);
-            if let ::core::option::Option::Some(piece) = row.slot(0) {
-                division.leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
-            }
-            let mut group0 = row.open(1..3);
-            while row.turn(&mut group0) {
+            division.any_leaf(cx, &mut row, cga_rt::Axis::X, 0, 1u32)?;
+            let mut group0 = row.any_open(1..3);
+            while row.any_turn(&mut group0) {
                 division.turn(cx.env)?;
-                if let ::core::option::Option::Some(piece) = row.slot(1) {
-                    division.leaf(cx, cga_rt::Axis::X, piece, 2u32)?;
-                }
-                if let ::core::option::Option::Some(piece) = row.slot(2) {
-                    division.leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
-                }
+                division.any_leaf(cx, &mut row, cga_rt::Axis::X, 1, 2u32)?;
+                division.any_leaf(cx, &mut row, cga_rt::Axis::X, 2, 1u32)?;
             }
-            division.end(cga_rt::Axis::X);
+            division.any_end(cga_rt::Axis::X);
             childless &= !division.has_parts();
         }
         if childless {

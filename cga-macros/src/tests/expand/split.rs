@@ -35,7 +35,7 @@ impl CgaRules {
                 at_most,
                 pieces,
             )?;
-            let mut division = cga_rt::Division::new(
+            let mut division = cga_rt::Division::any(
                 shape,
                 &made,
                 cga_rt::Axis::X,
@@ -44,42 +44,40 @@ impl CgaRules {
                 0,
             );
             let mut row = pieces.cursor();
-            if let ::core::option::Option::Some(piece) = row.any_slot(0) {
-                division.any_leaf(cx, cga_rt::Axis::X, piece, 1u32)?;
-            }
-            let mut group0 = row.open(pieces, 0);
-            while row.turn(&mut group0) {
+            division.any_leaf(cx, &mut row, cga_rt::Axis::X, 0, 1u32)?;
+            let mut group0 = row.any_open(pieces, 0);
+            while row.any_turn(&mut group0) {
                 division.turn(cx.env)?;
-                if let ::core::option::Option::Some(piece) = row.any_slot(1) {
-                    let slot = cga_rt::Slot {
-                        number: 1,
-                        in_group: true,
-                        draws: false,
-                        counts: true,
-                    };
-                    let part = division.any_part(cga_rt::Axis::X, piece, slot);
+                let slot = cga_rt::Slot {
+                    number: 1,
+                    in_group: true,
+                    draws: false,
+                    counts: true,
+                };
+                if let ::core::option::Option::Some(part) = division
+                    .any_part(&mut row, cga_rt::Axis::X, slot)
+                {
                     let flow: cga_rt::Flow = {
                         let a0 = cga_rt::get::split_index((&mut { part }));
                         CgaRules::Tile(g, cx, part, a0)
                     };
                     flow?;
                 }
-                if row.any_slot(2).is_some() {
-                    division.skip();
-                }
+                division.any_skip(&mut row, 2);
             }
-            if let ::core::option::Option::Some(piece) = row.any_slot(3) {
-                let slot = cga_rt::Slot {
-                    number: 3,
-                    in_group: false,
-                    draws: false,
-                    counts: false,
-                };
-                let part = division.any_part(cga_rt::Axis::X, piece, slot);
+            let slot = cga_rt::Slot {
+                number: 3,
+                in_group: false,
+                draws: false,
+                counts: false,
+            };
+            if let ::core::option::Option::Some(part) = division
+                .any_part(&mut row, cga_rt::Axis::X, slot)
+            {
                 let flow: cga_rt::Flow = { CgaRules::Lot_1(g, cx, part) };
                 flow?;
             }
-            division.end(cga_rt::Axis::X);
+            division.any_end(cga_rt::Axis::X);
             childless &= !division.has_parts();
         }
         if childless {
