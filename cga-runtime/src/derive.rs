@@ -31,7 +31,7 @@ pub const STACK: u32 = 640;
 pub struct Report {
     /// Shapes derived, leaves included.
     pub shapes: u64,
-    /// Leaves handed to the sink.
+    /// Leaves handed to the sink. If the sink stops the run among the leaves of a part that repeats, all leaves of the part count.
     pub leaves: u64,
     /// What went wrong on the way; the first thousand.
     pub faults: Vec<Fault>,
