@@ -31,7 +31,7 @@ pub const STACK: u32 = 640;
 pub struct Report {
     /// Shapes derived, leaves included.
     pub shapes: u64,
-    /// Leaves handed to the sink.
+    /// Leaves handed to the sink. If the sink stops the run among the leaves of a part that repeats, all leaves of the part count.
     pub leaves: u64,
     /// What went wrong on the way; the first thousand.
     pub faults: Vec<Fault>,
@@ -262,16 +262,11 @@ pub(crate) fn run<R: Rules>(
     env.leaf_tables.names = R::LEAVES;
     sink.begin();
     kept.begin(R::SETTLED);
+    // Both at once: templates have numbers of these materials. A sink that panics leaves neither in the session.
     std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
-    let mut cx = Cx {
-        env: &mut env,
-        sink,
-        waiting: VecDeque::new(),
-        stack: 0,
-        depth: 0,
-        templates: &mut kept.templates,
-        tape: None,
-    };
+    let mut templates = std::mem::take(&mut kept.templates);
+    let mut cx =
+        Cx { env: &mut env, sink, waiting: VecDeque::new(), stack: 0, depth: 0, templates: &mut templates, tape: None };
     let values = rules.values(cx.env, shape, style);
     // A break with no error is the sink's or the watch's.
     let mut flow = if cx.env.ended() { Flow::Break(()) } else { Flow::Continue(()) };
@@ -287,6 +282,7 @@ pub(crate) fn run<R: Rules>(
         flow = R::resume(&values, &mut cx, &base.shape(), next.call);
     }
     std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
+    kept.templates = templates;
     env.tell_watch(flow.is_continue());
     let (faults, faults_left_out) = env.take_faults();
     let prints = std::mem::take(&mut env.prints);

@@ -227,7 +227,7 @@ impl<C> Entry<C> {
     #[inline]
     fn turned(&mut self, axes: &Axes) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
         let template = self.template.clone()?;
-        let turned = match self.turned.iter().find(|turned| turned.axes[0].matrix == axes.matrix) {
+        let turned = match self.turned.iter().find(|turned| turned.axes[0].is(&axes.matrix)) {
             Some(known) => known.clone(),
             None => self.turn(&template, axes),
         };

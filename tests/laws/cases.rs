@@ -1,6 +1,6 @@
 //! Differences that the laws found once.
 
-use cga::{Grammar, Limits, Model, Repeats, Settings, Shape, cga};
+use cga::{DynSession, Grammar, Limits, Model, Repeats, Settings, Shape, cga};
 
 use crate::compare::Outcome;
 use crate::exact;
@@ -82,5 +82,75 @@ fn a_piece_of_a_flat_shape_has_no_thickness() {
     for shape in [wall.clone(), wall.held_as_meshes()] {
         let model = Thick::default().generate(&shape).expect("no limit");
         assert_eq!(model.leaves().map(|leaf| leaf.scope().size.min_element()).collect::<Vec<_>>(), [0.0; 4]);
+    }
+}
+
+cga! {
+    grammar Random;
+    Lot  --> comp(f) { front : Wall }
+    Wall --> split(y) { { ~1 : Row }* }
+    Row  --> color(rand(0, 1), rand(0, 1), rand(0, 1)) split(x) { { 1 : Tile }* }
+    Tile --> set(material.opacity, 0.5) comp(f) { all : X. }
+}
+
+#[test]
+fn a_constant_look_on_a_random_colour_keeps_the_colour() {
+    let [kept, direct] = [Repeats::Kept, Repeats::Direct].map(|repeats| {
+        let settings = Settings { repeats, ..Settings::default() };
+        outcome(&Random::default(), &settings, &Shape::cuboid(3.0, 3.0, 3.0))
+    });
+    assert_eq!(exact::outcomes(&kept, &direct), None);
+}
+
+cga! {
+    grammar Tiled;
+    Lot  --> comp(f) { side : Wall }
+    Wall --> split(x) { { 1 : Tile }* }
+    Tile --> split(y) { ~1 : Glass. | ~1 : Glass. }
+}
+
+#[test]
+fn a_session_tells_axes_apart_that_differ_in_the_sign_of_a_zero() {
+    let (grammar, settings) = (Tiled::default(), Settings::default());
+    let run = |session: &mut dyn DynSession, shape: &Shape| {
+        let mut model = Model::new();
+        session.run(shape, &mut model).expect("no limit");
+        // Text tells -0 and 0 apart.
+        model.leaves().map(|leaf| format!("{:?}", leaf.scope())).collect::<Vec<_>>()
+    };
+    let (solid, flat) = (Shape::cuboid(2.0, 2.0, 2.0), Shape::cuboid(0.0, 2.0, 2.0));
+    let alone = run(&mut grammar.session(&settings).expect("a session"), &flat);
+    let mut session = grammar.session(&settings).expect("a session");
+    run(&mut session, &solid);
+    assert_eq!(run(&mut session, &flat), alone);
+}
+
+cga! {
+    grammar Mixed;
+    Lot   --> split(y) { 0.5 : Many | ~1 : color("#808080") Front }
+    Many  --> 50% : split(x) { { 0.01 : M1 }* } else : NIL
+    M1    --> [ 50% : set(material.opacity, 0.5) M2 else : M2 ]
+    M2    --> [ 50% : set(material.metallic, 0.5) M3 else : M3 ]
+    M3    --> [ 50% : set(material.roughness, 0.5) M4 else : M4 ]
+    M4    --> [ 50% : set(material.name, "m") M5 else : M5 ]
+    M5    --> [ 50% : color("#00ff00") M6 else : M6 ]
+    M6    --> [ 50% : texture("wall.png") M7 else : M7 ]
+    M7    --> [ 50% : set(material.color.rgb, "#0000ff") X. else : X. ]
+    Front --> comp(f) { front : split(x) { { ~0.9 : Tile }* } }
+    Tile  --> t(0.1, 0.2, 0.3) comp(f) { all : split(x) { ~1 : A. | ~2 : B. } }
+}
+
+#[test]
+fn many_materials_before_make_no_difference() {
+    let (grammar, settings) = (Mixed::default(), Settings::default());
+    let mut session = grammar.session(&settings).expect("a session");
+    for seed in 0..20 {
+        let shape = Shape::cuboid(7.31 + 0.1 * seed as f64, 4.0, 1.0).at([117.3, 0.313, -1013.7]).seed(seed);
+        let mut model = Model::new();
+        let report = session.run(&shape, &mut model).map_err(|error| error.to_string());
+        let alone = outcome(&grammar, &settings, &shape);
+        assert_eq!(exact::outcomes(&Outcome { model, report, replayed: 0 }, &alone), None, "seed {seed}");
+        let again = outcome(&grammar, &Settings { repeats: Repeats::Again, ..settings.clone() }, &shape);
+        assert_eq!(exact::outcomes(&again, &alone), None, "seed {seed}");
     }
 }

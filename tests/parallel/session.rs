@@ -1,6 +1,10 @@
 //! Sessions: runs that share what is made once.
 
-use cga::{Error, Grammar, Limits, Model, Settings, Shape, cga};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+
+use cga::glam::DAffine3;
+use cga::{Error, Flow, Grammar, Leaf, Limits, Mesh, Model, Settings, Shape, Sink, cga};
 
 use super::grammars::{cases, lots, settings};
 
@@ -60,4 +64,34 @@ fn a_session_of_a_grammar_by_pointer_checks_when_it_opens() {
         assert!(session.run(&lot, &mut model).is_ok());
     }
     assert_eq!(model.len(), 28);
+}
+
+cga! {
+    grammar Painted;
+    Lot  --> split(x) { { 1 : Tile }* }
+    Tile --> color("#ff0000") split(z) { 1 : A. | ~1 : B }
+    B    --> color("#00ff00") C.
+}
+
+/// Panics at a leaf.
+struct Fragile(usize);
+
+impl Sink for Fragile {
+    fn mesh(&mut self, _: &Leaf<'_>, _: &Arc<Mesh>, _: &DAffine3) -> Flow {
+        self.0 = self.0.checked_sub(1).expect("a sound sink");
+        Flow::Continue(())
+    }
+}
+
+#[test]
+fn a_sink_that_panics_leaves_no_mark_in_its_session() {
+    let (grammar, settings, shape) = (Painted::default(), Settings::default(), Shape::rectangle(4.0, 3.0));
+    let mut session = grammar.session(&settings).expect("a session");
+    let materials = |model: &Model| model.leaves().map(|leaf| leaf.material().clone()).collect::<Vec<_>>();
+    let before = materials(&session.generate(&shape).expect("no limit"));
+    for leaves in [0, 1, 3, 7] {
+        let run = catch_unwind(AssertUnwindSafe(|| session.run(&shape, &mut Fragile(leaves))));
+        assert!(run.is_err());
+        assert_eq!(materials(&session.generate(&shape).expect("no limit")), before, "after {leaves} leaves");
+    }
 }

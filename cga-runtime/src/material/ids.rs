@@ -3,7 +3,10 @@
 //! Slim shapes and sinks have numbers in place of materials: a colour that is a constant is one comparison, and a sink looks
 //! a material up only where the number changes. Random colours must not let the table grow without limit, so few materials
 //! have a number; others are those of their base.
+//!
+//! Templates are kept for numbers, so the materials that have one follow from the rules alone, whatever a session did before.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Material;
@@ -24,20 +27,29 @@ const MOST: usize = 1 << 16;
 /// Materials that a session keeps for its next run.
 const MANY: usize = 1024;
 
-/// Materials added last that are compared with one that has no number yet.
+/// Materials added last that are compared with one that has no number yet. An equal one further back costs a second number.
 const COMPARED: usize = 64;
 
 /// The materials of a run by number, and the results of the material operations with constant arguments.
 #[derive(Clone, Debug)]
 pub(crate) struct MaterialIds {
     list: Vec<Arc<Material>>,
+    /// The numbers of the list by address.
+    by_address: BTreeMap<usize, u32>,
     /// By place in the rules: the material before the operation and the one after it, as it was found last.
     paints: Vec<Option<(MaterialId, MaterialId)>>,
+    /// All of these: the material after an operation, by its place and by the number of the material before.
+    painted: BTreeMap<(u32, u32), MaterialId>,
 }
 
 impl Default for MaterialIds {
     fn default() -> Self {
-        MaterialIds { list: vec![UNSET.clone()], paints: Vec::new() }
+        MaterialIds {
+            list: vec![UNSET.clone()],
+            by_address: BTreeMap::new(),
+            paints: Vec::new(),
+            painted: BTreeMap::new(),
+        }
     }
 }
 
@@ -53,15 +65,14 @@ impl MaterialIds {
         self.list.get(id.0 as usize)
     }
 
-    /// The number of a material, if it has one: the materials added last are looked at, and the first.
+    /// The number of a material, if it has one.
     #[inline]
     pub(crate) fn id(&self, material: &Arc<Material>) -> MaterialId {
         if Arc::ptr_eq(&self.list[0], material) {
             return MaterialId(0);
         }
-        let recent = self.list.iter().enumerate().rev().take(COMPARED);
-        let found = recent.into_iter().find(|(_, known)| Arc::ptr_eq(known, material));
-        found.map_or(MaterialId::OF_BASE, |(at, _)| MaterialId(at as u32))
+        let address = Arc::as_ptr(material).addr();
+        self.by_address.get(&address).map_or(MaterialId::OF_BASE, |number| MaterialId(*number))
     }
 
     /// The number of a material, which gets one if there is room.
@@ -73,8 +84,10 @@ impl MaterialIds {
         if self.list.len() == MOST {
             return MaterialId::OF_BASE;
         }
+        let number = self.list.len() as u32;
         self.list.push(material.clone());
-        MaterialId((self.list.len() - 1) as u32)
+        self.by_address.insert(Arc::as_ptr(material).addr(), number);
+        MaterialId(number)
     }
 
     /// The result of the material operation at a place in the rules, if it is known for that material.
@@ -86,14 +99,57 @@ impl MaterialIds {
         }
     }
 
+    /// The same where another material was painted there last.
+    pub(crate) fn painted_before(&mut self, place: u32, before: MaterialId) -> Option<MaterialId> {
+        let after = *self.painted.get(&(place, before.0))?;
+        self.paints[place as usize] = Some((before, after));
+        Some(after)
+    }
+
     /// Keeps such a result, if both materials have a number.
     pub(crate) fn keep_paint(&mut self, place: u32, before: MaterialId, after: MaterialId) -> bool {
         let has_numbers = before != MaterialId::OF_BASE && after != MaterialId::OF_BASE;
         if has_numbers {
+            self.painted.insert((place, before.0), after);
             let place = place as usize;
             self.paints.resize(self.paints.len().max(place + 1), None);
             self.paints[place] = Some((before, after));
         }
         has_numbers
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(number: usize) -> Arc<Material> {
+        Arc::new(Material { name: Some(number.to_string().as_str().into()), ..Material::default() })
+    }
+
+    #[test]
+    fn a_number_is_found_however_many_materials_come_after() {
+        let mut ids = MaterialIds::default();
+        let materials: Vec<_> = (0..300).map(named).collect();
+        let numbers: Vec<_> = materials.iter().map(|material| ids.intern(material)).collect();
+        let found: Vec<_> = materials.iter().map(|material| ids.id(material)).collect();
+        assert_eq!(found, numbers);
+        assert_eq!(ids.id(&named(7)), MaterialId::OF_BASE);
+    }
+
+    #[test]
+    fn a_place_that_paints_many_materials_in_turn_adds_each_once() {
+        let mut ids = MaterialIds::default();
+        let before: Vec<_> = (0..200).map(|number| ids.intern(&named(number))).collect();
+        for _ in 0..3 {
+            for &before in &before {
+                if ids.painted(0, before).or_else(|| ids.painted_before(0, before)).is_none() {
+                    let after = ids.intern(&named(1000 + before.0 as usize));
+                    assert!(ids.keep_paint(0, before, after));
+                }
+            }
+        }
+        assert_eq!(ids.list.len(), 1 + 2 * 200);
+        assert_eq!(ids.painted_before(1, before[0]), None);
     }
 }

@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use super::{Length, settle_origin};
 use crate::env::Env;
+use crate::material::ids::MaterialId;
 use crate::scope::{Axis, Scope};
 use crate::shape::base::{Base, Form};
 use crate::shape::{Shape, ShapeRef};
@@ -100,16 +101,21 @@ pub fn paint<G>(
     g: &G,
     change: fn(&G, &mut Env, &mut Shape),
 ) -> Option<Box<Base>> {
-    if let Some(after) = env.leaf_tables.materials.painted(place, shape.material.get()) {
+    let (before, faults) = (shape.material.get(), env.fault_count());
+    let materials = &mut env.leaf_tables.materials;
+    if let Some(after) = materials.painted(place, before).or_else(|| materials.painted_before(place, before)) {
         shape.material.set(after);
         return None;
     }
-    let (before, faults) = (shape.material.get(), env.fault_count());
     let base = whole(env, shape, |env, shape| change(g, env, shape))?;
-    let is_faultless = faults == env.fault_count();
+    // A number tells no less than the material before did: a template is kept for each number, and one number stands for all
+    // materials without one.
+    if before == MaterialId::OF_BASE || faults != env.fault_count() {
+        return Some(base);
+    }
     let materials = &mut env.leaf_tables.materials;
     let after = materials.intern(base.shape.state.material());
-    if is_faultless && materials.keep_paint(place, before, after) {
+    if materials.keep_paint(place, before, after) {
         shape.material.set(after);
         return None;
     }

@@ -38,6 +38,13 @@ impl Axes {
         self.columns[axis.index()]
     }
 
+    /// Returns true if axes are the same to the last bit. Shapes along axes that differ in the sign of a 0 are told apart.
+    #[inline]
+    pub(crate) fn is(&self, matrix: &DMat3) -> bool {
+        let bits = |matrix: &DMat3| matrix.to_cols_array().map(f64::to_bits);
+        bits(&self.matrix) == bits(matrix)
+    }
+
     /// The axes as columns.
     pub fn matrix(&self) -> &DMat3 {
         &self.matrix

@@ -152,7 +152,8 @@ impl<'a> Filled<'a> {
 
 /// Takes the leaves of a run. Only [`Sink::mesh`] must be written; the others turn their geometry into a mesh by default.
 pub trait Sink {
-    /// A run begins: the numbers of rules and materials are those of this run.
+    /// A run begins: the numbers of rules and materials are those of this run. A sink that hands [`Filled`] or [`Replay`] on to
+    /// another sink hands this on as well, else the other takes the numbers for those of the run before.
     fn begin(&mut self) {}
 
     /// A rectangle or a box that fills its scope. It becomes a [`Sink::quad`] or a [`Sink::cuboid`] by default; a sink that writes

@@ -190,7 +190,10 @@ impl<'a> Replay<'a> {
 
 /// The template of the last repetition of a slot: the next one is often as large, and the parts of a split do not differ in
 /// more than their place, one extent and the unit mesh.
-pub struct Last<C>(Option<(f64, UnitMesh, Rc<Template<C>>, Rc<Turned>)>);
+pub struct Last<C>(Option<Known<C>>);
+
+/// The extent and the unit mesh of a repetition, and its template.
+type Known<C> = (f64, UnitMesh, Rc<Template<C>>, Rc<Turned>);
 
 impl<C> Default for Last<C> {
     fn default() -> Self {
