@@ -17,7 +17,7 @@ impl Sink for Leaves {
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         // Both rules may be leaves themselves.
         let rule = if leaf.rule == "Bare" { "Tail" } else { leaf.rule };
-        self.0.push(format!("{rule} {:?} {:?} {mesh:?} {placement:?}", leaf.scope, leaf.material));
+        self.0.push(format!("{rule} {:?} {:?} {mesh:?} {placement:?}", leaf.scope(), leaf.material));
         ControlFlow::Continue(())
     }
 }
