@@ -22,10 +22,10 @@ use crate::unit::UnitMesh;
 /// A rule may leave another seed and another material in the shape that it was given.
 #[derive(Clone, Debug)]
 pub struct ShapeRef<'a> {
-    /// With a fourth coordinate of 0. Of three, two would be written together and the third alone, and who reads another two
-    /// together has to wait for both.
+    /// With a fourth coordinate of 0, so that it is written and read in the same two halves. Of three numbers the first two may be
+    /// written at once and the last two read at once, and that load waits until both stores are in the cache.
     pub(crate) origin: Cell<DVec4>,
-    pub(crate) size: Size,
+    pub(crate) size: Extents,
     /// The axes of the base, or those of the base when it has grown.
     pub(crate) axes: &'a Axes,
     pub(crate) base: &'a Base,
@@ -39,9 +39,9 @@ pub struct ShapeRef<'a> {
 
 /// The size of a slim shape, in metres. Each extent is read and written alone, so that none waits for the others.
 #[derive(Clone, Debug)]
-pub(crate) struct Size([Cell<f64>; 3]);
+pub(crate) struct Extents([Cell<f64>; 3]);
 
-impl Size {
+impl Extents {
     /// The extents along all axes.
     #[inline]
     pub(crate) fn get(&self) -> DVec3 {
@@ -67,10 +67,10 @@ impl Size {
     }
 }
 
-impl From<DVec3> for Size {
+impl From<DVec3> for Extents {
     #[inline]
     fn from(size: DVec3) -> Self {
-        Size(size.to_array().map(Cell::new))
+        Extents(size.to_array().map(Cell::new))
     }
 }
 

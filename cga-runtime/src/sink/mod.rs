@@ -44,7 +44,7 @@ pub use crate::template::{PartId, Replay};
 /// Go on, or stop the run.
 pub type Flow = ControlFlow<()>;
 
-/// What is known of a leaf besides its geometry.
+/// A leaf without its geometry: its rule, its material and its scope.
 #[derive(Clone, Copy, Debug)]
 pub struct Leaf<'a> {
     /// The name of the rule or leaf symbol, without the dot. One address a name within a grammar.

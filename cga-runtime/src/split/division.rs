@@ -20,6 +20,9 @@ use crate::unit::{Band, UnitMesh};
 
 /// A shape that is divided along an axis. Generated code asks for the shape of each piece, or hands a leaf on.
 ///
+/// Functions whose names begin with `any` do the same as those without: they are compiled once, and the others become a part of
+/// the rule that calls them (`codegen/split.rs` of the macro chooses).
+///
 /// The parts have no shape of their own: while a division is under way, its shape is the current part. [`Division::end`] puts
 /// the whole back.
 #[derive(Debug)]
@@ -57,7 +60,7 @@ struct Whole {
 pub struct Made(Option<Vec<Base>>);
 
 impl Made {
-    /// Counts the pieces, of which there are at most so many, and cuts the geometry. `Break` when a limit was reached.
+    /// Counts the pieces and cuts the geometry. `at_most` is no less than the number of pieces. `Break` when a limit was reached.
     #[inline(always)]
     pub fn new(
         env: &mut Env,
@@ -108,23 +111,7 @@ impl<'s> Division<'s> {
     /// Before the first piece. `number` counts the children that the rule makes; `total` is `split.total`, if a rule reads it.
     #[inline(always)]
     pub fn new(shape: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
-        let mut whole = Whole {
-            origin: shape.origin.get(),
-            extent: shape.size.along(axis),
-            thickness: 0.0,
-            unit: shape.unit.get(),
-            seed: shape.seed.get(),
-            split: shape.split.get(),
-            material: shape.material.get(),
-        };
-        if adjust == Adjust::Adjust
-            && let Form::Rect(across) = shape.form
-        {
-            whole.thickness = shape.size.along(across);
-            if whole.thickness != 0.0 {
-                shape.size.set_along(across, 0.0);
-            }
-        }
+        let whole = Whole::of(shape, axis, adjust);
         let made = made.0.as_ref().map(|pieces| shapes(pieces));
         let seed = seed::step(whole.seed.value(), seed::key(Tag::Split, number));
         let (total, has_bands) = (total as usize, whole.unit.has_bands(axis));
@@ -146,20 +133,7 @@ impl<'s> Division<'s> {
     /// Makes the shape whole again. A division that the end of the run breaks off need not.
     #[inline(always)]
     pub fn end(&self, axis: Axis) {
-        let (shape, whole) = (self.shape, &self.whole);
-        shape.origin.set(whole.origin);
-        shape.size.set_along(axis, whole.extent);
-        shape.seed.set(whole.seed);
-        shape.split.set(whole.split);
-        shape.material.set(whole.material);
-        if self.has_bands {
-            shape.unit.set(whole.unit);
-        }
-        if whole.thickness != 0.0
-            && let Form::Rect(across) = shape.form
-        {
-            shape.size.set_along(across, whole.thickness);
-        }
+        self.whole.put_back(self.shape, axis);
     }
 
     /// Returns true after the first piece.
@@ -275,6 +249,45 @@ fn shapes(pieces: &[Base]) -> Box<[ShapeRef<'_>]> {
 }
 
 impl Whole {
+    /// The properties of a shape before it is divided. Its thickness, which parts do not have, is taken off.
+    #[inline(always)]
+    fn of(shape: &ShapeRef<'_>, axis: Axis, adjust: Adjust) -> Self {
+        let mut whole = Whole {
+            origin: shape.origin.get(),
+            extent: shape.size.along(axis),
+            thickness: 0.0,
+            unit: shape.unit.get(),
+            seed: shape.seed.get(),
+            split: shape.split.get(),
+            material: shape.material.get(),
+        };
+        if adjust == Adjust::Adjust
+            && let Form::Rect(across) = shape.form
+        {
+            whole.thickness = shape.size.along(across);
+            if whole.thickness != 0.0 {
+                shape.size.set_along(across, 0.0);
+            }
+        }
+        whole
+    }
+
+    /// Gives them back.
+    #[inline(always)]
+    fn put_back(&self, shape: &ShapeRef<'_>, axis: Axis) {
+        shape.origin.set(self.origin);
+        shape.size.set_along(axis, self.extent);
+        shape.unit.set(self.unit);
+        shape.seed.set(self.seed);
+        shape.split.set(self.split);
+        shape.material.set(self.material);
+        if self.thickness != 0.0
+            && let Form::Rect(across) = shape.form
+        {
+            shape.size.set_along(across, self.thickness);
+        }
+    }
+
     /// The position of a piece. One that follows another is longer than the rounding.
     #[inline]
     fn band(&self, piece: Piece) -> Band {

@@ -6,7 +6,8 @@ use cga_split::{Cursor, Item, List, Size, solve_any};
 
 use super::{Piece, Solution};
 
-/// Pieces in a row, however they are known. Rows are handed on by value: one whose address somebody has is in memory.
+/// Pieces in a row, however they are known. Rows are handed on by value: the compiler keeps a value in memory once its address is
+/// handed on.
 pub trait Row: Copy {
     /// No fewer than there are.
     fn at_most(&self) -> u64;
