@@ -84,3 +84,21 @@ fn a_piece_of_a_flat_shape_has_no_thickness() {
         assert_eq!(model.leaves().map(|leaf| leaf.scope().size.min_element()).collect::<Vec<_>>(), [0.0; 4]);
     }
 }
+
+cga! {
+    grammar Halves;
+    Lot --> comp(f) { side : split(y) { 0 : Wall. } | top : Roof. split(x) { 0 : Wall. } }
+}
+
+#[test]
+fn the_leaf_of_a_block_without_pieces_is_a_shape() {
+    for shape in [Shape::cuboid(4.0, 3.0, 2.0), Shape::cuboid(4.0, 3.0, 2.0).held_as_meshes()] {
+        let run = outcome(&Halves::default(), &Settings::default(), &shape);
+        let report = run.report.expect("no limit");
+        assert_eq!((report.shapes, report.leaves, report.stopped), (6, 5, false));
+        assert_eq!(
+            run.model.leaves().map(|leaf| leaf.rule()).collect::<Vec<_>>(),
+            ["Lot", "Lot", "Lot", "Lot", "Roof"]
+        );
+    }
+}
