@@ -73,7 +73,7 @@ fn a_limit_ends_a_run_at_the_same_shape_with_a_template_and_without_one() {
 
 cga! {
     grammar Thick;
-    Lot --> s(^1, ^1, 2.5) split(x) { { ~1 : X. }* }
+    Lot --> s(^1, 2.5, ^1) split(x) { { ~1 : X. }* }
 }
 
 #[test]
