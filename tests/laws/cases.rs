@@ -102,3 +102,20 @@ fn the_leaf_of_a_block_without_pieces_is_a_shape() {
         );
     }
 }
+
+cga! {
+    grammar Overlapping;
+    Lot --> s(^(-1), ^1, ^1) extrude(world.up, 0.2) split(x) { 1.5 : X. }
+}
+
+/// The section is two rectangles of one size, one of them a hole: the sum of their areas is rounding.
+#[test]
+fn the_last_bit_of_a_size_does_not_turn_a_section_inside_out() {
+    let loops = |height: f64| {
+        let model = Overlapping::default().generate(&Shape::cuboid(4.5151, height, 4.9708)).expect("no limit");
+        let leaf = model.leaves().next().expect("a leaf");
+        let (mesh, _) = leaf.mesh();
+        mesh.faces().map(|face| face.loops().map(<[u32]>::to_vec).collect()).collect::<Vec<Vec<_>>>()
+    };
+    assert_eq!(loops(0.579_035_589_999_999_9), loops(0.579_035_59));
+}
