@@ -73,7 +73,7 @@ fn a_limit_ends_a_run_at_the_same_shape_with_a_template_and_without_one() {
 
 cga! {
     grammar Thick;
-    Lot --> s(^1, ^1, 2.5) split(x) { { ~1 : X. }* }
+    Lot --> s(^1, 2.5, ^1) split(x) { { ~1 : X. }* }
 }
 
 #[test]
@@ -153,4 +153,39 @@ fn many_materials_before_make_no_difference() {
         let again = outcome(&grammar, &Settings { repeats: Repeats::Again, ..settings.clone() }, &shape);
         assert_eq!(exact::outcomes(&again, &alone), None, "seed {seed}");
     }
+}
+
+cga! {
+    grammar Halves;
+    Lot --> comp(f) { side : split(y) { 0 : Wall. } | top : Roof. split(x) { 0 : Wall. } }
+}
+
+#[test]
+fn the_leaf_of_a_block_without_pieces_is_a_shape() {
+    for shape in [Shape::cuboid(4.0, 3.0, 2.0), Shape::cuboid(4.0, 3.0, 2.0).held_as_meshes()] {
+        let run = outcome(&Halves::default(), &Settings::default(), &shape);
+        let report = run.report.expect("no limit");
+        assert_eq!((report.shapes, report.leaves, report.stopped), (6, 5, false));
+        assert_eq!(
+            run.model.leaves().map(|leaf| leaf.rule()).collect::<Vec<_>>(),
+            ["Lot", "Lot", "Lot", "Lot", "Roof"]
+        );
+    }
+}
+
+cga! {
+    grammar Overlapping;
+    Lot --> s(^(-1), ^1, ^1) extrude(world.up, 0.2) split(x) { 1.5 : X. }
+}
+
+/// The section is two rectangles of one size, one of them a hole: the sum of their areas is rounding.
+#[test]
+fn the_last_bit_of_a_size_does_not_turn_a_section_inside_out() {
+    let loops = |height: f64| {
+        let model = Overlapping::default().generate(&Shape::cuboid(4.5151, height, 4.9708)).expect("no limit");
+        let leaf = model.leaves().next().expect("a leaf");
+        let (mesh, _) = leaf.mesh();
+        mesh.faces().map(|face| face.loops().map(<[u32]>::to_vec).collect()).collect::<Vec<Vec<_>>>()
+    };
+    assert_eq!(loops(0.579_035_589_999_999_9), loops(0.579_035_59));
 }

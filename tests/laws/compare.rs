@@ -74,6 +74,18 @@ impl Tolerance {
         a.into().into_iter().zip(b.into()).all(close)
     }
 
+    /// Compares two materials: a colour may be computed from lengths, so its numbers are as near as these.
+    fn materials(self, left: &str, right: &str) -> Difference {
+        let words = |text: &str| text.split([' ', ',', '(', ')']).map(str::to_owned).collect::<Vec<_>>();
+        let close = |(a, b): (&String, &String)| match (a.parse(), b.parse()) {
+            (Ok(a), Ok(b)) => self.number(a, b),
+            _ => a == b,
+        };
+        let (words, others) = (words(left), words(right));
+        let is_same = words.len() == others.len() && words.iter().zip(&others).all(close);
+        (!is_same).then(|| format!("the material: {left} and {right}"))
+    }
+
     /// Compares two texts; numbers between semicolons may differ by the tolerance.
     fn text(self, a: &str, b: &str) -> Difference {
         let same = |name: &str, a: &str, b: &str| match (a.parse::<f64>(), b.parse::<f64>()) {
@@ -154,9 +166,9 @@ fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference 
     let scope =
         tolerance.vectors(left.origin, right.origin, 0.0) && axes && tolerance.vectors(left.size, right.size, 0.0);
     same("the rule", a.rule(), b.rule())
-        .or_else(|| same("the material", a.material(), b.material()))
+        .or_else(|| tolerance.materials(&format!("{:?}", a.material()), &format!("{:?}", b.material())))
         .or_else(|| (!scope).then(|| format!("the scope:\n    {left:?}\n    {right:?}")))
-        .or_else(|| faces(&mesh, &other))
+        .or_else(|| faces(&mesh, &other, tolerance))
         .or_else(|| {
             let world = |(a, b): (&cga::glam::DVec3, &cga::glam::DVec3)| {
                 let [a, b] = [placement.transform_point3(*a), place.transform_point3(*b)];
@@ -169,12 +181,14 @@ fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference 
 }
 
 /// Everything about two meshes but positions.
-fn faces(a: &Mesh, b: &Mesh) -> Difference {
+fn faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> Difference {
     let loops =
         |mesh: &Mesh| mesh.faces().map(|face| face.loops().map(<[u32]>::to_vec).collect()).collect::<Vec<Vec<_>>>();
     let list = |mesh: &Mesh, what: fn(&Mesh, FaceTag) -> String| {
         mesh.faces().map(|face| what(mesh, face.tag())).collect::<Vec<_>>()
     };
+    let materials =
+        |mesh: &Mesh| list(mesh, |mesh, tag| format!("{:?}", mesh.materials().get(tag.material as usize))).join(" ");
     let by_name = |what: &str, tell: fn(&Mesh, FaceTag) -> String| same(what, &list(a, tell), &list(b, tell));
     same("the number of faces", &a.face_count(), &b.face_count())
         .or_else(|| same("the number of vertices", &a.points().len(), &b.points().len()))
@@ -182,7 +196,7 @@ fn faces(a: &Mesh, b: &Mesh) -> Difference {
         .or_else(|| by_name("the caps", |_, tag| tag.cap.to_string()))
         .or_else(|| by_name("the tags", |mesh, tag| format!("{:?}", mesh.tag_sets().get(tag.tags as usize))))
         .or_else(|| by_name("the groups", |mesh, tag| format!("{:?}", mesh.groups().get(tag.group as usize))))
-        .or_else(|| by_name("the materials", |mesh, tag| format!("{:?}", mesh.materials().get(tag.material as usize))))
+        .or_else(|| tolerance.materials(&materials(a), &materials(b)))
         .or_else(|| same("whether there are texture coordinates", &a.uvs().is_empty(), &b.uvs().is_empty()))
         .or_else(|| same("whether there are normals", &a.normals().is_empty(), &b.normals().is_empty()))
 }

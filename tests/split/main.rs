@@ -7,6 +7,8 @@ mod area;
 mod known;
 mod order;
 mod parts;
+mod repeated;
+mod restored;
 mod small;
 
 use cga::Model;

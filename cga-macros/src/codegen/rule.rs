@@ -39,9 +39,11 @@ impl Cx<'_> {
         let base = base(&rule.body);
         let flag = (rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> let mut childless = true;));
         let label = self.leaves.number(&rule.label);
+        // A block was not counted as a shape, so its leaf is one more.
+        let own = if is_block(rule) { quote_spanned!(place=> symbol) } else { quote_spanned!(place=> leaf) };
         let leaf = match rule.leaf {
-            Childless::Always => quote_spanned!(place=> cx.leaf(shape, #label)?;),
-            Childless::Depends => quote_spanned!(place=> if childless { cx.leaf(shape, #label)?; }),
+            Childless::Always => quote_spanned!(place=> cx.#own(shape, #label)?;),
+            Childless::Depends => quote_spanned!(place=> if childless { cx.#own(shape, #label)?; }),
             Childless::Never => TokenStream::new(),
         };
         let steps = self.steps(&rule.body, Body { id, rule }, 0, &leaf);

@@ -21,6 +21,7 @@ use super::extent::Extent;
 use super::probe::Probe;
 use super::runs::{Budget, Runs};
 use super::twins::Twins;
+use crate::tol::PLANAR_EPSILON;
 
 /// A loop, and for a hole its outline.
 pub(super) struct Loop {
@@ -97,9 +98,10 @@ impl Nest {
     /// Sorts the loops of a section into groups.
     pub(crate) fn sort(&mut self, section: &Section<'_>) {
         self.measure(section);
-        // A section that is inside out has its outlines clockwise.
-        let inverted = self.loops.iter().map(|ring| ring.area).sum::<f64>() < 0.0;
-        self.nest(section, inverted);
+        // A section that is inside out has its outlines clockwise. Where outlines and holes cancel out, the sum is rounding.
+        let (sum, all) =
+            self.loops.iter().fold((0.0, 0.0), |(sum, all), ring| (sum + ring.area, all + ring.area.abs()));
+        self.nest(section, sum < -PLANAR_EPSILON * all);
     }
 
     /// The same, of a section of which it is known whether it is inside out.

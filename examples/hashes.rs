@@ -1,0 +1,109 @@
+//! Hashes of many outputs, one line each: equal wherever and however the program was built.
+//!
+//! `cargo run --release --example hashes` prints them, `.ci/wasm` compares them with those of the same program on wasm.
+
+use std::error::Error;
+use std::fmt::Debug;
+
+use cga::parallel::derive_all;
+use cga::sink::buffers::{Buffers, Chunks};
+use cga::sink::gltf::Glb;
+use cga::{Flow, Grammar, Repeats, Settings, Shape, Sink};
+
+#[allow(dead_code, reason = "the grammar alone is used")]
+#[path = "district.rs"]
+mod district;
+#[allow(dead_code, reason = "the grammar alone is used")]
+#[path = "tower.rs"]
+mod tower;
+#[path = "../benches/workloads/mod.rs"]
+mod workloads;
+
+/// Larger workloads do not fit into 4 GB, or take long.
+const TERMINALS: usize = 200_000;
+
+/// The hash of FNV-1a.
+struct Hash(u64);
+
+impl Hash {
+    fn of(bytes: &[u8]) -> u64 {
+        let mut hash = Hash(0xcbf2_9ce4_8422_2325);
+        hash.add(bytes);
+        hash.0
+    }
+
+    fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+}
+
+/// The hash of all that buffers hold.
+fn buffers(buffers: &Buffers) -> u64 {
+    let mut hash = Hash(Hash::of(b""));
+    let mut text = |text: &dyn Debug| hash.add(format!("{text:?}").as_bytes());
+    text(&buffers.rules());
+    text(&buffers.materials());
+    text(&buffers.parts().collect::<Vec<_>>());
+    let floats = buffers.vertices().iter().flatten().chain(buffers.uvs().iter().flatten());
+    floats.for_each(|float| hash.add(&float.to_bits().to_le_bytes()));
+    buffers.indices().iter().for_each(|index| hash.add(&index.to_le_bytes()));
+    hash.0
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    for mut scene in workloads::all() {
+        if scene.expected().terminals <= TERMINALS {
+            workloads::check(&mut *scene);
+            let (mut flat, mut file) = (Buffers::new(), Glb::new());
+            scene.buffers(&mut flat);
+            scene.glb(&mut file);
+            println!("{}: buffers {:016x}, GLB {:016x}", scene.name(), buffers(&flat), Hash::of(&file.finish()?));
+        }
+    }
+    grammar("Tower", &tower::Tower::default())?;
+    grammar("House", &district::House::default())
+}
+
+/// Runs a grammar on some lots, in every way.
+fn grammar(name: &str, grammar: &(dyn Grammar + Sync)) -> Result<(), Box<dyn Error>> {
+    // Corners whose sines and cosines are no round numbers, and a courtyard.
+    let outline = |lot: usize| {
+        let corner = move |at: usize| {
+            let angle = at as f64 / (5 + lot) as f64 * std::f64::consts::TAU;
+            [18.0 * libm::cos(angle), 15.0 * libm::sin(angle)]
+        };
+        (0..5 + lot).map(corner).rev().collect::<Vec<_>>()
+    };
+    let hole = [[3.0, 2.0], [3.0, -2.5], [-2.5, -2.0]];
+    let lot = |lot: usize| {
+        let holes = if lot == 2 { vec![hole.to_vec()] } else { Vec::new() };
+        let shape = Shape::footprint(&outline(lot), &holes)?.at([117.3 * lot as f64, 0.313, -1013.7]);
+        Ok(shape.seed(7 + lot as u64))
+    };
+    let lots = (0..4).map(lot).collect::<Result<Vec<Shape>, cga::Error>>()?;
+    let run = |repeats, sink: &mut dyn Sink| -> Result<(), cga::Error> {
+        let settings = Settings { repeats, ..Settings::default() };
+        lots.iter().try_for_each(|lot| grammar.derive(lot, &settings, sink).map(drop))
+    };
+    for (way, repeats) in [("kept", Repeats::Kept), ("made again", Repeats::Again)] {
+        let (mut flat, mut file) = (Buffers::new(), Glb::new());
+        run(repeats, &mut flat)?;
+        run(repeats, &mut file)?;
+        println!("{name}, templates {way}: buffers {:016x}, GLB {:016x}", buffers(&flat), Hash::of(&file.finish()?));
+    }
+    let parts = derive_all(grammar, &lots, &Settings::default(), |_| Buffers::new())?;
+    let hashes: Vec<String> = parts.sinks().map(|part| format!("{:016x}", buffers(part))).collect();
+    println!("{name}, many at once: {}", hashes.join(" "));
+    let mut hashes = Vec::new();
+    let mut chunks = Chunks::new(1000, |chunk: &Buffers| {
+        hashes.extend_from_slice(&buffers(chunk).to_le_bytes());
+        Flow::Continue(())
+    });
+    run(Repeats::Kept, &mut chunks)?;
+    let _ = chunks.finish();
+    drop(chunks);
+    println!("{name}, in {} chunks: {:016x}", hashes.len() / 8, Hash::of(&hashes));
+    Ok(())
+}

@@ -1,0 +1,58 @@
+//! A repetition is made from a template only where it is of the same size, unit mesh and material.
+
+use cga::{Grammar, Model, Repeats, Settings, Shape, cga};
+
+cga! {
+    grammar Repeated;
+    // The last repetition is cut; all of them are inside, and have the same unit mesh.
+    Cut      --> split(x) { 1 : NIL | { 2 : Tile }* | 1 : NIL }
+    // The first floor has the tags of the bottom, the last one those of the top.
+    Tagged   --> extrude(4) split(y) { { 1 : Tile }* }
+    Painted  --> extrude(4) comp(f) { front : color("#ff0000") Wall | side : color("#0000ff") Wall }
+    Wall     --> split(y) { { 1 : Tile }* }
+    Tile     --> split(x) { ~1 : X. | ~1 : Y. }
+    // Half of the glass is lit: each hole has the seed of its repetition.
+    Drawn    --> split(x) { { 1 : Pane }* }
+    Pane     --> split(y) { ~1 : Lit | ~1 : X. }
+    Lit      --> 50% : Y. else : Z.
+}
+
+/// The size, the material, and the tags of the faces of each leaf.
+fn leaves(rule: &str, shape: &Shape, repeats: Repeats) -> Vec<String> {
+    let settings = Settings { start: Some(rule.to_owned()), repeats, ..Settings::default() };
+    let mut model = Model::new();
+    Repeated::default().derive(shape, &settings, &mut model).expect("no limit");
+    let leaf = |leaf: cga::LeafView<'_>| {
+        let (mesh, _) = leaf.mesh();
+        let tags: Vec<_> = mesh.faces().map(|face| mesh.tag_sets().get(face.tag().tags as usize).cloned()).collect();
+        format!("{} {:.6} {:?} {tags:?}", leaf.rule(), leaf.scope().size, leaf.material().color)
+    };
+    model.leaves().map(leaf).collect()
+}
+
+/// Checks that templates make no difference, and returns the number of kinds of leaves.
+fn kinds(rule: &str, shape: &Shape) -> usize {
+    let kept = leaves(rule, shape, Repeats::Kept);
+    assert_eq!(kept, leaves(rule, shape, Repeats::Direct), "{rule}");
+    kept.iter().collect::<std::collections::BTreeSet<_>>().len()
+}
+
+#[test]
+fn a_repetition_of_another_size_is_another_part() {
+    assert_eq!(kinds("Cut", &Shape::cuboid(7.0, 3.0, 2.0)), 4);
+}
+
+#[test]
+fn a_repetition_with_other_tags_is_another_part() {
+    assert_eq!(kinds("Tagged", &Shape::rectangle(4.0, 3.0)), 6);
+}
+
+#[test]
+fn a_repetition_with_another_material_is_another_part() {
+    assert_eq!(kinds("Painted", &Shape::rectangle(4.0, 4.0)), 4);
+}
+
+#[test]
+fn a_hole_draws_from_the_seed_of_its_repetition() {
+    assert_eq!(kinds("Drawn", &Shape::cuboid(20.0, 3.0, 2.0).seed(7)), 3);
+}
