@@ -24,7 +24,7 @@ pub use crate::scope::Scope;
 pub use crate::session::{DynSession, Session, generate, run};
 pub use crate::settings::Settings;
 pub use crate::shape::base::Base;
-pub use crate::shape::slim::{hand_on, push, successor};
+pub use crate::shape::slim::{become_successor, hand_on, push, successor};
 pub use crate::shape::view::View;
 pub use crate::shape::{Shape, ShapeRef};
 pub use crate::sink::{Flow, Sink};

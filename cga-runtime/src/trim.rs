@@ -58,14 +58,17 @@ impl Trims {
     /// These, of a shape with one pivot, and others, for a shape with another.
     #[inline]
     pub(crate) fn with(&self, pivot: &Frame, other: Trims, other_pivot: &Frame) -> Trims {
-        if matches!(self, Trims::None) { other } else { self.joined(pivot, other, other_pivot) }
+        // A copy, so that the pivot of those without planes need not be in memory.
+        if matches!(self, Trims::None) { other } else { self.joined(pivot, other, *other_pivot) }
     }
 
-    fn joined(&self, pivot: &Frame, other: Trims, other_pivot: &Frame) -> Trims {
+    #[cold]
+    #[inline(never)]
+    fn joined(&self, pivot: &Frame, other: Trims, other_pivot: Frame) -> Trims {
         match other {
-            Trims::None if pivot == other_pivot => self.clone(),
+            Trims::None if *pivot == other_pivot => self.clone(),
             Trims::None => self.settled(pivot),
-            _ => Trims::Planes(self.planes(pivot).iter().chain(&*other.planes(other_pivot)).copied().collect()),
+            _ => Trims::Planes(self.planes(pivot).iter().chain(&*other.planes(&other_pivot)).copied().collect()),
         }
     }
 

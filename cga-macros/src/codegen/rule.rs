@@ -135,7 +135,7 @@ impl Cx<'_> {
                 code.extend(self.branches(step, body, number, tail));
                 return code;
             }
-            code.extend(self.step(step, body, number));
+            code.extend(self.step(step, body, number, rest.is_empty()));
             number += 1;
         }
         code.extend(tail.clone());
@@ -269,20 +269,21 @@ impl Cx<'_> {
         quote_spanned!(place=> #(if #conditions { #bodies } else)* { #otherwise })
     }
 
-    /// A step that makes children.
-    fn step(&self, step: &Step, body: Body<'_>, number: u32) -> TokenStream {
+    /// A step that makes children. After the last one nothing reads the shape.
+    fn step(&self, step: &Step, body: Body<'_>, number: u32, is_last: bool) -> TokenStream {
         let place = Span::mixed_site();
         let made = (body.rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> childless = false;));
         let child = Literal::u32_unsuffixed(number);
         match step {
             Step::Later(what, _) => quote_spanned!(place=> cga_rt::later::operation(cx.env, #what);),
             Step::Give(target) => {
-                let code = self.give(target, body.id, number, &TokenStream::new());
+                let successor = if is_last { self.last_successor(target, number) } else { successor(number) };
+                let code = self.give(target, body.id, &TokenStream::new(), &successor);
                 quote_spanned!(place=> #code #made)
             }
             Step::Anew(anew) => {
                 let (given, copy) = self.anew(anew, &child);
-                let code = self.give(&anew.target, body.id, 0, &copy);
+                let code = self.give(&anew.target, body.id, &copy, &successor(0));
                 quote_spanned!(place=> { #given #code } #made)
             }
             Step::Split(split) => {
@@ -313,9 +314,17 @@ impl Cx<'_> {
         }
     }
 
-    /// Hands the current shape to a successor, which is child number `number`. `copy` comes after the arguments, which are those of
-    /// the shape before it.
-    fn give(&self, target: &Target, from: RuleId, number: u32, copy: &TokenStream) -> TokenStream {
+    /// The last successor of a rule is the current shape itself, with the seed of child number `number`.
+    fn last_successor(&self, target: &Target, number: u32) -> TokenStream {
+        let (place, number) = (Span::mixed_site(), Literal::u32_unsuffixed(number));
+        let draws = matches!(target, Target::Rule { rule, .. } if self.facts.rule(*rule).below.draws);
+        let seed = draws.then(|| quote_spanned!(place=> cga_rt::become_successor(shape, #number);));
+        quote_spanned!(place=> #seed let part = shape;)
+    }
+
+    /// Hands the current shape to a successor, which `successor` makes. `copy` comes after the arguments, which are those of the shape
+    /// before it.
+    fn give(&self, target: &Target, from: RuleId, copy: &TokenStream, successor: &TokenStream) -> TokenStream {
         let place = Span::mixed_site();
         match target {
             Target::Leaf(name, _) => {
@@ -327,11 +336,10 @@ impl Cx<'_> {
                 let call = self.call(from, *rule, args.len(), self.source.token(span.first));
                 let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
                 let values = args.iter().map(|arg| self.asked(arg, &Place::rule()));
-                let number = Literal::u32_unsuffixed(number);
                 quote_spanned!(place=> {
                     #(let #names = #values;)*
                     #copy
-                    let part = &cga_rt::successor(shape, #number);
+                    #successor
                     let flow: cga_rt::Flow = #call;
                     flow?;
                 })
@@ -437,6 +445,12 @@ impl Cx<'_> {
             }
         }
     }
+}
+
+/// A copy of the current shape, as child number `number`.
+fn successor(number: u32) -> TokenStream {
+    let (place, number) = (Span::mixed_site(), Literal::u32_unsuffixed(number));
+    quote_spanned!(place=> let part = &cga_rt::successor(shape, #number);)
 }
 
 /// Returns true if a step changes the current shape.

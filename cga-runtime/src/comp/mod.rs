@@ -35,7 +35,7 @@ use looks::Looks;
 use owners::Owners;
 use part::Part;
 use select::Word;
-use source::Source;
+use source::{Quads, Source};
 
 /// What a shape is divided into (*comp operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,6 +133,9 @@ pub fn comp<C>(
 ) -> Flow {
     let whole = cx.env.whole(&shape.child(seed::key(Tag::Comp, number)));
     let parts = Parts::of(cx.env, &whole, components, align, arms, when)?;
+    if let Source::Quads(quads) = &parts.source {
+        return parts.each_side(quads, cx, visit);
+    }
     parts.each(|arm, _, part| {
         let base = cx.env.base(part);
         visit(cx, arm, &base.shape())
@@ -237,22 +240,41 @@ impl<'s> Parts<'s> {
         Flow::Continue(())
     }
 
+    /// The façade path: calls with the sides of a box one by one. Bases are made where they stay: what is copied right after it
+    /// was written has to wait until all that was written before is in the cache.
+    #[inline]
+    fn each_side<C>(
+        &self,
+        quads: &Quads,
+        cx: &mut Cx<'_, C>,
+        visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
+    ) -> Flow {
+        let material = cx.env.leaf_tables.materials.id(self.parent.state.material());
+        for number in 0..self.arms.len() {
+            let mine = || self.owners.of(number as u16);
+            let total = mine().count();
+            for (index, component) in mine().enumerate() {
+                let side = self.side(quads, number, Counter::new(index, total), component);
+                let base = cx.env.base_painted(side, material);
+                visit(cx, number as u32, &base.shape())?;
+            }
+        }
+        Flow::Continue(())
+    }
+
+    /// The shape of a side of a box.
+    #[inline(always)]
+    fn side(&self, quads: &Quads, number: usize, comp: Counter, component: u32) -> Shape {
+        let scope = quads.scope(&self.parent.scope, component as usize);
+        let own = if quads.is_rectangle() { Trims::None } else { Trims::Side(scope.size.truncate()) };
+        self.shape(&self.arms[number], comp, component, scope, scope.frame(), quads.alone(component as usize), own)
+    }
+
     #[inline]
     fn part(&self, number: usize, comp: Counter, components: &[u32]) -> Shape {
         let (parent, arm) = (self.parent, &self.arms[number]);
         if let Source::Quads(quads) = &self.source {
-            // The façade path: nothing is copied that need not be.
-            let scope = quads.scope(&parent.scope, components[0] as usize);
-            let own = if quads.is_rectangle() { Trims::None } else { Trims::Side(scope.size.truncate()) };
-            return self.shape(
-                arm,
-                comp,
-                components[0],
-                scope,
-                scope.frame(),
-                quads.alone(components[0] as usize),
-                own,
-            );
+            return self.side(quads, number, comp, components[0]);
         }
         let as_roof = self.as_roof.get(number) == Some(&true);
         let Part { scope, pivot, geometry } = self.source.part(parent, self.align, components, as_roof);

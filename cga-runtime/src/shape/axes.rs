@@ -41,8 +41,13 @@ impl Axes {
     /// Returns true if axes are the same to the last bit. Shapes along axes that differ in the sign of a 0 are told apart.
     #[inline]
     pub(crate) fn is(&self, matrix: &DMat3) -> bool {
-        let bits = |matrix: &DMat3| matrix.to_cols_array().map(f64::to_bits);
-        bits(&self.matrix) == bits(matrix)
+        // One by one: arrays of bits would be written, and read again at once.
+        let columns = |matrix: &DMat3| [matrix.x_axis, matrix.y_axis, matrix.z_axis];
+        let is_same = |a: DVec3, b: DVec3| {
+            a.x.to_bits() == b.x.to_bits() && a.y.to_bits() == b.y.to_bits() && a.z.to_bits() == b.z.to_bits()
+        };
+        let [a, b] = [columns(&self.matrix), columns(matrix)];
+        is_same(a[0], b[0]) && is_same(a[1], b[1]) && is_same(a[2], b[2])
     }
 
     /// The axes as columns.

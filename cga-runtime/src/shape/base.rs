@@ -109,8 +109,15 @@ impl Env {
     /// A base for slim shapes.
     #[inline(never)]
     pub fn base(&self, shape: Shape) -> Base {
-        let axes = Axes::new(shape.scope.axes);
         let material = self.leaf_tables.materials.id(shape.state.material());
+        self.base_painted(shape, material)
+    }
+
+    /// The same of a shape whose material has that number, inlined. It calls nothing that could unwind, so that the shape need not
+    /// be in memory before it is in its base.
+    #[inline(always)]
+    pub(crate) fn base_painted(&self, shape: Shape, material: MaterialId) -> Base {
+        let axes = Axes::new(shape.scope.axes);
         self.bases.set(self.bases.get() + 1);
         Base { axes, raised: axes.raised(), shape, material, number: self.bases.get() }
     }

@@ -142,6 +142,12 @@ pub fn successor<'a>(shape: &ShapeRef<'a>, number: u32) -> ShapeRef<'a> {
     shape.child(seed::key(Tag::Successor, number))
 }
 
+/// Makes the current shape its own successor: the last one of a rule, after which nothing reads the shape.
+#[inline]
+pub fn become_successor(shape: &ShapeRef<'_>, number: u32) {
+    shape.seed.set(Seed::new(seed::step(shape.seed.get().value(), seed::key(Tag::Successor, number))));
+}
+
 /// A copy of the current shape for `[ … ]`.
 #[inline]
 pub fn push<'a>(shape: &ShapeRef<'a>, number: u32) -> ShapeRef<'a> {

@@ -24,7 +24,7 @@ impl CgaRules {
             }
             {
                 let a0 = (p0 - 1f64);
-                let part = &cga_rt::successor(shape, 1);
+                let part = shape;
                 let flow: cga_rt::Flow = if cx.descend(1, 2) {
                     let flow = CgaRules::B(g, cx, part, a0);
                     cx.ascend(1, 2);
@@ -48,7 +48,7 @@ impl CgaRules {
         cx.enter(1u32)?;
         {
             let a0 = p0;
-            let part = &cga_rt::successor(shape, 0);
+            let part = shape;
             let flow: cga_rt::Flow = if cx.descend(1, 3) {
                 let flow = CgaRules::A(g, cx, part, a0);
                 cx.ascend(1, 3);
