@@ -186,10 +186,7 @@ impl<'s> Division<'s> {
     /// Hands the piece of a slot on as a leaf, if the slot gets one.
     #[inline(always)]
     pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, slots: &mut impl Slots, axis: Axis, slot: u32, rule: u32) -> Flow {
-        match slots.slot(slot) {
-            Some(piece) => filled(cx.env, cx.sink, self.place(axis, piece), rule),
-            None => Flow::Continue(()),
-        }
+        self.hand_on(cx.env, cx.sink, slots, axis, slot, rule)
     }
 
     /// As [`Division::leaf`], compiled once.
@@ -207,6 +204,19 @@ impl<'s> Division<'s> {
 
     #[inline(never)]
     fn hand_out(
+        &mut self,
+        env: &mut Env,
+        sink: &mut dyn Sink,
+        slots: &mut impl Slots,
+        axis: Axis,
+        slot: u32,
+        rule: u32,
+    ) -> Flow {
+        self.hand_on(env, sink, slots, axis, slot, rule)
+    }
+
+    #[inline(always)]
+    fn hand_on(
         &mut self,
         env: &mut Env,
         sink: &mut dyn Sink,
