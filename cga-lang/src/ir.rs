@@ -225,7 +225,7 @@ pub struct Rule {
     pub locals: Vec<Expr>,
     /// What it does.
     pub body: Vec<Step>,
-    /// Whether it is a block: part of the rule it stands in, not a rule that is called.
+    /// True for a block: a part of the rule around it, not a rule that is called.
     pub block: bool,
     /// Whether the shape itself becomes a leaf when the body is through.
     pub leaf: Childless,

@@ -339,7 +339,7 @@ impl Block {
 }
 
 impl Operation {
-    /// Returns true if it can be called with so many arguments.
+    /// Returns true if it takes that number of arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)
     }
@@ -360,7 +360,7 @@ impl Operation {
 }
 
 impl Function {
-    /// Returns true if it can be called with so many arguments.
+    /// Returns true if it takes that number of arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)
     }
@@ -392,7 +392,7 @@ pub fn operations(name: &str) -> impl Iterator<Item = &'static Operation> + Clon
 }
 
 /// The row that a call means by the number of its arguments and the words among them; types may leave a choice between
-/// later ones. The first with so many arguments if none has the words, so that a message can name those it has.
+/// later ones. The first that takes that number of arguments if none has the words, so that a message can name those it has.
 pub fn operation(name: &str, args: &[Option<&str>]) -> Option<&'static Operation> {
     let rows = || operations(name).filter(|row| row.takes(args.len()));
     // Of equals the first: `max_by_key` would take the last.

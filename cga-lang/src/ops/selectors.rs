@@ -81,7 +81,7 @@ impl Places {
         self.0 != 0 && Places::SHAPE.and(Places::PERIMETER).has(self)
     }
 
-    /// Returns true if `=:` can stand behind a selector: only components are connected (*comp* and *modify operation*).
+    /// Returns true if a selector takes `=:`: only components are connected (*comp* and *modify operation*).
     pub const fn connects(self) -> bool {
         self.0 & Places::COMP.0 != 0
     }

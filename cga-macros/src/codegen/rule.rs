@@ -458,7 +458,7 @@ fn changes(step: &Step) -> bool {
     matches!(step, Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..))
 }
 
-/// Returns true if a rule is a block of a split or comp: part of the rule it stands in, not a rule that was called.
+/// Returns true for a block of a split or comp: a part of the rule around it, not a rule that is called.
 pub(super) fn is_block(rule: &Rule) -> bool {
     rule.block
 }

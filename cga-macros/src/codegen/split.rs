@@ -29,7 +29,7 @@ struct Names {
 }
 
 impl Names {
-    /// Those that are inlined, and fold what is known, or those that are compiled once.
+    /// With `in_place` the functions that become part of the rule, else those that are compiled once.
     fn new(in_place: bool) -> Self {
         let name = |inlined, shared| Ident::new(if in_place { inlined } else { shared }, Span::mixed_site());
         Names {
@@ -120,7 +120,7 @@ impl Cx<'_> {
                         quote_spanned!(place=> row.#open(pieces, #number))
                     };
                     let items = self.items(slots, inside, At { group: at.group + 1, ..at }, true);
-                    // Those of groups inside are declared there.
+                    // An inner group declares those of its own slots.
                     let repeated =
                         own_slots(inside).map(|slot| at.slot + slot).filter(|slot| self.root(slots, *slot).is_some());
                     let last = repeated.map(|slot| local("last", slot));

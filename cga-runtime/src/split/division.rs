@@ -14,7 +14,7 @@ use crate::scope::Axis;
 use crate::seed::{self, Seed, Tag};
 use crate::shape::base::{Base, Form};
 use crate::shape::{Counter, ShapeRef};
-use crate::sink::{Flow, Sink};
+use crate::sink::Flow;
 use crate::tol::PLANAR_EPSILON;
 use crate::unit::{Band, UnitMesh};
 
@@ -186,11 +186,14 @@ impl<'s> Division<'s> {
     /// Hands the piece of a slot on as a leaf, if the slot gets one.
     #[inline(always)]
     pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, slots: &mut impl Slots, axis: Axis, slot: u32, rule: u32) -> Flow {
-        self.hand_on(cx.env, cx.sink, slots, axis, slot, rule)
+        match slots.slot(slot) {
+            Some(piece) => filled(cx.env, cx.sink, self.place(axis, piece), rule),
+            None => Flow::Continue(()),
+        }
     }
 
-    /// As [`Division::leaf`], compiled once.
-    #[inline(always)]
+    /// As [`Division::leaf`], compiled once for a grammar.
+    #[inline(never)]
     pub fn any_leaf<C>(
         &mut self,
         cx: &mut Cx<'_, C>,
@@ -199,36 +202,7 @@ impl<'s> Division<'s> {
         slot: u32,
         rule: u32,
     ) -> Flow {
-        self.hand_out(cx.env, cx.sink, slots, axis, slot, rule)
-    }
-
-    #[inline(never)]
-    fn hand_out(
-        &mut self,
-        env: &mut Env,
-        sink: &mut dyn Sink,
-        slots: &mut impl Slots,
-        axis: Axis,
-        slot: u32,
-        rule: u32,
-    ) -> Flow {
-        self.hand_on(env, sink, slots, axis, slot, rule)
-    }
-
-    #[inline(always)]
-    fn hand_on(
-        &mut self,
-        env: &mut Env,
-        sink: &mut dyn Sink,
-        slots: &mut impl Slots,
-        axis: Axis,
-        slot: u32,
-        rule: u32,
-    ) -> Flow {
-        match slots.slot(slot) {
-            Some(piece) => filled(env, sink, self.place(axis, piece), rule),
-            None => Flow::Continue(()),
-        }
+        self.leaf(cx, slots, axis, slot, rule)
     }
 
     /// Gives the shape the place of the next piece.
