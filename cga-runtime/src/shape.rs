@@ -19,6 +19,7 @@ use crate::place;
 use crate::scope::{Axis, Frame, Scope};
 use crate::seed::Seed;
 use crate::state::StateRef;
+use crate::texture::Coordinates;
 use crate::trim::Trims;
 use crate::unit::UnitMesh;
 use crate::wire::PlacedWire;
@@ -184,7 +185,9 @@ impl Shape {
     /// Moves, turns or resizes the scope; the geometry goes with it.
     pub fn set_scope(&mut self, scope: Scope) {
         self.resize(scope.size);
+        let before = self.scope;
         self.scope = scope;
+        self.carry(&before);
     }
 
     /// The pivot, in the world.
@@ -217,7 +220,7 @@ impl Shape {
 
     /// Changes the material of this shape and of what is derived from it.
     pub fn change_material(&mut self, change: impl FnOnce(&mut Material)) {
-        change(Arc::make_mut(&mut self.state.change().material));
+        change(Arc::make_mut(&mut self.state.change_look().material));
     }
 
     /// Sets the diffuse colour.
@@ -238,14 +241,18 @@ impl Shape {
         odd != mirrored
     }
 
-    /// The geometry as a mesh in scope coordinates: metres from the scope's origin corner, along its axes.
+    /// The geometry as a mesh in scope coordinates: metres from the scope's origin corner, along its axes. It has all texture
+    /// coordinates.
     pub fn to_mesh(&self) -> Arc<Mesh> {
         match &self.geometry {
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Arc::default(),
-            Geometry::Rect(_, unit) | Geometry::Box(unit) => place::mesh(*unit, self.scope.size),
+            Geometry::Rect(_, unit) | Geometry::Box(unit) => {
+                self.baked(&place::mesh(*unit, self.scope.size), &DAffine3::IDENTITY)
+            }
             Geometry::Mesh(placed) => {
                 let place = placed.to_scope(self.scope.size);
-                if place == DAffine3::IDENTITY { placed.mesh.clone() } else { Arc::new(placed.mesh.map(&place)) }
+                let mesh = self.baked(&placed.mesh, &place);
+                if place == DAffine3::IDENTITY { mesh } else { Arc::new(mesh.map(&place)) }
             }
         }
     }
@@ -259,16 +266,25 @@ impl Shape {
         }
     }
 
-    /// Replaces the geometry: a mesh in scope coordinates. The scope becomes its bounding box.
+    /// Replaces the geometry: a mesh in scope coordinates, with the texture coordinates that it brings along. The scope becomes its bounding box.
     pub fn set_mesh(&mut self, mesh: Mesh) {
         let placed = Placed::fitted(mesh);
         self.scope.origin += self.scope.axes * placed.low;
         self.scope.size = placed.size;
         self.geometry = Geometry::Mesh(Arc::new(placed));
+        if !self.state.coordinates().is_empty() {
+            self.state.change_look().coordinates = Coordinates::default();
+        }
     }
 
     /// Sets the size. A size of zero flattens the geometry for good.
     pub(crate) fn resize(&mut self, size: DVec3) {
+        let flattens = self.scope.size.cmpne(DVec3::ZERO) & size.cmpeq(DVec3::ZERO);
+        if flattens.any() {
+            // Points that fall together may have different coordinates.
+            self.bake();
+        }
+        let before = self.scope;
         if let Some(unit) = self.geometry.unit_pressed_flat(size) {
             // What fills its scope would come back with it; a mesh does not.
             self.geometry = Geometry::Mesh(Arc::new(Placed::unit(unit)));
@@ -284,6 +300,7 @@ impl Shape {
             }
         }
         self.scope.size = size;
+        self.carry(&before);
     }
 
     /// The same shape as one that a run begins with: trim planes are where earlier operations put them.

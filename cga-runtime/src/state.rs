@@ -3,13 +3,17 @@
 use std::sync::{Arc, LazyLock};
 
 use crate::material::Material;
+use crate::material::look::Look;
 use crate::text::Text;
+use crate::texture::{Coordinates, Projections};
 use crate::value::Value;
 
 /// Rarely changed and often inherited, therefore shared.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct State {
-    pub(crate) material: Arc<Material>,
+    pub(crate) look: Arc<Look>,
+    /// What `setupProjection` stored.
+    pub(crate) projections: Projections,
     /// Those that `set` changed, sorted by number: an import that starts anew has many.
     pub(crate) attributes: Vec<(u32, Value)>,
     pub(crate) trim: Trim,
@@ -37,7 +41,8 @@ impl Trim {
 impl Default for State {
     fn default() -> Self {
         State {
-            material: UNSET.clone(),
+            look: UNSET.clone(),
+            projections: Projections::default(),
             attributes: Vec::new(),
             trim: Trim::DEFAULT,
             name: Text::default(),
@@ -48,7 +53,7 @@ impl Default for State {
     }
 }
 
-pub(crate) static UNSET: LazyLock<Arc<Material>> = LazyLock::new(|| Arc::new(Material::UNSET));
+pub(crate) static UNSET: LazyLock<Arc<Look>> = LazyLock::new(Arc::default);
 
 /// A share in a state; none as long as nothing was ever set.
 #[derive(Clone, Debug, Default)]
@@ -73,12 +78,34 @@ impl StateRef {
         self.get().map_or(Trim::DEFAULT, |state| state.trim)
     }
 
+    /// The material and the texture coordinates that rules gave.
+    #[inline]
+    pub(crate) fn look(&self) -> &Arc<Look> {
+        match self.get() {
+            Some(state) => &state.look,
+            None => &UNSET,
+        }
+    }
+
+    /// The same to change it.
+    pub(crate) fn change_look(&mut self) -> &mut Look {
+        Arc::make_mut(&mut self.change().look)
+    }
+
     /// The material, for a sink.
     #[inline]
     pub(crate) fn material(&self) -> &Arc<Material> {
-        match self.get() {
-            Some(state) => &state.material,
-            None => &UNSET,
-        }
+        &self.look().material
+    }
+
+    /// The implicit texture coordinates.
+    pub(crate) fn coordinates(&self) -> &Coordinates {
+        &self.look().coordinates
+    }
+
+    /// The stored projections.
+    pub(crate) fn projections(&self) -> &Projections {
+        static NONE: Projections = Projections::NONE;
+        self.get().map_or(&NONE, |state| &state.projections)
     }
 }

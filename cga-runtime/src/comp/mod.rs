@@ -249,7 +249,7 @@ impl<'s> Parts<'s> {
         cx: &mut Cx<'_, C>,
         visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
     ) -> Flow {
-        let material = cx.env.leaf_tables.materials.id(self.parent.state.material());
+        let material = cx.env.leaf_tables.materials.id(self.parent.state.look());
         for number in 0..self.arms.len() {
             let mine = || self.owners.of(number as u16);
             let total = mine().count();

@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::Material;
+use super::look::Look;
 use crate::state::UNSET;
 
 /// The number of a material among those of the run.
@@ -19,6 +19,21 @@ pub(crate) struct MaterialId(pub(crate) u32);
 impl MaterialId {
     /// A material without a number: that of the base.
     pub(crate) const OF_BASE: MaterialId = MaterialId(u32::MAX);
+
+    /// The bit of looks with implicit texture coordinates.
+    const COORDINATES: u32 = 1 << 31;
+
+    /// The number in the list.
+    #[inline]
+    pub(crate) fn index(self) -> u32 {
+        self.0 & !MaterialId::COORDINATES
+    }
+
+    /// Returns true if there may be implicit texture coordinates. Without a number there may be.
+    #[inline]
+    pub(crate) fn may_have_coordinates(self) -> bool {
+        self.0 & MaterialId::COORDINATES != 0
+    }
 }
 
 /// Materials that have a number in a run. More than rules can make with constant colours, in any sensible use.
@@ -33,7 +48,7 @@ const COMPARED: usize = 64;
 /// The materials of a run by number, and the results of the material operations with constant arguments.
 #[derive(Clone, Debug)]
 pub(crate) struct MaterialIds {
-    list: Vec<Arc<Material>>,
+    list: Vec<Arc<Look>>,
     /// The numbers of the list by address.
     by_address: BTreeMap<usize, u32>,
     /// By place in the rules: the material before the operation and the one after it, as it was found last.
@@ -61,32 +76,33 @@ impl MaterialIds {
 
     /// The material with a number; nothing for that of the base.
     #[inline]
-    pub(crate) fn get(&self, id: MaterialId) -> Option<&Arc<Material>> {
-        self.list.get(id.0 as usize)
+    pub(crate) fn get(&self, id: MaterialId) -> Option<&Arc<Look>> {
+        self.list.get(id.index() as usize)
     }
 
     /// The number of a material, if it has one.
     #[inline]
-    pub(crate) fn id(&self, material: &Arc<Material>) -> MaterialId {
-        if Arc::ptr_eq(&self.list[0], material) {
+    pub(crate) fn id(&self, look: &Arc<Look>) -> MaterialId {
+        if Arc::ptr_eq(&self.list[0], look) {
             return MaterialId(0);
         }
-        let address = Arc::as_ptr(material).addr();
+        let address = Arc::as_ptr(look).addr();
         self.by_address.get(&address).map_or(MaterialId::OF_BASE, |number| MaterialId(*number))
     }
 
-    /// The number of a material, which gets one if there is room.
-    pub(crate) fn intern(&mut self, material: &Arc<Material>) -> MaterialId {
+    /// The number of a look, which gets one if there is room. One with coordinates of its own place gets none.
+    pub(crate) fn intern(&mut self, look: &Arc<Look>) -> MaterialId {
+        let bit = if look.coordinates.is_empty() { 0 } else { MaterialId::COORDINATES };
         let recent = self.list.iter().enumerate().rev().take(COMPARED);
-        if let Some((at, _)) = recent.into_iter().find(|(_, known)| *known == material) {
-            return MaterialId(at as u32);
+        if let Some((at, _)) = recent.into_iter().find(|(_, known)| *known == look) {
+            return MaterialId(at as u32 | bit);
         }
-        if self.list.len() == MOST {
+        if self.list.len() == MOST || look.coordinates.is_placed() {
             return MaterialId::OF_BASE;
         }
-        let number = self.list.len() as u32;
-        self.list.push(material.clone());
-        self.by_address.insert(Arc::as_ptr(material).addr(), number);
+        let number = self.list.len() as u32 | bit;
+        self.list.push(look.clone());
+        self.by_address.insert(Arc::as_ptr(look).addr(), number);
         MaterialId(number)
     }
 
@@ -122,9 +138,11 @@ impl MaterialIds {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::material::Material;
 
-    fn named(number: usize) -> Arc<Material> {
-        Arc::new(Material { name: Some(number.to_string().as_str().into()), ..Material::default() })
+    fn named(number: usize) -> Arc<Look> {
+        let name = Some(number.to_string().as_str().into());
+        Arc::new(Look { material: Arc::new(Material { name, ..Material::default() }), ..Look::default() })
     }
 
     #[test]

@@ -3,6 +3,7 @@
 pub(crate) mod attribute;
 pub(crate) mod ids;
 pub(crate) mod list;
+pub(crate) mod look;
 
 use std::sync::Arc;
 

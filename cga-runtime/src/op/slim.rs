@@ -114,7 +114,7 @@ pub fn paint<G>(
         return Some(base);
     }
     let materials = &mut env.leaf_tables.materials;
-    let after = materials.intern(base.shape.state.material());
+    let after = materials.intern(base.shape.state.look());
     if materials.keep_paint(place, before, after) {
         shape.material.set(after);
         return None;

@@ -88,10 +88,10 @@ impl Env {
     pub fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
         let base = &shape.base.shape;
         let mut state = base.state.clone();
-        if let Some(material) = self.leaf_tables.materials.get(shape.material.get())
-            && !std::sync::Arc::ptr_eq(material, state.material())
+        if let Some(look) = self.leaf_tables.materials.get(shape.material.get())
+            && !std::sync::Arc::ptr_eq(look, state.look())
         {
-            state.change().material = material.clone();
+            state.change().look = look.clone();
         }
         Shape {
             scope: shape.scope(),
@@ -109,7 +109,7 @@ impl Env {
     /// A base for slim shapes.
     #[inline(never)]
     pub fn base(&self, shape: Shape) -> Base {
-        let material = self.leaf_tables.materials.id(shape.state.material());
+        let material = self.leaf_tables.materials.id(shape.state.look());
         self.base_painted(shape, material)
     }
 

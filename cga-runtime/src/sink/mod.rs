@@ -108,14 +108,17 @@ impl<'a> Filled<'a> {
     /// The material with a number; the leaf's own base has the one without.
     #[inline]
     pub(crate) fn of_id(&self, id: MaterialId) -> &'a Arc<Material> {
-        self.tables.materials.get(id).unwrap_or(self.shape.base.shape.state.material())
+        match self.tables.materials.get(id) {
+            Some(look) => &look.material,
+            None => self.shape.base.shape.state.material(),
+        }
     }
 
     /// The number of the material: equal numbers of a run are equal materials. Nothing for a material that few leaves have, such
     /// as a random colour.
     #[inline]
     pub fn material_number(&self) -> Option<u32> {
-        Some(self.shape.material.get()).filter(|id| *id != MaterialId::OF_BASE).map(|id| id.0)
+        Some(self.shape.material.get()).filter(|id| *id != MaterialId::OF_BASE).map(MaterialId::index)
     }
 
     /// The scope, in the world.

@@ -68,7 +68,7 @@ impl Numbers {
     /// The rule of a leaf and another material of the run.
     #[inline]
     pub(crate) fn with_material(&mut self, leaf: &Filled<'_>, material: MaterialId) -> (u32, u32) {
-        match (self.rules.get(leaf.rule as usize), self.materials.get(material.0 as usize)) {
+        match (self.rules.get(leaf.rule as usize), self.materials.get(material.index() as usize)) {
             (Some(&rule), Some(&material)) if rule != UNKNOWN && material != UNKNOWN => (rule, material),
             _ => self.find(leaf, material),
         }
@@ -82,7 +82,7 @@ impl Numbers {
         let found = self.table.material(leaf.of_id(material));
         keep(&mut self.rules, leaf.rule, rule);
         if material != MaterialId::OF_BASE {
-            keep(&mut self.materials, material.0, found);
+            keep(&mut self.materials, material.index(), found);
         }
         (rule, found)
     }

@@ -1,0 +1,14 @@
+//! What a leaf looks like, apart from its geometry.
+
+use std::sync::Arc;
+
+use super::Material;
+use crate::texture::Coordinates;
+
+/// The material and the implicit texture coordinates that rules gave. Both change by operations with constant arguments, so that
+/// few looks serve many leaves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Look {
+    pub(crate) material: Arc<Material>,
+    pub(crate) coordinates: Coordinates,
+}

@@ -1,0 +1,186 @@
+//! The implicit texture coordinates of a shape.
+
+use glam::{DAffine2, DAffine3, DVec2, DVec3};
+
+use super::{Projections, UvMap};
+
+/// The sets that rules have changed on a shape, sorted by number. Other sets are those of its mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Coordinates {
+    sets: Vec<Entry>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Entry {
+    set: u8,
+    source: Source,
+    /// Of the coordinates of the source.
+    change: DAffine2,
+}
+
+/// Where the coordinates of a set come from.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Source {
+    /// The set was deleted.
+    Deleted,
+    /// An explicit set of the mesh.
+    Own(u8),
+    /// The projection that the shape has stored for a set.
+    Stored(u8),
+    /// A function of the place in the world.
+    Fixed(UvMap),
+    /// Those of an inserted cube: from the world to the cube of size 1 at the origin.
+    Cube(DAffine3),
+}
+
+/// The coordinates of a set, as far as they follow from the place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Resolved {
+    /// There are none.
+    Missing,
+    /// Those of an explicit set, changed.
+    Own(u8, DAffine2),
+    /// A function of the place in the world.
+    Map(UvMap),
+    /// A function of the place for each of the six directions of a face.
+    Cube(DAffine3, DAffine2),
+}
+
+impl Coordinates {
+    /// Returns true if all sets are those of the mesh.
+    #[inline]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.sets.is_empty()
+    }
+
+    /// Returns true if some are functions of the place in the world: they are those of one shape.
+    pub(crate) fn is_placed(&self) -> bool {
+        self.sets.iter().any(|entry| matches!(entry.source, Source::Fixed(_) | Source::Cube(_)))
+    }
+
+    /// Returns true if a box has other coordinates on each side.
+    pub(crate) fn has_cube(&self) -> bool {
+        self.sets.iter().any(|entry| matches!(entry.source, Source::Cube(_)))
+    }
+
+    /// Returns true if some follow from projections that the shape has stored.
+    pub(crate) fn is_projected(&self) -> bool {
+        self.sets.iter().any(|entry| matches!(entry.source, Source::Stored(_)))
+    }
+
+    /// The sets that rules have changed.
+    pub(crate) fn sets(&self) -> impl Iterator<Item = u8> {
+        self.sets.iter().map(|entry| entry.set)
+    }
+
+    /// Gives a set other coordinates.
+    pub(crate) fn set(&mut self, set: u8, source: Source) {
+        self.put(Entry { set, source, change: DAffine2::IDENTITY });
+    }
+
+    /// Gives a set those of another one.
+    pub(crate) fn copy(&mut self, from: u8, to: u8) {
+        let entry = self.entry(from);
+        self.put(Entry { set: to, ..entry });
+    }
+
+    /// Changes the coordinates of a set.
+    pub(crate) fn change(&mut self, set: u8, change: &DAffine2) {
+        let entry = self.entry(set);
+        self.put(Entry { change: *change * entry.change, ..entry });
+    }
+
+    /// Makes the coordinates from a stored projection a function of the place, as another one will be stored.
+    pub(crate) fn fix(&mut self, stored: u8, projections: &Projections) {
+        for entry in &mut self.sets {
+            if entry.source == Source::Stored(stored) {
+                entry.source = fixed(stored, projections);
+            }
+        }
+    }
+
+    /// The coordinates of geometry that has moved; `back` leads from where a point is to where it was.
+    pub(crate) fn carry(&mut self, back: &DAffine3, projections: &Projections) {
+        for entry in &mut self.sets {
+            entry.source = match entry.source {
+                Source::Stored(set) => match fixed(set, projections) {
+                    Source::Fixed(map) => Source::Fixed(map.after(back)),
+                    other => other,
+                },
+                Source::Fixed(map) => Source::Fixed(map.after(back)),
+                Source::Cube(place) => Source::Cube(place * *back),
+                Source::Own(set) => Source::Own(set),
+                Source::Deleted => Source::Deleted,
+            };
+        }
+    }
+
+    /// The coordinates of a set; nothing for one that is the mesh's.
+    pub(crate) fn resolve(&self, set: u8, projections: &Projections) -> Option<Resolved> {
+        let entry = self.sets.iter().find(|entry| entry.set == set)?;
+        let change = &entry.change;
+        Some(match &entry.source {
+            Source::Deleted => Resolved::Missing,
+            Source::Own(own) => Resolved::Own(*own, *change),
+            Source::Stored(stored) => {
+                projections.get(*stored).map_or(Resolved::Missing, |map| Resolved::Map(map.then(change)))
+            }
+            Source::Fixed(map) => Resolved::Map(map.then(change)),
+            Source::Cube(place) => Resolved::Cube(*place, *change),
+        })
+    }
+
+    /// The entry of a set; for one that is the mesh's, one that says so.
+    fn entry(&self, set: u8) -> Entry {
+        let own = || Entry { set, source: Source::Own(set), change: DAffine2::IDENTITY };
+        self.sets.iter().find(|entry| entry.set == set).cloned().unwrap_or_else(own)
+    }
+
+    fn put(&mut self, entry: Entry) {
+        match self.sets.binary_search_by_key(&entry.set, |entry| entry.set) {
+            Ok(at) => self.sets[at] = entry,
+            Err(at) => self.sets.insert(at, entry),
+        }
+    }
+}
+
+fn fixed(stored: u8, projections: &Projections) -> Source {
+    projections.get(stored).map_or(Source::Deleted, |map| Source::Fixed(*map))
+}
+
+impl Resolved {
+    /// The function of the place on a face with that normal, if it is one.
+    pub(crate) fn map(&self, normal: DVec3) -> Option<UvMap> {
+        match self {
+            Resolved::Missing | Resolved::Own(..) => None,
+            Resolved::Map(map) => Some(*map),
+            Resolved::Cube(place, change) => Some(cube_side(place, normal).then(change)),
+        }
+    }
+}
+
+/// The coordinates of the side of a cube that a face with that normal lies in: u to the right as seen from outside, v upwards
+/// (*primitiveCube operation*). On top and bottom v = 0 is at the front.
+fn cube_side(place: &DAffine3, normal: DVec3) -> UvMap {
+    // Normals of the cube: as planes are mapped.
+    let inverse = place.matrix3.inverse();
+    let n = if inverse.is_finite() { inverse.transpose() * normal } else { normal };
+    let a = n.abs();
+    let (u, v, from) = if a.y >= a.x && a.y >= a.z {
+        match n.y < 0.0 {
+            false => (DVec3::X, -DVec3::Z, DVec2::Y),
+            true => (DVec3::X, DVec3::Z, DVec2::ZERO),
+        }
+    } else if a.x > a.z {
+        match n.x < 0.0 {
+            false => (-DVec3::Z, DVec3::Y, DVec2::X),
+            true => (DVec3::Z, DVec3::Y, DVec2::ZERO),
+        }
+    } else {
+        match n.z < 0.0 {
+            false => (DVec3::X, DVec3::Y, DVec2::ZERO),
+            true => (-DVec3::X, DVec3::Y, DVec2::X),
+        }
+    };
+    UvMap { u: u.extend(from.x), v: v.extend(from.y) }.after(place)
+}
