@@ -46,6 +46,7 @@ pub mod split;
 mod state;
 mod template;
 pub mod text;
+pub mod texture;
 pub mod tol;
 pub mod triangulate;
 mod trim;

@@ -1,0 +1,51 @@
+//! Affine maps from the world to texture coordinates.
+//!
+//! A projection gives every point of the world its coordinates, so a rectangle or a box needs no mesh to have some: a sink
+//! computes them where it writes vertices.
+
+use glam::{DVec2, DVec3, DVec4};
+
+/// A map from points of the world to (u, v): two affine functions, each with its constant in `w`. v runs upwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UvMap {
+    /// Factors of x, y and z, and the constant, of the first coordinate.
+    pub u: DVec4,
+    /// Factors of x, y and z, and the constant, of the second coordinate.
+    pub v: DVec4,
+}
+
+/// The map of one set of texture coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SetMap {
+    /// The number of the set, 0 to 9.
+    pub set: usize,
+    /// The map from the world.
+    pub map: UvMap,
+}
+
+impl UvMap {
+    /// The coordinates of a point of the world.
+    #[inline]
+    pub fn at(&self, point: DVec3) -> DVec2 {
+        let along = |f: DVec4| f.x * point.x + f.y * point.y + f.z * point.z + f.w;
+        DVec2::new(along(self.u), along(self.v))
+    }
+}
+
+/// The map of a set in a list.
+pub(crate) fn find(maps: &[SetMap], set: usize) -> Option<UvMap> {
+    maps.iter().find(|known| known.set == set).map(|known| known.map)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_has_the_coordinates_of_two_affine_functions() {
+        let map = UvMap { u: DVec4::new(0.5, 0.0, 0.0, 1.0), v: DVec4::new(0.0, 2.0, -1.0, 0.25) };
+        assert_eq!(map.at(DVec3::new(4.0, 3.0, 2.0)), DVec2::new(3.0, 4.25));
+        let maps = [SetMap { set: 2, map }];
+        assert_eq!((find(&maps, 2), find(&maps, 0)), (Some(map), None));
+    }
+}
