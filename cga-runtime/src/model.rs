@@ -20,7 +20,9 @@ use crate::shape::base::Form;
 use crate::sink::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
 use crate::sink::numbers::Numbers;
 use crate::sink::stats::Stats;
-use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
+use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
+use crate::texture::leaf_uvs::LeafUvs;
+use crate::texture::map::SetMap;
 use crate::unit::UnitMesh;
 
 /// The leaves of a run.
@@ -30,6 +32,8 @@ pub struct Model {
     quads: Vec<Quad>,
     cuboids: Vec<Cuboid>,
     meshes: Vec<(Arc<Mesh>, DAffine3)>,
+    /// The texture coordinates of rectangles and boxes that have some.
+    uvs: LeafUvs,
     numbers: Numbers,
     report: Report,
 }
@@ -95,6 +99,7 @@ pub enum Geometry<'a> {
 pub struct LeafView<'a> {
     model: &'a Model,
     record: &'a Record,
+    number: usize,
 }
 
 impl<'a> LeafView<'a> {
@@ -146,6 +151,11 @@ impl<'a> LeafView<'a> {
         }
     }
 
+    /// The maps of the sets that it has as a rectangle or a box, sorted by set. A mesh has its sets itself.
+    pub fn uvs(&self) -> &'a [SetMap] {
+        self.model.uvs.of(self.number)
+    }
+
     /// The signed volume it encloses, in cubic metres: 0 for a rectangle, negative for what is turned inside out,
     /// without meaning for a mesh that is not closed.
     pub fn volume(&self) -> f64 {
@@ -165,12 +175,16 @@ impl<'a> LeafView<'a> {
         }
     }
 
-    /// Its geometry as a mesh and the map from the mesh's coordinates to the world. Made on the spot for a rectangle
-    /// or a box, shared otherwise.
+    fn leaf(&self) -> Leaf<'a> {
+        Leaf::new(self.rule(), self.material(), self.scope()).with_uvs(self.uvs())
+    }
+
+    /// Its geometry as a mesh with its texture coordinates, and the map from the mesh's coordinates to the world. Made on the
+    /// spot for a rectangle or a box, shared otherwise.
     pub fn mesh(&self) -> (Arc<Mesh>, DAffine3) {
         match self.geometry() {
-            Geometry::Quad(quad) => (Arc::new(quad.to_mesh()), DAffine3::IDENTITY),
-            Geometry::Cuboid(cuboid) => (Arc::new(cuboid.to_mesh()), DAffine3::IDENTITY),
+            Geometry::Quad(quad) => (quad_mesh(&self.leaf(), &quad), DAffine3::IDENTITY),
+            Geometry::Cuboid(cuboid) => (cuboid_mesh(&self.leaf(), &cuboid), DAffine3::IDENTITY),
             Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => (mesh.clone(), *placement),
         }
     }
@@ -188,7 +202,7 @@ impl<'a> LeafView<'a> {
 
     /// Hands it to a sink.
     pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
-        let leaf = Leaf::new(self.rule(), self.material(), self.scope());
+        let leaf = self.leaf();
         match self.geometry() {
             Geometry::Quad(quad) => sink.quad(&leaf, &quad),
             Geometry::Cuboid(cuboid) => sink.cuboid(&leaf, &cuboid),
@@ -245,7 +259,7 @@ impl Model {
 
     /// The leaves, in the order of the run.
     pub fn leaves(&self) -> impl ExactSizeIterator<Item = LeafView<'_>> + DoubleEndedIterator + Clone + '_ {
-        self.records.iter().map(|record| LeafView { model: self, record })
+        self.records.iter().enumerate().map(|(number, record)| LeafView { model: self, record, number })
     }
 
     /// The leaves of one rule, in the order of the run.
@@ -318,6 +332,9 @@ impl Model {
 
     fn push(&mut self, leaf: &Leaf<'_>, stored: Stored) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
+        if matches!(stored, Stored::Rect(..) | Stored::Full(_) | Stored::Quad(_) | Stored::Cuboid(_)) {
+            self.uvs.add(self.records.len(), leaf.uvs());
+        }
         self.records.push(Record { scope: leaf.scope(), rule, material, stored });
         ControlFlow::Continue(())
     }
@@ -336,12 +353,16 @@ impl Sink for Model {
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         if let Some(stored) = Stored::filled(leaf.shape.form, leaf.shape.unit.get()) {
             let (rule, material) = self.numbers.filled(leaf);
+            self.uvs.add(self.records.len(), leaf.uvs());
             self.records.push(Record { scope: leaf.scope(), rule, material, stored });
         }
         ControlFlow::Continue(())
     }
 
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        if replay.has_uvs() {
+            return replay.each(self);
+        }
         self.records.reserve(replay.leaf_count());
         let mut leaf = 0;
         for (filled, mark) in replay.marks() {

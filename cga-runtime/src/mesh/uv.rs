@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use super::Mesh;
 use super::layout::to_front;
+use crate::texture::map::SetMap;
 
 /// The sets of a mesh. There may be empty lists among them, but a mesh without texture coordinates has none at all.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -94,6 +96,17 @@ impl UvSets {
     /// Moves corners to the front of each set.
     pub(super) fn bring_to_front(&mut self, corners: &Range<usize>) {
         self.lists.iter_mut().filter(|list| !list.is_empty()).for_each(|list| to_front(list, corners.clone()));
+    }
+}
+
+impl Mesh {
+    /// This mesh, whose points are in the world, with coordinates from maps in place of those sets that have one.
+    pub(crate) fn with_uvs(mut self, maps: &[SetMap]) -> Mesh {
+        for SetMap { set, map } in maps.iter().filter(|known| known.set < UvSets::MOST) {
+            let list = self.corners.iter().map(|&corner| map.at(self.points[corner as usize])).collect();
+            self.uvs.set(*set, list);
+        }
+        self
     }
 }
 

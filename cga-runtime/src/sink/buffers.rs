@@ -25,7 +25,7 @@ use super::flatten::{FlatFace, Flattener, corner_point, normal_map, unit};
 use super::normals;
 use super::numbers::Numbers;
 use super::room::Room;
-use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
+use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
@@ -203,6 +203,9 @@ impl Buffers {
     /// no more registers than there are.
     #[inline(never)]
     fn other(&mut self, leaf: &Filled<'_>, vertices: usize) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.pass(leaf);
+        }
         self.room(vertices)?;
         self.vertices.reserve(vertices);
         self.indices.reserve(vertices / 4 * 6);
@@ -375,13 +378,16 @@ impl Sink for Buffers {
 
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
         let count = replay.corner_count();
-        if !replay.is_plain() || self.limit - self.vertices.len() < count {
+        if !replay.is_plain() || replay.has_uvs() || self.limit - self.vertices.len() < count {
             return self.each(replay);
         }
         self.repeat(replay, count)
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY);
+        }
         self.room(4)?;
         self.leaf(leaf);
         let normal = normals::of_quad(leaf, quad);
@@ -391,6 +397,9 @@ impl Sink for Buffers {
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY);
+        }
         self.room(24)?;
         self.leaf(leaf);
         let normals = normals::of_cuboid(leaf, cuboid);

@@ -37,6 +37,7 @@ use crate::scope::Scope;
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
+use crate::texture::map::{self, SetMap, UvMap};
 
 pub use crate::place::{Cuboid, Quad};
 pub use crate::template::{PartId, Replay};
@@ -51,27 +52,57 @@ pub struct Leaf<'a> {
     pub rule: &'static str,
     /// What the rules set; what it leaves unset comes from the mesh's own material or is the default.
     pub material: &'a Arc<Material>,
-    scope: LeafScope<'a>,
+    source: LeafSource<'a>,
 }
 
-/// Where the scope of a leaf is: most sinks do not ask for it, so that it is not made before.
+/// Where the scope and the texture coordinates of a leaf are: most sinks do not ask for them, so that they are not made before.
 #[derive(Clone, Copy, Debug)]
-enum LeafScope<'a> {
-    Known(&'a Scope),
-    Of(&'a ShapeRef<'a>),
+enum LeafSource<'a> {
+    Known(&'a Scope, &'a [SetMap]),
+    Filled(&'a Filled<'a>),
+}
+
+/// The maps of the sets that a leaf has without a mesh, sorted by set. None of the operations that make them is there yet.
+#[inline]
+fn implicit_uvs<'a>(_shape: &ShapeRef<'a>, _tables: &'a LeafTables, _material: MaterialId) -> &'a [SetMap] {
+    &[]
 }
 
 impl<'a> Leaf<'a> {
     /// A leaf of that rule with that scope, in the world, for sinks that are filled by hand.
     pub fn new(rule: &'static str, material: &'a Arc<Material>, scope: &'a Scope) -> Self {
-        Leaf { rule, material, scope: LeafScope::Known(scope) }
+        Leaf { rule, material, source: LeafSource::Known(scope, &[]) }
+    }
+
+    /// The same leaf with texture coordinates for a rectangle or a box, sorted by set, each set once. A mesh has its own.
+    #[must_use]
+    pub fn with_uvs(self, uvs: &'a [SetMap]) -> Self {
+        match self.source {
+            LeafSource::Known(scope, _) => Leaf { source: LeafSource::Known(scope, uvs), ..self },
+            LeafSource::Filled(_) => self,
+        }
     }
 
     /// The leaf's scope, in the world.
     pub fn scope(&self) -> Scope {
-        match self.scope {
-            LeafScope::Known(scope) => *scope,
-            LeafScope::Of(shape) => shape.scope(),
+        match self.source {
+            LeafSource::Known(scope, _) => *scope,
+            LeafSource::Filled(leaf) => leaf.scope(),
+        }
+    }
+
+    /// The texture coordinates of a set, for a leaf that is a rectangle or a box; nothing for a set that it does not have. A
+    /// mesh has its sets itself.
+    pub fn uv(&self, set: usize) -> Option<UvMap> {
+        map::find(self.uvs(), set)
+    }
+
+    /// The maps of all sets that a rectangle or a box has, sorted by set. A mesh has its sets itself.
+    #[inline]
+    pub fn uvs(&self) -> &'a [SetMap] {
+        match self.source {
+            LeafSource::Known(_, uvs) => uvs,
+            LeafSource::Filled(leaf) => leaf.uvs(),
         }
     }
 }
@@ -121,6 +152,24 @@ impl<'a> Filled<'a> {
         Some(self.shape.material.get()).filter(|id| *id != MaterialId::OF_BASE).map(MaterialId::index)
     }
 
+    /// The texture coordinates of a set; nothing for a set that the leaf does not have. Leaves of a run with equal material
+    /// numbers have the same sets.
+    pub fn uv(&self, set: usize) -> Option<UvMap> {
+        map::find(self.uvs(), set)
+    }
+
+    /// The maps of all sets that the leaf has, sorted by set.
+    #[inline]
+    pub fn uvs(&self) -> &'a [SetMap] {
+        self.uvs_of(self.shape.material.get())
+    }
+
+    /// The maps of a leaf with another material of the run.
+    #[inline]
+    pub(crate) fn uvs_of(&self, material: MaterialId) -> &'a [SetMap] {
+        implicit_uvs(self.shape, self.tables, material)
+    }
+
     /// The scope, in the world.
     #[inline]
     pub fn scope(&self) -> Scope {
@@ -142,7 +191,7 @@ impl<'a> Filled<'a> {
     /// Hands the leaf to the method of a sink for rectangles or for boxes.
     #[inline]
     pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
-        let leaf = Leaf { rule: self.rule(), material: self.material(), scope: LeafScope::Of(self.shape) };
+        let leaf = Leaf { rule: self.rule(), material: self.material(), source: LeafSource::Filled(self) };
         let (placed, unit) = (Placed::of(self.shape), self.shape.unit.get());
         let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.map(DVec4::truncate));
         match self.shape.form {
@@ -174,12 +223,12 @@ pub trait Sink {
 
     /// A rectangle.
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        self.mesh(leaf, &Arc::new(quad.to_mesh()), &DAffine3::IDENTITY)
+        self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY)
     }
 
     /// A box.
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        self.mesh(leaf, &Arc::new(cuboid.to_mesh()), &DAffine3::IDENTITY)
+        self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY)
     }
 
     /// An inserted asset that nothing has cut since: the same mesh many times, each with a placement of its own.
@@ -198,6 +247,20 @@ pub trait Sink {
     fn finish(&mut self) -> Flow {
         Flow::Continue(())
     }
+}
+
+/// A rectangle as a mesh in the world, with the texture coordinates of the leaf.
+#[cold]
+#[inline(never)]
+pub(crate) fn quad_mesh(leaf: &Leaf<'_>, quad: &Quad) -> Arc<Mesh> {
+    Arc::new(quad.to_mesh().with_uvs(leaf.uvs()))
+}
+
+/// A box as a mesh in the world, with the texture coordinates of the leaf.
+#[cold]
+#[inline(never)]
+pub(crate) fn cuboid_mesh(leaf: &Leaf<'_>, cuboid: &Cuboid) -> Arc<Mesh> {
+    Arc::new(cuboid.to_mesh().with_uvs(leaf.uvs()))
 }
 
 impl<S: Sink + ?Sized> Sink for &mut S {

@@ -18,7 +18,7 @@ use super::error::WriteError;
 use super::flatten::{Flattener, normal_map, unit};
 use super::number::{Short, Texts, push_whole};
 use super::numbers::Numbers;
-use super::{Cuboid, Flow, Leaf, Quad, Sink};
+use super::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
 use crate::material::{ColorOf, Layer, Material, MaterialNumber, MaterialText};
 use crate::mesh::Mesh;
 use crate::model::Model;
@@ -138,6 +138,9 @@ impl<W: Write> Obj<W> {
 
 impl<W: Write> Sink for Obj<W> {
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY);
+        }
         let (rule, material) = self.numbers.leaf(leaf);
         self.run(rule, material);
         let start = self.points;
@@ -147,6 +150,9 @@ impl<W: Write> Sink for Obj<W> {
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY);
+        }
         let (rule, material) = self.numbers.leaf(leaf);
         self.run(rule, material);
         let start = self.points;

@@ -98,6 +98,12 @@ impl<'a> Replay<'a> {
         self.segment.corners
     }
 
+    /// Returns true if some of the leaves have texture coordinates. These follow from the place of a leaf in the world, so they may
+    /// differ from repetition to repetition.
+    pub fn has_uvs(&self) -> bool {
+        self.marks().any(|(leaf, mark)| !leaf.uvs_of(mark.material).is_empty())
+    }
+
     /// The identity of the part, wherever it is repeated.
     pub fn part(&self) -> PartId {
         let has_own = self.mark_list().iter().any(|mark| mark.material == MaterialId::OF_BASE);
@@ -110,7 +116,8 @@ impl<'a> Replay<'a> {
         DAffine3 { matrix3: self.part.axes.matrix, translation: self.part.origin() }
     }
 
-    /// Hands the leaves one by one to [`Sink::filled`], in the coordinates of the part: the same at all of its places.
+    /// Hands the leaves one by one to [`Sink::filled`], in the coordinates of the part: the same at all of its places. Texture
+    /// coordinates are meant for points in the world; see [`Replay::has_uvs`].
     pub fn each_local<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let placed = self.body.leaves[self.segment.leaves.clone()].iter().map(|record| four(record.origin));
         self.hand(sink, placed, &self.body.frames)

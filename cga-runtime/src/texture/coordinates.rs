@@ -2,7 +2,8 @@
 
 use glam::{DAffine2, DAffine3, DVec2, DVec3};
 
-use super::{Projections, UvMap};
+use super::Projections;
+use super::map::UvMap;
 
 /// The sets that rules have changed on a shape, sorted by number. Other sets are those of its mesh.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -7,11 +7,11 @@
 
 mod bake;
 mod coordinates;
-mod map;
+pub(crate) mod leaf_uvs;
+pub mod map;
 mod projections;
 
 pub(crate) use coordinates::{Coordinates, Source};
-pub use map::UvMap;
 pub(crate) use projections::Projections;
 
 /// The number of sets (*Texturing*: 0 to 9).

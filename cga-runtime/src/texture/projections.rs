@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{SETS, UvMap};
+use super::SETS;
+use super::map::UvMap;
 
 /// A projection for each set, if there is one. Shared, and most shapes have none.
 #[derive(Clone, Debug, Default, PartialEq)]

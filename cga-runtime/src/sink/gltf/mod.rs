@@ -31,7 +31,7 @@ use super::error::WriteError;
 use super::flatten::Flattener;
 use super::normals;
 use super::numbers::Numbers;
-use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
+use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
 use crate::mesh::{Bounds, Mesh};
 use crate::model::Model;
 use crate::parallel;
@@ -148,6 +148,9 @@ impl Sink for Glb {
     }
 
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return leaf.pass_to(self);
+        }
         let shape = leaf.shape;
         let placed = Placed::of(shape).moved(-four(self.origin));
         match shape.form {
@@ -166,6 +169,9 @@ impl Sink for Glb {
     }
 
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        if replay.has_uvs() {
+            return replay.each(self);
+        }
         if let Some(mut parts) = self.parts.take() {
             let flow = self.place_part(&mut parts, replay);
             self.parts = Some(parts);
@@ -185,6 +191,9 @@ impl Sink for Glb {
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY);
+        }
         let (rule, material) = self.numbers.leaf(leaf);
         let placed = Placed::from(quad).moved(-four(self.origin));
         self.plain(material).quad(rule, &placed, normals::of_quad(leaf, quad));
@@ -192,6 +201,9 @@ impl Sink for Glb {
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY);
+        }
         let (rule, material) = self.numbers.leaf(leaf);
         let placed = Placed::from(cuboid).moved(-four(self.origin));
         self.plain(material).cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));

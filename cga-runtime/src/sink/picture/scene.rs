@@ -11,7 +11,7 @@ use crate::mesh::{Bounds, Mesh};
 use crate::sink::flatten::{Flattener, corner_point, normal_map, unit};
 use crate::sink::number::linear;
 use crate::sink::table::Table;
-use crate::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+use crate::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
 
 /// A triangle, its coordinates relative to [`Scene::centre`].
 #[derive(Clone, Copy, Debug)]
@@ -158,12 +158,18 @@ fn paint(material: &Material) -> Paint {
 
 impl Sink for Scene {
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY);
+        }
         let paint = self.leaf(leaf);
         self.rectangle(quad, paint);
         ControlFlow::Continue(())
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY);
+        }
         let paint = self.leaf(leaf);
         cuboid.faces().iter().for_each(|face| self.rectangle(face, paint));
         ControlFlow::Continue(())
