@@ -181,20 +181,30 @@ impl<C> Cx<'_, C> {
 #[inline]
 pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     match shape.form {
-        Form::Rect(_) | Form::Box => {
+        Form::Rect(_) | Form::Box if !has_sides(env, shape) => {
             env.filled += 1;
             sink.filled(&Filled { shape, tables: &env.leaf_tables, rule })
         }
-        Form::Empty | Form::Other => other_leaf(env, sink, shape, rule),
+        _ => other_leaf(env, sink, shape, rule),
     }
 }
 
-/// A leaf that does not simply fill its scope.
+/// Returns true if the sides of a box have texture coordinates of their own.
+#[inline]
+fn has_sides(env: &Env, shape: &ShapeRef<'_>) -> bool {
+    shape.form == Form::Box && shape.material.get().may_have_coordinates() && {
+        let look = env.leaf_tables.materials.get(shape.material.get()).unwrap_or(shape.base.shape.state.look());
+        look.coordinates.has_cube()
+    }
+}
+
+/// A leaf that does not simply fill its scope, or a box whose sides have texture coordinates of their own.
 #[cold]
 #[inline(never)]
 fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     env.shapes += 1;
-    let shape = env.whole(shape);
+    let mut shape = env.whole(shape);
+    shape.bake();
     env.leaves += u64::from(shape.geometry.has_surface());
     let rule = env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
     let leaf = Leaf::new(rule, shape.state.material(), &shape.scope);

@@ -55,6 +55,12 @@ pub fn image(env: &Env, file: File) -> Text {
     env.settings.assets.image(file)
 }
 
+/// Writes texture coordinates that follow from the place, before an operation that changes geometry in any way.
+#[inline]
+pub fn bake(shape: &mut Shape) {
+    shape.bake();
+}
+
 /// An array that is known while compiling: its elements in rows of so many.
 pub fn array<T: Element, const N: usize>(columns: usize, elements: [T; N]) -> Array<T> {
     Array::new(elements.to_vec(), N.checked_div(columns).unwrap_or_default(), columns)

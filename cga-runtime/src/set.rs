@@ -31,7 +31,9 @@ macro_rules! offsets {
         pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
             let mut offset = shape.pivot.to_local(shape.scope.origin);
             offset.$axis = env.finite(value, "the offset");
+            let before = shape.scope;
             shape.scope.origin = shape.pivot.to_world(offset);
+            shape.carry(&before);
         }
     )*};
 }
@@ -42,7 +44,9 @@ macro_rules! rotations {
         pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
             let mut angles = DVec3::new(get::scope_rx(shape), get::scope_ry(shape), get::scope_rz(shape));
             angles.$axis = env.finite(value, "the angle");
+            let before = shape.scope;
             shape.scope.axes = shape.pivot.axes * turn(angles.x, angles.y, angles.z);
+            shape.carry(&before);
         }
     )*};
 }
@@ -182,8 +186,10 @@ fn move_pivot(env: &mut Env, shape: &mut Shape, position: DVec3, rotation: DVec3
     if !(pivot.origin.is_finite() && scope.is_bounded()) {
         return env.fault(FaultKind::Value, "the pivot leads beyond the largest number; the shape stays as it is");
     }
+    let before = shape.scope;
     shape.set_pivot(pivot);
     shape.scope = scope;
+    shape.carry(&before);
 }
 
 /// An attribute of the grammar, for this shape and its descendants.

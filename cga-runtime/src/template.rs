@@ -60,6 +60,8 @@ struct Key {
     form: Form,
     unit: UnitMesh,
     material: MaterialId,
+    /// A look without a number may have texture coordinates or not.
+    has_coordinates: bool,
     /// Extents up to this were not split any further; NaN if that made no difference.
     too_small: f64,
 }
@@ -172,13 +174,21 @@ const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
 impl Key {
     fn of(part: &ShapeRef<'_>, too_small: f64) -> Self {
-        Key { size: part.size.get(), form: part.form, unit: part.unit.get(), material: part.material.get(), too_small }
+        Key {
+            size: part.size.get(),
+            form: part.form,
+            unit: part.unit.get(),
+            material: part.material.get(),
+            has_coordinates: part.has_coordinates(),
+            too_small,
+        }
     }
 
     #[inline]
     fn fits(&self, part: &ShapeRef<'_>, too_small: f64) -> bool {
         self.size == part.size.get()
             && self.material == part.material.get()
+            && self.has_coordinates == part.has_coordinates()
             && self.form == part.form
             && self.unit.is(part.unit.get())
             && (self.too_small == too_small || self.too_small.is_nan())

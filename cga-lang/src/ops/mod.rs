@@ -339,6 +339,11 @@ impl Block {
 }
 
 impl Operation {
+    /// Returns true if it changes geometry in its scope: texture coordinates that follow from the place are written before.
+    pub fn reshapes(&self) -> bool {
+        !matches!(self.scope, Effect::Keeps | Effect::Sizes)
+    }
+
     /// Returns true if it takes that number of arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)

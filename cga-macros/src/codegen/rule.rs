@@ -7,6 +7,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::expr::{Place, draws, word_variant};
+use super::split::prefixed;
 use super::{Cx, inner_type, local};
 
 pub(super) fn rules(cx: &Cx<'_>) -> TokenStream {
@@ -348,8 +349,10 @@ impl Cx<'_> {
     }
 
     fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
+        let place = Span::mixed_site();
         let (lets, call) = self.operation_on(operation, args, &Place::whole(), Cx::expr);
-        quote_spanned!(Span::mixed_site()=> { #lets cga_rt::op::#call; })
+        let bake = operation.reshapes().then(|| quote_spanned!(place=> cga_rt::bake(shape);));
+        quote_spanned!(place=> { #lets #bake cga_rt::op::#call; })
     }
 
     /// The arguments of an operation, and its call without the module.
@@ -368,8 +371,10 @@ impl Cx<'_> {
                 let value = expr(self, value, at);
                 quote_spanned!(place=> cga_rt::Length::Absolute(#value))
             }
+            (Arg::Value(value), ParamKind::Size) => prefixed(Prefix::Absolute, &expr(self, value, at)),
             (Arg::Value(value), ParamKind::Image) => self.image(value, at),
             (Arg::Value(value), _) => expr(self, value, at),
+            (Arg::Length(size), ParamKind::Size) => prefixed(size.prefix, &expr(self, &size.value, at)),
             (Arg::Length(size), _) => {
                 let value = expr(self, &size.value, at);
                 match size.prefix {

@@ -229,14 +229,8 @@ impl Cx<'_> {
                 quote_spanned!(place=> cga_rt::Item::Repeat(#len))
             }
         });
-        let values = split.sizes.iter().map(|size| {
-            let value = self.asked(&size.value, &Place::rule());
-            match size.prefix {
-                Prefix::Absolute => quote_spanned!(place=> cga_rt::Size::absolute(#value)),
-                Prefix::Relative => quote_spanned!(place=> cga_rt::Size::relative(#value)),
-                Prefix::Floating => quote_spanned!(place=> cga_rt::Size::floating(#value)),
-            }
-        });
+        let place_of = Place::rule();
+        let values = split.sizes.iter().map(|size| prefixed(size.prefix, &self.asked(&size.value, &place_of)));
         let constant =
             |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
         let is_constant = split.measure == Measure::Length && split.sizes.iter().all(constant);
@@ -252,6 +246,16 @@ impl Cx<'_> {
             quote_spanned!(place=> let sizes: [cga_rt::Size; #count] = [#(#values),*];)
         };
         (quote_spanned!(place=> const PATTERN: &[cga_rt::Item] = &[#(#items),*]; #sizes), name)
+    }
+}
+
+/// A size as the solver takes it.
+pub(super) fn prefixed(prefix: Prefix, value: &TokenStream) -> TokenStream {
+    let place = Span::mixed_site();
+    match prefix {
+        Prefix::Absolute => quote_spanned!(place=> cga_rt::Size::absolute(#value)),
+        Prefix::Relative => quote_spanned!(place=> cga_rt::Size::relative(#value)),
+        Prefix::Floating => quote_spanned!(place=> cga_rt::Size::floating(#value)),
     }
 }
 

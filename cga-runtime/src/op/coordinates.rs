@@ -37,6 +37,7 @@ pub fn translate_in(
         TransformMode::Rel => shape.scope.origin + frame.axes * by,
     };
     settle(env, shape, &before, "`translate`");
+    shape.carry(&before);
 }
 
 /// `rotate(abs | rel, system, x, y, z)`: turns the scope about its origin, to angles in the system or by angles about the
@@ -45,11 +46,12 @@ pub fn translate_in(
 pub fn rotate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: CoordSystem, x: f64, y: f64, z: f64) {
     let angles = finite(env, "`rotate`", [x, y, z]);
     let frame = system.frame(env, shape).axes;
-    let turned = frame * turn(angles.x, angles.y, angles.z);
+    let (before, turned) = (shape.scope, frame * turn(angles.x, angles.y, angles.z));
     shape.scope.axes = match mode {
         TransformMode::Abs => turned,
         TransformMode::Rel => turned * (frame.transpose() * shape.scope.axes),
     };
+    shape.carry(&before);
 }
 
 fn finite(env: &mut Env, what: &str, [x, y, z]: [f64; 3]) -> DVec3 {

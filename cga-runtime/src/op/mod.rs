@@ -19,6 +19,7 @@ mod report;
 #[cfg(test)]
 mod scope_tests;
 pub mod slim;
+pub(crate) mod texture;
 mod transform;
 mod trim;
 
@@ -42,6 +43,10 @@ pub use primitive::{
     sphere, sphere_sides, sphere_sized,
 };
 pub use report::{label, print, report};
+pub use texture::{
+    ProjectionAxes, copy_uv, delete_uv, project_uv, rotate_uv, scale_uv, setup_projection, setup_projection_at,
+    setup_projection_uw, setup_uv, translate_uv,
+};
 pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
 pub(crate) use transform::{angles, sin_cos, turn};
 pub use trim::trim;

@@ -30,6 +30,9 @@ pub fn instead(changed: &Option<Box<Base>>) -> Option<ShapeRef<'_>> {
 /// `t(x, y, z)`, as [`super::translate`].
 #[inline]
 pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
+    if shape.has_coordinates() {
+        return whole(env, shape, |env, shape| super::translate(env, shape, x, y, z));
+    }
     let size = shape.size.get();
     let by = DVec3::new(
         x.of(size.x, env, "`t` along x"),
@@ -59,7 +62,7 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
         Form::Empty => fits = size.cmpge(zero) & size.cmple(most),
         Form::Other => fits.set(0, false),
     }
-    if !fits.all() {
+    if !fits.all() || shape.has_coordinates() {
         return whole(env, shape, |env, shape| super::size(env, shape, x, y, z));
     }
     shape.size.set(size);
@@ -71,7 +74,7 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
 pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Box<Base>> {
     let s = shape.size.get();
     let height = distance.plain(s.y);
-    let is_length = 0.0 < height && height <= Scope::MOST_SIZE;
+    let is_length = 0.0 < height && height <= Scope::MOST_SIZE && !shape.has_coordinates();
     match shape.form {
         Form::Rect(Axis::Z)
             if is_length && 0.0 < s.x && 0.0 < s.y && s.z == 0.0 && std::ptr::eq(shape.axes, shape.base.axes()) =>
@@ -85,7 +88,12 @@ pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Opt
             shape.unit.set(shape.unit.get().grown(Axis::Y));
             shape.size.set_along(Axis::Y, height);
         }
-        _ => return whole(env, shape, |env, shape| super::extrude(env, shape, distance)),
+        _ => {
+            return whole(env, shape, |env, shape| {
+                shape.bake();
+                super::extrude(env, shape, distance);
+            });
+        }
     }
     shape.form = Form::Box;
     None

@@ -19,6 +19,7 @@ pub fn translate(env: &mut Env, shape: &mut Shape, x: Length, y: Length, z: Leng
     let before = shape.scope;
     shape.scope.origin += shape.scope.axes * by;
     settle(env, shape, &before, "`t`");
+    shape.carry(&before);
 }
 
 /// `s(x, y, z)`: sets the size; the origin corner stays (*s operation*). A size beyond 1e149 m leaves the scope's own along
@@ -58,6 +59,7 @@ pub fn rotate_about(env: &mut Env, shape: &mut Shape, about: RotateAbout, x: f64
         shape.scope.origin += centre - shape.scope.centre();
     }
     settle(env, shape, &before, "`r`");
+    shape.carry(&before);
 }
 
 /// Rotation by degrees about x, then y, then z (*CGA Euler angles*).
@@ -119,4 +121,5 @@ pub fn center(env: &mut Env, shape: &mut Shape, base: &Scope, axes: CenterAxes) 
     let way = shape.scope.axes.transpose() * (base.centre() - shape.scope.centre());
     shape.scope.origin += shape.scope.axes * (way * along);
     settle(env, shape, &before, "`center`");
+    shape.carry(&before);
 }

@@ -1,10 +1,15 @@
 //! The rarely changed part of shapes, and the ways between a slim shape and a whole one.
 
+use glam::DVec3;
+
 use super::axes::Axes;
 use super::{Counter, Geometry, Shape, ShapeRef};
 use crate::env::Env;
 use crate::material::ids::MaterialId;
+use crate::material::look::Look;
 use crate::scope::{Axis, Scope};
+use crate::texture::kept::KeptMaps;
+use crate::texture::map::SetMap;
 use crate::trim::Trims;
 use crate::unit::UnitMesh;
 
@@ -16,6 +21,7 @@ pub struct Base {
     raised: Axes,
     pub(crate) shape: Shape,
     material: MaterialId,
+    maps: KeptMaps,
     /// The number of the base in its run; 0 for one at the origin.
     pub(crate) number: u64,
 }
@@ -54,7 +60,7 @@ impl Base {
             state: part.base.shape.state.clone(),
         };
         let axes = Axes::new(scope.axes);
-        Base { axes, raised: axes.raised(), shape, material: part.material.get(), number: 0 }
+        Base { axes, raised: axes.raised(), shape, material: part.material.get(), maps: KeptMaps::default(), number: 0 }
     }
 
     #[inline]
@@ -66,6 +72,20 @@ impl Base {
             Geometry::Empty if is_plain => (Form::Empty, UnitMesh::cuboid()),
             _ => (Form::Other, UnitMesh::cuboid()),
         }
+    }
+
+    /// The maps of the sets that a leaf below this base has, sorted by set. `look` is that of the number `id`; the base's own has none.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn maps(&self, id: MaterialId, look: Option<&Look>, normal: DVec3) -> &[SetMap] {
+        let coordinates = &look.unwrap_or(self.shape.state.look()).coordinates;
+        if coordinates.is_empty() {
+            return &[];
+        }
+        self.maps.of(id, || {
+            let resolved = |set| coordinates.resolve(set, self.shape.state.projections())?.map(normal);
+            coordinates.sets().filter_map(|set| Some(SetMap { set: usize::from(set), map: resolved(set)? })).collect()
+        })
     }
 
     /// The axes of this shape.
@@ -119,6 +139,6 @@ impl Env {
     pub(crate) fn base_painted(&self, shape: Shape, material: MaterialId) -> Base {
         let axes = Axes::new(shape.scope.axes);
         self.bases.set(self.bases.get() + 1);
-        Base { axes, raised: axes.raised(), shape, material, number: self.bases.get() }
+        Base { axes, raised: axes.raised(), shape, material, maps: KeptMaps::default(), number: self.bases.get() }
     }
 }

@@ -125,6 +125,13 @@ impl<'a> ShapeRef<'a> {
         ShapeRef { seed: Cell::new(Seed::new(seed::step(self.seed.get().value(), key))), ..self.clone() }
     }
 
+    /// Returns true if there are implicit texture coordinates.
+    #[inline]
+    pub(crate) fn has_coordinates(&self) -> bool {
+        let look = self.material.get();
+        look.may_have_coordinates() && (look != MaterialId::OF_BASE || !self.base.shape.state.coordinates().is_empty())
+    }
+
     /// True if a split along an axis makes parts that simply fill their scopes.
     #[inline]
     pub(crate) fn is_simple_along(&self, axis: Axis) -> bool {

@@ -24,7 +24,7 @@ pub mod table;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec4};
+use glam::{DAffine3, DMat3, DVec3, DVec4};
 
 use self::corners::Placed;
 
@@ -60,12 +60,6 @@ pub struct Leaf<'a> {
 enum LeafSource<'a> {
     Known(&'a Scope, &'a [SetMap]),
     Filled(&'a Filled<'a>),
-}
-
-/// The maps of the sets that a leaf has without a mesh, sorted by set. None of the operations that make them is there yet.
-#[inline]
-fn implicit_uvs<'a>(_shape: &ShapeRef<'a>, _tables: &'a LeafTables, _material: MaterialId) -> &'a [SetMap] {
-    &[]
 }
 
 impl<'a> Leaf<'a> {
@@ -167,7 +161,14 @@ impl<'a> Filled<'a> {
     /// The maps of a leaf with another material of the run.
     #[inline]
     pub(crate) fn uvs_of(&self, material: MaterialId) -> &'a [SetMap] {
-        implicit_uvs(self.shape, self.tables, material)
+        if !material.may_have_coordinates() {
+            return &[];
+        }
+        let normal = match self.shape.form {
+            Form::Rect(axis) => self.shape.axes.along(axis).truncate(),
+            Form::Box | Form::Empty | Form::Other => DVec3::ZERO,
+        };
+        self.shape.base.maps(material, self.tables.materials.get(material).map(|look| &**look), normal)
     }
 
     /// The scope, in the world.

@@ -10,7 +10,6 @@ use glam::{DAffine3, DMat3};
 
 use super::{Body, Entry, Hole, INHERITED, Key, MOST, Mark, Record, Row, Segment, Template, Templates, Turned};
 use crate::derive::{Cx, RuleFn};
-use crate::material::ids::MaterialId;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
 use crate::seed::Seed;
@@ -60,7 +59,8 @@ impl Recorder<'_> {
 impl Sink for Recorder<'_> {
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         let shape = leaf.shape;
-        let is_known = shape.material.get() != MaterialId::OF_BASE || std::ptr::eq(shape.base, self.base);
+        // What has no number is the base's, and so are the projections that coordinates follow from.
+        let is_known = !shape.material.get().may_have_coordinates() || std::ptr::eq(shape.base, self.base);
         if !is_known || MOST <= self.leaves.len() {
             return self.fail();
         }

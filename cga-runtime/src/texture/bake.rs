@@ -12,10 +12,16 @@ use crate::shape::{Geometry, Placed, Shape};
 
 impl Shape {
     /// Writes implicit coordinates into the sets of the mesh, which a box or a rectangle becomes.
+    #[inline]
     pub(crate) fn bake(&mut self) {
-        if self.state.coordinates().is_empty() {
-            return;
+        if !self.state.coordinates().is_empty() {
+            self.write_sets();
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn write_sets(&mut self) {
         self.hold_as_mesh();
         if let Geometry::Mesh(placed) = &self.geometry {
             let mesh = self.baked(&placed.mesh, &placed.to_scope(self.scope.size));

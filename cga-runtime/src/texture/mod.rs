@@ -7,6 +7,7 @@
 
 mod bake;
 mod coordinates;
+pub(crate) mod kept;
 pub(crate) mod leaf_uvs;
 pub mod map;
 mod projections;

@@ -49,6 +49,8 @@ impl UvSets {
         match (row.name, bit) {
             ("setupProjection" | "setupUV", bit) => UvSets { may, awaits: awaits | bit.unwrap_or(0) },
             ("projectUV" | "bakeUV", Some(bit)) => UvSets { may: may | bit, awaits: awaits & !bit },
+            ("projectUV" | "bakeUV", None) => UvSets::ANY,
+            ("copyUV", _) if may != 0 => UvSets { may: ALL, awaits },
             ("deleteUV", Some(bit)) => UvSets { may: may & !bit, awaits },
             // They have the first set only (*primitiveCube operation*).
             (name, _) if name.starts_with("primitive") => UvSets { may: 1, awaits },
@@ -56,7 +58,6 @@ impl UvSets {
             ("translateUV" | "scaleUV" | "rotateUV" | "normalizeUV" | "tileUV" | "offsetUV" | "deleteUV", _) => self,
             _ if matches!(row.scope, Effect::Keeps | Effect::KeepsSize | Effect::Sizes) => self,
             (name, _) if name.ends_with("Scope") || name.starts_with("alignScope") || name == "setPivot" => self,
-            ("projectUV" | "bakeUV", None) => UvSets::ANY,
             _ => UvSets { may: ALL, awaits },
         }
     }

@@ -1,7 +1,7 @@
 //! Textures and texture coordinates. A uv set is a number from 0 to 9.
 
 use super::super::{Default, Operation, Param, ParamKind, float, length, or, param, size, uv_set, word};
-use super::{alone, later, old, op, paints};
+use super::{alone, keeps, later, old, op, paints};
 
 const UV_SET: Param = uv_set("uvSet");
 
@@ -39,9 +39,10 @@ const PROJECTION: &str = "says how a texture is to be laid on the shape";
 
 pub(super) static ROWS: &[Operation] = &[
     paints(op("texture", "texture", &[param("filePath", ParamKind::Image)], "sets the colour map")),
-    alone(later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION)),
-    alone(later(
+    alone(keeps(op("setupProjection", "setup_projection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION))),
+    alone(keeps(op(
         "setupProjection",
+        "setup_projection_at",
         &[
             UV_SET,
             AXES,
@@ -52,30 +53,65 @@ pub(super) static ROWS: &[Operation] = &[
             or(float("uwFactor"), Default::Float(0.0)),
         ],
         PROJECTION,
-    )),
+    ))),
     old(
-        alone(later("setupProjection", &[UV_SET, AXES, WIDTH, HEIGHT, float("uwFactor")], PROJECTION)),
+        alone(keeps(op(
+            "setupProjection",
+            "setup_projection_uw",
+            &[UV_SET, AXES, WIDTH, HEIGHT, float("uwFactor")],
+            PROJECTION,
+        ))),
         "write the offsets before the factor: `setupProjection(0, scope.xy, 1, 1, 0, 0, factor)`",
     ),
-    later("projectUV", &[UV_SET], "writes the texture coordinates of the projection that was set up"),
-    later("translateUV", &[UV_SET, float("uOffset"), float("vOffset")], "moves texture coordinates"),
-    later("scaleUV", &[UV_SET, float("uFactor"), float("vFactor")], "multiplies texture coordinates"),
-    later("rotateUV", &[UV_SET, float("angle")], "turns texture coordinates about their origin, in degrees"),
+    paints(op(
+        "projectUV",
+        "project_uv",
+        &[UV_SET],
+        "writes the texture coordinates of the projection that was set up",
+    )),
+    paints(op(
+        "translateUV",
+        "translate_uv",
+        &[UV_SET, float("uOffset"), float("vOffset")],
+        "moves texture coordinates",
+    )),
+    paints(op("scaleUV", "scale_uv", &[UV_SET, float("uFactor"), float("vFactor")], "multiplies texture coordinates")),
+    paints(op(
+        "rotateUV",
+        "rotate_uv",
+        &[UV_SET, float("angle")],
+        "turns texture coordinates about their origin, in degrees",
+    )),
     later("normalizeUV", &[UV_SET, NORMALIZE_MODE, NORMALIZE_TYPE], "fits texture coordinates between 0 and 1"),
     alone(later("tileUV", &[UV_SET, WIDTH, HEIGHT], "scales texture coordinates to tiles of a size")),
-    later("deleteUV", &[UV_SET], "removes texture coordinates"),
-    later("copyUV", &[uv_set("uvSetSource"), uv_set("uvSetDest")], "copies texture coordinates to another set"),
+    paints(op("deleteUV", "delete_uv", &[UV_SET], "removes texture coordinates")),
+    paints(op(
+        "copyUV",
+        "copy_uv",
+        &[uv_set("uvSetSource"), uv_set("uvSetDest")],
+        "copies texture coordinates to another set",
+    )),
     // No reference page has these any more; the parameters are those that old rule files give them.
     old(
-        later("setupUV", &[UV_SET, float("textureWidth"), float("textureHeight"), float("uwFactor")], PROJECTION),
+        keeps(op(
+            "setupUV",
+            "setup_uv",
+            &[UV_SET, float("textureWidth"), float("textureHeight"), float("uwFactor")],
+            PROJECTION,
+        )),
         "write `setupProjection(…)` and `projectUV(…)`",
     ),
     old(
-        later("bakeUV", &[UV_SET], "writes the texture coordinates that were set up"),
+        paints(op("bakeUV", "project_uv", &[UV_SET], "writes the texture coordinates that were set up")),
         "write `projectUV(…)`, and `setupProjection(…)` before it",
     ),
     old(
-        later("offsetUV", &[UV_SET, float("uOffset"), float("vOffset")], "moves texture coordinates"),
+        paints(op(
+            "offsetUV",
+            "translate_uv",
+            &[UV_SET, float("uOffset"), float("vOffset")],
+            "moves texture coordinates",
+        )),
         "write `translateUV(…)`",
     ),
 ];
