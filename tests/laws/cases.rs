@@ -23,7 +23,7 @@ cga! {
     @Allow(not_implemented)
     grammar Unready;
     Lot  --> split(x) { { 1 : Tile }* }
-    Tile --> projectUV(0) Wall.
+    Tile --> reduceGeometry(0.5) Wall.
 }
 
 #[test]

@@ -5,6 +5,7 @@
 //! the row.
 
 mod attributes;
+mod bounds;
 mod functions;
 mod material;
 mod operations;
@@ -21,6 +22,7 @@ use crate::ir::Type;
 use std::sync::LazyLock;
 
 pub use attributes::SHAPE_ATTRS;
+pub use bounds::{Bounds, Values};
 pub use functions::FUNCTIONS;
 pub use operations::OPERATIONS;
 pub use selectors::{COMPONENTS, Component, Places, Selector, component, selector, selectors};
@@ -129,34 +131,6 @@ pub struct Param {
     pub default: Option<Default>,
     /// The values that the reference allows, where it does not allow all.
     pub bounds: Option<&'static Bounds>,
-}
-
-/// The documented values of a parameter.
-#[derive(Debug, PartialEq)]
-pub struct Bounds {
-    /// The values that are allowed.
-    pub values: Values,
-    /// The allowed values in words, for a note.
-    pub about: &'static str,
-    /// The code for any other value.
-    pub code: Code,
-    /// The documented result of any other value. Without one the value has no meaning.
-    pub result: Option<&'static str>,
-}
-
-/// A set of values.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Values {
-    /// The numbers between two numbers, ends included.
-    Between(f64, f64),
-    /// The whole numbers between two numbers, ends included.
-    Whole(f64, f64),
-    /// The numbers from a number on.
-    AtLeast(f64),
-    /// The numbers above a number.
-    Above(f64),
-    /// Text with at least one character.
-    NotEmpty,
 }
 
 /// What counts when an argument is left out.

@@ -14,6 +14,7 @@ mod items;
 mod lazy;
 mod leaves;
 mod names;
+mod operation;
 mod public;
 mod rule;
 mod split;

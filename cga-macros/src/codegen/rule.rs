@@ -1,13 +1,12 @@
 //! One function a rule, one function a function.
 
-use cga_lang::ir::{Arg, Childless, Expr, ExprKind, Function, Global, Param, Prefix, Rule, RuleId, Step, Target};
+use cga_lang::ir::{Childless, Expr, ExprKind, Function, Global, Param, Rule, RuleId, Step, Target};
 use cga_lang::ir_walk;
-use cga_lang::ops::{Changes, Operation, ParamKind, Run, Uses};
+use cga_lang::ops::{Changes, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
-use super::expr::{Place, draws, word_variant};
-use super::split::prefixed;
+use super::expr::{Place, draws};
 use super::{Cx, inner_type, local};
 
 pub(super) fn rules(cx: &Cx<'_>) -> TokenStream {
@@ -346,49 +345,6 @@ impl Cx<'_> {
                 })
             }
         }
-    }
-
-    fn operation(&self, operation: &Operation, args: &[Arg]) -> TokenStream {
-        let place = Span::mixed_site();
-        let (lets, call) = self.operation_on(operation, args, &Place::whole(), Cx::expr);
-        let bake = operation.reshapes().then(|| quote_spanned!(place=> cga_rt::bake(shape);));
-        quote_spanned!(place=> { #lets #bake cga_rt::op::#call; })
-    }
-
-    /// The arguments of an operation, and its call without the module.
-    fn operation_on(
-        &self,
-        operation: &Operation,
-        args: &[Arg],
-        at: &Place,
-        expr: fn(&Self, &Expr, &Place) -> TokenStream,
-    ) -> (TokenStream, TokenStream) {
-        let place = Span::mixed_site();
-        let name = Ident::new(operation.run.now().unwrap_or(operation.name), place);
-        let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-        let values = args.iter().zip(operation.params).map(|(arg, param)| match (arg, &param.kind) {
-            (Arg::Value(value), ParamKind::Length) => {
-                let value = expr(self, value, at);
-                quote_spanned!(place=> cga_rt::Length::Absolute(#value))
-            }
-            (Arg::Value(value), ParamKind::Size) => prefixed(Prefix::Absolute, &expr(self, value, at)),
-            (Arg::Value(value), ParamKind::Image) => self.image(value, at),
-            (Arg::Value(value), _) => expr(self, value, at),
-            (Arg::Length(size), ParamKind::Size) => prefixed(size.prefix, &expr(self, &size.value, at)),
-            (Arg::Length(size), _) => {
-                let value = expr(self, &size.value, at);
-                match size.prefix {
-                    Prefix::Relative => quote_spanned!(place=> cga_rt::Length::Relative(#value)),
-                    Prefix::Absolute | Prefix::Floating => quote_spanned!(place=> cga_rt::Length::Absolute(#value)),
-                }
-            }
-            (Arg::Word(word), kind) => word_variant(kind, word, &quote_spanned!(place=> op)),
-        });
-        let base = operation.uses_base.then(|| quote_spanned!(place=> &base,));
-        (
-            quote_spanned!(place=> #(let #names = #values;)*),
-            quote_spanned!(place=> #name(cx.env, shape, #base #(#names),*)),
-        )
     }
 
     /// Calls a rule on `part`, with arguments in `a0`, `a1`, …; of type `Flow`. Where the stack may grow long the call may wait, and

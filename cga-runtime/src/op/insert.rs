@@ -4,14 +4,13 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use super::primitive::fill_plainly;
+use super::primitive::fill_with_cube;
 use super::settle;
 use crate::asset::{AssetError, CUBES, File};
 use crate::env::Env;
 use crate::mesh::Mesh;
 use crate::place::Cuboid;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
-use crate::unit::UnitMesh;
 
 /// Which axis of an asset, or of an aligned scope, is its height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +52,8 @@ pub fn insert(env: &mut Env, shape: &mut Shape, file: File) {
 pub fn insert_with(env: &mut Env, shape: &mut Shape, file: File, up: UpAxis, mode: InsertMode, _: CleanupMode) {
     // Old rule files are full of it.
     if CUBES.contains(&file.name.as_str()) {
-        return insert_box(env, shape, mode);
+        let is_textured = !file.name.as_str().ends_with(":notex");
+        return insert_box(env, shape, mode, is_textured);
     }
     let assets = Arc::clone(&env.settings.assets);
     let found = assets.mesh_of(&file).and_then(|mesh| match mesh.is_empty() {
@@ -79,9 +79,9 @@ pub(crate) fn z_up(mesh: &Mesh) -> Mesh {
     mesh.map(&glam::DAffine3 { matrix3: DMat3::from_cols(DVec3::X, DVec3::NEG_Z, DVec3::Y), translation: DVec3::ZERO })
 }
 
-fn insert_box(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
+fn insert_box(env: &mut Env, shape: &mut Shape, mode: InsertMode, is_textured: bool) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
-    fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()));
+    fill_with_cube(env, shape, is_textured);
 }
 
 /// The edges of what marks the place of a missing asset, in metres and as a share of the scope: on a very large scope rounding

@@ -16,6 +16,7 @@ use crate::mesh::Mesh;
 use crate::mesh::primitive::Made;
 use crate::scope::Axis;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
+use crate::texture::Source;
 use crate::unit::UnitMesh;
 
 /// Sides and divisions when none are given.
@@ -28,7 +29,7 @@ const MOST_OF_SPHERE: u32 = 1000;
 /// `primitiveCube()`: faces are bottom, top, front, right, back, left (*primitiveCube operation*).
 pub fn cube(env: &mut Env, shape: &mut Shape) {
     fit(shape, DVec3::ZERO, DVec3::ONE);
-    fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()));
+    fill_with_cube(env, shape, true);
 }
 
 /// `primitiveCube(width, height, depth)` (*primitiveCube operation*).
@@ -36,7 +37,7 @@ pub fn cube_sized(env: &mut Env, shape: &mut Shape, width: f64, height: f64, dep
     let size =
         DVec3::new(env.finite(width, "the width"), env.finite(height, "the height"), env.finite(depth, "the depth"));
     stand(env, shape, size, Axis::Y);
-    fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()));
+    fill_with_cube(env, shape, true);
 }
 
 /// `primitiveCylinder()`, with 16 sides, along y (*primitiveCylinder operation*).
@@ -155,7 +156,8 @@ fn fit_flat(shape: &mut Shape, across: Axis) {
 /// A rectangle. Rectangles without a mesh begin otherwise where they lie across x.
 fn put_quad(env: &mut Env, shape: &mut Shape, across: Axis) {
     if across != Axis::X {
-        fill_plainly(env, shape, Geometry::Rect(across, UnitMesh::quad(across)));
+        let coordinates = Source::of_quad(&shape.scope, across);
+        fill_plainly(env, shape, Geometry::Rect(across, UnitMesh::quad(across)), Some(coordinates));
     } else if let Some(mesh) = env.primitive(Made::Square { across }) {
         put(env, shape, mesh);
     }
@@ -175,10 +177,19 @@ fn fill_to_size(env: &mut Env, shape: &mut Shape, made: Made, size: DVec3, acros
     put(env, shape, mesh);
 }
 
-/// Replaces the geometry by a box or a rectangle.
-pub(super) fn fill_plainly(env: &mut Env, shape: &mut Shape, geometry: Geometry) {
+/// Replaces the geometry by a cube, with texture coordinates or without.
+pub(super) fn fill_with_cube(env: &mut Env, shape: &mut Shape, is_textured: bool) {
+    let coordinates = is_textured.then(|| Source::of_cube(&shape.scope));
+    fill_plainly(env, shape, Geometry::Box(UnitMesh::cube()), coordinates);
+}
+
+/// Replaces the geometry by a box or a rectangle with those texture coordinates in set 0.
+fn fill_plainly(env: &mut Env, shape: &mut Shape, geometry: Geometry, coordinates: Option<Source>) {
     shape.geometry = geometry;
     super::inserted(env, shape);
+    if let Some(source) = coordinates {
+        shape.state.change_look().coordinates.set(0, source);
+    }
     if env.initial.as_meshes || shape.geometry.unit_pressed_flat(shape.scope.size).is_some() {
         shape.hold_as_mesh();
     }

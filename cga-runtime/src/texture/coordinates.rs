@@ -1,9 +1,10 @@
 //! The implicit texture coordinates of a shape.
 
-use glam::{DAffine2, DAffine3, DVec2, DVec3};
+use glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
 
 use super::Projections;
 use super::map::UvMap;
+use crate::scope::{Axis, Scope};
 
 /// The sets that rules have changed on a shape, sorted by number. Other sets are those of its mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,6 +46,28 @@ pub(crate) enum Resolved {
     Map(UvMap),
     /// A function of the place for each of the six directions of a face.
     Cube(DAffine3, DAffine2),
+}
+
+impl Source {
+    /// The coordinates of a cube that fills a scope: 0 to 1 on each side (*primitiveCube operation*).
+    pub(crate) fn of_cube(scope: &Scope) -> Self {
+        Source::Cube(to_unit(scope))
+    }
+
+    /// The coordinates of a rectangle across an axis that fills a scope: 0 to 1, u to the right and v away from the front
+    /// (*primitiveQuad operation*).
+    pub(crate) fn of_quad(scope: &Scope, across: Axis) -> Self {
+        let normal = scope.axes.col(across.index());
+        Source::Fixed(cube_side(&to_unit(scope), normal))
+    }
+}
+
+/// From the world to the place in a scope, 0 to 1 along each axis.
+fn to_unit(scope: &Scope) -> DAffine3 {
+    // Along an axis without a size all points are at 0.
+    let share = |size: f64| if size == 0.0 { 1.0 } else { 1.0 / size };
+    let matrix = DMat3::from_diagonal(DVec3::from_array(scope.size.to_array().map(share))) * scope.axes.transpose();
+    DAffine3 { matrix3: matrix, translation: -(matrix * scope.origin) }
 }
 
 impl Coordinates {
@@ -163,9 +186,10 @@ impl Resolved {
 /// The coordinates of the side of a cube that a face with that normal lies in: u to the right as seen from outside, v upwards
 /// (*primitiveCube operation*). On top and bottom v = 0 is at the front.
 fn cube_side(place: &DAffine3, normal: DVec3) -> UvMap {
-    // Normals of the cube: as planes are mapped.
-    let inverse = place.matrix3.inverse();
-    let n = if inverse.is_finite() { inverse.transpose() * normal } else { normal };
+    // The direction in the cube whose row has the largest part along the normal; lengths of sides make no difference.
+    let rows = place.matrix3.transpose();
+    let along = |row: DVec3| row.try_normalize().map_or(0.0, |row| row.dot(normal));
+    let n = DVec3::new(along(rows.x_axis), along(rows.y_axis), along(rows.z_axis));
     let a = n.abs();
     let (u, v, from) = if a.y >= a.x && a.y >= a.z {
         match n.y < 0.0 {
