@@ -51,6 +51,7 @@ pub(crate) use map::flip;
 pub use offset::OffsetFaces;
 pub use tag::TagSet;
 pub(crate) use tag::matches as tag_matches;
+pub use uv::UvAxis;
 pub(crate) use uv::UvSets;
 
 /// Faces with holes over shared points. Made by [`MeshBuilder`], never changed afterwards.

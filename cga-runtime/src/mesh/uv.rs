@@ -6,6 +6,22 @@ use glam::DVec2;
 
 use super::layout::to_front;
 
+/// One of the two texture coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum UvAxis {
+    /// The first one.
+    U,
+    /// The second one.
+    V,
+}
+
+impl UvAxis {
+    /// 0 for u, 1 for v: the index into a `DVec2`.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
+
 /// The sets of a mesh. There may be empty lists among them, but a mesh without texture coordinates has none at all.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct UvSets {
@@ -65,6 +81,16 @@ impl UvSets {
         for (to, from) in self.lists.iter_mut().zip(&source.lists) {
             if !from.is_empty() {
                 to.extend_from_slice(&from[corners.clone()]);
+            }
+        }
+    }
+
+    /// Adds to each set what `value` makes of the source's list and the number of the set.
+    #[inline]
+    pub(crate) fn push_by_set(&mut self, source: &UvSets, mut value: impl FnMut(usize, &[DVec2]) -> DVec2) {
+        for (set, (to, from)) in self.lists.iter_mut().zip(&source.lists).enumerate() {
+            if !from.is_empty() {
+                to.push(value(set, from));
             }
         }
     }
