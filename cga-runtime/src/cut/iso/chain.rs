@@ -31,7 +31,9 @@ impl Chain {
         self.down.clear();
         // The first corner at the lowest level.
         let mut before = ring.clone().last().map(|(_, place)| place.class);
-        let start = ring.clone().position(|(_, place)| before.replace(place.class) != Some(span.low) && place.class == span.low);
+        let start = ring
+            .clone()
+            .position(|(_, place)| before.replace(place.class) != Some(span.low) && place.class == span.low);
         let start = start.unwrap_or(0);
         let count = ring.len();
         let cycle = ring.cycle().skip(start).take(count + 1);

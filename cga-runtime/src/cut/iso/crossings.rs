@@ -57,9 +57,9 @@ impl Crossings {
         }
         // What corners carry is interpolated from the same end as the position.
         let [first, last] = if comes_first(at(from), at(to)) { [from, to] } else { [to, from] };
-        let base = self.base + number - lines.start;
+        let (first_line, first_crossing) = (lines.start, self.base + number);
         let node = |line: u32| {
-            let place = Place::on(line, base + line);
+            let place = Place::on(line, first_crossing + (line - first_line));
             Node { place, from: first as u32, to: last as u32 }
         };
         if rises {

@@ -19,6 +19,7 @@ use crate::cut::nest::Nest;
 use crate::cut::points::{NONE, Node};
 use crate::mesh::FaceTag;
 use crate::mesh::table::PairTable;
+use crate::tol::AFFINE_EPSILON;
 use crate::triangulate::{Projection, Triangulator};
 
 /// An edge of a piece of a triangle, by the node that it leaves.
@@ -77,12 +78,7 @@ pub(super) struct Patch {
 
 impl Patch {
     /// Cuts a face into its bands.
-    pub(super) fn cut(
-        &mut self,
-        cutter: &mut Cutter<'_>,
-        face: usize,
-        is_affine: bool,
-    ) -> Result<(), TooManyCorners> {
+    pub(super) fn cut(&mut self, cutter: &mut Cutter<'_>, face: usize, is_affine: bool) -> Result<(), TooManyCorners> {
         let view = cutter.mesh.face(face);
         let outline = view.loop_ranges().next().unwrap_or(0..0);
         let projection = Projection::along(view.normal());
@@ -99,7 +95,7 @@ impl Patch {
         for triangle in 0..self.triangles.len() {
             self.cut_triangle(cutter, triangle, start);
         }
-        self.place_flats(cutter, start);
+        self.place_flats(cutter, start, is_affine);
         self.trace(is_affine);
         cutter.count(self.nodes.len())?;
         self.emit(cutter, projection, &outline, view.tag());
@@ -149,7 +145,9 @@ impl Patch {
         }
         let mut chain = std::mem::take(&mut self.chain);
         let (mesh, sites, crossings) = (cutter.mesh, &cutter.sites, &mut cutter.crossings);
-        chain.walk(corners.into_iter().zip(places), span, |from, to, nodes| crossings.cross(mesh, sites, from, to, nodes));
+        chain.walk(corners.into_iter().zip(places), span, |from, to, nodes| {
+            crossings.cross(mesh, sites, from, to, nodes)
+        });
         chain.bands(span, |band, ahead, back, borders| {
             let from = self.halves.len() as u32;
             let count = (ahead.len() + back.len()) as u32;
@@ -193,10 +191,15 @@ impl Patch {
         self.halves.push(half);
     }
 
-    /// Triangles on a line go to the band of a neighbour, so that none of them makes a piece without area; if there is no
-    /// neighbour, to the band above.
-    fn place_flats(&mut self, cutter: &Cutter<'_>, start: usize) {
+    /// A triangle on a line goes to the band above, as a face does. One without area goes to the band of a neighbour, so that
+    /// it makes no piece of its own.
+    fn place_flats(&mut self, cutter: &Cutter<'_>, start: usize, is_affine: bool) {
         let mut stack = Vec::new();
+        for flat in 0..self.flats.len() {
+            if !is_affine && self.has_area(self.flats[flat].0) {
+                self.add_flat_above(cutter, flat as u32, start);
+            }
+        }
         for seed in 0..self.flats.len() {
             stack.push(seed as u32);
             while let Some(flat) = stack.pop() {
@@ -216,12 +219,23 @@ impl Patch {
             }
         }
         for flat in 0..self.flats.len() {
-            let (triangle, is_placed) = self.flats[flat];
-            if !is_placed {
-                let line = cutter.sites.class(start + self.triangles[triangle as usize][0] as usize).plane();
-                self.add_flat(cutter, flat as u32, line + 1, start);
+            if !self.flats[flat].1 {
+                self.add_flat_above(cutter, flat as u32, start);
             }
         }
+    }
+
+    /// Whether a triangle is more than a line, but for rounding.
+    fn has_area(&self, triangle: u32) -> bool {
+        let [a, b, c] = self.triangles[triangle as usize].map(|corner| self.flat[corner as usize]);
+        let (ab, ac) = (b - a, c - a);
+        AFFINE_EPSILON * ab.length_squared().max(ac.length_squared()) < ab.perp_dot(ac).abs()
+    }
+
+    fn add_flat_above(&mut self, cutter: &Cutter<'_>, flat: u32, start: usize) {
+        let corner = self.triangles[self.flats[flat as usize].0 as usize][0];
+        let line = cutter.sites.class(start + corner as usize).plane();
+        self.add_flat(cutter, flat, line + 1, start);
     }
 
     fn add_flat(&mut self, cutter: &Cutter<'_>, flat: u32, band: u32, start: usize) {
