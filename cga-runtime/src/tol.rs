@@ -55,3 +55,6 @@ pub(crate) const MEETING_EPSILONS: [f64; 8] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-11, 3
 /// A texture coordinate is affine over a face when its corners are off by no more than this, relative to the range that the
 /// coordinate has there.
 pub(crate) const AFFINE_EPSILON: f64 = 1e-9;
+
+/// Texture coordinates that change by no more than this on a triangle, relative to their range, are constant there.
+pub(crate) const CHART_EPSILON: f64 = 1e-9;

@@ -1,10 +1,15 @@
 //! Texture coordinates: up to ten sets, each one pair a corner or nothing at all.
 
+mod change;
+mod extent;
+
 use std::ops::Range;
 
 use glam::DVec2;
 
 use super::layout::to_front;
+pub use change::{NormalizeFaces, NormalizeUv, Tiles};
+pub use extent::UvExtent;
 
 /// One of the two texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -57,6 +62,12 @@ impl UvSets {
         if let Some(place) = self.lists.get_mut(set) {
             *place = list;
         }
+    }
+
+    /// Forgets empty sets after the last one with coordinates.
+    fn forget_empty(&mut self) {
+        let used = self.lists.iter().rposition(|list| !list.is_empty()).map_or(0, |last| last + 1);
+        self.lists.truncate(used);
     }
 
     /// As many sets as there are here, still empty, with room for so many corners.
