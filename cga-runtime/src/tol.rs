@@ -51,3 +51,10 @@ pub(crate) const TIE_EPSILON: f64 = 1e-9;
 /// What is nearer to each other than this touches where edges of a polygon move, relative to its extent. Where one leads
 /// to a tangle, the next is tried.
 pub(crate) const MEETING_EPSILONS: [f64; 8] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-11, 3e-10, 3e-9, 1e-6];
+
+/// A texture coordinate is affine over a face when its corners are off by no more than this, relative to the range that the
+/// coordinate has there.
+pub(crate) const AFFINE_EPSILON: f64 = 1e-9;
+
+/// Texture coordinates that change by no more than this on a triangle, relative to their range, are constant there.
+pub(crate) const CHART_EPSILON: f64 = 1e-9;

@@ -20,6 +20,7 @@ mod edges;
 mod extent;
 mod first;
 mod general;
+mod iso;
 mod lead;
 mod nest;
 mod part;
@@ -47,6 +48,7 @@ use crate::mesh::Mesh;
 use crate::scope::Axis;
 
 pub(crate) use contour::Section;
+pub use iso::{TooManyCorners, iso_bands};
 pub(crate) use nest::Nest;
 pub(crate) use plane::above;
 pub use plane::{Plane, halves};

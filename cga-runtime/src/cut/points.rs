@@ -309,7 +309,7 @@ impl Points {
 }
 
 /// An edge from the end that comes first; ends have heights.
-struct Segment {
+pub(super) struct Segment {
     from: (DVec3, f64),
     to: (DVec3, f64),
     along: DVec3,
@@ -319,14 +319,14 @@ struct Segment {
 
 impl Segment {
     #[inline(always)]
-    fn between(a: (DVec3, f64), b: (DVec3, f64)) -> Self {
+    pub(super) fn between(a: (DVec3, f64), b: (DVec3, f64)) -> Self {
         let (from, to) = if comes_first(a.0, b.0) { (a, b) } else { (b, a) };
         Segment { from, to, along: to.0 - from.0, low: from.0.min(to.0), high: from.0.max(to.0) }
     }
 
     /// Where it is as high as a plane, and how far along it that is.
     #[inline(always)]
-    fn meet(&self, at: f64) -> (DVec3, f64) {
+    pub(super) fn meet(&self, at: f64) -> (DVec3, f64) {
         let ((p, from), (q, to)) = (self.from, self.to);
         let mut share = (at - from) / (to - from);
         let mut x = p + self.along * share;
@@ -341,6 +341,6 @@ impl Segment {
 }
 
 /// Lexicographic order of coordinates: it survives every renumbering.
-fn comes_first(a: DVec3, b: DVec3) -> bool {
+pub(super) fn comes_first(a: DVec3, b: DVec3) -> bool {
     a.x < b.x || (a.x == b.x && (a.y < b.y || (a.y == b.y && a.z < b.z)))
 }

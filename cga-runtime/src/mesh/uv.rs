@@ -1,5 +1,8 @@
 //! Texture coordinates: up to ten sets, each one pair a corner or nothing at all.
 
+mod change;
+mod extent;
+
 use std::ops::Range;
 
 use glam::DVec2;
@@ -7,6 +10,24 @@ use glam::DVec2;
 use super::Mesh;
 use super::layout::to_front;
 use crate::texture::map::SetMap;
+pub use change::{NormalizeFaces, NormalizeUv, Tiles};
+pub use extent::UvExtent;
+
+/// One of the two texture coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum UvAxis {
+    /// The first one.
+    U,
+    /// The second one.
+    V,
+}
+
+impl UvAxis {
+    /// 0 for u, 1 for v: the index into a `DVec2`.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
 
 /// The sets of a mesh. There may be empty lists among them, but a mesh without texture coordinates has none at all.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,6 +66,12 @@ impl UvSets {
         }
     }
 
+    /// Forgets empty sets after the last one with coordinates.
+    fn forget_empty(&mut self) {
+        let used = self.lists.iter().rposition(|list| !list.is_empty()).map_or(0, |last| last + 1);
+        self.lists.truncate(used);
+    }
+
     /// As many sets as there are here, still empty, with room for so many corners.
     pub(crate) fn alike(&self, room: usize) -> UvSets {
         let room = |list: &Vec<DVec2>| if list.is_empty() { Vec::new() } else { Vec::with_capacity(room) };
@@ -67,6 +94,16 @@ impl UvSets {
         for (to, from) in self.lists.iter_mut().zip(&source.lists) {
             if !from.is_empty() {
                 to.extend_from_slice(&from[corners.clone()]);
+            }
+        }
+    }
+
+    /// Adds to each set what `value` makes of the source's list and the number of the set.
+    #[inline]
+    pub(crate) fn push_by_set(&mut self, source: &UvSets, mut value: impl FnMut(usize, &[DVec2]) -> DVec2) {
+        for (set, (to, from)) in self.lists.iter_mut().zip(&source.lists).enumerate() {
+            if !from.is_empty() {
+                to.push(value(set, from));
             }
         }
     }
