@@ -112,6 +112,7 @@ pub(crate) fn material_number(env: &mut Env, shape: &mut Shape, which: MaterialN
 
 pub(crate) fn material_text(env: &mut Env, shape: &mut Shape, which: MaterialText, value: Text) {
     if which.accepts(&value) {
+        let value = if matches!(which, MaterialText::Map(_)) { crate::op::image(env, value).0 } else { value };
         shape.change_material(|material| material.set_text(which, value));
     } else {
         env.fault(FaultKind::Value, format!("`{value}` is no mode of an opacity map; it stays as it is"));

@@ -1,9 +1,12 @@
 //! Where rules find files: meshes that the caller hands over, then files below a folder the caller names.
 
+#[cfg(feature = "png")]
+pub(crate) mod decode;
 mod error;
 mod file;
 mod folder;
 pub(crate) mod image;
+mod images;
 mod search;
 
 #[cfg(feature = "obj")]
@@ -20,15 +23,20 @@ pub(crate) use search::Query;
 
 use cga_split::files::places;
 
+use self::image::ImageHeader;
 use crate::mesh::Mesh;
 use crate::text::Text;
+use crate::texture::builtin;
 use folder::Listing;
 
 /// Names whose meshes and images are remembered; others are looked up each time, so that memory stays bounded.
 const NAMES_KEPT: usize = 10_000;
 
+/// The texture of a file that is not found (*CGA changelog*).
+pub(crate) const UNKNOWN_TEXTURE: &str = "builtin:unknowntexture.png";
+
 /// Textures that are always there (*Built-in assets and textures*).
-const BUILTINS: [&str; 2] = ["builtin:default", "builtin:uvtest.png"];
+pub(crate) const BUILTINS: [&str; 3] = [builtin::DEFAULT, builtin::UV_TEST, UNKNOWN_TEXTURE];
 
 /// The names of `primitiveCube` up to 2016.0, as an asset (*CGA changelog 2016.0*).
 pub(crate) const CUBES: [&str; 2] = ["builtin:cube", "builtin:cube:notex"];
@@ -57,6 +65,8 @@ struct Read {
     meshes: HashMap<String, HashMap<String, Result<Arc<Mesh>, AssetError>>>,
     /// By folder of the rule file and name; see [`Assets::image`].
     images: HashMap<String, HashMap<String, Text>>,
+    /// By name, as materials have it.
+    headers: HashMap<String, Result<ImageHeader, AssetError>>,
     /// By path: a file that several names lead to is one mesh.
     files: HashMap<PathBuf, Result<Arc<Mesh>, AssetError>>,
     /// How many names there are.

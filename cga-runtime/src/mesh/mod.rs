@@ -174,6 +174,12 @@ impl Mesh {
         self.uvs.get(set)
     }
 
+    /// The numbers of the sets that it has.
+    #[inline]
+    pub(crate) fn uv_numbers(&self) -> impl Iterator<Item = usize> + use<'_> {
+        self.uvs.numbers()
+    }
+
     /// Normals, one a corner, or nothing at all.
     pub fn normals(&self) -> &[DVec3] {
         &self.normals

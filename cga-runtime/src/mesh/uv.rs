@@ -45,6 +45,12 @@ impl UvSets {
         self.lists.get(set).map_or(&[], Vec::as_slice)
     }
 
+    /// The numbers of the sets that there are.
+    #[inline]
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = usize> + use<'_> {
+        self.lists.iter().enumerate().filter(|(_, list)| !list.is_empty()).map(|(set, _)| set)
+    }
+
     /// Whether there is no set.
     #[inline]
     pub(crate) fn is_empty(&self) -> bool {

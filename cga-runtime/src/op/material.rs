@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::array::Array;
+use crate::asset::{AssetError, UNKNOWN_TEXTURE};
 use crate::env::Env;
 use crate::fault::FaultKind;
 use crate::material::{Color, Layer, Material, MaterialText, Named};
@@ -41,16 +42,37 @@ pub fn opacity(env: &mut Env, shape: &mut Shape, value: f64) {
     set::material_opacity(env, shape, value);
 }
 
-/// `texture(file)`: the colour map; empty text takes it away (*texture operation*). An opacity map is reset: whether the
-/// file has an alpha channel that would become one is not looked at.
-pub fn texture(_: &mut Env, shape: &mut Shape, file: Text) {
+/// `texture(file)`: the colour map; empty text takes it away (*texture operation*). The file is the opacity map as well if it has
+/// an alpha channel, and otherwise the opacity map is reset. Without an asset folder the file is not looked at.
+pub fn texture(env: &mut Env, shape: &mut Shape, file: Text) {
+    let (file, has_alpha) = image(env, file);
     shape.change_material(|material| {
-        material.texture = Some(file);
         let opacity = MaterialText::Map(Layer::Opacity);
-        if material.text(opacity).is_some() {
+        if has_alpha {
+            material.set_text(opacity, file.clone());
+        } else if material.text(opacity).is_some() {
             material.set_text(opacity, Text::default());
         }
+        material.texture = Some(file);
     });
+}
+
+/// The name of an image as a material has it, and whether the image has an alpha channel. A missing file is a fault and becomes
+/// `builtin:unknowntexture.png` (*CGA changelog*); a broken one is a fault and keeps its name. Without an asset folder no file is
+/// looked for.
+pub(crate) fn image(env: &mut Env, file: Text) -> (Text, bool) {
+    if file.is_empty() {
+        return (file, false);
+    }
+    let why = match env.settings.assets.image_header(&file) {
+        Ok(header) => return (file, header.has_alpha),
+        Err(AssetError::NoFolder) => return (file, false),
+        Err(why) => why,
+    };
+    env.asset_fault(format!("`{file}` cannot be shown: {why}; a checker pattern takes its place"));
+    let is_broken = matches!(why, AssetError::Format(_) | AssetError::Broken(_) | AssetError::TooLong { .. });
+    let is_found = is_broken && !file.starts_with("builtin:");
+    (if is_found { file } else { Text::fixed(UNKNOWN_TEXTURE) }, false)
 }
 
 /// `setMaterial(material)`: attributes by name, without `material.`, each followed by its value as text (*setMaterial

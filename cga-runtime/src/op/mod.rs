@@ -34,6 +34,7 @@ pub use coordinates::{CoordSystem, TransformMode, rotate_in, translate_in};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub(crate) use insert::z_up;
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
+pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
 pub use mirror::{mirror, reverse_normals};
 pub use offset::offset;

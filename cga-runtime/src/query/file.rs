@@ -1,7 +1,7 @@
 //! Files: `fileExists`, `fileSearch`, `fileRandom`, `assetInfo`, `imageInfo` and `readTextFile`.
 
 use crate::array::Array;
-use crate::asset::{AssetError, File, image};
+use crate::asset::{AssetError, BUILTINS, File, image};
 use crate::env::Env;
 use crate::shape::view::View;
 use crate::text::Text;
@@ -123,8 +123,13 @@ pub enum ImageDimension {
 /// `imageInfo(file, sx | sy)`: width or height in pixels of a PNG or JPEG file (*imageInfo function*). Of others it is 0, with
 /// a fault.
 pub fn image_info(env: &mut Env, file: File, dimension: ImageDimension) -> f64 {
-    let read = env.settings.assets.bytes(&file, image::LOOKED_AT);
-    let size = read.and_then(|(bytes, _)| image::size(&bytes).ok_or(AssetError::Format("it is no PNG or JPEG file")));
+    let assets = &env.settings.assets;
+    let size = if BUILTINS.contains(&file.name.as_str()) {
+        assets.image_header(&file.name).map(|header| (header.width, header.height))
+    } else {
+        let read = assets.bytes(&file, image::LOOKED_AT);
+        read.and_then(|(bytes, _)| image::size(&bytes).ok_or(AssetError::Format("it is no PNG or JPEG file")))
+    };
     match (size, dimension) {
         (Ok((width, _)), ImageDimension::Sx) => width.into(),
         (Ok((_, height)), ImageDimension::Sy) => height.into(),

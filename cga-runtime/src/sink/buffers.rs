@@ -6,6 +6,7 @@
 mod chunks;
 mod part;
 mod replayed;
+mod uvs;
 pub(super) mod write;
 
 pub use chunks::Chunks;
@@ -18,6 +19,7 @@ use glam::{DAffine3, DMat3, DVec3, DVec4, Vec4};
 
 use self::part::Run;
 use self::replayed::{Marks, Replayed};
+use self::uvs::UvLists;
 use self::write::{marked, short, vertex, write_box, write_quad, write_quad_indices};
 use super::corners::{Placed, four};
 use super::error::WriteError;
@@ -25,7 +27,7 @@ use super::flatten::{FlatFace, Flattener, corner_point, normal_map, unit};
 use super::normals;
 use super::numbers::Numbers;
 use super::room::Room;
-use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
+use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::scope::Axis;
@@ -40,8 +42,7 @@ pub type Vertex = [f32; 6];
 pub struct Buffers {
     vertices: Room<Vertex>,
     indices: Room<u32>,
-    /// One a vertex, or empty as long as nothing had any.
-    uvs: Vec<[f32; 2]>,
+    uvs: UvLists,
     runs: Vec<Run>,
     numbers: Numbers,
     replayed: Replayed,
@@ -71,7 +72,7 @@ impl Buffers {
         Buffers {
             vertices: Room::with_capacity(vertices),
             indices: Room::with_capacity(indices),
-            uvs: Vec::new(),
+            uvs: UvLists::default(),
             runs: Vec::new(),
             numbers: Numbers::default(),
             replayed: Replayed::default(),
@@ -118,9 +119,15 @@ impl Buffers {
         self.indices.items()
     }
 
-    /// Texture coordinates, one pair a vertex, v upwards; empty when no geometry has any, (0, 0) where it has none.
+    /// Texture coordinates of set 0, one pair a vertex, v upwards; empty when no geometry has any, (0, 0) where it has none.
     pub fn uvs(&self) -> &[[f32; 2]] {
-        &self.uvs
+        self.uv_set(0)
+    }
+
+    /// Texture coordinates of a set, 0 to 9, as [`Buffers::uvs`]. A material shows each of its maps in the set with the number of
+    /// the [`Layer`](crate::material::Layer), or in set 0 where that is empty.
+    pub fn uv_set(&self, set: usize) -> &[[f32; 2]] {
+        self.uvs.get(set)
     }
 
     /// The point that was subtracted from all positions.
@@ -203,19 +210,24 @@ impl Buffers {
     /// no more registers than there are.
     #[inline(never)]
     fn other(&mut self, leaf: &Filled<'_>, vertices: usize) -> Flow {
-        if !leaf.uvs().is_empty() {
-            return self.pass(leaf);
-        }
         self.room(vertices)?;
         self.vertices.reserve(vertices);
         self.indices.reserve(vertices / 4 * 6);
         let (rule, material) = self.numbers.filled(leaf);
-        self.last = leaf.material_number().map(|material| (leaf.rule, material));
+        let (uvs, start) = (leaf.uvs(), self.vertices.len());
+        // A leaf that goes on has the same number, and so it has no coordinates either.
+        self.last = if uvs.is_empty() { leaf.material_number().map(|material| (leaf.rule, material)) } else { None };
         self.run(rule, material);
         if leaf.shape.form == Form::Box {
-            self.write_block(leaf)
+            self.write_block(leaf);
+            if !uvs.is_empty() {
+                self.uvs.cuboid(uvs, &leaf.cuboid(), start);
+            }
         } else {
-            self.write_rectangle(leaf)
+            self.write_rectangle(leaf);
+            if !uvs.is_empty() {
+                self.uvs.quad(uvs, &leaf.quad(Axis::Z), start);
+            }
         }
         self.pad_uvs();
         ControlFlow::Continue(())
@@ -348,15 +360,13 @@ impl Buffers {
         let point = placement.transform_point3(corner_point(mesh, corner)) - self.origin();
         let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(*turn * n));
         self.vertices.push(vertex(short(point), short(normal)));
-        if let Some(uv) = mesh.uvs().get(corner) {
-            self.uvs.push([uv.x as f32, uv.y as f32]);
-        }
+        self.uvs.corner(mesh, corner, self.vertices.len() - 1);
     }
 
     #[inline]
     fn pad_uvs(&mut self) {
         if !self.uvs.is_empty() {
-            self.uvs.resize(self.vertices.len(), [0.0; 2]);
+            self.uvs.pad(self.vertices.len());
         }
     }
 }
@@ -385,25 +395,21 @@ impl Sink for Buffers {
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        if !leaf.uvs().is_empty() {
-            return self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY);
-        }
         self.room(4)?;
         self.leaf(leaf);
-        let normal = normals::of_quad(leaf, quad);
+        let (normal, start) = (normals::of_quad(leaf, quad), self.vertices.len());
         self.write_quad(Placed::from(quad), normal);
+        self.uvs.quad(leaf.uvs(), quad, start);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        if !leaf.uvs().is_empty() {
-            return self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY);
-        }
         self.room(24)?;
         self.leaf(leaf);
-        let normals = normals::of_cuboid(leaf, cuboid);
+        let (normals, start) = (normals::of_cuboid(leaf, cuboid), self.vertices.len());
         self.write_box(Placed::from(cuboid), cuboid.unit, &normals);
+        self.uvs.cuboid(leaf.uvs(), cuboid, start);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
@@ -418,9 +424,6 @@ impl Sink for Buffers {
         }
         self.last = None;
         let (rule, material) = self.numbers.leaf(leaf);
-        if !mesh.uvs().is_empty() && self.uvs.is_empty() {
-            self.uvs.resize(self.vertices.len(), [0.0; 2]);
-        }
         let turn = normal_map(&placement.matrix3);
         let mut flattener = std::mem::take(&mut self.flattener);
         flattener.faces(mesh, placement, |face| {

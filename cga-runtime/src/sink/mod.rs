@@ -33,7 +33,7 @@ use crate::material::Material;
 use crate::material::ids::MaterialId;
 use crate::mesh::Mesh;
 use crate::place;
-use crate::scope::Scope;
+use crate::scope::{Axis, Scope};
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
@@ -193,13 +193,26 @@ impl<'a> Filled<'a> {
     #[inline]
     pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let leaf = Leaf { rule: self.rule(), material: self.material(), source: LeafSource::Filled(self) };
-        let (placed, unit) = (Placed::of(self.shape), self.shape.unit.get());
-        let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.map(DVec4::truncate));
         match self.shape.form {
-            Form::Rect(axis) => sink.quad(&leaf, &place::low_side(origin, [x, y, z], axis, unit)),
-            Form::Box => sink.cuboid(&leaf, &Cuboid { origin, sides: DMat3::from_cols(x, y, z), unit }),
+            Form::Rect(axis) => sink.quad(&leaf, &self.quad(axis)),
+            Form::Box => sink.cuboid(&leaf, &self.cuboid()),
             Form::Empty | Form::Other => Flow::Continue(()),
         }
+    }
+
+    /// The rectangle across an axis.
+    #[inline]
+    pub(crate) fn quad(&self, axis: Axis) -> Quad {
+        let placed = Placed::of(self.shape);
+        place::low_side(placed.origin.truncate(), placed.sides.map(DVec4::truncate), axis, self.shape.unit.get())
+    }
+
+    /// The box.
+    #[inline]
+    pub(crate) fn cuboid(&self) -> Cuboid {
+        let (placed, unit) = (Placed::of(self.shape), self.shape.unit.get());
+        let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.map(DVec4::truncate));
+        Cuboid { origin, sides: DMat3::from_cols(x, y, z), unit }
     }
 }
 

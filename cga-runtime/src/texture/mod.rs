@@ -1,4 +1,4 @@
-//! Texture coordinates that are functions of the place: projections, and what rules make of them.
+//! Texture space: how points of the world become texture coordinates, and which images materials show there.
 //!
 //! A mesh may have explicit sets, a pair of coordinates for each corner. Rules add *implicit* ones: a set is a function of the
 //! point in the world, as `projectUV` makes it, or an explicit set that is moved, scaled or turned. So a rectangle or a box
@@ -6,11 +6,14 @@
 //! carry the functions along; what changes geometry in any other way writes the explicit sets first.
 
 mod bake;
+pub(crate) mod builtin;
 mod coordinates;
 pub(crate) mod kept;
+pub(crate) mod layer;
 pub(crate) mod leaf_uvs;
 pub mod map;
 mod projections;
+pub(crate) mod source;
 
 pub(crate) use coordinates::{Coordinates, Source};
 pub(crate) use projections::Projections;

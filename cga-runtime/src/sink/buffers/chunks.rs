@@ -151,9 +151,6 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
         let (rule, material) = buffers.numbers.leaf(leaf);
         let shown = buffers.numbers.table.face_material(material, &mesh.materials, mesh.tags[face].material);
         buffers.run(rule, shown);
-        if !mesh.uvs().is_empty() && buffers.uvs.is_empty() {
-            buffers.uvs.resize(buffers.vertices.len(), [0.0; 2]);
-        }
         buffers.vertices.len() as u32
     }
 }
@@ -163,7 +160,7 @@ impl Buffers {
     pub fn memory(&self) -> usize {
         size_of::<Vertex>() * self.vertices.capacity()
             + size_of::<u32>() * self.indices.capacity()
-            + size_of::<[f32; 2]>() * self.uvs.capacity()
+            + self.uvs.memory()
             + size_of::<Run>() * self.runs.capacity()
     }
 }

@@ -1,0 +1,42 @@
+//! Images below the asset folder: their headers, kept by name, and their bytes.
+
+use std::sync::PoisonError;
+
+use super::image::{self, ImageHeader, ImageKind, MOST_BYTES};
+use super::{AssetError, Assets, BUILTINS, File, NAMES_KEPT};
+use crate::texture::builtin;
+
+impl Assets {
+    /// The header of the image that a material names. Without an asset folder there is none to look at.
+    pub(crate) fn image_header(&self, name: &str) -> Result<ImageHeader, AssetError> {
+        if BUILTINS.contains(&name) {
+            let side = builtin::SIDE as u32;
+            return Ok(ImageHeader { kind: ImageKind::Png, width: side, height: side, has_alpha: false });
+        }
+        if name.starts_with("builtin:") {
+            return Err(AssetError::Format("there is no built-in texture of that name"));
+        }
+        if self.root.is_none() {
+            return Err(AssetError::NoFolder);
+        }
+        if let Some(known) = self.read.lock().unwrap_or_else(PoisonError::into_inner).headers.get(name) {
+            return known.clone();
+        }
+        let found = self.image_file(name).map(|(header, _)| header);
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        if read.names < NAMES_KEPT {
+            read.names += 1;
+            read.headers.insert(name.to_owned(), found.clone());
+        }
+        found
+    }
+
+    /// The header and the bytes of the image that a material names.
+    pub(crate) fn image_file(&self, name: &str) -> Result<(ImageHeader, Vec<u8>), AssetError> {
+        let (bytes, is_all) = self.bytes(&File::from(name), MOST_BYTES)?;
+        if !is_all {
+            return Err(AssetError::TooLong { most: MOST_BYTES });
+        }
+        Ok((image::header(&bytes)?, bytes))
+    }
+}
