@@ -351,12 +351,25 @@ pub struct Split {
 }
 
 /// What the sizes of a split measure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub enum Measure {
     /// `split`: lengths along the axis.
     Length,
     /// `splitArea`: areas of the geometry.
     Area,
+    /// `split(u, …)`, `split(v, …)`: texture coordinates. There is no axis then.
+    Texture(TextureSplit),
+}
+
+/// How texture space is split.
+#[derive(Clone, Debug)]
+pub struct TextureSplit {
+    /// True for `v`, false for `u`.
+    pub along_v: bool,
+    /// True if sizes are metres on the surface, false if they are coordinates.
+    pub in_metres: bool,
+    /// The number of the uv set.
+    pub set: Expr,
 }
 
 /// A split that was solved while compiling.

@@ -7,7 +7,7 @@ use crate::facts::{Facts, RuleFacts};
 use crate::ir::{
     Anew, Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Const, EachUnary, Expr, ExprKind, Function,
     FunctionId, Global, Grammar, Item, Measure, Param, Prefix, Presentation, Renewal, Rule, RuleId, Size, Split, Start,
-    Step, Target, Value,
+    Step, Target, TextureSplit, Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
@@ -312,11 +312,16 @@ impl<'g> Printer<'g> {
             Axis::Z => "z",
         };
         let adjust = if split.adjust { "" } else { " noAdjust" };
-        let name = match split.measure {
-            Measure::Length => "split",
-            Measure::Area => "splitArea",
+        let head = match &split.measure {
+            Measure::Length => format!("split {axis}{adjust}"),
+            Measure::Area => format!("splitArea {axis}{adjust}"),
+            Measure::Texture(TextureSplit { along_v, in_metres, set }) => {
+                let (along, space) =
+                    (if *along_v { "v" } else { "u" }, if *in_metres { "unitSpace" } else { "uvSpace" });
+                format!("split {along} {space} {}", self.expr(set))
+            }
         };
-        self.line(&format!("{name} {axis}{adjust} {}", pattern(&split.pattern)));
+        self.line(&format!("{head} {}", pattern(&split.pattern)));
         self.depth += 1;
         if let Some(solved) = &split.solved {
             let pieces = solved.pieces.iter().map(|piece| format!("{}: {}..{}", piece.slot, piece.start, piece.end));

@@ -1,6 +1,6 @@
 //! Over the steps and expressions of a grammar.
 
-use crate::ir::{Anew, Arg, CompArm, Expr, ExprKind, Grammar, Rule, RuleId, Selector, Step, Target};
+use crate::ir::{Anew, Arg, CompArm, Expr, ExprKind, Grammar, Measure, Rule, RuleId, Selector, Step, Target};
 
 /// Every step of a body, those in brackets and branches included.
 pub fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
@@ -83,7 +83,13 @@ pub fn in_step(step: &Step) -> Vec<&Expr> {
         Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
         Step::Rust(_, args, _) => args.iter().collect(),
         Step::Anew(anew) => anew.given.iter().map(|(_, value)| value).collect(),
-        Step::Split(split) => split.sizes.iter().map(|size| &size.value).collect(),
+        Step::Split(split) => {
+            let set = match &split.measure {
+                Measure::Texture(texture) => Some(&texture.set),
+                Measure::Length | Measure::Area => None,
+            };
+            set.into_iter().chain(split.sizes.iter().map(|size| &size.value)).collect()
+        }
         Step::Comp(comp) => comp
             .arms
             .iter()

@@ -4,3 +4,4 @@
 mod collect;
 mod projections;
 mod sets;
+mod splits;

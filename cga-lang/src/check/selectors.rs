@@ -43,7 +43,6 @@ impl<'a> Scope<'_, 'a, '_> {
             return;
         };
         if split.is_in_texture_space() {
-            self.not_implemented(axis.span, "a split in texture space", None);
             if let Some(space) = split.args.get(1) {
                 self.word("split", ["uvSpace", "unitSpace"].into_iter(), space);
             }

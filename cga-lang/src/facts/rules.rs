@@ -87,9 +87,10 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
         Step::Comp(_) => Uses::WHOLE,
         Step::Anew(anew) => renewals[anew.renewal.0 as usize],
         Step::Chance { .. } => Uses::DRAWS,
-        Step::Split(split) => match split.measure {
+        Step::Split(split) => match &split.measure {
             Measure::Length => Uses::NONE,
             Measure::Area => Uses::WHOLE,
+            Measure::Texture(_) => Uses::WHOLE.and(Uses::PLACE),
         },
         Step::SetAttr(..) | Step::Later(..) | Step::Give(_) | Step::Push(_) | Step::Case { .. } => Uses::NONE,
     }

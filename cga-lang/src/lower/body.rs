@@ -6,7 +6,7 @@ use crate::check::{Use, split_adjust, split_axis};
 use crate::fold::fold;
 use crate::ir::{
     Arg, AttrId, Axis, Childless, Expr, ExprKind, Item, Measure, Param, Prefix, Rule, RuleId, Size, Split, Step,
-    Target, Type, Value,
+    Target, TextureSplit, Type, Value,
 };
 use crate::ops::{self, ParamKind, Run};
 use crate::span::Span;
@@ -23,9 +23,6 @@ impl<'c> Lower<'c> {
             OpKind::Nil => Step::Give(Target::Nil),
             OpKind::Path(name, args) => Step::Rust(name.text.clone(), self.values(args), name.span),
             OpKind::Push(ops) => Step::Push(self.steps(ops)),
-            OpKind::Split(split) if split_axis(split).is_none() => {
-                Step::Later("split in texture space".into(), op.span)
-            }
             OpKind::Split(split) => Step::Split(self.split(split)),
             OpKind::Comp(comp) => Step::Comp(self.comp(comp)?),
             OpKind::Block(block) => Step::Later(block.name.text.clone(), op.span),
@@ -109,7 +106,7 @@ impl<'c> Lower<'c> {
     fn split(&mut self, split: &'c ast::Split) -> Split {
         let mut out = Split {
             axis: split_axis(split).unwrap_or(Axis::X),
-            measure: if split.is_by_area() { Measure::Area } else { Measure::Length },
+            measure: self.measure(split),
             adjust: split_adjust(split),
             sizes: Vec::new(),
             pattern: Vec::new(),
@@ -119,6 +116,22 @@ impl<'c> Lower<'c> {
         };
         self.group(&split.items, split.repeat, &mut out);
         out
+    }
+
+    fn measure(&mut self, split: &'c ast::Split) -> Measure {
+        if split.is_by_area() {
+            return Measure::Area;
+        }
+        if !split.is_in_texture_space() {
+            return Measure::Length;
+        }
+        let word = |at: usize| split.args.get(at).and_then(|arg| arg.value.word());
+        let set = match split.args.get(2) {
+            Some(set) => self.folded(&set.value),
+            None => Expr { kind: ExprKind::Value(Value::Float(0.0)), ty: Type::Float, span: split.name.span },
+        };
+        let (along_v, in_metres) = (word(0) == Some("v"), word(1) == Some("unitSpace"));
+        Measure::Texture(TextureSplit { along_v, in_metres, set })
     }
 
     fn group(&mut self, items: &'c [SplitItem], repeat: bool, out: &mut Split) {

@@ -172,7 +172,7 @@ fn part(split: &Split, slot: usize, known: Known) -> Known {
 /// The solution of a split, where it can be known.
 fn solved(split: &Split, known: Known) -> Option<Solved> {
     let extent = known.size[split.axis as usize]?.abs();
-    if split.measure == Measure::Area {
+    if !matches!(split.measure, Measure::Length) {
         return None;
     }
     let sizes = split.sizes.iter().map(|size| {

@@ -1,6 +1,6 @@
 //! Over the expressions of a rule's body, to change them. Who only looks uses `ir_walk`.
 
-use crate::ir::{Arg, Expr, ExprKind, Selector, Step, Target};
+use crate::ir::{Arg, Expr, ExprKind, Measure, Selector, Step, Target};
 
 /// Every step of a body, those in brackets and branches included.
 pub(super) fn steps(list: &mut [Step], visit: &mut dyn FnMut(&mut Step)) {
@@ -45,6 +45,9 @@ pub(super) fn exprs(steps: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
             Step::Rust(_, args, _) => args.iter_mut().for_each(&mut *visit),
             Step::Give(target) => target_exprs(target, visit),
             Step::Split(split) => {
+                if let Measure::Texture(texture) = &mut split.measure {
+                    visit(&mut texture.set);
+                }
                 split.sizes.iter_mut().for_each(|size| visit(&mut size.value));
                 split.slots.iter_mut().for_each(|target| target_exprs(target, visit));
             }

@@ -1,6 +1,8 @@
 //! A split: its pattern and the known sizes as constants, then a statement a slot and a loop a group.
 
-use cga_lang::ir::{Axis, ExprKind, Item, Measure, Piece, Prefix, RuleId, Size, Solved, Split, Target, Value};
+use cga_lang::ir::{
+    Axis, ExprKind, Item, Measure, Piece, Prefix, RuleId, Size, Solved, Split, Target, TextureSplit, Value,
+};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -61,16 +63,20 @@ impl Cx<'_> {
             Axis::Y => quote_spanned!(place=> cga_rt::Axis::Y),
             Axis::Z => quote_spanned!(place=> cga_rt::Axis::Z),
         };
-        let adjust = if split.adjust { quote_spanned!(place=> Adjust) } else { quote_spanned!(place=> NoAdjust) };
+        // The scopes of parts in texture space are found with them.
+        let adjusts = split.adjust && !matches!(split.measure, Measure::Texture(_));
+        let adjust = if adjusts { quote_spanned!(place=> Adjust) } else { quote_spanned!(place=> NoAdjust) };
         // A list cannot tell the repetitions of a group from those of a group around it.
         let solved = split.solved.as_ref().filter(|_| !has_nested_groups(&split.pattern));
         let in_place = self.is_in_place(split, rule);
-        let (pieces, row) = match (solved, split.measure) {
-            (Some(solved), _) => (known(solved, &axis), list()),
-            (None, Measure::Area) => (self.areas(split, &axis), list()),
-            (None, Measure::Length) => (self.lengths(split, &axis, in_place), quote_spanned!(place=> pieces.cursor())),
+        let is_list = solved.is_some() || !matches!(split.measure, Measure::Length);
+        let row = if is_list { list() } else { quote_spanned!(place=> pieces.cursor()) };
+        let pieces = match (solved, &split.measure) {
+            (Some(solved), _) => known(solved, &axis),
+            (None, Measure::Area) => self.areas(split, &axis),
+            (None, Measure::Length) => self.lengths(split, &axis, in_place),
+            (None, Measure::Texture(texture)) => self.textures(split, texture),
         };
-        let is_list = solved.is_some() || split.measure == Measure::Area;
         let is_counted = split.slots.iter().any(|target| self.facts.target(target).total);
         let total =
             if is_counted { quote_spanned!(place=> cga_rt::Row::total(&pieces)) } else { quote_spanned!(place=> 0) };
@@ -82,10 +88,16 @@ impl Cx<'_> {
         let slots = Slots { split, rule, axis, is_list, names: Names::new(in_place) };
         let statements = self.items(&slots, &split.pattern, At::default(), false);
         let (axis, number, Names { new, end, .. }) = (&slots.axis, Literal::u32_unsuffixed(number), &slots.names);
+        let made = match split.measure {
+            Measure::Texture(_) => TokenStream::new(),
+            Measure::Length | Measure::Area => quote_spanned! { place=>
+                let at_most = cga_rt::Row::at_most(&pieces);
+                let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, at_most, #again)?;
+            },
+        };
         quote_spanned! { place=>
             #pieces
-            let at_most = cga_rt::Row::at_most(&pieces);
-            let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, at_most, #again)?;
+            #made
             let mut division =
                 cga_rt::Division::#new(shape, &made, #axis, cga_rt::Adjust::#adjust, #number, #total);
             let mut row = #row;
@@ -219,6 +231,21 @@ impl Cx<'_> {
         }
     }
 
+    /// The pieces of a split in texture space, with their shapes.
+    fn textures(&self, split: &Split, texture: &TextureSplit) -> TokenStream {
+        let place = Span::mixed_site();
+        let (sizes, name) = self.sizes(split);
+        let axis = Ident::new(if texture.along_v { "V" } else { "U" }, place);
+        let space = Ident::new(if texture.in_metres { "Unit" } else { "Uv" }, place);
+        let set = self.asked(&texture.set, &Place::rule());
+        quote_spanned! { place=>
+            #sizes
+            let axis = (cga_rt::UvAxis::#axis, cga_rt::TextureSpace::#space, #set);
+            let (pieces, made) = cga_rt::texture(cx.env, shape, axis, PATTERN, #name)?;
+            let pieces = pieces.as_slice();
+        }
+    }
+
     /// The pattern and the sizes, with the name of these.
     fn sizes(&self, split: &Split) -> (TokenStream, Ident) {
         let (place, count) = (Span::mixed_site(), split.sizes.len());
@@ -233,11 +260,12 @@ impl Cx<'_> {
         let values = split.sizes.iter().map(|size| prefixed(size.prefix, &self.asked(&size.value, &place_of)));
         let constant =
             |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
-        let is_constant = split.measure == Measure::Length && split.sizes.iter().all(constant);
+        let is_length = matches!(split.measure, Measure::Length);
+        let is_constant = is_length && split.sizes.iter().all(constant);
         let name = Ident::new(if is_constant { "SIZES" } else { "sizes" }, place);
         let sizes = if is_constant {
             quote_spanned!(place=> const SIZES: [cga_rt::Size; #count] = [#(#values),*];)
-        } else if split.measure == Measure::Length {
+        } else if is_length {
             quote_spanned! { place=>
                 let sizes: [cga_rt::Size; #count] = [#(#values),*];
                 let sizes = cga_rt::sizes(cx.env, sizes);

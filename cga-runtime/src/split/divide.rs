@@ -17,7 +17,7 @@ pub fn sizes<const N: usize>(env: &mut Env, mut sizes: [Size; N]) -> [Size; N] {
 }
 
 #[inline]
-fn check(env: &mut Env, sizes: &mut [Size], what: &'static str) {
+pub(super) fn check(env: &mut Env, sizes: &mut [Size], what: &'static str) {
     for size in sizes {
         size.value = env.finite(size.value, what);
     }
@@ -86,7 +86,7 @@ pub fn areas<const N: usize>(
 }
 
 /// The pieces of a solution; none when there would be too many, which ends the run.
-fn listed(env: &mut Env, solution: &Solution<'_>) -> Vec<Piece> {
+pub(super) fn listed(env: &mut Env, solution: &Solution<'_>) -> Vec<Piece> {
     let within: Flow = within_limit(env, solution);
     if within.is_continue() { solution.pieces() } else { Vec::new() }
 }

@@ -60,6 +60,16 @@ struct Whole {
 pub struct Made(Option<Vec<Base>>);
 
 impl Made {
+    /// No pieces.
+    pub(super) fn nothing() -> Self {
+        Made(Some(Vec::new()))
+    }
+
+    /// Pieces that are there.
+    pub(super) fn of(pieces: Vec<Base>) -> Self {
+        Made(Some(pieces))
+    }
+
     /// Counts the pieces and cuts the geometry. `at_most` is no less than the number of pieces. `Break` when a limit was reached.
     #[inline(always)]
     pub fn new(

@@ -5,6 +5,7 @@ pub mod divide;
 pub mod division;
 mod parts;
 pub mod row;
+pub mod texture;
 
 pub use cga_split::{Item, Piece, Prefix, Size, Solution, solve, solve_any};
 

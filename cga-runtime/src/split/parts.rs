@@ -44,9 +44,7 @@ impl<'s> Parts<'s> {
     ) -> ControlFlow<(), Self> {
         let total = row.total() as usize;
         let slabs = match &shape.geometry {
-            Geometry::Mesh(placed) if 0 < total => {
-                Borders { axis, size: shape.scope.size, placed }.cut(env, row, total)?
-            }
+            Geometry::Mesh(placed) if 0 < total => slabs(env, placed, axis, shape.scope.size, row)?,
             _ => Vec::new(),
         };
         // A negative size runs the other way from the origin.
@@ -207,26 +205,21 @@ pub(super) fn within_limit(env: &mut Env, row: impl Row) -> Flow {
 }
 
 /// Where a mesh is cut.
-struct Borders<'p> {
-    axis: Axis,
-    size: DVec3,
-    placed: &'p Placed,
+pub(super) struct Borders {
+    /// The places of cuts in the coordinates of the mesh, so that no vertex moves.
+    pub(super) rising: Vec<f64>,
+    /// For each piece whether rounding leaves nothing of it.
+    flat: Vec<bool>,
 }
 
-impl Borders<'_> {
-    /// Cuts the mesh at the borders of all pieces in one pass; one slab a piece. `Break` when that is too much.
-    fn cut(&self, env: &mut Env, row: impl Row, pieces: usize) -> ControlFlow<(), Vec<Option<Arc<Mesh>>>> {
-        let at = self.axis.index();
-        let extent = self.size[at].abs();
-        // Planes in mesh coordinates, so that no vertex moves.
-        let stretch = self.placed.stretch(self.size)[at].abs();
-        let plane = |distance: f64| self.placed.low[at] + distance / stretch;
-        let high = plane(extent);
+impl Borders {
+    /// The borders of pieces of an extent. `place` leads from a distance to the coordinate of the mesh, and `high` is that of the end.
+    pub(super) fn of(row: impl Row, extent: f64, high: f64, place: impl Fn(f64) -> f64) -> Self {
         // Pieces touch, so after the first border every piece ends a slab, but for those that rounding leaves nothing.
-        let (mut rising, mut flat): (Vec<f64>, Vec<bool>) = (Vec::new(), Vec::with_capacity(pieces));
+        let (mut rising, mut flat): (Vec<f64>, Vec<bool>) = (Vec::new(), Vec::new());
         let _ = row.each(|piece| {
-            let end = plane(piece.end);
-            // The scope's own end is no cut; rounding must not leave a sliver there.
+            let end = place(piece.end);
+            // The extent's own end is no cut; rounding must not leave a sliver there.
             let inside = PLANAR_EPSILON * extent < extent - piece.end && end < high;
             flat.push(inside && rising.last() == Some(&end));
             if inside && rising.last() != Some(&end) {
@@ -234,19 +227,40 @@ impl Borders<'_> {
             }
             Flow::Continue(())
         });
-        let cut = cut::slabs(&self.placed.mesh, self.axis, &rising);
-        // *split operation*: surfaces get no caps. An asset that was meant to be a solid is worth a word, a face is not.
-        if !cut.open.is_empty() && self.placed.inserted == Inserted::Asset && 1 < self.placed.mesh.face_count() {
-            env.fault(
-                FaultKind::Geometry,
-                "the inserted mesh is not closed where it is split; the cut stays open there",
-            );
-        }
-        let mut parts = cut.parts.into_iter();
-        let list: Vec<_> = flat.into_iter().map(|flat| if flat { None } else { parts.next().flatten() }).collect();
+        Borders { rising, flat }
+    }
+
+    /// The mesh of each piece, counted. `Break` when that is too much.
+    pub(super) fn one_a_piece(
+        self,
+        env: &mut Env,
+        parts: Vec<Option<Arc<Mesh>>>,
+    ) -> ControlFlow<(), Vec<Option<Arc<Mesh>>>> {
+        let mut parts = parts.into_iter();
+        let list: Vec<_> = self.flat.into_iter().map(|flat| if flat { None } else { parts.next().flatten() }).collect();
         for mesh in list.iter().flatten() {
             env.count_vertices(mesh)?;
         }
         ControlFlow::Continue(list)
     }
+}
+
+/// Cuts a mesh at the borders of all pieces in one pass; one slab a piece. `Break` when that is too much.
+fn slabs(
+    env: &mut Env,
+    placed: &Placed,
+    axis: Axis,
+    size: DVec3,
+    row: impl Row,
+) -> ControlFlow<(), Vec<Option<Arc<Mesh>>>> {
+    let at = axis.index();
+    let (extent, stretch) = (size[at].abs(), placed.stretch(size)[at].abs());
+    let plane = |distance: f64| placed.low[at] + distance / stretch;
+    let borders = Borders::of(row, extent, plane(extent), plane);
+    let cut = cut::slabs(&placed.mesh, axis, &borders.rising);
+    // *split operation*: surfaces get no caps. An asset that was meant to be a solid is worth a word, a face is not.
+    if !cut.open.is_empty() && placed.inserted == Inserted::Asset && 1 < placed.mesh.face_count() {
+        env.fault(FaultKind::Geometry, "the inserted mesh is not closed where it is split; the cut stays open there");
+    }
+    borders.one_a_piece(env, cut.parts)
 }

@@ -1,0 +1,123 @@
+//! Splits in texture space: along lines of constant texture coordinates (*split operation*).
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use cga_split::{Item, Piece, Size, solve};
+
+use super::divide::{check, listed};
+use super::division::Made;
+use super::parts::Borders;
+use crate::cut;
+use crate::env::Env;
+use crate::fault::{FaultKind, LimitKind};
+use crate::mesh::{Mesh, UvAxis, UvExtent};
+use crate::op::texture::uv_set;
+use crate::shape::base::Base;
+use crate::shape::{Geometry, Inserted, Placed, Shape, ShapeRef};
+
+/// The unit of the sizes of a split in texture space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TextureSpace {
+    /// Texture coordinates: `uvSpace`.
+    Uv,
+    /// Metres on the surface: `unitSpace`.
+    Unit,
+}
+
+/// The coordinate, the unit and the uv set of a split in texture space.
+pub type TextureAxis = (UvAxis, TextureSpace, f64);
+
+/// The pieces of a split in texture space, and their shapes. The borders are the smallest and the largest coordinate. There are no pieces,
+/// and there is a fault, without coordinates in the set; none where all coordinates are equal. `Break` when a limit was reached.
+pub fn texture<const N: usize>(
+    env: &mut Env,
+    shape: &ShapeRef<'_>,
+    (axis, space, set): TextureAxis,
+    pattern: &[Item],
+    mut sizes: [Size; N],
+) -> ControlFlow<(), (Vec<Piece>, Made)> {
+    let mut lengths = [0.0; N];
+    check(env, &mut sizes, "a size of `split`");
+    let none = ControlFlow::Continue((Vec::new(), Made::nothing()));
+    let Some(set) = uv_set(env, set, "split") else { return none };
+    let mut whole = env.whole(shape);
+    whole.bake();
+    let Geometry::Mesh(placed) = &whole.geometry else {
+        missing(env, set);
+        return none;
+    };
+    let Some(extent) = placed.mesh.uv_extent(usize::from(set), placed.stretch(whole.scope.size)) else {
+        missing(env, set);
+        return none;
+    };
+    let length = match space {
+        TextureSpace::Uv => extent.size()[axis.index()],
+        TextureSpace::Unit => extent.metres[axis.index()],
+    };
+    if !(0.0 < length && length.is_finite()) {
+        return none;
+    }
+    let pieces = listed(env, &solve(pattern, &sizes, &mut lengths, length));
+    let chart = Chart { extent, axis, space, set: usize::from(set) };
+    let bands = chart.bands(env, &placed.mesh, length, &pieces)?;
+    let parts: Vec<Base> = bands.into_iter().map(|mesh| env.base(part(&whole, placed, mesh))).collect();
+    ControlFlow::Continue((pieces, Made::of(parts)))
+}
+
+#[cold]
+fn missing(env: &mut Env, set: u8) {
+    env.fault(FaultKind::Geometry, format!("the shape has no texture coordinates in set {set}: it is not split"));
+}
+
+/// The coordinate of a mesh along which it is split.
+struct Chart {
+    extent: UvExtent,
+    axis: UvAxis,
+    space: TextureSpace,
+    set: usize,
+}
+
+impl Chart {
+    /// The coordinate at a distance from the smallest one, in the unit of the split.
+    fn line(&self, distance: f64) -> f64 {
+        match self.space {
+            TextureSpace::Uv => self.extent.low[self.axis.index()] + distance,
+            TextureSpace::Unit => self.extent.at_metres(self.axis, distance),
+        }
+    }
+
+    /// Cuts the mesh at the borders of all pieces; one band a piece.
+    fn bands(
+        &self,
+        env: &mut Env,
+        mesh: &Arc<Mesh>,
+        length: f64,
+        pieces: &[Piece],
+    ) -> ControlFlow<(), Vec<Option<Arc<Mesh>>>> {
+        let borders = Borders::of(pieces, length, self.extent.high[self.axis.index()], |end| self.line(end));
+        let limit = env.settings.limits.vertices;
+        let most = usize::try_from(limit).unwrap_or(usize::MAX);
+        match cut::iso_bands(mesh, self.set, self.axis, &borders.rising, most) {
+            Ok(bands) => borders.one_a_piece(env, bands),
+            Err(_) => env.limit(LimitKind::Vertices, limit),
+        }
+    }
+}
+
+/// A part of the shape; its scope is the box of the mesh.
+fn part(whole: &Shape, placed: &Placed, mesh: Option<Arc<Mesh>>) -> Shape {
+    let mut part = Shape { geometry: Geometry::Empty, ..whole.clone() };
+    let Some(mesh) = mesh else { return part };
+    let (bounds, stretch) = (mesh.bounds(), placed.stretch(whole.scope.size));
+    part.scope.origin += whole.scope.axes * ((bounds.low - placed.low) * stretch);
+    part.scope.size = bounds.size() * stretch;
+    part.geometry = Geometry::Mesh(Arc::new(Placed {
+        mesh,
+        low: bounds.low,
+        size: bounds.size(),
+        inserted: Inserted::No,
+        mirrored: placed.mirrored,
+    }));
+    part
+}
