@@ -168,7 +168,7 @@ mod tests {
             assert_eq!((found.metres, found.size()), (DVec2::new(width, height), DVec2::ONE), "{width} {height}");
             let metric = corners.map(|p| (p, p));
             assert_eq!(extent(&mesh(&[&metric])).metres, DVec2::new(width, height));
-            let mirrored = corners.map(|p| (p, [5.0 - p[1], -3.0 * p[0]]));
+            let mirrored = corners.map(|p| (p, [-2.0 * p[1], 3.0 * p[0]]));
             let metres = extent(&mesh(&[&mirrored])).metres;
             assert!((metres / DVec2::new(height, width) - 1.0).abs().max_element() < 1e-12, "{metres}");
         }
