@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
+use crate::asset::Assets;
 use crate::derive::Report;
 use crate::fault::Fault;
 use crate::material::Material;
@@ -21,6 +22,7 @@ use crate::sink::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, q
 use crate::sink::numbers::Numbers;
 use crate::sink::stats::Stats;
 use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
+use crate::texture::files::Files;
 use crate::texture::leaf_uvs::LeafUvs;
 use crate::texture::map::SetMap;
 use crate::unit::UnitMesh;
@@ -36,6 +38,7 @@ pub struct Model {
     uvs: LeafUvs,
     numbers: Numbers,
     report: Report,
+    files: Files,
 }
 
 #[derive(Clone, Debug)]
@@ -240,6 +243,22 @@ impl Model {
 
     pub(crate) fn with_report(self, report: Report) -> Self {
         Model { report, ..self }
+    }
+
+    /// The same model with its images in an asset folder. The model of a run has the assets of its settings; without assets, or
+    /// without a folder, files and pictures do not contain images.
+    #[must_use]
+    pub fn with_assets(self, assets: Arc<Assets>) -> Self {
+        Model { files: Files::of(assets), ..self }
+    }
+
+    pub(crate) fn files(&self) -> &Files {
+        &self.files
+    }
+
+    /// The assets in which its images are found.
+    pub fn assets(&self) -> Option<&Arc<Assets>> {
+        self.files.get()
     }
 
     /// Without leaves.

@@ -71,6 +71,12 @@ impl Cuboid {
         })
     }
 
+    /// The corners of all faces, in the order in which sinks write them.
+    pub(crate) fn face_corners(&self) -> impl Iterator<Item = DVec3> + Clone + use<> {
+        let corners = self.corners();
+        self.unit.sides().iter().flat_map(|face| face.corners).map(move |at| corners[usize::from(at & 7)])
+    }
+
     /// The eight corners, as numbers x + 2y + 4z count them.
     pub(crate) fn corners(&self) -> [DVec3; 8] {
         let [x, y, z] = [self.sides.x_axis, self.sides.y_axis, self.sides.z_axis];

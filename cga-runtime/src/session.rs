@@ -84,7 +84,7 @@ impl<'g, G: Rules> Session<'g, G> {
     pub fn generate(&mut self, shape: &Shape) -> Result<Model, Error> {
         let mut model = Model::new();
         let report = self.run(shape, &mut model)?;
-        Ok(model.with_report(report))
+        Ok(model.with_report(report).with_assets(self.setup.settings.assets.clone()))
     }
 
     /// Runs on a shape, without echo.

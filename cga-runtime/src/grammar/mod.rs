@@ -111,7 +111,7 @@ pub trait Grammar {
     fn generate_with(&self, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
         let mut model = Model::new();
         let report = self.derive(shape, settings, &mut model)?;
-        Ok(model.with_report(report))
+        Ok(model.with_report(report).with_assets(settings.assets.clone()))
     }
 }
 

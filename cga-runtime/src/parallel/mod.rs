@@ -82,7 +82,7 @@ pub fn generate_all<G: Rules + Sync>(
         let done = derive_stretch(shapes, stretch, ended, |shape| {
             let mut model = Model::new();
             let outcome = session.outcome(shape, &mut model);
-            models.push(model.with_report(outcome.report.clone()));
+            models.push(model.with_report(outcome.report.clone()).with_assets(settings.assets.clone()));
             outcome
         });
         done.with(models)

@@ -8,6 +8,7 @@
 mod bake;
 pub(crate) mod builtin;
 mod coordinates;
+pub(crate) mod files;
 pub(crate) mod kept;
 pub(crate) mod layer;
 pub(crate) mod leaf_uvs;

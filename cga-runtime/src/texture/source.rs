@@ -29,22 +29,42 @@ pub(crate) fn find(assets: Option<&Assets>, name: &str) -> Source {
 }
 
 /// The pixels of an image.
-#[cfg(feature = "png")]
-pub(crate) fn pixels(assets: Option<&Assets>, name: &str) -> Option<Image> {
+pub(crate) struct Pixels {
+    pub(crate) image: Image,
+    /// Whether the image has an alpha channel, opaque or not.
+    pub(crate) has_alpha: bool,
+}
+
+impl Pixels {
+    /// The opacity of a pixel, 0 to 255: the alpha channel of an image that has one, else the brightness (CCIR 601).
+    pub(crate) fn opacity(&self, [r, g, b, a]: [u8; 4]) -> u8 {
+        if self.has_alpha {
+            return a;
+        }
+        ((299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b) + 500) / 1000) as u8
+    }
+}
+
+/// The pixels of the image of a name, if there is one. Without the feature `png` files cannot be read.
+pub(crate) fn pixels(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
     match find(assets, name) {
         Source::File(header, bytes) => {
-            Some(crate::asset::decode::decode(&header, &bytes).unwrap_or_else(|_| builtin::unknown()))
+            let image = decoded(&header, &bytes)?;
+            let has_alpha = header.has_alpha && image.is_some();
+            Some(Pixels { image: image.unwrap_or_else(builtin::unknown), has_alpha })
         }
-        Source::Drawn(image) => Some(image),
+        Source::Drawn(image) => Some(Pixels { image, has_alpha: false }),
         Source::Absent => None,
     }
 }
 
-/// The pixels of an image. Without the feature `png` files cannot be read.
+/// The pixels of a file, if it is not broken; nothing at all if it cannot be read here.
+#[cfg(feature = "png")]
+fn decoded(header: &ImageHeader, bytes: &[u8]) -> Option<Option<Image>> {
+    Some(crate::asset::decode::decode(header, bytes).ok())
+}
+
 #[cfg(not(feature = "png"))]
-pub(crate) fn pixels(assets: Option<&Assets>, name: &str) -> Option<Image> {
-    match find(assets, name) {
-        Source::Drawn(image) => Some(image),
-        Source::File(..) | Source::Absent => None,
-    }
+fn decoded(_: &ImageHeader, _: &[u8]) -> Option<Option<Image>> {
+    None
 }

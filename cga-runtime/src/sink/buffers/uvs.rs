@@ -73,12 +73,7 @@ impl UvLists {
 
     /// Adds the corners of all faces of a box.
     pub(super) fn cuboid(&mut self, maps: &[SetMap], cuboid: &Cuboid, vertex: usize) {
-        let corners = cuboid.corners();
-        self.points(
-            maps,
-            vertex,
-            cuboid.unit.sides().iter().flat_map(|face| face.corners).map(|at| corners[usize::from(at)]),
-        );
+        self.points(maps, vertex, cuboid.face_corners());
     }
 
     #[inline]

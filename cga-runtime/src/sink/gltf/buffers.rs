@@ -11,6 +11,7 @@ use crate::parallel::Parts;
 use crate::sink::Flow;
 use crate::sink::buffers::{Buffers, Part};
 use crate::sink::error::WriteError;
+use crate::texture::layer::SetMask;
 
 impl Glb {
     /// Adds all triangles of buffers. Several buffers make one file, without being joined first.
@@ -25,14 +26,14 @@ impl Glb {
     /// assert!(glb.finish().unwrap().starts_with(b"glTF"));
     /// ```
     pub fn buffers(&mut self, buffers: &Buffers) -> Flow {
-        let has_uvs = !buffers.uvs().is_empty();
+        let sets = SetMask::of(|set| !buffers.uv_set(set).is_empty());
         let moved = buffers.origin() - self.origin;
         for part in buffers.parts() {
             let table = &mut self.numbers.table;
             let rule = table.rule(buffers.rules()[part.rule as usize]);
             let material = table.material(&buffers.materials()[part.material as usize]);
             self.add(part.vertices.len(), part.indices.len())?;
-            let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, has_uvs);
+            let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, sets);
             primitive.part(buffers, &part, rule, moved);
         }
         ControlFlow::Continue(())
@@ -52,9 +53,9 @@ impl Primitive {
         };
         self.positions.extend(vertices.iter().map(position));
         self.normals.extend(vertices.iter().map(|&[.., x, y, z]| [x, y, z]));
-        if let Some(uvs) = buffers.uvs().get(part.vertices.clone()) {
+        for (set, list) in self.sets.sets().zip(&mut self.uvs) {
             // glTF counts v downwards.
-            self.uvs.extend(uvs.iter().map(|&[u, v]| [u, 1.0 - v]));
+            list.extend(buffers.uv_set(set)[part.vertices.clone()].iter().map(|&[u, v]| [u, 1.0 - v]));
         }
         self.indices.extend(buffers.indices()[part.indices.clone()].iter().map(|index| index - first + start));
     }

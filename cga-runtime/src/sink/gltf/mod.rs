@@ -4,17 +4,28 @@
 //! `EXT_mesh_features`), and a property table (`EXT_structural_metadata`) has the names. Assets inserted more than once
 //! are stored once and placed by nodes; on request, parts that rules repeat are stored once with a list of their places
 //! (`EXT_mesh_gpu_instancing`). Colours are turned from sRGB to linear light; materials are double sided, as
-//! CGA's are; textures are referenced by relative address. The same leaves give the same bytes.
+//! CGA's are. The same leaves and images give the same bytes.
+//!
+//! Images are embedded if the assets are known ([`Glb::with_assets`]; a model of a run knows them), else they are referenced by
+//! relative address. Colour, opacity, normal, emissive, occlusion, roughness and metallic maps become those of glTF, each with the
+//! set of texture coordinates that it uses and its placement (`KHR_texture_transform`). glTF keeps opacity beside colour and
+//! roughness beside metal: where CGA has two images, one is made of them, as large as the larger. An opacity map without an
+//! alpha channel counts by its brightness. Two maps in one image share the set and the placement of the first.
+//! Bump, dirt and specular maps are left out: glTF has no such maps.
 
 mod assets;
 mod binary;
 mod buffers;
+mod combine;
+mod images;
 mod json;
 mod look;
 mod pack;
 mod parts;
 mod primitive;
 mod streams;
+mod tangents;
+mod textures;
 
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -25,18 +36,22 @@ use glam::{DAffine3, DVec3};
 use self::assets::Assets;
 use self::look::Looks;
 use self::parts::{Parts, Place};
-use self::primitive::{INDEX_BYTES, Primitive, Primitives, VERTEX_BYTES};
+use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
 use super::corners::{Placed, four};
 use super::error::WriteError;
 use super::flatten::Flattener;
 use super::normals;
 use super::numbers::Numbers;
-use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
+use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
+use crate::asset::Assets as AssetFolder;
 use crate::mesh::{Bounds, Mesh};
 use crate::model::Model;
 use crate::parallel;
 use crate::scope::Axis;
 use crate::shape::base::Form;
+use crate::texture::files::Files;
+use crate::texture::layer::SetMask;
+use crate::texture::map::{self, SetMap};
 
 /// Collects leaves for a GLB file.
 #[derive(Debug, Default)]
@@ -50,6 +65,8 @@ pub struct Glb {
     parts: Option<Parts>,
     flattener: Flattener,
     bytes: u64,
+    files: Files,
+    references_images: bool,
 }
 
 /// A glTF mesh that is shown at several places.
@@ -78,6 +95,19 @@ impl Glb {
     /// origin 32-bit floats alone are not fine enough.
     pub fn with_origin(mut self, origin: DVec3) -> Self {
         self.origin = origin;
+        self
+    }
+
+    /// Embeds images, found in an asset folder. A file that is missing or broken becomes a checker pattern.
+    pub fn with_assets(mut self, assets: Arc<AssetFolder>) -> Self {
+        self.files = Files::of(assets);
+        self
+    }
+
+    /// References image files by their names, relative to the file, and does not embed them. Only images that are in no file are
+    /// embedded: built-in textures, and those made of two images.
+    pub fn with_referenced_images(mut self) -> Self {
+        self.references_images = true;
         self
     }
 
@@ -130,11 +160,23 @@ impl Glb {
         self.primitives.plain(&mut self.looks, &self.numbers.table, material)
     }
 
+    /// The primitive for a material on a rectangle or a box with texture coordinates.
+    fn mapped(&mut self, material: u32, uvs: &[SetMap]) -> &mut Primitive {
+        let sets = SetMask::of(|set| map::find(uvs, set).is_some());
+        self.primitives.of(&mut self.looks, &self.numbers.table, material, sets)
+    }
+
+    fn add_mapped(&mut self, vertices: usize, indices: usize, sets: usize) -> Flow {
+        self.add_bytes((vertices * sets) as u64 * UV_BYTES)?;
+        self.add(vertices, indices)
+    }
+
     fn add_mesh(&mut self, rule: u32, material: u32, mesh: &Mesh, placement: &DAffine3) {
         let Glb { origin, numbers, looks, primitives, flattener, .. } = self;
+        let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
         flattener.faces(mesh, placement, |face| {
             let shown = numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
-            let primitive = primitives.of(looks, &numbers.table, shown, !mesh.uvs().is_empty());
+            let primitive = primitives.of(looks, &numbers.table, shown, sets);
             primitive.face(mesh, placement, &face, rule, *origin);
             true
         });
@@ -191,21 +233,27 @@ impl Sink for Glb {
     }
 
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        if !leaf.uvs().is_empty() {
-            return self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY);
-        }
         let (rule, material) = self.numbers.leaf(leaf);
         let placed = Placed::from(quad).moved(-four(self.origin));
+        if !leaf.uvs().is_empty() {
+            let primitive = self.mapped(material, leaf.uvs());
+            primitive.quad(rule, &placed, normals::of_quad(leaf, quad));
+            primitive.uvs(leaf.uvs(), quad.corners().into_iter());
+            return self.add_mapped(4, 6, leaf.uvs().len());
+        }
         self.plain(material).quad(rule, &placed, normals::of_quad(leaf, quad));
         self.add(4, 6)
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        if !leaf.uvs().is_empty() {
-            return self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY);
-        }
         let (rule, material) = self.numbers.leaf(leaf);
         let placed = Placed::from(cuboid).moved(-four(self.origin));
+        if !leaf.uvs().is_empty() {
+            let primitive = self.mapped(material, leaf.uvs());
+            primitive.cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
+            primitive.uvs(leaf.uvs(), cuboid.face_corners());
+            return self.add_mapped(24, 36, leaf.uvs().len());
+        }
         self.plain(material).cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
         self.add(24, 36)
     }
@@ -219,7 +267,7 @@ impl Sink for Glb {
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         let (rule, material) = self.numbers.leaf(leaf);
         self.add_mesh(rule, material, mesh, placement);
-        self.add(mesh.corners.len(), 3 * mesh.corners.len())
+        self.add_mapped(mesh.corners.len(), 3 * mesh.corners.len(), mesh.uv_numbers().count())
     }
 }
 
@@ -229,7 +277,8 @@ impl Model {
     /// # Errors
     /// As [`Glb::finish`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        let mut glb = Glb::new().with_origin(near_origin(self.bounds()));
+        let glb = Glb::new().with_origin(near_origin(self.bounds()));
+        let mut glb = Glb { files: self.files().clone(), ..glb };
         // It stops when it is full; finishing tells.
         let _ = self.replay(&mut glb);
         glb.finish()
@@ -250,7 +299,9 @@ impl parallel::Parts<Model> {
     /// # Errors
     /// As [`Glb::finish`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
-        let mut glb = Glb::new().with_origin(near_origin(self.bounds()));
+        let glb = Glb::new().with_origin(near_origin(self.bounds()));
+        let mut glb =
+            Glb { files: self.sinks().next().map_or_else(Files::default, |model| model.files().clone()), ..glb };
         let _ = self.replay(&mut glb);
         glb.finish()
     }

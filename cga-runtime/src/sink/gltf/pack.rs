@@ -1,14 +1,17 @@
 //! Streams and description into one file.
 
 use std::fmt::Write as _;
+use std::sync::Arc;
 
 use glam::{DVec3, Vec4};
 
 use super::binary::{Binary, container, text};
+use super::images::Images;
 use super::json::joined;
 use super::parts::Place;
 use super::primitive::Primitive;
 use super::streams::Stream;
+use super::textures::LookTexture;
 use super::{Glb, MAX_BYTES, Places, Shared};
 use crate::sink::error::WriteError;
 use crate::sink::number::list;
@@ -26,7 +29,9 @@ struct Accessors {
     position: usize,
     normal: usize,
     rule: usize,
-    uv: Option<usize>,
+    /// The first of as many as there are sets.
+    uv: usize,
+    tangent: Option<usize>,
 }
 
 pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<Vec<u8>, WriteError> {
@@ -34,7 +39,16 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
     let meshes: Vec<&[Primitive]> = main.into_iter().chain(shared.iter().map(|s| &s.primitives[..])).collect();
     let flat: Vec<&Primitive> = meshes.iter().copied().flatten().collect();
     let mut binary = Binary::default();
-    let accessors = binary.primitives(&flat)?;
+    let images = Images::of(&glb.looks, glb.files.get().map(Arc::as_ref), glb.references_images);
+    let mut accessors = binary.primitives(&flat)?;
+    for (primitive, accessors) in flat.iter().copied().zip(&mut accessors) {
+        accessors.tangent = glb.looks.normal_space(primitive.look, &images).map(|space| {
+            let more = format!(",\"byteStride\":16,\"target\":{VERTICES}");
+            let count = primitive.vertex_count();
+            let view = binary.view(16 * count, &more, move |to| primitive.write_tangents(&space, to));
+            binary.accessor(view, 0, F32, count, "VEC4", "")
+        });
+    }
     let places = binary.places(shared);
 
     let mut json = String::from("{\"asset\":{\"generator\":\"cga\",\"version\":\"2.0\"},");
@@ -43,7 +57,9 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
         return container(&json, &Binary::default());
     }
     let rules = glb.numbers.table.rules();
-    write_rules(&mut json, &mut binary, rules, !places.is_empty());
+    let images = Images::of(&glb.looks, glb.files.get().map(Arc::as_ref), glb.references_images);
+    let has_transforms = glb.looks.textures().any(LookTexture::is_transformed);
+    write_rules(&mut json, &mut binary, rules, has_transforms, !places.is_empty());
     json.push_str("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],");
     write_nodes(&mut json, glb.origin, main.is_some(), shared, &places);
     let mut next = accessors.into_iter();
@@ -52,7 +68,11 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
         format!("{{\"primitives\":[{}]}}", joined(list))
     };
     let _ = write!(json, "\"meshes\":[{}],", joined(meshes.iter().map(mesh)));
-    glb.looks.write(&mut json);
+    glb.looks.write(&mut json, &images);
+    images.write(&mut json, &mut binary);
+    if MAX_BYTES < binary.length as u64 {
+        return Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) });
+    }
     let _ = write!(json, "\"accessors\":[{}],", binary.accessors.join(","));
     let _ = write!(json, "\"bufferViews\":[{}],", binary.views.join(","));
     // The chunk is padded, and readers complain when the buffer is not as long as the chunk.
@@ -62,7 +82,7 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
 }
 
 /// Rule names: one string table, one row a rule.
-fn write_rules(json: &mut String, binary: &mut Binary<'_>, rules: &[&str], has_instances: bool) {
+fn write_rules(json: &mut String, binary: &mut Binary<'_>, rules: &[&str], has_transforms: bool, has_instances: bool) {
     let mut offsets = vec![0u32];
     let mut names = Vec::new();
     for rule in rules {
@@ -72,6 +92,9 @@ fn write_rules(json: &mut String, binary: &mut Binary<'_>, rules: &[&str], has_i
     let values = binary.view(names.len(), "", move |to| text(to, &names, 0));
     let offsets = binary.view(4 * offsets.len(), "", move |to| to.extend(offsets.iter().map(|o| o.to_le_bytes())));
     json.push_str("\"extensionsUsed\":[\"EXT_mesh_features\",\"EXT_structural_metadata\"");
+    if has_transforms {
+        json.push_str(",\"KHR_texture_transform\"");
+    }
     // A reader without the extension would show each part once, at a wrong place.
     json.push_str(match has_instances {
         true => ",\"EXT_mesh_gpu_instancing\"],\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"],",
@@ -118,9 +141,10 @@ fn write_nodes(json: &mut String, origin: DVec3, has_main: bool, shared: &[Share
 }
 
 fn primitive(primitive: &Primitive, at: &Accessors, rules: usize) -> String {
-    let uv = at.uv.map_or(String::new(), |uv| format!(",\"TEXCOORD_0\":{uv}"));
+    let tangent = at.tangent.map_or(String::new(), |tangent| format!(",\"TANGENT\":{tangent}"));
+    let uvs: String = (0..primitive.uvs.len()).map(|set| format!(",\"TEXCOORD_{set}\":{}", at.uv + set)).collect();
     format!(
-        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"_FEATURE_ID_0\":{}{uv}}},\"indices\":{},\"material\":{},\
+        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{},\"_FEATURE_ID_0\":{}{uvs}{tangent}}},\"indices\":{},\"material\":{},\
          \"extensions\":{{\"EXT_mesh_features\":{{\"featureIds\":[{{\"featureCount\":{rules},\"attribute\":0,\
          \"propertyTable\":0}}]}}}}}}",
         at.position, at.normal, at.rule, at.indices, primitive.look
@@ -160,12 +184,18 @@ impl<'a> Binary<'a> {
             a.rule = self.accessor(view, at, F32, p.vertex_count(), "SCALAR", "");
             at += 4 * p.vertex_count();
         }
-        let count = primitives.iter().map(|p| p.uvs.len()).sum::<usize>();
+        let count = primitives.iter().flat_map(|p| &p.uvs).map(Vec::len).sum::<usize>();
         if 0 < count {
             let (view, mut at) = (self.stream(8 * count, &strided(8), primitives, Primitive::write_uvs), 0);
-            for (p, a) in primitives.iter().zip(&mut all).filter(|(p, _)| !p.uvs.is_empty()) {
-                a.uv = Some(self.accessor(view, at, F32, p.uvs.len(), "VEC2", ""));
-                at += 8 * p.uvs.len();
+            for (p, a) in primitives.iter().zip(&mut all) {
+                a.uv = self.accessors.len();
+                for list in &p.uvs {
+                    if !list.as_flattened().iter().all(|number| number.is_finite()) {
+                        return Err(WriteError::NotFinite);
+                    }
+                    self.accessor(view, at, F32, list.len(), "VEC2", "");
+                    at += 8 * list.len();
+                }
             }
         }
         if MAX_BYTES < self.length as u64 {

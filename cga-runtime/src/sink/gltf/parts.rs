@@ -11,6 +11,7 @@ use glam::{DAffine3, DQuat, DVec3};
 use super::primitive::Primitive;
 use super::{Glb, Places, Shared};
 use crate::sink::{Flow, PartId, Replay};
+use crate::texture::layer::SetMask;
 
 /// Parts in the order in which they come first.
 #[derive(Debug, Default)]
@@ -114,7 +115,7 @@ impl Glb {
                 continue;
             }
             for primitive in &primitives {
-                let index = self.primitives.with_look(primitive.look, false);
+                let index = self.primitives.with_look(primitive.look, SetMask::default());
                 self.primitives.list[index].add_quads(primitive, &first, self.origin);
             }
         }

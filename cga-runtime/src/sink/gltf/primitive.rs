@@ -15,19 +15,21 @@ use crate::sink::corners::Placed;
 use crate::sink::flatten::{FlatFace, corner_point, normal_map, unit};
 use crate::sink::room::Room;
 use crate::sink::table::Table;
+use crate::texture::layer::SetMask;
+use crate::texture::map::{self, SetMap};
 use crate::unit::UnitMesh;
 
 /// The primitives of a glTF mesh, in the order in which they are first asked for.
 #[derive(Debug, Default)]
 pub(super) struct Primitives {
     pub(super) list: Vec<Primitive>,
-    /// By look and whether they have texture coordinates. Only ever asked, never walked.
-    by_look: HashMap<(u32, bool), usize>,
+    /// By look and sets of texture coordinates. Only ever asked, never walked.
+    by_look: HashMap<(u32, SetMask), usize>,
     /// Those without texture coordinates, by number of the material.
     plain: Vec<Option<u32>>,
 }
 
-/// The triangles of one glTF primitive. Texture coordinates are there for all vertices or for none.
+/// The triangles of one glTF primitive. All vertices have the same sets of texture coordinates.
 ///
 /// A quad has four vertices, one normal, and indices that follow from its place; the faces of meshes have all of them. The
 /// streams of the file are made of both when it is written (`streams.rs`).
@@ -35,7 +37,9 @@ pub(super) struct Primitives {
 pub(super) struct Primitive {
     pub(super) look: u32,
     pub(super) positions: Room<[f32; 3]>,
-    pub(super) uvs: Vec<[f32; 2]>,
+    pub(super) sets: SetMask,
+    /// One list a set, one pair a vertex.
+    pub(super) uvs: Vec<Vec<[f32; 2]>>,
     /// One a quad.
     pub(super) quad_normals: Room<[f32; 3]>,
     /// One a vertex of a mesh.
@@ -60,6 +64,9 @@ pub(super) struct Stretch {
 pub(super) const VERTEX_BYTES: u64 = 28;
 pub(super) const INDEX_BYTES: u64 = 4;
 
+/// Bytes that a vertex takes for each set of texture coordinates.
+pub(super) const UV_BYTES: u64 = 8;
+
 impl Primitives {
     /// The primitive for a material without texture coordinates.
     #[inline]
@@ -71,32 +78,33 @@ impl Primitives {
         &mut self.list[index]
     }
 
-    /// The primitive for a material, with or without texture coordinates.
-    pub(super) fn of(&mut self, looks: &mut Looks, table: &Table, material: u32, has_uvs: bool) -> &mut Primitive {
-        let index = self.find(looks, table, material, has_uvs);
+    /// The primitive for a material on a mesh with some sets of texture coordinates.
+    pub(super) fn of(&mut self, looks: &mut Looks, table: &Table, material: u32, sets: SetMask) -> &mut Primitive {
+        let index = self.find(looks, table, material, sets);
         &mut self.list[index]
     }
 
     #[cold]
     #[inline(never)]
     fn find_plain(&mut self, looks: &mut Looks, table: &Table, material: u32) -> usize {
-        let index = self.find(looks, table, material, false);
+        let index = self.find(looks, table, material, SetMask::default());
         let at = material as usize;
         self.plain.resize(self.plain.len().max(at + 1), None);
         self.plain[at] = Some(index as u32);
         index
     }
 
-    fn find(&mut self, looks: &mut Looks, table: &Table, material: u32, has_uvs: bool) -> usize {
-        let look = looks.of(material, &table.materials()[material as usize], has_uvs);
-        self.with_look(look, has_uvs)
+    fn find(&mut self, looks: &mut Looks, table: &Table, material: u32, sets: SetMask) -> usize {
+        let (look, sets) = looks.of(material, &table.materials()[material as usize], sets);
+        self.with_look(look, sets)
     }
 
-    /// The number of the primitive with a look.
-    pub(super) fn with_look(&mut self, look: u32, has_uvs: bool) -> usize {
+    /// The number of the primitive with a look and some sets.
+    pub(super) fn with_look(&mut self, look: u32, sets: SetMask) -> usize {
         let list = &mut self.list;
-        *self.by_look.entry((look, has_uvs)).or_insert_with(|| {
-            list.push(Primitive { look, ..Primitive::default() });
+        *self.by_look.entry((look, sets)).or_insert_with(|| {
+            let uvs = sets.sets().map(|_| Vec::new()).collect();
+            list.push(Primitive { look, sets, uvs, ..Primitive::default() });
             list.len() - 1
         })
     }
@@ -121,6 +129,7 @@ fn flipped(uv: DVec2) -> [f32; 2] {
 impl PartialEq for Primitive {
     fn eq(&self, other: &Self) -> bool {
         self.look == other.look
+            && self.sets == other.sets
             && self.stretches == other.stretches
             && self.positions.items() == other.positions.items()
             && self.quad_normals.items() == other.quad_normals.items()
@@ -176,6 +185,15 @@ impl Primitive {
         write_box(self.quads(rule, 6), placed, unit, normals);
     }
 
+    /// Adds the texture coordinates of vertices that were added last, by their points in the world.
+    pub(super) fn uvs(&mut self, maps: &[SetMap], points: impl Iterator<Item = DVec3> + Clone) {
+        for (set, list) in self.sets.sets().zip(&mut self.uvs) {
+            if let Some(map) = map::find(maps, set) {
+                list.extend(points.clone().map(|point| flipped(map.at(point))));
+            }
+        }
+    }
+
     /// Adds leaves of a part that repeats, with one rule and this many faces.
     #[inline(never)]
     pub(super) fn repeat(&mut self, rule: u32, replay: &Replay<'_>, leaves: Range<usize>, faces: usize, origin: DVec4) {
@@ -222,8 +240,8 @@ impl Primitive {
             self.positions.push(short(point));
             self.normals.push(short(normal));
         }
-        if !mesh.uvs().is_empty() {
-            self.uvs.extend(mesh.uvs()[face.corners.clone()].iter().map(|&uv| flipped(uv)));
+        for (set, list) in self.sets.sets().zip(&mut self.uvs) {
+            list.extend(mesh.uv_set(set)[face.corners.clone()].iter().map(|&uv| flipped(uv)));
         }
         self.indices.extend(face.triangles.as_flattened().iter().map(|i| start + i));
     }

@@ -61,7 +61,10 @@ impl Primitive {
         }
     }
 
+    /// Writes the texture coordinates of each set after those of the set before.
     pub(super) fn write_uvs(&self, to: &mut Vec<Word>) {
-        to.extend(self.uvs.as_flattened().iter().map(|c| c.to_le_bytes()));
+        for list in &self.uvs {
+            to.extend(list.as_flattened().iter().map(|c| c.to_le_bytes()));
+        }
     }
 }

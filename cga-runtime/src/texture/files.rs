@@ -1,0 +1,29 @@
+//! The folder in which the images of a model are found.
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::asset::Assets;
+
+/// The assets of the run that made a model, if they are known.
+#[derive(Clone, Default)]
+pub(crate) struct Files(Option<Arc<Assets>>);
+
+impl Files {
+    /// Those assets.
+    pub(crate) fn of(assets: Arc<Assets>) -> Self {
+        Files(Some(assets))
+    }
+
+    /// The assets.
+    pub(crate) fn get(&self) -> Option<&Arc<Assets>> {
+        self.0.as_ref()
+    }
+}
+
+impl fmt::Debug for Files {
+    /// Whether there are any. What they have read so far tells nothing about a model.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.0.is_some() { "Assets" } else { "None" })
+    }
+}
