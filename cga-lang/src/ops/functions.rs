@@ -2,7 +2,7 @@
 
 use super::{
     B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Uses, Values, boolean, bounds, float, of,
-    or, queries, set_elements, text, uv_set, values, within, word,
+    or, queries, set_elements, text, values, within, word,
 };
 use crate::ir::Type;
 
@@ -23,6 +23,7 @@ pub static FUNCTIONS: &[&[Function]] = &[
     set_elements::TEXT,
     set_elements::TEXTS,
     queries::GEOMETRY,
+    queries::TEXTURE,
     queries::SHAPES,
     queries::FILES,
     TAGS,
@@ -105,11 +106,6 @@ static CONTEXT: &[Function] = &[
     later("getTreeKey", &[], T, "the way from the initial shape to this one, as a list of numbers"),
 ];
 
-const UV_SET: Param = or(uv_set("uvSet"), Default::Float(0.0));
-
-const SURFACE: Param =
-    word("surfaceParameterization", "UvSpace", &[("uvSpace", "UvSpace"), ("unitSpace", "UnitSpace")]);
-
 const TAGGED: Param = or(
     word(
         "components",
@@ -122,16 +118,8 @@ const TAGGED: Param = or(
 /// What `isTagged` looks at instead of the component itself.
 const SUBCOMPONENT: Param = word("subcomponent", "Subcomponent", &[("e", "Edges"), ("v", "Vertices")]);
 
-/// Texture coordinates and tags.
+/// Tags of geometry.
 static GEOMETRY: &[Function] = &[
-    later("geometry.du", &[uv_set("uvSet"), SURFACE], F, "the extent in u, in texture coordinates or about in metres"),
-    later("geometry.dv", &[uv_set("uvSet"), SURFACE], F, "the extent in v, in texture coordinates or about in metres"),
-    later("geometry.uMin", &[UV_SET], F, "the smallest u"),
-    later("geometry.uMax", &[UV_SET], F, "the largest u"),
-    later("geometry.vMin", &[UV_SET], F, "the smallest v"),
-    later("geometry.vMax", &[UV_SET], F, "the largest v"),
-    later("geometry.hasUVs", &[], B, "whether there are texture coordinates"),
-    later("geometry.hasUVs", &[uv_set("uvSet")], B, "whether there are texture coordinates of a set"),
     later("geometry.tags", &[], TS, "the tags of the components, in order"),
     later("geometry.tags", &[text("tagQuery"), TAGGED], TS, "the tags that match, in order"),
     later("geometry.hasTags", &[], B, "whether components have tags"),

@@ -45,8 +45,8 @@ pub use primitive::{
 };
 pub use report::{label, print, report};
 pub use texture::{
-    ProjectionAxes, copy_uv, delete_uv, project_uv, rotate_uv, scale_uv, setup_projection, setup_projection_at,
-    setup_projection_uw, setup_uv, translate_uv,
+    NormalizeMode, NormalizeType, ProjectionAxes, copy_uv, delete_uv, normalize_uv, project_uv, rotate_uv, scale_uv,
+    setup_projection, setup_projection_at, setup_projection_uw, setup_uv, tile_uv, translate_uv,
 };
 pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
 pub(crate) use transform::{angles, sin_cos, turn};

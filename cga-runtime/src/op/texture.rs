@@ -173,6 +173,89 @@ fn change(env: &mut Env, shape: &mut Shape, set: f64, what: &str, change: DAffin
     }
 }
 
+/// The coordinates that `normalizeUV` changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NormalizeMode {
+    /// Both, each by its own range.
+    Uv,
+    /// Both by the larger range.
+    UvUniform,
+    /// The first one.
+    U,
+    /// The second one.
+    V,
+}
+
+/// The faces that `normalizeUV` takes together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NormalizeType {
+    /// Each face by its own range.
+    SeparatePerFace,
+    /// All faces by the range of all.
+    CollectiveAllFaces,
+}
+
+/// `normalizeUV(uvSet, normalizeMode, normalizeType)`: moves and scales coordinates to 0 to 1; a coordinate without a range becomes
+/// 0 (*normalizeUV operation*).
+pub fn normalize_uv(env: &mut Env, shape: &mut Shape, set: f64, mode: NormalizeMode, faces: NormalizeType) {
+    let Some(set) = uv_set(env, set, "normalizeUV") else { return };
+    let mesh = shape.to_mesh();
+    if faces == NormalizeType::SeparatePerFace && 1 < mesh.face_count() {
+        shape.bake();
+        return shape.change_mesh(|mesh| {
+            let mut uvs = mesh.uv_set(usize::from(set)).to_vec();
+            for face in mesh.faces() {
+                let own = face.corner_range();
+                if let Some(change) = uvs.get(own.clone()).and_then(range).map(|range| normalized(mode, range)) {
+                    uvs[own].iter_mut().for_each(|uv| *uv = change.transform_point2(*uv));
+                }
+            }
+            mesh.with_uv_set(usize::from(set), uvs)
+        });
+    }
+    if let Some(range) = range(mesh.uv_set(usize::from(set))) {
+        shape.state.change_look().coordinates.change(set, &normalized(mode, range));
+    }
+}
+
+/// The smallest and the largest coordinates.
+fn range(uvs: &[DVec2]) -> Option<[DVec2; 2]> {
+    let first = *uvs.first()?;
+    Some(uvs.iter().fold([first; 2], |[low, high], &uv| [low.min(uv), high.max(uv)]))
+}
+
+/// The change that fits a range of coordinates between 0 and 1.
+fn normalized(mode: NormalizeMode, [low, high]: [DVec2; 2]) -> DAffine2 {
+    let share = |size: f64| if size == 0.0 { 0.0 } else { 1.0 / size };
+    let size = high - low;
+    let (each, larger) = (DVec2::new(share(size.x), share(size.y)), DVec2::splat(share(size.max_element())));
+    let (factor, by) = match mode {
+        NormalizeMode::Uv => (each, low),
+        NormalizeMode::UvUniform => (larger, low),
+        NormalizeMode::U => (DVec2::new(each.x, 1.0), DVec2::new(low.x, 0.0)),
+        NormalizeMode::V => (DVec2::new(1.0, each.y), DVec2::new(0.0, low.y)),
+    };
+    DAffine2::from_scale_angle_translation(factor, 0.0, -by * factor)
+}
+
+/// `tileUV(uvSet, textureWidth, textureHeight)`: scales coordinates about (0, 0) so that a texture has that size in metres on the
+/// surface (*tileUV operation*). A relative width is a share of the surface's extent in u; with a floating one a whole number of
+/// tiles fills it. 0 leaves the coordinate as it is, and a negative size mirrors.
+pub fn tile_uv(env: &mut Env, shape: &mut Shape, set: f64, width: Size, height: Size) {
+    let Some(set) = uv_set(env, set, "tileUV") else { return };
+    let Some(extent) = shape.to_mesh().uv_extent(usize::from(set), DVec3::ONE) else { return };
+    let (range, metres) = (extent.size(), extent.metres);
+    let mut factor = |tile: Size, range: f64, metres: f64, what: &str| {
+        let factor = metres / range / tile_size(env, tile, metres, what);
+        if factor.is_finite() { factor } else { 1.0 }
+    };
+    let factors = DVec2::new(
+        factor(width, range.x, metres.x, "the texture width"),
+        factor(height, range.y, metres.y, "the texture height"),
+    );
+    shape.state.change_look().coordinates.change(set, &DAffine2::from_scale(factors));
+}
+
 /// The number of a set; a fault for any other number.
 pub(crate) fn uv_set(env: &mut Env, set: f64, what: &str) -> Option<u8> {
     let known = (0..SETS as u8).find(|&known| f64::from(known) == set);
@@ -190,8 +273,11 @@ pub(crate) fn tile_size(env: &mut Env, tile: Size, extent: f64, what: &str) -> f
         Prefix::Relative => value * extent,
         Prefix::Floating if value == 0.0 || extent == 0.0 => extent,
         Prefix::Floating => {
-            // The nearest whole number of tiles, and at least one.
-            let count = libm::round((extent / value).abs()).max(1.0);
+            // Of the two whole numbers of tiles, that whose size is nearer, and at least one.
+            let exact = (extent / value).abs();
+            let (fewer, more) = (libm::floor(exact).max(1.0), libm::ceil(exact).max(1.0));
+            let stretch = |count: f64| (exact / count - 1.0).abs();
+            let count = if stretch(fewer) < stretch(more) { fewer } else { more };
             (extent.abs() / count).copysign(value)
         }
     }

@@ -12,8 +12,10 @@ mod material;
 mod measure;
 mod print;
 mod table;
+mod texture;
 
 pub use crate::comp::select::Word;
+pub use crate::split::texture::TextureSpace;
 pub use convert::{ConvertWhat, System, convert, convert_array};
 pub use count::{
     geometry_groups, geometry_materials, geometry_n_edges, geometry_n_faces, geometry_n_holes, geometry_n_vertices,
@@ -32,6 +34,10 @@ pub use measure::{
 };
 pub use print::print;
 pub use table::{read_float_table, read_string_table};
+pub use texture::{
+    geometry_du, geometry_dv, geometry_has_uv_set, geometry_has_uvs, geometry_u_max, geometry_u_min, geometry_v_max,
+    geometry_v_min,
+};
 
 /// The coordinate that `convert` gives.
 pub use crate::scope::Axis;

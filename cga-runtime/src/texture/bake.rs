@@ -8,7 +8,7 @@ use super::coordinates::Resolved;
 use super::{Coordinates, Projections};
 use crate::mesh::Mesh;
 use crate::scope::Scope;
-use crate::shape::{Geometry, Placed, Shape};
+use crate::shape::{Geometry, Inserted, Placed, Shape};
 
 impl Shape {
     /// Writes implicit coordinates into the sets of the mesh, which a box or a rectangle becomes.
@@ -38,6 +38,14 @@ impl Shape {
         }
         let place = self.scope.placement() * *to_scope;
         Arc::new(with_sets(mesh, &place, coordinates, self.state.projections()))
+    }
+
+    /// Replaces the mesh by one of the same points; nothing for geometry without faces.
+    pub(crate) fn change_mesh(&mut self, change: impl FnOnce(&Mesh) -> Mesh) {
+        if let Geometry::Mesh(placed) = &self.geometry {
+            let mesh = Arc::new(change(&placed.mesh));
+            self.geometry = Geometry::Mesh(Arc::new(Placed { mesh, inserted: Inserted::No, ..Placed::clone(placed) }));
+        }
     }
 
     /// Takes implicit coordinates along to where the geometry is now, that has moved with the scope.

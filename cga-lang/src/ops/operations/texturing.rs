@@ -1,7 +1,7 @@
 //! Textures and texture coordinates. A uv set is a number from 0 to 9.
 
-use super::super::{Default, Operation, Param, ParamKind, float, length, or, param, size, uv_set, word};
-use super::{alone, keeps, later, old, op, paints};
+use super::super::{Default, Operation, Param, ParamKind, Uses, float, length, or, param, size, uv_set, word};
+use super::{alone, keeps, old, op, paints, using};
 
 const UV_SET: Param = uv_set("uvSet");
 
@@ -36,6 +36,11 @@ const NORMALIZE_TYPE: Param = word(
 const WIDTH: Param = size("textureWidth");
 const HEIGHT: Param = size("textureHeight");
 const PROJECTION: &str = "says how a texture is to be laid on the shape";
+
+/// The same row, of an operation that reads texture coordinates, which may follow from the place in the world.
+const fn reads_place(row: Operation) -> Operation {
+    keeps(using(Uses::WHOLE.and(Uses::PLACE), row))
+}
 
 pub(super) static ROWS: &[Operation] = &[
     paints(op("texture", "texture", &[param("filePath", ParamKind::Image)], "sets the colour map")),
@@ -82,8 +87,18 @@ pub(super) static ROWS: &[Operation] = &[
         &[UV_SET, float("angle")],
         "turns texture coordinates about their origin, in degrees",
     )),
-    later("normalizeUV", &[UV_SET, NORMALIZE_MODE, NORMALIZE_TYPE], "fits texture coordinates between 0 and 1"),
-    alone(later("tileUV", &[UV_SET, WIDTH, HEIGHT], "scales texture coordinates to tiles of a size")),
+    reads_place(op(
+        "normalizeUV",
+        "normalize_uv",
+        &[UV_SET, NORMALIZE_MODE, NORMALIZE_TYPE],
+        "fits texture coordinates between 0 and 1",
+    )),
+    alone(reads_place(op(
+        "tileUV",
+        "tile_uv",
+        &[UV_SET, WIDTH, HEIGHT],
+        "scales texture coordinates to tiles of a size",
+    ))),
     paints(op("deleteUV", "delete_uv", &[UV_SET], "removes texture coordinates")),
     paints(op(
         "copyUV",

@@ -1,0 +1,65 @@
+//! Texture coordinates as functions ask for them (*geometry functions*): implicit ones count.
+
+use glam::{DVec2, DVec3};
+
+use crate::env::Env;
+use crate::mesh::UvAxis;
+use crate::op::texture::uv_set;
+use crate::shape::Shape;
+use crate::split::texture::TextureSpace;
+
+/// `geometry.du(uvSet, space)`: the largest u minus the smallest, as coordinates or about in metres; 0 without coordinates
+/// (*geometry.du, dv functions*).
+pub fn geometry_du(env: &mut Env, shape: &Shape, set: f64, space: TextureSpace) -> f64 {
+    extent(env, shape, set, space, UvAxis::U, "geometry.du")
+}
+
+/// `geometry.dv(uvSet, space)`: the same for v.
+pub fn geometry_dv(env: &mut Env, shape: &Shape, set: f64, space: TextureSpace) -> f64 {
+    extent(env, shape, set, space, UvAxis::V, "geometry.dv")
+}
+
+/// `geometry.uMin(uvSet)`: the smallest u; 0 without coordinates (*geometry.uMin, uMax, vMin, vMax functions*).
+pub fn geometry_u_min(env: &mut Env, shape: &Shape, set: f64) -> f64 {
+    range(env, shape, set, "geometry.uMin")[0].x
+}
+
+/// `geometry.uMax(uvSet)`: the largest u.
+pub fn geometry_u_max(env: &mut Env, shape: &Shape, set: f64) -> f64 {
+    range(env, shape, set, "geometry.uMax")[1].x
+}
+
+/// `geometry.vMin(uvSet)`: the smallest v.
+pub fn geometry_v_min(env: &mut Env, shape: &Shape, set: f64) -> f64 {
+    range(env, shape, set, "geometry.vMin")[0].y
+}
+
+/// `geometry.vMax(uvSet)`: the largest v.
+pub fn geometry_v_max(env: &mut Env, shape: &Shape, set: f64) -> f64 {
+    range(env, shape, set, "geometry.vMax")[1].y
+}
+
+/// `geometry.hasUVs()`: true if there are coordinates in any set (*geometry.hasUVs function*).
+pub fn geometry_has_uvs(_: &mut Env, shape: &Shape) -> bool {
+    let mesh = shape.to_mesh();
+    (0..crate::texture::SETS).any(|set| !mesh.uv_set(set).is_empty())
+}
+
+/// `geometry.hasUVs(uvSet)`: true if there are coordinates in a set.
+pub fn geometry_has_uv_set(env: &mut Env, shape: &Shape, set: f64) -> bool {
+    uv_set(env, set, "geometry.hasUVs").is_some_and(|set| !shape.to_mesh().uv_set(usize::from(set)).is_empty())
+}
+
+fn range(env: &mut Env, shape: &Shape, set: f64, what: &str) -> [DVec2; 2] {
+    let set = uv_set(env, set, what);
+    set.and_then(|set| shape.to_mesh().uv_range(usize::from(set))).unwrap_or_default()
+}
+
+fn extent(env: &mut Env, shape: &Shape, set: f64, space: TextureSpace, axis: UvAxis, what: &str) -> f64 {
+    let Some(set) = uv_set(env, set, what) else { return 0.0 };
+    let extent = shape.to_mesh().uv_extent(usize::from(set), DVec3::ONE);
+    extent.map_or(0.0, |extent| match space {
+        TextureSpace::Uv => extent.size()[axis.index()],
+        TextureSpace::Unit => extent.metres[axis.index()],
+    })
+}
