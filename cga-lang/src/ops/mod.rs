@@ -158,7 +158,7 @@ pub enum ParamKind {
     Any,
     /// A length in metres, or relative with `'`.
     Length,
-    /// A length in metres, relative with `'` or floating with `~`. Rows that run have no such parameter yet.
+    /// A length in metres, relative with `'` or floating with `~`.
     Size,
     /// Text: the name of a file, which is looked for from the folder of the rule file that it is written in.
     File,

@@ -57,7 +57,12 @@ impl CgaRules {
                         } {
                             1f64
                         } else {
-                            cga_rt::later::float(cx.env, "geometry.du")
+                            cga_rt::func::geometry_du(
+                                cx.env,
+                                shape,
+                                0f64,
+                                cga_rt::func::TextureSpace::Uv,
+                            )
                         }),
                     );
                     let a2 = cga_rt::Length::Absolute(0f64);
