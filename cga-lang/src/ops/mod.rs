@@ -314,8 +314,9 @@ impl Block {
 
 impl Operation {
     /// Returns true if it changes geometry in its scope: texture coordinates that follow from the place are written before.
+    /// Operations with a slim form take them along.
     pub fn reshapes(&self) -> bool {
-        !matches!(self.scope, Effect::Keeps | Effect::Sizes)
+        !matches!(self.scope, Effect::Keeps | Effect::Sizes) && self.changes != Changes::Scope
     }
 
     /// Returns true if it takes that number of arguments.

@@ -52,6 +52,10 @@ pub fn extrude_along(env: &mut Env, shape: &mut Shape, along: ExtrudeAlong, dist
     if distance == 0.0 && along != ExtrudeAlong::WorldUpFlatTop {
         return;
     }
+    match [Axis::X, Axis::Y, Axis::Z].into_iter().find(|axis| straight(&shape.scope, *axis, along)) {
+        Some(axis) => shape.raise_coordinates(axis),
+        None => shape.bake(),
+    }
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex => {}
         Geometry::Rect(axis, unit) if straight(&shape.scope, *axis, along) => {

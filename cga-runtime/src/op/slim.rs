@@ -89,10 +89,7 @@ pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Opt
             shape.size.set_along(Axis::Y, height);
         }
         _ => {
-            return whole(env, shape, |env, shape| {
-                shape.bake();
-                super::extrude(env, shape, distance);
-            });
+            return whole(env, shape, |env, shape| super::extrude(env, shape, distance));
         }
     }
     shape.form = Form::Box;

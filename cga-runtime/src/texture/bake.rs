@@ -7,7 +7,7 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 use super::coordinates::Resolved;
 use super::{Coordinates, Projections};
 use crate::mesh::Mesh;
-use crate::scope::Scope;
+use crate::scope::{Axis, Scope};
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
 impl Shape {
@@ -60,6 +60,21 @@ impl Shape {
         let back = before.placement() * DAffine3::from_mat3(resize) * rigid_inverse(&now);
         let projections = self.state.projections().clone();
         self.state.change_look().coordinates.carry(&back, &projections);
+    }
+}
+
+/// Implicit coordinates of what grows.
+impl Shape {
+    /// Gives everything above a plane of the scope, across an axis, the coordinates of the point below it.
+    #[inline]
+    pub(crate) fn raise_coordinates(&mut self, axis: Axis) {
+        if !self.state.coordinates().is_empty() {
+            let (up, origin) = (self.scope.axes.col(axis.index()), self.scope.origin);
+            let flat = DMat3::IDENTITY - DMat3::from_cols(up * up.x, up * up.y, up * up.z);
+            let back = DAffine3 { matrix3: flat, translation: up * up.dot(origin) };
+            let projections = self.state.projections().clone();
+            self.state.change_look().coordinates.carry(&back, &projections);
+        }
     }
 }
 
