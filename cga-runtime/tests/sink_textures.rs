@@ -353,19 +353,19 @@ fn a_library_has_a_word_for_each_map_and_built_in_images_beside_it() {
 }
 
 /// Pixels along a side of pictures.
-const SIDE: usize = 256;
+const SIDE: usize = 128;
 
 /// A picture from the front of a square of 2 metres that fills nearly all of it.
-fn picture(model: &Model) -> Image {
+fn picture(model: &Model, side: usize) -> Image {
     let camera = Camera { margin: 0.0, ..Camera::auto(model.bounds()) }.looking_from(0.0, 0.0).orthographic();
-    let picture = Picture { lines: Lines::None, ground: false, ..Picture::new(SIDE, SIDE) };
+    let picture = Picture { lines: Lines::None, ground: false, ..Picture::new(side, side) };
     picture.camera(camera).render(model)
 }
 
 #[test]
 fn a_picture_shows_the_texture_the_right_way_round() {
     let material = look(|look| look.texture = Some("builtin:uvtest.png".into()));
-    let image = picture(&shown(&Arc::default(), &material, &[0]));
+    let image = picture(&shown(&Arc::default(), &material, &[0]), SIDE);
     let at = |u: usize, v: usize| {
         let place = |c: usize| if c == 0 { 6 } else { SIDE - 7 };
         let [r, g, b, _] = image.pixel(place(u), SIDE - 1 - place(v)).expect("a pixel");
@@ -375,8 +375,8 @@ fn a_picture_shows_the_texture_the_right_way_round() {
     assert_eq!([at(0, 0), at(1, 0)], [[false, true, false], [false, true, true]]);
     assert_eq!([at(0, 1), at(1, 1)], [[true, false, true], [true, false, false]]);
     // Without coordinates it has the colour of the material.
-    let plain = picture(&shown(&Arc::default(), &material, &[]));
-    let white = picture(&shown(&Arc::default(), &Arc::default(), &[0]));
+    let plain = picture(&shown(&Arc::default(), &material, &[]), SIDE);
+    let white = picture(&shown(&Arc::default(), &Arc::default(), &[0]), SIDE);
     assert!(plain == white && plain != image);
 }
 
@@ -392,7 +392,7 @@ fn a_picture_is_as_transparent_as_the_opacity_map() {
             map(look, Layer::Opacity, "half.png");
             look.set_text(MaterialText::OpacityMode, mode);
         });
-        let image = picture(&shown(&folder.assets(), &material, &[0]));
+        let image = picture(&shown(&folder.assets(), &material, &[0]), SIDE);
         // Where the image is transparent, and where it is opaque.
         [SIDE / 4, SIDE * 3 / 4].map(|x| {
             let [r, g, b, _] = image.pixel(x, SIDE / 2).expect("a pixel");
@@ -421,7 +421,7 @@ fn no_coordinates_or_images_are_too_odd_to_be_drawn() {
             builder.face(&corners, &[], FaceTag::PLAIN).uvs(&points.map(|[x, y]| dvec2(x * scale, y * scale)));
             let mut fill = Fill(Model::new().with_assets(folder.assets()));
             fill.mesh("A", &material, &Arc::new(builder.build().expect("a square")), DAffine3::IDENTITY);
-            assert_eq!(picture(&fill.0).rgba.len(), 4 * SIDE * SIDE);
+            assert_eq!(picture(&fill.0, 24).rgba.len(), 4 * 24 * 24);
             let _ = fill.0.to_glb();
         }
     }
