@@ -66,6 +66,11 @@ pub mod mesh {
     pub use cga_runtime::mesh::{Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError};
 }
 
+/// Texture coordinates of leaves that are rectangles or boxes: maps from points of the world.
+pub mod texture {
+    pub use cga_runtime::texture::map::{SetMap, UvMap};
+}
+
 /// Where leaves go: the trait and the sinks that come with the crate.
 pub mod sink {
     #[cfg(feature = "gltf")]

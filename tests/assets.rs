@@ -110,3 +110,28 @@ fn what_an_absolute_path_does_not_name_is_missing() {
     assert!(faults[0].starts_with("`/q.obj` cannot be inserted"), "{}", faults[0]);
     assert!(faults[1].contains("below the asset folder only"), "{}", faults[1]);
 }
+
+cga! {
+    @Allow(missing_asset)
+    grammar Painted = r#"
+        Lot --> split(x) { ~1 : Wall }*
+        Wall --> texture("none.png") X.
+    "#;
+}
+
+#[test]
+fn a_missing_texture_is_one_fault_in_each_run() {
+    let folder = Temporary::new("texture", &[]);
+    let assets = Arc::new(Assets::below(&folder.0));
+    let settings = Settings { assets, ..Settings::default() };
+    let grammar = Painted::default();
+    let mut session = grammar.session(&settings).expect("a session");
+    for _ in 0..2 {
+        let model = session.generate(&Shape::rectangle(5.0, 1.0)).expect("a model");
+        let faults: Vec<String> = model.faults().iter().map(|fault| fault.message.clone()).collect();
+        assert!(faults.len() == 1 && faults[0].starts_with("`none.png` cannot be shown"), "{faults:?}");
+        assert_eq!(model.leaves().count(), 5);
+        let images = model.leaves().map(|leaf| leaf.material().texture.as_ref().map(|name| name.to_string()));
+        assert!(images.into_iter().all(|name| name.as_deref() == Some("builtin:unknowntexture.png")));
+    }
+}

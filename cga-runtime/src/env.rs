@@ -368,7 +368,7 @@ impl Env {
 
     /// The number of faults so far.
     pub(crate) fn fault_count(&self) -> u64 {
-        self.faults.len() as u64 + self.faults_left_out
+        self.faults.len() as u64 + self.faults_left_out + self.said_again
     }
 
     fn rule_name(&self, rule: u32) -> &'static str {

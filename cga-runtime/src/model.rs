@@ -252,6 +252,7 @@ impl Model {
         Model { files: Files::of(assets), ..self }
     }
 
+    #[cfg(feature = "gltf")]
     pub(crate) fn files(&self) -> &Files {
         &self.files
     }

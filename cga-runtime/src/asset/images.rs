@@ -1,10 +1,22 @@
 //! Images below the asset folder: their headers, kept by name, and their bytes.
 
+#[cfg(feature = "obj")]
+use std::path::Path;
 use std::sync::PoisonError;
 
+#[cfg(feature = "obj")]
+use super::folder;
 use super::image::{self, ImageHeader, ImageKind, MOST_BYTES};
 use super::{AssetError, Assets, BUILTINS, File, NAMES_KEPT};
+#[cfg(feature = "obj")]
+use crate::material::{Layer, Material, MaterialText};
+#[cfg(feature = "obj")]
+use crate::mesh::Mesh;
+#[cfg(feature = "obj")]
+use crate::text::Text;
 use crate::texture::builtin;
+#[cfg(feature = "obj")]
+use crate::texture::layer;
 
 impl Assets {
     /// The header of the image that a material names. Without an asset folder there is none to look at.
@@ -39,4 +51,26 @@ impl Assets {
         }
         Ok((image::header(&bytes)?, bytes))
     }
+}
+
+/// The mesh of a file with images named from the asset folder: its materials name them from the folder of the file. A name that
+/// leads to nothing stays as it is.
+#[cfg(feature = "obj")]
+pub(super) fn with_names_from_root(mut mesh: Mesh, root: &Path, file: &Path) -> Mesh {
+    let from_root = |name: &Text| {
+        let found = folder::inside(root, &file.parent()?.join(name.replace('\\', "/"))).ok()?;
+        let found = found.strip_prefix(root.canonicalize().ok()?).ok()?.to_str()?.replace('\\', "/");
+        Some(Text::from(format!("/{found}")))
+    };
+    let named = |material: &Material| {
+        let mut named = material.clone();
+        for layer in Layer::ALL {
+            if let Some(name) = layer::image(material, layer).and_then(from_root) {
+                named.set_text(MaterialText::Map(layer), name);
+            }
+        }
+        named
+    };
+    mesh.materials = mesh.materials.iter().map(named).collect();
+    mesh
 }

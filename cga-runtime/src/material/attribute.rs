@@ -39,6 +39,27 @@ pub enum Layer {
     Metallic,
 }
 
+impl Layer {
+    /// All layers, in the order of their uv sets.
+    pub const ALL: [Layer; 10] = [
+        Layer::Color,
+        Layer::Bump,
+        Layer::Dirt,
+        Layer::Specular,
+        Layer::Opacity,
+        Layer::Normal,
+        Layer::Emissive,
+        Layer::Occlusion,
+        Layer::Roughness,
+        Layer::Metallic,
+    ];
+
+    /// The set of texture coordinates that the layer uses, 0 to 9.
+    pub fn uv_set(self) -> usize {
+        self as usize
+    }
+}
+
 /// How a texture lies on its layer: `su`, `sv` scale it, `tu`, `tv` move it, `rw` turns it, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[allow(missing_docs, reason = "see above")]

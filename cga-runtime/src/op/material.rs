@@ -183,6 +183,49 @@ mod tests {
     }
 
     #[test]
+    fn a_texture_with_an_alpha_channel_is_an_opacity_map_too() {
+        // *texture operation*: set if the texture contains an alpha channel, reset to an empty string otherwise.
+        let folder = std::env::temp_dir().join(format!("cga-alpha-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let png = |kind: u8| {
+            let head = [&b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x01\0\0\0\x01\x08"[..], &[kind, 0, 0, 0, 0, 0, 0, 0]]
+                .concat();
+            [&head[..], b"\0\0\0\0IEND\0\0\0\0"].concat()
+        };
+        let files = [("clear.png", png(6)), ("solid.png", png(2)), ("early.png", png(2)[..30].to_vec())];
+        files.iter().for_each(|(name, bytes)| std::fs::write(folder.join(name), bytes).expect("a file"));
+        let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
+        // Without a folder no file is looked at.
+        texture(env, shape, "clear.png".into());
+        assert_eq!((get::material_opacitymap(shape).as_str(), env.take_faults().0.len()), ("", 0));
+        env.settings.assets = Arc::new(crate::asset::Assets::below(&folder));
+        let mut maps = |name: &str| {
+            texture(env, shape, name.into());
+            let faults: Vec<String> = env.take_faults().0.iter().map(|fault| fault.message.clone()).collect();
+            let [color, opacity] = [get::material_colormap(shape), get::material_opacitymap(shape)];
+            (color.to_string(), opacity.to_string(), faults.join("; "))
+        };
+        let texts = |color: &str, opacity: &str, fault: &str| (color.to_owned(), opacity.to_owned(), fault.to_owned());
+        assert_eq!(maps("clear.png"), texts("clear.png", "clear.png", ""));
+        assert_eq!(maps("solid.png"), texts("solid.png", "", ""));
+        assert_eq!(maps("clear.png"), texts("clear.png", "clear.png", ""));
+        assert_eq!(maps("builtin:uvtest.png"), texts("builtin:uvtest.png", "", ""));
+        let fault = "`early.png` cannot be shown: the image ends early; a checker pattern takes its place";
+        assert_eq!(maps("early.png"), texts("early.png", "", fault));
+        for name in ["none.png", "../none.png", "builtin:none.png"] {
+            let (color, opacity, fault) = maps(name);
+            assert_eq!((color.as_str(), opacity.as_str()), ("builtin:unknowntexture.png", ""));
+            assert!(fault.starts_with(&format!("`{name}` cannot be shown")), "{fault}");
+        }
+        assert_eq!(maps(""), texts("", "", ""));
+        set::material_normalmap(env, shape, "none.png".into());
+        set::material_normalmap(env, shape, "none.png".into());
+        let (faults, _) = env.take_faults();
+        assert_eq!((faults.len(), faults[0].count), (1, 2));
+        let _ = std::fs::remove_dir_all(&folder);
+    }
+
+    #[test]
     fn unset_attributes_are_those_of_the_geometry_until_they_are_reset() {
         let (env, shape) = (&mut Env::for_tests(), &mut own());
         assert_eq!((get::material_color_g(shape), get::material_dirtmap(shape).as_str()), (0.4, "dirt.png"));

@@ -3,9 +3,14 @@
 //! Polygons stay polygons; faces with holes, which the format does not know, become triangles. Every run of leaves with
 //! one rule and one material starts a `g` and a `usemtl`. Coordinates are in the world, with as many digits as it takes
 //! to read the same values back. Colours are written as they are set, in sRGB.
+//!
+//! A corner has one pair of texture coordinates in this format: those of set 0, or of the first set that a mesh has. The library
+//! refers to images by the paths that rules use, from the asset folder, with scale and offset (`-s`, `-o`); it has no word for a
+//! turn (`rw`) and for other sets. Built-in textures are written as files beside the library.
 
-use std::collections::HashSet;
-use std::fmt::Write as _;
+mod mtl;
+
+use std::collections::{BTreeSet, HashSet};
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::ops::ControlFlow;
@@ -16,13 +21,14 @@ use glam::{DAffine3, DVec3};
 
 use super::error::WriteError;
 use super::flatten::{Flattener, normal_map, unit};
-use super::number::{Short, Texts, push_whole};
+use super::number::{Texts, push_whole};
 use super::numbers::Numbers;
 use super::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
-use crate::material::{ColorOf, Layer, Material, MaterialNumber, MaterialText};
+use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::model::Model;
 use crate::parallel::Parts;
+use crate::text::Text;
 
 /// The bytes of text that are handed over at once, or somewhat more.
 const MUCH: usize = 1 << 15;
@@ -79,7 +85,7 @@ impl<W: Write> Obj<W> {
         for (material, name) in self.numbers.table.materials().iter().zip(&self.names.list) {
             // Some materials only served to make others.
             if let Some(name) = name {
-                write_material(&mut library, name, material);
+                mtl::write(&mut library, name, material);
             }
         }
         Ok(library)
@@ -169,23 +175,24 @@ impl<W: Write> Sink for Obj<W> {
         let turn = normal_map(&placement.matrix3);
         let (points, uvs, normals) = (self.points + 1, self.uvs + 1, self.normals + 1);
         mesh.points.iter().for_each(|&point| self.point(placement.transform_point3(point)));
-        for uv in mesh.uvs() {
+        let coordinates = mesh.uv_numbers().next().map_or(&[][..], |set| mesh.uv_set(set));
+        for uv in coordinates {
             self.line("vt", &uv.to_array());
         }
         for &normal in &mesh.normals {
             self.line("vn", &unit(turn * normal).to_array());
         }
-        self.uvs += mesh.uvs().len() as u64;
+        self.uvs += coordinates.len() as u64;
         self.normals += mesh.normals.len() as u64;
         let corner = |text: &mut Vec<u8>, corner: usize| {
             text.push(b' ');
             push_whole(text, points + u64::from(mesh.corners[corner]));
-            if !mesh.uvs().is_empty() {
+            if !coordinates.is_empty() {
                 text.push(b'/');
                 push_whole(text, uvs + corner as u64);
             }
             if !mesh.normals.is_empty() {
-                text.extend_from_slice(if mesh.uvs().is_empty() { b"//" } else { b"/" });
+                text.extend_from_slice(if coordinates.is_empty() { b"//" } else { b"/" });
                 push_whole(text, normals + corner as u64);
             }
         };
@@ -250,33 +257,6 @@ fn plain_name(material: &Material) -> String {
     format!("color_{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b))
 }
 
-fn write_material(text: &mut String, name: &str, material: &Material) {
-    let color = material.color();
-    let _ = write!(text, "newmtl {name}\nKd {} {} {}\n", Short(color.r), Short(color.g), Short(color.b));
-    let mut number = |key: &str, value: Option<f64>| {
-        if let Some(value) = value {
-            let _ = writeln!(text, "{key} {}", Short(value));
-        }
-    };
-    number("d", material.opacity);
-    number("Pm", material.metallic);
-    number("Pr", material.roughness);
-    number("Ns", material.number(MaterialNumber::Shininess));
-    let colors: [(&str, ColorOf); 3] =
-        [("Ka", MaterialNumber::Ambient), ("Ks", MaterialNumber::Specular), ("Ke", MaterialNumber::Emissive)];
-    for (key, which) in colors {
-        if let Some(color) = material.channels(which) {
-            let _ = writeln!(text, "{key} {} {} {}", Short(color.r), Short(color.g), Short(color.b));
-        }
-    }
-    for (key, layer) in [("map_Kd", Layer::Color), ("map_d", Layer::Opacity), ("map_Ks", Layer::Specular)] {
-        if let Some(path) = material.text(MaterialText::Map(layer)).filter(|path| !path.is_empty()) {
-            let _ = writeln!(text, "{key} {path}");
-        }
-    }
-    text.push_str("illum 1\n\n");
-}
-
 impl Model {
     /// The model as OBJ text that refers to `library`, and the text of that library.
     pub fn to_obj(&self, library: &str) -> (String, String) {
@@ -321,6 +301,21 @@ fn to_files(path: &Path, replay: impl FnOnce(&mut Obj<BufWriter<File>>) -> Flow)
     let name = library.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let mut obj = Obj::new(BufWriter::new(File::create(path)?), &name);
     let _ = replay(&mut obj);
+    let images = mtl::builtins(obj.numbers.table.materials());
     std::fs::write(&library, obj.finish()?)?;
+    write_images(path, &images)
+}
+
+/// Writes built-in textures beside an OBJ file.
+#[cfg(feature = "png")]
+fn write_images(path: &Path, names: &BTreeSet<Text>) -> Result<(), WriteError> {
+    names.iter().try_for_each(|name| match crate::texture::builtin::image(name) {
+        Some(image) => image.write_png(path.with_file_name(mtl::file_name(name))),
+        None => Ok(()),
+    })
+}
+
+#[cfg(not(feature = "png"))]
+fn write_images(_: &Path, _: &BTreeSet<Text>) -> Result<(), WriteError> {
     Ok(())
 }

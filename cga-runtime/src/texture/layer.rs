@@ -25,13 +25,15 @@ pub(crate) struct PlacementMap {
 
 impl Placement {
     /// An image as its coordinates have it.
+    #[cfg(feature = "gltf")]
     pub(crate) const PLAIN: Placement = Placement { scale: DVec2::ONE, turn: 0.0, offset: DVec2::ZERO };
 
     /// The placement of a layer of a material.
     pub(crate) fn of(material: &Material, layer: Layer) -> Self {
         let number = |part| {
             let which = MaterialNumber::Map(layer, part);
-            material.number(which).filter(|number| number.is_finite()).unwrap_or(which.default_value())
+            // Beyond that 32-bit floats would not be finite.
+            material.number(which).filter(|number| number.abs() <= 1e30).unwrap_or(which.default_value())
         };
         Placement {
             scale: DVec2::new(number(LayerPart::Su), number(LayerPart::Sv)),
@@ -75,7 +77,7 @@ pub(crate) fn image(material: &Material, layer: Layer) -> Option<&Text> {
 /// The set that a layer uses on a mesh that has some sets: its own, else set 0; nothing if that is missing too (*Texturing:
 /// essential knowledge*).
 pub(crate) fn set(layer: Layer, sets: SetMask) -> Option<usize> {
-    [layer as usize, 0].into_iter().find(|&set| sets.has(set))
+    [layer.uv_set(), 0].into_iter().find(|&set| sets.has(set))
 }
 
 /// The sets that a mesh or a leaf has.
@@ -93,11 +95,13 @@ impl SetMask {
     }
 
     /// How many sets there are below one.
+    #[cfg(feature = "gltf")]
     pub(crate) fn rank(self, set: usize) -> usize {
         (self.0 & ((1 << set) - 1)).count_ones() as usize
     }
 
     /// The sets, in order.
+    #[cfg(feature = "gltf")]
     pub(crate) fn sets(self) -> impl Iterator<Item = usize> {
         (0..10).filter(move |&set| self.has(set))
     }
@@ -115,14 +119,12 @@ mod tests {
         assert_eq!(set(Layer::Metallic, mask(&[0, 9])), Some(9));
         assert_eq!(set(Layer::Normal, mask(&[0, 2])), Some(0));
         assert_eq!(set(Layer::Normal, mask(&[2])), None);
-        assert_eq!(mask(&[0, 2, 9]).rank(9), 2);
-        assert_eq!(mask(&[1, 3]).sets().collect::<Vec<_>>(), [1, 3]);
     }
 
     #[test]
     fn coordinates_are_scaled_then_turned_then_moved() {
         let mut material = Material::UNSET;
-        assert_eq!(Placement::of(&material, Layer::Color), Placement::PLAIN);
+        assert_eq!(Placement::of(&material, Layer::Color).map().at(DVec2::new(3.0, 4.0)), DVec2::new(3.0, 4.0));
         let parts = [
             (LayerPart::Su, 2.0),
             (LayerPart::Sv, 3.0),

@@ -68,3 +68,14 @@ fn decoded(header: &ImageHeader, bytes: &[u8]) -> Option<Option<Image>> {
 fn decoded(_: &ImageHeader, _: &[u8]) -> Option<Option<Image>> {
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn opacity_is_the_alpha_channel_or_the_brightness() {
+        let opacity = |has_alpha| Pixels { image: builtin::unknown(), has_alpha }.opacity([255, 0, 0, 7]);
+        assert_eq!([opacity(true), opacity(false)], [7, 76]);
+    }
+}

@@ -115,7 +115,8 @@ impl<'a> Images<'a> {
 /// A path as a relative reference: forward slashes, everything but the unreserved characters escaped.
 fn uri(path: &str) -> String {
     let mut text = String::new();
-    for byte in path.bytes() {
+    // A slash at the beginning means the asset folder, which a reader does not know.
+    for byte in path.strip_prefix('/').unwrap_or(path).bytes() {
         match byte {
             b'\\' => text.push('/'),
             b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => text.push(byte.into()),

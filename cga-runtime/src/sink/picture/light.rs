@@ -129,9 +129,8 @@ fn sky_weight(up: f32) -> f32 {
 pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun: DVec3) -> Light {
     let mut raw = vec![Raw::default(); layer.seen.len()];
     // Thin glass casts no shadow worth drawing.
-    let casts = |paint: u32| 0.6 <= scene.paints[paint as usize].opacity;
     let casters: Vec<[V; 3]> =
-        scene.triangles.iter().filter(|t| casts(t.paint)).map(|t| t.corners().map(short)).collect();
+        scene.triangles.iter().filter(|t| 0.6 <= scene.mean_opacity(t)).map(|t| t.corners().map(short)).collect();
     let count = lamps(casters.len());
     let (sun_map, sky_map) = map_sizes(layer);
     let bright = Lamp::new(&casters, half, sun, sun_map, [0.0; 2], Vec::new());

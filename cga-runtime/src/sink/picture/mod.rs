@@ -9,7 +9,12 @@
 //! ```
 //!
 //! Sun, a soft sky and light from the ground; a ground that catches shadows; thin lines along edges. The same model
-//! gives the same bytes on every machine. Textures are not drawn: faces have their material's colour.
+//! gives the same bytes on every machine.
+//!
+//! Faces with texture coordinates show the colour map of their material, and are as transparent as its opacity map: by degrees, or
+//! all or nothing where the mode is `mask`. Files are found in the assets of the model ([`Model::with_assets`]); without an asset
+//! folder faces have the colour of their material. Of several transparent
+//! surfaces behind each other the nearest is seen. Other maps are not drawn.
 
 pub(crate) mod camera;
 mod font;
@@ -19,6 +24,8 @@ mod lines;
 mod raster;
 mod scene;
 mod shade;
+mod texel;
+mod texture;
 mod visible;
 
 pub use camera::{Camera, Projection, Viewpoint};
@@ -142,7 +149,7 @@ impl Picture {
     /// Draws a model.
     pub fn render(&self, model: &Model) -> Image {
         let bounds = model.bounds();
-        let mut scene = Scene::new(&bounds);
+        let mut scene = Scene::new(&bounds, model.assets().cloned());
         let _ = model.replay(&mut scene);
         let camera = self.view.camera(bounds);
         let samples = self.samples.clamp(1, 4);

@@ -6,12 +6,15 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
+use super::texel::{Maps, PLAIN, Textures};
+use crate::asset::Assets;
 use crate::material::Material;
 use crate::mesh::{Bounds, Mesh};
 use crate::sink::flatten::{Flattener, corner_point, normal_map, unit};
 use crate::sink::number::linear;
 use crate::sink::table::Table;
 use crate::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
+use crate::texture::layer::SetMask;
 
 /// A triangle, its coordinates relative to [`Scene::centre`].
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +28,8 @@ pub(super) struct Triangle {
     pub(super) leaf: u32,
     /// Counts in the scene's smooth normals; [`FLAT`] for flat ones.
     smooth: u32,
+    /// Counts in the places of corners in images; [`PLAIN`] without texture coordinates.
+    pub(super) uvs: u32,
 }
 
 const FLAT: u32 = u32::MAX;
@@ -36,6 +41,7 @@ pub(super) struct Paint {
     pub(super) opacity: f32,
     pub(super) metallic: f32,
     pub(super) gloss: f32,
+    pub(super) maps: Maps,
 }
 
 #[derive(Debug)]
@@ -43,6 +49,7 @@ pub(super) struct Scene {
     pub(super) centre: DVec3,
     pub(super) triangles: Vec<Triangle>,
     pub(super) paints: Vec<Paint>,
+    pub(super) textures: Textures,
     /// Whether there may be facets that stand for something round.
     pub(super) round: bool,
     smooth: Vec<[[f32; 3]; 3]>,
@@ -74,12 +81,13 @@ impl Triangle {
 }
 
 impl Scene {
-    pub(super) fn new(bounds: &Bounds) -> Scene {
+    pub(super) fn new(bounds: &Bounds, assets: Option<Arc<Assets>>) -> Scene {
         let finite = bounds.low.is_finite() && bounds.high.is_finite();
         Scene {
             centre: if finite { (bounds.low + bounds.high) * 0.5 } else { DVec3::ZERO },
             triangles: Vec::new(),
             paints: Vec::new(),
+            textures: Textures::new(assets),
             round: false,
             smooth: Vec::new(),
             table: Table::new(),
@@ -107,7 +115,8 @@ impl Scene {
     fn paint(&mut self, id: u32) -> u32 {
         // Materials are numbered as they come, and so are paints.
         for known in self.paints.len()..self.table.materials().len() {
-            self.paints.push(paint(&self.table.materials()[known]));
+            let material = &self.table.materials()[known];
+            self.paints.push(paint(material, self.textures.maps(material)));
         }
         id
     }
@@ -128,7 +137,15 @@ impl Scene {
             // What is not finite cannot be drawn.
             if corners.as_flattened().iter().all(|c| c.is_finite()) {
                 let leaf = self.leaves;
-                self.triangles.push(Triangle { corners, normal: short(normal), paint, plane, leaf, smooth: FLAT });
+                self.triangles.push(Triangle {
+                    corners,
+                    normal: short(normal),
+                    paint,
+                    plane,
+                    leaf,
+                    smooth: FLAT,
+                    uvs: PLAIN,
+                });
             }
         }
     }
@@ -145,7 +162,7 @@ impl Scene {
     }
 }
 
-fn paint(material: &Material) -> Paint {
+fn paint(material: &Material, maps: Maps) -> Paint {
     let color = material.color();
     let share = |value: Option<f64>, default: f64| value.filter(|v| !v.is_nan()).unwrap_or(default).clamp(0.0, 1.0);
     Paint {
@@ -153,6 +170,7 @@ fn paint(material: &Material) -> Paint {
         opacity: share(material.opacity, 1.0) as f32,
         metallic: share(material.metallic, 0.0) as f32,
         gloss: 1.0 - share(material.roughness, 1.0) as f32,
+        maps,
     }
 }
 
@@ -181,6 +199,7 @@ impl Sink for Scene {
         let turn = normal_map(&placement.matrix3);
         let mut flattener = std::mem::take(&mut self.flattener);
         let mut corners = Vec::new();
+        let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
         flattener.faces(mesh, placement, |face| {
             let shown = self.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
             let paint = self.paint(shown);
@@ -189,8 +208,18 @@ impl Sink for Scene {
             corners.extend(face.corners.clone().map(place));
             let first = self.triangles.len();
             self.flat(&corners, face.triangles, face.normal, paint);
-            // As many as there are triangles unless some were not finite; those have no normals either.
-            if !mesh.normals.is_empty() && self.triangles.len() - first == face.triangles.len() {
+            // As many as there are triangles unless some were not finite; those have no normals and no coordinates either.
+            if self.triangles.len() - first != face.triangles.len() {
+                return true;
+            }
+            let maps = self.paints[paint as usize].maps;
+            if maps != Maps::default() && sets != SetMask::default() {
+                for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
+                    let corners = corners.map(|i| face.corners.start + i as usize);
+                    triangle.uvs = self.textures.add(&maps, mesh, sets, corners);
+                }
+            }
+            if !mesh.normals.is_empty() {
                 for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
                     triangle.smooth = self.smooth.len() as u32;
                     let normal = |i| short(unit(turn * mesh.normals[face.corners.start + i as usize]));

@@ -60,8 +60,9 @@ impl Shader<'_> {
             SKY => backdrop,
             GROUND => self.ground(backdrop, point, light.sun[sample], light.sky[sample]),
             seen => {
-                let paint = &self.scene.paints[self.scene.triangles[seen as usize].paint as usize];
-                self.lit(paint, point, normal, light.sun[sample], light.sky[sample])
+                let triangle = &self.scene.triangles[seen as usize];
+                let paint = self.scene.paint_at(triangle, self.view, layer.place(sample), point);
+                self.lit(&paint, point, normal, light.sun[sample], light.sky[sample])
             }
         }
     }
@@ -70,10 +71,13 @@ impl Shader<'_> {
     pub(super) fn clear(&self, layer: &Layer, light: &Light, sample: usize, behind: Rgb) -> Rgb {
         let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return behind };
         let Some(triangle) = self.scene.triangles.get(layer.seen[sample] as usize) else { return behind };
-        let paint = &self.scene.paints[triangle.paint as usize];
+        let paint = self.scene.paint_at(triangle, self.view, layer.place(sample), point);
         // Shadows on glass are those on what is behind it: near enough, and hardly seen.
-        let lit = self.lit(paint, point, normal, light.sun[sample], light.sky[sample]);
-        let glossy = Paint { gloss: paint.gloss.max(0.9), ..*paint };
+        let lit = self.lit(&paint, point, normal, light.sun[sample], light.sky[sample]);
+        if paint.maps.has_opacity() {
+            return mix(behind, lit, paint.opacity);
+        }
+        let glossy = Paint { gloss: paint.gloss.max(0.9), ..paint };
         let (mirror, share) = self.reflection(&glossy, point, normal);
         mix(mix(behind, lit, paint.opacity), mirror, share * (1.0 - paint.opacity))
     }

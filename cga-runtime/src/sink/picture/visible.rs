@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::camera::View;
 use super::raster;
 use super::scene::Scene;
+use super::texel::PLAIN;
 
 /// Nothing but background.
 pub(super) const SKY: u32 = u32::MAX;
@@ -28,6 +29,11 @@ impl Layer {
         Layer { width, height, near: vec![f32::NEG_INFINITY; count], seen: vec![SKY; count] }
     }
 
+    /// The middle of a sample, from the upper left.
+    pub(super) fn place(&self, sample: usize) -> [f64; 2] {
+        [(sample % self.width) as f64 + 0.5, (sample / self.width) as f64 + 0.5]
+    }
+
     /// The plane of each sample: samples with the same one lie in one plane.
     pub(super) fn planes(&self, scene: &Scene) -> Vec<u32> {
         self.seen.iter().map(|&seen| scene.triangles.get(seen as usize).map_or(seen, |t| t.plane)).collect()
@@ -37,12 +43,12 @@ impl Layer {
 /// The opaque triangles, and if there are any the nearest transparent ones in front of them.
 pub(super) fn layers(scene: &Scene, view: &View, width: usize, height: usize) -> (Layer, Option<Layer>) {
     let mut opaque = Layer::new(width, height);
-    draw(scene, view, &mut opaque, |opacity| opacity == 1.0);
-    if scene.paints.iter().all(|paint| paint.opacity == 1.0) {
+    draw(scene, view, &mut opaque, |opacity| OPAQUE <= opacity);
+    if scene.paints.iter().all(|paint| paint.opacity == 1.0 && !paint.maps.has_opacity()) {
         return (opaque, None);
     }
     let mut clear = Layer::new(width, height);
-    draw(scene, view, &mut clear, |opacity| 0.0 < opacity && opacity < 1.0);
+    draw(scene, view, &mut clear, |opacity| CLEAR < opacity && opacity < OPAQUE);
     for (near, (seen, behind)) in clear.near.iter().zip(clear.seen.iter_mut().zip(&opaque.near)) {
         if near <= behind {
             *seen = SKY;
@@ -51,11 +57,18 @@ pub(super) fn layers(scene: &Scene, view: &View, width: usize, height: usize) ->
     (opaque, Some(clear))
 }
 
+/// From this opacity on nothing is seen behind a surface, and below the other the surface itself is not seen: images are rarely
+/// exact.
+const OPAQUE: f32 = 0.995;
+const CLEAR: f32 = 0.005;
+
 fn draw(scene: &Scene, view: &View, layer: &mut Layer, wanted: impl Fn(f32) -> bool) {
     let (width, height) = (layer.width, layer.height);
     let limit = view.near(DVec3::ZERO);
     for (id, triangle) in scene.triangles.iter().enumerate() {
-        if !wanted(scene.paints[triangle.paint as usize].opacity) {
+        let paint = &scene.paints[triangle.paint as usize];
+        let has_map = paint.maps.has_opacity() && triangle.uvs != PLAIN;
+        if !has_map && !wanted(paint.opacity) {
             continue;
         }
         let corners = triangle.corners();
@@ -64,7 +77,11 @@ fn draw(scene: &Scene, view: &View, layer: &mut Layer, wanted: impl Fn(f32) -> b
         let mut put = |corners: [DVec3; 3]| {
             raster::triangle(corners.map(|p| view.project(p)), width, height, |at, near| {
                 let near = if away { near - near.abs() * 1e-6 } else { near } as f32;
-                if layer.near[at] < near {
+                let opacity = || {
+                    let [x, y] = [(at % width) as f64 + 0.5, (at / width) as f64 + 0.5];
+                    scene.paint_at(triangle, view, [x, y], view.unproject(x, y, near.into())).opacity
+                };
+                if layer.near[at] < near && (!has_map || wanted(opacity())) {
                     layer.near[at] = near;
                     layer.seen[at] = id as u32;
                 }
