@@ -11,14 +11,14 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::chain::Chain;
-use super::{Cutter, TooManyCorners, next_in};
+use super::{Cutter, next_in};
 use crate::cut::class::Span;
 use crate::cut::contour::Section;
 use crate::cut::first::first_node;
 use crate::cut::nest::Nest;
 use crate::cut::points::{NONE, Node};
-use crate::mesh::FaceTag;
 use crate::mesh::table::PairTable;
+use crate::mesh::{FaceTag, TooManyCorners};
 use crate::tol::AFFINE_EPSILON;
 use crate::triangulate::{Projection, Triangulator};
 
