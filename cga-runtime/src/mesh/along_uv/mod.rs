@@ -62,39 +62,41 @@ pub struct AlongUv {
 /// [`HeightAlignment::KeepPosition`].
 ///
 /// # Errors
-/// When the result would have more than `most` corners, before or after it is cut.
+/// When the result would have more than `most` corners, or very many more are to be cut. A result that leads beyond the
+/// largest number is empty.
 pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: usize) -> Result<Mesh, TooManyCorners> {
     let too_many = TooManyCorners { most };
-    let asset_unit = UnitAsset::of(asset, options);
-    let patches = Patches::of(carrier, options);
     let mut made = Made { builder: MeshBuilder::new(), asset, corners: 0 };
     made.builder.groups(asset.groups.clone()).materials(asset.materials.clone());
-    let (mut clip, mut before) = (Clip::new(asset), 0usize);
+    let unit = UnitAsset::of(asset, options);
+    let patches = if unit.is_empty() { Patches::default() } else { Patches::of(carrier, options) };
+    let (mut clip, mut looked_at) = (Clip::new(asset), 0usize);
     for (number, patch) in patches.list.iter().enumerate() {
-        if asset_unit.is_empty() || (most as f64) < patch.cell_rows() {
-            // Rows are looked at one by one.
-            if asset_unit.is_empty() { break } else { return Err(too_many) }
-        }
         let turns_over = patch.is_mirrored != (options.height < 0.0);
-        for row in patch.rows() {
+        for row in patch.rows(most)? {
             for cell in patch.cells(row, most)? {
-                before = before.saturating_add(asset_unit.corner_count());
-                if most < before.max(made.corners) {
+                looked_at = looked_at.saturating_add(unit.corner_count());
+                if most.saturating_mul(LOOKS) < looked_at {
                     return Err(too_many);
                 }
-                for polygon in asset_unit.polygons() {
-                    let Some(wall) = clip.cut(&asset_unit, polygon, cell, patch) else { continue };
+                for polygon in unit.polygons().filter(|&polygon| patch.may_meet(unit.range(polygon, cell))) {
+                    let Some(wall) = clip.cut(&unit, polygon, cell, patch) else { continue };
                     if wall.is_some_and(|edge| !patches.owns_wall(number, edge, cell)) {
                         continue;
                     }
-                    made.add(&clip, patch, asset_unit.face(polygon), turns_over);
+                    made.add(&clip, patch, unit.face(polygon), turns_over);
+                    if most < made.corners {
+                        return Err(too_many);
+                    }
                 }
             }
         }
     }
-    // Places may lead beyond the largest number: then nothing can be made.
-    if most < made.corners { Err(too_many) } else { Ok(made.builder.build().unwrap_or_default()) }
+    Ok(made.builder.build().unwrap_or_default())
 }
+
+/// The corners of the asset that are looked at for each corner that may be made: small faces of a carrier take little of it.
+const LOOKS: usize = 64;
 
 /// The mesh while it is made.
 struct Made<'a> {

@@ -92,16 +92,19 @@ impl Patch {
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
     }
 
-    /// The number of rows of cells that it covers.
-    pub(super) fn cell_rows(&self) -> f64 {
-        let (low, high) = self.range(1);
-        high.ceil() - low.floor()
+    /// Whether its own coordinates reach into a range.
+    pub(super) fn may_meet(&self, [low, high]: [DVec2; 2]) -> bool {
+        let meets = |axis: usize| {
+            let (own_low, own_high) = self.range(axis);
+            own_low <= high[axis] && low[axis] <= own_high
+        };
+        meets(0) && meets(1)
     }
 
     /// The v at which each row of cells begins.
-    pub(super) fn rows(&self) -> impl Iterator<Item = f64> + use<> {
-        let low = self.range(1).0.floor();
-        (0..self.cell_rows() as u64).map(move |row| low + row as f64)
+    pub(super) fn rows(&self, most: usize) -> Result<impl Iterator<Item = f64> + use<>, TooManyCorners> {
+        let (low, high) = self.range(1);
+        count_up(low.floor(), high.ceil(), most)
     }
 
     /// The smallest and the largest u in a row of cells.
@@ -125,11 +128,7 @@ impl Patch {
     /// The cells that it covers in a row, by their smallest coordinates.
     pub(super) fn cells(&self, row: f64, most: usize) -> Result<impl Iterator<Item = DVec2> + use<>, TooManyCorners> {
         let (low, high) = self.range_in_row(row);
-        let (low, count) = (low.floor(), high.ceil() - low.floor());
-        if (most as f64) < count {
-            return Err(TooManyCorners { most });
-        }
-        Ok((0..count as u64).map(move |cell| DVec2::new(low + cell as f64, row)))
+        Ok(count_up(low.floor(), high.ceil(), most)?.map(move |u| DVec2::new(u, row)))
     }
 
     /// Whether it covers some of a cell.
@@ -169,6 +168,15 @@ impl Patch {
     }
 }
 
+/// The whole numbers from one up to another.
+fn count_up(low: f64, high: f64, most: usize) -> Result<impl Iterator<Item = f64> + use<>, TooManyCorners> {
+    let count = high - low;
+    if (most as f64) < count {
+        return Err(TooManyCorners { most });
+    }
+    Ok((0..count as u64).map(move |step| low + step as f64))
+}
+
 /// Lexicographic order.
 pub(super) fn comes_first(a: DVec2, b: DVec2) -> bool {
     a.x < b.x || (a.x == b.x && a.y < b.y)
@@ -178,6 +186,7 @@ pub(super) fn comes_first(a: DVec2, b: DVec2) -> bool {
 type End = (u32, [u64; 2]);
 
 /// All patches of a carrier.
+#[derive(Default)]
 pub(super) struct Patches {
     pub(super) list: Vec<Patch>,
     /// Edges → the first patches that have them.
@@ -187,7 +196,7 @@ pub(super) struct Patches {
 impl Patches {
     /// The patches of triangles and quads.
     pub(super) fn of(carrier: &Mesh, options: &AlongUv) -> Self {
-        let mut patches = Patches { list: Vec::new(), neighbours: BTreeMap::new() };
+        let mut patches = Patches::default();
         let uvs = carrier.uv_set(options.set);
         if uvs.is_empty() {
             return patches;

@@ -16,6 +16,8 @@ pub(super) struct UnitAsset {
     corners: Vec<u32>,
     /// The end of each polygon in `corners`, and its face.
     polygons: Vec<(usize, usize)>,
+    /// The smallest and the largest coordinates of each polygon.
+    ranges: Vec<[DVec2; 2]>,
     /// The points of its corners.
     of_corner: Vec<u32>,
 }
@@ -53,7 +55,19 @@ impl UnitAsset {
                 polygons.push((corners.len(), face.index()));
             }
         }
-        UnitAsset { points, corners, polygons, of_corner: asset.corners.clone() }
+        let mut unit = UnitAsset { points, corners, polygons, ranges: Vec::new(), of_corner: asset.corners.clone() };
+        let range = |polygon: usize| {
+            let none = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+            let places = unit.corners(polygon).iter().map(|&corner| unit.at(corner, DVec2::ZERO).truncate());
+            places.fold(none, |[low, high], uv| [low.min(uv), high.max(uv)])
+        };
+        unit.ranges = unit.polygons().map(range).collect();
+        unit
+    }
+
+    /// The smallest and the largest coordinates of a polygon in a cell.
+    pub(super) fn range(&self, polygon: usize, cell: DVec2) -> [DVec2; 2] {
+        self.ranges[polygon].map(|uv| uv + cell)
     }
 
     pub(super) fn is_empty(&self) -> bool {
