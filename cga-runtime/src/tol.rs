@@ -58,3 +58,6 @@ pub(crate) const AFFINE_EPSILON: f64 = 1e-9;
 
 /// Texture coordinates that change by no more than this on a triangle, relative to their range, are constant there.
 pub(crate) const CHART_EPSILON: f64 = 1e-9;
+
+/// Places of texture space that are nearer than this, relative to the largest coordinate and to 1, are next to each other.
+pub(crate) const NEXT_EPSILON: f64 = 1e-12;

@@ -48,7 +48,7 @@ use crate::mesh::Mesh;
 use crate::scope::Axis;
 
 pub(crate) use contour::Section;
-pub use iso::{TooManyCorners, iso_bands};
+pub use iso::iso_bands;
 pub(crate) use nest::Nest;
 pub(crate) use plane::above;
 pub use plane::{Plane, halves};

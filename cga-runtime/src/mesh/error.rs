@@ -86,3 +86,18 @@ impl fmt::Display for MeshError {
 }
 
 impl std::error::Error for MeshError {}
+
+/// An operation would make a mesh with more corners than it may.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooManyCorners {
+    /// The limit.
+    pub most: usize,
+}
+
+impl fmt::Display for TooManyCorners {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the mesh would have more than {} corners", self.most)
+    }
+}
+
+impl std::error::Error for TooManyCorners {}

@@ -11,8 +11,10 @@
 //! area): a mesh stays closed with them and would not be without.
 
 mod adjacency;
+mod along_uv;
 mod build;
 pub mod check;
+mod convex;
 mod error;
 pub mod extrude;
 mod extrude_wire;
@@ -38,10 +40,11 @@ use glam::{DVec2, DVec3};
 use crate::material::Material;
 
 pub(crate) use adjacency::Adjacency;
+pub use along_uv::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv};
 pub use build::MeshBuilder;
 pub(crate) use build::keep_used;
 pub use check::Flaw;
-pub use error::MeshError;
+pub use error::{MeshError, TooManyCorners};
 pub use extrude::{Extrude, extrude};
 pub(crate) use extrude_wire::{extrude_wire, point_normals};
 pub use face::FaceRef;

@@ -50,7 +50,9 @@ pub fn grid(columns: usize, rows: usize, triangles: bool, place: impl Fn(usize, 
     for (i, j) in (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j))) {
         let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
         let faces: &[&[u32]] = if triangles { &[&[a, b, c], &[a, c, d]] } else { &[&[a, b, c, d]] };
-        faces.iter().for_each(|face| drop(builder.face(face, &[], FaceTag::PLAIN)));
+        for face in faces {
+            builder.face(face, &[], FaceTag::PLAIN);
+        }
     }
     builder.build().unwrap()
 }

@@ -12,41 +12,23 @@
 mod affine;
 mod band;
 mod chain;
-mod convex;
 mod crossings;
 mod patch;
 mod sites;
 
-use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
 use super::class::Span;
 use super::points::Place;
 use super::rising;
-use crate::mesh::{FaceTag, Mesh, UvAxis};
+use crate::mesh::{FaceTag, Mesh, TooManyCorners, UvAxis};
 use affine::is_affine;
 use band::{Band, Coordinate, Numbers};
 use chain::Chain;
-use convex::is_convex;
 use crossings::Crossings;
 use patch::Patch;
 use sites::Sites;
-
-/// An operation would make a mesh with more corners than it may.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooManyCorners {
-    /// The limit.
-    pub most: usize,
-}
-
-impl fmt::Display for TooManyCorners {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the mesh would have more than {} corners", self.most)
-    }
-}
-
-impl std::error::Error for TooManyCorners {}
 
 /// Cuts the faces of a mesh along the lines where a coordinate of a texture set equals a value; values rise strictly.
 ///
@@ -160,7 +142,7 @@ impl<'m> Cutter<'m> {
         let values = mesh.uv_set(self.coordinate.set)[corners.clone()].iter().map(|uv| uv[self.coordinate.axis]);
         let is_triangle = corners.len() == 3;
         let is_one_way = mesh.face_loops(face).len() == 1 && (is_triangle || chain::rises_once(values));
-        if is_one_way && (is_triangle || is_convex(&view) || is_affine(mesh, face, self.coordinate)) {
+        if is_one_way && (is_triangle || view.is_convex() || is_affine(mesh, face, self.coordinate)) {
             self.count(self.crossings_of(mesh.face(face).loop_ranges()))?;
             self.cut_chain(corners, tag, span);
             return Ok(());

@@ -11,14 +11,14 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::chain::Chain;
-use super::{Cutter, TooManyCorners, next_in};
+use super::{Cutter, next_in};
 use crate::cut::class::Span;
 use crate::cut::contour::Section;
 use crate::cut::first::first_node;
 use crate::cut::nest::Nest;
 use crate::cut::points::{NONE, Node};
-use crate::mesh::FaceTag;
 use crate::mesh::table::PairTable;
+use crate::mesh::{FaceTag, TooManyCorners};
 use crate::tol::AFFINE_EPSILON;
 use crate::triangulate::{Projection, Triangulator};
 
@@ -48,6 +48,8 @@ enum Side {
 /// A ring of a piece of the face.
 struct Ring {
     band: u32,
+    /// The first edge of the face that it has something of.
+    edge: u32,
     nodes: Range<usize>,
 }
 
@@ -278,7 +280,7 @@ impl Patch {
             }
             self.end_ring(from, band);
         }
-        self.rings.sort_by_key(|ring| ring.band);
+        self.rings.sort_by_key(|ring| (ring.band, ring.edge));
     }
 
     /// No corner repeats the one before it; what is too short for a ring is left out.
@@ -296,7 +298,9 @@ impl Patch {
         if kept < from + 3 {
             kept = from;
         } else {
-            self.rings.push(Ring { band, nodes: from..kept });
+            let nodes = self.nodes[from..kept].iter().filter(|(_, is_inner)| !is_inner);
+            let edge = nodes.map(|(node, _)| edge_of(node)).min().unwrap_or(NONE);
+            self.rings.push(Ring { band, edge, nodes: from..kept });
         }
         self.nodes.truncate(kept);
     }
@@ -332,7 +336,7 @@ impl Patch {
             let mut start = 0;
             for &end in &self.nest.ends {
                 for ring in &self.nest.order[start..end] {
-                    let first = ring.start + first_node(marks[ring.clone()].iter(), outline);
+                    let first = ring.start + first_of_ring(&marks[ring.clone()], outline);
                     band.corners(mesh, crossings, *coordinate, &nodes[first..ring.end]);
                     band.corners(mesh, crossings, *coordinate, &nodes[ring.start..first]);
                     band.end_loop();
@@ -342,6 +346,22 @@ impl Patch {
             }
         }
     }
+}
+
+/// The edge that a node is on, by the corner that it begins with.
+fn edge_of(node: &Node) -> u32 {
+    let (low, high) = (node.from.min(node.to), node.from.max(node.to));
+    // The last edge of a loop leads back to its first corner.
+    if high - low <= 1 { low } else { high }
+}
+
+/// The node that a ring begins with: by the rule for first edges, or, for a hole, with its first corner.
+fn first_of_ring(marks: &[Node], outline: &Range<usize>) -> usize {
+    if marks.iter().any(|node| outline.contains(&(node.from as usize))) {
+        return first_node(marks.iter(), outline);
+    }
+    let corners = marks.iter().enumerate().filter(|(_, node)| node.is_corner() && node.from != NONE);
+    corners.min_by_key(|(_, node)| node.from).map_or(0, |(at, _)| at)
 }
 
 /// The diagonals among the sides of a triangle.
