@@ -16,6 +16,7 @@ const BENCHES: [(&str, &str, &[&str]); 8] = [
     ("cga", "cutting", &[]),
     ("cga", "comp", &[]),
     ("cga", "triangles", &[]),
+    ("cga", "textures", &[]),
     ("cga-split", "solve", &[]),
     ("cga", "build", &[]),
 ];

@@ -218,16 +218,13 @@ impl Buffers {
         // A leaf that goes on has the same number, and so it has no coordinates either.
         self.last = if uvs.is_empty() { leaf.material_number().map(|material| (leaf.rule, material)) } else { None };
         self.run(rule, material);
-        if leaf.shape.form == Form::Box {
-            self.write_block(leaf);
-            if !uvs.is_empty() {
-                self.uvs.cuboid(uvs, &leaf.cuboid(), start);
-            }
-        } else {
-            self.write_rectangle(leaf);
-            if !uvs.is_empty() {
-                self.uvs.quad(uvs, &leaf.quad(Axis::Z), start);
-            }
+        let block = (leaf.shape.form == Form::Box).then(|| leaf.shape.unit.get());
+        match block {
+            Some(_) => self.write_block(leaf),
+            None => self.write_rectangle(leaf),
+        }
+        if !uvs.is_empty() {
+            self.uvs.place(uvs, &Placed::of(leaf.shape), block, start);
         }
         self.pad_uvs();
         ControlFlow::Continue(())
@@ -296,6 +293,9 @@ impl Buffers {
                     write_quad(to, &placed.moved(place).moved(-origin), normal);
                 }
             }
+        }
+        if replay.has_uvs() {
+            self.uvs.replay(replay, start as usize, count);
         }
         self.pad_uvs();
         ControlFlow::Continue(())
@@ -388,7 +388,7 @@ impl Sink for Buffers {
 
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
         let count = replay.corner_count();
-        if !replay.is_plain() || replay.has_uvs() || self.limit - self.vertices.len() < count {
+        if !replay.is_plain() || self.limit - self.vertices.len() < count {
             return self.each(replay);
         }
         self.repeat(replay, count)
@@ -399,7 +399,7 @@ impl Sink for Buffers {
         self.leaf(leaf);
         let (normal, start) = (normals::of_quad(leaf, quad), self.vertices.len());
         self.write_quad(Placed::from(quad), normal);
-        self.uvs.quad(leaf.uvs(), quad, start);
+        self.uvs.place(leaf.uvs(), &Placed::from(quad), None, start);
         self.pad_uvs();
         ControlFlow::Continue(())
     }
@@ -409,7 +409,7 @@ impl Sink for Buffers {
         self.leaf(leaf);
         let (normals, start) = (normals::of_cuboid(leaf, cuboid), self.vertices.len());
         self.write_box(Placed::from(cuboid), cuboid.unit, &normals);
-        self.uvs.cuboid(leaf.uvs(), cuboid, start);
+        self.uvs.place(leaf.uvs(), &Placed::from(cuboid), Some(cuboid.unit), start);
         self.pad_uvs();
         ControlFlow::Continue(())
     }

@@ -1,10 +1,13 @@
 //! Texture coordinates of vertices, set by set.
 
-use glam::DVec3;
+use glam::{DVec2, DVec4};
 
 use crate::mesh::Mesh;
-use crate::sink::{Cuboid, Quad};
+use crate::shape::base::Form;
+use crate::sink::Replay;
+use crate::sink::corners::Placed;
 use crate::texture::map::{SetMap, UvMap};
+use crate::unit::UnitMesh;
 
 /// Sets of coordinates: one pair a vertex in each that some geometry has, and nothing in the others.
 #[derive(Debug, Default)]
@@ -42,7 +45,9 @@ impl UvLists {
             self.0.resize_with(set + 1, Vec::new);
         }
         let list = &mut self.0[set];
-        list.resize(vertex, [0.0; 2]);
+        if list.len() < vertex {
+            list.resize(vertex, [0.0; 2]);
+        }
         Some(list)
     }
 
@@ -66,28 +71,83 @@ impl UvLists {
         }
     }
 
-    /// Adds the corners of a rectangle whose vertices begin at one.
-    pub(super) fn quad(&mut self, maps: &[SetMap], quad: &Quad, vertex: usize) {
-        self.points(maps, vertex, quad.corners());
-    }
-
-    /// Adds the corners of all faces of a box.
-    pub(super) fn cuboid(&mut self, maps: &[SetMap], cuboid: &Cuboid, vertex: usize) {
-        self.points(maps, vertex, cuboid.face_corners());
-    }
-
+    /// Adds the corners of a rectangle, or of all faces of a box, whose vertices begin at one.
     #[inline]
-    fn points(&mut self, maps: &[SetMap], vertex: usize, points: impl IntoIterator<Item = DVec3> + Clone) {
+    pub(super) fn place(&mut self, maps: &[SetMap], placed: &Placed, block: Option<UnitMesh>, vertex: usize) {
         for SetMap { set, map } in maps {
             if let Some(list) = self.list(*set, vertex) {
-                list.extend(points.clone().into_iter().map(|point| short(map, point)));
+                let corners = Corners::of(map, placed);
+                match block {
+                    None => list.extend_from_slice(&corners.quad()),
+                    Some(unit) => {
+                        let points = corners.block();
+                        let faces = unit.sides().iter().flat_map(|face| face.corners);
+                        list.extend(faces.map(|corner| points[usize::from(corner & 7)]));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds those of leaves that repeat, whose `count` vertices begin at one.
+    pub(super) fn replay(&mut self, replay: &Replay<'_>, vertex: usize, count: usize) {
+        let (place, mut first) = (replay.origin(), 0);
+        for (leaf, mark) in replay.marks() {
+            let (range, vertex_of_mark) = (first..first + mark.leaves, vertex + mark.before as usize);
+            first = range.end;
+            for SetMap { set, map } in leaf.uvs_of(mark.material) {
+                let Some(list) = self.list(*set, vertex + count) else { continue };
+                let (mut faces, _) = list[vertex_of_mark..][..mark.corners].as_chunks_mut::<4>();
+                for (placed, record, _) in replay.leaves(range.clone()) {
+                    let corners = Corners::of(map, &placed.moved(place));
+                    let (own, rest) = faces.split_at_mut(record.unit.face_count());
+                    faces = rest;
+                    if record.form == Form::Box {
+                        let points = corners.block();
+                        for (to, face) in own.iter_mut().zip(record.unit.sides()) {
+                            *to = face.corners.map(|corner| points[usize::from(corner & 7)]);
+                        }
+                    } else if let [to] = own {
+                        *to = corners.quad();
+                    }
+                }
             }
         }
     }
 }
 
+/// The coordinates at the first corner of a rectangle or a box, and along its sides.
+struct Corners {
+    first: DVec2,
+    sides: [DVec2; 3],
+}
+
+impl Corners {
+    #[inline]
+    fn of(map: &UvMap, placed: &Placed) -> Self {
+        let along = |side: DVec4| DVec2::new(map.u.dot(side), map.v.dot(side));
+        Corners { first: along(placed.origin.with_w(1.0)), sides: placed.sides.map(along) }
+    }
+
+    /// In the order of vertices.
+    #[inline]
+    fn quad(&self) -> [[f32; 2]; 4] {
+        let (a, [u, v, _]) = (self.first, self.sides);
+        let b = a + u;
+        [a, b, b + v, a + v].map(short)
+    }
+
+    /// As numbers x + 2y + 4z count them.
+    #[inline]
+    fn block(&self) -> [[f32; 2]; 8] {
+        let (o, [x, y, z]) = (self.first, self.sides);
+        let (p, q) = (o + y, o + z);
+        let r = p + z;
+        [o, o + x, p, p + x, q, q + x, r, r + x].map(short)
+    }
+}
+
 #[inline]
-fn short(map: &UvMap, point: DVec3) -> [f32; 2] {
-    let uv = map.at(point);
-    [uv.x as f32, uv.y as f32]
+fn short(uv: DVec2) -> [f32; 2] {
+    uv.as_vec2().to_array()
 }
