@@ -134,7 +134,9 @@ fn a_cut_by_coordinates_is_a_cut_across_the_axis() {
     let windows: Vec<Vec<DVec3>> = (0..4).map(|i| polygon(&square(f64::from(i) + 0.25, 0.25, 0.5))).collect();
     let flat = grid(5, 4, false, |i, j| DVec3::new(i as f64, 0.0, -(j as f64)));
     for mesh in [Mesh::from_polygon(&polygon(&comb), &windows).unwrap(), flat] {
-        let mesh = Arc::new(charted(&mesh, &[0, 2], |_, _, p, set| DVec2::new(p.x, p.x * 0.1 - p.z * set as f64)));
+        let mesh = Arc::new(charted(&mesh, &[0, 2], |_, _, p, set| {
+            DVec2::new(p.x + set as f64, p.x * 0.1 - p.z * set as f64)
+        }));
         for _ in 0..200 {
             let mut lines: Vec<f64> = (0..1 + rng.below(6)).map(|_| number(&mut rng, 5)).collect();
             lines.sort_by(f64::total_cmp);

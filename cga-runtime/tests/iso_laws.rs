@@ -64,7 +64,7 @@ fn samples(rng: &mut Rng) -> Vec<Sample> {
         is_planar: flags[2],
     };
     let chart_of_face = |face: usize, _: usize, p: DVec3, set: usize| {
-        let sign = if face % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if face.is_multiple_of(2) { 1.0 } else { -1.0 };
         DVec2::new(sign * p.x + (face * set) as f64, p.y - p.z)
     };
     vec![

@@ -104,16 +104,6 @@ impl UvSets {
         }
     }
 
-    /// Adds to each set what `value` makes of the source's list and the number of the set.
-    #[inline]
-    pub(crate) fn push_by_set(&mut self, source: &UvSets, mut value: impl FnMut(usize, &[DVec2]) -> DVec2) {
-        for (set, (to, from)) in self.lists.iter_mut().zip(&source.lists).enumerate() {
-            if !from.is_empty() {
-                to.push(value(set, from));
-            }
-        }
-    }
-
     /// Gives back room that is much more than the sets need.
     pub(super) fn give_back_room(&mut self) {
         self.lists.iter_mut().for_each(super::layout::give_back_room);

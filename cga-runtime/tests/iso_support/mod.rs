@@ -67,13 +67,13 @@ pub fn street(bends: &[(f64, f64)], width: f64) -> Mesh {
     let total: f64 = (0..count - 1).map(length).sum();
     let mut along = 0.0;
     let mut pairs = Vec::new();
-    for i in 0..count {
+    for (i, &bend) in bends.iter().enumerate() {
         let before = direction(i.saturating_sub(1));
         let after = direction(i.min(count - 2));
         let mitre = (before + after).normalize();
         let half = width / 2.0 / mitre.dot(after);
         let left = DVec2::new(-mitre.y, mitre.x) * half;
-        let pair = [-left, left].map(|side| DVec2::from(bends[i]) + side);
+        let pair = [-left, left].map(|side| DVec2::from(bend) + side);
         pairs.push(pair.map(|p| builder.point([p.x, 0.0, -p.y])));
         uvs.push(along / total);
         along += if i + 1 < count { length(i) } else { 0.0 };

@@ -18,6 +18,14 @@ pub(super) struct Coordinate {
     pub(super) axis: usize,
 }
 
+/// What pieces are made from.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'c> {
+    pub(super) mesh: &'c Mesh,
+    pub(super) crossings: &'c Crossings,
+    pub(super) coordinate: Coordinate,
+}
+
 /// A band. Its corners are points of the source, and crossings numbered after these, until it is finished.
 pub(super) struct Band {
     mesh: Mesh,
@@ -26,38 +34,42 @@ pub(super) struct Band {
 }
 
 impl Band {
-    pub(super) fn new(source: &Mesh) -> Self {
-        Band { mesh: source.alike(0), whole: 0 }
+    /// With room for an even share of the source among some bands.
+    pub(super) fn new(source: &Mesh, bands: usize) -> Self {
+        let room = source.corners.len() / bands;
+        let mut mesh = source.alike(room);
+        mesh.corners.reserve(room);
+        mesh.loop_ends.reserve(source.loop_ends.len() / bands);
+        Band { mesh, whole: 0 }
     }
 
     /// Adds a face as it is.
     pub(super) fn keep(&mut self, source: &Mesh, face: usize, tag: FaceTag) {
         self.whole += 1;
-        for ring in source.face(face).loop_ranges() {
-            self.mesh.corners.extend_from_slice(&source.corners[ring.clone()]);
-            self.mesh.uvs.copy_from(&source.uvs, ring.clone());
-            if !source.normals.is_empty() {
-                self.mesh.normals.extend_from_slice(&source.normals[ring]);
-            }
-            self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
+        let loops = source.face_loops(face);
+        let corners = source.loop_range(loops.start).start..source.loop_range(loops.end - 1).end;
+        let (from, to) = (corners.start as u32, self.mesh.corners.len() as u32);
+        self.mesh.corners.extend_from_slice(&source.corners[corners.clone()]);
+        self.mesh.loop_ends.extend(source.loop_ends[loops].iter().map(|end| end - from + to));
+        self.mesh.uvs.copy_from(&source.uvs, corners.clone());
+        if !source.normals.is_empty() {
+            self.mesh.normals.extend_from_slice(&source.normals[corners]);
         }
         self.end_face(tag);
     }
 
     /// Adds a piece of one loop, which is the way up and the way down between two lines. Pieces without area are left out.
-    #[allow(clippy::too_many_arguments)]
     pub(super) fn piece(
         &mut self,
-        source: &Mesh,
-        crossings: &Crossings,
-        coordinate: Coordinate,
+        source: Source<'_>,
         ahead: &[Node],
         mut back: &[Node],
         outline: &Range<usize>,
         tag: FaceTag,
     ) {
         // A loop that meets itself on a line: no corner twice in a row.
-        let same = |a: Option<&Node>, b: Option<&Node>| a.is_some_and(|a| b.is_some_and(|b| a.place == b.place));
+        let same =
+            |a: Option<&Node>, b: Option<&Node>| a.is_some_and(|a| b.is_some_and(|b| a.place.number == b.place.number));
         if same(ahead.last(), back.first()) {
             back = &back[1..];
         }
@@ -73,14 +85,15 @@ impl Band {
             Some(first) => [&back[first..], ahead, &back[..first]],
         };
         for run in runs {
-            self.corners(source, crossings, coordinate, run);
+            self.corners(source, run);
         }
         self.end_loop();
         self.end_face(tag);
     }
 
     /// Adds corners with what they carry.
-    pub(super) fn corners(&mut self, source: &Mesh, crossings: &Crossings, coordinate: Coordinate, nodes: &[Node]) {
+    pub(super) fn corners(&mut self, source: Source<'_>, nodes: &[Node]) {
+        let Source { mesh: source, crossings, coordinate } = source;
         for node in nodes {
             self.mesh.corners.push(node.place.number);
             let [from, to] = [node.from as usize, node.to as usize];
@@ -92,9 +105,11 @@ impl Band {
                 continue;
             }
             let share = crossings.share(node.place);
-            self.mesh.uvs.push_by_set(&source.uvs, |set, list| {
+            let cut = source.uv_set(coordinate.set);
+            self.mesh.uvs.push_from(&source.uvs, |list| {
                 let mut uv = between(list[from], list[to], share);
-                if set == coordinate.set {
+                // Also in copies of the set that is cut.
+                if [from, to].iter().all(|&end| list[end][coordinate.axis] == cut[end][coordinate.axis]) {
                     uv[coordinate.axis] = crossings.lines[node.class().plane() as usize];
                 }
                 uv
@@ -151,6 +166,8 @@ impl<'c> Numbers<'c> {
     }
 
     fn renumber(&mut self, corners: &mut [u32]) -> Vec<DVec3> {
+        /// A band with more than this part of all points finds its own among all, which takes less than sorting them.
+        const MANY: usize = 16;
         self.used.clear();
         for &corner in corners.iter() {
             let new = &mut self.new[corner as usize];
@@ -159,7 +176,12 @@ impl<'c> Numbers<'c> {
                 self.used.push(corner);
             }
         }
-        self.used.sort_unstable();
+        if self.used.len() < self.new.len() / MANY {
+            self.used.sort_unstable();
+        } else {
+            self.used.clear();
+            self.used.extend((0..self.new.len() as u32).filter(|&point| self.new[point as usize] != NONE));
+        }
         for (number, &point) in self.used.iter().enumerate() {
             self.new[point as usize] = number as u32;
         }

@@ -24,7 +24,7 @@ use super::points::Place;
 use super::rising;
 use crate::mesh::{FaceTag, Mesh, TooManyCorners, UvAxis};
 use affine::is_affine;
-use band::{Band, Coordinate, Numbers};
+use band::{Band, Coordinate, Numbers, Source};
 use chain::Chain;
 use crossings::Crossings;
 use patch::Patch;
@@ -116,22 +116,27 @@ impl<'m> Cutter<'m> {
     fn new(mesh: &'m Mesh, coordinate: Coordinate, lines: Vec<f64>, most: usize) -> Self {
         let sites = Sites::of(mesh, coordinate, &lines);
         let crossings = Crossings::new(lines, sites.len(), mesh.points.len());
-        let bands = (0..=crossings.lines.len()).map(|_| Band::new(mesh)).collect();
+        let count = crossings.lines.len() + 1;
+        let bands = (0..count).map(|_| Band::new(mesh, count)).collect();
         let (chain, patch) = Default::default();
+        // Numbers of points and crossings have 32 bits.
+        let most = most.min(u32::MAX as usize / 16);
         Cutter { mesh, most, coordinate, sites, crossings, bands, places: Vec::new(), chain, patch, made: 0 }
     }
 
     fn cut_faces(&mut self) -> Result<(), TooManyCorners> {
+        let mut start = 0;
         for face in 0..self.mesh.face_count() {
-            self.cut_face(face)?;
+            let corners = start..self.mesh.loop_ends[self.mesh.face_loops(face).end - 1] as usize;
+            start = corners.end;
+            let span = Span::of(corners.clone().map(|corner| self.sites.class(corner)));
+            self.cut_face(face, corners, span)?;
         }
         Ok(())
     }
 
-    fn cut_face(&mut self, face: usize) -> Result<(), TooManyCorners> {
-        let (mesh, view) = (self.mesh, self.mesh.face(face));
-        let (tag, corners) = (view.tag(), view.corner_range());
-        let span = Span::of(corners.clone().map(|corner| self.sites.class(corner)));
+    fn cut_face(&mut self, face: usize, corners: Range<usize>, span: Span) -> Result<(), TooManyCorners> {
+        let (mesh, tag) = (self.mesh, self.mesh.tags[face]);
         if span.bottom() == span.top() || span.is_flat() {
             // A face on a line is in the band above it.
             let band = span.bottom();
@@ -142,7 +147,7 @@ impl<'m> Cutter<'m> {
         let values = mesh.uv_set(self.coordinate.set)[corners.clone()].iter().map(|uv| uv[self.coordinate.axis]);
         let is_triangle = corners.len() == 3;
         let is_one_way = mesh.face_loops(face).len() == 1 && (is_triangle || chain::rises_once(values));
-        if is_one_way && (is_triangle || view.is_convex() || is_affine(mesh, face, self.coordinate)) {
+        if is_one_way && (is_triangle || mesh.face(face).is_convex() || is_affine(mesh, face, self.coordinate)) {
             self.count(self.crossings_of(mesh.face(face).loop_ranges()))?;
             self.cut_chain(corners, tag, span);
             return Ok(());
@@ -183,8 +188,9 @@ impl<'m> Cutter<'m> {
         let Cutter { mesh, sites, crossings, chain, .. } = self;
         let ring = corners.clone().zip(self.places.iter().copied());
         chain.walk(ring, span, |from, to, nodes| crossings.cross(mesh, sites, from, to, nodes));
+        let source = Source { mesh, crossings, coordinate: self.coordinate };
         chain.bands(span, |band, ahead, back, _| {
-            self.bands[band as usize].piece(mesh, crossings, self.coordinate, ahead, back, &corners, tag);
+            self.bands[band as usize].piece(source, ahead, back, &corners, tag);
         });
     }
 }

@@ -10,6 +10,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use super::band::Source;
 use super::chain::Chain;
 use super::{Cutter, next_in};
 use crate::cut::class::Span;
@@ -118,6 +119,8 @@ impl Patch {
         }
         self.triangles.clear();
         self.triangulator.polygon(&self.flat, &self.loop_ends, &mut self.triangles);
+        // Where loops overlap, a triangle may have a corner twice: its two other sides are the same.
+        self.triangles.retain(|[a, b, c]| a != b && b != c && c != a);
         self.diagonals.clear();
         self.sides.clear();
         let mut count = 0;
@@ -287,12 +290,12 @@ impl Patch {
     fn end_ring(&mut self, from: usize, band: u32) {
         let mut kept = from;
         for at in from..self.nodes.len() {
-            if kept == from || self.nodes[kept - 1].0.place != self.nodes[at].0.place {
+            if kept == from || self.nodes[kept - 1].0.place.number != self.nodes[at].0.place.number {
                 self.nodes[kept] = self.nodes[at];
                 kept += 1;
             }
         }
-        if kept > from + 1 && self.nodes[kept - 1].0.place == self.nodes[from].0.place {
+        if kept > from + 1 && self.nodes[kept - 1].0.place.number == self.nodes[from].0.place.number {
             kept -= 1;
         }
         if kept < from + 3 {
@@ -307,6 +310,7 @@ impl Patch {
 
     /// Adds the rings to their bands as faces.
     fn emit(&mut self, cutter: &mut Cutter<'_>, projection: Projection, outline: &Range<usize>, tag: FaceTag) {
+        let coordinate = cutter.coordinate;
         let (mut flat, mut numbers, mut ends) = (Vec::new(), Vec::new(), Vec::new());
         let (mut nodes, mut marks): (Vec<Node>, Vec<Node>) = (Vec::new(), Vec::new());
         for rings in self.rings.chunk_by(|a, b| a.band == b.band) {
@@ -331,14 +335,15 @@ impl Patch {
                 numbers.extend(0..nodes.len() as u32);
                 self.nest.sort(&Section { flat: &flat, corners: &numbers, ends: &ends });
             }
-            let Cutter { mesh, crossings, coordinate, .. } = cutter;
-            let band = &mut cutter.bands[rings[0].band as usize];
+            let Cutter { mesh, crossings, bands, .. } = &mut *cutter;
+            let source = Source { mesh, crossings, coordinate };
+            let band = &mut bands[rings[0].band as usize];
             let mut start = 0;
             for &end in &self.nest.ends {
                 for ring in &self.nest.order[start..end] {
                     let first = ring.start + first_of_ring(&marks[ring.clone()], outline);
-                    band.corners(mesh, crossings, *coordinate, &nodes[first..ring.end]);
-                    band.corners(mesh, crossings, *coordinate, &nodes[ring.start..first]);
+                    band.corners(source, &nodes[first..ring.end]);
+                    band.corners(source, &nodes[ring.start..first]);
                     band.end_loop();
                 }
                 band.end_face(tag);
