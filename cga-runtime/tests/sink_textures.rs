@@ -155,7 +155,7 @@ fn rectangles_and_boxes_have_the_coordinates_of_their_meshes() {
 fn sets_that_a_vertex_does_not_have_are_0_and_chunks_have_the_same() {
     let mut buffers = Buffers::new();
     let plain = color(1.0, 0.0, 0.0);
-    let mut play = |sink: &mut dyn Sink| {
+    let play = |sink: &mut dyn Sink| {
         let mut sink = Fill(sink);
         sink.quad("A", &plain, front(DVec3::ZERO, 1.0, 1.0));
         sink.mesh("B", &plain, &square(&[3]), DAffine3::IDENTITY);
