@@ -217,7 +217,7 @@ fn two_images_become_one_where_the_format_has_one() {
         ("a.png", &png(2, 2, [9, 8, 7, 100])),
         ("same.png", &png(2, 2, [9, 8, 7, 100])),
         ("grey.png", &png(8, 4, [0, 77, 0, 77])),
-        ("b.jpg", b"GIF89a"),
+        ("b.jpg", &[0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc2, 0, 11, 8, 0, 2, 0, 3, 1, 1, 0x11, 0, 0xff, 0xd9]),
     ];
     let folder = Folder::new("joined", &files);
     let assets = folder.assets();
@@ -253,6 +253,8 @@ fn two_images_become_one_where_the_format_has_one() {
         let (file, image) = (shown(&assets, &material, &[0]).to_glb().expect("a file"), png(2, 2, wanted));
         assert!(file.windows(image.len()).any(|part| part == image), "{mode}");
     }
+    let text = json(&shown(&assets, &look(|look| look.texture = Some("b.jpg".into())), &[0]));
+    assert!(text.contains("\"mimeType\":\"image/jpeg\""), "{text}");
     // Roughness is green and metal is blue.
     let material = look(|look| {
         map(look, Layer::Roughness, "grey.png");
@@ -353,7 +355,7 @@ fn a_library_has_a_word_for_each_map_and_built_in_images_beside_it() {
 }
 
 /// Pixels along a side of pictures.
-const SIDE: usize = 128;
+const SIDE: usize = 256;
 
 /// A picture from the front of a square of 2 metres that fills nearly all of it.
 fn picture(model: &Model, side: usize) -> Image {
