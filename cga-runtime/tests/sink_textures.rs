@@ -376,6 +376,12 @@ fn a_picture_shows_the_texture_the_right_way_round() {
     };
     assert_eq!([at(0, 0), at(1, 0)], [[false, true, false], [false, true, true]]);
     assert_eq!([at(0, 1), at(1, 1)], [[true, false, true], [true, false, false]]);
+    // A rectangle with maps looks as the mesh does.
+    let maps = [SetMap { set: 0, map: UvMap { u: dvec4(0.5, 0.0, 0.0, 0.0), v: dvec4(0.0, 0.5, 0.0, 0.0) } }];
+    let mut model = Model::new();
+    let (scope, quad) = (Scope::new(dvec3(2.0, 2.0, 0.0)), front(DVec3::ZERO, 2.0, 2.0));
+    assert!(model.quad(&Leaf::new("Square", &material, &scope).with_uvs(&maps), &quad).is_continue());
+    assert!(picture(&model, SIDE) == image);
     // Without coordinates it has the colour of the material.
     let plain = picture(&shown(&Arc::default(), &material, &[]), SIDE);
     let white = picture(&shown(&Arc::default(), &Arc::default(), &[0]), SIDE);
