@@ -111,6 +111,20 @@ fn what_an_absolute_path_does_not_name_is_missing() {
     assert!(faults[1].contains("below the asset folder only"), "{}", faults[1]);
 }
 
+#[test]
+fn images_of_an_inserted_file_are_found_beside_it() {
+    let object = format!("mtllib q.mtl\nusemtl wood\n{}", triangle(3.0));
+    let library = "newmtl wood\nmap_Kd wood.png\nmap_d none.png\n";
+    let files = [("assets/q.obj", &object[..]), ("assets/q.mtl", library), ("assets/wood.png", "")];
+    let model = Temporary::new("beside-image", &files).run(&City::default(), "Own");
+    let (mesh, _) = model.leaves().next().expect("a leaf").mesh();
+    assert_eq!(mesh.materials()[0].texture.as_ref().map(|name| name.as_str()), Some("/assets/wood.png"));
+    let faults: Vec<String> = model.faults().iter().map(|fault| fault.message.clone()).collect();
+    assert_eq!(faults.len(), 2, "{faults:?}");
+    assert!(faults[0].starts_with("`/assets/wood.png` cannot be shown: it is not a PNG"), "{faults:?}");
+    assert!(faults[1].starts_with("`none.png` cannot be shown"), "{faults:?}");
+}
+
 cga! {
     @Allow(missing_asset)
     grammar Painted = r#"

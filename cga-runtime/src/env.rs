@@ -366,7 +366,7 @@ impl Env {
         is_new
     }
 
-    /// The number of faults so far.
+    /// The number of faults so far, those that were counted again included.
     pub(crate) fn fault_count(&self) -> u64 {
         self.faults.len() as u64 + self.faults_left_out + self.said_again
     }

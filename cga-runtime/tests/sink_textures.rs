@@ -155,7 +155,7 @@ fn rectangles_and_boxes_have_the_coordinates_of_their_meshes() {
 fn sets_that_a_vertex_does_not_have_are_0_and_chunks_have_the_same() {
     let mut buffers = Buffers::new();
     let plain = color(1.0, 0.0, 0.0);
-    let mut play = |sink: &mut dyn Sink| {
+    let play = |sink: &mut dyn Sink| {
         let mut sink = Fill(sink);
         sink.quad("A", &plain, front(DVec3::ZERO, 1.0, 1.0));
         sink.mesh("B", &plain, &square(&[3]), DAffine3::IDENTITY);
@@ -217,7 +217,7 @@ fn two_images_become_one_where_the_format_has_one() {
         ("a.png", &png(2, 2, [9, 8, 7, 100])),
         ("same.png", &png(2, 2, [9, 8, 7, 100])),
         ("grey.png", &png(8, 4, [0, 77, 0, 77])),
-        ("b.jpg", b"GIF89a"),
+        ("b.jpg", &[0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc2, 0, 11, 8, 0, 2, 0, 3, 1, 1, 0x11, 0, 0xff, 0xd9]),
     ];
     let folder = Folder::new("joined", &files);
     let assets = folder.assets();
@@ -253,6 +253,8 @@ fn two_images_become_one_where_the_format_has_one() {
         let (file, image) = (shown(&assets, &material, &[0]).to_glb().expect("a file"), png(2, 2, wanted));
         assert!(file.windows(image.len()).any(|part| part == image), "{mode}");
     }
+    let text = json(&shown(&assets, &look(|look| look.texture = Some("b.jpg".into())), &[0]));
+    assert!(text.contains("\"mimeType\":\"image/jpeg\""), "{text}");
     // Roughness is green and metal is blue.
     let material = look(|look| {
         map(look, Layer::Roughness, "grey.png");
@@ -353,7 +355,7 @@ fn a_library_has_a_word_for_each_map_and_built_in_images_beside_it() {
 }
 
 /// Pixels along a side of pictures.
-const SIDE: usize = 128;
+const SIDE: usize = 256;
 
 /// A picture from the front of a square of 2 metres that fills nearly all of it.
 fn picture(model: &Model, side: usize) -> Image {
@@ -374,6 +376,12 @@ fn a_picture_shows_the_texture_the_right_way_round() {
     };
     assert_eq!([at(0, 0), at(1, 0)], [[false, true, false], [false, true, true]]);
     assert_eq!([at(0, 1), at(1, 1)], [[true, false, true], [true, false, false]]);
+    // A rectangle with maps looks as the mesh does.
+    let maps = [SetMap { set: 0, map: UvMap { u: dvec4(0.5, 0.0, 0.0, 0.0), v: dvec4(0.0, 0.5, 0.0, 0.0) } }];
+    let mut model = Model::new();
+    let (scope, quad) = (Scope::new(dvec3(2.0, 2.0, 0.0)), front(DVec3::ZERO, 2.0, 2.0));
+    assert!(model.quad(&Leaf::new("Square", &material, &scope).with_uvs(&maps), &quad).is_continue());
+    assert!(picture(&model, SIDE) == image);
     // Without coordinates it has the colour of the material.
     let plain = picture(&shown(&Arc::default(), &material, &[]), SIDE);
     let white = picture(&shown(&Arc::default(), &Arc::default(), &[0]), SIDE);

@@ -94,6 +94,32 @@ mod tests {
         assert_eq!(pixels(&palette), [[40, 50, 60, 128], [10, 20, 30, 255]]);
     }
 
+    /// A JPEG file of 8 by 8 pixels of middle grey: each table has one code, and both codes of the only block are a 0.
+    fn grey_jpeg() -> Vec<u8> {
+        let table = |class: u8| [&[0xff, 0xc4, 0, 20, class, 1][..], &[0; 15], &[0]].concat();
+        [
+            &[0xff, 0xd8, 0xff, 0xdb, 0, 67, 0][..],
+            &[1; 64],
+            &[0xff, 0xc0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0],
+            &table(0x00),
+            &table(0x10),
+            &[0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0, 0x3f, 0xff, 0xd9],
+        ]
+        .concat()
+    }
+
+    #[test]
+    fn a_jpeg_is_opaque() {
+        let bytes = grey_jpeg();
+        assert_eq!(header(&bytes).map(|head| (head.width, head.height, head.has_alpha)), Ok((8, 8, false)));
+        assert_eq!(pixels(&bytes), [[128, 128, 128, 255]; 64]);
+        let head = header(&bytes).expect("a header");
+        for end in 0..bytes.len() {
+            // A file that is cut off in its data may still be decoded in part.
+            let _ = decode(&head, &bytes[..end]);
+        }
+    }
+
     #[test]
     fn a_broken_image_is_refused() {
         let mut bytes = encoded(png::ColorType::Rgb, png::BitDepth::Eight, 1, &[1, 2, 3]);

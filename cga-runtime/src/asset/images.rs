@@ -19,6 +19,11 @@ use crate::texture::builtin;
 use crate::texture::layer;
 
 impl Assets {
+    /// Returns true if there is a folder in which files are looked for.
+    pub(crate) fn has_folder(&self) -> bool {
+        self.root.is_some()
+    }
+
     /// The header of the image that a material names. Without an asset folder there is none to look at.
     pub(crate) fn image_header(&self, name: &str) -> Result<ImageHeader, AssetError> {
         if BUILTINS.contains(&name) {

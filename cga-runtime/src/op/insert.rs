@@ -8,9 +8,11 @@ use super::primitive::fill_with_cube;
 use super::settle;
 use crate::asset::{AssetError, CUBES, File};
 use crate::env::Env;
+use crate::material::Layer;
 use crate::mesh::Mesh;
 use crate::place::Cuboid;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
+use crate::texture::layer;
 
 /// Which axis of an asset, or of an aligned scope, is its height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,6 +62,11 @@ pub fn insert_with(env: &mut Env, shape: &mut Shape, file: File, up: UpAxis, mod
         true => Err(AssetError::Broken("it has no faces".to_owned())),
         false => Ok(mesh),
     });
+    if let Ok(mesh) = &found
+        && assets.has_folder()
+    {
+        check_images(env, mesh);
+    }
     match found {
         Ok(mesh) if up == UpAxis::YUp => place(env, shape, mesh, mode),
         Ok(mesh) => {
@@ -70,6 +77,15 @@ pub fn insert_with(env: &mut Env, shape: &mut Shape, file: File, up: UpAxis, mod
         Err(why) => {
             env.asset_fault(format!("`{file}` cannot be inserted: {why}; a small box marks the place"));
             mark(env, shape, mode);
+        }
+    }
+}
+
+/// Leaves a fault for each image of a mesh that is missing or broken.
+fn check_images(env: &mut Env, mesh: &Mesh) {
+    for material in mesh.materials() {
+        for name in Layer::ALL.into_iter().filter_map(|layer| layer::image(material, layer)) {
+            super::image(env, name.clone());
         }
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! A vertex is six `f32`: position, then unit normal. Vertices are not shared between faces: a quad takes 4 and two
 //! triangles, a box 24 and twelve. Coordinates are computed as `f64` and rounded last. Front faces are counter-clockwise.
+//! Texture coordinates are lists beside the vertices, one a set.
 
 mod chunks;
 mod part;

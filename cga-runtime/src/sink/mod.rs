@@ -235,12 +235,12 @@ pub trait Sink {
         replay.each(self)
     }
 
-    /// A rectangle.
+    /// A rectangle, with the texture coordinates of [`Leaf::uvs`].
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY)
     }
 
-    /// A box.
+    /// A box, with the texture coordinates of [`Leaf::uvs`].
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
         self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY)
     }

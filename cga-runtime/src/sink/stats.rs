@@ -1,4 +1,5 @@
-//! Counts and measures, without keeping anything: for tests, benches and a look at what a rule costs.
+//! Counts and measures, without keeping anything: for tests, benches and a look at what a rule costs. Texture coordinates are not
+//! counted.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;

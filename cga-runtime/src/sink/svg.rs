@@ -1,7 +1,7 @@
 //! Flat vector pictures, for documents.
 //!
 //! Parallel projection, faces as polygons filled by how they face the light, farther ones first. Nothing is cut where
-//! faces pass through each other. The same model gives the same text.
+//! faces pass through each other. The same model gives the same text. Textures are not drawn: faces have their material's colour.
 
 use std::fmt::Write as _;
 use std::ops::ControlFlow;

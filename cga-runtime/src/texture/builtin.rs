@@ -68,8 +68,6 @@ fn uv_test() -> Image {
             image.rectangle(x, y, 1, field, [255, 255, 255, 120]);
         }
     }
-    image.text(SIDE as i64 / 2 - 54, field as i64 / 4, 3, "^ v = 1", [0, 0, 0, 255]);
-    image.text(SIDE as i64 - 5 * 18, SIDE as i64 / 2 + 2, 2, "u = 1 >", [0, 0, 0, 255]);
     image
 }
 

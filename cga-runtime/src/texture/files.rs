@@ -22,7 +22,7 @@ impl Files {
 }
 
 impl fmt::Debug for Files {
-    /// Whether there are any. What they have read so far tells nothing about a model.
+    /// Writes only that there are assets: the files that they have read so far tell nothing about a model.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(if self.0.is_some() { "Assets" } else { "None" })
     }

@@ -18,7 +18,7 @@ pub(crate) struct Placement {
 /// The affine form of a placement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PlacementMap {
-    /// What u and v add to the first coordinate, and to the second.
+    /// The factors of u and v in the first coordinate, and in the second.
     pub(crate) rows: [DVec2; 2],
     pub(crate) offset: DVec2,
 }

@@ -31,7 +31,7 @@ pub(crate) fn find(assets: Option<&Assets>, name: &str) -> Source {
 /// The pixels of an image.
 pub(crate) struct Pixels {
     pub(crate) image: Image,
-    /// Whether the image has an alpha channel, opaque or not.
+    /// True for an image with an alpha channel, opaque or not.
     pub(crate) has_alpha: bool,
 }
 

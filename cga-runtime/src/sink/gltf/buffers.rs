@@ -14,7 +14,8 @@ use crate::sink::error::WriteError;
 use crate::texture::layer::SetMask;
 
 impl Glb {
-    /// Adds all triangles of buffers. Several buffers make one file, without being joined first.
+    /// Adds all triangles of buffers. Several buffers make one file, without being joined first. Where a part of the buffers has
+    /// texture coordinates the others have (0, 0).
     ///
     /// ```
     /// use cga_runtime::sink::buffers::Buffers;
@@ -62,7 +63,8 @@ impl Primitive {
 }
 
 impl Buffers {
-    /// The buffers as a GLB file; see [`Glb`]. Positions stay relative to the origin of the buffers.
+    /// The buffers as a GLB file; see [`Glb`]. Positions stay relative to the origin of the buffers. Images are referenced:
+    /// [`Glb::with_assets`] and [`Glb::buffers`] embed them.
     ///
     /// # Errors
     /// As [`Glb::finish`].

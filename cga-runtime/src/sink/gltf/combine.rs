@@ -8,7 +8,7 @@ use crate::sink::picture::Image;
 use crate::text::Text;
 use crate::texture::source::{self, Pixels};
 
-/// What becomes of an image that is made of others.
+/// The result for an image that is made of others.
 pub(super) enum Combined {
     /// A file of its own.
     Png(Vec<u8>),

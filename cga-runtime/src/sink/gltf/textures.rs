@@ -179,7 +179,7 @@ mod tests {
         for uv in [DVec2::ZERO, DVec2::new(1.0, 0.0), DVec2::new(0.0, 1.0), DVec2::new(-3.0, 0.7)] {
             // As the extension says, with v downwards.
             let (u, v) = (su * uv.x, sv * (1.0 - uv.y));
-            let (sin, cos) = (turn.sin(), turn.cos());
+            let (sin, cos) = libm::sincos(turn);
             let [u, v] = [cos * u + sin * v + x, cos * v - sin * u + y];
             assert!((DVec2::new(u, 1.0 - v) - placement.map().at(uv)).length() < 1e-5);
         }

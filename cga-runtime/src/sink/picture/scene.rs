@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 
 use super::texel::{Maps, PLAIN, Textures};
 use crate::asset::Assets;
@@ -13,8 +13,9 @@ use crate::mesh::{Bounds, Mesh};
 use crate::sink::flatten::{Flattener, corner_point, normal_map, unit};
 use crate::sink::number::linear;
 use crate::sink::table::Table;
-use crate::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
+use crate::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 use crate::texture::layer::SetMask;
+use crate::texture::map::{self, SetMap};
 
 /// A triangle, its coordinates relative to [`Scene::centre`].
 #[derive(Clone, Copy, Debug)]
@@ -150,9 +151,20 @@ impl Scene {
         }
     }
 
-    fn rectangle(&mut self, quad: &Quad, paint: u32) {
-        let corners = quad.corners().map(|corner| corner - self.centre);
-        self.flat(&corners, &[[0, 1, 2], [0, 2, 3]], unit(quad.u.cross(quad.v)), paint);
+    fn rectangle(&mut self, quad: &Quad, paint: u32, uvs: &[SetMap]) {
+        const TRIANGLES: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+        let (points, first) = (quad.corners(), self.triangles.len());
+        let corners = points.map(|corner| corner - self.centre);
+        self.flat(&corners, &TRIANGLES, unit(quad.u.cross(quad.v)), paint);
+        let maps = self.paints[paint as usize].maps;
+        if uvs.is_empty() || maps == Maps::default() || self.triangles.len() - first != TRIANGLES.len() {
+            return;
+        }
+        let sets = SetMask::of(|set| map::find(uvs, set).is_some());
+        let uv = |set, corner: usize| map::find(uvs, set).map_or(DVec2::ZERO, |map| map.at(points[corner]));
+        for (triangle, corners) in self.triangles[first..].iter_mut().zip(TRIANGLES) {
+            triangle.uvs = self.textures.add(&maps, sets, corners.map(|i| i as usize), uv);
+        }
     }
 
     fn leaf(&mut self, leaf: &Leaf<'_>) -> u32 {
@@ -176,20 +188,14 @@ fn paint(material: &Material, maps: Maps) -> Paint {
 
 impl Sink for Scene {
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
-        if !leaf.uvs().is_empty() {
-            return self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY);
-        }
         let paint = self.leaf(leaf);
-        self.rectangle(quad, paint);
+        self.rectangle(quad, paint, leaf.uvs());
         ControlFlow::Continue(())
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
-        if !leaf.uvs().is_empty() {
-            return self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY);
-        }
         let paint = self.leaf(leaf);
-        cuboid.faces().iter().for_each(|face| self.rectangle(face, paint));
+        cuboid.faces().iter().for_each(|face| self.rectangle(face, paint, leaf.uvs()));
         ControlFlow::Continue(())
     }
 
@@ -216,7 +222,7 @@ impl Sink for Scene {
             if maps != Maps::default() && sets != SetMask::default() {
                 for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
                     let corners = corners.map(|i| face.corners.start + i as usize);
-                    triangle.uvs = self.textures.add(&maps, mesh, sets, corners);
+                    triangle.uvs = self.textures.add(&maps, sets, corners, |set, corner| mesh.uv_set(set)[corner]);
                 }
             }
             if !mesh.normals.is_empty() {

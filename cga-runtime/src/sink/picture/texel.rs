@@ -13,7 +13,6 @@ use super::scene::{Paint, Scene, Triangle};
 use super::texture::Texture;
 use crate::asset::Assets;
 use crate::material::{Layer, Material, MaterialNumber, MaterialText};
-use crate::mesh::Mesh;
 use crate::text::Text;
 use crate::texture::layer::{self, Placement, PlacementMap, SetMask};
 use crate::texture::source;
@@ -100,11 +99,17 @@ impl Textures {
         texture
     }
 
-    /// Keeps the places of the corners of a triangle, given as corners of a mesh; gives their number.
-    pub(super) fn add(&mut self, maps: &Maps, mesh: &Mesh, sets: SetMask, corners: [usize; 3]) -> u32 {
+    /// Keeps the places of the corners of a triangle; gives their number. `uv` gives the coordinates of a corner in a set.
+    pub(super) fn add(
+        &mut self,
+        maps: &Maps,
+        sets: SetMask,
+        corners: [usize; 3],
+        uv: impl Fn(usize, usize) -> DVec2,
+    ) -> u32 {
         let places = |map: &Map| {
-            let uvs = mesh.uv_set(layer::set(map.layer, sets)?);
-            let places = corners.map(|corner| map.placement.at(uvs[corner]));
+            let set = layer::set(map.layer, sets)?;
+            let places = corners.map(|corner| map.placement.at(uv(set, corner)));
             let near = places[0].floor();
             Some(places.map(|place| (place - near).as_vec2().to_array()))
         };
@@ -124,7 +129,7 @@ impl Maps {
     }
 }
 
-/// What a sample shows of a surface.
+/// The part of a surface that a sample shows.
 #[derive(Clone, Copy, Debug)]
 struct Footprint {
     /// The point as weights of the second and the third corner of its triangle.
