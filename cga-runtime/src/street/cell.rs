@@ -90,54 +90,63 @@ impl Cell {
     }
 }
 
-/// The cells between two poly-lines that run side by side: `inner` and, on its right, `outer`. Each point has a height. Along
-/// is counted backwards, so that the cells are not mirrored: it is 0 at the last point of `inner`. Nothing is returned where a
-/// cell would be turned over.
-pub(super) fn strip(inner: &[(Point, f64)], outer: &[(Point, f64)], width: f64) -> Option<(Vec<Cell>, f64)> {
-    let (inner_sums, outer_sums) = (sums(inner), sums(outer));
-    let length = inner_sums[inner.len() - 1];
-    let corner = |line: &[(Point, f64)], sums: &[f64], at: usize, across: f64| {
-        let all = sums[line.len() - 1];
-        let part = if 0.0 < all { sums[at] / all } else { at as f64 / (line.len().max(2) - 1) as f64 };
-        Corner::new(line[at].0, length * (1.0 - part), across, line[at].1)
-    };
+/// A point of a poly-line that runs beside another one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Trace {
+    pub(super) point: Point,
+    pub(super) height: f64,
+    /// Where it is along both poly-lines: points with equal keys are beside each other.
+    pub(super) key: (u8, f64),
+}
+
+/// Keys that differ by less are equal.
+const SAME_KEY: f64 = 1e-6;
+
+/// The cells between two poly-lines that run side by side: `inner` and, on its right, `outer`. Along is counted backwards, so
+/// that the cells are not mirrored: it is 0 at the last point of `inner`. Returns the cells and the length of `inner`, or nothing
+/// where a cell would be turned over.
+pub(super) fn strip(inner: &[Trace], outer: &[Trace], width: f64) -> Option<(Vec<Cell>, f64)> {
+    let mut length = 0.0;
+    let mut left = vec![0.0; inner.len()];
+    for at in (1..inner.len()).rev() {
+        length += inner[at - 1].point.place().distance(inner[at].point.place());
+        left[at - 1] = length;
+    }
+    // Which points are beside each other, in steps along one of the lines or both.
+    let mut links = vec![(0, 0)];
     let (mut i, mut j) = (0, 0);
-    let mut cells = Vec::new();
     while i + 1 < inner.len() || j + 1 < outer.len() {
-        let part = |sums: &[f64], at: usize| {
-            sums.get(at).map_or(f64::INFINITY, |sum| if sums[sums.len() - 1] == 0.0 { 1.0 } else { sum / sums[sums.len() - 1] })
-        };
-        let (next_i, next_j) = (part(&inner_sums, i + 1), part(&outer_sums, j + 1));
-        let both = inner.len() == outer.len() || (next_i - next_j).abs() < 1e-6;
-        let (to_i, to_j) = match () {
-            () if both => (i + 1, j + 1),
-            () if next_i < next_j => (i + 1, j),
-            () => (i, j + 1),
-        };
-        let corners = [
-            corner(inner, &inner_sums, to_i, 0.0),
-            corner(inner, &inner_sums, i, 0.0),
-            corner(outer, &outer_sums, j, width),
-            corner(outer, &outer_sums, to_j, width),
-        ];
+        let next = [inner.get(i + 1), outer.get(j + 1)].map(|trace| trace.map_or((u8::MAX, 0.0), |trace| trace.key));
+        let (a, b) = (next[0], next[1]);
+        let same = a.0 == b.0 && (a.1 - b.1).abs() < SAME_KEY;
+        if same || a < b {
+            i += 1;
+        }
+        if same || b < a {
+            j += 1;
+        }
+        links.push((i, j));
+    }
+    let mut reach = vec![[f64::INFINITY, f64::NEG_INFINITY]; outer.len()];
+    for &(i, j) in &links {
+        reach[j] = [reach[j][0].min(left[i]), reach[j][1].max(left[i])];
+    }
+    let near = |at: usize| Corner::new(inner[at].point, left[at], 0.0, inner[at].height);
+    let far = |at: usize| {
+        let along = (reach[at][0] + reach[at][1]) / 2.0;
+        Corner::new(outer[at].point, along, width, outer[at].height)
+    };
+    let mut cells = Vec::new();
+    for step in links.windows(2) {
+        let [(i, j), (to_i, to_j)] = [step[0], step[1]];
+        let corners = [near(to_i), near(i), far(j), far(to_j)];
         match Cell::new(&corners) {
             Some(cell) if is_convex(&cell.ring()) => cells.push(cell),
             None if twice_area(&corners.map(|corner| corner.point)) == 0 => {}
             _ => return None,
         }
-        (i, j) = (to_i, to_j);
     }
     Some((cells, length))
-}
-
-fn sums(line: &[(Point, f64)]) -> Vec<f64> {
-    let mut sum = 0.0;
-    let mut sums = vec![0.0];
-    for ends in line.windows(2) {
-        sum += ends[0].0.place().distance(ends[1].0.place());
-        sums.push(sum);
-    }
-    sums
 }
 
 /// Whether a counter-clockwise ring turns left at each of its points, except for rounding.

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
-use super::cell::{Cell, strip};
+use super::cell::{Cell, Trace, strip};
 use super::chain::{Chain, Node, turn};
 use super::grid::{Point, orient, twice_area};
 use super::section::{Section, Station};
@@ -15,14 +15,14 @@ const REACH: f64 = 120.0;
 /// The shortest arm inside of a junction, in metres.
 const LEAST_ARM: f64 = 0.25;
 
-/// The longest tangent of a rounded corner, as a multiple of its radius.
-const MOST_TANGENT: f64 = 3.0;
+/// Corners with a smaller radius than this, in metres, are sharp.
+const LEAST_RADIUS: f64 = 0.2;
+
+/// The longest tangent of a rounded corner, as a multiple of the radius that corners have where there is room.
+const MOST_TANGENT: f64 = 4.0;
 
 /// The largest angle between two parts of a rounded corner, in degrees.
 const CORNER_STEP: f64 = 15.0;
-
-/// A poly-line with heights.
-type Line = Vec<(Point, f64)>;
 
 /// A junction that was laid out.
 pub(super) struct Layout {
@@ -61,12 +61,29 @@ impl Arm {
     }
 }
 
+impl Arm {
+    /// How far along the arm a place beside a segment is.
+    fn along(&self, segment: usize, place: DVec2) -> f64 {
+        let off = (place - self.chain.places[segment]).dot(self.chain.direction(segment));
+        (self.chain.along[segment] + off).max(0.0)
+    }
+}
+
 /// The borders of two neighbouring arms and where they meet.
 struct Meeting {
     /// The points of the fillet, from the first arm to the second.
     points: Vec<DVec2>,
     /// How far along the arms it begins and ends.
     along: [f64; 2],
+    /// The radius of the fillet, 0 for none.
+    radius: f64,
+}
+
+impl Meeting {
+    /// Points at the node itself, where no arm is cut off.
+    fn plain(points: Vec<DVec2>) -> Self {
+        Meeting { points, along: [0.0; 2], radius: 0.0 }
+    }
 }
 
 /// The arms of a node in counter-clockwise order.
@@ -100,10 +117,12 @@ pub(super) fn layout(node: &Node, chains: &[Chain], radius: f64) -> Option<Layou
     for at in 0..count {
         let (a, b) = pair(at);
         let (wide_a, wide_b) = (a.chain.widths, b.chain.widths);
-        let kerb = meet(a, b, [wide_a.half, -wide_b.half], radius)?;
+        let most_tangent = MOST_TANGENT * radius;
+        let kerb = meet(a, b, [wide_a.half, -wide_b.half], radius, most_tangent)?;
         let walk = wide_a.left.max(wide_b.right);
         let outer = [wide_a.half + wide_a.left, -(wide_b.half + wide_b.right)];
-        let outer = if walk == 0.0 { None } else { Some(meet(a, b, outer, (radius - walk).max(0.0))?) };
+        let inner_radius = (kerb.radius - walk).max(0.0);
+        let outer = if walk == 0.0 { None } else { Some(meet(a, b, outer, inner_radius, most_tangent)?) };
         for meeting in [Some(&kerb), outer.as_ref()].into_iter().flatten() {
             reach[at] = reach[at].max(meeting.along[0]);
             reach[(at + 1) % count] = reach[(at + 1) % count].max(meeting.along[1]);
@@ -124,14 +143,15 @@ pub(super) fn layout(node: &Node, chains: &[Chain], radius: f64) -> Option<Layou
     let (mut roadway, mut corners) = (Vec::new(), Vec::new());
     for (at, (kerb, outer, width)) in meetings.iter().enumerate() {
         let ((a, b), next) = (pair(at), (at + 1) % count);
-        let ends = [(sections[at], stations[at]), (sections[next], stations[next])];
+        let ends = [&sections[at], &sections[next]];
         let line = |meeting: &Meeting, border: usize| {
-            let mut line: Line = vec![(ends[0].0.borders[border], ends[0].0.height)];
-            line.extend(vertices(a, chains, border, meeting.along[0], ends[0].0.along_arm(a)).into_iter().rev());
-            line.extend(meeting.points.iter().map(|&place| (Point::near(place), node.height)));
-            line.extend(vertices(b, chains, 3 - border, meeting.along[1], ends[1].0.along_arm(b)));
-            line.push((ends[1].0.borders[3 - border], ends[1].0.height));
-            line.dedup_by_key(|point| point.0);
+            let [from, to] = [(ends[0], a, border), (ends[1], b, 3 - border)];
+            let mut line: Vec<Trace> = trace(from, chains, meeting.along[0]).collect();
+            line.reverse();
+            line.iter_mut().for_each(|trace| trace.key = (0, -trace.key.1));
+            line.extend(arc(&meeting.points, node.height));
+            line.extend(trace(to, chains, meeting.along[1]));
+            line.dedup_by_key(|trace| trace.point);
             line
         };
         let kerb = line(kerb, 1);
@@ -139,7 +159,7 @@ pub(super) fn layout(node: &Node, chains: &[Chain], radius: f64) -> Option<Layou
             let (cells, length) = strip(&kerb, &line(outer, 0), *width)?;
             corners.push(Corner { cells, length, width: *width });
         }
-        roadway.extend(kerb.iter().map(|point| point.0));
+        roadway.extend(kerb.iter().map(|trace| trace.point));
     }
     roadway.dedup();
     if 1 < roadway.len() && roadway[0] == roadway[roadway.len() - 1] {
@@ -163,31 +183,50 @@ impl Section {
     }
 }
 
-/// The points of a border at the places of an arm between two distances.
-fn vertices(arm: &Arm, chains: &[Chain], border: usize, from: f64, to: f64) -> Line {
-    let between = |at: &usize| from + 1e-6 < arm.chain.along[*at] && arm.chain.along[*at] < to - 1e-6;
-    let places = (1..arm.chain.len()).filter(between);
-    places
-        .map(|at| {
-            let section = arm.section(chains, Station::Vertex(at));
-            (section.borders[border], section.height)
-        })
-        .collect()
+/// A border of an arm from a distance on: its points at places of the chain, and at last that of the section at which the arm
+/// ends.
+fn trace(
+    (end, arm, border): (&Section, &Arm, usize),
+    chains: &[Chain],
+    from: f64,
+) -> impl Iterator<Item = Trace> {
+    let to = end.along_arm(arm);
+    let between = move |at: &usize| from + 1e-6 < arm.chain.along[*at] && arm.chain.along[*at] < to - 1e-6;
+    let inner = (1..arm.chain.len()).filter(between).map(|at| arm.section(chains, Station::Vertex(at)));
+    inner.chain([*end]).map(move |section| Trace {
+        point: section.borders[border],
+        height: section.height,
+        key: (2, section.along_arm(arm)),
+    })
+}
+
+/// The points of an arc from the start to the end of it.
+fn arc(points: &[DVec2], height: f64) -> impl Iterator<Item = Trace> {
+    let last = points.len().max(2) - 1;
+    let key = move |at: usize| (1, at as f64 / last as f64);
+    points.iter().enumerate().map(move |(at, &place)| Trace { point: Point::near(place), height, key: key(at) })
 }
 
 /// Joins the left border of an arm with the right border of the next one.
-fn meet(a: &Arm, b: &Arm, distances: [f64; 2], radius: f64) -> Option<Meeting> {
+fn meet(a: &Arm, b: &Arm, distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
     let gap = gap(a, b);
     let lines = [a.chain.border(distances[0]), b.chain.border(distances[1])];
-    if gap < PI - 1e-9 {
-        if let Some(found) = crossing(&lines, [a, b]) {
-            return Some(rounded(found, &lines, [a, b], radius));
-        }
+    if gap < PI - 1e-9
+        && let Some((at, place)) = crossing(&lines, [a, b])
+    {
+        let corner = Meeting {
+            points: vec![place],
+            along: [0, 1].map(|which| [a, b][which].along(at[which], place)),
+            radius: 0.0,
+        };
+        let mut radii = [1.0, 0.5, 0.25, 0.125].map(|part| part * radius).into_iter().filter(|&one| LEAST_RADIUS < one);
+        let rounded = radii.find_map(|radius| rounded(&corner, [a, b], distances, radius, most_tangent));
+        return rounded.or(Some(corner));
     }
     let off = (gap - PI).abs();
     let directions = [a.chain.direction(0), b.chain.direction(0)];
     if off < 2f64.to_radians() {
-        return Some(Meeting { points: Vec::new(), along: [0.0; 2] });
+        return Some(Meeting::plain(Vec::new()));
     }
     let node = a.chain.places[0];
     let widest = distances[0].abs().max(distances[1].abs());
@@ -197,18 +236,18 @@ fn meet(a: &Arm, b: &Arm, distances: [f64; 2], radius: f64) -> Option<Meeting> {
         let part = (q - p).perp_dot(directions[1]) / directions[0].perp_dot(directions[1]);
         let mitre = p + directions[0] * part;
         if mitre.distance(node) < 3.0 * widest && PI < gap {
-            return Some(Meeting { points: vec![mitre], along: [0.0; 2] });
+            return Some(Meeting::plain(vec![mitre]));
         }
     }
     if gap < PI {
         // Arms at an angle below a half turn, whose borders do not meet.
-        return (off < 20f64.to_radians()).then_some(Meeting { points: Vec::new(), along: [0.0; 2] });
+        return (off < 20f64.to_radians()).then_some(Meeting::plain(Vec::new()));
     }
-    Some(Meeting { points: fan(node, lines[0][0], lines[1][0]), along: [0.0; 2] })
+    Some(Meeting::plain(fan(node, lines[0][0], lines[1][0])))
 }
 
 /// The points of an arc about a place, counter-clockwise.
-pub(super) fn fan(centre: DVec2, from: DVec2, to: DVec2) -> Vec<DVec2> {
+fn fan(centre: DVec2, from: DVec2, to: DVec2) -> Vec<DVec2> {
     let (from, to) = (from - centre, to - centre);
     let angle = turn(from, to);
     let angle = if angle < 0.0 { angle + TAU } else { angle };
@@ -242,34 +281,31 @@ fn crossing(lines: &[Vec<DVec2>; 2], arms: [&Arm; 2]) -> Option<([usize; 2], DVe
     None
 }
 
-/// A corner with an arc of a radius, or a smaller one where there is no room.
-fn rounded((at, place): ([usize; 2], DVec2), lines: &[Vec<DVec2>; 2], arms: [&Arm; 2], radius: f64) -> Meeting {
-    let out = [0, 1].map(|which| arms[which].chain.direction(at[which]));
-    let along = |which: usize, place: DVec2| {
-        let chain = &arms[which].chain;
-        chain.along[at[which]] + (place - chain.places[at[which]]).dot(out[which])
+/// A corner with an arc of a radius. Its centre is where borders that are farther out by the radius cross.
+fn rounded(corner: &Meeting, arms: [&Arm; 2], distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
+    let lines = [arms[0].chain.border(distances[0] + radius), arms[1].chain.border(distances[1] - radius)];
+    let (at, centre) = crossing(&lines, arms)?;
+    let along = [0, 1].map(|which| arms[which].along(at[which], centre));
+    let fits = |which: usize| {
+        let tangent = along[which] - corner.along[which];
+        (0.0..=most_tangent).contains(&tangent) && along[which] < arms[which].chain.length()
     };
-    let angle = turn(out[0], out[1]);
-    let room = [0, 1].map(|which| lines[which][at[which] + 1].distance(place));
-    let half = libm::tan(angle / 2.0);
-    let tangent = (radius / half).min(0.9 * room[0]).min(0.9 * room[1]).min(MOST_TANGENT * radius);
-    // Arms that bend towards each other or run nearly straight on have no corner to round.
-    if !(0.05..3.0).contains(&angle) || tangent < 0.1 {
-        return Meeting { points: vec![place], along: [along(0, place).max(0.0), along(1, place).max(0.0)] };
+    if !(fits(0) && fits(1)) {
+        return None;
     }
-    let radius = tangent * half;
-    let ends = [place + out[0] * tangent, place + out[1] * tangent];
-    let centre = ends[0] + out[0].perp() * radius;
-    let sweep = PI - angle;
-    let steps = (sweep.to_degrees() / CORNER_STEP).ceil() as usize;
+    let out = [0, 1].map(|which| arms[which].chain.direction(at[which]).perp() * radius);
+    let (from, to) = (centre - out[0], centre + out[1]);
+    let sweep = turn(from - centre, to - centre);
+    // Clockwise, as the corner is seen from the junction.
+    if !(-3.1..=-0.02).contains(&sweep) {
+        return None;
+    }
+    let steps = (-sweep.to_degrees() / CORNER_STEP).ceil() as usize;
     let point = |step: usize| {
-        let part = -sweep * step as f64 / steps as f64;
-        centre + DVec2::new(libm::cos(part), libm::sin(part)).rotate(ends[0] - centre)
+        let part = sweep * step as f64 / steps as f64;
+        centre + DVec2::new(libm::cos(part), libm::sin(part)).rotate(from - centre)
     };
-    Meeting {
-        points: (0..=steps).map(point).collect(),
-        along: [along(0, ends[0]).max(0.0), along(1, ends[1]).max(0.0)],
-    }
+    Some(Meeting { points: (0..=steps).map(point).collect(), along, radius })
 }
 
 /// Whether no two edges of a ring meet but neighbours at their common point.
@@ -296,27 +332,22 @@ pub(super) fn fans(node: &Node, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<Corne
         if arms.len() < 2 || gap(a, b) < PI + 1e-9 {
             continue;
         }
-        let ends = [a.section(chains, station(a)), b.section(chains, station(b))];
+        let ends = [a.section(chains, Station::Vertex(0)), b.section(chains, Station::Vertex(0))];
         let line = |border: usize| {
             let [from, to] = [ends[0].borders[border], ends[1].borders[3 - border]];
-            let mut line: Line = vec![(from, node.height)];
-            let points = fan(node.place, from.place(), to.place());
-            line.extend(points.iter().map(|&place| (Point::near(place), node.height)));
-            line.push((to, node.height));
-            line.dedup_by_key(|point| point.0);
+            let mut line: Vec<Trace> = arc(&fan(node.place, from.place(), to.place()), node.height).collect();
+            // The ends are exactly those of the arms.
+            let last = line.len() - 1;
+            (line[0].point, line[last].point) = (from, to);
+            line.dedup_by_key(|trace| trace.point);
             line
         };
         let (kerb, width) = (line(1), a.chain.widths.left.max(b.chain.widths.right));
-        let triangle = |edge: &[(Point, f64)]| vec![centre, edge[0].0, edge[1].0];
+        let triangle = |edge: &[Trace]| vec![centre, edge[0].point, edge[1].point];
         roadway.extend(kerb.windows(2).map(triangle).filter(|ring| 0 < twice_area(ring)));
         if let Some((cells, length)) = strip(&kerb, &line(0), width).filter(|_| 0.0 < width) {
             corners.push(Corner { cells, length, width });
         }
     }
     (roadway, corners)
-}
-
-/// The start of an arm.
-fn station(_arm: &Arm) -> Station {
-    Station::Vertex(0)
 }

@@ -8,31 +8,78 @@ use super::grid::{Buckets, Point, dot, orient};
 /// Divides segments at each other. Each becomes a chain of points from its first end to its second. Nothing is returned when
 /// there are more than `most` crossings.
 pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Point>>> {
+    let mut chains = round(segments, &crossings(segments, most)?);
+    // Rounding errors of crossings may leave edges that still meet; this is rare and is mended at once.
+    for _ in 0..MOST_ROUNDS {
+        let mut edges: Vec<[Point; 2]> = chains.iter().flat_map(|chain| chain.windows(2).map(sorted)).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        let again = crossings(&edges, most)?;
+        if again.is_empty() {
+            break;
+        }
+        let parts = round(&edges, &again);
+        for chain in &mut chains {
+            let mut finer = vec![chain[0]];
+            for edge in chain.windows(2) {
+                let Ok(at) = edges.binary_search(&sorted(edge)) else { continue };
+                if edge[0] < edge[1] {
+                    finer.extend(&parts[at][1..]);
+                } else {
+                    finer.extend(parts[at].iter().rev().skip(1));
+                }
+            }
+            *chain = finer;
+        }
+    }
+    Some(chains)
+}
+
+/// Attempts to mend edges that still meet.
+const MOST_ROUNDS: usize = 8;
+
+fn sorted(edge: &[Point]) -> [Point; 2] {
+    [edge[0].min(edge[1]), edge[0].max(edge[1])]
+}
+
+/// The crossings of segments: which segment, and the rounded place. Nothing is returned when there are more than `most`.
+fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> {
     let mut buckets = Buckets::for_segments(segments);
     for (number, &segment) in segments.iter().enumerate() {
         buckets.add_segment(segment, number as u32);
     }
-    let mut hot: Vec<Point> = segments.iter().flatten().copied().collect();
-    let room = most.saturating_add(hot.len());
+    let mut found = Vec::new();
     for list in buckets.lists() {
         for (at, &first) in list.iter().enumerate() {
             for &second in &list[at + 1..] {
-                hot.extend(crossing(segments[first as usize], segments[second as usize]));
+                if let Some(point) = crossing(segments[first as usize], segments[second as usize]) {
+                    found.extend([(first, point), (second, point)]);
+                }
             }
-            if room < hot.len() {
+            if 8 * most < found.len() {
                 return None;
             }
         }
     }
+    found.sort_unstable();
+    found.dedup();
+    (found.len() <= 2 * most).then_some(found)
+}
+
+/// Leads segments through all hot points that they pass, and through their own crossings.
+fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>> {
+    let mut hot: Vec<Point> = segments.iter().flatten().copied().chain(crossings.iter().map(|one| one.1)).collect();
     hot.sort_unstable();
     hot.dedup();
     let mut pixels = Buckets::for_segments(segments);
     for (number, &point) in hot.iter().enumerate() {
         pixels.add_point(point, number as u32);
     }
-    let chain = |&segment: &[Point; 2]| {
+    let chain = |(number, &segment): (usize, &[Point; 2])| {
         let [a, b] = segment;
-        let mut chain: Vec<Point> = Vec::new();
+        let from = crossings.partition_point(|one| (one.0 as usize) < number);
+        let own = crossings[from..].iter().take_while(|one| one.0 as usize == number);
+        let mut chain: Vec<Point> = own.map(|one| one.1).collect();
         pixels.near_segment(segment, 2, |number| {
             if passes(segment, hot[number as usize]) {
                 chain.push(hot[number as usize]);
@@ -41,13 +88,13 @@ pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Poi
         let along = b.from(a);
         chain.sort_unstable_by_key(|point| (dot(along, point.from(a)), *point));
         chain.dedup();
-        // The ends are hot; neighbours of an end within a unit may sort before it.
+        // Neighbours of an end within a unit may sort before it.
         chain.retain(|&point| point != a && point != b);
         chain.insert(0, a);
         chain.push(b);
         chain
     };
-    Some(segments.iter().map(chain).collect())
+    segments.iter().enumerate().map(chain).collect()
 }
 
 /// The grid point next to the place where two segments cross, inside of both.

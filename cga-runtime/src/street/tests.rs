@@ -1,1 +1,7 @@
+//! Laws of street networks: nothing overlaps, nothing is left out, borders are shared to the bit, coordinates are right.
 
+mod cases;
+mod laws;
+mod random;
+
+use super::*;
