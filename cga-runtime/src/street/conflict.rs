@@ -1,6 +1,6 @@
 //! Finds where roadways overlap, and makes these parts belong to junctions.
 
-use super::grid::{Point, UNIT, twice_area};
+use super::grid::{Point, is_sliver};
 use super::pieces::{Piece, Pieces, Plan};
 use super::subdivision::Subdivision;
 use super::{MOST_CROSSINGS, StreetError};
@@ -10,9 +10,6 @@ const MOST_ATTEMPTS: usize = 16;
 
 /// How much farther than an overlap a part of a street goes to a junction, in metres.
 const MARGIN: f64 = 1e-5;
-
-/// An overlap that is thinner than this on average, in metres, is rounding.
-const THIN: f64 = 1e-6;
 
 /// The pieces of a plan whose free roadways do not overlap.
 pub(super) fn resolve(plan: &mut Plan) -> Result<Pieces, StreetError> {
@@ -59,13 +56,6 @@ fn extent(plan: &Plan, chain: usize, segment: usize, ring: &[Point]) -> [f64; 2]
     let (from, along) = (chain.places[segment], chain.direction(segment));
     let distances = ring.iter().map(|point| chain.along[segment] + (point.place() - from).dot(along));
     distances.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
-}
-
-fn is_sliver(ring: &[Point]) -> bool {
-    let length: f64 =
-        (0..ring.len()).map(|at| ring[at].place().distance(ring[(at + 1) % ring.len()].place())).sum();
-    let area = twice_area(ring) as f64 * UNIT * UNIT / 2.0;
-    area < THIN * length
 }
 
 /// Sorts intervals and joins those that overlap.

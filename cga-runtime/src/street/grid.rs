@@ -57,6 +57,16 @@ pub(super) fn twice_area(ring: &[Point]) -> i128 {
     ring.windows(2).map(|edge| cross(edge[0].from(from), edge[1].from(from))).sum()
 }
 
+/// A face that is thinner than this on average, in metres, is due to rounding.
+const THIN: f64 = 1e-6;
+
+/// Whether a counter-clockwise ring encloses no more than rounding does.
+pub(super) fn is_sliver(ring: &[Point]) -> bool {
+    let length: f64 = (0..ring.len()).map(|at| ring[at].place().distance(ring[(at + 1) % ring.len()].place())).sum();
+    let area = twice_area(ring) as f64 * UNIT * UNIT / 2.0;
+    0.0 <= area && area < THIN * length
+}
+
 /// How often a ring goes round a point counter-clockwise. A point on the ring counts as on one of its sides.
 pub(super) fn winding(ring: &[Point], point: Point) -> i32 {
     let mut turns = 0;

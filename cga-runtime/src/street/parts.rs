@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::{DVec2, DVec3};
 
-use super::grid::{Point, twice_area, winding};
+use super::grid::{Point, is_sliver, twice_area, winding};
 use super::mesh::{Face, mesh};
 use super::pieces::{Piece, Pieces, Plan, Run, RunKind};
 use super::subdivision::{NONE, Subdivision};
@@ -78,6 +78,7 @@ impl Owners {
             free.or_else(junction).or(covers.first()).copied().unwrap_or(NONE)
         };
         let mut of_cycle: Vec<u32> = faces.covers.iter().map(owner).collect();
+        give_slivers_away(&mut of_cycle, faces);
         // Pieces that overlap, or are next to each other, are one junction.
         let is_part = |at: u32| at != NONE && !is_walk(at) && !is_free(&&at);
         let mut first: Vec<u32> = (0..pieces.list.len() as u32).collect();
@@ -139,6 +140,26 @@ impl Owners {
             }
         }
         arms
+    }
+}
+
+/// Gives faces that rounding has made to the owner next to their longest edge.
+fn give_slivers_away(of_cycle: &mut [u32], faces: &Subdivision) {
+    let is_sliver: Vec<bool> = (0..of_cycle.len()).map(|cycle| is_sliver(&faces.ring(cycle))).collect();
+    let mut longest: HashMap<u32, (f64, u32)> = HashMap::new();
+    for (half, &cycle) in faces.cycle.iter().enumerate() {
+        let other = faces.cycle[half ^ 1];
+        if is_sliver[cycle as usize] && !is_sliver[other as usize] {
+            let [a, b] = faces.ends(half);
+            let length = a.place().distance(b.place());
+            let best = longest.entry(cycle).or_insert((length, other));
+            if best.0 < length {
+                *best = (length, other);
+            }
+        }
+    }
+    for (cycle, (_, other)) in longest {
+        of_cycle[cycle as usize] = of_cycle[other as usize];
     }
 }
 

@@ -14,7 +14,7 @@ fn flat(face: &FaceRef<'_>, mesh: &Mesh) -> Vec<Vec<DVec2>> {
 }
 
 fn area(ring: &[DVec2]) -> f64 {
-    (0..ring.len()).map(|at| ring[at].perp_dot(ring[(at + 1) % ring.len()])).sum::<f64>() / 2.0
+    ring.windows(2).map(|edge| (edge[0] - ring[0]).perp_dot(edge[1] - ring[0])).sum::<f64>() / 2.0
 }
 
 type Bits = [u64; 3];
