@@ -97,9 +97,7 @@ fn read(text: &str) -> Result<(Vec<Centerline>, Vec<String>), Box<dyn Error>> {
     // For a district the earth is flat.
     const METRES_A_DEGREE: f64 = 111_319.490_8;
     let shrink = libm::cos(middle[1].to_radians());
-    let metres = |p: &[f64; 2]| {
-        [(p[0] - middle[0]) * shrink * METRES_A_DEGREE, (middle[1] - p[1]) * METRES_A_DEGREE]
-    };
+    let metres = |p: &[f64; 2]| [(p[0] - middle[0]) * shrink * METRES_A_DEGREE, (middle[1] - p[1]) * METRES_A_DEGREE];
     let line = |(points, widths): &(Vec<[f64; 2]>, &Value)| {
         let line = Centerline::new(&points.iter().map(metres).collect::<Vec<_>>());
         match (widths["roadway"].as_f64(), widths["sidewalk"].as_f64()) {

@@ -15,7 +15,8 @@ const MARGIN: f64 = 1e-5;
 pub(super) fn resolve(plan: &mut Plan) -> Result<Pieces, StreetError> {
     for _ in 0..MOST_ATTEMPTS {
         let pieces = plan.pieces();
-        let roads: Vec<usize> = (0..pieces.list.len()).filter(|&at| !matches!(pieces.list[at], Piece::Walk { .. })).collect();
+        let roads: Vec<usize> =
+            (0..pieces.list.len()).filter(|&at| !matches!(pieces.list[at], Piece::Walk { .. })).collect();
         let rings: Vec<Vec<Point>> = roads.iter().map(|&at| pieces.list[at].ring()).collect();
         let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
         let mut changed = false;
@@ -25,7 +26,9 @@ pub(super) fn resolve(plan: &mut Plan) -> Result<Pieces, StreetError> {
                 continue;
             }
             let cover = || covers.iter().map(|&road| &pieces.list[roads[road as usize]]);
-            let laid_out = || cover().filter_map(|piece| if let Piece::Junction { node, .. } = piece { Some(*node) } else { None });
+            let laid_out = || {
+                cover().filter_map(|piece| if let Piece::Junction { node, .. } = piece { Some(*node) } else { None })
+            };
             if laid_out().next().is_some() {
                 changed |= laid_out().fold(false, |any, node| plan.lower(node as usize) | any);
                 continue;

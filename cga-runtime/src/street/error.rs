@@ -54,7 +54,7 @@ impl fmt::Display for StreetError {
                 write!(f, "line {line} has a sidewalk of {width} m; give a width from 0 to 10,000, 0 for none")
             }
             StreetError::Option { name, value } => {
-                let most = if *name == "arc_above" { "180" } else { "10,000" };
+                let most = if *name == "arc_above" { 180 } else { 100 };
                 write!(f, "the option `{name}` is {value}; give a number from 0 to {most}")
             }
             StreetError::TooDense { most } => {

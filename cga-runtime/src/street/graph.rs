@@ -1,10 +1,10 @@
 //! Centre lines as a graph: lines are divided where they meet, and ends near other lines are moved onto them.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use super::grid::{Buckets, Point};
+use super::grid::{Buckets, Map, Point};
 use super::input::{Centerline, NetworkOptions};
 use super::rounding::divide;
 use super::{MOST_CROSSINGS, StreetError};
@@ -60,8 +60,8 @@ impl Graph {
         let plain: Vec<[Point; 2]> = segments.iter().map(|segment| segment.ends.map(|end| end.0)).collect();
         let chains = divide(&plain, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
         let mut graph = Graph::default();
-        let mut numbers: HashMap<Point, u32> = HashMap::new();
-        let mut known: HashMap<[u32; 2], ()> = HashMap::new();
+        let mut numbers: Map<Point, u32> = Map::default();
+        let mut known: Map<[u32; 2], ()> = Map::default();
         // Ends of segments have heights of their own, crossings that of the first line.
         for segment in segments {
             for (point, height) in segment.ends {
@@ -89,7 +89,7 @@ impl Graph {
         Ok(graph)
     }
 
-    fn vertex(&mut self, numbers: &mut HashMap<Point, u32>, point: Point, height: f64) -> u32 {
+    fn vertex(&mut self, numbers: &mut Map<Point, u32>, point: Point, height: f64) -> u32 {
         *numbers.entry(point).or_insert_with(|| {
             self.places.push(point.place());
             self.heights.push(height);
@@ -149,7 +149,7 @@ fn path(line: &Centerline) -> Vec<Vertex> {
 /// Moves ends that are near each other to the first of them.
 fn join_ends(paths: &mut [Vec<Vertex>], snap: f64) {
     let cell = |place: DVec2| ((place.x / snap).floor() as i64, (place.y / snap).floor() as i64);
-    let mut kept: HashMap<(i64, i64), Vec<Vertex>> = HashMap::new();
+    let mut kept: Map<(i64, i64), Vec<Vertex>> = Map::default();
     for path in paths.iter_mut() {
         let last = path.len().saturating_sub(1);
         if last == 0 {
@@ -173,7 +173,7 @@ fn join_ends(paths: &mut [Vec<Vertex>], snap: f64) {
 
 /// Moves ends that no other end shares onto the nearest segment of another line, where one is near.
 fn reach_segments(paths: &mut [Vec<Vertex>], snap: f64) {
-    let mut ends: HashMap<Point, usize> = HashMap::new();
+    let mut ends: Map<Point, usize> = Map::default();
     let (mut segments, mut homes) = (Vec::new(), Vec::new());
     for (line, path) in paths.iter().enumerate() {
         for vertex in path.first().into_iter().chain(path.last()) {
@@ -214,7 +214,9 @@ fn reach_segments(paths: &mut [Vec<Vertex>], snap: f64) {
             let (segment, home) = (segments[number as usize], homes[number as usize]);
             let foot = nearest_on(segment, place);
             let [low, high] = [0, 1].map(|end| paths[home.0][home.1 + end].1);
-            let near_end = |end: Point| end.place().distance(foot) < snap.min(0.25 * segment[0].place().distance(segment[1].place()));
+            let near_end = |end: Point| {
+                end.place().distance(foot) < snap.min(0.25 * segment[0].place().distance(segment[1].place()))
+            };
             let new = match () {
                 () if near_end(segment[0]) => (segment[0], low),
                 () if near_end(segment[1]) => (segment[1], high),

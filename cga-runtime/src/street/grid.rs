@@ -3,6 +3,7 @@
 //! Grid points are exact as f64, and orientation tests of them are exact in 128 bits.
 
 use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 
 use glam::DVec2;
 
@@ -83,10 +84,39 @@ pub(super) fn winding(ring: &[Point], point: Point) -> i32 {
     turns
 }
 
+/// A map by points or cells.
+pub(super) type Map<K, V> = HashMap<K, V, BuildHasherDefault<Mix>>;
+
+/// A fast hash of a few integers.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Mix(u64);
+
+impl Hasher for Mix {
+    fn finish(&self) -> u64 {
+        self.0 ^ (self.0 >> 32)
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|&byte| self.write_u64(byte.into()));
+    }
+
+    fn write_i64(&mut self, value: i64) {
+        self.write_u64(value as u64);
+    }
+
+    fn write_u32(&mut self, value: u32) {
+        self.write_u64(value.into());
+    }
+
+    fn write_u64(&mut self, value: u64) {
+        self.0 = (self.0.rotate_left(29) ^ value).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    }
+}
+
 /// Lists of numbers by square cells of the plane.
 pub(super) struct Buckets {
     size: i64,
-    cells: HashMap<(i64, i64), Vec<u32>>,
+    cells: Map<(i64, i64), Vec<u32>>,
 }
 
 impl Buckets {
@@ -98,7 +128,7 @@ impl Buckets {
 
     /// Empty cells of a size in metres.
     pub(super) fn new(size: f64) -> Self {
-        Buckets { size: ((size * UNITS).ceil() as i64).max(16), cells: HashMap::new() }
+        Buckets { size: ((size * UNITS).ceil() as i64).max(16), cells: Map::default() }
     }
 
     /// Adds a number to the cell of a point.

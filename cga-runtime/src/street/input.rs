@@ -60,19 +60,21 @@ impl Default for NetworkOptions {
 /// The largest coordinate in metres: beyond the equator's length grid points are no longer exact.
 const MOST_COORDINATE: f64 = 1e8;
 
-/// The largest width and radius in metres.
+/// The largest width in metres.
 const MOST_WIDTH: f64 = 1e4;
+
+/// The largest snapping distance and radius of a corner in metres.
+const MOST_SNAP: f64 = 100.0;
 
 /// The smallest width of a roadway in metres.
 const LEAST_ROADWAY: f64 = 0.01;
 
 /// Whether lines and settings are usable.
 pub(super) fn check(lines: &[Centerline], options: &NetworkOptions) -> Result<(), StreetError> {
-    let radius = |value: f64| (0.0..=MOST_WIDTH).contains(&value);
-    if !radius(options.snap) {
+    if !(0.0..=MOST_SNAP).contains(&options.snap) {
         return Err(StreetError::Option { name: "snap", value: options.snap });
     }
-    if !radius(options.corner_radius) {
+    if !(0.0..=MOST_SNAP).contains(&options.corner_radius) {
         return Err(StreetError::Option { name: "corner_radius", value: options.corner_radius });
     }
     if !(0.0..=180.0).contains(&options.arc_above) {

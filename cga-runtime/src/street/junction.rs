@@ -185,11 +185,7 @@ impl Section {
 
 /// A border of an arm from a distance on: its points at places of the chain, and at last that of the section at which the arm
 /// ends.
-fn trace(
-    (end, arm, border): (&Section, &Arm, usize),
-    chains: &[Chain],
-    from: f64,
-) -> impl Iterator<Item = Trace> {
+fn trace((end, arm, border): (&Section, &Arm, usize), chains: &[Chain], from: f64) -> impl Iterator<Item = Trace> {
     let to = end.along_arm(arm);
     let between = move |at: &usize| from + 1e-6 < arm.chain.along[*at] && arm.chain.along[*at] < to - 1e-6;
     let inner = (1..arm.chain.len()).filter(between).map(|at| arm.section(chains, Station::Vertex(at)));

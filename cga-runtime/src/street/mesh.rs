@@ -1,10 +1,8 @@
 //! Meshes of polygons on the grid.
 
-use std::collections::HashMap;
-
 use glam::{DVec2, DVec3};
 
-use super::grid::Point;
+use super::grid::{Map, Point};
 use crate::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::triangulate::Triangulator;
 
@@ -16,9 +14,9 @@ pub(super) struct Face {
 
 /// A mesh of faces with some sets of coordinates; nothing where they have no area. Faces that heights bend are divided into
 /// triangles.
-pub(super) fn mesh(faces: &[Face], heights: &HashMap<Point, f64>, sets: usize) -> Option<Mesh> {
+pub(super) fn mesh(faces: &[Face], heights: &Map<Point, f64>, sets: usize) -> Option<Mesh> {
     let mut builder = MeshBuilder::new();
-    let mut numbers: HashMap<Point, u32> = HashMap::new();
+    let mut numbers: Map<Point, u32> = Map::default();
     for face in faces {
         let points: Vec<Point> = face.rings.iter().flatten().copied().collect();
         let levels = levels(&points, heights);
@@ -63,7 +61,7 @@ pub(super) fn mesh(faces: &[Face], heights: &HashMap<Point, f64>, sets: usize) -
 }
 
 /// The heights of the points of a face. Those that are not known follow from the known ones, the nearer the more.
-fn levels(points: &[Point], heights: &HashMap<Point, f64>) -> Vec<f64> {
+fn levels(points: &[Point], heights: &Map<Point, f64>) -> Vec<f64> {
     let known: Vec<Option<f64>> = points.iter().map(|point| heights.get(point).copied()).collect();
     let first = known.iter().flatten().next().copied().unwrap_or(0.0);
     let level = |at: usize| match known[at] {

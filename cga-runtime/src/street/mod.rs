@@ -50,11 +50,13 @@ mod tests;
 pub use error::StreetError;
 pub use input::{Centerline, NetworkOptions};
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::mesh::Mesh;
 use crate::shape::Shape;
 
 /// How often borders of streets may cross, so that memory and time are bounded.
-const MOST_CROSSINGS: usize = 4_000_000;
+const MOST_CROSSINGS: usize = 2_000_000;
 
 /// The kind of a part of a network.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -165,12 +167,13 @@ impl Network {
 
 /// The loops of edges of a mesh that one face uses.
 fn outlines(mesh: &Mesh) -> Vec<Vec<[f64; 3]>> {
-    use std::collections::BTreeMap;
     let edge = |face: crate::mesh::FaceRef<'_>| {
         let loops: Vec<Vec<u32>> = face.loops().map(<[u32]>::to_vec).collect();
-        loops.into_iter().flat_map(|ring| (0..ring.len()).map(move |at| (ring[at], ring[(at + 1) % ring.len()])).collect::<Vec<_>>())
+        loops
+            .into_iter()
+            .flat_map(|ring| (0..ring.len()).map(move |at| (ring[at], ring[(at + 1) % ring.len()])).collect::<Vec<_>>())
     };
-    let edges: std::collections::BTreeSet<(u32, u32)> = mesh.faces().flat_map(edge).collect();
+    let edges: BTreeSet<(u32, u32)> = mesh.faces().flat_map(edge).collect();
     let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     for &(a, b) in edges.iter().filter(|&&(a, b)| !edges.contains(&(b, a))) {
         next.entry(a).or_default().push(b);

@@ -1,10 +1,8 @@
 //! From pieces to the parts of a network: who owns each face, outlines, meshes with texture coordinates.
 
-use std::collections::HashMap;
-
 use glam::{DVec2, DVec3};
 
-use super::grid::{Point, is_sliver, twice_area, winding};
+use super::grid::{Map, Point, is_sliver, twice_area, winding};
 use super::mesh::{Face, mesh};
 use super::pieces::{Piece, Pieces, Plan, Run, RunKind};
 use super::subdivision::{NONE, Subdivision};
@@ -22,7 +20,7 @@ pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetErr
     for (owner, ring) in faces.outlines(&owners.of_cycle) {
         loops[owner as usize].push(ring);
     }
-    let mut heights: HashMap<Point, f64> = HashMap::new();
+    let mut heights: Map<Point, f64> = Map::default();
     // Roadways first: where pieces meet at different heights, sidewalks give way.
     for roads in [true, false] {
         for (piece, loops) in pieces.list.iter().zip(&loops) {
@@ -115,7 +113,7 @@ impl Owners {
     }
 
     /// The directions away from each junction of the streets that end there.
-    fn arms(&self, plan: &Plan, pieces: &Pieces, faces: &Subdivision) -> HashMap<u32, Vec<DVec2>> {
+    fn arms(&self, plan: &Plan, pieces: &Pieces, faces: &Subdivision) -> Map<u32, Vec<DVec2>> {
         let mut found: Vec<(u32, u32, bool)> = Vec::new();
         for half in 0..faces.cycle.len() {
             let [here, there] = [half, half ^ 1].map(|half| self.of_cycle[faces.cycle[half] as usize]);
@@ -132,7 +130,7 @@ impl Owners {
         }
         found.sort_unstable();
         found.dedup();
-        let mut arms: HashMap<u32, Vec<DVec2>> = HashMap::new();
+        let mut arms: Map<u32, Vec<DVec2>> = Map::default();
         for (junction, road, at_start) in found {
             if let Piece::Road { chain, segment, .. } = pieces.list[road as usize] {
                 let along = plan.chains[chain as usize].direction(segment as usize);
@@ -146,7 +144,7 @@ impl Owners {
 /// Gives faces that rounding has made to the owner next to their longest edge.
 fn give_slivers_away(of_cycle: &mut [u32], faces: &Subdivision) {
     let is_sliver: Vec<bool> = (0..of_cycle.len()).map(|cycle| is_sliver(&faces.ring(cycle))).collect();
-    let mut longest: HashMap<u32, (f64, u32)> = HashMap::new();
+    let mut longest: Map<u32, (f64, u32)> = Map::default();
     for (half, &cycle) in faces.cycle.iter().enumerate() {
         let other = faces.cycle[half ^ 1];
         if is_sliver[cycle as usize] && !is_sliver[other as usize] {
@@ -168,7 +166,9 @@ fn faces_of(loops: &[Vec<Point>]) -> Vec<Vec<Vec<Point>>> {
     let (outer, holes): (Vec<&Vec<Point>>, Vec<&Vec<Point>>) = loops.iter().partition(|ring| 0 < twice_area(ring));
     let mut faces: Vec<Vec<Vec<Point>>> = outer.into_iter().map(|ring| vec![ring.clone()]).collect();
     for hole in holes.into_iter().filter(|ring| twice_area(ring) != 0) {
-        let around = |face: &&mut Vec<Vec<Point>>| hole.iter().any(|&point| !face[0].contains(&point) && winding(&face[0], point) != 0);
+        let around = |face: &&mut Vec<Vec<Point>>| {
+            hole.iter().any(|&point| !face[0].contains(&point) && winding(&face[0], point) != 0)
+        };
         let home = faces.iter_mut().filter(around).min_by_key(|face| twice_area(&face[0]));
         if let Some(face) = home {
             face.push(hole.clone());
@@ -178,7 +178,13 @@ fn faces_of(loops: &[Vec<Point>]) -> Vec<Vec<Vec<Point>>> {
 }
 
 /// A street or a sidewalk.
-fn street(run: &Run, list: &[usize], pieces: &Pieces, loops: &[Vec<Vec<Point>>], heights: &HashMap<Point, f64>) -> Option<Part> {
+fn street(
+    run: &Run,
+    list: &[usize],
+    pieces: &Pieces,
+    loops: &[Vec<Vec<Point>>],
+    heights: &Map<Point, f64>,
+) -> Option<Part> {
     let forward = run.line.is_none_or(|(_, forward)| forward);
     let length = run.along[1] - run.along[0];
     let is_road = run.kind == RunKind::Roadway;
@@ -214,7 +220,7 @@ fn street(run: &Run, list: &[usize], pieces: &Pieces, loops: &[Vec<Vec<Point>>],
 }
 
 /// A junction, with coordinates from 0 to 1 along its first arm and across it.
-fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &HashMap<Point, f64>) -> Option<Part> {
+fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &Map<Point, f64>) -> Option<Part> {
     let along = arms.first().copied().unwrap_or(DVec2::X);
     let flat = |point: Point| {
         let place = point.place();

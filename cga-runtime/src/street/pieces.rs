@@ -80,13 +80,7 @@ const LEAST_STREET: f64 = 0.5;
 impl Plan {
     pub(super) fn new(chains: Vec<Chain>, nodes: Vec<Node>, radius: f64) -> Self {
         let level = |node: &Node| if node.is_bend { OVERLAID } else { u8::from(radius == 0.0) };
-        Plan {
-            levels: nodes.iter().map(level).collect(),
-            cuts: vec![Vec::new(); chains.len()],
-            chains,
-            nodes,
-            radius,
-        }
+        Plan { levels: nodes.iter().map(level).collect(), cuts: vec![Vec::new(); chains.len()], chains, nodes, radius }
     }
 
     /// Gives a junction less room, if it has any; whether it had.

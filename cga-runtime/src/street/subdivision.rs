@@ -139,8 +139,10 @@ impl Subdivision {
             let corner = self.points[self.origin[self.first[outer as usize] as usize] as usize];
             let around = (0..parts.len()).filter(|&other| other != number && holds(bounds[other], corner));
             let around = around.flat_map(|other| &inside[other]).map(|&polygon| (polygon, &polygons[polygon as usize]));
-            let mut around: Vec<Change> =
-                around.map(|(polygon, ring)| (polygon, winding(ring, corner))).filter(|&(_, turns)| turns != 0).collect();
+            let mut around: Vec<Change> = around
+                .map(|(polygon, ring)| (polygon, winding(ring, corner)))
+                .filter(|&(_, turns)| turns != 0)
+                .collect();
             around.sort_unstable();
             windings[outer as usize] = Some(around);
             let mut waiting = vec![outer];
@@ -222,9 +224,7 @@ fn added(here: &[Change], changes: &[Change], sign: i32) -> Vec<Change> {
 /// The next half-edge of each around the face on its left.
 fn successors(points: &[Point], origin: &[u32]) -> Vec<u32> {
     let mut around: Vec<u32> = (0..origin.len() as u32).collect();
-    let along = |half: u32| {
-        points[origin[(half ^ 1) as usize] as usize].from(points[origin[half as usize] as usize])
-    };
+    let along = |half: u32| points[origin[(half ^ 1) as usize] as usize].from(points[origin[half as usize] as usize]);
     let upper = |(x, y): (i128, i128)| u8::from(!(0 < y || y == 0 && 0 < x));
     around.sort_unstable_by(|&a, &b| {
         let by_angle = || {

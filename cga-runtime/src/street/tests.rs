@@ -3,5 +3,6 @@
 mod cases;
 mod laws;
 mod random;
+mod shapes;
 
 use super::*;

@@ -1,6 +1,6 @@
 //! Networks that are hard to lay out.
 
-use super::{Centerline, NetworkOptions};
+use super::Centerline;
 
 /// A line with the default widths.
 fn line(points: &[[f64; 2]]) -> Centerline {
@@ -40,7 +40,11 @@ pub(super) fn cases() -> Vec<(&'static str, Vec<Centerline>)> {
         ("one sided fan", vec![arm(0.0, 50.0), arm(30.0, 50.0), arm(60.0, 50.0), arm(90.0, 50.0)]),
         (
             "short arms",
-            vec![line(&[[-40.0, 0.0], [40.0, 0.0]]), line(&[[0.0, 0.0], [0.0, 3.0]]), line(&[[10.0, 0.0], [10.0, -30.0]])],
+            vec![
+                line(&[[-40.0, 0.0], [40.0, 0.0]]),
+                line(&[[0.0, 0.0], [0.0, 3.0]]),
+                line(&[[10.0, 0.0], [10.0, -30.0]]),
+            ],
         ),
         (
             "widths in a line",
@@ -83,7 +87,10 @@ pub(super) fn cases() -> Vec<(&'static str, Vec<Centerline>)> {
                 line(&[[0.0, -40.0], [0.0, 50.0]]),
             ],
         ),
-        ("no length", vec![line(&[]), line(&[[0.0, 0.0]]), line(&[[5.0, 5.0], [5.0, 5.0]]), line(&[[-20.0, 0.0], [20.0, 0.0]])]),
+        (
+            "no length",
+            vec![line(&[]), line(&[[0.0, 0.0]]), line(&[[5.0, 5.0], [5.0, 5.0]]), line(&[[-20.0, 0.0], [20.0, 0.0]])],
+        ),
         ("self crossing", vec![line(&[[-40.0, -20.0], [20.0, 20.0], [20.0, -20.0], [-40.0, 20.0]])]),
         ("loop", vec![line(&circle([0.0, 0.0], 30.0, 16))]),
         ("small loop", vec![line(&circle([0.0, 0.0], 5.0, 12)), line(&[[5.0, 0.0], [40.0, 0.0]])]),
@@ -96,13 +103,27 @@ pub(super) fn cases() -> Vec<(&'static str, Vec<Centerline>)> {
                 line(&[[0.0, 14.0], [0.0, 50.0]]),
             ],
         ),
-        ("loop with a stem", vec![line(&[[-40.0, 0.0], [0.0, 0.0], [20.0, 20.0], [40.0, 0.0], [20.0, -20.0], [0.0, 0.0]])]),
-        ("near ends", vec![line(&[[-40.0, 0.0], [-0.2, 0.1]]), line(&[[0.2, 0.0], [40.0, 0.0]]), line(&[[0.0, 0.4], [0.0, 40.0]])]),
+        (
+            "loop with a stem",
+            vec![line(&[[-40.0, 0.0], [0.0, 0.0], [20.0, 20.0], [40.0, 0.0], [20.0, -20.0], [0.0, 0.0]])],
+        ),
+        (
+            "near ends",
+            vec![
+                line(&[[-40.0, 0.0], [-0.2, 0.1]]),
+                line(&[[0.2, 0.0], [40.0, 0.0]]),
+                line(&[[0.0, 0.4], [0.0, 40.0]]),
+            ],
+        ),
         ("overshoot", vec![line(&[[-40.0, 0.0], [40.0, 0.0]]), line(&[[0.0, -0.3], [0.0, 40.0]])]),
         (
             "fine curve",
             vec![
-                line(&(0..60).map(|at| [f64::from(at) - 30.0, 15.0 * libm::sin(f64::from(at) * 0.1)]).collect::<Vec<_>>()),
+                line(
+                    &(0..60)
+                        .map(|at| [f64::from(at) - 30.0, 15.0 * libm::sin(f64::from(at) * 0.1)])
+                        .collect::<Vec<_>>(),
+                ),
                 line(&[[0.0, -40.0], [0.0, 40.0]]),
             ],
         ),
@@ -124,12 +145,13 @@ pub(super) fn cases() -> Vec<(&'static str, Vec<Centerline>)> {
                 })
                 .collect(),
         ),
-        ("inside a wide street", vec![line(&[[-50.0, 0.0], [50.0, 0.0]]).roadway(60.0), line(&[[-5.0, 3.0], [15.0, 9.0]])]),
-        ("no sidewalks", vec![line(&[[-40.0, 0.0], [40.0, 0.0]]).sidewalks(0.0, 0.0), arm(70.0, 40.0).sidewalks(0.0, 0.0)]),
+        (
+            "inside a wide street",
+            vec![line(&[[-50.0, 0.0], [50.0, 0.0]]).roadway(60.0), line(&[[-5.0, 3.0], [15.0, 9.0]])],
+        ),
+        (
+            "no sidewalks",
+            vec![line(&[[-40.0, 0.0], [40.0, 0.0]]).sidewalks(0.0, 0.0), arm(70.0, 40.0).sidewalks(0.0, 0.0)],
+        ),
     ]
-}
-
-/// The settings of a case.
-pub(super) fn options() -> NetworkOptions {
-    NetworkOptions::default()
 }

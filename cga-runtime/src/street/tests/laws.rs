@@ -70,7 +70,8 @@ fn disjoint(network: &Network, border: &[(Bits, Bits)], name: &str) {
         (state >> 11) as f64 / (1u64 << 53) as f64
     };
     let all = || faces.iter().flatten().flatten();
-    let (low, high) = (all().fold(DVec2::INFINITY, |a, &b| a.min(b)), all().fold(DVec2::NEG_INFINITY, |a, &b| a.max(b)));
+    let (low, high) =
+        (all().fold(DVec2::INFINITY, |a, &b| a.min(b)), all().fold(DVec2::NEG_INFINITY, |a, &b| a.max(b)));
     let crosses = |a: DVec2, b: DVec2, p: DVec2| {
         let side = (b - a).perp_dot(p - a);
         i32::from(a.y <= p.y && p.y < b.y && 0.0 < side) - i32::from(b.y <= p.y && p.y < a.y && side < 0.0)
@@ -78,7 +79,10 @@ fn disjoint(network: &Network, border: &[(Bits, Bits)], name: &str) {
     for _ in 0..150 {
         let p = low + (high - low) * DVec2::new(random(), random());
         let turns = |rings: &Vec<Vec<DVec2>>| -> i32 {
-            rings.iter().map(|ring| (0..ring.len()).map(|at| crosses(ring[at], ring[(at + 1) % ring.len()], p)).sum::<i32>()).sum()
+            rings
+                .iter()
+                .map(|ring| (0..ring.len()).map(|at| crosses(ring[at], ring[(at + 1) % ring.len()], p)).sum::<i32>())
+                .sum()
         };
         let count: i32 = faces.iter().map(turns).sum();
         let around: i32 = border.iter().map(|&(a, b)| crosses(place(a), place(b), p)).sum();
@@ -127,6 +131,10 @@ fn coordinates(part: &Part, name: &str) {
     }
     if part.kind == Kind::Street {
         for face in mesh.faces() {
+            // Points on an edge of a sloping quad leave triangles that are only rounding.
+            if area(&flat(&face, mesh)[0]) < 1e-5 {
+                continue;
+            }
             let uvs: Vec<DVec2> = face.corner_range().take(face.outer().len()).map(|at| mesh.uv_set(1)[at]).collect();
             assert!(0.0 < area(&uvs), "{name}: a face is mirrored: {uvs:?} {:?}", flat(&face, mesh));
         }

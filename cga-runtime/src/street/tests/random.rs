@@ -23,7 +23,8 @@ fn lines(random: &mut Random) -> Vec<Centerline> {
         let coordinate = |random: &mut Random| {
             if on_grid { 10.0 * random.below((extent / 10.0) as u64) as f64 } else { random.number(extent) }
         };
-        let points: Vec<[f64; 2]> = (0..2 + random.below(4)).map(|_| [coordinate(random), coordinate(random)]).collect();
+        let points: Vec<[f64; 2]> =
+            (0..2 + random.below(4)).map(|_| [coordinate(random), coordinate(random)]).collect();
         let line = Centerline::new(&points);
         match random.below(3) {
             0 => line.roadway(3.0 + random.below(10) as f64).sidewalks(random.below(4) as f64, random.below(4) as f64),
