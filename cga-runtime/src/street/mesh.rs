@@ -27,7 +27,7 @@ pub(super) fn mesh(faces: &[Face], heights: &Map<Point, f64>, sets: usize) -> Op
         let corners: Vec<u32> = (0..points.len())
             .map(|at| *numbers.entry(points[at]).or_insert_with(|| builder.point(place(at))))
             .collect();
-        if is_flat(points.len(), place) {
+        if is_flat(face.rings[0].len(), points.len(), place) {
             let mut rings: Vec<&[u32]> = Vec::new();
             let mut start = 0;
             for ring in &face.rings {
@@ -79,13 +79,15 @@ fn levels(points: &[Point], heights: &Map<Point, f64>) -> Vec<f64> {
     (0..points.len()).map(level).collect()
 }
 
-fn is_flat(count: usize, place: impl Fn(usize) -> DVec3) -> bool {
+/// Whether points are in one plane. The first `outer` of them are the outline.
+fn is_flat(outer: usize, count: usize, place: impl Fn(usize) -> DVec3) -> bool {
     let from = place(0);
     if (1..count).all(|at| place(at).y == from.y) {
         return true;
     }
-    let normal: DVec3 = (2..count).map(|at| (place(at - 1) - from).cross(place(at) - from)).sum();
+    let normal: DVec3 = (2..outer).map(|at| (place(at - 1) - from).cross(place(at) - from)).sum();
     let normal = crate::mesh::unit(normal);
-    let extent = (1..count).map(|at| place(at).distance(from)).fold(0.0, f64::max);
-    (1..count).all(|at| normal.dot(place(at) - from).abs() <= crate::tol::PLANAR_EPSILON * extent)
+    let extent = (1..count).map(|at| (place(at) - from).abs().max_element()).fold(0.0, f64::max);
+    // With a margin: the mesh computes its normal in another way.
+    (1..count).all(|at| normal.dot(place(at) - from).abs() <= 0.5 * crate::tol::PLANAR_EPSILON * extent)
 }

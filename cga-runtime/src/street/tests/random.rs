@@ -19,13 +19,17 @@ impl Random {
 /// Lines of small integers, so that many meet, or of any numbers.
 fn lines(random: &mut Random) -> Vec<Centerline> {
     let (count, on_grid, extent) = (1 + random.below(8), random.below(2) == 0, [60.0, 150.0][random.below(2) as usize]);
+    let is_flat = random.below(4) != 0;
     let line = |random: &mut Random| {
+        let count_of_points = 2 + random.below(4);
         let coordinate = |random: &mut Random| {
             if on_grid { 10.0 * random.below((extent / 10.0) as u64) as f64 } else { random.number(extent) }
         };
-        let points: Vec<[f64; 2]> =
-            (0..2 + random.below(4)).map(|_| [coordinate(random), coordinate(random)]).collect();
-        let line = Centerline::new(&points);
+        let mut point = || {
+            let height = if is_flat { 0.0 } else { coordinate(random) / 10.0 };
+            [coordinate(random), height, coordinate(random)]
+        };
+        let line = Centerline::with_heights(&(0..count_of_points).map(|_| point()).collect::<Vec<_>>());
         match random.below(3) {
             0 => line.roadway(3.0 + random.below(10) as f64).sidewalks(random.below(4) as f64, random.below(4) as f64),
             _ => line,
