@@ -143,6 +143,32 @@ pub mod parallel {
     pub use cga_runtime::parallel::{Part, Parts, ShapeError, Stretch, derive_all, generate_all, run_all};
 }
 
+/// Streets, sidewalks and junctions from centre lines: initial shapes with texture coordinates along and across.
+///
+/// ```
+/// use cga::street::{Centerline, Network, NetworkOptions};
+/// use cga::{Model, Sink, cga};
+///
+/// cga! {
+///     grammar Streets;
+///     Street   --> color("#5c5e63") Roadway.
+///     Crossing --> color("#6d7078") Roadway.
+///     Sidewalk --> extrude(world.up, 0.15) Pavement.
+/// }
+///
+/// let lines = [Centerline::new(&[[-50.0, 0.0], [50.0, 0.0]]), Centerline::new(&[[0.0, -40.0], [0.0, 40.0]])];
+/// let mut model = Model::new();
+/// for part in Network::new(&lines, &NetworkOptions::default())?.parts() {
+///     let _ = Streets::default().generate_from(part.start_rule(), &part.shape())?.replay(&mut model as &mut dyn Sink);
+/// }
+/// // Four streets and the crossing; four times two sidewalks and four corners.
+/// assert_eq!((model.count("Roadway"), model.count("Pavement")), (5, 12));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub mod street {
+    pub use cga_runtime::street::{Centerline, Kind, Network, NetworkOptions, Part, Side, StreetError};
+}
+
 /// The split solver on its own: sizes and an extent → pieces.
 pub mod split {
     pub use cga_runtime::split::{Item, Piece, Prefix, Size, Solution, solve};

@@ -44,6 +44,7 @@ pub mod sink;
 mod skeleton;
 pub mod split;
 mod state;
+pub mod street;
 mod template;
 pub mod text;
 pub mod texture;

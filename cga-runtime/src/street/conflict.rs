@@ -1,0 +1,75 @@
+//! Finds where roadways overlap, and makes these parts belong to junctions.
+
+use super::grid::{Point, is_sliver};
+use super::pieces::{Piece, Pieces, Plan};
+use super::subdivision::Subdivision;
+use super::{MOST_CROSSINGS, StreetError};
+
+/// Attempts at a plan without overlaps. Each makes junctions larger, and most networks need three.
+const MOST_ATTEMPTS: usize = 16;
+
+/// How much farther than an overlap a part of a street goes to a junction, in metres.
+const MARGIN: f64 = 1e-5;
+
+/// The pieces of a plan whose free roadways do not overlap.
+pub(super) fn resolve(plan: &mut Plan) -> Result<Pieces, StreetError> {
+    for _ in 0..MOST_ATTEMPTS {
+        let pieces = plan.pieces();
+        let roads: Vec<usize> =
+            (0..pieces.list.len()).filter(|&at| !matches!(pieces.list[at], Piece::Walk { .. })).collect();
+        let rings: Vec<Vec<Point>> = roads.iter().map(|&at| pieces.list[at].ring()).collect();
+        let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
+        let mut changed = false;
+        for (face, covers) in faces.covers.iter().enumerate().filter(|(_, covers)| 1 < covers.len()) {
+            let ring = faces.ring(face);
+            if is_sliver(&ring) {
+                continue;
+            }
+            let cover = || covers.iter().map(|&road| &pieces.list[roads[road as usize]]);
+            let laid_out = || {
+                cover().filter_map(|piece| if let Piece::Junction { node, .. } = piece { Some(*node) } else { None })
+            };
+            if laid_out().next().is_some() {
+                changed |= laid_out().fold(false, |any, node| plan.lower(node as usize) | any);
+                continue;
+            }
+            for piece in cover() {
+                if let &Piece::Road { chain, segment, free: true, ref cell, .. } = piece {
+                    let cut = extent(plan, chain as usize, segment as usize, &ring);
+                    let reach = cell.corners.iter().map(|corner| corner.value.x);
+                    let low = reach.clone().fold(f64::INFINITY, f64::min);
+                    let high = reach.fold(f64::NEG_INFINITY, f64::max);
+                    let cut = [cut[0].clamp(low, high) - MARGIN, cut[1].clamp(low, high) + MARGIN];
+                    plan.cuts[chain as usize].push(cut);
+                    changed = true;
+                }
+            }
+        }
+        if !changed {
+            return Ok(pieces);
+        }
+        plan.cuts.iter_mut().for_each(merge);
+    }
+    Ok(plan.pieces())
+}
+
+/// The distances along a chain that a ring in one of its segments covers.
+fn extent(plan: &Plan, chain: usize, segment: usize, ring: &[Point]) -> [f64; 2] {
+    let chain = &plan.chains[chain];
+    let (from, along) = (chain.places[segment], chain.direction(segment));
+    let distances = ring.iter().map(|point| chain.along[segment] + (point.place() - from).dot(along));
+    distances.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
+}
+
+/// Sorts intervals and joins those that overlap.
+fn merge(cuts: &mut Vec<[f64; 2]>) {
+    cuts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut merged: Vec<[f64; 2]> = Vec::new();
+    for &[low, high] in cuts.iter() {
+        match merged.last_mut() {
+            Some(last) if low <= last[1] => last[1] = last[1].max(high),
+            _ => merged.push([low, high]),
+        }
+    }
+    *cuts = merged;
+}

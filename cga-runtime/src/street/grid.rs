@@ -1,0 +1,186 @@
+//! Points in the plane on a grid of 2^-24 m (60 nm), seen from above: x to the right, y up, which is -z in the world.
+//!
+//! Grid points are exact as f64, and orientation tests of them are exact in 128 bits.
+
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
+
+use glam::DVec2;
+
+/// Grid units in a metre.
+const UNITS: f64 = 16_777_216.0;
+
+/// The length of a grid unit in metres.
+pub(super) const UNIT: f64 = 1.0 / UNITS;
+
+/// A point of the grid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) struct Point {
+    pub(super) x: i64,
+    pub(super) y: i64,
+}
+
+impl Point {
+    /// The grid point next to a place in metres.
+    pub(super) fn near(place: DVec2) -> Point {
+        Point { x: (place.x * UNITS).round() as i64, y: (place.y * UNITS).round() as i64 }
+    }
+
+    /// The place of the point in metres.
+    pub(super) fn place(self) -> DVec2 {
+        DVec2::new(self.x as f64 * UNIT, self.y as f64 * UNIT)
+    }
+
+    /// The vector from another point to this one.
+    pub(super) fn from(self, other: Point) -> (i128, i128) {
+        (i128::from(self.x - other.x), i128::from(self.y - other.y))
+    }
+}
+
+/// The cross product of two vectors.
+pub(super) fn cross(a: (i128, i128), b: (i128, i128)) -> i128 {
+    a.0 * b.1 - a.1 * b.0
+}
+
+/// The scalar product of two vectors.
+pub(super) fn dot(a: (i128, i128), b: (i128, i128)) -> i128 {
+    a.0 * b.0 + a.1 * b.1
+}
+
+/// Positive when `c` is left of the line from `a` to `b`, negative when it is right, 0 when the points are collinear.
+pub(super) fn orient(a: Point, b: Point, c: Point) -> i128 {
+    cross(b.from(a), c.from(a))
+}
+
+/// Twice the signed area of a ring in square grid units, positive when it is counter-clockwise.
+pub(super) fn twice_area(ring: &[Point]) -> i128 {
+    let Some(&from) = ring.first() else { return 0 };
+    ring.windows(2).map(|edge| cross(edge[0].from(from), edge[1].from(from))).sum()
+}
+
+/// A face that is thinner than this on average, in metres, is due to rounding.
+const THIN: f64 = 1e-6;
+
+/// Whether a counter-clockwise ring encloses no more than rounding does.
+pub(super) fn is_sliver(ring: &[Point]) -> bool {
+    let length: f64 = (0..ring.len()).map(|at| ring[at].place().distance(ring[(at + 1) % ring.len()].place())).sum();
+    let area = twice_area(ring) as f64 * UNIT * UNIT / 2.0;
+    0.0 <= area && area < THIN * length
+}
+
+/// How often a ring goes round a point counter-clockwise. A point on the ring counts as on one of its sides.
+pub(super) fn winding(ring: &[Point], point: Point) -> i32 {
+    let mut turns = 0;
+    let Some(&last) = ring.last() else { return 0 };
+    let mut a = last;
+    for &b in ring {
+        if a.y <= point.y && point.y < b.y && 0 < orient(a, b, point) {
+            turns += 1;
+        } else if b.y <= point.y && point.y < a.y && orient(a, b, point) < 0 {
+            turns -= 1;
+        }
+        a = b;
+    }
+    turns
+}
+
+/// A map by points or cells.
+pub(super) type Map<K, V> = HashMap<K, V, BuildHasherDefault<Mix>>;
+
+/// A fast hash of a few integers.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Mix(u64);
+
+impl Hasher for Mix {
+    fn finish(&self) -> u64 {
+        self.0 ^ (self.0 >> 32)
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|&byte| self.write_u64(byte.into()));
+    }
+
+    fn write_i64(&mut self, value: i64) {
+        self.write_u64(value as u64);
+    }
+
+    fn write_u32(&mut self, value: u32) {
+        self.write_u64(value.into());
+    }
+
+    fn write_u64(&mut self, value: u64) {
+        self.0 = (self.0.rotate_left(29) ^ value).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    }
+}
+
+/// Lists of numbers by square cells of the plane.
+pub(super) struct Buckets {
+    size: i64,
+    cells: Map<(i64, i64), Vec<u32>>,
+}
+
+impl Buckets {
+    /// Empty cells whose size suits segments: about as long as they are on average, and at least 1 m.
+    pub(super) fn for_segments(segments: &[[Point; 2]]) -> Self {
+        let length: f64 = segments.iter().map(|[a, b]| a.place().distance(b.place())).sum();
+        Buckets::new((length / segments.len().max(1) as f64).max(1.0))
+    }
+
+    /// Empty cells of a size in metres.
+    pub(super) fn new(size: f64) -> Self {
+        Buckets { size: ((size * UNITS).ceil() as i64).max(16), cells: Map::default() }
+    }
+
+    /// Adds a number to the cell of a point.
+    pub(super) fn add_point(&mut self, point: Point, number: u32) {
+        let cell = (point.x.div_euclid(self.size), point.y.div_euclid(self.size));
+        self.cells.entry(cell).or_default().push(number);
+    }
+
+    /// Adds a number to each cell that a segment passes.
+    pub(super) fn add_segment(&mut self, segment: [Point; 2], number: u32) {
+        let mut cells = Vec::new();
+        self.along(segment, 2, |cell| cells.push(cell));
+        for cell in cells {
+            self.cells.entry(cell).or_default().push(number);
+        }
+    }
+
+    /// Calls back with the numbers of each cell that a segment passes within some units.
+    pub(super) fn near_segment(&self, segment: [Point; 2], margin: i64, mut each: impl FnMut(u32)) {
+        self.along(segment, margin, |cell| {
+            for &number in self.cells.get(&cell).into_iter().flatten() {
+                each(number);
+            }
+        });
+    }
+
+    /// The lists of all cells, in no order.
+    pub(super) fn lists(&self) -> impl Iterator<Item = &[u32]> {
+        self.cells.values().map(Vec::as_slice)
+    }
+
+    fn along(&self, [a, b]: [Point; 2], margin: i64, mut each: impl FnMut((i64, i64))) {
+        let (a, b) = if a.x <= b.x { (a, b) } else { (b, a) };
+        let size = self.size;
+        let (low, high) = (a.y.min(b.y), a.y.max(b.y));
+        let height = |x: i64| {
+            if a.x == b.x {
+                return None;
+            }
+            let x = x.clamp(a.x, b.x);
+            Some((a.y as f64 + (b.y - a.y) as f64 * ((x - a.x) as f64 / (b.x - a.x) as f64)) as i64)
+        };
+        for column in (a.x - margin).div_euclid(size)..=(b.x + margin).div_euclid(size) {
+            let ends = (height(column * size - margin), height((column + 1) * size + margin));
+            let (from, to) = match ends {
+                (Some(from), Some(to)) => (from.min(to).max(low), from.max(to).min(high)),
+                _ => (low, high),
+            };
+            // Rounding of the heights is less than 4 units.
+            for row in (from - margin - 4).div_euclid(size)..=(to + margin + 4).div_euclid(size) {
+                each((column, row));
+            }
+        }
+    }
+}

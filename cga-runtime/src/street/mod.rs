@@ -1,0 +1,199 @@
+//! Streets, sidewalks and junctions from centre lines.
+//!
+//! [`Network::new`] joins [`Centerline`]s to a graph and gives the parts of its streets: each is a mesh on the ground with
+//! texture coordinates, whose [`Part::shape`] a grammar can start with. The start rules are CityEngine's (*Help*, street and
+//! intersection shapes): `Street` and `Sidewalk` along lines, `Joint`, `Junction` and `Crossing` where they meet.
+//!
+//! ```
+//! # use cga_runtime as cga;
+//! use cga::street::{Centerline, Kind, Network, NetworkOptions};
+//!
+//! // A main street of 100 m along x, and a narrower one that comes from the south.
+//! let lines = [
+//!     Centerline::new(&[[-50.0, 0.0], [50.0, 0.0]]),
+//!     Centerline::new(&[[0.0, 0.0], [0.0, 60.0]]).roadway(6.0).sidewalks(1.5, 1.5),
+//! ];
+//! let network = Network::new(&lines, &NetworkOptions::default())?;
+//! let count = |kind| network.parts().iter().filter(|part| part.kind == kind).count();
+//! assert_eq!((count(Kind::Street), count(Kind::Junction)), (3, 1));
+//!
+//! let street = network.parts().iter().find(|part| part.line == Some(1)).unwrap();
+//! assert_eq!((street.start_rule(), street.width), ("Street", 6.0));
+//! // Set 0 goes from 0 to 1, set 1 counts metres from the start.
+//! let most = |set: usize| street.mesh.uv_set(set).iter().map(|uv| uv.x).fold(0.0, f64::max);
+//! assert_eq!((most(0), most(1)), (1.0, street.length));
+//! let _lot = street.shape();
+//! # Ok::<(), cga::street::StreetError>(())
+//! ```
+//!
+//! Conventions: x and z in metres, y up; lines that cross are joined whatever their heights, so bridges need a network of their
+//! own. The parts of a network do not overlap and leave no gaps, and parts that share a border share its points to the bit:
+//! all are faces of one subdivision of the plane on a grid of 60 nm.
+
+mod cell;
+mod chain;
+mod conflict;
+mod error;
+mod graph;
+mod grid;
+mod input;
+mod junction;
+mod mesh;
+mod parts;
+mod pieces;
+mod rounding;
+mod section;
+mod subdivision;
+#[cfg(test)]
+mod tests;
+
+pub use error::StreetError;
+pub use input::{Centerline, NetworkOptions};
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::mesh::Mesh;
+use crate::shape::Shape;
+
+/// How often borders of streets may cross, so that memory and time are bounded.
+const MOST_CROSSINGS: usize = 2_000_000;
+
+/// The kind of a part of a network.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Kind {
+    /// The roadway of a line between junctions.
+    Street,
+    /// The sidewalk beside a street or round the corner of a junction.
+    Sidewalk,
+    /// The roadway where two arms meet with other widths, or in a bend that is too tight for quads.
+    Joint,
+    /// The roadway where an arm meets a street that goes straight on.
+    Junction,
+    /// The roadway of any other junction.
+    Crossing,
+}
+
+/// A side of a line, seen in its direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Side {
+    /// On the left.
+    Left,
+    /// On the right.
+    Right,
+}
+
+/// A part of a network.
+///
+/// Texture coordinates of streets and of the sidewalks beside them (*Help*, street and intersection shape UV): in set 0, u goes
+/// from 0 to 1 in the direction of the line and v from 0 to 1 across, over all faces. In sets 1 and 2, u is the distance in
+/// metres along the centre line from the start and from the end, and v the distance across. Roadways have v = 0 on the right,
+/// sidewalks at the kerb. Other parts have set 0 alone: sidewalks round corners as above, roadways of junctions from above, from
+/// 0 to 1 along the first arm and across.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Part {
+    /// What it is.
+    pub kind: Kind,
+    /// The side of the line on which a sidewalk is.
+    pub side: Option<Side>,
+    /// The number of the line of a street, or of a sidewalk beside it.
+    pub line: Option<usize>,
+    /// The length in metres along the centre line; of junctions, the extent along the first arm.
+    pub length: f64,
+    /// The width in metres; of junctions, the extent across the first arm.
+    pub width: f64,
+    /// The number of streets that end at a junction, 0 for streets and sidewalks.
+    pub arms: usize,
+    /// The mesh, in the world. Streets are quads along the centre line whose first edges are along it, on the right. The first
+    /// edges of sidewalks are at the kerb.
+    pub mesh: Mesh,
+}
+
+impl Part {
+    /// CityEngine's start rule for it: the name of its kind.
+    pub fn start_rule(&self) -> &'static str {
+        match self.kind {
+            Kind::Street => "Street",
+            Kind::Sidewalk => "Sidewalk",
+            Kind::Joint => "Joint",
+            Kind::Junction => "Junction",
+            Kind::Crossing => "Crossing",
+        }
+    }
+
+    /// The shape that a run begins with, named like its start rule. The x axis of its scope runs along the first edge.
+    pub fn shape(&self) -> Shape {
+        Shape::mesh(self.mesh.clone()).named(self.start_rule())
+    }
+
+    /// The borders of the part as loops of points in the world: outlines counter-clockwise seen from above, holes clockwise.
+    pub fn outlines(&self) -> Vec<Vec<[f64; 3]>> {
+        outlines(&self.mesh)
+    }
+}
+
+/// The streets, sidewalks and junctions of some centre lines.
+#[derive(Clone, Debug)]
+pub struct Network {
+    parts: Vec<Part>,
+}
+
+impl Network {
+    /// Lays out the streets of centre lines. Lines without a length are skipped, and of lines on top of each other the first is
+    /// kept.
+    ///
+    /// # Errors
+    /// [`StreetError`] when a coordinate, a width or a setting is NaN, infinite or out of range, or the lines cross millions of
+    /// times.
+    pub fn new(lines: &[Centerline], options: &NetworkOptions) -> Result<Self, StreetError> {
+        input::check(lines, options)?;
+        let graph = graph::Graph::new(lines, options)?;
+        let (chains, nodes) = chain::chains(&graph, lines, options);
+        let mut plan = pieces::Plan::new(chains, nodes, options.corner_radius);
+        let pieces = conflict::resolve(&mut plan)?;
+        Ok(Network { parts: parts::parts(&plan, &pieces)? })
+    }
+
+    /// The parts: streets and sidewalks in the order of lines, then corners, then junctions.
+    pub fn parts(&self) -> &[Part] {
+        &self.parts
+    }
+
+    /// The parts, taken out.
+    pub fn into_parts(self) -> Vec<Part> {
+        self.parts
+    }
+}
+
+/// The loops of edges of a mesh that one face uses.
+fn outlines(mesh: &Mesh) -> Vec<Vec<[f64; 3]>> {
+    let edge = |face: crate::mesh::FaceRef<'_>| {
+        let loops: Vec<Vec<u32>> = face.loops().map(<[u32]>::to_vec).collect();
+        loops
+            .into_iter()
+            .flat_map(|ring| (0..ring.len()).map(move |at| (ring[at], ring[(at + 1) % ring.len()])).collect::<Vec<_>>())
+    };
+    let edges: BTreeSet<(u32, u32)> = mesh.faces().flat_map(edge).collect();
+    let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    for &(a, b) in edges.iter().filter(|&&(a, b)| !edges.contains(&(b, a))) {
+        next.entry(a).or_default().push(b);
+    }
+    let mut loops = Vec::new();
+    while let Some((&from, _)) = next.first_key_value() {
+        let mut ring = Vec::new();
+        let mut at = from;
+        while let Some(list) = next.get_mut(&at) {
+            ring.push(mesh.points()[at as usize].to_array());
+            let to = list.pop();
+            if list.is_empty() {
+                next.remove(&at);
+            }
+            match to {
+                Some(to) => at = to,
+                None => break,
+            }
+        }
+        loops.push(ring);
+    }
+    loops
+}

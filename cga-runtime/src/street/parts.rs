@@ -1,0 +1,246 @@
+//! From pieces to the parts of a network: who owns each face, outlines, meshes with texture coordinates.
+
+use glam::{DVec2, DVec3};
+
+use super::grid::{Map, Point, is_sliver, twice_area, winding};
+use super::mesh::{Face, mesh};
+use super::pieces::{Piece, Pieces, Plan, Run, RunKind};
+use super::subdivision::{NONE, Subdivision};
+use super::{Kind, MOST_CROSSINGS, Part, Side, StreetError};
+
+/// Three arms of which two are straight on within this many degrees make a `Junction`, others a `Crossing`.
+const STRAIGHT_ON: f64 = 30.0;
+
+/// The parts of a network.
+pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetError> {
+    let rings: Vec<Vec<Point>> = pieces.list.iter().map(Piece::ring).collect();
+    let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
+    let owners = Owners::new(pieces, &faces);
+    let mut loops: Vec<Vec<Vec<Point>>> = vec![Vec::new(); pieces.list.len()];
+    for (owner, ring) in faces.outlines(&owners.of_cycle) {
+        loops[owner as usize].push(ring);
+    }
+    let mut heights: Map<Point, f64> = Map::default();
+    // Roadways first: where pieces meet at different heights, sidewalks give way.
+    for roads in [true, false] {
+        for (piece, loops) in pieces.list.iter().zip(&loops) {
+            let cell = match piece {
+                Piece::Road { cell, free: true, .. } if roads => cell,
+                Piece::Walk { cell, .. } if !roads => cell,
+                _ => continue,
+            };
+            for &point in loops.iter().flatten() {
+                heights.entry(point).or_insert_with(|| cell.value(point).z);
+            }
+        }
+    }
+    for (piece, ring) in pieces.list.iter().zip(&rings) {
+        if let Piece::Road { cell, free: false, .. } = piece {
+            for &point in ring {
+                heights.entry(point).or_insert_with(|| cell.value(point).z);
+            }
+        }
+    }
+    let mut parts = Vec::new();
+    let mut by_run: Vec<Vec<usize>> = vec![Vec::new(); pieces.runs.len()];
+    for (at, piece) in pieces.list.iter().enumerate() {
+        if let Piece::Road { run, free: true, .. } | Piece::Walk { run, .. } = piece {
+            by_run[*run as usize].push(at);
+        }
+    }
+    for (run, list) in pieces.runs.iter().zip(&by_run) {
+        parts.extend(street(run, list, pieces, &loops, &heights));
+    }
+    let arms = owners.arms(plan, pieces, &faces);
+    for (owner, loops) in loops.iter().enumerate() {
+        if !loops.is_empty() && owners.is_junction(pieces, owner) {
+            let arms = arms.get(&(owner as u32)).map(Vec::as_slice).unwrap_or_default();
+            parts.extend(junction(loops, arms, &heights));
+        }
+    }
+    Ok(parts)
+}
+
+/// The owner of each cycle: the number of a piece. All pieces of a junction are owned by the first of them.
+struct Owners {
+    of_cycle: Vec<u32>,
+}
+
+impl Owners {
+    fn new(pieces: &Pieces, faces: &Subdivision) -> Self {
+        let is_free = |&&at: &&u32| matches!(pieces.list[at as usize], Piece::Road { free: true, .. });
+        let is_walk = |at: u32| matches!(pieces.list[at as usize], Piece::Walk { .. });
+        let owner = |covers: &Vec<u32>| {
+            let free = covers.iter().find(is_free);
+            let junction = || covers.iter().find(|&&at| !is_walk(at));
+            free.or_else(junction).or(covers.first()).copied().unwrap_or(NONE)
+        };
+        let mut of_cycle: Vec<u32> = faces.covers.iter().map(owner).collect();
+        give_slivers_away(&mut of_cycle, faces);
+        // Pieces that overlap, or are next to each other, are one junction.
+        let is_part = |at: u32| at != NONE && !is_walk(at) && !is_free(&&at);
+        let mut first: Vec<u32> = (0..pieces.list.len() as u32).collect();
+        let find = |first: &mut Vec<u32>, mut at: u32| {
+            while first[at as usize] != at {
+                first[at as usize] = first[first[at as usize] as usize];
+                at = first[at as usize];
+            }
+            at
+        };
+        let join = |first: &mut Vec<u32>, a: u32, b: u32| {
+            let (a, b) = (find(first, a), find(first, b));
+            first[a.max(b) as usize] = a.min(b);
+        };
+        for (cycle, covers) in faces.covers.iter().enumerate().filter(|(cycle, _)| is_part(of_cycle[*cycle])) {
+            for &other in covers.iter().filter(|&&other| is_part(other)) {
+                join(&mut first, of_cycle[cycle], other);
+            }
+        }
+        for half in (0..faces.cycle.len()).step_by(2) {
+            let [a, b] = [half, half + 1].map(|half| of_cycle[faces.cycle[half] as usize]);
+            if is_part(a) && is_part(b) {
+                join(&mut first, a, b);
+            }
+        }
+        for owner in of_cycle.iter_mut().filter(|owner| is_part(**owner)) {
+            *owner = find(&mut first, *owner);
+        }
+        Owners { of_cycle }
+    }
+
+    fn is_junction(&self, pieces: &Pieces, at: usize) -> bool {
+        !matches!(pieces.list[at], Piece::Walk { .. } | Piece::Road { free: true, .. })
+    }
+
+    /// The directions away from each junction of the streets that end there.
+    fn arms(&self, plan: &Plan, pieces: &Pieces, faces: &Subdivision) -> Map<u32, Vec<DVec2>> {
+        let mut found: Vec<(u32, u32, bool)> = Vec::new();
+        for half in 0..faces.cycle.len() {
+            let [here, there] = [half, half ^ 1].map(|half| self.of_cycle[faces.cycle[half] as usize]);
+            if here == NONE || there == NONE || here == there || !self.is_junction(pieces, here as usize) {
+                continue;
+            }
+            if let Piece::Road { cell, free: true, .. } = &pieces.list[there as usize] {
+                let reach = cell.corners.iter().map(|corner| corner.value.x);
+                let middle = reach.clone().sum::<f64>() / cell.corners.len() as f64;
+                let [a, b] = faces.ends(half);
+                let along = (cell.value(a).x + cell.value(b).x) / 2.0;
+                found.push((here, there, along < middle));
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+        let mut arms: Map<u32, Vec<DVec2>> = Map::default();
+        for (junction, road, at_start) in found {
+            if let Piece::Road { chain, segment, .. } = pieces.list[road as usize] {
+                let along = plan.chains[chain as usize].direction(segment as usize);
+                arms.entry(junction).or_default().push(if at_start { along } else { -along });
+            }
+        }
+        arms
+    }
+}
+
+/// Gives faces that rounding has made to the owner next to their longest edge.
+fn give_slivers_away(of_cycle: &mut [u32], faces: &Subdivision) {
+    let is_sliver: Vec<bool> = (0..of_cycle.len()).map(|cycle| is_sliver(&faces.ring(cycle))).collect();
+    let mut longest: Map<u32, (f64, u32)> = Map::default();
+    for (half, &cycle) in faces.cycle.iter().enumerate() {
+        let other = faces.cycle[half ^ 1];
+        if is_sliver[cycle as usize] && !is_sliver[other as usize] {
+            let [a, b] = faces.ends(half);
+            let length = a.place().distance(b.place());
+            let best = longest.entry(cycle).or_insert((length, other));
+            if best.0 < length {
+                *best = (length, other);
+            }
+        }
+    }
+    for (cycle, (_, other)) in longest {
+        of_cycle[cycle as usize] = of_cycle[other as usize];
+    }
+}
+
+/// The loops of an owner as faces: outlines with their holes.
+fn faces_of(loops: &[Vec<Point>]) -> Vec<Vec<Vec<Point>>> {
+    let (outer, holes): (Vec<&Vec<Point>>, Vec<&Vec<Point>>) = loops.iter().partition(|ring| 0 < twice_area(ring));
+    let mut faces: Vec<Vec<Vec<Point>>> = outer.into_iter().map(|ring| vec![ring.clone()]).collect();
+    for hole in holes.into_iter().filter(|ring| twice_area(ring) != 0) {
+        let around = |face: &&mut Vec<Vec<Point>>| {
+            hole.iter().any(|&point| !face[0].contains(&point) && winding(&face[0], point) != 0)
+        };
+        let home = faces.iter_mut().filter(around).min_by_key(|face| twice_area(&face[0]));
+        if let Some(face) = home {
+            face.push(hole.clone());
+        }
+    }
+    faces
+}
+
+/// A street or a sidewalk.
+fn street(
+    run: &Run,
+    list: &[usize],
+    pieces: &Pieces,
+    loops: &[Vec<Vec<Point>>],
+    heights: &Map<Point, f64>,
+) -> Option<Part> {
+    let forward = run.line.is_none_or(|(_, forward)| forward);
+    let length = run.along[1] - run.along[0];
+    let is_road = run.kind == RunKind::Roadway;
+    let coordinates = |value: DVec3| {
+        let [from, to] = [value.x - run.along[0], run.along[1] - value.x];
+        let (from, to) = if forward { (from, to) } else { (to, from) };
+        let across = if is_road && !forward { run.width - value.y } else { value.y };
+        [DVec2::new(from / length, across / run.width), DVec2::new(from, across), DVec2::new(to, across)]
+    };
+    let mut faces = Vec::new();
+    let cells: Vec<usize> = if forward { list.to_vec() } else { list.iter().rev().copied().collect() };
+    for at in cells {
+        let (Piece::Road { cell, .. } | Piece::Walk { cell, .. }) = &pieces.list[at] else { continue };
+        // A quad begins with the edge along the street on its right, or at the kerb.
+        let first = if is_road && !forward { cell.corners.len() / 2 } else { 0 };
+        let first = cell.corners[first].point;
+        for mut rings in faces_of(&loops[at]) {
+            if let Some(start) = rings[0].iter().position(|&point| point == first) {
+                rings[0].rotate_left(start);
+            }
+            let uvs = rings.iter().flatten().map(|&point| coordinates(cell.value(point))).collect();
+            faces.push(Face { rings, uvs });
+        }
+    }
+    let (kind, side) = match run.kind {
+        RunKind::Roadway => (Kind::Street, None),
+        RunKind::Left => (Kind::Sidewalk, Some(if forward { Side::Left } else { Side::Right })),
+        RunKind::Right => (Kind::Sidewalk, Some(if forward { Side::Right } else { Side::Left })),
+        RunKind::Corner => (Kind::Sidewalk, None),
+    };
+    let mesh = mesh(&faces, heights, if run.line.is_some() { 3 } else { 1 })?;
+    Some(Part { kind, side, line: run.line.map(|(line, _)| line as usize), length, width: run.width, arms: 0, mesh })
+}
+
+/// A junction, with coordinates from 0 to 1 along its first arm and across it.
+fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &Map<Point, f64>) -> Option<Part> {
+    let along = arms.first().copied().unwrap_or(DVec2::X);
+    let flat = |point: Point| {
+        let place = point.place();
+        DVec2::new(place.dot(along), along.perp_dot(place))
+    };
+    let all = || loops.iter().flatten().map(|&point| flat(point));
+    let low = all().fold(DVec2::INFINITY, DVec2::min);
+    let size = all().fold(DVec2::NEG_INFINITY, DVec2::max) - low;
+    let face = |rings: Vec<Vec<Point>>| {
+        let uvs = rings.iter().flatten().map(|&point| [(flat(point) - low) / size; 3]).collect();
+        Face { rings, uvs }
+    };
+    let faces: Vec<Face> = faces_of(loops).into_iter().map(face).collect();
+    let least = -libm::cos(STRAIGHT_ON.to_radians());
+    let straight = (0..arms.len()).any(|a| arms[a + 1..].iter().any(|b| arms[a].dot(*b) < least));
+    let kind = match arms.len() {
+        0..=2 => Kind::Joint,
+        3 if straight => Kind::Junction,
+        _ => Kind::Crossing,
+    };
+    let mesh = mesh(&faces, heights, 1)?;
+    Some(Part { kind, side: None, line: None, length: size.x, width: size.y, arms: arms.len(), mesh })
+}

@@ -1,0 +1,263 @@
+//! The pieces of a network: cells of streets and sidewalks, and areas of junctions, which may still overlap.
+
+use super::cell::{Cell, Corner};
+use super::chain::{Chain, End, Node};
+use super::grid::Point;
+use super::junction::{self, Layout};
+use super::section::{Section, Station};
+
+/// What a cell is a part of, by number in [`Pieces::runs`].
+pub(super) type RunId = u32;
+
+/// A stretch of a street, of a sidewalk beside it or round a corner: one chart.
+#[derive(Clone, Debug)]
+pub(super) struct Run {
+    pub(super) kind: RunKind,
+    /// The line, and whether the cells are counted in its direction.
+    pub(super) line: Option<(u32, bool)>,
+    /// The distances along at its start and end.
+    pub(super) along: [f64; 2],
+    pub(super) width: f64,
+}
+
+/// The kinds of runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum RunKind {
+    Roadway,
+    /// Left of the chain.
+    Left,
+    Right,
+    /// Round a corner of a junction.
+    Corner,
+}
+
+/// What a piece is.
+#[derive(Clone, Debug)]
+pub(super) enum Piece {
+    /// A cell of a roadway. One that is not free belongs to a junction.
+    Road { cell: Cell, run: RunId, chain: u32, segment: u32, free: bool },
+    /// The area of a junction that was laid out.
+    Junction { node: u32, ring: Vec<Point> },
+    /// A part of the area of a junction that was not laid out.
+    Fan { ring: Vec<Point> },
+    /// A cell of a sidewalk.
+    Walk { cell: Cell, run: RunId },
+}
+
+impl Piece {
+    pub(super) fn ring(&self) -> Vec<Point> {
+        match self {
+            Piece::Road { cell, .. } | Piece::Walk { cell, .. } => cell.ring(),
+            Piece::Junction { ring, .. } | Piece::Fan { ring, .. } => ring.clone(),
+        }
+    }
+}
+
+/// All pieces and runs.
+#[derive(Debug, Default)]
+pub(super) struct Pieces {
+    pub(super) list: Vec<Piece>,
+    pub(super) runs: Vec<Run>,
+}
+
+/// How much of its junctions a network has: chains, nodes, and what earlier attempts found.
+pub(super) struct Plan {
+    pub(super) chains: Vec<Chain>,
+    pub(super) nodes: Vec<Node>,
+    /// By node: 0 with rounded kerbs, 1 with sharp ones, 2 where the arms do not fit and are laid over each other.
+    pub(super) levels: Vec<u8>,
+    /// By chain: the parts that belong to junctions, as distances from the start.
+    pub(super) cuts: Vec<Vec<[f64; 2]>>,
+    radius: f64,
+}
+
+/// The level of a node whose arms are laid over each other.
+const OVERLAID: u8 = 2;
+
+/// A piece of roadway between two junctions that is shorter than this part of its width belongs to them.
+const LEAST_STREET: f64 = 0.5;
+
+impl Plan {
+    pub(super) fn new(chains: Vec<Chain>, nodes: Vec<Node>, radius: f64) -> Self {
+        let level = |node: &Node| if node.is_bend { OVERLAID } else { u8::from(radius == 0.0) };
+        Plan { levels: nodes.iter().map(level).collect(), cuts: vec![Vec::new(); chains.len()], chains, nodes, radius }
+    }
+
+    /// Gives a junction less room, if it has any; whether it had.
+    pub(super) fn lower(&mut self, node: usize) -> bool {
+        let had = self.levels[node] < OVERLAID;
+        self.levels[node] += u8::from(had);
+        had
+    }
+
+    /// The pieces of the present plan. Junctions that do not fit are lowered until they do.
+    pub(super) fn pieces(&mut self) -> Pieces {
+        let mut layouts: Vec<Option<Layout>> = (0..self.nodes.len()).map(|_| None).collect();
+        let mut waiting: Vec<usize> = (0..self.nodes.len()).collect();
+        let mut ends: Vec<[Station; 2]> = Vec::new();
+        while !waiting.is_empty() {
+            for node in waiting.drain(..) {
+                layouts[node] = None;
+                while self.levels[node] < OVERLAID && 1 < self.nodes[node].arms.len() {
+                    let radius = if self.levels[node] == 0 { self.radius } else { 0.0 };
+                    layouts[node] = junction::layout(&self.nodes[node], &self.chains, radius);
+                    if layouts[node].is_some() {
+                        break;
+                    }
+                    self.levels[node] += 1;
+                }
+            }
+            ends = self.chains.iter().map(|chain| [Station::Vertex(0), Station::Vertex(chain.len())]).collect();
+            for &(chain, end, station) in layouts.iter().flatten().flat_map(|layout| &layout.stations) {
+                ends[chain as usize][end] = station;
+            }
+            for (chain, stations) in self.chains.iter().zip(&ends) {
+                if chain.along(stations[1]) < chain.along(stations[0]) {
+                    for end in chain.ends {
+                        if let End::Node(node) = end
+                            && self.levels[node as usize] < OVERLAID
+                        {
+                            self.levels[node as usize] += 1;
+                            waiting.push(node as usize);
+                        }
+                    }
+                }
+            }
+            waiting.sort_unstable();
+            waiting.dedup();
+        }
+        let mut pieces = Pieces::default();
+        for (number, ends) in ends.iter().enumerate() {
+            self.add_chain(number, *ends, &mut pieces);
+        }
+        for (number, layout) in layouts.into_iter().enumerate() {
+            let (rings, corners) = match layout {
+                Some(layout) => {
+                    pieces.list.push(Piece::Junction { node: number as u32, ring: layout.roadway });
+                    (Vec::new(), layout.corners)
+                }
+                None if self.levels[number] == OVERLAID => junction::fans(&self.nodes[number], &self.chains),
+                None => continue,
+            };
+            pieces.list.extend(rings.into_iter().map(|ring| Piece::Fan { ring }));
+            for corner in corners {
+                let run = pieces.runs.len() as RunId;
+                pieces.list.extend(corner.cells.into_iter().map(|cell| Piece::Walk { cell, run }));
+                let (along, width) = ([0.0, corner.length], corner.width);
+                pieces.runs.push(Run { kind: RunKind::Corner, line: None, along, width });
+            }
+        }
+        pieces
+    }
+
+    /// The parts of a chain that belong to junctions, between stations, in order and apart.
+    fn swallowed(&self, number: usize, ends: [Station; 2]) -> Vec<[Station; 2]> {
+        let chain = &self.chains[number];
+        let [start, end] = ends.map(|station| chain.along(station));
+        let mut parts: Vec<[Station; 2]> = Vec::new();
+        for &[low, high] in &self.cuts[number] {
+            let low = if low <= start { ends[0] } else { chain.station_before(low) };
+            let high = if end <= high { ends[1] } else { chain.station_after(high) };
+            let low = if chain.along(low) < start { ends[0] } else { low };
+            let high = if end < chain.along(high) { ends[1] } else { high };
+            if chain.along(low) < chain.along(high) {
+                parts.push([low, high]);
+            }
+        }
+        parts.sort_by(|a, b| chain.along(a[0]).total_cmp(&chain.along(b[0])));
+        let least = LEAST_STREET * 2.0 * chain.widths.half;
+        let is_short = |from: Station, to: Station| chain.along(to) - chain.along(from) < least;
+        let [from_node, to_node] = chain.ends.map(|end| end != End::Open && !chain.closed);
+        let mut merged: Vec<[Station; 2]> = Vec::new();
+        for part in parts {
+            match merged.last_mut() {
+                Some(last) if is_short(last[1], part[0]) => {
+                    if chain.along(last[1]) < chain.along(part[1]) {
+                        last[1] = part[1];
+                    }
+                }
+                None if from_node && is_short(ends[0], part[0]) => merged.push([ends[0], part[1]]),
+                _ => merged.push(part),
+            }
+        }
+        match merged.last_mut() {
+            Some(last) if to_node && is_short(last[1], ends[1]) => last[1] = ends[1],
+            None if from_node && to_node && is_short(ends[0], ends[1]) => merged.push(ends),
+            _ => {}
+        }
+        merged
+    }
+
+    fn add_chain(&self, number: usize, ends: [Station; 2], pieces: &mut Pieces) {
+        let chain = &self.chains[number];
+        let [start, end] = ends.map(|station| chain.along(station));
+        if end <= start {
+            return;
+        }
+        let swallowed = self.swallowed(number, ends);
+        let mut stations: Vec<Station> = vec![ends[0], ends[1]];
+        stations.extend((0..=chain.len()).map(Station::Vertex));
+        stations.extend(swallowed.iter().flatten());
+        stations.retain(|&station| start <= chain.along(station) && chain.along(station) <= end);
+        stations.sort_by(|&a, &b| chain.along(a).total_cmp(&chain.along(b)));
+        stations.dedup_by(|a, b| chain.along(*a) == chain.along(*b));
+        let sections: Vec<Section> = stations.iter().map(|&station| chain.section(station)).collect();
+        let mut before: Option<(bool, (u32, bool))> = None;
+        let mut runs = [0; 3];
+        for at in 0..stations.len() - 1 {
+            let (from, to) = (sections[at], sections[at + 1]);
+            let middle = (from.along + to.along) / 2.0;
+            let segment = match (stations[at], stations[at + 1]) {
+                (Station::Within(segment, _), _) | (_, Station::Within(segment, _)) => segment,
+                (Station::Vertex(at), Station::Vertex(_)) => at,
+            };
+            let inside = |part: &[Station; 2]| chain.along(part[0]) < middle && middle < chain.along(part[1]);
+            let free = !swallowed.iter().any(inside);
+            let home = (free, chain.lines[segment]);
+            if before.replace(home) != Some(home) {
+                for (run, kind, width) in [
+                    (0, RunKind::Roadway, 2.0 * chain.widths.half),
+                    (1, RunKind::Left, chain.widths.left),
+                    (2, RunKind::Right, chain.widths.right),
+                ] {
+                    runs[run] = pieces.runs.len() as RunId;
+                    pieces.runs.push(Run { kind, line: Some(home.1), along: [from.along; 2], width });
+                }
+            }
+            for run in runs {
+                pieces.runs[run as usize].along[1] = to.along;
+            }
+            let corner = |section: &Section, border: usize, across: f64| {
+                Corner::new(section.borders[border], section.along, across, section.height)
+            };
+            let width = 2.0 * chain.widths.half;
+            let road = [corner(&from, 2, 0.0), corner(&to, 2, 0.0), corner(&to, 1, width), corner(&from, 1, width)];
+            if let Some(cell) = Cell::new(&road) {
+                let (chain, segment) = (number as u32, segment as u32);
+                pieces.list.push(Piece::Road { cell, run: runs[0], chain, segment, free });
+            }
+            let outer = |station: Station, section: &Section, border: usize| {
+                let mut corner = corner(section, border, [chain.widths.left, 0.0, 0.0, chain.widths.right][border]);
+                // Where the outer border of a sidewalk has no length in a bend, it overlaps that of the next cell.
+                let distance = chain.widths.borders()[border];
+                if let Station::Vertex(at) = station
+                    && chain.is_folded(segment, distance)
+                    && 0.0 < distance * chain.bend(at)
+                {
+                    corner.point = Point::near(chain.places[at] + chain.direction(segment).perp() * distance);
+                }
+                corner
+            };
+            if 0.0 < chain.widths.left {
+                let far = [outer(stations[at + 1], &to, 0), outer(stations[at], &from, 0)];
+                let cell = Cell::new(&[corner(&from, 1, 0.0), corner(&to, 1, 0.0), far[0], far[1]]);
+                pieces.list.extend(cell.map(|cell| Piece::Walk { cell, run: runs[1] }));
+            }
+            if 0.0 < chain.widths.right {
+                let far = [outer(stations[at], &from, 3), outer(stations[at + 1], &to, 3)];
+                let cell = Cell::new(&[corner(&to, 2, 0.0), corner(&from, 2, 0.0), far[0], far[1]]);
+                pieces.list.extend(cell.map(|cell| Piece::Walk { cell, run: runs[2] }));
+            }
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! Segments divided where they meet, with all vertices on the grid: snap rounding after Hobby.
+//!
+//! Ends and rounded crossings are *hot*. A segment that passes the unit square around a hot point is led through that point.
+//! So no two segments cross afterwards, and all that meet in a point share it.
+
+use super::grid::{Buckets, Point, dot, orient};
+
+/// Divides segments at each other. Each becomes a chain of points from its first end to its second. Nothing is returned when
+/// there are more than `most` crossings.
+pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Point>>> {
+    let mut chains = round(segments, &crossings(segments, most)?);
+    // Rounding errors of crossings may leave edges that still meet; this is rare and is mended at once.
+    for _ in 0..MOST_ROUNDS {
+        let mut edges: Vec<[Point; 2]> = chains.iter().flat_map(|chain| chain.windows(2).map(sorted)).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        let again = crossings(&edges, most)?;
+        if again.is_empty() {
+            break;
+        }
+        let parts = round(&edges, &again);
+        for chain in &mut chains {
+            let mut finer = vec![chain[0]];
+            for edge in chain.windows(2) {
+                let Ok(at) = edges.binary_search(&sorted(edge)) else { continue };
+                if edge[0] < edge[1] {
+                    finer.extend(&parts[at][1..]);
+                } else {
+                    finer.extend(parts[at].iter().rev().skip(1));
+                }
+            }
+            *chain = finer;
+        }
+    }
+    Some(chains)
+}
+
+/// Attempts to mend edges that still meet.
+const MOST_ROUNDS: usize = 8;
+
+fn sorted(edge: &[Point]) -> [Point; 2] {
+    [edge[0].min(edge[1]), edge[0].max(edge[1])]
+}
+
+/// The crossings of segments: which segment, and the rounded place. Nothing is returned when there are more than `most`.
+fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> {
+    let mut buckets = Buckets::for_segments(segments);
+    for (number, &segment) in segments.iter().enumerate() {
+        buckets.add_segment(segment, number as u32);
+    }
+    let mut found = Vec::new();
+    for list in buckets.lists() {
+        for (at, &first) in list.iter().enumerate() {
+            for &second in &list[at + 1..] {
+                if let Some(point) = crossing(segments[first as usize], segments[second as usize]) {
+                    found.extend([(first, point), (second, point)]);
+                }
+            }
+            if 8 * most < found.len() {
+                return None;
+            }
+        }
+    }
+    found.sort_unstable();
+    found.dedup();
+    (found.len() <= 2 * most).then_some(found)
+}
+
+/// Leads segments through all hot points that they pass, and through their own crossings.
+fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>> {
+    let mut hot: Vec<Point> = segments.iter().flatten().copied().chain(crossings.iter().map(|one| one.1)).collect();
+    hot.sort_unstable();
+    hot.dedup();
+    let mut pixels = Buckets::for_segments(segments);
+    for (number, &point) in hot.iter().enumerate() {
+        pixels.add_point(point, number as u32);
+    }
+    let chain = |(number, &segment): (usize, &[Point; 2])| {
+        let [a, b] = segment;
+        let from = crossings.partition_point(|one| (one.0 as usize) < number);
+        let own = crossings[from..].iter().take_while(|one| one.0 as usize == number);
+        let mut chain: Vec<Point> = own.map(|one| one.1).collect();
+        pixels.near_segment(segment, 2, |number| {
+            if passes(segment, hot[number as usize]) {
+                chain.push(hot[number as usize]);
+            }
+        });
+        let along = b.from(a);
+        chain.sort_unstable_by_key(|point| (dot(along, point.from(a)), *point));
+        chain.dedup();
+        // Neighbours of an end within a unit may sort before it.
+        chain.retain(|&point| point != a && point != b);
+        chain.insert(0, a);
+        chain.push(b);
+        chain
+    };
+    segments.iter().enumerate().map(chain).collect()
+}
+
+/// The grid point next to the place where two segments cross, inside of both.
+fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<Point> {
+    let apart = |a: i64, b: i64, c: i64, d: i64| a.max(b) < c.min(d) || c.max(d) < a.min(b);
+    if apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y) {
+        return None;
+    }
+    let (from_a, from_b) = (orient(c, d, a), orient(c, d, b));
+    if from_a.signum() * from_b.signum() != -1 || orient(a, b, c).signum() * orient(a, b, d).signum() != -1 {
+        return None;
+    }
+    let part = from_a as f64 / (from_a - from_b) as f64;
+    let along = |a: i64, b: i64| a + ((b - a) as f64 * part).round() as i64;
+    Some(Point { x: along(a.x, b.x), y: along(a.y, b.y) })
+}
+
+/// Whether a segment passes the unit square around a point.
+fn passes([a, b]: [Point; 2], point: Point) -> bool {
+    let outside = |a: i64, b: i64, at: i64| at < a.min(b) || a.max(b) < at;
+    if outside(a.x, b.x, point.x) || outside(a.y, b.y, point.y) {
+        return false;
+    }
+    // The corners of the square in half units: is the centre nearer to the line than the corner farthest across it?
+    let (x, y) = b.from(a);
+    2 * orient(a, b, point).abs() < x.abs() + y.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chains_of_random_segments_meet_in_their_points_only() {
+        let mut state = 7u64;
+        let mut next = |most: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            ((state >> 33) % most) as i64
+        };
+        for round in 0..60 {
+            let range = [8, 40, 1 << 20][round % 3];
+            let mut point = || Point { x: next(range), y: next(range) };
+            let segments: Vec<[Point; 2]> = (0..30).map(|_| [point(), point()]).filter(|[a, b]| a != b).collect();
+            let chains = divide(&segments, 10_000).unwrap();
+            let edges: Vec<[Point; 2]> =
+                chains.iter().flat_map(|chain| chain.windows(2).map(|edge| [edge[0], edge[1]])).collect();
+            for (at, &edge) in edges.iter().enumerate() {
+                for &other in &edges[at + 1..] {
+                    assert_eq!(crossing(edge, other), None, "{edge:?} {other:?}");
+                    for end in other {
+                        let inside = orient(edge[0], edge[1], end) == 0
+                            && 0 < dot(edge[1].from(edge[0]), end.from(edge[0]))
+                            && 0 < dot(edge[0].from(edge[1]), end.from(edge[1]));
+                        assert!(!inside, "{edge:?} {end:?}");
+                    }
+                }
+            }
+        }
+    }
+}

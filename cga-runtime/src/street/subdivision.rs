@@ -1,0 +1,260 @@
+//! A subdivision of the plane by polygons: which of them cover each of its faces.
+
+use super::grid::{Point, cross, twice_area, winding};
+use super::rounding::divide;
+
+/// The number of no owner.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// Half-edges `2 e` and `2 e + 1` are the two directions of edge `e`. A cycle is a loop of half-edges with one face on its
+/// left: the outline of a face, or the outer border of a connected part.
+pub(super) struct Subdivision {
+    points: Vec<Point>,
+    origin: Vec<u32>,
+    next: Vec<u32>,
+    pub(super) cycle: Vec<u32>,
+    /// A half-edge of each cycle.
+    first: Vec<u32>,
+    /// The numbers of the polygons that cover the face, by cycle.
+    pub(super) covers: Vec<Vec<u32>>,
+}
+
+/// A polygon and how its winding number changes from the right of an edge to the left.
+type Change = (u32, i32);
+
+impl Subdivision {
+    /// Divides the plane by counter-clockwise polygons, which may overlap. Nothing is returned when their edges cross more than
+    /// `most` times.
+    pub(super) fn new(polygons: &[Vec<Point>], most: usize) -> Option<Self> {
+        let sides = |ring: &Vec<Point>| {
+            (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).filter(|[a, b]| a != b).collect::<Vec<_>>()
+        };
+        let sorted = |[a, b]: [Point; 2]| if a < b { [a, b] } else { [b, a] };
+        let mut segments: Vec<[Point; 2]> = polygons.iter().flat_map(sides).map(sorted).collect();
+        segments.sort_unstable();
+        segments.dedup();
+        let chains = divide(&segments, most)?;
+        let mut points: Vec<Point> = chains.iter().flatten().copied().collect();
+        points.sort_unstable();
+        points.dedup();
+        let number = |point: &Point| points.binary_search(point).unwrap_or_default() as u32;
+        let chains: Vec<Vec<u32>> = chains.iter().map(|chain| chain.iter().map(number).collect()).collect();
+
+        let mut uses: Vec<([u32; 2], u32, i32)> = Vec::new();
+        for (polygon, ring) in polygons.iter().enumerate() {
+            for side in sides(ring) {
+                let Ok(at) = segments.binary_search(&sorted(side)) else { continue };
+                let forward = side == segments[at];
+                for edge in chains[at].windows(2) {
+                    let along = if edge[0] < edge[1] { 1 } else { -1 };
+                    let ends = [edge[0].min(edge[1]), edge[0].max(edge[1])];
+                    uses.push((ends, polygon as u32, if forward { along } else { -along }));
+                }
+            }
+        }
+        uses.sort_unstable();
+        let (mut edges, mut changes) = (Vec::<[u32; 2]>::new(), Vec::<Vec<Change>>::new());
+        for group in uses.chunk_by(|a, b| a.0 == b.0) {
+            let sums = group.chunk_by(|a, b| a.1 == b.1);
+            let sums = sums.map(|uses| (uses[0].1, uses.iter().map(|one| one.2).sum()));
+            let change: Vec<Change> = sums.filter(|&(_, sum)| sum != 0).collect();
+            if !change.is_empty() {
+                edges.push(group[0].0);
+                changes.push(change);
+            }
+        }
+        let origin: Vec<u32> = edges.iter().flatten().copied().collect();
+        let next = successors(&points, &origin);
+        let (cycle, first) = cycles(&next);
+        let mut made = Subdivision { points, origin, next, cycle, first, covers: Vec::new() };
+        made.cover(polygons, &changes);
+        Some(made)
+    }
+
+    /// The points of a cycle.
+    pub(super) fn ring(&self, cycle: usize) -> Vec<Point> {
+        let from = self.first[cycle];
+        let mut ring = Vec::new();
+        let mut at = from;
+        loop {
+            ring.push(self.points[self.origin[at as usize] as usize]);
+            at = self.next[at as usize];
+            if at == from {
+                return ring;
+            }
+        }
+    }
+
+    /// The ends of a half-edge.
+    pub(super) fn ends(&self, half: usize) -> [Point; 2] {
+        [half, half ^ 1].map(|half| self.points[self.origin[half] as usize])
+    }
+
+    /// Finds the covering polygons of all faces, from the outer border of each connected part inwards.
+    fn cover(&mut self, polygons: &[Vec<Point>], changes: &[Vec<Change>]) {
+        let count = self.first.len();
+        let mut windings: Vec<Option<Vec<Change>>> = vec![None; count];
+        let mut members: Vec<Vec<u32>> = vec![Vec::new(); count];
+        for (half, &cycle) in self.cycle.iter().enumerate() {
+            members[cycle as usize].push(half as u32);
+        }
+        // The connected parts.
+        let mut part = vec![NONE; count];
+        let mut parts: Vec<Vec<u32>> = Vec::new();
+        for from in 0..count {
+            if part[from] != NONE {
+                continue;
+            }
+            part[from] = parts.len() as u32;
+            let mut list = vec![from as u32];
+            let mut at = 0;
+            while at < list.len() {
+                for &half in &members[list[at] as usize] {
+                    let other = self.cycle[(half ^ 1) as usize];
+                    if part[other as usize] == NONE {
+                        part[other as usize] = parts.len() as u32;
+                        list.push(other);
+                    }
+                }
+                at += 1;
+            }
+            parts.push(list);
+        }
+        let bounds: Vec<[Point; 2]> = parts.iter().map(|list| self.bounds(list, &members)).collect();
+        let mut inside: Vec<Vec<u32>> = vec![Vec::new(); parts.len()];
+        if 1 < parts.len() {
+            for (half, &cycle) in self.cycle.iter().enumerate().step_by(2) {
+                let polygons = changes[half / 2].iter().map(|change| change.0);
+                inside[part[cycle as usize] as usize].extend(polygons);
+            }
+            for list in &mut inside {
+                list.sort_unstable();
+                list.dedup();
+            }
+        }
+        for (number, list) in parts.iter().enumerate() {
+            let outer = list.iter().copied().min_by_key(|&cycle| twice_area(&self.ring(cycle as usize)));
+            let Some(outer) = outer else { continue };
+            // A part may be inside of polygons of other parts.
+            let corner = self.points[self.origin[self.first[outer as usize] as usize] as usize];
+            let around = (0..parts.len()).filter(|&other| other != number && holds(bounds[other], corner));
+            let around = around.flat_map(|other| &inside[other]).map(|&polygon| (polygon, &polygons[polygon as usize]));
+            let mut around: Vec<Change> = around
+                .map(|(polygon, ring)| (polygon, winding(ring, corner)))
+                .filter(|&(_, turns)| turns != 0)
+                .collect();
+            around.sort_unstable();
+            windings[outer as usize] = Some(around);
+            let mut waiting = vec![outer];
+            while let Some(cycle) = waiting.pop() {
+                for &half in &members[cycle as usize] {
+                    let other = self.cycle[(half ^ 1) as usize] as usize;
+                    if windings[other].is_none() {
+                        // From the left of this half-edge to the left of its twin.
+                        let sign = if half % 2 == 0 { -1 } else { 1 };
+                        let here = windings[cycle as usize].as_deref().unwrap_or_default();
+                        windings[other] = Some(added(here, &changes[half as usize / 2], sign));
+                        waiting.push(other as u32);
+                    }
+                }
+            }
+        }
+        let polygons = |list: Option<Vec<Change>>| list.unwrap_or_default().iter().map(|change| change.0).collect();
+        self.covers = windings.into_iter().map(polygons).collect();
+    }
+
+    fn bounds(&self, cycles: &[u32], members: &[Vec<u32>]) -> [Point; 2] {
+        let halves = cycles.iter().flat_map(|&cycle| &members[cycle as usize]);
+        let points = halves.map(|&half| self.points[self.origin[half as usize] as usize]);
+        let none = [Point { x: i64::MAX, y: i64::MAX }, Point { x: i64::MIN, y: i64::MIN }];
+        points.fold(none, |[low, high], p| {
+            [Point { x: low.x.min(p.x), y: low.y.min(p.y) }, Point { x: high.x.max(p.x), y: high.y.max(p.y) }]
+        })
+    }
+
+    /// The outlines of the areas of each owner, given the owner of each cycle: loops with the owner on their left.
+    pub(super) fn outlines(&self, owner: &[u32]) -> Vec<(u32, Vec<Point>)> {
+        let of = |half: usize| owner[self.cycle[half] as usize];
+        let mut seen = vec![false; self.next.len()];
+        let mut loops = Vec::new();
+        for from in 0..self.next.len() {
+            if seen[from] || of(from) == NONE || of(from) == of(from ^ 1) {
+                continue;
+            }
+            let mut ring = Vec::new();
+            let mut at = from;
+            loop {
+                seen[at] = true;
+                ring.push(self.points[self.origin[at] as usize]);
+                at = self.next[at] as usize;
+                while of(at ^ 1) == of(from) {
+                    at = self.next[at ^ 1] as usize;
+                }
+                if at == from || seen[at] {
+                    break;
+                }
+            }
+            loops.push((of(from), ring));
+        }
+        loops
+    }
+}
+
+fn holds([low, high]: [Point; 2], point: Point) -> bool {
+    low.x <= point.x && point.x <= high.x && low.y <= point.y && point.y <= high.y
+}
+
+/// Winding numbers with changes added, without those that are 0.
+fn added(here: &[Change], changes: &[Change], sign: i32) -> Vec<Change> {
+    let mut sum: Vec<Change> = here.to_vec();
+    for &(polygon, change) in changes {
+        match sum.binary_search_by_key(&polygon, |one| one.0) {
+            Ok(at) => {
+                sum[at].1 += sign * change;
+                if sum[at].1 == 0 {
+                    sum.remove(at);
+                }
+            }
+            Err(at) => sum.insert(at, (polygon, sign * change)),
+        }
+    }
+    sum
+}
+
+/// The next half-edge of each around the face on its left.
+fn successors(points: &[Point], origin: &[u32]) -> Vec<u32> {
+    let mut around: Vec<u32> = (0..origin.len() as u32).collect();
+    let along = |half: u32| points[origin[(half ^ 1) as usize] as usize].from(points[origin[half as usize] as usize]);
+    let upper = |(x, y): (i128, i128)| u8::from(!(0 < y || y == 0 && 0 < x));
+    around.sort_unstable_by(|&a, &b| {
+        let by_angle = || {
+            let (a, b) = (along(a), along(b));
+            upper(a).cmp(&upper(b)).then_with(|| cross(b, a).cmp(&0))
+        };
+        origin[a as usize].cmp(&origin[b as usize]).then_with(by_angle).then_with(|| a.cmp(&b))
+    });
+    let mut next = vec![0; origin.len()];
+    for group in around.chunk_by(|&a, &b| origin[a as usize] == origin[b as usize]) {
+        for (at, &half) in group.iter().enumerate() {
+            // Arriving on the twin of `half`, the face on the left goes on with the next half-edge clockwise.
+            next[(half ^ 1) as usize] = group[(at + group.len() - 1) % group.len()];
+        }
+    }
+    next
+}
+
+fn cycles(next: &[u32]) -> (Vec<u32>, Vec<u32>) {
+    let (mut cycle, mut first) = (vec![NONE; next.len()], Vec::new());
+    for from in 0..next.len() {
+        let mut at = from;
+        if cycle[at] != NONE {
+            continue;
+        }
+        while cycle[at] == NONE {
+            cycle[at] = first.len() as u32;
+            at = next[at] as usize;
+        }
+        first.push(from as u32);
+    }
+    (cycle, first)
+}
