@@ -47,7 +47,7 @@ use sites::Sites;
 /// - Values that do not rise or are NaN cut nothing: the band below them stays empty.
 ///
 /// # Errors
-/// When the bands would have more than `most` corners together.
+/// When the bands would have more than `most` corners together, where a corner of the mesh on a line counts once.
 ///
 /// ```
 /// use std::sync::Arc;
