@@ -77,10 +77,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         Centerline::new(&[[43.0, -20.0], [43.0, 42.0], [43.0, 80.0]]),
     ];
     for part in Network::new(&lines, &NetworkOptions::default())?.parts() {
-        let streets = Streets::default();
-        let mut model = Model::new();
-        streets.session_from(part.start_rule(), &settings)?.run(&part.shape(), &mut model)?;
-        add(model);
+        settings.start = Some(part.start_rule().to_owned());
+        add(Streets::default().generate_with(&part.shape(), &settings)?);
     }
 
     scene.write_glb("textured.glb")?;
@@ -128,7 +126,7 @@ fn grain(size: usize, color: [u8; 3], depth: i64) -> Image {
 fn bricks() -> Image {
     let mut image = grain(512, [196, 188, 176], 8);
     for course in 0..16 {
-        for brick in -1..8 {
+        for brick in -1..8_i64 {
             let tone = noise(brick.rem_euclid(8), course) * 36.0 - 18.0;
             let (x, y) = (brick * 64 + (course % 2) * 32, course * 32);
             image.rectangle(x + 2, y + 2, 60, 28, shade([156, 82, 62], tone));
@@ -164,7 +162,7 @@ fn shop() -> Image {
 fn tiles() -> Image {
     let mut image = Image::filled(256, 256, [92, 46, 38, 255]);
     for row in 0..8 {
-        for tile in -1..8 {
+        for tile in -1..8_i64 {
             let tone = noise(tile.rem_euclid(8), 100 + row) * 30.0 - 15.0;
             image.rectangle(tile * 32 + (row % 2) * 16 + 1, row * 32 + 2, 30, 27, shade([150, 74, 58], tone));
         }
