@@ -38,7 +38,7 @@ cga! {
     Shop     --> t(0, 0, -0.3) split(y) { ~1 : Front | 0.8 : Sign }
     Front    --> setupProjection(0, scope.xy, ~1.6, ^1) texture("shop.png") projectUV(0) Front.
     Sign     --> extrude(0.35) color("#5b3b2e") Sign.
-    Roof     --> setupProjection(0, scope.xz, 2.4, 2.4) texture("tiles.png") projectUV(0) Roof.
+    Roof     --> setupProjection(0, scope.xy, 2.4, 2.4) texture("tiles.png") projectUV(0) Roof.
 }
 
 cga! {
@@ -46,13 +46,15 @@ cga! {
     @Allow(missing_asset)
     pub grammar Streets;
 
-    Street   --> split(v, unitSpace, 0) { ~1 : Lane | 0.15 : Line | ~1 : Lane }
+    Street   --> split(u, unitSpace, 0) { 1 : Lane | 3 : Zebra | ~1 : Middle | 3 : Zebra | 1 : Lane }
+    Zebra    --> split(v, unitSpace, 0) { { ~0.6 : Lane | ~0.6 : Dash }* | ~0.6 : Lane }
+    Middle   --> split(v, unitSpace, 0) { ~1 : Lane | 0.15 : Line | ~1 : Lane }
     Lane     --> tileUV(0, 4, 4) texture("asphalt.png") Roadway.
     Line     --> split(u, unitSpace, 0) { { ~2 : Dash | ~3 : Lane }* | ~2 : Dash }
     Dash     --> deleteUV(0) color("#f4f1e6") Marking.
     Joint    --> Lane
     Junction --> Lane
-    Crossing --> split(u, unitSpace, 0) { { ~0.5 : Lane | ~0.5 : Dash }* | ~0.5 : Lane }
+    Crossing --> Lane
     Sidewalk --> tileUV(0, 1.5, 1.5) texture("slabs.png") extrude(world.up, 0.15) Pavement.
 }
 
@@ -64,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let mut settings = Settings::default();
     settings.assets = Assets::below(folder).into();
-    let mut scene = Model::new();
+    let mut scene = Model::new().with_assets(settings.assets.clone());
     let mut add = |model: Model| {
         model.faults().iter().for_each(|fault| eprintln!("fault: {fault}"));
         let _ = model.replay(&mut scene as &mut dyn Sink);
@@ -82,7 +84,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 
     scene.write_glb("textured.glb")?;
-    Picture::new(1600, 1200).looking_from(28.0, 24.0).render(&scene).write_png("textured.png")?;
+    Picture::new(1600, 1200).looking_from(26.0, 22.0).render(&scene).write_png("textured.png")?;
     println!("{} triangles; wrote textured.glb and textured.png", scene.triangle_count());
     Ok(())
 }

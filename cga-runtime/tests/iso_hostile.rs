@@ -58,7 +58,7 @@ fn soups_of_polygons_are_cut() {
         let options = AlongUv {
             set: 0,
             height: number(&mut rng, 2) - 1.0,
-            direction: [HeightDirection::Vector(DVec3::Y), HeightDirection::VertexNormal][rng.below(2)],
+            direction: [HeightDirection::ScopeY, HeightDirection::VertexNormal][rng.below(2)],
             alignment: HeightAlignment::AlignPosition,
         };
         if round % 8 == 0 {

@@ -1,6 +1,7 @@
 //! Texture coordinates: projections and operations on sets (*setupProjection*, *projectUV*, *texture*, *tileUV* and the pages beside
 //! them), on boxes and on meshes, from templates and without.
 
+mod along;
 mod collect;
 mod projections;
 mod sets;

@@ -6,6 +6,7 @@
 mod align;
 mod align_box;
 mod align_geometry;
+mod along_uv;
 mod coordinates;
 mod extrude;
 mod insert;
@@ -23,13 +24,14 @@ pub(crate) mod texture;
 mod transform;
 mod trim;
 
-pub use crate::mesh::OffsetFaces;
+pub use crate::mesh::{HeightAlignment, HeightDirection, OffsetFaces};
 pub use align::{AlignAxes, align_to_axes, rotate_scope};
 pub use align_box::{BoxAxes, align_to_box};
 pub use align_geometry::{
     AlignAuto, AlignEdge, AlignFace, align_to_auto, align_to_edge, align_to_face, align_to_first_edge,
     align_to_indices, align_to_selected,
 };
+pub use along_uv::{insert_along_uv, insert_along_uv_with};
 pub use coordinates::{CoordSystem, TransformMode, rotate_in, translate_in};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub(crate) use insert::z_up;

@@ -94,13 +94,15 @@ pub(super) static ROWS: &[Operation] = &[
             "replaces the geometry by an asset, which may lie down or keep its size and place",
         ),
     ),
-    later(
+    op(
         "insertAlongUV",
+        "insert_along_uv",
         &[uv_set("uvSet"), FILE, float("height")],
         "bends copies of an asset along texture coordinates",
     ),
-    later(
+    op(
         "insertAlongUV",
+        "insert_along_uv_with",
         &[uv_set("uvSet"), FILE, float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT],
         "bends copies of an asset along texture coordinates",
     ),

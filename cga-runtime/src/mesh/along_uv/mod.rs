@@ -24,8 +24,8 @@ use unit::UnitAsset;
 /// The direction in which an asset on a surface is high.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HeightDirection {
-    /// One unit vector, for `scope.y`.
-    Vector(DVec3),
+    /// The y axis of the carrier's coordinates, for `scope.y`.
+    ScopeY,
     /// The normals of the points of the carrier, which its faces interpolate, for `vertex.normal`.
     VertexNormal,
 }

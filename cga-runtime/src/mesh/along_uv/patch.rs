@@ -202,13 +202,13 @@ impl Patches {
             return patches;
         }
         let normals = match options.direction {
-            HeightDirection::Vector(_) => Vec::new(),
+            HeightDirection::ScopeY => Vec::new(),
             HeightDirection::VertexNormal => vertex_normals(carrier),
         };
         let corner = |corner: u32| {
             let number = carrier.corners[corner as usize];
             let up = match options.direction {
-                HeightDirection::Vector(vector) => vector,
+                HeightDirection::ScopeY => DVec3::Y,
                 HeightDirection::VertexNormal => normals[number as usize],
             };
             Corner { uv: uvs[corner as usize] + 0.0, point: carrier.points[number as usize], up, number }

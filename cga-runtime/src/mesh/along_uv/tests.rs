@@ -5,12 +5,8 @@ use glam::{DAffine3, DVec2};
 use super::*;
 use crate::mesh::primitive;
 
-const UP: AlongUv = AlongUv {
-    set: 0,
-    height: 3.0,
-    direction: HeightDirection::Vector(DVec3::Y),
-    alignment: HeightAlignment::AlignPosition,
-};
+const UP: AlongUv =
+    AlongUv { set: 0, height: 3.0, direction: HeightDirection::ScopeY, alignment: HeightAlignment::AlignPosition };
 
 const MOST: usize = 1 << 20;
 
@@ -139,7 +135,7 @@ fn mirrored_charts_and_negative_heights_turn_faces_over() {
     for carrier in [rectangle(4.0, 4.0, [2.0, 1.0]), mirrored] {
         for carrier in [carrier.clone(), carrier.reversed()] {
             for height in [2.0, -2.0] {
-                for direction in [HeightDirection::Vector(DVec3::Y), HeightDirection::VertexNormal] {
+                for direction in [HeightDirection::ScopeY, HeightDirection::VertexNormal] {
                     let made = insert(&carrier, &ball(), &AlongUv { height, direction, ..UP });
                     let expected = 32.0 * ball().volume() / bulk(&ball());
                     assert!(made.is_closed() && (made.volume() - expected).abs() < 1e-9, "{}", made.volume());

@@ -1,0 +1,67 @@
+//! `insertAlongUV`.
+
+use std::sync::Arc;
+
+use crate::asset::{CUBES, File};
+use crate::env::Env;
+use crate::fault::{FaultKind, LimitKind};
+use crate::mesh::{AlongUv, HeightAlignment, HeightDirection, Mesh, insert_along_uv as bend, primitive};
+use crate::shape::Shape;
+
+use super::texture::uv_set;
+
+/// `insertAlongUV(uvSet, filePath, height)`: copies of an asset, bent along texture coordinates, take the place of the triangles and
+/// quads of the geometry (*insertAlongUV operation*). A missing asset, and geometry without coordinates in the set, leave a fault.
+pub fn insert_along_uv(env: &mut Env, shape: &mut Shape, set: f64, file: File, height: f64) {
+    insert_along_uv_with(env, shape, set, file, height, HeightDirection::ScopeY, HeightAlignment::AlignPosition);
+}
+
+/// `insertAlongUV(uvSet, filePath, height, heightDirection, heightAlignment)` (*insertAlongUV operation*).
+pub fn insert_along_uv_with(
+    env: &mut Env,
+    shape: &mut Shape,
+    set: f64,
+    file: File,
+    height: f64,
+    direction: HeightDirection,
+    alignment: HeightAlignment,
+) {
+    let Some(set) = uv_set(env, set, "insertAlongUV") else { return };
+    let height = env.finite(height, "the height of `insertAlongUV`");
+    let asset = match asset(env, &file) {
+        Ok(asset) => asset,
+        Err(why) => return env.asset_fault(format!("`{file}` cannot be inserted: {why}; the shape stays as it is")),
+    };
+    let carrier = shape.to_mesh();
+    if carrier.uv_set(usize::from(set)).is_empty() {
+        let message = format!("the shape has no texture coordinates in set {set}: `insertAlongUV` does nothing");
+        return env.fault(FaultKind::Geometry, message);
+    }
+    let limit = env.settings.limits.vertices;
+    let most = usize::try_from(limit).unwrap_or(usize::MAX);
+    let options = AlongUv { set: usize::from(set), height, direction, alignment };
+    let Ok(bent) = bend(&carrier, &asset, &options, most) else {
+        let _ = env.limit::<()>(LimitKind::Vertices, limit);
+        return;
+    };
+    if bent.is_empty() {
+        let message = "no triangle or quad of the shape carries the asset: `insertAlongUV` does nothing";
+        return env.fault(FaultKind::Geometry, message);
+    }
+    if env.count_vertices(&bent).is_continue() {
+        shape.set_mesh(bent);
+        super::inserted(env, shape);
+    }
+}
+
+/// The mesh of a file.
+fn asset(env: &Env, file: &File) -> Result<Arc<Mesh>, String> {
+    if CUBES.contains(&file.name.as_str()) {
+        return Ok(Arc::new(primitive::cube()));
+    }
+    match env.settings.assets.mesh_of(file) {
+        Ok(mesh) if mesh.is_empty() => Err("it has no faces".to_owned()),
+        Ok(mesh) => Ok(mesh),
+        Err(error) => Err(error.to_string()),
+    }
+}
