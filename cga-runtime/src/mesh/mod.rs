@@ -55,7 +55,7 @@ pub use offset::OffsetFaces;
 pub use tag::TagSet;
 pub(crate) use tag::matches as tag_matches;
 pub(crate) use uv::UvSets;
-pub use uv::{NormalizeFaces, NormalizeUv, Tiles, UvAxis, UvExtent};
+pub use uv::{UvAxis, UvExtent};
 
 /// Faces with holes over shared points. Made by [`MeshBuilder`], never changed afterwards.
 #[derive(Clone, Debug, Default)]

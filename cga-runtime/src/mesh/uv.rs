@@ -1,6 +1,5 @@
 //! Texture coordinates: up to ten sets, each one pair a corner or nothing at all.
 
-mod change;
 mod extent;
 
 use std::ops::Range;
@@ -10,7 +9,6 @@ use glam::DVec2;
 use super::Mesh;
 use super::layout::to_front;
 use crate::texture::map::SetMap;
-pub use change::{NormalizeFaces, NormalizeUv, Tiles};
 pub use extent::UvExtent;
 
 /// One of the two texture coordinates.
@@ -143,6 +141,25 @@ impl Mesh {
     }
 }
 
+impl Mesh {
+    /// The mesh with other coordinates in a set, one pair a corner, or without the set if there are none. Coordinates that
+    /// are infinite become the largest numbers, and NaN becomes 0.
+    ///
+    /// # Panics
+    /// When the number of coordinates is another one, or the set is none of 0 to 9.
+    pub fn with_uv_set(&self, set: usize, mut uvs: Vec<DVec2>) -> Mesh {
+        assert!(set < UvSets::MOST && [0, self.corners.len()].contains(&uvs.len()), "{} coordinates", uvs.len());
+        uvs.iter_mut().filter(|uv| !uv.is_finite()).for_each(|uv| {
+            let finite = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(-f64::MAX, f64::MAX) };
+            *uv = DVec2::new(finite(uv.x), finite(uv.y));
+        });
+        let mut mesh = self.clone();
+        mesh.uvs.set(set, uvs);
+        mesh.uvs.forget_empty();
+        mesh
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
@@ -191,5 +208,15 @@ mod tests {
             assert!(cut.parts.iter().flatten().count() > 1, "{axis:?}");
         }
         assert_eq!(square(&[10]).unwrap_err(), MeshError::UvSet { set: 10 });
+    }
+
+    #[test]
+    fn coordinates_are_replaced_by_finite_ones() {
+        let mesh = square(&[0]).unwrap();
+        let odd = [DVec2::new(f64::INFINITY, 1.0), DVec2::new(f64::NAN, f64::NEG_INFINITY), DVec2::ONE, DVec2::ZERO];
+        let changed = mesh.with_uv_set(3, odd.to_vec());
+        assert_eq!(changed.uv_set(3)[..2], [DVec2::new(f64::MAX, 1.0), DVec2::new(0.0, -f64::MAX)]);
+        assert_eq!((changed.uvs(), changed.check()), (mesh.uvs(), Vec::new()));
+        assert!(changed.with_uv_set(3, Vec::new()).uv_set(3).is_empty());
     }
 }

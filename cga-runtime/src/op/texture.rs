@@ -282,3 +282,19 @@ pub(crate) fn tile_size(env: &mut Env, tile: Size, extent: f64, what: &str) -> f
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_fill_an_extent_in_the_number_whose_size_is_nearest() {
+        let size = |tile: Size, extent: f64| tile_size(&mut Env::for_tests(), tile, extent, "the width");
+        for (wanted, extent, count) in [(3.0, 10.0, 3.0), (4.0, 10.0, 3.0), (20.0, 81.0, 4.0), (1e3, 10.0, 1.0)] {
+            assert_eq!(size(Size::floating(wanted), extent), extent / count);
+            assert_eq!(size(Size::floating(-wanted), extent), -extent / count);
+        }
+        assert_eq!([size(Size::floating(0.0), 7.0), size(Size::floating(2.0), 0.0)], [7.0, 0.0]);
+        assert_eq!([size(Size::relative(0.5), 8.0), size(Size::absolute(-1.5), 8.0)], [4.0, -1.5]);
+    }
+}

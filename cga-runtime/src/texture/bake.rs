@@ -112,7 +112,7 @@ fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projectio
                 list
             }
         };
-        baked.uvs.set(usize::from(set), list);
+        baked = baked.with_uv_set(usize::from(set), list);
     }
     baked
 }

@@ -43,18 +43,6 @@ impl UvExtent {
         let at = low + (high - low) * share;
         if at.is_finite() { at } else { low * (1.0 - share) + high * share }
     }
-
-    /// The whole number of tiles that fills the extent with the least stretch of tiles of about `size` metres, at least 1; the
-    /// larger number if two are as good.
-    pub fn tiles_of_about(&self, axis: UvAxis, size: f64) -> f64 {
-        let exact = self.metres[axis.index()] / size.abs();
-        if !exact.is_finite() {
-            return 1.0;
-        }
-        let (fewer, more) = (exact.floor().max(1.0), exact.ceil().max(1.0));
-        let stretch = |count: f64| (exact / count - 1.0).abs();
-        if stretch(fewer) < stretch(more) { fewer } else { more }
-    }
 }
 
 /// Sums over triangles of the surface, for u and for v.
@@ -216,14 +204,5 @@ mod tests {
         // Without area.
         let line = corners.map(|p| ([p[0] + p[1] * 3.0, 0.0], [p[0], p[1]]));
         assert!(extent(&mesh(&[&line])).metres.is_finite());
-    }
-
-    #[test]
-    fn tiles_are_counted_by_the_least_stretch() {
-        let found = UvExtent { low: DVec2::ZERO, high: DVec2::ONE, metres: DVec2::new(81.0, 10.0) };
-        assert_eq!(found.tiles_of_about(UvAxis::U, 20.0), 4.0);
-        assert_eq!(found.tiles_of_about(UvAxis::V, 3.0), 3.0);
-        assert_eq!(found.tiles_of_about(UvAxis::V, 1e3), 1.0);
-        assert_eq!(found.tiles_of_about(UvAxis::V, 0.0), 1.0);
     }
 }
