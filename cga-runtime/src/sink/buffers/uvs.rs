@@ -68,19 +68,22 @@ impl UvLists {
 
     /// Adds the corners of a rectangle whose vertices begin at one.
     pub(super) fn quad(&mut self, maps: &[SetMap], quad: &Quad, vertex: usize) {
-        self.points(maps, vertex, quad.corners());
-    }
-
-    /// Adds the corners of all faces of a box.
-    pub(super) fn cuboid(&mut self, maps: &[SetMap], cuboid: &Cuboid, vertex: usize) {
-        self.points(maps, vertex, cuboid.face_corners());
-    }
-
-    #[inline]
-    fn points(&mut self, maps: &[SetMap], vertex: usize, points: impl IntoIterator<Item = DVec3> + Clone) {
+        let corners = quad.corners();
         for SetMap { set, map } in maps {
             if let Some(list) = self.list(*set, vertex) {
-                list.extend(points.clone().into_iter().map(|point| short(map, point)));
+                list.extend_from_slice(&corners.map(|corner| short(map, corner)));
+            }
+        }
+    }
+
+    /// Adds the corners of all faces of a box. Each is computed once, so the three faces that meet there agree.
+    pub(super) fn cuboid(&mut self, maps: &[SetMap], cuboid: &Cuboid, vertex: usize) {
+        let corners = cuboid.corners();
+        for SetMap { set, map } in maps {
+            if let Some(list) = self.list(*set, vertex) {
+                let uvs = corners.map(|corner| short(map, corner));
+                let faces = cuboid.unit.sides().map(|face| face.corners.map(|at| uvs[usize::from(at & 7)]));
+                list.extend_from_slice(faces.as_flattened());
             }
         }
     }
