@@ -159,8 +159,7 @@ fn balls() {
 
 fn boxes() {
     // From templates a box would cost no more than its leaves, whatever its rule does.
-    let mut settings = Settings::default();
-    settings.repeats = Repeats::Direct;
+    let settings = Settings { repeats: Repeats::Direct, ..Settings::default() };
     let row = Shape::cuboid(1000.0, 1.0, 1.0);
     let run = |expected: usize, work: &dyn Fn(&mut Count)| {
         let mut sink = Count::default();

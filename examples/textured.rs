@@ -64,8 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (name, image) in images() {
         image.write_png(folder.join(name))?;
     }
-    let mut settings = Settings::default();
-    settings.assets = Assets::below(folder).into();
+    let mut settings = Settings { assets: Assets::below(folder).into(), ..Settings::default() };
     let mut scene = Model::new().with_assets(settings.assets.clone());
     let mut add = |model: Model| {
         model.faults().iter().for_each(|fault| eprintln!("fault: {fault}"));

@@ -50,8 +50,7 @@ pub(crate) trait Run: Fn(&Shape, &Settings, &mut Leaves) -> Result<Report, Error
 impl<F: Fn(&Shape, &Settings, &mut Leaves) -> Result<Report, Error>> Run for F {}
 
 fn once(run: &impl Run, shape: &Shape, repeats: Repeats) -> Leaves {
-    let (mut settings, mut leaves) = (Settings::default(), Leaves::default());
-    settings.repeats = repeats;
+    let (settings, mut leaves) = (Settings { repeats, ..Settings::default() }, Leaves::default());
     let report = run(shape, &settings, &mut leaves).expect("no error");
     assert!(report.faults.is_empty(), "{:?}", report.faults);
     leaves
