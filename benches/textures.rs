@@ -48,7 +48,7 @@ fn main() {
     let mut plain = None;
     for (made, name) in ["none", "projection set up", "on walls", "on the façade", "on each window"].iter().enumerate()
     {
-        let grammar = Facades { made: made as f64, ..Facades::default() };
+        let grammar = Facades { made: made as f64 };
         let [mut session, mut other] = [0, 1].map(|_| grammar.session(&settings).expect("a session"));
         let (mut buffers, mut leaves) = (Buffers::new(), 0);
         let best = fastest(

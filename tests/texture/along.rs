@@ -26,7 +26,7 @@ cga! {
 fn run(kind: u32) -> (Leaves, Vec<String>) {
     let assets = Arc::new(Assets::new().with("block", primitive::cube()));
     let settings = Settings { assets, ..Settings::default() };
-    let (grammar, mut leaves) = (Rail { kind: f64::from(kind), ..Rail::default() }, Leaves::default());
+    let (grammar, mut leaves) = (Rail { kind: f64::from(kind) }, Leaves::default());
     let report = grammar.generate_into(&Shape::cuboid(10.0, 3.0, 1.0), &settings, &mut leaves).expect("no error");
     (leaves, report.faults.iter().map(|fault| fault.message.clone()).collect())
 }

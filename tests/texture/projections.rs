@@ -51,7 +51,7 @@ fn a_projection_of_the_facade_runs_through_all_pieces() {
 
 #[test]
 fn a_projection_of_a_piece_begins_anew() {
-    let leaves = leaves!(&Facade { perTile: true, ..Facade::default() }, &Shape::cuboid(20.0, 13.0, 4.0));
+    let leaves = leaves!(&Facade { perTile: true }, &Shape::cuboid(20.0, 13.0, 4.0));
     for (rule, faces) in &leaves.0 {
         let Some(first) = faces[0].iter().min_by(|a, b| a.point.length().total_cmp(&b.point.length())) else {
             continue;
@@ -80,14 +80,14 @@ cga! {
 #[test]
 fn sizes_are_absolute_relative_floating_and_negative() {
     let shape = Shape::cuboid(10.0, 8.0, 3.0).at([5.0, 6.0, 7.0]);
-    let range = |kind: u32| leaves!(&Sizes { kind: f64::from(kind), ..Sizes::default() }, &shape).range("X", 0);
+    let range = |kind: u32| leaves!(&Sizes { kind: f64::from(kind) }, &shape).range("X", 0);
     range_is(range(0), [0.0, 0.0], [10.0 / 1.5, 2.0]);
     range_is(range(1), [0.0, 0.0], [3.0, 1.0]);
     range_is(range(2), [-5.0, 0.0], [0.0, 1.0]);
     range_is(range(3), [3.0, 2.0], [11.0, 7.0]);
     range_is(range(4), [5.0, 6.0], [15.0, 14.0]);
     range_is(range(5), [0.0, 0.0], [0.0, 8.0]);
-    let leaves = leaves!(&Sizes { kind: 6.0, ..Sizes::default() }, &shape);
+    let leaves = leaves!(&Sizes { kind: 6.0 }, &shape);
     assert!(leaves.corners("X").iter().all(|corner| corner.uvs == [None; 10]));
 }
 
@@ -111,7 +111,7 @@ cga! {
 #[test]
 fn coordinates_stay_with_the_geometry() {
     let shape = Shape::cuboid(4.0, 2.0, 3.0).at([5.0, 6.0, 7.0]);
-    let leaves = |kind: u32| leaves!(&After { kind: f64::from(kind), ..After::default() }, &shape);
+    let leaves = |kind: u32| leaves!(&After { kind: f64::from(kind) }, &shape);
     for kind in [0, 1, 3, 4, 5, 6, 7] {
         range_is(leaves(kind).range("X", 0), [0.0, 0.0], [1.0, 1.0]);
     }

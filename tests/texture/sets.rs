@@ -19,9 +19,12 @@ cga! {
         else : copyUV(0, 1) scaleUV(1, 10, 10) deleteUV(7) X.
 }
 
+/// The kind of the rule, the set, and the coordinates at a place.
+type Expected = (u32, usize, fn(f64, f64) -> [f64; 2]);
+
 #[test]
 fn whole_sets_are_changed() {
-    let expected: [(u32, usize, fn(f64, f64) -> [f64; 2]); 6] = [
+    let expected: [Expected; 6] = [
         (0, 0, |x, y| [x, y + 0.5]),
         (1, 0, |x, y| [2.0 * x, -3.0 * y]),
         (2, 0, |x, y| [-y, x]),
@@ -30,7 +33,7 @@ fn whole_sets_are_changed() {
         (4, 1, |x, y| [10.0 * x, 10.0 * y]),
     ];
     for (kind, set, uv) in expected {
-        let leaves = leaves!(&Sets { kind: f64::from(kind), ..Sets::default() }, &Shape::cuboid(8.0, 3.0, 3.0));
+        let leaves = leaves!(&Sets { kind: f64::from(kind) }, &Shape::cuboid(8.0, 3.0, 3.0));
         for corner in leaves.corners("X") {
             let expected = DVec2::from_array(uv(corner.point.x, corner.point.y));
             assert!(corner.uvs[set].unwrap().abs_diff_eq(expected, 1e-12), "{kind}: {corner:?}");
@@ -70,7 +73,7 @@ fn coordinates_are_fitted_and_tiled() {
     ];
     for (kind, (low, high)) in expected.into_iter().enumerate() {
         let shape = Shape::cuboid(10.0, 8.0, 3.0);
-        let range = leaves!(Fitted { kind: kind as f64, ..Fitted::default() }, &shape).range("X", 0);
+        let range = leaves!(Fitted { kind: kind as f64 }, &shape).range("X", 0);
         let near = |a: DVec2, b: [f64; 2]| a.abs_diff_eq(DVec2::from_array(b), 1e-12);
         assert!(near(range[0], low) && near(range[1], high), "{kind}: {range:?}");
     }
@@ -119,7 +122,7 @@ cga! {
 #[test]
 fn primitives_bring_coordinates_along() {
     let shape = Shape::cuboid(4.0, 2.0, 6.0);
-    let run = |kind: u32| leaves!(Primitives { kind: f64::from(kind), ..Primitives::default() }, &shape);
+    let run = |kind: u32| leaves!(Primitives { kind: f64::from(kind) }, &shape);
     for kind in [0, 6] {
         let cube = run(kind);
         let faces = &cube.0[0].1;

@@ -44,7 +44,7 @@ fn fact_42_halves_whatever_the_size_and_pieces_of_five() {
         let halves = leaves!(Facades::default(), &Shape::cuboid(width, 4.0, 1.0));
         assert!(near(&areas(&halves, "X"), &[width * 2.0; 2]), "{:?}", areas(&halves, "X"));
     }
-    let pieces = leaves!(Facades { metres: true, ..Facades::default() }, &Shape::cuboid(23.0, 4.0, 1.0));
+    let pieces = leaves!(Facades { metres: true }, &Shape::cuboid(23.0, 4.0, 1.0));
     assert!(near(&areas(&pieces, "X"), &[20.0, 20.0, 20.0, 20.0, 12.0]), "{:?}", areas(&pieces, "X"));
     // Lengths in metres are exact on a flat rectangle.
     let borders: Vec<f64> =
@@ -59,7 +59,8 @@ fn street(length: f64) -> Mesh {
     let at = |row: usize, side: f64| {
         let share = row as f64 / rows as f64;
         let (angle, radius) = (share * 1.5, length / 1.5);
-        DVec3::new(radius * angle.sin() + side * angle.sin(), 0.0, -(radius * (1.0 - angle.cos())) + side * angle.cos())
+        let (sin, cos) = libm::sincos(angle);
+        DVec3::new((radius + side) * sin, 0.0, side * cos - radius * (1.0 - cos))
     };
     let points: Vec<[u32; 2]> =
         (0..=rows).map(|row| [4.0, -4.0].map(|side| builder.point(at(row, side).to_array()))).collect();
@@ -108,7 +109,7 @@ cga! {
 
 #[test]
 fn patterns_are_those_of_a_split() {
-    let run = |kind: u32| leaves!(Kinds { kind: f64::from(kind), ..Kinds::default() }, &Shape::cuboid(10.0, 8.0, 1.0));
+    let run = |kind: u32| leaves!(Kinds { kind: f64::from(kind) }, &Shape::cuboid(10.0, 8.0, 1.0));
     let all = run(0);
     assert!(near(&areas(&all, "A"), &[20.0]), "{all:?}");
     let all = run(1);
@@ -121,7 +122,7 @@ fn patterns_are_those_of_a_split() {
 
 #[test]
 fn a_missing_set_is_a_fault() {
-    let report = Kinds { kind: 4.0, ..Kinds::default() }.generate(&Shape::cuboid(10.0, 8.0, 1.0)).expect("no error");
+    let report = Kinds { kind: 4.0 }.generate(&Shape::cuboid(10.0, 8.0, 1.0)).expect("no error");
     let faults = report.faults();
     assert_eq!(faults.len(), 1, "{faults:?}");
     assert!(faults[0].message.contains("no texture coordinates in set 7"), "{faults:?}");
