@@ -2,8 +2,8 @@
 //! that come out. The rules are those that `tests/documented.rs` checks. Where a page's picture marks scopes and pivots, so
 //! does the sheet: x red, y green, z blue.
 //!
-//! The pages are *split operation*, *split attribute*, *splitArea operation*, *Subdivision split* and *comp operation*. The
-//! examples that split in texture space, `split(u …)` and `split(v …)`, are left out: they are not implemented yet.
+//! The pages are *split operation*, *split attribute*, *splitArea operation*, *Subdivision split*, *comp operation* and, with the
+//! test texture, those on texture coordinates and primitives.
 //!
 //! `cargo run --release --example documented` also cuts a ball; `-- mesh.obj` cuts that mesh instead.
 
@@ -19,6 +19,8 @@ mod pages;
 mod real_mesh;
 #[path = "documented/sheet.rs"]
 mod sheet;
+#[path = "documented/textured.rs"]
+mod textured;
 
 use std::error::Error;
 use std::path::Path;
@@ -135,6 +137,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let cells: Vec<Cell> = examples.iter().map(|example| comp_cell(example, &plain)).collect();
         save(name, sheet::draw(&cells, columns))?;
     }
+
+    save("texturing", sheet::draw(&textured::texturing(&plain), 4))?;
+    save("primitives", sheet::draw(&textured::primitives(&plain), 4))?;
 
     let path = std::env::args_os().nth(1);
     save("real-mesh", sheet::draw(&real_mesh::cells(path.as_deref().map(Path::new))?, 2))

@@ -37,7 +37,8 @@ mod thirty;
 #[test]
 fn all_examples_run() {
     use pages::{
-        comp, components, cutting, split_area, split_attribute, split_operation, subdivision_once, subdivision_repeat,
+        comp, components, cutting, primitives, split_area, split_attribute, split_operation, subdivision_once,
+        subdivision_repeat, texturing,
     };
     let pages = [
         split_operation::ALL,
@@ -48,6 +49,8 @@ fn all_examples_run() {
         cutting::ALL,
         comp::ALL,
         components::ALL,
+        texturing::ALL,
+        primitives::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();
     for example in pages.concat() {
@@ -60,5 +63,5 @@ fn all_examples_run() {
     }
     titles.sort_unstable();
     titles.dedup();
-    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21);
+    assert_eq!(titles.len(), 10 + 2 + 11 + 12 + 11 + 2 + 5 + 21 + 16 + 12);
 }

@@ -74,7 +74,7 @@ macro_rules! example {
 
             // What pages show on purpose is found by the checks: see cga-lang/tests/data/lower/seed_*.cga.
             cga::cga! {
-                @Allow(undefined_rule, size_not_positive, slot_never_made, float_without_space, sizes_beyond_extent, missing_asset)
+                @Allow(undefined_rule, size_not_positive, slot_never_made, float_without_space, sizes_beyond_extent, missing_asset, old_spelling)
                 pub(crate) grammar Page = $rules;
             }
 
