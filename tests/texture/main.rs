@@ -2,6 +2,7 @@
 //! them), on boxes and on meshes, from templates and without.
 
 mod collect;
+mod hostile;
 mod projections;
 mod sets;
 mod splits;
