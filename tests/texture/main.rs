@@ -3,6 +3,7 @@
 
 mod collect;
 mod hostile;
+mod laws;
 mod projections;
 mod sets;
 mod splits;
