@@ -212,3 +212,17 @@ fn limits_and_ways_of_repeating_agree_about_the_looks() {
     };
     assert_eq!(run(Repeats::Kept), run(Repeats::Direct));
 }
+
+cga! {
+    /// A cube with coordinates of its own is cut: its caps.
+    grammar Caps;
+    Lot --> primitiveCube() split(y) { ^0.4117 : reverseNormals() reverseNormals() split(x) { ^0.4117 : X. | ~1 : NIL } }
+}
+
+#[test]
+fn coordinates_of_caps_are_metres_however_a_mesh_fills_its_scope() {
+    let leaves = leaves!(&Caps::default(), &Shape::cuboid(10.0, 8.0, 3.0));
+    let cap = leaves.corners("X").into_iter().rev().take(4);
+    let size = cap.fold(DVec2::ZERO, |size, corner| size.max(corner.uvs[0].expect("coordinates").abs()));
+    assert!(size.abs_diff_eq(DVec2::new(3.0, 0.4117 * 8.0), 1e-9), "{size}");
+}
