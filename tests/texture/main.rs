@@ -3,6 +3,8 @@
 
 mod along;
 mod collect;
+mod hostile;
+mod laws;
 mod projections;
 mod sets;
 mod splits;
