@@ -3,6 +3,7 @@
 
 mod along;
 mod collect;
+mod facts;
 mod projections;
 mod sets;
 mod splits;
