@@ -98,6 +98,12 @@ impl StateRef {
         &self.look().material
     }
 
+    /// Returns true if there are implicit texture coordinates or projections.
+    #[inline]
+    pub(crate) fn has_texture_space(&self) -> bool {
+        self.get().is_some_and(|state| !state.look.coordinates.is_empty() || !state.projections.is_empty())
+    }
+
     /// The implicit texture coordinates.
     pub(crate) fn coordinates(&self) -> &Coordinates {
         &self.look().coordinates

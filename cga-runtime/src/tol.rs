@@ -61,3 +61,6 @@ pub(crate) const CHART_EPSILON: f64 = 1e-9;
 
 /// Places of texture space that are nearer than this, relative to the largest coordinate and to 1, are next to each other.
 pub(crate) const NEXT_EPSILON: f64 = 1e-12;
+
+/// The share of a coordinate's growth up to which it counts as constant along a direction: axes are unit vectors but for rounding.
+pub(crate) const CONSTANT_EPSILON: f64 = 1e-14;

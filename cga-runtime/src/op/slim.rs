@@ -30,15 +30,15 @@ pub fn instead(changed: &Option<Box<Base>>) -> Option<ShapeRef<'_>> {
 /// `t(x, y, z)`, as [`super::translate`].
 #[inline]
 pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
-    if shape.has_coordinates() {
-        return whole(env, shape, |env, shape| super::translate(env, shape, x, y, z));
-    }
     let size = shape.size.get();
     let by = DVec3::new(
         x.of(size.x, env, "`t` along x"),
         y.of(size.y, env, "`t` along y"),
         z.of(size.z, env, "`t` along z"),
     );
+    if shape.has_coordinates() && !shape.keeps_coordinates(by) {
+        return whole(env, shape, |env, shape| super::translate(env, shape, x, y, z));
+    }
     let origin = shape.origin() + shape.axes.matrix * by;
     if settle_origin(env, origin, "`t`") {
         shape.origin.set(origin.extend(0.0));
@@ -74,7 +74,9 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
 pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Box<Base>> {
     let s = shape.size.get();
     let height = distance.plain(s.y);
-    let is_length = 0.0 < height && height <= Scope::MOST_SIZE && !shape.has_coordinates();
+    let is_length = 0.0 < height && height <= Scope::MOST_SIZE;
+    let across = if shape.form == Form::Rect(Axis::Z) { DVec3::Z } else { DVec3::Y };
+    let is_length = is_length && (!shape.has_coordinates() || shape.keeps_coordinates(across));
     match shape.form {
         Form::Rect(Axis::Z)
             if is_length && 0.0 < s.x && 0.0 < s.y && s.z == 0.0 && std::ptr::eq(shape.axes, shape.base.axes()) =>

@@ -22,6 +22,8 @@ pub struct Base {
     pub(crate) shape: Shape,
     material: MaterialId,
     maps: KeptMaps,
+    /// For each axis true if all implicit coordinates are constant along it, now and after `projectUV`.
+    constant: [bool; 3],
     /// The number of the base in its run; 0 for one at the origin.
     pub(crate) number: u64,
 }
@@ -60,7 +62,16 @@ impl Base {
             state: part.base.shape.state.clone(),
         };
         let axes = Axes::new(scope.axes);
-        Base { axes, raised: axes.raised(), shape, material: part.material.get(), maps: KeptMaps::default(), number: 0 }
+        let constant = part.base.constant;
+        Base {
+            axes,
+            raised: axes.raised(),
+            shape,
+            material: part.material.get(),
+            maps: KeptMaps::default(),
+            constant,
+            number: 0,
+        }
     }
 
     #[inline]
@@ -94,11 +105,31 @@ impl Base {
         &self.axes
     }
 
+    /// For each axis true if all implicit coordinates are constant along it.
+    #[inline]
+    pub(crate) fn constant(&self) -> [bool; 3] {
+        self.constant
+    }
+
     /// The axes of this shape after it has grown.
     #[inline]
     pub(crate) fn raised(&self) -> &Axes {
         &self.raised
     }
+}
+
+/// For each axis of a shape true if all implicit coordinates, and those that `projectUV` would make, are constant along it.
+#[cold]
+#[inline(never)]
+fn constant(shape: &Shape) -> [bool; 3] {
+    let maps = shape.state.projections().maps().chain(shape.state.coordinates().maps());
+    let mut constant = [!shape.state.coordinates().has_cube(); 3];
+    for map in maps {
+        for (axis, constant) in constant.iter_mut().enumerate() {
+            *constant &= map.is_constant_along(shape.scope.axes.col(axis));
+        }
+    }
+    constant
 }
 
 impl Env {
@@ -138,7 +169,19 @@ impl Env {
     #[inline(always)]
     pub(crate) fn base_painted(&self, shape: Shape, material: MaterialId) -> Base {
         let axes = Axes::new(shape.scope.axes);
+        let constant = match shape.state.has_texture_space() {
+            false => [true; 3],
+            true => constant(&shape),
+        };
         self.bases.set(self.bases.get() + 1);
-        Base { axes, raised: axes.raised(), shape, material, maps: KeptMaps::default(), number: self.bases.get() }
+        Base {
+            axes,
+            raised: axes.raised(),
+            shape,
+            material,
+            maps: KeptMaps::default(),
+            constant,
+            number: self.bases.get(),
+        }
     }
 }

@@ -132,6 +132,14 @@ impl<'a> ShapeRef<'a> {
         look.may_have_coordinates() && (look != MaterialId::OF_BASE || !self.base.shape.state.coordinates().is_empty())
     }
 
+    /// Returns true if a point that moves by that much along the axes keeps its implicit coordinates: they are constant there.
+    pub(crate) fn keeps_coordinates(&self, by: DVec3) -> bool {
+        let [x, y, z] = self.base.constant();
+        // The axes of the base when it has grown are x, z and -y.
+        let constant = if std::ptr::eq(self.axes, self.base.raised()) { [x, z, y] } else { [x, y, z] };
+        by.to_array().into_iter().zip(constant).all(|(by, constant)| constant || by == 0.0)
+    }
+
     /// True if a split along an axis makes parts that simply fill their scopes.
     #[inline]
     pub(crate) fn is_simple_along(&self, axis: Axis) -> bool {

@@ -92,6 +92,14 @@ impl Coordinates {
         self.sets.iter().any(|entry| matches!(entry.source, Source::Stored(_)))
     }
 
+    /// The functions of the place.
+    pub(crate) fn maps(&self) -> impl Iterator<Item = &UvMap> {
+        self.sets.iter().filter_map(|entry| match &entry.source {
+            Source::Fixed(map) => Some(map),
+            Source::Deleted | Source::Own(_) | Source::Stored(_) | Source::Cube(_) => None,
+        })
+    }
+
     /// The sets that rules have changed.
     pub(crate) fn sets(&self) -> impl Iterator<Item = u8> {
         self.sets.iter().map(|entry| entry.set)

@@ -5,6 +5,8 @@
 
 use glam::{DAffine2, DAffine3, DVec2, DVec3, DVec4};
 
+use crate::tol::CONSTANT_EPSILON;
+
 /// A map from points of the world to (u, v): two affine functions, each with its constant in `w`. v runs upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UvMap {
@@ -29,6 +31,15 @@ impl UvMap {
     pub fn at(&self, point: DVec3) -> DVec2 {
         let along = |f: DVec4| f.x * point.x + f.y * point.y + f.z * point.z + f.w;
         DVec2::new(along(self.u), along(self.v))
+    }
+
+    /// Returns true if points along a direction have the same coordinates, but for rounding.
+    pub(crate) fn is_constant_along(&self, direction: DVec3) -> bool {
+        let row = |row: DVec4| {
+            let factors = row.truncate();
+            factors.dot(direction).abs() <= CONSTANT_EPSILON * factors.length()
+        };
+        row(self.u) && row(self.v)
     }
 
     /// The map that first moves the point.

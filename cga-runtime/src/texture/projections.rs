@@ -13,9 +13,20 @@ impl Projections {
     /// None at all.
     pub(crate) const NONE: Projections = Projections(None);
 
+    /// Returns true if there is none.
+    #[inline]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_none()
+    }
+
     /// The projection of a set.
     pub(crate) fn get(&self, set: u8) -> Option<&UvMap> {
         self.0.as_ref()?.get(usize::from(set))?.as_ref()
+    }
+
+    /// All projections.
+    pub(crate) fn maps(&self) -> impl Iterator<Item = &UvMap> {
+        self.0.iter().flat_map(|maps| maps.iter().flatten())
     }
 
     /// Stores the projection of a set.

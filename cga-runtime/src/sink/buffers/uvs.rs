@@ -76,7 +76,7 @@ impl UvLists {
     pub(super) fn place(&mut self, maps: &[SetMap], placed: &Placed, block: Option<UnitMesh>, vertex: usize) {
         for SetMap { set, map } in maps {
             if let Some(list) = self.list(*set, vertex) {
-                let corners = Corners::of(map, placed);
+                let corners = Corners::of(&Columns::from(map), placed);
                 match block {
                     None => list.extend_from_slice(&corners.quad()),
                     Some(unit) => {
@@ -97,9 +97,10 @@ impl UvLists {
             first = range.end;
             for SetMap { set, map } in leaf.uvs_of(mark.material) {
                 let Some(list) = self.list(*set, vertex + count) else { continue };
+                let map = Columns::from(map);
                 let (mut faces, _) = list[vertex_of_mark..][..mark.corners].as_chunks_mut::<4>();
                 for (placed, record, _) in replay.leaves(range.clone()) {
-                    let corners = Corners::of(map, &placed.moved(place));
+                    let corners = Corners::of(&map, &placed.moved(place));
                     let (own, rest) = faces.split_at_mut(record.unit.face_count());
                     faces = rest;
                     if record.form == Form::Box {
@@ -116,6 +117,20 @@ impl UvLists {
     }
 }
 
+/// A map by columns: the growth of both coordinates along each axis of the world, and their values at its origin.
+struct Columns {
+    axes: [DVec2; 3],
+    origin: DVec2,
+}
+
+impl From<&UvMap> for Columns {
+    fn from(map: &UvMap) -> Self {
+        let UvMap { u, v } = map;
+        let axes = [DVec2::new(u.x, v.x), DVec2::new(u.y, v.y), DVec2::new(u.z, v.z)];
+        Columns { axes, origin: DVec2::new(u.w, v.w) }
+    }
+}
+
 /// The coordinates at the first corner of a rectangle or a box, and along its sides.
 struct Corners {
     first: DVec2,
@@ -124,9 +139,10 @@ struct Corners {
 
 impl Corners {
     #[inline]
-    fn of(map: &UvMap, placed: &Placed) -> Self {
-        let along = |side: DVec4| DVec2::new(map.u.dot(side), map.v.dot(side));
-        Corners { first: along(placed.origin.with_w(1.0)), sides: placed.sides.map(along) }
+    fn of(map: &Columns, placed: &Placed) -> Self {
+        let [x, y, z] = map.axes;
+        let along = |side: DVec4| x * side.x + y * side.y + z * side.z;
+        Corners { first: along(placed.origin) + map.origin, sides: placed.sides.map(along) }
     }
 
     /// In the order of vertices.
