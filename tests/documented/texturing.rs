@@ -193,7 +193,7 @@ fn textures_of_five_metres() {
 fn coordinates_are_turned_about_the_corner() {
     let range = |example: &Example| of(example).range("Facade", 0);
     assert_eq!(range(&texturing::standard_uv::EXAMPLE), [DVec2::ZERO, DVec2::ONE]);
-    let (sin, cos) = 10.0_f64.to_radians().sin_cos();
+    let (sin, cos) = libm::sincos(10.0_f64.to_radians());
     let [low, high] = range(&texturing::rotated_uv::EXAMPLE);
     assert!(low.abs_diff_eq(DVec2::new(-sin, 0.0), 1e-12) && high.abs_diff_eq(DVec2::new(cos, cos + sin), 1e-12));
 }
@@ -201,7 +201,7 @@ fn coordinates_are_turned_about_the_corner() {
 /// The corners of a disk are on the circle in the square of the texture, so its sides are inside. Without a radius the scope
 /// fits the sides.
 fn inset(sides: f64) -> f64 {
-    (std::f64::consts::PI / sides).cos()
+    libm::cos(std::f64::consts::PI / sides)
 }
 
 /// primitiveQuadExample1.png and primitiveDiskExample1.png: u to the right and v away from the front.
@@ -240,7 +240,7 @@ fn cubes_show_the_texture_on_each_side() {
 
 /// The angle from the front, anticlockwise seen from above, in turns from the seam: the left end of the side in front.
 fn turn(p: DVec3, middle: DVec3, radii: DVec2, sides: f64) -> f64 {
-    let angle = ((p.x - middle.x) / radii.x).atan2((p.z - middle.z) / radii.y) / std::f64::consts::TAU;
+    let angle = libm::atan2((p.x - middle.x) / radii.x, (p.z - middle.z) / radii.y) / std::f64::consts::TAU;
     (angle + 0.5 / sides).rem_euclid(1.0)
 }
 
@@ -274,7 +274,8 @@ fn spheres_show_the_texture_from_pole_to_pole() {
         let radii = DVec2::new(size.x, size.z) / 2.0;
         for corner in of(example).corners("Lot") {
             let uv = uv(&corner, 0);
-            let height = 1.0 - (2.0 * corner.point.y / size.y - 1.0).clamp(-1.0, 1.0).acos() / std::f64::consts::PI;
+            let height =
+                1.0 - libm::acos((2.0 * corner.point.y / size.y - 1.0).clamp(-1.0, 1.0)) / std::f64::consts::PI;
             assert!((uv.y - height).abs() < 1e-7 && ((uv.y * divisions).round() - uv.y * divisions).abs() < 1e-9);
             if 1e-9 < uv.y && uv.y < 1.0 - 1e-9 {
                 let gap = (uv.x - turn(corner.point, DVec3::new(12.5, 0.0, 10.0), radii, sides)).abs();

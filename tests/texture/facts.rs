@@ -44,7 +44,7 @@ fn fact_u5_the_first_letter_is_u_and_the_second_one_v() {
     let (at, shape) = (DVec3::new(5.0, 6.0, 7.0), Shape::cuboid(4.0, 3.0, 2.0));
     let pairs = [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)];
     for kind in 0..12 {
-        let leaves = leaves!(&Axes { kind: kind as f64, ..Axes::default() }, &shape.clone().at(at.to_array()));
+        let leaves = leaves!(&Axes { kind: kind as f64 }, &shape.clone().at(at.to_array()));
         let (u, v) = pairs[kind % 6];
         let origin = if kind < 6 { at } else { DVec3::ZERO };
         all_are(&leaves.corners("X"), |p| [(p - origin)[u], (p - origin)[v]]);
@@ -68,10 +68,13 @@ cga! {
         else : setupProjection(0, scope.xy, 1, 1) projectUV(0) copyUV(0, 5) deleteUV(0) copyUV(5, 0) X.
 }
 
+/// The coordinates of a point.
+type Expected = Box<dyn Fn(DVec3) -> [f64; 2]>;
+
 #[test]
 fn facts_u3_u8_u9_u10_u13_u15_to_u17_and_u32_of_projections() {
-    let (sin, cos) = 10.0_f64.to_radians().sin_cos();
-    let expected: [(&str, Box<dyn Fn(DVec3) -> [f64; 2]>); 8] = [
+    let (sin, cos) = libm::sincos(10.0_f64.to_radians());
+    let expected: [(&str, Expected); 8] = [
         ("U8: three tiles of 3.333, and one", Box::new(|p| [p.x / (10.0 / 3.0), p.y / 8.0])),
         ("U9: negative sizes mirror", Box::new(|p| [p.x / 2.0, -p.y / 3.0])),
         ("U3: shapes change, projections stay", Box::new(|p| [p.x, p.y])),
@@ -82,7 +85,7 @@ fn facts_u3_u8_u9_u10_u13_u15_to_u17_and_u32_of_projections() {
         ("U32: copied there and back", Box::new(|p| [p.x, p.y])),
     ];
     for (kind, (fact, expected)) in expected.iter().enumerate() {
-        let leaves = leaves!(&Kept { kind: kind as f64, ..Kept::default() }, &Shape::cuboid(10.0, 8.0, 3.0));
+        let leaves = leaves!(&Kept { kind: kind as f64 }, &Shape::cuboid(10.0, 8.0, 3.0));
         eprintln!("{fact}");
         all_are(&leaves.corners("X"), expected);
     }
@@ -100,7 +103,7 @@ cga! {
 
 #[test]
 fn facts_u18_and_u22_each_face_or_all_and_faces_without_an_area() {
-    let run = |kind: u32| leaves!(&Faces { kind: f64::from(kind), ..Faces::default() }, &Shape::cuboid(10.0, 5.0, 3.0));
+    let run = |kind: u32| leaves!(&Faces { kind: f64::from(kind) }, &Shape::cuboid(10.0, 5.0, 3.0));
     for face in &run(0).0[0].1 {
         let high = face.iter().map(uv).reduce(DVec2::max).unwrap();
         // Top and bottom have one v, the sides along z one u.
@@ -123,8 +126,7 @@ cga! {
 
 #[test]
 fn facts_u24_u28_and_u29_of_splits_in_texture_space() {
-    let run =
-        |kind: u32| leaves!(&Borders { kind: f64::from(kind), ..Borders::default() }, &Shape::cuboid(9.0, 4.0, 3.0));
+    let run = |kind: u32| leaves!(&Borders { kind: f64::from(kind) }, &Shape::cuboid(9.0, 4.0, 3.0));
     // U24: from the smallest coordinate found, here 3.
     assert_eq!(run(0).range("X", 0), [DVec2::new(3.0, 0.0), DVec2::new(3.5, 4.0)]);
     assert_eq!(run(0).range("Y", 0), [DVec2::new(3.5, 0.0), DVec2::new(5.25, 4.0)]);
@@ -132,7 +134,7 @@ fn facts_u24_u28_and_u29_of_splits_in_texture_space() {
     let halves = run(1);
     assert_eq!(halves.0.iter().map(|(_, faces)| faces.len()).collect::<Vec<_>>(), [6, 6]);
     // U28: numbers of pieces.
-    let model = Borders { kind: 2.0, ..Borders::default() }.generate(&Shape::cuboid(9.0, 4.0, 3.0)).expect("no error");
+    let model = Borders { kind: 2.0 }.generate(&Shape::cuboid(9.0, 4.0, 3.0)).expect("no error");
     let sum = |key: &str| model.reported(key).expect(key).summary().sum;
     assert_eq!((sum("index"), sum("total"), model.count("X"), model.count("Y")), (15.0, 36.0, 3, 3));
 }
@@ -153,10 +155,9 @@ fn fact_u37_textures_set_or_reset_the_opacity_map_and_make_no_coordinates() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("texture-facts");
     std::fs::create_dir_all(&folder).expect("a folder");
     Image::filled(4, 4, [255, 0, 0, 100]).write_png(folder.join("leaves.png")).expect("a file");
-    let mut settings = Settings::default();
-    settings.assets = Assets::below(&folder).into();
+    let settings = Settings { assets: Assets::below(&folder).into(), ..Settings::default() };
     for (image, opacity) in [("leaves.png", "leaves.png"), ("builtin:uvtest.png", "")] {
-        let grammar = Maps { image: image.to_owned(), ..Maps::default() };
+        let grammar = Maps { image: image.to_owned() };
         let model = grammar.generate_with(&Shape::cuboid(4.0, 4.0, 4.0), &settings).expect("no error");
         let printed: Vec<_> = model.prints().iter().map(|print| print.to_string()).collect();
         assert_eq!(printed, [image, opacity]);
