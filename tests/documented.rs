@@ -12,6 +12,9 @@ mod aligning;
 mod areas;
 #[path = "documented/attributes.rs"]
 mod attributes;
+#[path = "texture/collect.rs"]
+#[allow(dead_code, unused_imports, unused_macros, reason = "the examples need the sink alone")]
+mod collect;
 #[path = "documented/components.rs"]
 mod components;
 #[path = "documented/cutting.rs"]
@@ -30,6 +33,8 @@ mod pieces;
 mod scopes;
 #[path = "documented/selectors.rs"]
 mod selectors;
+#[path = "documented/texturing.rs"]
+mod texturing;
 #[path = "documented/thirty.rs"]
 mod thirty;
 
@@ -38,7 +43,7 @@ mod thirty;
 fn all_examples_run() {
     use pages::{
         comp, components, cutting, primitives, split_area, split_attribute, split_operation, subdivision_once,
-        subdivision_repeat, texturing,
+        subdivision_repeat, texturing as textures,
     };
     let pages = [
         split_operation::ALL,
@@ -49,7 +54,7 @@ fn all_examples_run() {
         cutting::ALL,
         comp::ALL,
         components::ALL,
-        texturing::ALL,
+        textures::ALL,
         primitives::ALL,
     ];
     let mut titles: Vec<_> = pages.concat().iter().map(|example| example.title).collect();

@@ -1,12 +1,21 @@
 //! The examples with texture coordinates, drawn with the test texture.
 
+use std::sync::Arc;
+
+use cga::glam::DVec3;
 use cga::mesh::Bounds;
 use cga::sink::picture::Camera;
-use cga::{Settings, Shape};
+use cga::{Color, Leaf, Material, Model, Quad, Scope, Settings, Shape, Sink};
 
 use crate::pages::example::Example;
 use crate::pages::{primitives, texturing};
 use crate::sheet::Cell;
+
+cga::cga! {
+    /// The street that the page's picture shows below the bands.
+    grammar Roadway;
+    Street --> color("#70747a") Roadway.
+}
 
 /// The pages *split operation* (UV split), *tileUV*, *setupProjection*, *texture* and *rotateUV operation*.
 pub(crate) fn texturing(settings: &Settings) -> Vec<Cell> {
@@ -18,7 +27,7 @@ pub(crate) fn primitives(settings: &Settings) -> Vec<Cell> {
     let cells = primitives::ALL.iter().map(|example| {
         let model = example.model(settings);
         let view = |bounds: Bounds| from(bounds, 33.0, 30.0);
-        Cell { camera: view(model.bounds()), caption: caption(example), model, borders: true }
+        Cell { camera: view(model.bounds()), caption: caption(example), model, borders: false }
     });
     cells.collect()
 }
@@ -29,7 +38,14 @@ fn cell(example: &Example, settings: &Settings) -> Cell {
         let other = (example.run)(&shape, settings).unwrap_or_else(|error| panic!("{}: {error}", example.title));
         let _ = other.replay(&mut model);
     }
+    if example.title.ends_with("bands") {
+        let below = texturing::two_segments().into_iter().map(|shape| shape.at([0.0, -0.1, 0.0]));
+        below.for_each(|shape| drop(Roadway::default().generate_into(&shape, settings, &mut model as &mut dyn Sink)));
+    }
     let bounds = model.bounds();
+    if has_borders(example) {
+        model = outlined(&model, 0.004 * bounds.size().max_element());
+    }
     let camera = match example.title {
         title if title.starts_with("tileUV") => Camera::auto(bounds).looking_from(0.0, 90.0).orthographic(),
         title if title.contains("Global") => from(bounds, 0.0, 60.0),
@@ -38,7 +54,7 @@ fn cell(example: &Example, settings: &Settings) -> Cell {
         title if title.contains("Scope vs.") => from(bounds, 0.0, 0.0),
         _ => from(bounds, 30.0, 20.0),
     };
-    Cell { model, camera, borders: true, caption: caption(example) }
+    Cell { model, camera, borders: false, caption: caption(example) }
 }
 
 /// The other shapes of the page's picture: a smaller façade, the second segment of the street.
@@ -48,6 +64,35 @@ fn further(example: &Example) -> Vec<Shape> {
         title if title.contains("UV Split on Streets") => texturing::two_segments().into_iter().skip(1).collect(),
         _ => Vec::new(),
     }
+}
+
+/// The page's picture shows the borders of the pieces or of the faces.
+fn has_borders(example: &Example) -> bool {
+    ["UV Split", "Street Tiling: default"].iter().any(|title| example.title.contains(title))
+}
+
+/// The same model with black strips of that width along all edges, inside the faces.
+fn outlined(model: &Model, width: f64) -> Model {
+    let mut out = Model::new();
+    let _ = model.replay(&mut out);
+    let mut black = Material::default();
+    black.color = Some(Color::new(0.0, 0.0, 0.0));
+    let material = Arc::new(black);
+    for leaf in model.leaves() {
+        let (mesh, placement) = leaf.mesh();
+        for face in mesh.faces() {
+            let corner = |at: usize| placement.transform_point3(mesh.points()[mesh.corners()[at] as usize]);
+            let points: Vec<DVec3> = face.corner_range().map(corner).collect();
+            let normal = placement.transform_vector3(face.normal()).normalize_or_zero();
+            for (from, to) in points.iter().zip(points.iter().cycle().skip(1)) {
+                let (along, lift) = (*to - *from, normal * width);
+                let strip = Quad::new(*from + 0.2 * lift, along, normal.cross(along.normalize_or_zero()) * width);
+                let scope = Scope { origin: strip.origin, ..*leaf.scope() };
+                let _ = out.quad(&Leaf::new("Edge", &material, &scope), &strip);
+            }
+        }
+    }
+    out
 }
 
 fn from(bounds: Bounds, azimuth: f64, elevation: f64) -> Camera {

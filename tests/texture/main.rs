@@ -3,6 +3,7 @@
 
 mod along;
 mod collect;
+mod facts;
 mod hostile;
 mod laws;
 mod projections;

@@ -121,7 +121,7 @@ fn coordinates_stay_with_the_geometry() {
 }
 
 cga! {
-    /// A projection of a block on all its sides, with the depth added to u.
+    /// A projection of a block on all its sides, with the depth behind the front added to u.
     grammar Block;
     Lot --> setupProjection(0, scope.xy, 1, 1, 0, 0, 1) projectUV(0) split(x) { ~1 : X. | ~1 : comp(f) { all : Y. } }
 }
@@ -131,6 +131,6 @@ fn the_uw_factor_goes_on_around_corners() {
     let leaves = leaves!(&Block::default(), &Shape::cuboid(4.0, 3.0, 2.0));
     for corner in leaves.corners("X").iter().chain(&leaves.corners("Y")) {
         let DVec3 { x, y, z } = corner.point;
-        assert!(corner.uvs[0].unwrap().abs_diff_eq(DVec2::new(x + z, y), 1e-9), "{corner:?}");
+        assert!(corner.uvs[0].unwrap().abs_diff_eq(DVec2::new(x - z, y), 1e-9), "{corner:?}");
     }
 }

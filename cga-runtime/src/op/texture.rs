@@ -78,9 +78,10 @@ pub fn setup_uv(env: &mut Env, shape: &mut Shape, set: f64, width: f64, height: 
 }
 
 /// `setupProjection(uvSet, axes, textureWidth, textureHeight, widthOffset, heightOffset, uwFactor)`: u is the distance along the
-/// first axis from the origin of the scope or the world, plus the offset, plus `uwFactor` times the distance along the axis
-/// that is left over, in texture widths; v in the same way without the factor (*setupProjection operation*). The sign of the
-/// offsets is not documented: here they are added.
+/// first axis from the origin of the scope or the world, plus the offset, minus `uwFactor` times the distance along the axis
+/// that is left over, in texture widths; v in the same way without the factor (*setupProjection operation*). On the page's
+/// picture of a doorway bricks go on around the corner into the reveal on the left, where u grows inwards: with `scope.xy` from
+/// the front to the back. The sign of the offsets is not documented: here they are added.
 ///
 /// A relative width is a share of the scope's size along that axis; a floating one is the width nearest to it of which a whole
 /// number fill the scope. With `world` it is the scope's axis of the same letter.
@@ -116,7 +117,7 @@ pub fn setup_projection_at(
         direction.extend(offset - direction.dot(origin)) / length
     };
     let map = UvMap {
-        u: row(along(a) + along(3 - a - b) * uw_factor, width_offset, width),
+        u: row(along(a) - along(3 - a - b) * uw_factor, width_offset, width),
         v: row(along(b), height_offset, height),
     };
     if !map.is_bounded() {
