@@ -181,20 +181,11 @@ impl<C> Cx<'_, C> {
 #[inline]
 pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     match shape.form {
-        Form::Rect(_) | Form::Box if !has_sides(env, shape) => {
+        Form::Rect(_) | Form::Box if shape.form != Form::Box || !shape.has_sides() => {
             env.filled += 1;
             sink.filled(&Filled { shape, tables: &env.leaf_tables, rule })
         }
         _ => other_leaf(env, sink, shape, rule),
-    }
-}
-
-/// Returns true if the sides of a box have texture coordinates of their own.
-#[inline]
-fn has_sides(env: &Env, shape: &ShapeRef<'_>) -> bool {
-    shape.form == Form::Box && shape.material.get().may_have_coordinates() && {
-        let look = env.leaf_tables.materials.get(shape.material.get()).unwrap_or(shape.base.shape.state.look());
-        look.coordinates.has_cube()
     }
 }
 

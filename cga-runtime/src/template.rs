@@ -62,6 +62,8 @@ struct Key {
     material: MaterialId,
     /// A look without a number may have texture coordinates or not.
     has_coordinates: bool,
+    /// Boxes whose sides have coordinates of their own are meshes in a sink.
+    has_sides: bool,
     /// Extents up to this were not split any further; NaN if that made no difference.
     too_small: f64,
 }
@@ -180,6 +182,7 @@ impl Key {
             unit: part.unit.get(),
             material: part.material.get(),
             has_coordinates: part.has_coordinates(),
+            has_sides: part.has_sides(),
             too_small,
         }
     }
@@ -189,6 +192,7 @@ impl Key {
         self.size == part.size.get()
             && self.material == part.material.get()
             && self.has_coordinates == part.has_coordinates()
+            && self.has_sides == part.has_sides()
             && self.form == part.form
             && self.unit.is(part.unit.get())
             && (self.too_small == too_small || self.too_small.is_nan())

@@ -91,7 +91,7 @@ cga! {
     Lot -->
         case first : [ Plain ] Cube
         else : [ Cube ] Plain
-    Plain --> setupProjection(0, scope.xy, 2, 2) projectUV(0) t(1, 0, 0) Row
+    Plain --> primitiveCube() setupProjection(0, scope.xy, 2, 2) projectUV(0) t(1, 0, 0) Row
     Cube --> primitiveCube() Row
     Row --> split(x) { { ~1 : Tile }* }
     Tile --> split(y) { { ~1 : X. }* }
