@@ -226,3 +226,38 @@ fn coordinates_of_caps_are_metres_however_a_mesh_fills_its_scope() {
     let size = cap.fold(DVec2::ZERO, |size, corner| size.max(corner.uvs[0].expect("coordinates").abs()));
     assert!(size.abs_diff_eq(DVec2::new(3.0, 0.4117 * 8.0), 1e-9), "{size}");
 }
+
+cga! {
+    /// A projection onto a plane in which the face is a line.
+    grammar EdgeOn;
+    attr kind = 0
+    Lot --> r(0, 35, 0) comp(f) { front : setupProjection(0, scope.zy, 0.5, 1) projectUV(0) Facade }
+    Facade -->
+        report("du", geometry.du(0, uvSpace))
+        report("metres", geometry.du(0, unitSpace))
+        Next
+    Next -->
+        case kind == 0 : normalizeUV(0, uv, separatePerFace) X.
+        case kind == 1 : split(u, unitSpace, 0) { ~1 : X. | ~1 : X. }
+        case kind == 2 : split(u, uvSpace, 0) { ^0.5 : X. }*
+        case kind == 3 : split(v, unitSpace, 0) { { ~1 : X. }* }
+        case kind == 4 : tileUV(0, ~1, ^0.5) X.
+        else : extrude(1) normalizeUV(0, uvUniform, collectiveAllFaces) X.
+}
+
+#[test]
+fn a_coordinate_that_is_constant_but_for_rounding_is_constant() {
+    for place in [0.0, 717.3, 1e6] {
+        for kind in 0..=5 {
+            let grammar = EdgeOn { kind: f64::from(kind), ..EdgeOn::default() };
+            let shape = Shape::cuboid(7.0, 3.0, 2.0).at([place; 3]);
+            let model = grammar.generate(&shape).expect("no error");
+            let number = |key: &str| model.reported(key).expect(key).summary().sum;
+            assert_eq!([number("du"), number("metres")], [0.0; 2], "{place} {kind}");
+            assert_eq!(model.len(), [1, 1, 1, 3, 1, 1][kind as usize], "{place} {kind}");
+            let fitted =
+                model.leaves().filter(|_| kind == 0).all(|leaf| leaf.mesh().0.uvs().iter().all(|uv| uv.x.abs() < 1e-9));
+            assert!(fitted);
+        }
+    }
+}

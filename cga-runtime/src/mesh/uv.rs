@@ -12,6 +12,7 @@ use super::layout::to_front;
 use crate::texture::map::SetMap;
 pub use change::{NormalizeFaces, NormalizeUv, Tiles};
 pub use extent::UvExtent;
+pub(crate) use extent::spread;
 
 /// One of the two texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

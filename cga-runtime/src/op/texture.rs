@@ -10,6 +10,7 @@ use super::Length;
 use super::transform::sin_cos;
 use crate::env::Env;
 use crate::fault::FaultKind;
+use crate::mesh::uv::spread;
 use crate::shape::Shape;
 use crate::texture::map::UvMap;
 use crate::texture::{SETS, Source};
@@ -234,7 +235,7 @@ fn range(uvs: &[DVec2]) -> Option<[DVec2; 2]> {
 /// The change that fits a range of coordinates between 0 and 1.
 fn normalized(mode: NormalizeMode, [low, high]: [DVec2; 2]) -> DAffine2 {
     let share = |size: f64| if size * UvMap::MOST < 1.0 { 0.0 } else { 1.0 / size };
-    let size = high - low;
+    let size = spread([low, high]);
     let (each, larger) = (DVec2::new(share(size.x), share(size.y)), DVec2::splat(share(size.max_element())));
     let (factor, by) = match mode {
         NormalizeMode::Uv => (each, low),
@@ -251,7 +252,7 @@ fn normalized(mode: NormalizeMode, [low, high]: [DVec2; 2]) -> DAffine2 {
 pub fn tile_uv(env: &mut Env, shape: &mut Shape, set: f64, width: Size, height: Size) {
     let Some(set) = uv_set(env, set, "tileUV") else { return };
     let Some(extent) = shape.to_mesh().uv_extent(usize::from(set), DVec3::ONE) else { return };
-    let (range, metres) = (extent.size(), extent.metres);
+    let (range, metres) = (spread([extent.low, extent.high]), extent.metres);
     let mut factor = |tile: Size, range: f64, metres: f64, what: &str| {
         let factor = metres / range / tile_size(env, tile, metres, what);
         if factor.is_finite() { factor } else { 1.0 }
