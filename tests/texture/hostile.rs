@@ -261,3 +261,16 @@ fn a_coordinate_that_is_constant_but_for_rounding_is_constant() {
         }
     }
 }
+
+cga! {
+    /// A block whose depth is rounding.
+    grammar Thin;
+    Lot --> s(^1, ^1, 1e-14) setupProjection(0, scope.xz, ^1, ^0.5) setupProjection(1, scope.zy, ~2, 1) projectUV(0) projectUV(1) X.
+}
+
+#[test]
+fn shares_of_a_size_that_is_rounding_are_none() {
+    let leaves = leaves!(&Thin::default(), &Shape::cuboid(7.0, 3.0, 2.0));
+    assert_eq!(leaves.range("X", 0), [DVec2::ZERO, DVec2::X]);
+    assert_eq!(leaves.range("X", 1), [DVec2::ZERO, DVec2::new(0.0, 3.0)]);
+}

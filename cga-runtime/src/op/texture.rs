@@ -14,6 +14,7 @@ use crate::mesh::uv::spread;
 use crate::shape::Shape;
 use crate::texture::map::UvMap;
 use crate::texture::{SETS, Source};
+use crate::tol::PLANAR_EPSILON;
 
 /// The coordinate system of a projection, and its axes for u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,7 +100,9 @@ pub fn setup_projection_at(
 ) {
     let Some(set) = uv_set(env, set, "setupProjection") else { return };
     let (a, b) = axes.axes();
-    let size = shape.scope.size;
+    // A size that is rounding alone is none, so that its shares are none.
+    let (size, least) = (shape.scope.size, PLANAR_EPSILON * shape.scope.size.abs().max_element());
+    let size = DVec3::select(size.abs().cmple(DVec3::splat(least)), DVec3::ZERO, size);
     let sizes = [(width, a, "the texture width"), (height, b, "the texture height")];
     let [width, height] = sizes.map(|(tile, axis, what)| tile_size(env, tile, size[axis], what));
     let offsets = [(width_offset, a, "the width offset"), (height_offset, b, "the height offset")];
