@@ -40,7 +40,7 @@ fn numbers_without_meaning_leave_faults_and_finite_coordinates() {
     for kind in 0..=16 {
         for x in numbers {
             for place in [0.0, 1e6] {
-                let grammar = Numbers { kind: f64::from(kind), x, ..Numbers::default() };
+                let grammar = Numbers { kind: f64::from(kind), x };
                 for shape in [Shape::cuboid(10.0, 8.0, 3.0), Shape::cuboid(10.0, 8.0, 3.0).held_as_meshes()] {
                     let mut model = Model::new();
                     let report = grammar.generate_into(&shape.at([place; 3]), &Settings::default(), &mut model);
@@ -100,7 +100,7 @@ cga! {
 #[test]
 fn a_cube_after_a_box_keeps_its_sides() {
     for first in [true, false] {
-        leaves!(&Cubes { first, ..Cubes::default() }, &Shape::cuboid(4.0, 4.0, 4.0));
+        leaves!(&Cubes { first }, &Shape::cuboid(4.0, 4.0, 4.0));
     }
 }
 
@@ -146,7 +146,7 @@ cga! {
 
 #[test]
 fn a_face_of_a_cube_that_grows_keeps_its_coordinates_on_top() {
-    let run = |kind: u32| leaves!(Grown { kind: f64::from(kind), ..Grown::default() }, &Shape::cuboid(4.0, 2.0, 6.0));
+    let run = |kind: u32| leaves!(Grown { kind: f64::from(kind) }, &Shape::cuboid(4.0, 2.0, 6.0));
     let (grown, flat) = (run(0), run(2));
     for ((_, faces), (_, flat)) in grown.0.iter().zip(&flat.0) {
         let unit = |face: &[super::collect::Corner]| {
@@ -170,6 +170,7 @@ fn a_face_of_a_cube_that_grows_keeps_its_coordinates_on_top() {
 
 cga! {
     /// *setupProjection operation* again, below brackets, without one, after deletion.
+    @Allow(missing_asset)
     grammar Again;
     attr kind = 0
     Lot --> comp(f) { front : Facade }
@@ -180,14 +181,14 @@ cga! {
         case kind == 3 : setupProjection(0, scope.xy, 1, 1) projectUV(0) deleteUV(0) texture("wall.png") X.
         case kind == 4 : setupProjection(0, scope.xy, 1, 1) deleteUV(0) projectUV(0) setupProjection(0, scope.xy, 9, 9) X.
         case kind == 5 : setupProjection(0, scope.xy, 1, 1) projectUV(0) copyUV(0, 1) setupProjection(0, scope.xy, 9, 9) X.
-        else : setupProjection(0, scope.xy, 1, 1) split(x) { ~1 : [ setupProjection(0, scope.xy, 5, 5) ] projectUV(0) X. }
+        else : setupProjection(0, scope.xy, 1, 1) split(x) { ~1 : [ setupProjection(0, scope.xy, 5, 5) NIL ] projectUV(0) X. }
 }
 
 #[test]
 fn a_projection_that_is_set_up_later_changes_nothing_before() {
     let shape = Shape::cuboid(10.0, 8.0, 3.0).at([1.0, 2.0, 3.0]);
     for kind in 0..=6 {
-        let leaves = leaves!(Again { kind: f64::from(kind), ..Again::default() }, &shape);
+        let leaves = leaves!(Again { kind: f64::from(kind) }, &shape);
         match kind {
             0..4 => assert!(leaves.corners("X").iter().all(|corner| corner.uvs == [None; 10])),
             _ => {
@@ -249,7 +250,7 @@ cga! {
 fn a_coordinate_that_is_constant_but_for_rounding_is_constant() {
     for place in [0.0, 717.3, 1e6] {
         for kind in 0..=5 {
-            let grammar = EdgeOn { kind: f64::from(kind), ..EdgeOn::default() };
+            let grammar = EdgeOn { kind: f64::from(kind) };
             let shape = Shape::cuboid(7.0, 3.0, 2.0).at([place; 3]);
             let model = grammar.generate(&shape).expect("no error");
             let number = |key: &str| model.reported(key).expect(key).summary().sum;
