@@ -182,7 +182,7 @@ impl<C> Cx<'_, C> {
 pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     let is_filled = match shape.form {
         Form::Rect(_) => true,
-        Form::Box => !shape.material.get().may_have_coordinates() || !has_sides(env, shape),
+        Form::Box => !shape.has_sides(),
         Form::Empty | Form::Other => false,
     };
     if !is_filled {
@@ -190,14 +190,6 @@ pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, r
     }
     env.filled += 1;
     sink.filled(&Filled { shape, tables: &env.leaf_tables, rule })
-}
-
-/// Returns true if the sides of a box have texture coordinates of their own.
-#[cold]
-#[inline(never)]
-fn has_sides(env: &Env, shape: &ShapeRef<'_>) -> bool {
-    let look = env.leaf_tables.materials.get(shape.material.get()).unwrap_or(shape.base.shape.state.look());
-    look.coordinates.has_cube()
 }
 
 /// A leaf that does not simply fill its scope, or a box whose sides have texture coordinates of their own.

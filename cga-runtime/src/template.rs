@@ -64,6 +64,8 @@ struct Key {
     has_coordinates: bool,
     /// The axes along which coordinates are constant: moves along others make a shape with another base.
     constant: [bool; 3],
+    /// Boxes whose sides have coordinates of their own are meshes in a sink.
+    has_sides: bool,
     /// Extents up to this were not split any further; NaN if that made no difference.
     too_small: f64,
 }
@@ -185,6 +187,7 @@ impl Key {
             material: part.material.get(),
             has_coordinates: part.has_coordinates(),
             constant: part.base.constant(),
+            has_sides: part.has_sides(),
             too_small,
         }
     }
@@ -195,6 +198,7 @@ impl Key {
             && self.material == part.material.get()
             && self.has_coordinates == part.has_coordinates()
             && self.constant == part.base.constant()
+            && self.has_sides == part.has_sides()
             && self.form == part.form
             && self.unit.is(part.unit.get())
             && (self.too_small == too_small || self.too_small.is_nan())

@@ -40,7 +40,7 @@ fn numbers_without_meaning_leave_faults_and_finite_coordinates() {
     for kind in 0..=16 {
         for x in numbers {
             for place in [0.0, 1e6] {
-                let grammar = Numbers { kind: f64::from(kind), x, ..Numbers::default() };
+                let grammar = Numbers { kind: f64::from(kind), x };
                 for shape in [Shape::cuboid(10.0, 8.0, 3.0), Shape::cuboid(10.0, 8.0, 3.0).held_as_meshes()] {
                     let mut model = Model::new();
                     let report = grammar.generate_into(&shape.at([place; 3]), &Settings::default(), &mut model);
@@ -91,7 +91,7 @@ cga! {
     Lot -->
         case first : [ Plain ] Cube
         else : [ Cube ] Plain
-    Plain --> setupProjection(0, scope.xy, 2, 2) projectUV(0) t(1, 0, 0) Row
+    Plain --> primitiveCube() setupProjection(0, scope.xy, 2, 2) projectUV(0) t(1, 0, 0) Row
     Cube --> primitiveCube() Row
     Row --> split(x) { { ~1 : Tile }* }
     Tile --> split(y) { { ~1 : X. }* }
@@ -100,7 +100,7 @@ cga! {
 #[test]
 fn a_cube_after_a_box_keeps_its_sides() {
     for first in [true, false] {
-        leaves!(&Cubes { first, ..Cubes::default() }, &Shape::cuboid(4.0, 4.0, 4.0));
+        leaves!(&Cubes { first }, &Shape::cuboid(4.0, 4.0, 4.0));
     }
 }
 
@@ -146,7 +146,7 @@ cga! {
 
 #[test]
 fn a_face_of_a_cube_that_grows_keeps_its_coordinates_on_top() {
-    let run = |kind: u32| leaves!(Grown { kind: f64::from(kind), ..Grown::default() }, &Shape::cuboid(4.0, 2.0, 6.0));
+    let run = |kind: u32| leaves!(Grown { kind: f64::from(kind) }, &Shape::cuboid(4.0, 2.0, 6.0));
     let (grown, flat) = (run(0), run(2));
     for ((_, faces), (_, flat)) in grown.0.iter().zip(&flat.0) {
         let unit = |face: &[super::collect::Corner]| {
@@ -170,6 +170,7 @@ fn a_face_of_a_cube_that_grows_keeps_its_coordinates_on_top() {
 
 cga! {
     /// *setupProjection operation* again, below brackets, without one, after deletion.
+    @Allow(missing_asset)
     grammar Again;
     attr kind = 0
     Lot --> comp(f) { front : Facade }
@@ -180,14 +181,14 @@ cga! {
         case kind == 3 : setupProjection(0, scope.xy, 1, 1) projectUV(0) deleteUV(0) texture("wall.png") X.
         case kind == 4 : setupProjection(0, scope.xy, 1, 1) deleteUV(0) projectUV(0) setupProjection(0, scope.xy, 9, 9) X.
         case kind == 5 : setupProjection(0, scope.xy, 1, 1) projectUV(0) copyUV(0, 1) setupProjection(0, scope.xy, 9, 9) X.
-        else : setupProjection(0, scope.xy, 1, 1) split(x) { ~1 : [ setupProjection(0, scope.xy, 5, 5) ] projectUV(0) X. }
+        else : setupProjection(0, scope.xy, 1, 1) split(x) { ~1 : [ setupProjection(0, scope.xy, 5, 5) NIL ] projectUV(0) X. }
 }
 
 #[test]
 fn a_projection_that_is_set_up_later_changes_nothing_before() {
     let shape = Shape::cuboid(10.0, 8.0, 3.0).at([1.0, 2.0, 3.0]);
     for kind in 0..=6 {
-        let leaves = leaves!(Again { kind: f64::from(kind), ..Again::default() }, &shape);
+        let leaves = leaves!(Again { kind: f64::from(kind) }, &shape);
         match kind {
             0..4 => assert!(leaves.corners("X").iter().all(|corner| corner.uvs == [None; 10])),
             _ => {
@@ -225,4 +226,52 @@ fn coordinates_of_caps_are_metres_however_a_mesh_fills_its_scope() {
     let cap = leaves.corners("X").into_iter().rev().take(4);
     let size = cap.fold(DVec2::ZERO, |size, corner| size.max(corner.uvs[0].expect("coordinates").abs()));
     assert!(size.abs_diff_eq(DVec2::new(3.0, 0.4117 * 8.0), 1e-9), "{size}");
+}
+
+cga! {
+    /// A projection onto a plane in which the face is a line.
+    grammar EdgeOn;
+    attr kind = 0
+    Lot --> r(0, 35, 0) comp(f) { front : setupProjection(0, scope.zy, 0.5, 1) projectUV(0) Facade }
+    Facade -->
+        report("du", geometry.du(0, uvSpace))
+        report("metres", geometry.du(0, unitSpace))
+        Next
+    Next -->
+        case kind == 0 : normalizeUV(0, uv, separatePerFace) X.
+        case kind == 1 : split(u, unitSpace, 0) { ~1 : X. | ~1 : X. }
+        case kind == 2 : split(u, uvSpace, 0) { ^0.5 : X. }*
+        case kind == 3 : split(v, unitSpace, 0) { { ~1 : X. }* }
+        case kind == 4 : tileUV(0, ~1, ^0.5) X.
+        else : extrude(1) normalizeUV(0, uvUniform, collectiveAllFaces) X.
+}
+
+#[test]
+fn a_coordinate_that_is_constant_but_for_rounding_is_constant() {
+    for place in [0.0, 717.3, 1e6] {
+        for kind in 0..=5 {
+            let grammar = EdgeOn { kind: f64::from(kind) };
+            let shape = Shape::cuboid(7.0, 3.0, 2.0).at([place; 3]);
+            let model = grammar.generate(&shape).expect("no error");
+            let number = |key: &str| model.reported(key).expect(key).summary().sum;
+            assert_eq!([number("du"), number("metres")], [0.0; 2], "{place} {kind}");
+            assert_eq!(model.len(), [1, 1, 1, 3, 1, 1][kind as usize], "{place} {kind}");
+            let fitted =
+                model.leaves().filter(|_| kind == 0).all(|leaf| leaf.mesh().0.uvs().iter().all(|uv| uv.x.abs() < 1e-9));
+            assert!(fitted);
+        }
+    }
+}
+
+cga! {
+    /// A block whose depth is rounding.
+    grammar Thin;
+    Lot --> s(^1, ^1, 1e-14) setupProjection(0, scope.xz, ^1, ^0.5) setupProjection(1, scope.zy, ~2, 1) projectUV(0) projectUV(1) X.
+}
+
+#[test]
+fn shares_of_a_size_that_is_rounding_are_none() {
+    let leaves = leaves!(&Thin::default(), &Shape::cuboid(7.0, 3.0, 2.0));
+    assert_eq!(leaves.range("X", 0), [DVec2::ZERO, DVec2::X]);
+    assert_eq!(leaves.range("X", 1), [DVec2::ZERO, DVec2::new(0.0, 3.0)]);
 }

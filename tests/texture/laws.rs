@@ -26,7 +26,7 @@ const OUTLINE: [[f64; 2]; 7] =
 
 /// The footprint and a rectangle, at a place and turned by an angle in radians.
 fn shapes(angle: f64, at: DVec3) -> [Shape; 2] {
-    let (sin, cos) = angle.sin_cos();
+    let [cos, sin] = DVec2::from_angle(angle).to_array();
     let turned = |outline: &[[f64; 2]]| {
         let outline: Vec<[f64; 2]> = outline.iter().map(|[x, z]| [x * cos - z * sin, x * sin + z * cos]).collect();
         Shape::footprint(&outline, &[]).expect("an outline").at(at.to_array())
@@ -51,7 +51,7 @@ cga! {
 fn areas_of_pieces_of_a_split_add_up() {
     for shape in shapes(0.3, DVec3::new(5.0, 1.0, -900.0)) {
         for angle in [0.0, 33.0, 90.0] {
-            let run = |kind: u32| leaves!(Pieces { kind: f64::from(kind), angle, ..Pieces::default() }, &shape);
+            let run = |kind: u32| leaves!(Pieces { kind: f64::from(kind), angle }, &shape);
             let whole = sum_of_areas(&run(0));
             for kind in [1, 2] {
                 let pieces = run(kind);
@@ -66,7 +66,7 @@ fn areas_of_pieces_of_a_split_add_up() {
 fn coordinates_at_a_shared_point_agree_to_the_last_bit() {
     for shape in shapes(0.3, DVec3::new(5.0, 1.0, -900.0)) {
         for (kind, angle) in [(1, 0.0), (1, 33.0), (2, 0.0), (2, 17.0)] {
-            let leaves = leaves!(Pieces { kind: f64::from(kind), angle, ..Pieces::default() }, &shape.clone());
+            let leaves = leaves!(Pieces { kind: f64::from(kind), angle }, &shape.clone());
             // Pieces have frames of their own, so that their points in the world differ by rounding.
             let key = |point: DVec3| (point * 1e6).round().to_array().map(|number| number as i64);
             let mut known: BTreeMap<[i64; 3], Vec<DVec2>> = BTreeMap::new();
@@ -105,8 +105,8 @@ cga! {
 fn projecting_twice_changes_nothing() {
     for shape in shapes(0.3, DVec3::new(5.0, 1.0, -900.0)) {
         for then in [0.0, 1.0] {
-            let once = leaves!(Twice { twice: false, then, ..Twice::default() }, &shape);
-            let twice = leaves!(Twice { twice: true, then, ..Twice::default() }, &shape);
+            let once = leaves!(Twice { twice: false, then }, &shape);
+            let twice = leaves!(Twice { twice: true, then }, &shape);
             assert!(once.0.len() > 5);
             assert_eq!(once, twice);
         }
@@ -117,7 +117,7 @@ fn projecting_twice_changes_nothing() {
 fn projecting_again_after_a_split_in_texture_space_is_the_same_but_for_rounding() {
     for shape in shapes(0.3, DVec3::new(5.0, 1.0, -900.0)) {
         let once = leaves!(Twice { then: 2.0, ..Twice::default() }, &shape);
-        let twice = leaves!(Twice { twice: true, then: 2.0, ..Twice::default() }, &shape);
+        let twice = leaves!(Twice { twice: true, then: 2.0 }, &shape);
         assert_eq!(once.0.len(), twice.0.len());
         for ((_, a), (_, b)) in once.0.iter().zip(&twice.0) {
             for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
@@ -144,7 +144,7 @@ cga! {
 #[test]
 fn lengths_in_unit_space_are_exact_on_a_flat_rectangle() {
     for (width, v) in [(1.0, false), (2.5, false), (-0.3, true), (1e-3, false), (7e4, true)] {
-        let leaves = leaves!(Metres { width, v, ..Metres::default() }, &Shape::rectangle(8.0, 4.0));
+        let leaves = leaves!(Metres { width, v }, &Shape::rectangle(8.0, 4.0));
         let (across, along) = if v { (8.0, 4.0) } else { (4.0, 8.0) };
         let areas: Vec<f64> = leaves.0.iter().map(|(_, faces)| area(faces) / across).collect();
         let mut expected = [1.0, 0.25, along - 1.75, 0.5];

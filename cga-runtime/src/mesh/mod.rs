@@ -29,7 +29,7 @@ pub(crate) mod solid;
 mod spread;
 pub(crate) mod table;
 mod tag;
-mod uv;
+pub(crate) mod uv;
 mod weld;
 
 use std::ops::Range;

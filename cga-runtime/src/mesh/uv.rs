@@ -10,6 +10,7 @@ use super::Mesh;
 use super::layout::to_front;
 use crate::texture::map::SetMap;
 pub use extent::UvExtent;
+pub(crate) use extent::spread;
 
 /// One of the two texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

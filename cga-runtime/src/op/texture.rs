@@ -10,9 +10,11 @@ use super::Length;
 use super::transform::sin_cos;
 use crate::env::Env;
 use crate::fault::FaultKind;
+use crate::mesh::uv::spread;
 use crate::shape::Shape;
 use crate::texture::map::UvMap;
 use crate::texture::{SETS, Source};
+use crate::tol::PLANAR_EPSILON;
 
 /// The coordinate system of a projection, and its axes for u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,7 +101,9 @@ pub fn setup_projection_at(
 ) {
     let Some(set) = uv_set(env, set, "setupProjection") else { return };
     let (a, b) = axes.axes();
-    let size = shape.scope.size;
+    // A size that is rounding alone is none, so that its shares are none.
+    let (size, least) = (shape.scope.size, PLANAR_EPSILON * shape.scope.size.abs().max_element());
+    let size = DVec3::select(size.abs().cmple(DVec3::splat(least)), DVec3::ZERO, size);
     let sizes = [(width, a, "the texture width"), (height, b, "the texture height")];
     let [width, height] = sizes.map(|(tile, axis, what)| tile_size(env, tile, size[axis], what));
     let offsets = [(width_offset, a, "the width offset"), (height_offset, b, "the height offset")];
@@ -235,7 +239,7 @@ fn range(uvs: &[DVec2]) -> Option<[DVec2; 2]> {
 /// The change that fits a range of coordinates between 0 and 1.
 fn normalized(mode: NormalizeMode, [low, high]: [DVec2; 2]) -> DAffine2 {
     let share = |size: f64| if size * UvMap::MOST < 1.0 { 0.0 } else { 1.0 / size };
-    let size = high - low;
+    let size = spread([low, high]);
     let (each, larger) = (DVec2::new(share(size.x), share(size.y)), DVec2::splat(share(size.max_element())));
     let (factor, by) = match mode {
         NormalizeMode::Uv => (each, low),
@@ -252,7 +256,7 @@ fn normalized(mode: NormalizeMode, [low, high]: [DVec2; 2]) -> DAffine2 {
 pub fn tile_uv(env: &mut Env, shape: &mut Shape, set: f64, width: Size, height: Size) {
     let Some(set) = uv_set(env, set, "tileUV") else { return };
     let Some(extent) = shape.to_mesh().uv_extent(usize::from(set), DVec3::ONE) else { return };
-    let (range, metres) = (extent.size(), extent.metres);
+    let (range, metres) = (spread([extent.low, extent.high]), extent.metres);
     let mut factor = |tile: Size, range: f64, metres: f64, what: &str| {
         let factor = metres / range / tile_size(env, tile, metres, what);
         if factor.is_finite() { factor } else { 1.0 }

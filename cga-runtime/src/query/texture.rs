@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::env::Env;
 use crate::mesh::UvAxis;
+use crate::mesh::uv::spread;
 use crate::op::texture::uv_set;
 use crate::shape::Shape;
 use crate::split::texture::TextureSpace;
@@ -58,8 +59,11 @@ fn range(env: &mut Env, shape: &Shape, set: f64, what: &str) -> [DVec2; 2] {
 fn extent(env: &mut Env, shape: &Shape, set: f64, space: TextureSpace, axis: UvAxis, what: &str) -> f64 {
     let Some(set) = uv_set(env, set, what) else { return 0.0 };
     let extent = shape.to_mesh().uv_extent(usize::from(set), DVec3::ONE);
-    extent.map_or(0.0, |extent| match space {
-        TextureSpace::Uv => extent.size()[axis.index()],
-        TextureSpace::Unit => extent.metres[axis.index()],
+    extent.map_or(0.0, |extent| {
+        let size = spread([extent.low, extent.high])[axis.index()];
+        match space {
+            TextureSpace::Unit if size != 0.0 => extent.metres[axis.index()],
+            TextureSpace::Unit | TextureSpace::Uv => size,
+        }
     })
 }

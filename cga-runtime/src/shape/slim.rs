@@ -142,6 +142,12 @@ impl<'a> ShapeRef<'a> {
         by.to_array().into_iter().zip(constant).all(|(by, constant)| constant || by == 0.0)
     }
 
+    /// Returns true if the sides of a box may have texture coordinates of their own. A look with a number has none of that kind.
+    #[inline]
+    pub(crate) fn has_sides(&self) -> bool {
+        self.material.get() == MaterialId::OF_BASE && self.base.shape.state.coordinates().has_cube()
+    }
+
     /// True if a split along an axis makes parts that simply fill their scopes.
     #[inline]
     pub(crate) fn is_simple_along(&self, axis: Axis) -> bool {

@@ -11,6 +11,7 @@ use super::parts::Borders;
 use crate::cut;
 use crate::env::Env;
 use crate::fault::{FaultKind, LimitKind};
+use crate::mesh::uv::spread;
 use crate::mesh::{Mesh, UvAxis, UvExtent};
 use crate::op::texture::uv_set;
 use crate::shape::base::Base;
@@ -51,6 +52,9 @@ pub fn texture<const N: usize>(
         missing(env, set);
         return none;
     };
+    if spread([extent.low, extent.high])[axis.index()] == 0.0 {
+        return none;
+    }
     let length = match space {
         TextureSpace::Uv => extent.size()[axis.index()],
         TextureSpace::Unit => extent.metres[axis.index()],

@@ -5,6 +5,7 @@ use glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
 use super::Projections;
 use super::map::UvMap;
 use crate::scope::{Axis, Scope};
+use crate::tol::PLANAR_EPSILON;
 
 /// The sets that rules have changed on a shape, sorted by number. Other sets are those of its mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -64,8 +65,9 @@ impl Source {
 
 /// From the world to the place in a scope, 0 to 1 along each axis.
 fn to_unit(scope: &Scope) -> DAffine3 {
-    // Along an axis without a size all points are at 0.
-    let share = |size: f64| if size.abs() * UvMap::MOST < 1.0 { 1.0 } else { 1.0 / size };
+    // Along an axis without a size, but for rounding, all points are at 0.
+    let least = (PLANAR_EPSILON * scope.size.abs().max_element()).max(1.0 / UvMap::MOST);
+    let share = |size: f64| if size.abs() <= least { 1.0 } else { 1.0 / size };
     let matrix = DMat3::from_diagonal(DVec3::from_array(scope.size.to_array().map(share))) * scope.axes.transpose();
     DAffine3 { matrix3: matrix, translation: -(matrix * scope.origin) }
 }

@@ -12,7 +12,7 @@ use glam::{DVec2, DVec3};
 
 use super::UvAxis;
 use crate::mesh::{Bounds, Mesh};
-use crate::tol::CHART_EPSILON;
+use crate::tol::{CHART_EPSILON, NEXT_EPSILON};
 use crate::triangulate::Triangulator;
 
 /// The smallest and largest coordinates of a texture set, and the metres between them on the surface.
@@ -43,6 +43,13 @@ impl UvExtent {
         let at = low + (high - low) * share;
         if at.is_finite() { at } else { low * (1.0 - share) + high * share }
     }
+}
+
+/// Largest minus smallest coordinate; 0 where the difference is rounding.
+pub(crate) fn spread([low, high]: [DVec2; 2]) -> DVec2 {
+    let size = high - low;
+    let far = low.abs().max(high.abs()).max(DVec2::ONE);
+    DVec2::select(size.cmple(far * NEXT_EPSILON), DVec2::ZERO, size)
 }
 
 /// Sums over triangles of the surface, for u and for v.
