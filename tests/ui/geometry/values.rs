@@ -18,6 +18,8 @@ cga! {
     @Allow(not_implemented)
     @Deny(texture_without_uv)
     Shed --> deleteUV(0) texture("brick") A.
+    @Deny(missing_uv_set)
+    Hut --> primitiveCube() tileUV(2, 1, 1) A.
 }
 
 fn main() {}
