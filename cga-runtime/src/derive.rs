@@ -180,22 +180,24 @@ impl<C> Cx<'_, C> {
 /// Hands a leaf symbol, for which there is room, to the sink.
 #[inline]
 pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
-    match shape.form {
-        Form::Rect(_) | Form::Box if !has_sides(env, shape) => {
-            env.filled += 1;
-            sink.filled(&Filled { shape, tables: &env.leaf_tables, rule })
-        }
-        _ => other_leaf(env, sink, shape, rule),
+    let is_filled = match shape.form {
+        Form::Rect(_) => true,
+        Form::Box => !shape.material.get().may_have_coordinates() || !has_sides(env, shape),
+        Form::Empty | Form::Other => false,
+    };
+    if !is_filled {
+        return other_leaf(env, sink, shape, rule);
     }
+    env.filled += 1;
+    sink.filled(&Filled { shape, tables: &env.leaf_tables, rule })
 }
 
 /// Returns true if the sides of a box have texture coordinates of their own.
-#[inline]
+#[cold]
+#[inline(never)]
 fn has_sides(env: &Env, shape: &ShapeRef<'_>) -> bool {
-    shape.form == Form::Box && shape.material.get().may_have_coordinates() && {
-        let look = env.leaf_tables.materials.get(shape.material.get()).unwrap_or(shape.base.shape.state.look());
-        look.coordinates.has_cube()
-    }
+    let look = env.leaf_tables.materials.get(shape.material.get()).unwrap_or(shape.base.shape.state.look());
+    look.coordinates.has_cube()
 }
 
 /// A leaf that does not simply fill its scope, or a box whose sides have texture coordinates of their own.

@@ -117,6 +117,8 @@ struct Segment {
     corners: usize,
     /// True if all leaves are boxes or rectangles across z.
     is_plain: bool,
+    /// True if some leaves may have texture coordinates.
+    may_have_coordinates: bool,
 }
 
 /// Leaves after each other with equal rule and material.

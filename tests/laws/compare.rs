@@ -1,5 +1,6 @@
 //! The comparison of two runs.
 
+use cga::glam::DVec2;
 use cga::mesh::{FaceTag, Mesh};
 use cga::{Collection, Fault, LeafView, Model, Report};
 
@@ -180,6 +181,16 @@ fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference 
         })
 }
 
+/// Compares the coordinates of a set at all corners; lists are as long as each other or empty.
+fn coordinates(set: usize, a: &[DVec2], b: &[DVec2], tolerance: Tolerance) -> Difference {
+    let far = a.iter().chain(b).map(|uv| uv.abs().max_element()).fold(1.0, f64::max);
+    let close = |a: DVec2, b: DVec2| a == b || (a - b).abs().max_element() <= tolerance.length.max(1e-9 * far);
+    same(&format!("the number of coordinates in set {set}"), &a.len(), &b.len()).or_else(|| {
+        let at = a.iter().zip(b).position(|(a, b)| !close(*a, *b))?;
+        Some(format!("the coordinates in set {set} of corner {at}: {} and {}", a[at], b[at]))
+    })
+}
+
 /// Everything about two meshes but positions.
 fn faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> Difference {
     let loops =
@@ -197,6 +208,6 @@ fn faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> Difference {
         .or_else(|| by_name("the tags", |mesh, tag| format!("{:?}", mesh.tag_sets().get(tag.tags as usize))))
         .or_else(|| by_name("the groups", |mesh, tag| format!("{:?}", mesh.groups().get(tag.group as usize))))
         .or_else(|| tolerance.materials(&materials(a), &materials(b)))
-        .or_else(|| same("whether there are texture coordinates", &a.uvs().is_empty(), &b.uvs().is_empty()))
+        .or_else(|| (0..10).find_map(|set| coordinates(set, a.uv_set(set), b.uv_set(set), tolerance)))
         .or_else(|| same("whether there are normals", &a.normals().is_empty(), &b.normals().is_empty()))
 }

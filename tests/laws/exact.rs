@@ -6,7 +6,7 @@ use cga::{LeafView, Material};
 use crate::compare::Outcome;
 
 /// A triangle with all that is known of it.
-pub(crate) type Triangle = ([[u32; 8]; 3], &'static str, Material);
+pub(crate) type Triangle = ([[u32; 26]; 3], &'static str, Material);
 
 /// The first line in which two texts differ.
 pub(crate) fn texts(what: &str, a: &str, b: &str) -> Option<String> {
@@ -28,17 +28,22 @@ pub(crate) fn outcomes(a: &Outcome, b: &Outcome) -> Option<String> {
         .or_else(|| texts("the OBJ", &a.model.to_obj("a").0, &b.model.to_obj("a").0))
 }
 
-/// Compares rules, materials and scopes.
+/// Compares rules, materials, scopes and texture coordinates.
 pub(crate) fn leaves<'a>(
     a: impl Iterator<Item = LeafView<'a>>,
     b: impl Iterator<Item = LeafView<'a>>,
 ) -> Option<String> {
     let (a, b): (Vec<_>, Vec<_>) = (a.collect(), b.collect());
     let differs = |(a, b): (&LeafView<'_>, &LeafView<'_>)| {
+        let ((mesh, _), (other, _)) = (a.mesh(), b.mesh());
         (a.rule(), a.material(), a.scope()) != (b.rule(), b.material(), b.scope())
+            || (0..10).any(|set| mesh.uv_set(set) != other.uv_set(set))
     };
     if let Some(at) = a.iter().zip(&b).position(differs) {
-        let tell = |leaf: &LeafView<'_>| format!("{} {:?} {:?}", leaf.rule(), leaf.material(), leaf.scope());
+        let tell = |leaf: &LeafView<'_>| {
+            let uvs = (0..10).map(|set| leaf.mesh().0.uv_set(set).to_vec()).collect::<Vec<_>>();
+            format!("{} {:?} {:?} {uvs:?}", leaf.rule(), leaf.material(), leaf.scope())
+        };
         return texts(&format!("leaf {at}"), &tell(&a[at]), &tell(&b[at]));
     }
     (a.len() != b.len()).then(|| format!("the number of leaves: {} and {}", a.len(), b.len()))
@@ -48,8 +53,8 @@ pub(crate) fn leaves<'a>(
 pub(crate) fn buffers(a: &Buffers, b: &Buffers) -> Option<String> {
     let bits = |buffers: &Buffers| {
         let vertices = buffers.vertices().iter().map(|vertex| vertex.map(f32::to_bits)).collect::<Vec<_>>();
-        let uvs = buffers.uvs().iter().map(|uv| uv.map(f32::to_bits)).collect::<Vec<_>>();
-        (vertices, uvs)
+        let of_set = |set: usize| buffers.uv_set(set).iter().map(|uv| uv.map(f32::to_bits)).collect::<Vec<_>>();
+        (vertices, (0..10).map(of_set).collect::<Vec<_>>())
     };
     let parts = |buffers: &Buffers| {
         let parts = buffers.parts().collect::<Vec<_>>();
@@ -63,8 +68,12 @@ pub(crate) fn buffers(a: &Buffers, b: &Buffers) -> Option<String> {
 pub(crate) fn triangles(buffers: &Buffers) -> Vec<Triangle> {
     let corner = |index: u32| {
         let [x, y, z, u, v, w]: Vertex = buffers.vertices()[index as usize];
-        let [s, t] = buffers.uvs().get(index as usize).copied().unwrap_or_default();
-        [x, y, z, u, v, w, s, t].map(f32::to_bits)
+        let mut all = [0.0; 26];
+        all[..6].copy_from_slice(&[x, y, z, u, v, w]);
+        for (set, place) in all[6..].chunks_exact_mut(2).enumerate() {
+            place.copy_from_slice(&buffers.uv_set(set).get(index as usize).copied().unwrap_or_default());
+        }
+        all.map(f32::to_bits)
     };
     let of = |part: Part| {
         let (rule, material) = (buffers.rules()[part.rule as usize], &buffers.materials()[part.material as usize]);

@@ -4,6 +4,8 @@
 mod along;
 mod collect;
 mod facts;
+mod hostile;
+mod laws;
 mod projections;
 mod sets;
 mod splits;

@@ -12,16 +12,29 @@ use super::points::{Place, Points};
 use super::state::State;
 use crate::mesh::{FaceTag, Mesh};
 
-/// Buffers.
-#[derive(Default)]
+/// Buffers, and where caps take their texture coordinates from.
 pub(super) struct Caps {
+    low: DVec3,
+    stretch: DVec3,
     edges: Vec<[u32; 2]>,
     contour: Contour,
     nest: Nest,
     lead: Lead,
 }
 
+impl Default for Caps {
+    fn default() -> Self {
+        let (edges, contour, nest, lead) = Default::default();
+        Caps { low: DVec3::ZERO, stretch: DVec3::ONE, edges, contour, nest, lead }
+    }
+}
+
 impl Caps {
+    /// From now on coordinates of caps begin at a point of the mesh, whose lengths are stretched to metres.
+    pub(super) fn in_metres(&mut self, low: DVec3, stretch: DVec3) {
+        (self.low, self.stretch) = (low, stretch);
+    }
+
     /// Adds the caps of every plane to the slabs on both sides of it. Edges that do not close are handed to `open`, with their
     /// plane, as numbers of points on it.
     pub(super) fn close(&mut self, state: &mut State, mesh: &Mesh, mut open: impl FnMut(&Points, usize, Vec<u32>)) {
@@ -94,7 +107,8 @@ impl Caps {
                     let number = part.number(points, Place::on(plane, corner), slab);
                     part.mesh.corners.push(number);
                     let point = part.mesh.points[number as usize];
-                    part.mesh.uvs.push_from(&mesh.uvs, |_| DVec2::new(right.dot(point), upwards.dot(point)));
+                    let metres = (point - self.low) * self.stretch;
+                    part.mesh.uvs.push_from(&mesh.uvs, |_| DVec2::new(right.dot(metres), upwards.dot(metres)));
                     if !mesh.normals.is_empty() {
                         part.mesh.normals.push(normal);
                     }

@@ -91,7 +91,7 @@ pub struct OpenChain {
 /// Faces of a part come in the order of the mesh, caps after them, low plane first; but a part that has nothing of the
 /// mesh's first face begins with the cap towards it (*CGA changelog 2025.1*). What corners carry is interpolated, tags stay.
 /// Caps ([`FaceTag::cap`](crate::mesh::FaceTag::cap)) are of no group and no material of the mesh, so that they look as the
-/// shape's own material says; their texture coordinates are metres in the plane, in all sets that the mesh has.
+/// shape's own material says; their texture coordinates are lengths of the mesh in the plane, in all sets that the mesh has.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -106,6 +106,16 @@ pub struct OpenChain {
 /// ```
 pub fn slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
     Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets))
+}
+
+/// The same of a mesh that is stretched: its point `low` is the origin of texture coordinates of caps, and `stretch` leads to metres.
+pub(crate) fn stretched_slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], low: DVec3, stretch: DVec3) -> Slabs {
+    Cutter::with(|cutter| {
+        cutter.caps.in_metres(low, stretch);
+        let slabs = cutter.slabs(mesh, axis, offsets);
+        cutter.caps.in_metres(DVec3::ZERO, DVec3::ONE);
+        slabs
+    })
 }
 
 /// Buffers kept from one cut to the next.

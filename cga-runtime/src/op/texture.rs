@@ -120,10 +120,10 @@ pub fn setup_projection_at(
         u: row(along(a) - along(3 - a - b) * uw_factor, width_offset, width),
         v: row(along(b), height_offset, height),
     };
-    if !(map.u.is_finite() && map.v.is_finite()) {
-        return env.fault(FaultKind::Value, "the projection leads beyond the largest number; it is not set up");
+    if !map.is_bounded() {
+        return env.fault(FaultKind::Value, "the projection has factors beyond 1e75; it is not set up");
     }
-    if shape.state.coordinates().is_projected() {
+    if shape.state.coordinates().is_projected(set) {
         let projections = shape.state.projections().clone();
         shape.state.change_look().coordinates.fix(set, &projections);
     }
@@ -170,7 +170,14 @@ pub fn rotate_uv(env: &mut Env, shape: &mut Shape, set: f64, angle: f64) {
 
 fn change(env: &mut Env, shape: &mut Shape, set: f64, what: &str, change: DAffine2) {
     if let Some(set) = uv_set(env, set, what) {
-        shape.state.change_look().coordinates.change(set, &change);
+        change_set(env, shape, set, what, &change);
+    }
+}
+
+/// Changes a set, unless the result is too large.
+fn change_set(env: &mut Env, shape: &mut Shape, set: u8, what: &str, change: &DAffine2) {
+    if !shape.state.change_look().coordinates.change(set, change) {
+        env.fault(FaultKind::Value, format!("`{what}` has factors beyond 1e75; the set stays as it is"));
     }
 }
 
@@ -215,7 +222,7 @@ pub fn normalize_uv(env: &mut Env, shape: &mut Shape, set: f64, mode: NormalizeM
         });
     }
     if let Some(range) = range(mesh.uv_set(usize::from(set))) {
-        shape.state.change_look().coordinates.change(set, &normalized(mode, range));
+        change_set(env, shape, set, "normalizeUV", &normalized(mode, range));
     }
 }
 
@@ -227,7 +234,7 @@ fn range(uvs: &[DVec2]) -> Option<[DVec2; 2]> {
 
 /// The change that fits a range of coordinates between 0 and 1.
 fn normalized(mode: NormalizeMode, [low, high]: [DVec2; 2]) -> DAffine2 {
-    let share = |size: f64| if size == 0.0 { 0.0 } else { 1.0 / size };
+    let share = |size: f64| if size * UvMap::MOST < 1.0 { 0.0 } else { 1.0 / size };
     let size = high - low;
     let (each, larger) = (DVec2::new(share(size.x), share(size.y)), DVec2::splat(share(size.max_element())));
     let (factor, by) = match mode {
@@ -254,7 +261,7 @@ pub fn tile_uv(env: &mut Env, shape: &mut Shape, set: f64, width: Size, height: 
         factor(width, range.x, metres.x, "the texture width"),
         factor(height, range.y, metres.y, "the texture height"),
     );
-    shape.state.change_look().coordinates.change(set, &DAffine2::from_scale(factors));
+    change_set(env, shape, set, "tileUV", &DAffine2::from_scale(factors));
 }
 
 /// The number of a set; a fault for any other number.

@@ -133,6 +133,8 @@ impl<'a> ShapeRef<'a> {
     }
 
     /// Returns true if a point that moves by that much along the axes keeps its implicit coordinates: they are constant there.
+    #[cold]
+    #[inline(never)]
     pub(crate) fn keeps_coordinates(&self, by: DVec3) -> bool {
         let [x, y, z] = self.base.constant();
         // The axes of the base when it has grown are x, z and -y.

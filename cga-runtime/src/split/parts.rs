@@ -257,7 +257,9 @@ fn slabs(
     let (extent, stretch) = (size[at].abs(), placed.stretch(size)[at].abs());
     let plane = |distance: f64| placed.low[at] + distance / stretch;
     let borders = Borders::of(row, extent, plane(extent), plane);
-    let cut = cut::slabs(&placed.mesh, axis, &borders.rising);
+    // Texture coordinates of caps are metres in the scope, however the mesh is stretched to fill it.
+    let stretch = placed.stretch(size.abs());
+    let cut = cut::stretched_slabs(&placed.mesh, axis, &borders.rising, placed.low, stretch);
     // *split operation*: surfaces get no caps. An asset that was meant to be a solid is worth a word, a face is not.
     if !cut.open.is_empty() && placed.inserted == Inserted::Asset && 1 < placed.mesh.face_count() {
         env.fault(FaultKind::Geometry, "the inserted mesh is not closed where it is split; the cut stays open there");

@@ -233,9 +233,10 @@ impl Body {
         let mut start = 0;
         for end in ends {
             let (first_mark, first_row) = (self.marks.len(), self.rows.len());
-            let (mut corners, mut is_plain) = (0, true);
+            let (mut corners, mut is_plain, mut may_have_coordinates) = (0, true, false);
             for (at, leaf) in self.leaves[..end].iter().enumerate().skip(start) {
                 is_plain &= matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box);
+                may_have_coordinates |= leaf.material.may_have_coordinates();
                 let own = 4 * leaf.unit.face_count();
                 match self.marks[first_mark..].last_mut() {
                     Some(mark) if mark.rule == leaf.rule && mark.material == leaf.material => {
@@ -260,6 +261,7 @@ impl Body {
                 rows: first_row..self.rows.len(),
                 corners,
                 is_plain,
+                may_have_coordinates,
             });
             start = end;
         }

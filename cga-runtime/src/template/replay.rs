@@ -101,7 +101,7 @@ impl<'a> Replay<'a> {
     /// Returns true if some of the leaves have texture coordinates. These follow from the place of a leaf in the world, so they may
     /// differ from repetition to repetition.
     pub fn has_uvs(&self) -> bool {
-        self.marks().any(|(leaf, mark)| !leaf.uvs_of(mark.material).is_empty())
+        self.segment.may_have_coordinates && self.marks().any(|(leaf, mark)| !leaf.uvs_of(mark.material).is_empty())
     }
 
     /// The identity of the part, wherever it is repeated.

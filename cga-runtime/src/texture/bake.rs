@@ -58,8 +58,16 @@ impl Shape {
         let resize = DMat3::from_diagonal(DVec3::new(ratio(was.x, is.x), ratio(was.y, is.y), ratio(was.z, is.z)));
         let now = self.scope.placement();
         let back = before.placement() * DAffine3::from_mat3(resize) * rigid_inverse(&now);
-        let projections = self.state.projections().clone();
-        self.state.change_look().coordinates.carry(&back, &projections);
+        let mut carried = self.state.coordinates().clone();
+        carried.carry(&back, self.state.projections());
+        if carried.is_bounded() {
+            self.state.change_look().coordinates = carried;
+        } else {
+            // A size that is nearly zero.
+            let now = std::mem::replace(&mut self.scope, *before);
+            self.write_sets();
+            self.scope = now;
+        }
     }
 }
 
@@ -70,11 +78,25 @@ impl Shape {
     pub(crate) fn raise_coordinates(&mut self, axis: Axis) {
         if !self.state.coordinates().is_empty() {
             let (up, origin) = (self.scope.axes.col(axis.index()), self.scope.origin);
+            if self.state.coordinates().has_cube() {
+                let Some(normal) = self.flat_normal(axis) else { return self.bake() };
+                self.state.change_look().coordinates.choose_side(normal);
+            }
             let flat = DMat3::IDENTITY - DMat3::from_cols(up * up.x, up * up.y, up * up.z);
             let back = DAffine3 { matrix3: flat, translation: up * up.dot(origin) };
             let projections = self.state.projections().clone();
             self.state.change_look().coordinates.carry(&back, &projections);
         }
+    }
+
+    /// The normal of all faces of geometry that is flat across an axis; nothing if some look up and some down.
+    fn flat_normal(&self, axis: Axis) -> Option<DVec3> {
+        let up = self.scope.axes.col(axis.index());
+        let Geometry::Mesh(placed) = &self.geometry else { return Some(up) };
+        let turn = crate::sink::flatten::normal_map(&placed.to_scope(self.scope.size).matrix3);
+        let mut sides = placed.mesh.faces().map(|face| 0.0 < (turn * face.normal())[axis.index()]);
+        let is_up = sides.next()?;
+        sides.all(|side| side == is_up).then_some(if is_up { up } else { -up })
     }
 }
 

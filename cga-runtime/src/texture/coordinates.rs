@@ -65,7 +65,7 @@ impl Source {
 /// From the world to the place in a scope, 0 to 1 along each axis.
 fn to_unit(scope: &Scope) -> DAffine3 {
     // Along an axis without a size all points are at 0.
-    let share = |size: f64| if size == 0.0 { 1.0 } else { 1.0 / size };
+    let share = |size: f64| if size.abs() * UvMap::MOST < 1.0 { 1.0 } else { 1.0 / size };
     let matrix = DMat3::from_diagonal(DVec3::from_array(scope.size.to_array().map(share))) * scope.axes.transpose();
     DAffine3 { matrix3: matrix, translation: -(matrix * scope.origin) }
 }
@@ -87,9 +87,9 @@ impl Coordinates {
         self.sets.iter().any(|entry| matches!(entry.source, Source::Cube(_)))
     }
 
-    /// Returns true if some follow from projections that the shape has stored.
-    pub(crate) fn is_projected(&self) -> bool {
-        self.sets.iter().any(|entry| matches!(entry.source, Source::Stored(_)))
+    /// Returns true if some follow from the projection that the shape has stored for a set.
+    pub(crate) fn is_projected(&self, set: u8) -> bool {
+        self.sets.iter().any(|entry| entry.source == Source::Stored(set))
     }
 
     /// The functions of the place.
@@ -116,10 +116,34 @@ impl Coordinates {
         self.put(Entry { set: to, ..entry });
     }
 
-    /// Changes the coordinates of a set.
-    pub(crate) fn change(&mut self, set: u8, change: &DAffine2) {
+    /// Changes the coordinates of a set; returns false if the result is too large, and changes nothing.
+    #[must_use]
+    pub(crate) fn change(&mut self, set: u8, change: &DAffine2) -> bool {
         let entry = self.entry(set);
-        self.put(Entry { change: *change * entry.change, ..entry });
+        let change = *change * entry.change;
+        let is_bounded = change.to_cols_array().iter().all(|number| number.abs() <= UvMap::MOST);
+        if is_bounded {
+            self.put(Entry { change, ..entry });
+        }
+        is_bounded
+    }
+
+    /// Returns true if no function of the place is too large.
+    pub(crate) fn is_bounded(&self) -> bool {
+        self.sets.iter().all(|entry| match &entry.source {
+            Source::Fixed(map) => map.is_bounded(),
+            Source::Cube(place) => place.to_cols_array().iter().all(|number| number.abs() <= UvMap::MOST),
+            Source::Deleted | Source::Own(_) | Source::Stored(_) => true,
+        })
+    }
+
+    /// Makes the coordinates of a cube those of its side with that normal.
+    pub(crate) fn choose_side(&mut self, normal: DVec3) {
+        for entry in &mut self.sets {
+            if let Source::Cube(place) = &entry.source {
+                entry.source = Source::Fixed(cube_side(place, normal));
+            }
+        }
     }
 
     /// Makes the coordinates from a stored projection a function of the place, as another one will be stored.

@@ -26,6 +26,14 @@ pub struct SetMap {
 }
 
 impl UvMap {
+    /// The largest factor of projections and of changes: their product, at the most distant points, is a number.
+    pub(crate) const MOST: f64 = 1e75;
+
+    /// Returns true if no factor is larger than [`UvMap::MOST`].
+    pub(crate) fn is_bounded(&self) -> bool {
+        [self.u, self.v].iter().all(|row| row.abs().cmple(DVec4::splat(UvMap::MOST)).all())
+    }
+
     /// The coordinates of a point of the world.
     #[inline]
     pub fn at(&self, point: DVec3) -> DVec2 {

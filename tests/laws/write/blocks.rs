@@ -86,7 +86,7 @@ impl Writer {
         if self.chance(30) {
             self.line(here, "[ 40% :");
         } else {
-            let condition = self.fill(CONDITIONS);
+            let condition = if self.chance(15) { self.texture_condition() } else { self.fill(CONDITIONS) };
             self.line(here, &format!("[ case {condition} :"));
         }
         self.body(here.deeper());
@@ -96,7 +96,10 @@ impl Writer {
     }
 
     fn split(&mut self, here: Here) {
-        let head = self.fill(&["split($X)", "split($X)", "split($X, adjust)", "split($X, noAdjust)"]);
+        let head = match self.chance(15) {
+            true => self.texture_split(),
+            false => self.fill(&["split($X)", "split($X)", "split($X, adjust)", "split($X, noAdjust)"]),
+        };
         self.line(here, &format!("{head} {{"));
         self.slots(here, 0);
         let star = if self.chance(30) { "}*" } else { "}" };

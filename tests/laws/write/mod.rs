@@ -7,6 +7,7 @@ mod blocks;
 mod prologue;
 mod repeats;
 mod steps;
+mod textures;
 
 use crate::random::Random;
 

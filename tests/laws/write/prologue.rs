@@ -40,5 +40,9 @@ numbers(values, i) = case i < size(values) : ";" + values[i] + numbers(values, i
 places(n) = "places " + n + ";world;" + at(convert(scope, world, pos, [1, 2, 3])) +
     ";pivot;" + at(convert(scope, pivot, pos, [1, 2, 3])) + ";object;" + at(convert(pivot, object, pos, [1, 2, 3])) +
     ";back;" + at(convert(world, scope, pos, [1, 2, 3]))
+uvs(n) = "uvs " + n + ";has;" + geometry.hasUVs() + geometry.hasUVs(0) + geometry.hasUVs(1) + geometry.hasUVs(2) +
+    ";coordinates;" + geometry.uMin(0) + ";" + geometry.uMax(0) + ";" + geometry.vMin(0) + ";" + geometry.vMax(0) +
+    ";coordinates;" + geometry.uMin(1) + ";" + geometry.uMax(1) + ";" + geometry.vMin(1) + ";" + geometry.vMax(1) +
+    ";coordinates;" + geometry.du(0, uvSpace) + ";" + geometry.dv(1, uvSpace) + ";" + geometry.du(2, uvSpace)
 at(p) = p[0] + ";" + p[1] + ";" + p[2]
 "#;

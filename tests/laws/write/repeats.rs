@@ -117,6 +117,9 @@ impl Writer {
         self.text.push_str(&TEXT.replace("$K", lucky));
         let here = Here { rule: 0, depth: 3, indent: 1 };
         self.text.push_str("\n@StartRule\nLot -->\n");
+        if self.chance(50) {
+            self.texture(here);
+        }
         if self.chance(25) {
             self.open(here);
         }
@@ -139,7 +142,11 @@ impl Writer {
             self.text.push_str(&format!("\n{name} -->\n"));
             // Most rules are rigid; some draw, ask or tell.
             let is_open = self.chance(25);
-            self.part(Here { rule, depth: if rule < 4 { 2 } else { 1 }, indent: 1 }, is_open);
+            let here = Here { rule, depth: if rule < 4 { 2 } else { 1 }, indent: 1 };
+            if self.chance(40) {
+                self.texture(here);
+            }
+            self.part(here, is_open);
         }
         for name in NUMBERED {
             self.text.push_str(&format!("\n{name}(n) -->\n"));
@@ -166,7 +173,9 @@ impl Writer {
     fn part(&mut self, here: Here, is_open: bool) {
         let most = if here.rule < 3 { 2 } else { 3 };
         for _ in 0..self.random.below(most) * self.random.below(2) {
-            if is_open && self.chance(60) {
+            if self.chance(if here.rule < 3 { 40 } else { 25 }) {
+                self.texture(here);
+            } else if is_open && self.chance(60) {
                 self.open(here);
             } else if self.chance(85) {
                 let step = self.fill(&RIGID[..RIGID.len() - 8]);
@@ -194,7 +203,8 @@ impl Writer {
                     self.line(here, "[ 40% :");
                 } else {
                     let range = if is_open { 0..CONDITIONS.len() } else { 0..6 };
-                    let condition = self.fill(&CONDITIONS[range]);
+                    let condition =
+                        if self.chance(20) { self.texture_condition() } else { self.fill(&CONDITIONS[range]) };
                     self.line(here, &format!("[ case {condition} :"));
                 }
                 self.part(here.deeper(), is_open);
@@ -264,7 +274,8 @@ impl Writer {
     /// A split with groups that repeat.
     fn row(&mut self, here: Here, axis: &str) {
         let adjust = *self.random.pick(&["", "", "", ", noAdjust", ", adjust"]);
-        self.line(here, &format!("split({axis}{adjust}) {{"));
+        let head = if self.chance(8) { self.texture_split() } else { format!("split({axis}{adjust})") };
+        self.line(here, &format!("{head} {{"));
         let groups = 1 + self.random.below(3);
         let with = self.random.below(groups);
         for slot in 0..groups {

@@ -79,6 +79,10 @@ impl Writer {
     /// Some operations.
     pub(super) fn steps(&mut self, here: Here) {
         for _ in 0..*self.random.pick(&[0, 1, 1, 2, 2, 3]) {
+            if self.chance(25) {
+                self.texture(here);
+                continue;
+            }
             let step = self.fill(STEPS);
             self.line(here, &step);
         }
