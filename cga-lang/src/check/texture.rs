@@ -4,7 +4,7 @@
 
 use super::flow::{Facts, Flow, UvSets, body};
 use super::{Cx, Use};
-use crate::ast::{Arg, Block, Expr, ExprKind, OpKind, Split};
+use crate::ast::{Arg, Block, Expr, ExprKind, Name, OpKind, Split};
 use crate::ast_walk::ops;
 use crate::code::Code;
 use crate::diag::Diags;
@@ -23,6 +23,10 @@ const LAYERS: [&str; 10] = [
     "roughnessmap",
     "metallicmap",
 ];
+
+/// The functions that give a number for a set, 0 where it is missing (*geometry.du, dv*, *geometry.uMin …*).
+const NUMBERS: [&str; 6] =
+    ["geometry.du", "geometry.dv", "geometry.uMin", "geometry.uMax", "geometry.vMin", "geometry.vMax"];
 
 /// The uv sets that some rule makes, a bit each: by a projection, and by any operation; and those with a projection.
 #[derive(Clone, Copy)]
@@ -96,8 +100,7 @@ pub(super) fn changed(
     diags: &mut Diags,
 ) {
     let Some(arg) = args.first() else { return };
-    let set =
-        || flow.value(&arg.value, facts).number().known().filter(|set| (0.0..10.0).contains(set)).map(|set| set as u32);
+    let set = || known_set(&arg.value, facts, flow);
     match row.name {
         "projectUV" | "bakeUV" => {
             let Some(set) = set().filter(|set| projected.set_up & (1 << set) == 0) else { return };
@@ -114,6 +117,22 @@ pub(super) fn changed(
         }
         _ => {}
     }
+}
+
+/// Looks at a function of texture coordinates. `geometry.hasUVs` may ask for sets that are missing.
+pub(super) fn asked(name: &Name, args: &[Expr], (facts, flow): (&Facts, &Flow), diags: &mut Diags) {
+    let set = args.first().map_or(Some(0), |set| known_set(set, facts, flow));
+    let Some(set) = set.filter(|set| NUMBERS.contains(&&*name.text) && facts.uvs.lacks(*set)) else { return };
+    let message = format!("the shape has no uv set {set}: `{}` is 0", name.text);
+    let diag = diags.report(Code::MissingUvSet, name.span, message);
+    diag.note(format!("nothing makes texture coordinates of set {set} before it"));
+    diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
+}
+
+/// The number of a uv set, where it is known and there is such a set.
+fn known_set(number: &Expr, facts: &Facts, flow: &Flow) -> Option<u32> {
+    let number = flow.value(number, facts).number().known()?;
+    (0.0..10.0).contains(&number).then_some(number as u32)
 }
 
 /// The uv set of a texture layer, by the name of its attribute.
