@@ -103,6 +103,7 @@ codes! {
     NotAColor "not_a_color" Error "Text where a colour must stand, or a part of a colour, that is none.",
     UnknownUvSet "unknown_uv_set" Error "A uv set that does not exist.",
     SplitWithoutUv "split_without_uv" Warning "A split in texture space before there are texture coordinates.",
+    MissingUvSet "missing_uv_set" Warning "Texture coordinates of a set that the shape does not have.",
     TextureWithoutUv "texture_without_uv" Warning "A texture on a shape that has no texture coordinates.",
     MissingAsset "missing_asset" Warning "A file that the package does not have, or an asset without faces.",
     UnknownGroup "unknown_group" Warning "A group or material that an asset does not have.",

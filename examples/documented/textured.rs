@@ -12,9 +12,9 @@ use crate::pages::{primitives, texturing};
 use crate::sheet::Cell;
 
 cga::cga! {
-    /// The street that the page's picture shows below the bands.
-    grammar Roadway;
-    Street --> color("#70747a") Roadway.
+    /// The initial shape, in grey.
+    grammar Initial;
+    Start --> color("#70747a") Initial.
 }
 
 /// The pages *split operation* (UV split), *tileUV*, *setupProjection*, *texture* and *rotateUV operation*.
@@ -25,7 +25,8 @@ pub(crate) fn texturing(settings: &Settings) -> Vec<Cell> {
 /// The page *primitive operations*. The lot is drawn below, as on the page.
 pub(crate) fn primitives(settings: &Settings) -> Vec<Cell> {
     let cells = primitives::ALL.iter().map(|example| {
-        let model = example.model(settings);
+        let mut model = example.model(settings);
+        put_below(&mut model, (example.start)(), settings);
         let view = |bounds: Bounds| from(bounds, 33.0, 30.0);
         Cell { camera: view(model.bounds()), caption: caption(example), model, borders: false }
     });
@@ -39,8 +40,7 @@ fn cell(example: &Example, settings: &Settings) -> Cell {
         let _ = other.replay(&mut model);
     }
     if example.title.ends_with("bands") {
-        let below = texturing::two_segments().into_iter().map(|shape| shape.at([0.0, -0.1, 0.0]));
-        below.for_each(|shape| drop(Roadway::default().generate_into(&shape, settings, &mut model as &mut dyn Sink)));
+        texturing::two_segments().into_iter().for_each(|shape| put_below(&mut model, shape, settings));
     }
     let bounds = model.bounds();
     if has_borders(example) {
@@ -64,6 +64,12 @@ fn further(example: &Example) -> Vec<Shape> {
         title if title.contains("UV Split on Streets") => texturing::two_segments().into_iter().skip(1).collect(),
         _ => Vec::new(),
     }
+}
+
+/// Draws an initial shape in grey, a little lower than what is made of it.
+fn put_below(model: &mut Model, shape: Shape, settings: &Settings) {
+    let below = Initial::default().generate_with(&shape.at([0.0, -0.1, 0.0]), settings);
+    let _ = below.expect("an initial shape").replay(model);
 }
 
 /// The page's picture shows the borders of the pieces or of the faces.

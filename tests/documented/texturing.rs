@@ -141,7 +141,7 @@ fn walls_have_seams_where_each_sets_up_its_projection() {
     // The dirt map spans the façade in both.
     for leaves in [&through, &each] {
         for corner in leaves.corners("Wall") {
-            assert!(uv(&corner, 2).abs_diff_eq(DVec2::new(corner.point.x / 20.0, corner.point.y / 10.0), 1e-9));
+            assert!(uv(&corner, 2).abs_diff_eq(DVec2::new(corner.point.x / 9.0, corner.point.y / 7.0), 1e-9));
         }
     }
 }

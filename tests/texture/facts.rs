@@ -165,3 +165,25 @@ fn fact_u37_textures_set_or_reset_the_opacity_map_and_make_no_coordinates() {
         assert_eq!(has, ["false"]);
     }
 }
+
+cga! {
+    /// Operations on sets that are missing, which the checks report.
+    @Allow(missing_uv_set)
+    grammar Missing;
+    attr kind = 0
+    Lot -->
+        case kind == 0 : setupProjection(2, scope.xy, 1, 1) projectUV(2) primitiveCube() tileUV(2, 1, 1) scaleUV(3, 2, 2) X.
+        case kind == 1 : primitiveCube() copyUV(3, 0) normalizeUV(0, uv, collectiveAllFaces) X.
+        case kind == 2 : primitiveCube() projectUV(0) rotateUV(0, 90) X.
+        else : primitiveCube() setupProjection(0, scope.xy, 1, 1) copyUV(0, 8) copyUV(8, 9) X.
+}
+
+#[test]
+fn sets_that_are_missing_stay_missing() {
+    let sets = |kind: u32| {
+        let leaves = leaves!(&Missing { kind: f64::from(kind) }, &Shape::cuboid(4.0, 4.0, 4.0));
+        let corners = leaves.corners("X");
+        (0..10).filter(|set| corners.iter().any(|corner| corner.uvs[*set].is_some())).collect::<Vec<usize>>()
+    };
+    assert_eq!([sets(0), sets(1), sets(2), sets(3)], [vec![0], vec![], vec![], vec![0, 8, 9]]);
+}

@@ -64,6 +64,7 @@ fn a_projection_of_a_piece_begins_anew() {
 
 cga! {
     /// Sizes of all kinds.
+    @Allow(missing_uv_set)
     grammar Sizes;
     attr kind = 0
     Lot --> comp(f) { front : Facade }

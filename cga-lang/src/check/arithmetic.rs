@@ -1,7 +1,7 @@
 //! Checks of expressions: division by zero, arguments out of bounds, conditions that are always the same.
 
 use super::flow::{Facts, Flow, Turn};
-use super::{Cx, Use, bounds, branches, colour};
+use super::{Cx, Use, bounds, branches, colour, texture};
 use crate::ast::{Binary, Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::Diags;
@@ -19,6 +19,7 @@ pub(super) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
         ExprKind::Case(arms, other) => return case(arms, other, facts, (facts, &mut Vec::new()), flow, cx, diags),
         ExprKind::Call(name, args) => {
             if let Some(Use::Builtin(row)) = cx.tables.of(name) {
+                texture::asked(name, args, (facts, flow), diags);
                 let args: Vec<&Expr> = args.iter().collect();
                 bounds::check(row.params, &args, facts, flow, diags);
                 colour::check(cx.globals.program, row.params, &args, facts, flow, diags);

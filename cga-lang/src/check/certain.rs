@@ -40,6 +40,7 @@ pub(super) fn check(cx: &mut Cx) {
                     if let ("texture", [image]) = (row.name, args) {
                         texture::carried(&image.value, 0, projected, facts, &mut diags);
                     }
+                    texture::changed(row, args, projected, (facts, &values), &mut diags);
                     let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
                     bounds::check(row.params, &args, facts, &values, &mut diags);
                     colour::check(program, row.params, &args, facts, &values, &mut diags);

@@ -127,7 +127,7 @@ example! {
 
 example! {
     /// The projection of the façade runs through all walls.
-    on_the_facade, "setupProjection operation, Scope vs. setupProjection: on the facade", lot(),
+    on_the_facade, "setupProjection operation, Scope vs. setupProjection: on the facade", Shape::rectangle(9.0, 6.0),
     r##"Frontfacade -->
     setupProjection(0, scope.xy, 1.5, 1, 0, 0, 1)
     setupProjection(2, scope.xy, scope.sx, scope.sy, 0, 0, 1)
@@ -142,7 +142,7 @@ const floor_height = 3
 const wallColor = "#ffffff"
 const wall_tex = "builtin:uvtest.png"
 @StartRule
-Lot --> extrude(10) comp(f) { front : Frontfacade }
+Lot --> extrude(7) comp(f) { front : Frontfacade }
 Floor --> split(x) { 1.2 : Wall | { ~3.3 : Tile }* | 1.2 : Wall }
 Tile --> split(x) { ~0.9 : Wall | 1.4 : Column | ~0.9 : Wall }
 Column --> split(y) { 0.8 : Wall | ~1.5 : NIL | 0.7 : Wall }
@@ -151,7 +151,7 @@ Column --> split(y) { 0.8 : Wall | ~1.5 : NIL | 0.7 : Wall }
 
 example! {
     /// "The brick texture does not span over the whole facade anymore; there are visible seams."
-    on_each_wall, "setupProjection operation, Scope vs. setupProjection: on each wall", lot(),
+    on_each_wall, "setupProjection operation, Scope vs. setupProjection: on each wall", Shape::rectangle(9.0, 6.0),
     r##"Frontfacade -->
     setupProjection(2, scope.xy, scope.sx, scope.sy, 0, 0, 1)
     split(y){ groundfloor_height : Floor | { ~floor_height : Floor }* }
@@ -166,7 +166,7 @@ const floor_height = 3
 const wallColor = "#ffffff"
 const wall_tex = "builtin:uvtest.png"
 @StartRule
-Lot --> extrude(10) comp(f) { front : Frontfacade }
+Lot --> extrude(7) comp(f) { front : Frontfacade }
 Floor --> split(x) { 1.2 : Wall | { ~3.3 : Tile }* | 1.2 : Wall }
 Tile --> split(x) { ~0.9 : Wall | 1.4 : Column | ~0.9 : Wall }
 Column --> split(y) { 0.8 : Wall | ~1.5 : NIL | 0.7 : Wall }

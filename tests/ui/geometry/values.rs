@@ -11,6 +11,8 @@ cga! {
     @Allow(not_implemented)
     @Deny(split_without_uv)
     Street --> setupProjection(0, scope.xy, 1, 1) split(u, uvSpace, 0) { 0.5 : A. | ~1 : A. }
+    @Deny(missing_uv_set)
+    Hut --> primitiveCube() tileUV(2, 1, 1) A.
 }
 
 cga! {

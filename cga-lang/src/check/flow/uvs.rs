@@ -39,26 +39,31 @@ impl UvSets {
 
     /// A bit for each set that an operation may make on a shape that has none.
     pub(in crate::check) fn made_by(row: &Operation) -> u16 {
-        UvSets { may: 0, awaits: 0 }.after(row, None).may
+        UvSets { may: 0, awaits: 0 }.after(row, [None; 2]).may
     }
 
-    /// After an operation; `set` is its first argument where that is the number of a set that is known.
-    pub(super) fn after(self, row: &Operation, set: Option<u32>) -> UvSets {
-        let bit = set.filter(|set| *set < 10).map(|set| 1u16 << set);
+    /// After an operation; `sets` are its first two arguments where these are numbers of sets that are known.
+    pub(super) fn after(self, row: &Operation, sets: [Option<u32>; 2]) -> UvSets {
+        let [bit, second] = sets.map(|set| set.filter(|set| *set < 10).map(|set| 1u16 << set));
         let UvSets { may, awaits } = self;
         match (row.name, bit) {
             ("setupProjection" | "setupUV", bit) => UvSets { may, awaits: awaits | bit.unwrap_or(0) },
             ("projectUV" | "bakeUV", Some(bit)) => UvSets { may: may | bit, awaits: awaits & !bit },
             ("projectUV" | "bakeUV", None) => UvSets::ANY,
-            ("copyUV", _) if may != 0 => UvSets { may: ALL, awaits },
+            // A set that is missing makes the other one missing (*copyUV operation*).
+            ("copyUV", Some(from)) if may & from == 0 => UvSets { may: may & !second.unwrap_or(0), awaits },
+            ("copyUV", _) if may != 0 => match second {
+                Some(to) => UvSets { may: may | to, awaits: awaits & !to },
+                None => UvSets { may: ALL, awaits: 0 },
+            },
             ("deleteUV", Some(bit)) => UvSets { may: may & !bit, awaits },
             // They have the first set only (*primitiveCube operation*).
-            (name, _) if name.starts_with("primitive") => UvSets { may: 1, awaits },
+            (name, _) if name.starts_with("primitive") => UvSets { may: 1, awaits: awaits & !1 },
             (name, _) if MAKES_NONE.contains(&name) => self,
             ("translateUV" | "scaleUV" | "rotateUV" | "normalizeUV" | "tileUV" | "offsetUV" | "deleteUV", _) => self,
             _ if matches!(row.scope, Effect::Keeps | Effect::KeepsSize | Effect::Sizes) => self,
             (name, _) if name.ends_with("Scope") || name.starts_with("alignScope") || name == "setPivot" => self,
-            _ => UvSets { may: ALL, awaits },
+            _ => UvSets { may: ALL, awaits: 0 },
         }
     }
 }

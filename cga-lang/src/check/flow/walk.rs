@@ -70,7 +70,8 @@ impl<'w> Walk<'w> {
                     Some(Use::Rule(rule)) => self.hand_on(rule, args, &facts, visit),
                     Some(Use::Operation(row)) => {
                         visit.meet(&Site::Operation(row, args), &facts);
-                        facts.uvs = facts.uvs.after(row, self.uv_set(args.first(), &facts));
+                        let sets = [args.first(), args.get(1)].map(|arg| self.uv_set(arg, &facts));
+                        facts.uvs = facts.uvs.after(row, sets);
                         facts.asset = asset_after(row, args, facts.asset);
                         facts.shape = self.after(row, args, &facts, op.span);
                     }
