@@ -306,11 +306,7 @@ impl<'g> Printer<'g> {
     }
 
     fn split(&mut self, split: &'g Split) {
-        let axis = match split.axis {
-            Axis::X => "x",
-            Axis::Y => "y",
-            Axis::Z => "z",
-        };
+        let axis = ["x", "y", "z"][split.axis as usize];
         let adjust = if split.adjust { "" } else { " noAdjust" };
         let head = match &split.measure {
             Measure::Length => format!("split {axis}{adjust}"),
