@@ -5,9 +5,9 @@ mod facts;
 
 use crate::facts::{Facts, RuleFacts};
 use crate::ir::{
-    Anew, Arg, Attr, Axis, Binary, Childless, ChoiceValues, Choices, Const, EachUnary, Expr, ExprKind, Function,
-    FunctionId, Global, Grammar, Item, Measure, Param, Prefix, Presentation, Renewal, Rule, RuleId, Size, Split, Start,
-    Step, Target, TextureSplit, Value,
+    Anew, Arg, Attr, Binary, Childless, ChoiceValues, Choices, Const, EachUnary, Expr, ExprKind, Function, FunctionId,
+    Global, Grammar, Item, Measure, Param, Prefix, Presentation, Renewal, Rule, RuleId, Size, Split, Start, Step,
+    Target, TextureSplit, Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
