@@ -1,4 +1,4 @@
-//! A textured house in a textured street: `textured.glb` and `textured.png`.
+//! A textured tower in a textured street: `textured.glb` and `textured.png`.
 //!
 //! `cargo run --release --example textured`
 //!
@@ -13,11 +13,11 @@ use cga::street::{Centerline, Network, NetworkOptions};
 use cga::{Assets, Model, Settings, Shape, Sink, cga};
 
 cga! {
-    /// A corner house of brick. The images come from a folder that this program fills.
+    /// A tower of brick at a corner. The images come from a folder that this program fills.
     @Allow(missing_asset)
-    pub grammar House;
+    pub grammar Tower;
 
-    attr height = 15.4
+    attr height = 39.2
     attr storey = 3.4
     const stone = "#d8cfc0"
 
@@ -72,7 +72,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
 
     let lot = [[9.0, 34.0], [33.0, 34.0], [36.0, 31.0], [36.0, 9.0], [9.0, 9.0]];
-    add(House::default().generate_with(&Shape::footprint(&lot, &[])?, &settings)?);
+    add(Tower::default().generate_with(&Shape::footprint(&lot, &[])?, &settings)?);
     let lines = [
         Centerline::new(&[[-20.0, 42.0], [43.0, 42.0], [80.0, 50.0]]),
         Centerline::new(&[[43.0, -20.0], [43.0, 42.0], [43.0, 80.0]]),

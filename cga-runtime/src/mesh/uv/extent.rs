@@ -82,7 +82,11 @@ impl Mesh {
         let one = |low: f64, high: f64| Bounds { low: DVec3::splat(low), high: DVec3::splat(high) }.scale_to_one();
         let scale = DVec2::new(one(low.x, high.x), one(low.y, high.y));
         let range = high * scale - low * scale;
-        let sums = self.sum_stretch(set, stretch, unit, scale, range);
+        // What differs by rounding alone, beside the largest of both coordinates, does not vary.
+        let far = low.abs().max(high.abs()).max_element();
+        let is_constant = (high * 0.5 - low * 0.5).cmple(DVec2::splat(far * 0.5 * NEXT_EPSILON));
+        let varied = DVec2::select(is_constant, DVec2::INFINITY, range);
+        let sums = self.sum_stretch(set, stretch, unit, scale, varied);
         let metres = [0, 1].map(|axis| {
             let mean =
                 if sums.chart == 0.0 { sums.area[axis] / sums.change[axis] } else { sums.stretched[axis] / sums.chart };
@@ -167,6 +171,15 @@ mod tests {
             let metres = extent(&mesh(&[&mirrored])).metres;
             assert!((metres / DVec2::new(height, width) - 1.0).abs().max_element() < 1e-12, "{metres}");
         }
+    }
+
+    #[test]
+    fn a_coordinate_that_is_constant_but_for_rounding_does_not_count() {
+        let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
+        let even = extent(&mesh(&[&corners.map(|p| (p, [p[0] / 4.0 + p[1] / 6.0, 0.3]))]));
+        let rounded = [0.3, 0.3 + 6e-17, 0.3, 0.3 + 1.2e-16];
+        let noisy: Vec<_> = corners.iter().zip(rounded).map(|(&p, v)| (p, [p[0] / 4.0 + p[1] / 6.0, v])).collect();
+        assert_eq!(extent(&mesh(&[&noisy])).metres.x, even.metres.x);
     }
 
     #[test]
