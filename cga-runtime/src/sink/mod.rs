@@ -33,7 +33,7 @@ use crate::material::Material;
 use crate::material::ids::MaterialId;
 use crate::mesh::Mesh;
 use crate::place;
-use crate::scope::{Axis, Scope};
+use crate::scope::Scope;
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
@@ -133,10 +133,8 @@ impl<'a> Filled<'a> {
     /// The material with a number; the leaf's own base has the one without.
     #[inline]
     pub(crate) fn of_id(&self, id: MaterialId) -> &'a Arc<Material> {
-        match self.tables.materials.get(id) {
-            Some(look) => &look.material,
-            None => self.shape.base.shape.state.material(),
-        }
+        let own = self.shape.base.shape.state.material();
+        self.tables.materials.get(id).map_or(own, |look| &look.material)
     }
 
     /// The number of the material: equal numbers of a run are equal materials. Nothing for a material that few leaves have, such
@@ -193,26 +191,14 @@ impl<'a> Filled<'a> {
     #[inline]
     pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let leaf = Leaf { rule: self.rule(), material: self.material(), source: LeafSource::Filled(self) };
-        match self.shape.form {
-            Form::Rect(axis) => sink.quad(&leaf, &self.quad(axis)),
-            Form::Box => sink.cuboid(&leaf, &self.cuboid()),
-            Form::Empty | Form::Other => Flow::Continue(()),
-        }
-    }
-
-    /// The rectangle across an axis.
-    #[inline]
-    pub(crate) fn quad(&self, axis: Axis) -> Quad {
-        let placed = Placed::of(self.shape);
-        place::low_side(placed.origin.truncate(), placed.sides.map(DVec4::truncate), axis, self.shape.unit.get())
-    }
-
-    /// The box.
-    #[inline]
-    pub(crate) fn cuboid(&self) -> Cuboid {
+        // Both forms have a place.
         let (placed, unit) = (Placed::of(self.shape), self.shape.unit.get());
         let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.map(DVec4::truncate));
-        Cuboid { origin, sides: DMat3::from_cols(x, y, z), unit }
+        match self.shape.form {
+            Form::Rect(axis) => sink.quad(&leaf, &place::low_side(origin, [x, y, z], axis, unit)),
+            Form::Box => sink.cuboid(&leaf, &Cuboid { origin, sides: DMat3::from_cols(x, y, z), unit }),
+            Form::Empty | Form::Other => Flow::Continue(()),
+        }
     }
 }
 

@@ -149,7 +149,7 @@ pub(super) fn strip(inner: &[Trace], outer: &[Trace], width: f64) -> Option<(Vec
     Some((cells, length))
 }
 
-/// Whether a counter-clockwise ring turns left at each of its points, except for rounding.
+/// Returns true if a counter-clockwise ring turns left at each of its points, except for rounding.
 pub(super) fn is_convex(ring: &[Point]) -> bool {
     let count = ring.len();
     (0..count).all(|at| {

@@ -61,7 +61,7 @@ pub(super) fn twice_area(ring: &[Point]) -> i128 {
 /// A face that is thinner than this on average, in metres, is due to rounding.
 const THIN: f64 = 1e-6;
 
-/// Whether a counter-clockwise ring encloses no more than rounding does.
+/// Returns true if a counter-clockwise ring encloses no more than rounding does.
 pub(super) fn is_sliver(ring: &[Point]) -> bool {
     let length: f64 = (0..ring.len()).map(|at| ring[at].place().distance(ring[(at + 1) % ring.len()].place())).sum();
     let area = twice_area(ring) as f64 * UNIT * UNIT / 2.0;

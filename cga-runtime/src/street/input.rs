@@ -69,7 +69,7 @@ const MOST_SNAP: f64 = 100.0;
 /// The smallest width of a roadway in metres.
 const LEAST_ROADWAY: f64 = 0.01;
 
-/// Whether lines and settings are usable.
+/// An error if lines or settings are not usable.
 pub(super) fn check(lines: &[Centerline], options: &NetworkOptions) -> Result<(), StreetError> {
     if !(0.0..=MOST_SNAP).contains(&options.snap) {
         return Err(StreetError::Option { name: "snap", value: options.snap });

@@ -304,7 +304,7 @@ fn rounded(corner: &Meeting, arms: [&Arm; 2], distances: [f64; 2], radius: f64, 
     Some(Meeting { points: (0..=steps).map(point).collect(), along, radius })
 }
 
-/// Whether no two edges of a ring meet but neighbours at their common point.
+/// Returns true if no two edges of a ring meet but neighbours at their common point.
 fn is_simple(ring: &[Point]) -> bool {
     let count = ring.len();
     let edge = |at: usize| (ring[at], ring[(at + 1) % count]);

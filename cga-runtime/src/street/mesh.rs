@@ -79,7 +79,7 @@ fn levels(points: &[Point], heights: &Map<Point, f64>) -> Vec<f64> {
     (0..points.len()).map(level).collect()
 }
 
-/// Whether points are in one plane. The first `outer` of them are the outline.
+/// Returns true if points are in one plane. The first `outer` of them are the outline.
 fn is_flat(outer: usize, count: usize, place: impl Fn(usize) -> DVec3) -> bool {
     let from = place(0);
     if (1..count).all(|at| place(at).y == from.y) {

@@ -92,7 +92,7 @@ pub enum Side {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Part {
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
     /// The side of the line on which a sidewalk is.
     pub side: Option<Side>,

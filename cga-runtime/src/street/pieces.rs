@@ -6,7 +6,7 @@ use super::grid::Point;
 use super::junction::{self, Layout};
 use super::section::{Section, Station};
 
-/// What a cell is a part of, by number in [`Pieces::runs`].
+/// The run that a cell is a part of, by number in [`Pieces::runs`].
 pub(super) type RunId = u32;
 
 /// A stretch of a street, of a sidewalk beside it or round a corner: one chart.
@@ -31,7 +31,7 @@ pub(super) enum RunKind {
     Corner,
 }
 
-/// What a piece is.
+/// The kind of a piece.
 #[derive(Clone, Debug)]
 pub(super) enum Piece {
     /// A cell of a roadway. One that is not free belongs to a junction.

@@ -112,7 +112,7 @@ fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<Point> {
     Some(Point { x: along(a.x, b.x), y: along(a.y, b.y) })
 }
 
-/// Whether a segment passes the unit square around a point.
+/// Returns true if a segment passes the unit square around a point.
 fn passes([a, b]: [Point; 2], point: Point) -> bool {
     let outside = |a: i64, b: i64, at: i64| at < a.min(b) || a.max(b) < at;
     if outside(a.x, b.x, point.x) || outside(a.y, b.y, point.y) {

@@ -125,7 +125,7 @@ impl Chain {
         (0..=self.len()).map(|at| self.places[at] + self.mitre(at) * distance).collect()
     }
 
-    /// Whether a border has no length left beside a segment, because both ends turn towards it.
+    /// Returns true if a border has no length left beside a segment, because both ends turn towards it.
     pub(super) fn is_folded(&self, segment: usize, distance: f64) -> bool {
         let shorter = |at: usize| distance * libm::tan(self.bend(at) / 2.0);
         let length = self.along[segment + 1] - self.along[segment];

@@ -18,7 +18,7 @@ pub(super) struct Coordinate {
     pub(super) axis: usize,
 }
 
-/// What pieces are made from.
+/// The source of pieces.
 #[derive(Clone, Copy)]
 pub(super) struct Source<'c> {
     pub(super) mesh: &'c Mesh,

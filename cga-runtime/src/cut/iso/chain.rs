@@ -77,7 +77,7 @@ impl Chain {
     }
 }
 
-/// Whether the values around a loop rise once and fall once, and repeat only where they are lowest or highest.
+/// Returns true if the values around a loop rise once and fall once, and repeat only where they are lowest or highest.
 pub(super) fn rises_once(values: impl ExactSizeIterator<Item = f64> + Clone) -> bool {
     let low = values.clone().fold(f64::INFINITY, f64::min);
     let high = values.clone().fold(f64::NEG_INFINITY, f64::max);

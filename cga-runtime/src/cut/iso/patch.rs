@@ -32,12 +32,12 @@ struct Half {
     next: u32,
     /// The same edge of the neighbour in the same band.
     twin: u32,
-    /// Whether the node is where a diagonal meets a line.
+    /// True if the node is where a diagonal meets a line.
     is_inner: bool,
     is_traced: bool,
 }
 
-/// What a side of a triangle is.
+/// The kind of a side of a triangle.
 #[derive(Clone, Copy, PartialEq)]
 enum Side {
     /// An edge of a loop, or a line.
@@ -230,7 +230,7 @@ impl Patch {
         }
     }
 
-    /// Whether a triangle is more than a line, but for rounding.
+    /// Returns true if a triangle is more than a line, but for rounding.
     fn has_area(&self, triangle: u32) -> bool {
         let [a, b, c] = self.triangles[triangle as usize].map(|corner| self.flat[corner as usize]);
         let (ab, ac) = (b - a, c - a);

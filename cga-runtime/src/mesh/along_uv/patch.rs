@@ -15,7 +15,7 @@ use crate::triangulate::Triangulator;
 /// A triangle, or a quad whose coordinates are a parallelogram. Corners run counter-clockwise in texture space.
 pub(super) struct Patch {
     corners: Vec<Corner>,
-    /// Whether what has u, v and height right-handed is left-handed on the surface.
+    /// True if u, v and height are left-handed on the surface.
     pub(super) is_mirrored: bool,
     /// The shares along the edges from the first corner to the second and to the last one are these products with what is
     /// from the first corner to a place.

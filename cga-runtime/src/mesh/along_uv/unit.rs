@@ -100,7 +100,7 @@ impl UnitAsset {
     }
 }
 
-/// Whether the corners of a face are in its plane.
+/// Returns true if the corners of a face are in its plane.
 fn is_flat(asset: &Mesh, face: usize) -> bool {
     let face = asset.face(face);
     let (normal, mut outline) = (face.normal(), face.outline());

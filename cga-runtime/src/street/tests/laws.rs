@@ -1,4 +1,4 @@
-//! What holds for each network, and the checks of it.
+//! Laws of networks, and their checks.
 
 use std::collections::{HashMap, HashSet};
 
