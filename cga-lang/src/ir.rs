@@ -357,7 +357,7 @@ pub enum Measure {
     Length,
     /// `splitArea`: areas of the geometry.
     Area,
-    /// `split(u, …)`, `split(v, …)`: texture coordinates. There is no axis then.
+    /// `split(u, …)`, `split(v, …)`: texture coordinates. The axis is not used.
     Texture(TextureSplit),
 }
 

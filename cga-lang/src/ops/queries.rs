@@ -28,17 +28,6 @@ const fn shape(
     row(name, call, params, ty, (Needs::Shape, Uses::WHOLE), about)
 }
 
-/// Asks the texture coordinates of the shape, which may follow from its place in the world.
-const fn placed(
-    name: &'static str,
-    call: &'static str,
-    params: &'static [Param],
-    ty: Type,
-    about: &'static str,
-) -> Function {
-    row(name, call, params, ty, (Needs::Both, Uses::WHOLE.and(Uses::PLACE)), about)
-}
-
 /// Asks the shape and the run.
 const fn both(
     name: &'static str,
@@ -163,38 +152,43 @@ const SOURCE: Param =
     word("source", "MaterialSource", &[("used", "Used"), ("shape", "Shape"), ("geometry", "Geometry")]);
 const MODE: Param = word("mode", "MaterialMode", &[("changed", "Changed"), ("all", "All")]);
 
+/// The same row, of a function that asks for texture coordinates, which may follow from the place in the world.
+const fn placed(row: Function) -> Function {
+    Function { uses: Uses::WHOLE.and(Uses::PLACE), ..row }
+}
+
 const UV_SET: Param = or(uv_set("uvSet"), Default::Float(0.0));
 
 const SPACE: Param = word("surfaceParameterization", "TextureSpace", &[("uvSpace", "Uv"), ("unitSpace", "Unit")]);
 
 /// Texture coordinates.
 pub(super) static TEXTURE: &[Function] = &[
-    placed(
+    placed(both(
         "geometry.du",
         "geometry_du",
         &[uv_set("uvSet"), SPACE],
         F,
         "the extent in u, in coordinates or about in metres",
-    ),
-    placed(
+    )),
+    placed(both(
         "geometry.dv",
         "geometry_dv",
         &[uv_set("uvSet"), SPACE],
         F,
         "the extent in v, in coordinates or about in metres",
-    ),
-    placed("geometry.uMin", "geometry_u_min", &[UV_SET], F, "the smallest u"),
-    placed("geometry.uMax", "geometry_u_max", &[UV_SET], F, "the largest u"),
-    placed("geometry.vMin", "geometry_v_min", &[UV_SET], F, "the smallest v"),
-    placed("geometry.vMax", "geometry_v_max", &[UV_SET], F, "the largest v"),
-    placed("geometry.hasUVs", "geometry_has_uvs", &[], B, "whether there are texture coordinates"),
-    placed(
+    )),
+    placed(both("geometry.uMin", "geometry_u_min", &[UV_SET], F, "the smallest u")),
+    placed(both("geometry.uMax", "geometry_u_max", &[UV_SET], F, "the largest u")),
+    placed(both("geometry.vMin", "geometry_v_min", &[UV_SET], F, "the smallest v")),
+    placed(both("geometry.vMax", "geometry_v_max", &[UV_SET], F, "the largest v")),
+    placed(both("geometry.hasUVs", "geometry_has_uvs", &[], B, "whether there are texture coordinates")),
+    placed(both(
         "geometry.hasUVs",
         "geometry_has_uv_set",
         &[uv_set("uvSet")],
         B,
         "whether there are texture coordinates of a set",
-    ),
+    )),
 ];
 
 /// The shape itself, its material, and what is printed on the way.

@@ -31,7 +31,7 @@ impl Assets {
             return Ok(ImageHeader { kind: ImageKind::Png, width: side, height: side, has_alpha: false });
         }
         if name.starts_with("builtin:") {
-            return Err(AssetError::Format("there is no built-in texture of that name"));
+            return Err(AssetError::Format("no built-in texture has this name"));
         }
         if self.root.is_none() {
             return Err(AssetError::NoFolder);

@@ -281,7 +281,7 @@ impl Points {
     /// A crossing of the edge from one corner to another.
     #[inline]
     fn node(&self, mesh: &Mesh, place: Place, from: usize, to: usize) -> Node {
-        // What corners carry is mixed from the same end as the position.
+        // The values of corners are mixed from the same end as the position.
         let point = |corner: usize| mesh.points[mesh.corners[corner] as usize];
         let ordered = !self.mixes || comes_first(point(from), point(to));
         let (from, to) = if ordered { (from, to) } else { (to, from) };

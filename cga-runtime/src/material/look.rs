@@ -1,4 +1,4 @@
-//! What a leaf looks like, apart from its geometry.
+//! The look of a leaf: its material and its texture coordinates.
 
 use std::sync::Arc;
 

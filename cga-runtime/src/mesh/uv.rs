@@ -10,7 +10,7 @@ use super::Mesh;
 use super::layout::to_front;
 use crate::texture::map::SetMap;
 pub use extent::UvExtent;
-pub(crate) use extent::spread;
+pub(crate) use extent::{range, spread};
 
 /// One of the two texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -148,16 +148,21 @@ impl Mesh {
     ///
     /// # Panics
     /// When the number of coordinates is another one, or the set is none of 0 to 9.
-    pub fn with_uv_set(&self, set: usize, mut uvs: Vec<DVec2>) -> Mesh {
+    pub fn with_uv_set(&self, set: usize, uvs: Vec<DVec2>) -> Mesh {
+        let mut mesh = self.clone();
+        mesh.put_uv_set(set, uvs);
+        mesh
+    }
+
+    /// The same in place.
+    pub(crate) fn put_uv_set(&mut self, set: usize, mut uvs: Vec<DVec2>) {
         assert!(set < UvSets::MOST && [0, self.corners.len()].contains(&uvs.len()), "{} coordinates", uvs.len());
         uvs.iter_mut().filter(|uv| !uv.is_finite()).for_each(|uv| {
             let finite = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(-f64::MAX, f64::MAX) };
             *uv = DVec2::new(finite(uv.x), finite(uv.y));
         });
-        let mut mesh = self.clone();
-        mesh.uvs.set(set, uvs);
-        mesh.uvs.forget_empty();
-        mesh
+        self.uvs.set(set, uvs);
+        self.uvs.forget_empty();
     }
 }
 

@@ -52,9 +52,11 @@ pub fn extrude_along(env: &mut Env, shape: &mut Shape, along: ExtrudeAlong, dist
     if distance == 0.0 && along != ExtrudeAlong::WorldUpFlatTop {
         return;
     }
-    match [Axis::X, Axis::Y, Axis::Z].into_iter().find(|axis| straight(&shape.scope, *axis, along)) {
-        Some(axis) => shape.raise_coordinates(axis),
-        None => shape.bake(),
+    if !shape.state.coordinates().is_empty() {
+        match [Axis::X, Axis::Y, Axis::Z].into_iter().find(|axis| straight(&shape.scope, *axis, along)) {
+            Some(axis) => shape.raise_coordinates(axis),
+            None => shape.bake(),
+        }
     }
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex => {}

@@ -74,9 +74,9 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
 pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Box<Base>> {
     let s = shape.size.get();
     let height = distance.plain(s.y);
-    let is_length = 0.0 < height && height <= Scope::MOST_SIZE;
-    let across = if shape.form == Form::Rect(Axis::Z) { DVec3::Z } else { DVec3::Y };
-    let is_length = is_length && (!shape.has_coordinates() || shape.keeps_coordinates(across));
+    let along = if shape.form == Form::Rect(Axis::Z) { DVec3::Z } else { DVec3::Y };
+    let keeps = !shape.has_coordinates() || shape.keeps_coordinates(along);
+    let is_length = 0.0 < height && height <= Scope::MOST_SIZE && keeps;
     match shape.form {
         Form::Rect(Axis::Z)
             if is_length && 0.0 < s.x && 0.0 < s.y && s.z == 0.0 && std::ptr::eq(shape.axes, shape.base.axes()) =>
@@ -90,9 +90,7 @@ pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Opt
             shape.unit.set(shape.unit.get().grown(Axis::Y));
             shape.size.set_along(Axis::Y, height);
         }
-        _ => {
-            return whole(env, shape, |env, shape| super::extrude(env, shape, distance));
-        }
+        _ => return whole(env, shape, |env, shape| super::extrude(env, shape, distance)),
     }
     shape.form = Form::Box;
     None

@@ -10,7 +10,7 @@ use super::Length;
 use super::transform::sin_cos;
 use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::mesh::uv::spread;
+use crate::mesh::uv::{range, spread};
 use crate::shape::Shape;
 use crate::texture::map::UvMap;
 use crate::texture::{SETS, Source};
@@ -225,15 +225,9 @@ pub fn normalize_uv(env: &mut Env, shape: &mut Shape, set: f64, mode: NormalizeM
             mesh.with_uv_set(usize::from(set), uvs)
         });
     }
-    if let Some(range) = range(mesh.uv_set(usize::from(set))) {
+    if let Some(range) = mesh.uv_range(usize::from(set)) {
         change_set(env, shape, set, "normalizeUV", &normalized(mode, range));
     }
-}
-
-/// The smallest and the largest coordinates.
-fn range(uvs: &[DVec2]) -> Option<[DVec2; 2]> {
-    let first = *uvs.first()?;
-    Some(uvs.iter().fold([first; 2], |[low, high], &uv| [low.min(uv), high.max(uv)]))
 }
 
 /// The change that fits a range of coordinates between 0 and 1.

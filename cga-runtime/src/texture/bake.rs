@@ -134,7 +134,7 @@ fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projectio
                 list
             }
         };
-        baked = baked.with_uv_set(usize::from(set), list);
+        baked.put_uv_set(usize::from(set), list);
     }
     baked
 }

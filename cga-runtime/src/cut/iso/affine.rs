@@ -6,7 +6,7 @@ use super::band::Coordinate;
 use crate::mesh::{FaceRef, Mesh};
 use crate::tol::AFFINE_EPSILON;
 
-/// Returns true if a coordinate is an affine function of the place on a face, but for rounding. Not so for faces without area.
+/// Returns true if a coordinate is an affine function of the place on a face, up to rounding. A face without area gives false.
 pub(super) fn is_affine(mesh: &Mesh, face: usize, coordinate: Coordinate) -> bool {
     let face = &mesh.face(face);
     let uvs = mesh.uv_set(coordinate.set);

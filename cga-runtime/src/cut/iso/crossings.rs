@@ -55,7 +55,7 @@ impl Crossings {
                 self.shares.push(share);
             }
         }
-        // What corners carry is interpolated from the same end as the position.
+        // The values of corners are interpolated from the same end as the position.
         let [first, last] = if comes_first(at(from), at(to)) { [from, to] } else { [to, from] };
         let (first_line, first_crossing) = (lines.start, self.base + number);
         let node = |line: u32| {

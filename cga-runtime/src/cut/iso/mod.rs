@@ -32,11 +32,11 @@ use sites::Sites;
 
 /// Cuts the faces of a mesh along the lines where a coordinate of a texture set equals a value; values rise strictly.
 ///
-/// The result has one band more than there are lines, from low to high, and nothing where there is no face. A band holds
+/// There is one band more than lines, from low to high. A band without a face is `None`. A band holds
 /// the coordinates from its lower line up to its upper line. A face that has one coordinate everywhere, and lies on a line,
 /// is in the band above it. A band that holds all of the mesh gets the same mesh, not a copy.
 ///
-/// - Faces keep their order, tags, groups and materials. What corners carry is interpolated; the cut coordinate is that of
+/// - Faces keep their order, tags, groups and materials. The values of corners are interpolated; the cut coordinate is that of
 ///   the line. A piece begins with what is left of the face's first edge, as in [`slabs`](super::slabs()).
 /// - Faces that agree in the coordinate at both ends of their edge share the crossings of the edge: they stay connected. At
 ///   a seam each face has crossings of its own. Mirrored faces need no rule of their own.

@@ -230,7 +230,7 @@ impl Patch {
         }
     }
 
-    /// Returns true if a triangle is more than a line, but for rounding.
+    /// Returns true if a triangle has an area, up to rounding.
     fn has_area(&self, triangle: u32) -> bool {
         let [a, b, c] = self.triangles[triangle as usize].map(|corner| self.flat[corner as usize]);
         let (ab, ac) = (b - a, c - a);

@@ -45,6 +45,12 @@ impl UvExtent {
     }
 }
 
+/// The smallest and the largest coordinates of a list; nothing if it is empty.
+pub(crate) fn range(uvs: &[DVec2]) -> Option<[DVec2; 2]> {
+    let first = *uvs.first()?;
+    Some(uvs.iter().fold([first; 2], |[low, high], &uv| [low.min(uv), high.max(uv)]))
+}
+
 /// Largest minus smallest coordinate; 0 where the difference is rounding.
 pub(crate) fn spread([low, high]: [DVec2; 2]) -> DVec2 {
     let size = high - low;
@@ -66,9 +72,7 @@ struct Sums {
 impl Mesh {
     /// The smallest and the largest coordinates of a set, without metres; nothing if the mesh does not have the set.
     pub fn uv_range(&self, set: usize) -> Option<[DVec2; 2]> {
-        let uvs = self.uv_set(set);
-        let first = *uvs.first()?;
-        Some(uvs.iter().fold([first; 2], |[low, high], &uv| [low.min(uv), high.max(uv)]))
+        range(self.uv_set(set))
     }
 
     /// The range of a texture set and its metres, once the mesh is stretched along its axes; nothing if the mesh does not have

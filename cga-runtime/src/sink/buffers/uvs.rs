@@ -6,6 +6,7 @@ use crate::mesh::Mesh;
 use crate::shape::base::Form;
 use crate::sink::Replay;
 use crate::sink::corners::Placed;
+use crate::texture::SETS;
 use crate::texture::map::{SetMap, UvMap};
 use crate::unit::UnitMesh;
 
@@ -14,9 +15,6 @@ use crate::unit::UnitMesh;
 pub(super) struct UvLists(Vec<Vec<[f32; 2]>>);
 
 impl UvLists {
-    /// The most sets there are.
-    pub(super) const MOST: usize = 10;
-
     /// Returns true as long as nothing had any.
     #[inline]
     pub(super) fn is_empty(&self) -> bool {
@@ -36,17 +34,17 @@ impl UvLists {
         self.0.iter().map(|list| size_of::<[f32; 2]>() * list.capacity()).sum()
     }
 
-    /// The list of a set, with (0, 0) for vertices before `vertex` that have none.
-    fn list(&mut self, set: usize, vertex: usize) -> Option<&mut Vec<[f32; 2]>> {
-        if UvLists::MOST <= set {
+    /// The list of a set, with (0, 0) for vertices before `end` that have none.
+    fn list(&mut self, set: usize, end: usize) -> Option<&mut Vec<[f32; 2]>> {
+        if SETS <= set {
             return None;
         }
         if self.0.len() <= set {
             self.0.resize_with(set + 1, Vec::new);
         }
         let list = &mut self.0[set];
-        if list.len() < vertex {
-            list.resize(vertex, [0.0; 2]);
+        if list.len() < end {
+            list.resize(end, [0.0; 2]);
         }
         Some(list)
     }
@@ -72,19 +70,12 @@ impl UvLists {
     }
 
     /// Adds the corners of a rectangle, or of all faces of a box, whose vertices begin at one.
-    #[inline]
     pub(super) fn place(&mut self, maps: &[SetMap], placed: &Placed, block: Option<UnitMesh>, vertex: usize) {
+        let end = vertex + 4 * block.map_or(1, |unit| unit.face_count());
         for SetMap { set, map } in maps {
-            if let Some(list) = self.list(*set, vertex) {
-                let corners = Corners::of(&Columns::from(map), placed);
-                match block {
-                    None => list.extend_from_slice(&corners.quad()),
-                    Some(unit) => {
-                        let points = corners.block();
-                        let faces = unit.sides().iter().flat_map(|face| face.corners);
-                        list.extend(faces.map(|corner| points[usize::from(corner & 7)]));
-                    }
-                }
+            if let Some(list) = self.list(*set, end) {
+                let (faces, _) = list[vertex..end].as_chunks_mut::<4>();
+                Corners::of(&Columns::from(map), placed).write(faces, block);
             }
         }
     }
@@ -100,17 +91,10 @@ impl UvLists {
                 let map = Columns::from(map);
                 let (mut faces, _) = list[vertex_of_mark..][..mark.corners].as_chunks_mut::<4>();
                 for (placed, record, _) in replay.leaves(range.clone()) {
-                    let corners = Corners::of(&map, &placed.moved(place));
                     let (own, rest) = faces.split_at_mut(record.unit.face_count());
                     faces = rest;
-                    if record.form == Form::Box {
-                        let points = corners.block();
-                        for (to, face) in own.iter_mut().zip(record.unit.sides()) {
-                            *to = face.corners.map(|corner| points[usize::from(corner & 7)]);
-                        }
-                    } else if let [to] = own {
-                        *to = corners.quad();
-                    }
+                    let block = (record.form == Form::Box).then_some(record.unit);
+                    Corners::of(&map, &placed.moved(place)).write(own, block);
                 }
             }
         }
@@ -143,6 +127,19 @@ impl Corners {
         let [x, y, z] = map.axes;
         let along = |side: DVec4| x * side.x + y * side.y + z * side.z;
         Corners { first: along(placed.origin) + map.origin, sides: placed.sides.map(along) }
+    }
+
+    /// Writes those of a rectangle, or of the faces of a box.
+    #[inline]
+    fn write(&self, faces: &mut [[[f32; 2]; 4]], block: Option<UnitMesh>) {
+        if let Some(unit) = block {
+            let points = self.block();
+            for (to, face) in faces.iter_mut().zip(unit.sides()) {
+                *to = face.corners.map(|corner| points[usize::from(corner & 7)]);
+            }
+        } else if let [to] = faces {
+            *to = self.quad();
+        }
     }
 
     /// In the order of vertices.

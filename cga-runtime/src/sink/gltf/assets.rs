@@ -10,7 +10,7 @@ use crate::mesh::Mesh;
 
 /// Assets by mesh, rule and material, in the order in which they come first.
 #[derive(Debug, Default)]
-pub(super) struct Assets {
+pub(super) struct AssetList {
     list: Vec<Asset>,
     /// Only ever asked, never walked.
     by_mesh: HashMap<(usize, u32, u32), usize>,
@@ -25,7 +25,7 @@ struct Asset {
     placements: Vec<DAffine3>,
 }
 
-impl Assets {
+impl AssetList {
     /// Notes a place of an asset.
     pub(super) fn add(&mut self, mesh: &Arc<Mesh>, rule: u32, material: u32, placement: &DAffine3) {
         let list = &mut self.list;

@@ -33,7 +33,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use self::assets::Assets;
+use self::assets::AssetList;
 use self::look::Looks;
 use self::parts::{Parts, Place};
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
@@ -43,7 +43,7 @@ use super::flatten::Flattener;
 use super::normals;
 use super::numbers::Numbers;
 use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
-use crate::asset::Assets as AssetFolder;
+use crate::asset::Assets;
 use crate::mesh::{Bounds, Mesh};
 use crate::model::Model;
 use crate::parallel;
@@ -60,7 +60,7 @@ pub struct Glb {
     numbers: Numbers,
     looks: Looks,
     primitives: Primitives,
-    assets: Assets,
+    assets: AssetList,
     /// Repeated parts, if they are to be instances.
     parts: Option<Parts>,
     flattener: Flattener,
@@ -99,7 +99,7 @@ impl Glb {
     }
 
     /// Embeds images, found in an asset folder. A file that is missing or broken becomes a checker pattern.
-    pub fn with_assets(mut self, assets: Arc<AssetFolder>) -> Self {
+    pub fn with_assets(mut self, assets: Arc<Assets>) -> Self {
         self.files = Files::of(assets);
         self
     }
