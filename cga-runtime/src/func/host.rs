@@ -1,11 +1,11 @@
 //! Rust in rules: values (`#name`) and operations (`path::call(…)`).
 
-use crate::array::Array;
-use crate::env::Env;
-use crate::fault::{Fault, FaultKind};
 use crate::func;
+use crate::run::env::Env;
+use crate::run::fault::{Fault, FaultKind};
 use crate::shape::Shape;
-use crate::text::Text;
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 /// A Rust value that a rule can use as a number.
 #[diagnostic::on_unimplemented(

@@ -1,8 +1,8 @@
 //! What the language has and this runtime has not yet: a no-op or the type's default, and one fault a name and run.
 
-use crate::array::Array;
-use crate::env::Env;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 /// An operation that is not implemented: the shape stays as it is.
 pub fn operation(env: &mut Env, name: &'static str) {
@@ -51,7 +51,7 @@ pub fn texts(env: &mut Env, name: &'static str) -> Array<Text> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fault::FaultKind;
+    use crate::run::fault::FaultKind;
 
     #[test]
     fn a_name_is_missed_once_a_run() {

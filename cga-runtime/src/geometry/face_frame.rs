@@ -3,13 +3,13 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use crate::mesh::{FaceRef, Mesh};
-use crate::scope::Frame;
-use crate::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
+use crate::geometry::Frame;
+use crate::geometry::mesh::{FaceRef, Mesh};
+use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
 /// A face's own coordinate system and its box in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FaceFrame {
+pub(crate) struct FaceFrame {
     /// Origin at the start of the first edge that has a length, x along it, z outwards.
     pub frame: Frame,
     /// Smallest coordinates of the face in the frame.
@@ -21,7 +21,7 @@ pub struct FaceFrame {
 }
 
 /// The frame of a face; nothing for a face without area.
-pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
+pub(crate) fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
     let face = mesh.face(face);
     let z = face.normal();
     let outer = face.outer();
@@ -31,7 +31,8 @@ pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
     }
     let (first, along) = (0..outer.len()).map(|i| (i, at(i + 1) - at(i))).find(|(_, edge)| *edge != DVec3::ZERO)?;
     // The edge lies in the face but for rounding: take that out, so that the axes are orthonormal.
-    let x = crate::mesh::unit(crate::mesh::unit(along) - z * crate::mesh::unit(along).dot(z));
+    let x =
+        crate::geometry::mesh::unit(crate::geometry::mesh::unit(along) - z * crate::geometry::mesh::unit(along).dot(z));
     if x == DVec3::ZERO {
         return None;
     }
@@ -62,29 +63,37 @@ pub(crate) fn object_of(mesh: &Mesh) -> Option<Frame> {
 pub(crate) fn object(found: &FaceFrame) -> Frame {
     let [x, out] = [found.frame.axes.x_axis, found.frame.axes.z_axis];
     // Where the first edge leaves the plane of its face, the two are not at right angles to the last digit.
-    let y = crate::mesh::unit(out - x * out.dot(x));
+    let y = crate::geometry::mesh::unit(out - x * out.dot(x));
     Frame { origin: found.frame.origin, axes: DMat3::from_cols(x, y, x.cross(y)) }
 }
 
 /// The direction across an axis that is as upright as can be.
-pub(super) fn upright(x: DVec3) -> DVec3 {
-    let up = crate::mesh::unit(DVec3::Y - x * x.y);
-    if 1.0 - x.y.abs() < ANGLE_EPSILON || up == DVec3::ZERO { crate::mesh::unit(DVec3::Z - x * x.z) } else { up }
+pub(crate) fn upright(x: DVec3) -> DVec3 {
+    let up = crate::geometry::mesh::unit(DVec3::Y - x * x.y);
+    if 1.0 - x.y.abs() < ANGLE_EPSILON || up == DVec3::ZERO {
+        crate::geometry::mesh::unit(DVec3::Z - x * x.z)
+    } else {
+        up
+    }
 }
 
 /// Axes with x given and z as near as can be to where something looks.
-pub(super) fn along(x: DVec3, looks: DVec3) -> DMat3 {
+pub(crate) fn along(x: DVec3, looks: DVec3) -> DMat3 {
     // A mean need not be perpendicular to the edge, and what is left of one along it is rounding.
     let across = looks - x * looks.dot(x);
-    let z = if across.length() <= COPLANAR_EPSILON { upright(x) } else { crate::mesh::unit(across) };
-    let z = crate::mesh::unit(z - x * z.dot(x));
+    let z = if across.length() <= COPLANAR_EPSILON { upright(x) } else { crate::geometry::mesh::unit(across) };
+    let z = crate::geometry::mesh::unit(z - x * z.dot(x));
     DMat3::from_cols(x, z.cross(x), z)
 }
 
 /// The x axis across a z axis: as near to the x axis of the shape as can be, and so it turns with it.
-pub(super) fn beside(z: DVec3) -> DVec3 {
-    let x = crate::mesh::unit(DVec3::X - z * z.x);
-    if 1.0 - z.x.abs() < ANGLE_EPSILON || x == DVec3::ZERO { crate::mesh::unit(DVec3::NEG_Z + z * z.z) } else { x }
+pub(crate) fn beside(z: DVec3) -> DVec3 {
+    let x = crate::geometry::mesh::unit(DVec3::X - z * z.x);
+    if 1.0 - z.x.abs() < ANGLE_EPSILON || x == DVec3::ZERO {
+        crate::geometry::mesh::unit(DVec3::NEG_Z + z * z.z)
+    } else {
+        x
+    }
 }
 
 fn is_rectangle(face: &FaceRef<'_>, frame: &Frame, size: DVec2) -> bool {
@@ -103,7 +112,7 @@ fn is_rectangle(face: &FaceRef<'_>, frame: &Frame, size: DVec2) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::primitive::cube;
+    use crate::geometry::mesh::primitive::cube;
 
     #[test]
     fn a_wall_has_x_along_its_first_edge_and_z_outwards() {

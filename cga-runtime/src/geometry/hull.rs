@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::exact::orient;
+use crate::geometry::exact::orient;
 
 /// Leaves the corners of the convex hull, counter-clockwise, of things that are somewhere in a plane. Two or fewer places are
 /// their own hull.

@@ -1,7 +1,7 @@
 //! Where a face comes from, and the tags that `extrude` gives (*Geometry tagging*, auto-tags).
 
-use crate::mesh::{FaceTag, Mesh, TagSet, tag_matches};
-use crate::text::Text;
+use crate::geometry::mesh::{FaceTag, Mesh, TagSet, tag_matches};
+use crate::value::text::Text;
 
 /// Where `extrude` made a face: the face that was there, what rises from its outline and from its holes, and the face that
 /// moved.

@@ -5,7 +5,7 @@
 
 use glam::{DAffine2, DAffine3, DVec2, DVec3, DVec4};
 
-use crate::tol::CONSTANT_EPSILON;
+use crate::geometry::tol::CONSTANT_EPSILON;
 
 /// A map from points of the world to (u, v): two affine functions, each with its constant in `w`. v runs upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use crate::mesh::{Bounds, unit};
-use crate::scope::Frame;
+use crate::geometry::Frame;
+use crate::geometry::mesh::{Bounds, unit};
 use crate::shape::stretch;
 
 /// Edges between points, or points alone.

@@ -3,9 +3,9 @@
 
 use std::cell::{Cell, OnceCell};
 
-use crate::env::Env;
+use crate::op::set;
 use crate::rt::global;
-use crate::set;
+use crate::run::env::Env;
 use crate::shape::Shape;
 
 /// A value that is computed when it is first read.

@@ -2,18 +2,20 @@
 //!
 //! A [`Session`] checks the attributes and finds the start rule once, and keeps what runs can share. Runs of one session make
 //! the same as runs of their own. A session belongs to one thread; runs in parallel have one each, see
-//! [`parallel`](crate::parallel).
+//! [`parallel`](crate::grammar::parallel).
 
 use std::borrow::Cow;
 use std::fmt;
 
-use crate::derive::{self, Kept, Outcome, Report, Start};
-use crate::fault::Error;
-use crate::grammar::{Grammar, Rules};
-use crate::model::Model;
-use crate::settings::Settings;
+use crate::grammar::Grammar;
+use crate::output::model::Model;
+use crate::run::derive::{self, Kept, Outcome, Start};
+use crate::run::fault::Error;
+use crate::run::report::Report;
+use crate::run::rules::Rules;
+use crate::run::settings::Settings;
+use crate::run::sink::Sink;
 use crate::shape::Shape;
-use crate::sink::Sink;
 
 /// Several runs of one grammar with the same settings. Made by `grammar.session(&settings)`.
 pub struct Session<'g, G: Rules> {

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::material::{Layer, LayerPart, Material, MaterialNumber, MaterialText};
-use crate::text::Text;
+use crate::value::text::Text;
 
 /// How a texture lies on its layer (*material.map attribute*). Coordinates are scaled by `su`, `sv`, then turned about (0, 0) by
 /// `rw`, anticlockwise as `rotateUV` turns them, then moved by `tu`, `tv`. The order and the direction are inferred.

@@ -2,17 +2,18 @@
 
 use glam::DVec3;
 
-use crate::env::Env;
-use crate::fault::FaultKind;
-use crate::get;
+use crate::geometry::Frame;
+use crate::geometry::rotation::turn;
 use crate::material::list::{each_material_number, each_material_text};
 use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
-use crate::op::turn;
-use crate::scope::{Frame, Scope};
-use crate::seed::Seed;
+use crate::query::get;
+use crate::run::env::Env;
+use crate::run::fault::FaultKind;
 use crate::shape::Shape;
-use crate::text::Text;
+use crate::shape::scope::Scope;
+use crate::shape::seed::Seed;
 use crate::value::Value;
+use crate::value::text::Text;
 
 macro_rules! sizes {
     ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
@@ -216,7 +217,7 @@ mod tests {
     use super::*;
     use crate::op::Length::Absolute;
     use crate::op::{rotate, translate};
-    use crate::settings::Settings;
+    use crate::run::settings::Settings;
     use crate::shape::Shape;
 
     #[test]
@@ -257,7 +258,7 @@ mod tests {
         assert_eq!(get::seedian(shape), 7.0);
         let mut drawn = |env: &mut Env, value: f64| {
             seedian(env, shape, value);
-            (get::seedian(shape), shape.seed.draw(), shape.seed.child(crate::seed::Tag::Push, 0).value())
+            (get::seedian(shape), shape.seed.draw(), shape.seed.child(crate::shape::seed::Tag::Push, 0).value())
         };
         for value in [0.0, -3.0, 9_007_199_254_740_992.0] {
             let first = drawn(env, value);

@@ -22,18 +22,18 @@ use self::part::Run;
 use self::replayed::{Marks, Replayed};
 use self::uvs::UvLists;
 use self::write::{marked, short, vertex, write_box, write_quad, write_quad_indices};
-use super::corners::{Placed, four};
 use super::error::WriteError;
 use super::flatten::{FlatFace, Flattener, corner_point, normal_map, unit};
 use super::normals;
 use super::numbers::Numbers;
 use super::room::Room;
-use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
 use crate::material::Material;
-use crate::mesh::Mesh;
-use crate::scope::Axis;
+use crate::run::sink::corners::{Placed, four};
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
-use crate::unit::UnitMesh;
+use crate::shape::unit::UnitMesh;
 
 /// Position x, y, z and normal x, y, z.
 pub type Vertex = [f32; 6];

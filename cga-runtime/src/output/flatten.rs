@@ -6,8 +6,8 @@ use std::ops::Range;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use crate::mesh::Mesh;
-use crate::triangulate::Triangulator;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::triangulate::Triangulator;
 
 /// Cuts faces into triangles, keeping its buffers from mesh to mesh.
 #[derive(Debug, Default)]

@@ -5,8 +5,8 @@
 use glam::DAffine3;
 
 use super::flatten::normal_map;
-use super::{Cuboid, Quad};
-use crate::mesh::Mesh;
+use crate::geometry::mesh::Mesh;
+use crate::run::sink::{Cuboid, Quad};
 
 /// In square metres.
 pub(crate) fn quad_area(quad: &Quad) -> f64 {

@@ -10,22 +10,23 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use crate::asset::Assets;
-use crate::derive::Report;
-use crate::fault::Fault;
+use crate::geometry::Axis;
+use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::uv_map::SetMap;
 use crate::material::Material;
-use crate::mesh::{Bounds, Mesh};
-use crate::place;
-use crate::report::{Collection, Print, Reports};
-use crate::scope::{Axis, Scope};
+use crate::output::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
+use crate::output::numbers::Numbers;
+use crate::output::stats::Stats;
+use crate::output::texture::files::Files;
+use crate::output::texture::leaf_uvs::LeafUvs;
+use crate::run::fault::Fault;
+use crate::run::report::Report;
+use crate::run::report::{Collection, Print, Reports};
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
 use crate::shape::base::Form;
-use crate::sink::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
-use crate::sink::numbers::Numbers;
-use crate::sink::stats::Stats;
-use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
-use crate::texture::files::Files;
-use crate::texture::leaf_uvs::LeafUvs;
-use crate::texture::map::SetMap;
-use crate::unit::UnitMesh;
+use crate::shape::place;
+use crate::shape::scope::Scope;
+use crate::shape::unit::UnitMesh;
 
 /// The leaves of a run.
 #[derive(Clone, Debug, Default)]

@@ -5,10 +5,10 @@
 use glam::{DMat3, Vec4};
 
 use super::flatten::unit;
-use super::{Cuboid, Leaf, Quad};
-use crate::place;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::run::sink::{Cuboid, Leaf, Quad};
 use crate::shape::axes::{self, Axes};
+use crate::shape::place;
 
 /// The normal of a rectangle.
 #[inline]

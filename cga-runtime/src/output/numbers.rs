@@ -6,8 +6,8 @@
 use std::fmt;
 
 use super::table::Table;
-use super::{Filled, Leaf};
-use crate::material::ids::MaterialId;
+use crate::run::sink::{Filled, Leaf};
+use crate::shape::look_ids::MaterialId;
 
 /// A table of rule names and materials, and the numbers of the run under way as numbers of the table.
 #[derive(Clone, Default)]

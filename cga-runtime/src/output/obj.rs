@@ -23,12 +23,12 @@ use super::error::WriteError;
 use super::flatten::{Flattener, normal_map, unit};
 use super::number::{Texts, push_whole};
 use super::numbers::Numbers;
-use super::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
+use crate::geometry::mesh::Mesh;
+use crate::grammar::parallel::Parts;
 use crate::material::Material;
-use crate::mesh::Mesh;
-use crate::model::Model;
-use crate::parallel::Parts;
-use crate::text::Text;
+use crate::output::model::Model;
+use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
+use crate::value::text::Text;
 
 /// The bytes of text that are handed over at once, or somewhat more.
 const MUCH: usize = 1 << 15;
@@ -309,7 +309,7 @@ fn to_files(path: &Path, replay: impl FnOnce(&mut Obj<BufWriter<File>>) -> Flow)
 /// Writes built-in textures beside an OBJ file.
 #[cfg(feature = "png")]
 fn write_images(path: &Path, names: &BTreeSet<Text>) -> Result<(), WriteError> {
-    names.iter().try_for_each(|name| match crate::texture::builtin::image(name) {
+    names.iter().try_for_each(|name| match crate::asset::image::builtin::image(name) {
         Some(image) => image.write_png(path.with_file_name(mtl::file_name(name))),
         None => Ok(()),
     })

@@ -10,10 +10,10 @@ use super::buffers::Vertex;
 use super::flatten::{Flattener, corner_point};
 use super::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume};
 use super::numbers::Numbers;
-use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
-use crate::mesh::{Bounds, Mesh};
-use crate::place;
+use crate::geometry::mesh::{Bounds, Mesh};
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
+use crate::shape::place;
 
 /// Sums over some leaves. Triangles and vertices are counted as [`super::buffers::Buffers`] makes them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -17,10 +17,10 @@ use super::order;
 use super::picture::Viewpoint;
 use super::picture::camera::{View, direction};
 use super::table::Table;
-use super::{Cuboid, Flow, Leaf, Quad, Sink};
+use crate::geometry::mesh::Mesh;
 use crate::material::Material;
-use crate::mesh::Mesh;
-use crate::model::Model;
+use crate::output::model::Model;
+use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 
 /// How a vector picture is made.
 #[derive(Clone, Debug, PartialEq)]

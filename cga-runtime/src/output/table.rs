@@ -7,7 +7,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::material::{Color, Material, MaterialNumber};
-use crate::text::Text;
+use crate::value::text::Text;
 
 /// Interned rule names and materials. The same leaves in the same order give the same numbers.
 #[derive(Clone, Default)]

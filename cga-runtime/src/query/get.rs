@@ -2,15 +2,15 @@
 
 use glam::DVec3;
 
-use crate::array::Array;
-use crate::env::Env;
+use crate::geometry::rotation::angles;
 use crate::material::list::{each_material_number, each_material_text};
 use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
-use crate::op::angles;
+use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::view::View;
-use crate::text::Text;
 use crate::value::Value;
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 macro_rules! numbers {
     (($ty:ty) $($(#[$doc:meta])* $name:ident = |$shape:ident| $value:expr;)*) => {$(

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::asset::Assets;
-use crate::watch::Watch;
+use crate::run::watch::Watch;
 
-/// Bounds on what one run may make. Reaching one ends the run with [`Error::Limit`](crate::fault::Error::Limit), unless it
+/// Bounds on what one run may make. Reaching one ends the run with [`Error::Limit`](crate::run::fault::Error::Limit), unless it
 /// says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
@@ -56,7 +56,7 @@ pub struct Settings {
     /// What `i(…)` may insert.
     pub assets: Arc<Assets>,
     /// Whether printed lines are also written to standard output when the run ends, with or without an error. They have the
-    /// order of [`Report::prints`](crate::derive::Report::prints).
+    /// order of [`Report::prints`](crate::run::report::Report::prints).
     pub echo: bool,
     /// Follows the progress of runs and can end them early.
     pub watch: Option<Watch>,

@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct StartRule {
-    /// Its name, `Style$Rule` in a style other than `Default`: what [`Settings::start`](crate::settings::Settings::start) takes.
+    /// Its name, `Style$Rule` in a style other than `Default`: what [`Settings::start`](crate::run::settings::Settings::start) takes.
     pub name: &'static str,
     /// `@Description` or doc comment.
     pub about: &'static str,

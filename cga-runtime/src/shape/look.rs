@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::Material;
-use crate::texture::Coordinates;
+use crate::material::Material;
+use crate::shape::texture::Coordinates;
 
 /// The material and the implicit texture coordinates that rules gave. Both change by operations with constant arguments, so that
 /// few looks serve many leaves.

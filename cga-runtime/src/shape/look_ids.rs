@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::look::Look;
-use crate::state::UNSET;
+use crate::shape::state::UNSET;
 
 /// The number of a material among those of the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

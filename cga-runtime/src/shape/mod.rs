@@ -5,24 +5,35 @@
 
 pub(crate) mod axes;
 pub(crate) mod base;
+pub(crate) mod direction;
 mod initial;
+pub(crate) mod look;
+pub(crate) mod look_ids;
+pub(crate) mod place;
+pub mod scope;
+pub(crate) mod seed;
 pub(crate) mod slim;
+pub(crate) mod state;
+pub(crate) mod street;
+pub(crate) mod texture;
+pub(crate) mod trim;
+pub(crate) mod unit;
 pub(crate) mod view;
 
 use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use crate::geometry::mesh::Mesh;
+use crate::geometry::wire::PlacedWire;
+use crate::geometry::{Axis, Frame};
 use crate::material::{Color, Material};
-use crate::mesh::Mesh;
-use crate::place;
-use crate::scope::{Axis, Frame, Scope};
-use crate::seed::Seed;
-use crate::state::StateRef;
-use crate::texture::Coordinates;
-use crate::trim::Trims;
-use crate::unit::UnitMesh;
-use crate::wire::PlacedWire;
+use crate::shape::scope::Scope;
+use crate::shape::seed::Seed;
+use crate::shape::state::StateRef;
+use crate::shape::texture::Coordinates;
+use crate::shape::trim::Trims;
+use crate::shape::unit::UnitMesh;
 
 pub use slim::ShapeRef;
 

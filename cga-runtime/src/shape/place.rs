@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use crate::mesh::Mesh;
-use crate::scope::{Axis, Scope};
-use crate::unit::UnitMesh;
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
+use crate::shape::scope::Scope;
+use crate::shape::unit::UnitMesh;
 
 /// A flat rectangle: corners `origin`, `origin + u`, `origin + u + v`, `origin + v`, counter-clockwise seen from
 /// where `u × v` points. A side may have length zero.

@@ -3,10 +3,10 @@
 use std::sync::{Arc, LazyLock};
 
 use crate::material::Material;
-use crate::material::look::Look;
-use crate::text::Text;
-use crate::texture::{Coordinates, Projections};
+use crate::shape::look::Look;
+use crate::shape::texture::{Coordinates, Projections};
 use crate::value::Value;
+use crate::value::text::Text;
 
 /// Rarely changed and often inherited, therefore shared.
 #[derive(Clone, Debug, PartialEq)]

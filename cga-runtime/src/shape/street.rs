@@ -6,9 +6,9 @@
 
 use glam::DVec3;
 
-use super::select::Direction;
-use crate::mesh::{FaceRef, unit};
-use crate::tol::ANGLE_EPSILON;
+use crate::geometry::mesh::{FaceRef, unit};
+use crate::geometry::tol::ANGLE_EPSILON;
+use crate::shape::direction::Direction;
 
 /// The edges of a lot as its streets sort them, in the world.
 #[derive(Clone, Debug)]
@@ -60,7 +60,7 @@ impl Streets {
     }
 
     /// Whether what is at a place and looks along a unit normal is in a class.
-    pub(super) fn takes(&self, direction: Direction, normal: DVec3, at: DVec3) -> bool {
+    pub(crate) fn takes(&self, direction: Direction, normal: DVec3, at: DVec3) -> bool {
         let level = unit(normal - self.up * normal.dot(self.up));
         // What looks straight up or down faces no street.
         if normal.cross(self.up).length() <= ANGLE_EPSILON {

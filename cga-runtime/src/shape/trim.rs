@@ -10,12 +10,12 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DVec2, DVec3};
 
-use crate::comp::frame::face_frame;
-use crate::hull::hull;
-use crate::mesh::{Mesh, unit};
-use crate::scope::Frame;
-use crate::tol::{ANGLE_EPSILON, PLANAR_EPSILON};
-use crate::triangulate::Projection;
+use crate::geometry::Frame;
+use crate::geometry::face_frame::face_frame;
+use crate::geometry::hull::hull;
+use crate::geometry::mesh::{Mesh, unit};
+use crate::geometry::tol::{ANGLE_EPSILON, PLANAR_EPSILON};
+use crate::geometry::triangulate::Projection;
 
 /// A trim plane in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]

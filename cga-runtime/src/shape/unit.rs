@@ -10,10 +10,10 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use crate::cut;
-use crate::mesh::{Extrude, Mesh, extrude, primitive, solid};
-use crate::provenance::Provenance;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::cut;
+use crate::geometry::mesh::{Extrude, Mesh, extrude, primitive, solid};
+use crate::geometry::provenance::Provenance;
 
 /// The mesh of a box or a rectangle that is 1 long along each of its axes. The rectangle lies at 0 on the axis across it.
 #[derive(Clone, Copy)]

@@ -6,8 +6,9 @@
 use std::fmt::{self, Write};
 use std::sync::Arc;
 
-use crate::func::{Compare, Number};
-use crate::text::Text;
+use super::compare::Compare;
+use super::number::Number;
+use crate::value::text::Text;
 
 /// An array of numbers, truth values or texts (*array initialization function*). Arrays never change; copies share
 /// their elements.

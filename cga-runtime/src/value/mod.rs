@@ -1,10 +1,16 @@
 //! Values of the language as data: what attributes hold, what rules print.
 
+pub mod array;
+pub(crate) mod compare;
+pub(crate) mod number;
+pub(crate) mod pattern;
+pub mod text;
+
 use std::fmt;
 
-use crate::array::{Array, Element};
-use crate::func::{bool_to_text, float_to_text};
-use crate::text::Text;
+use self::number::Number;
+use crate::value::array::{Array, Element};
+use crate::value::text::Text;
 
 /// A value of the language. More kinds may come.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,8 +81,8 @@ impl Value {
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Value::Float(number) => f.write_str(&float_to_text(*number)),
-            Value::Bool(truth) => f.write_str(&bool_to_text(*truth)),
+            Value::Float(number) => Number(*number).fmt(f),
+            Value::Bool(truth) => truth.fmt(f),
             Value::Text(text) => f.write_str(text),
             Value::Floats(array) => array.fmt(f),
             Value::Bools(array) => array.fmt(f),

@@ -7,9 +7,9 @@ use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
-use super::AssetError;
-use super::image::{ImageHeader, ImageKind, MOST_PIXELS};
-use crate::sink::picture::Image;
+use crate::asset::AssetError;
+use crate::asset::image::header::{ImageHeader, ImageKind, MOST_PIXELS};
+use crate::output::picture::Image;
 
 /// The pixels of an image file, as four bytes of sRGB and opacity. Grey, palettes and 16 bits a channel become that.
 ///
@@ -61,7 +61,7 @@ fn whole(width: usize, height: usize, rgba: Vec<u8>) -> Option<Image> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::asset::image::header;
+    use crate::asset::image::header::header;
 
     fn encoded(color: png::ColorType, depth: png::BitDepth, size: u32, data: &[u8]) -> Vec<u8> {
         let mut bytes = Vec::new();

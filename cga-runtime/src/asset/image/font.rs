@@ -1,6 +1,6 @@
 //! A small fixed-width alphabet for labels: the printable ASCII characters on a grid of 5×9 dots.
 
-use super::image::Image;
+use crate::asset::image::Image;
 
 /// Rows of dots from the top, the leftmost dot in bit 4; the base line runs below the seventh.
 #[rustfmt::skip]

@@ -1,6 +1,6 @@
 //! Image files: their size, whether they have an alpha channel, and whether they are complete.
 
-use super::AssetError;
+use crate::asset::AssetError;
 
 /// The kind of an image file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,12 +1,14 @@
-//! Pictures in memory.
+//! Images: pictures in memory, the headers of image files, and the textures that are always there.
 
+pub(crate) mod builtin;
 #[cfg(feature = "png")]
-use std::io::Write;
-#[cfg(feature = "png")]
-use std::path::Path;
+pub(crate) mod decode;
+mod font;
+pub(crate) mod header;
+mod names;
 
-#[cfg(feature = "png")]
-use crate::sink::error::WriteError;
+#[cfg(feature = "obj")]
+pub(crate) use names::with_names_from_root;
 
 /// A picture: four bytes a pixel (sRGB red, green, blue and opacity), row by row from the upper left.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,36 +66,5 @@ impl Image {
     /// Fills a rectangle. What sticks out is cut off.
     pub fn rectangle(&mut self, x: i64, y: i64, width: usize, height: usize, color: [u8; 4]) {
         self.blit(&Image::filled(width, height, color), x, y);
-    }
-
-    /// The picture as the bytes of a PNG file.
-    ///
-    /// # Errors
-    /// [`WriteError::TooLarge`] for more pixels along a side than the format can count.
-    #[cfg(feature = "png")]
-    pub fn to_png(&self) -> Result<Vec<u8>, WriteError> {
-        let side = |pixels: usize| {
-            u32::try_from(pixels)
-                .map_err(|_| WriteError::TooLarge { what: "pixels along a side", limit: u64::from(u32::MAX) })
-        };
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, side(self.width)?, side(self.height)?);
-        encoder.set_color(png::ColorType::Rgba);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-        let failed = |error: png::EncodingError| WriteError::Io(error.into());
-        let mut writer = encoder.write_header().map_err(failed)?;
-        writer.write_image_data(&self.rgba).map_err(failed)?;
-        writer.finish().map_err(failed)?;
-        Ok(bytes)
-    }
-
-    /// Writes the picture as a PNG file.
-    ///
-    /// # Errors
-    /// As [`Image::to_png`], and what the file system says.
-    #[cfg(feature = "png")]
-    pub fn write_png(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
-        Ok(std::fs::File::create(path)?.write_all(&self.to_png()?)?)
     }
 }

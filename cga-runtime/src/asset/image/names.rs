@@ -5,18 +5,18 @@ use std::path::Path;
 use std::sync::PoisonError;
 
 #[cfg(feature = "obj")]
-use super::folder;
-use super::image::{self, ImageHeader, ImageKind, MOST_BYTES};
-use super::{AssetError, Assets, BUILTINS, File, NAMES_KEPT};
+use crate::asset::folder;
+use crate::asset::image::builtin;
+use crate::asset::image::header::{self, ImageHeader, ImageKind, MOST_BYTES};
+use crate::asset::{AssetError, Assets, BUILTINS, File, NAMES_KEPT};
+#[cfg(feature = "obj")]
+use crate::geometry::mesh::Mesh;
+#[cfg(feature = "obj")]
+use crate::material::layer;
 #[cfg(feature = "obj")]
 use crate::material::{Layer, Material, MaterialText};
 #[cfg(feature = "obj")]
-use crate::mesh::Mesh;
-#[cfg(feature = "obj")]
-use crate::text::Text;
-use crate::texture::builtin;
-#[cfg(feature = "obj")]
-use crate::texture::layer;
+use crate::value::text::Text;
 
 impl Assets {
     /// Returns true if there is a folder in which files are looked for.
@@ -54,14 +54,14 @@ impl Assets {
         if !is_all {
             return Err(AssetError::TooLong { most: MOST_BYTES });
         }
-        Ok((image::header(&bytes)?, bytes))
+        Ok((header::header(&bytes)?, bytes))
     }
 }
 
 /// The mesh of a file with images named from the asset folder: its materials name them from the folder of the file. A name that
 /// leads to nothing stays as it is.
 #[cfg(feature = "obj")]
-pub(super) fn with_names_from_root(mut mesh: Mesh, root: &Path, file: &Path) -> Mesh {
+pub(crate) fn with_names_from_root(mut mesh: Mesh, root: &Path, file: &Path) -> Mesh {
     let from_root = |name: &Text| {
         let found = folder::inside(root, &file.parent()?.join(name.replace('\\', "/"))).ok()?;
         let found = found.strip_prefix(root.canonicalize().ok()?).ok()?.to_str()?.replace('\\', "/");

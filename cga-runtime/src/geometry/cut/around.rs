@@ -10,7 +10,7 @@ use glam::DVec2;
 use super::chain::merge_sort;
 use super::contour::Section;
 use super::row::{Row, Spot};
-use crate::exact::orient;
+use crate::geometry::exact::orient;
 
 /// No outline.
 const NONE: u32 = u32::MAX;

@@ -10,7 +10,7 @@ use super::lead::{Lead, Wish};
 use super::nest::Nest;
 use super::points::{Place, Points};
 use super::state::State;
-use crate::mesh::{FaceTag, Mesh};
+use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// Buffers, and where caps take their texture coordinates from.
 pub(super) struct Caps {

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use glam::DVec2;
 
 use super::nest::about_one;
-use crate::exact::orient;
+use crate::geometry::exact::orient;
 
 const NONE: u32 = u32::MAX;
 

@@ -4,7 +4,7 @@
 //! looked for is near what was looked for before, which a hash table would undo. Where very many edges meet in a point, those
 //! after the first ones are in such a table all the same.
 
-use crate::mesh::table::PairTable;
+use crate::geometry::mesh::table::PairTable;
 
 /// No link.
 const END: u32 = u32::MAX;

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::tol::AROUND_EPSILON;
+use crate::geometry::tol::AROUND_EPSILON;
 
 /// The smallest box around some points.
 #[derive(Clone, Copy, Debug, PartialEq)]

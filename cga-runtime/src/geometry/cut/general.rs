@@ -18,8 +18,8 @@ use super::pieces::Rings;
 use super::points::Node;
 use super::rim::Side;
 use super::state::State;
-use crate::mesh::{FaceRef, FaceTag, Mesh};
-use crate::triangulate::Projection;
+use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
+use crate::geometry::triangulate::Projection;
 
 /// A run of nodes within one slab, from plane to plane.
 #[derive(Clone, Copy)]

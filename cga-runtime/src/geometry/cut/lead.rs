@@ -11,9 +11,9 @@ use glam::{DVec2, DVec3};
 use super::class::Span;
 use super::points::Node;
 use super::state::State;
-use crate::mesh::Mesh;
-use crate::mesh::check::winding;
-use crate::triangulate::Projection;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::check::winding;
+use crate::geometry::triangulate::Projection;
 
 /// Where the first face of the mesh went, and what there is of the wall at its first edge.
 #[derive(Default)]

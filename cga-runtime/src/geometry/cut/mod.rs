@@ -44,8 +44,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::mesh::Mesh;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
 
 pub(crate) use contour::Section;
 pub use iso::iso_bands;
@@ -90,7 +90,7 @@ pub struct OpenChain {
 ///
 /// Faces of a part come in the order of the mesh, caps after them, low plane first; but a part that has nothing of the
 /// mesh's first face begins with the cap towards it (*CGA changelog 2025.1*). What corners carry is interpolated, tags stay.
-/// Caps ([`FaceTag::cap`](crate::mesh::FaceTag::cap)) are of no group and no material of the mesh, so that they look as the
+/// Caps ([`FaceTag::cap`](crate::geometry::mesh::FaceTag::cap)) are of no group and no material of the mesh, so that they look as the
 /// shape's own material says; their texture coordinates are lengths of the mesh in the plane, in all sets that the mesh has.
 ///
 /// ```

@@ -21,7 +21,7 @@ use super::extent::Extent;
 use super::probe::Probe;
 use super::runs::{Budget, Runs};
 use super::twins::Twins;
-use crate::tol::PLANAR_EPSILON;
+use crate::geometry::tol::PLANAR_EPSILON;
 
 /// A loop, and for a hole its outline.
 pub(super) struct Loop {

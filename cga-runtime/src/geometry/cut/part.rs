@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::points::{NONE, Node, Place, Points};
-use crate::mesh::{FaceTag, Mesh, keep_used};
+use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
 
 /// The mesh of a slab, and how many faces it has from the source as they were.
 pub(super) struct Part {

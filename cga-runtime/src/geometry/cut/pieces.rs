@@ -9,8 +9,8 @@ use super::first::first_node;
 use super::nest::Nest;
 use super::points::Node;
 use super::state::State;
-use crate::mesh::{FaceTag, Mesh};
-use crate::triangulate::Projection;
+use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::geometry::triangulate::Projection;
 
 /// Rings being collected, and buffers.
 #[derive(Default)]

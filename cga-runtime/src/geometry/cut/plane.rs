@@ -11,7 +11,7 @@ use glam::{DMat3, DVec2, DVec3};
 use super::caps::texture_axes;
 use super::points::NONE;
 use super::{Cutter, OpenChain, Slabs};
-use crate::mesh::{Mesh, unit};
+use crate::geometry::mesh::{Mesh, unit};
 
 /// An oriented plane.
 #[derive(Clone, Copy, Debug, PartialEq)]

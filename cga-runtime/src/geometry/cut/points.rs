@@ -11,7 +11,7 @@ use glam::{DVec2, DVec3};
 use super::class::{Class, Span};
 use super::edges::Edges;
 use super::part::Part;
-use crate::mesh::Mesh;
+use crate::geometry::mesh::Mesh;
 
 /// Not numbered yet.
 pub(super) const NONE: u32 = u32::MAX;

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::exact::orient;
+use crate::geometry::exact::orient;
 
 /// A point so little off a place that no edge goes through it, not even one that the place is on.
 pub(super) struct Probe {

@@ -14,9 +14,9 @@ use super::pieces::Rings;
 use super::points::Node;
 use super::rim::Side;
 use super::state::State;
-use crate::mesh::{Bounds, FaceRef, FaceTag, Mesh};
-use crate::tol::{ACROSS_EPSILON, LINE_EPSILON};
-use crate::triangulate::{Projection, Triangulator};
+use crate::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh};
+use crate::geometry::tol::{ACROSS_EPSILON, LINE_EPSILON};
+use crate::geometry::triangulate::{Projection, Triangulator};
 
 /// Buffers.
 #[derive(Default)]

@@ -17,7 +17,7 @@ use super::contour::Contour;
 use super::nest::Nest;
 use super::points::Place;
 use super::state::State;
-use crate::mesh::Mesh;
+use crate::geometry::mesh::Mesh;
 
 /// Where the faces in the planes go.
 #[derive(Default)]

@@ -10,7 +10,7 @@ use super::first::{first_node, first_node_of_band};
 use super::points::{Node, Place};
 use super::rim::Side;
 use super::state::State;
-use crate::mesh::{FaceTag, Mesh};
+use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// Buffers.
 #[derive(Default)]

@@ -5,8 +5,8 @@ use super::part::Part;
 use super::points::{NONE, Place, Points};
 use super::rim::{Rim, Side};
 use super::sheets::Sheets;
-use crate::exact::orient;
-use crate::mesh::{FaceTag, Mesh};
+use crate::geometry::exact::orient;
+use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// A cut in progress.
 #[derive(Default)]
@@ -218,9 +218,9 @@ mod tests {
     use glam::DVec2;
 
     use super::*;
-    use crate::cut::slabs;
-    use crate::mesh::MeshBuilder;
-    use crate::scope::Axis;
+    use crate::geometry::Axis;
+    use crate::geometry::cut::slabs;
+    use crate::geometry::mesh::MeshBuilder;
 
     #[test]
     fn slabs_without_anything_get_no_room() {

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use super::points::{Node, Place};
 use super::state::State;
-use crate::mesh::{FaceTag, Mesh};
+use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// Cuts a triangle by the plane between its two slabs; the corner with number `lone` is alone on its side.
 pub(super) fn clip(

@@ -15,14 +15,14 @@ use crate::material::Material;
 /// Takes points and faces and gives a checked [`Mesh`].
 ///
 /// ```
-/// use cga_runtime::mesh::{FaceTag, MeshBuilder};
+/// use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder};
 ///
 /// let mut builder = MeshBuilder::new();
 /// let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, -1.0]].map(|p| builder.point(p));
 /// builder.face(&corners, &[], FaceTag::PLAIN);
 /// let mesh = builder.build()?;
 /// assert_eq!(mesh.area(), 1.0);
-/// # Ok::<(), cga_runtime::mesh::MeshError>(())
+/// # Ok::<(), cga_runtime::geometry::mesh::MeshError>(())
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct MeshBuilder {

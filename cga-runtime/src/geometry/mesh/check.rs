@@ -5,9 +5,9 @@ use std::fmt;
 use glam::DVec3;
 
 use super::Mesh;
-use crate::exact::orient;
-use crate::tol::PLANAR_EPSILON;
-use crate::triangulate::Projection;
+use crate::geometry::exact::orient;
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::triangulate::Projection;
 
 /// A promise of [`Mesh`] that does not hold.
 #[derive(Clone, Debug, PartialEq)]

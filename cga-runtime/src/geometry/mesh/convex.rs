@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use super::FaceRef;
-use crate::exact::orient;
-use crate::triangulate::Projection;
+use crate::geometry::exact::orient;
+use crate::geometry::triangulate::Projection;
 
 impl FaceRef<'_> {
     /// Whether it is convex, seen along its normal. Corners may be straight. Holes do not count.

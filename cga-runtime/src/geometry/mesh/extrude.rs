@@ -11,8 +11,8 @@ use super::face::unit;
 use super::map::flip;
 use super::table::PairTable;
 use super::{Bounds, FaceTag, Mesh, TagSet};
-use crate::provenance::Extruded;
-use crate::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
+use crate::geometry::provenance::Extruded;
+use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
 /// Which way faces are pulled.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -282,7 +282,7 @@ impl Grown<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::MeshBuilder;
+    use crate::geometry::mesh::MeshBuilder;
 
     fn square(x: f64) -> Vec<DVec3> {
         [(x, 0.0), (x + 2.0, 0.0), (x + 2.0, -2.0), (x, -2.0)].map(|(x, z)| DVec3::new(x, 0.0, z)).to_vec()
@@ -333,7 +333,7 @@ mod tests {
 
     #[test]
     fn neighbours_at_an_angle_are_bodies_of_their_own() {
-        let cube = crate::mesh::primitive::cube();
+        let cube = crate::geometry::mesh::primitive::cube();
         let body = extrude(&cube, Extrude::FaceNormal, 0.5);
         assert_eq!(body.face_count(), 36);
         assert!(body.is_closed());
@@ -371,7 +371,7 @@ mod tests {
 
     #[test]
     fn vertex_normals_do_not_depend_on_how_planes_are_divided() {
-        let cube = crate::mesh::primitive::cube();
+        let cube = crate::geometry::mesh::primitive::cube();
         let mut b = MeshBuilder::new();
         let p: Vec<u32> = cube.points().iter().map(|p| b.point(*p)).collect();
         for face in cube.faces() {

@@ -8,9 +8,9 @@ use glam::DVec3;
 use super::extrude::{Extrude, flat_top};
 use super::face::unit;
 use super::{FaceTag, Mesh, MeshBuilder, MeshError, TagSet};
-use crate::provenance::Extruded;
-use crate::text::Text;
-use crate::wire::Wire;
+use crate::geometry::provenance::Extruded;
+use crate::geometry::wire::Wire;
+use crate::value::text::Text;
 
 /// The faces over the edges of a wire. Those that look nowhere give nothing along their own direction.
 ///

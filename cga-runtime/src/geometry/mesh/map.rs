@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use glam::{DAffine3, DMat3};
+use glam::{DAffine3, DMat3, DVec3};
 
 use super::face::unit;
 use super::{Derived, FaceTag, Mesh, Tags};
@@ -22,8 +22,13 @@ impl Mesh {
         }
     }
 
+    /// The mesh with its z axis up and its y axis to the back.
+    pub(crate) fn raised(&self) -> Mesh {
+        self.map(&DAffine3 { matrix3: DMat3::from_cols(DVec3::X, DVec3::NEG_Z, DVec3::Y), translation: DVec3::ZERO })
+    }
+
     /// The same faces with other points, one for each; what corners carry stays as it is. Closed stays closed.
-    pub(crate) fn with_points(&self, points: Vec<glam::DVec3>) -> Mesh {
+    pub(crate) fn with_points(&self, points: Vec<DVec3>) -> Mesh {
         Mesh { points, normals: self.normals.clone(), derived: self.derived.of_moved(), ..self.clone_structure() }
     }
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::table::PairTable;
 use super::{Bounds, Mesh};
-use crate::tol::VOLUME_EPSILON;
+use crate::geometry::tol::VOLUME_EPSILON;
 
 impl Mesh {
     /// The box around all points.

@@ -18,9 +18,9 @@ use super::face::unit;
 use super::map::flip;
 use super::spread::Spread;
 use super::{FaceRef, Mesh};
-use crate::cut::{Nest, Section};
-use crate::skeleton::{self, Failure, Left, Strip, Swept};
-use crate::tol::PLANAR_EPSILON;
+use crate::geometry::cut::{Nest, Section};
+use crate::geometry::skeleton::{self, Failure, Left, Strip, Swept};
+use crate::geometry::tol::PLANAR_EPSILON;
 
 mod relief;
 

@@ -7,9 +7,9 @@ use glam::{DVec2, DVec3};
 use super::face::unit;
 use super::map::flip;
 use super::{FaceTag, Mesh, MeshBuilder, MeshError};
-use crate::exact::orient;
-use crate::mesh::check::winding;
-use crate::triangulate::Projection;
+use crate::geometry::exact::orient;
+use crate::geometry::mesh::check::winding;
+use crate::geometry::triangulate::Projection;
 
 impl Mesh {
     /// One face from an outline, counter-clockwise seen from where it is to face, and holes of either sense. Corners

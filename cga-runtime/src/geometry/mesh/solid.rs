@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::{Derived, FaceEnds, FaceTag, Mesh, Tags};
-use crate::provenance::{Provenance, tag_sets};
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::provenance::{Provenance, tag_sets};
 
 /// The box that a run can begin with: front, right, back, left (counter-clockwise seen from above), top, bottom. Vertices
 /// are numbered x + 2y + 4z.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::text::Text;
+use crate::value::text::Text;
 
 /// Tags of a face: sorted, none twice. Names are in parts, as in `extrude.side.outer`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use glam::DVec2;
 
 use super::Mesh;
 use super::layout::to_front;
-use crate::texture::map::SetMap;
+use crate::geometry::uv_map::SetMap;
 pub use extent::UvExtent;
 pub(crate) use extent::{range, spread};
 
@@ -172,9 +172,9 @@ mod tests {
 
     use glam::{DVec2, DVec3};
 
-    use crate::cut;
-    use crate::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, MeshError, extrude};
-    use crate::scope::Axis;
+    use crate::geometry::Axis;
+    use crate::geometry::cut;
+    use crate::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, MeshError, extrude};
 
     fn square(sets: &[usize]) -> Result<Mesh, MeshError> {
         let mut builder = MeshBuilder::new();

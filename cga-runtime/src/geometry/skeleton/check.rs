@@ -8,9 +8,9 @@ use glam::DVec2;
 
 use super::wavefront::{Wavefront, twice_area};
 use super::{Left, Strip, Swept};
-use crate::exact::orient;
-use crate::mesh::check::winding;
-use crate::tol::{MEETING_EPSILONS, TOUCH_EPSILON};
+use crate::geometry::exact::orient;
+use crate::geometry::mesh::check::winding;
+use crate::geometry::tol::{MEETING_EPSILONS, TOUCH_EPSILON};
 
 /// So many times what touches is rounding.
 const SLACK: f64 = 16.0;

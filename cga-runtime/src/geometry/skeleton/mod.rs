@@ -32,7 +32,7 @@ mod wavefront;
 
 use glam::DVec2;
 
-use crate::tol::MEETING_EPSILONS;
+use crate::geometry::tol::MEETING_EPSILONS;
 use wavefront::Wavefront;
 
 /// Loops with more corners than this, together, are refused: time is quadratic.

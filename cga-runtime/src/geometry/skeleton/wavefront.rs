@@ -177,7 +177,7 @@ impl Wavefront {
             last: NONE,
             next: NONE,
             alive: true,
-            reflex: a.along.perp_dot(b.along) <= crate::tol::STRAIGHT_EPSILON,
+            reflex: a.along.perp_dot(b.along) <= crate::geometry::tol::STRAIGHT_EPSILON,
             collapse: f64::INFINITY,
             split: Split::NEVER,
         }

@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use crate::mesh::{Bounds, FaceRef};
+use crate::geometry::mesh::{Bounds, FaceRef};
 
 /// Corners of a cap, turned over on one of the two sides.
 #[derive(Default)]

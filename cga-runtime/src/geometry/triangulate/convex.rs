@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::exact::orient;
+use crate::geometry::exact::orient;
 
 /// Appends a fan when the loop is convex and a fan has no triangle without area. Says whether it did.
 pub(super) fn fan(points: &[DVec2], out: &mut Vec<[u32; 3]>) -> bool {

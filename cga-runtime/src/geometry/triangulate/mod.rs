@@ -16,8 +16,8 @@ mod unfold;
 
 use glam::{DVec2, DVec3};
 
-use crate::mesh::Mesh;
-use crate::tol::TOUCH_EPSILON;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::tol::TOUCH_EPSILON;
 use cap::Cap;
 use sweep::Sweep;
 use unfold::Unfold;

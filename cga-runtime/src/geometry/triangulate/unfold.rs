@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
-use crate::exact::orient;
+use crate::geometry::exact::orient;
 
 const NONE: u32 = u32::MAX;
 

@@ -1,6 +1,6 @@
 //! Why an attribute cannot be read or set.
 
-use crate::text::shortened;
+use crate::value::text::shortened;
 use std::fmt;
 
 use super::Range;

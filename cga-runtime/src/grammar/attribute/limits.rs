@@ -1,11 +1,11 @@
 //! Which values an attribute may have.
 
 use super::{Attribute, AttributeDefault, AttributeError};
-use crate::array::Array;
-use crate::fault::Error;
 use crate::grammar::Grammar;
-use crate::text::Text;
+use crate::run::fault::Error;
 use crate::value::Value;
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 /// `@Range(min, max)`: what a slider may offer (*annotations*).
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,13 +2,14 @@
 
 mod error;
 mod limits;
+mod nearest;
 
 pub use error::AttributeError;
 pub use limits::{ChoiceValues, Choices, Range, check};
 
-use crate::nearest::nearest;
-use crate::text::shortened;
 use crate::value::ValueType;
+use crate::value::text::shortened;
+use nearest::nearest;
 
 /// An attribute of a grammar. Generated code makes them; programs read them.
 #[derive(Clone, Copy, Debug, PartialEq)]

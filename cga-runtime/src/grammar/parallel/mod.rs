@@ -11,26 +11,26 @@
 //!
 //! Threads take stretches in order, so a program that streams its parts gets them almost in order.
 
-mod models;
 mod order;
-mod parts;
 mod stretch;
 
 use std::borrow::Cow;
 use std::ops::Range;
 
-pub use parts::{Part, Parts, ShapeError};
+pub use crate::output::parts::{Part, Parts, ShapeError};
 pub use stretch::Stretch;
 
 use self::order::in_order;
 use self::stretch::{Done, End, derive_stretch};
-use crate::derive::{self, Outcome, Report};
-use crate::grammar::{Grammar, Rules};
-use crate::model::Model;
-use crate::session::{Session, Setup};
-use crate::settings::Settings;
+use crate::grammar::Grammar;
+use crate::grammar::session::{Session, Setup};
+use crate::output::model::Model;
+use crate::run::derive::{self, Outcome};
+use crate::run::report::Report;
+use crate::run::rules::Rules;
+use crate::run::settings::Settings;
+use crate::run::sink::Sink;
 use crate::shape::Shape;
-use crate::sink::Sink;
 
 /// Runs a grammar on all shapes, with a sink for each stretch. Each sink is [finished](Sink::finish) after its last shape.
 ///

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use crate::derive::{Outcome, Report};
-use crate::fault::Error;
+use crate::run::derive::Outcome;
+use crate::run::fault::Error;
+use crate::run::report::Report;
 use crate::shape::Shape;
 
 /// The most stretches that shapes are divided into: enough for any number of threads, few enough for a sink each.
@@ -28,7 +29,7 @@ impl Stretch {
     /// The number of stretches for a number of shapes.
     ///
     /// ```
-    /// use cga_runtime::parallel::Stretch;
+    /// use cga_runtime::grammar::parallel::Stretch;
     ///
     /// assert_eq!([0, 1, 100, 1000, 100_000].map(Stretch::count), [0, 1, 100, 250, 256]);
     /// ```

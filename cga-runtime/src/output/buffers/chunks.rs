@@ -8,9 +8,9 @@ use glam::{DAffine3, DVec3};
 
 use super::part::Run;
 use super::{Buffers, Vertex};
-use crate::mesh::Mesh;
-use crate::sink::flatten::normal_map;
-use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
+use crate::geometry::mesh::Mesh;
+use crate::output::flatten::normal_map;
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 
 /// The vertices of a box, which is never divided.
 const LEAST: usize = 24;
@@ -29,8 +29,8 @@ const MOST: usize = u32::MAX as usize / 2;
 ///
 /// ```
 /// use std::ops::ControlFlow;
-/// use cga_runtime::sink::Sink;
-/// use cga_runtime::sink::buffers::{Buffers, Chunks};
+/// use cga_runtime::run::sink::Sink;
+/// use cga_runtime::output::buffers::{Buffers, Chunks};
 ///
 /// let mut triangles = 0;
 /// let mut chunks = Chunks::new(10_000, |chunk: &Buffers| {

@@ -1,9 +1,9 @@
 //! The rules and materials of parts that repeat, as numbers of the buffers' table.
 
 use super::part::Run;
-use crate::material::ids::MaterialId;
-use crate::sink::Replay;
-use crate::sink::numbers::Numbers;
+use crate::output::numbers::Numbers;
+use crate::run::sink::Replay;
+use crate::shape::look_ids::MaterialId;
 
 /// Parts whose marks are known.
 const KNOWN: usize = 32;

@@ -2,13 +2,13 @@
 
 use glam::{DVec2, DVec4};
 
-use crate::mesh::Mesh;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::uv_map::{SetMap, UvMap};
+use crate::run::sink::Replay;
+use crate::run::sink::corners::Placed;
 use crate::shape::base::Form;
-use crate::sink::Replay;
-use crate::sink::corners::Placed;
-use crate::texture::SETS;
-use crate::texture::map::{SetMap, UvMap};
-use crate::unit::UnitMesh;
+use crate::shape::texture::SETS;
+use crate::shape::unit::UnitMesh;
 
 /// Sets of coordinates: one pair a vertex in each that some geometry has, and nothing in the others.
 #[derive(Debug, Default)]

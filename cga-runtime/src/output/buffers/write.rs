@@ -3,8 +3,8 @@
 use glam::{DVec3, DVec4, Vec4};
 
 use super::Vertex;
-use crate::sink::corners::Placed;
-use crate::unit::UnitMesh;
+use crate::run::sink::corners::Placed;
+use crate::shape::unit::UnitMesh;
 
 /// Writes the faces of a box; `normals` are those of its sides, each after a 0.
 #[inline(always)]
@@ -59,7 +59,7 @@ pub(super) fn write_quad(to: &mut [Vertex; 4], placed: &Placed, n: Vec4) {
 
 /// Writes the indices of quads whose vertices follow each other.
 #[inline(always)]
-pub(in crate::sink) fn write_quad_indices(to: &mut [u32], start: u32) {
+pub(in crate::output) fn write_quad_indices(to: &mut [u32], start: u32) {
     // Two indices are one number, so that no sum is one with 0: the compiler writes two such numbers at once.
     const PAIR: [u64; 6] = [two(0, 1), two(2, 0), two(2, 3), two(4, 5), two(6, 4), two(6, 7)];
     let split = |two: u64| [two as u32, (two >> 32) as u32];

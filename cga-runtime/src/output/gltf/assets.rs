@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{Glb, Places, Shared};
-use crate::mesh::Mesh;
+use crate::geometry::mesh::Mesh;
 
 /// Assets by mesh, rule and material, in the order in which they come first.
 #[derive(Debug, Default)]

@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use crate::sink::error::WriteError;
+use crate::output::error::WriteError;
 
 /// Views of bytes and accessors into them.
 #[derive(Default)]

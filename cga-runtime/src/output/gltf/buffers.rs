@@ -7,19 +7,19 @@ use glam::DVec3;
 
 use super::Glb;
 use super::primitive::Primitive;
-use crate::parallel::Parts;
-use crate::sink::Flow;
-use crate::sink::buffers::{Buffers, Part};
-use crate::sink::error::WriteError;
-use crate::texture::layer::SetMask;
+use crate::grammar::parallel::Parts;
+use crate::material::layer::SetMask;
+use crate::output::buffers::{Buffers, Part};
+use crate::output::error::WriteError;
+use crate::run::sink::Flow;
 
 impl Glb {
     /// Adds all triangles of buffers. Several buffers make one file, without being joined first. Where a part of the buffers has
     /// texture coordinates the others have (0, 0).
     ///
     /// ```
-    /// use cga_runtime::sink::buffers::Buffers;
-    /// use cga_runtime::sink::gltf::Glb;
+    /// use cga_runtime::output::buffers::Buffers;
+    /// use cga_runtime::output::gltf::Glb;
     ///
     /// let parts = [Buffers::new(), Buffers::new()];
     /// let mut glb = Glb::new();
@@ -79,7 +79,7 @@ impl Buffers {
     ///
     /// ```no_run
     /// use std::ops::ControlFlow;
-    /// use cga_runtime::sink::buffers::{Buffers, Chunks};
+    /// use cga_runtime::output::buffers::{Buffers, Chunks};
     ///
     /// let (mut number, mut failed) = (0, None);
     /// let chunks = Chunks::new(1_000_000, |chunk: &Buffers| {

@@ -3,10 +3,10 @@
 
 use super::textures::ImageKey;
 use crate::asset::Assets;
-use crate::asset::image::MOST_PIXELS;
-use crate::sink::picture::Image;
-use crate::text::Text;
-use crate::texture::source::{self, Pixels};
+use crate::asset::image::header::MOST_PIXELS;
+use crate::output::picture::Image;
+use crate::output::texture::source::{self, Pixels};
+use crate::value::text::Text;
 
 /// The result for an image that is made of others.
 pub(super) enum Combined {

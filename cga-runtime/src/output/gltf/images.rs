@@ -10,8 +10,8 @@ use super::json::quoted;
 use super::look::Looks;
 use super::textures::ImageKey;
 use crate::asset::Assets;
-use crate::asset::image::ImageKind;
-use crate::texture::source::{self, Source};
+use crate::asset::image::header::ImageKind;
+use crate::output::texture::source::{self, Source};
 
 /// Images in the order in which looks need them first. Every image has one texture with the same number.
 #[derive(Debug, Default)]

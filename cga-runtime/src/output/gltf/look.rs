@@ -7,9 +7,9 @@ use super::images::Images;
 use super::json::quoted;
 use super::tangents::NormalSpace;
 use super::textures::{LookTexture, opacity, textures};
+use crate::material::layer::SetMask;
 use crate::material::{Channel, Material, MaterialNumber, MaterialText};
-use crate::sink::number::{Short, linear};
-use crate::texture::layer::SetMask;
+use crate::output::number::{Short, linear};
 
 /// The numbers of a look, see [`Look`], as bits; its alpha mode, its sides and its textures.
 type Key = ([u32; 9], Alpha, bool, Vec<LookTexture>);

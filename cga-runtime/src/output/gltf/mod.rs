@@ -37,21 +37,21 @@ use self::assets::AssetList;
 use self::look::Looks;
 use self::parts::{Parts, Place};
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
-use super::corners::{Placed, four};
 use super::error::WriteError;
 use super::flatten::Flattener;
 use super::normals;
 use super::numbers::Numbers;
-use super::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::asset::Assets;
-use crate::mesh::{Bounds, Mesh};
-use crate::model::Model;
-use crate::parallel;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::uv_map::{self, SetMap};
+use crate::grammar::parallel;
+use crate::material::layer::SetMask;
+use crate::output::model::Model;
+use crate::output::texture::files::Files;
+use crate::run::sink::corners::{Placed, four};
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
-use crate::texture::files::Files;
-use crate::texture::layer::SetMask;
-use crate::texture::map::{self, SetMap};
 
 /// Collects leaves for a GLB file.
 #[derive(Debug, Default)]
@@ -117,7 +117,7 @@ impl Glb {
     /// Parts are known while a run goes on: the sink must take the leaves of the run itself. A [`Model`] keeps single leaves.
     ///
     /// ```
-    /// use cga_runtime::sink::gltf::Glb;
+    /// use cga_runtime::output::gltf::Glb;
     ///
     /// let glb = Glb::new().with_instances();
     /// // … `grammar.generate_into(&shape, &settings, &mut glb)?`, then:
@@ -162,7 +162,7 @@ impl Glb {
 
     /// The primitive for a material on a rectangle or a box with texture coordinates.
     fn mapped(&mut self, material: u32, uvs: &[SetMap]) -> &mut Primitive {
-        let sets = SetMask::of(|set| map::find(uvs, set).is_some());
+        let sets = SetMask::of(|set| uv_map::find(uvs, set).is_some());
         self.primitives.of(&mut self.looks, &self.numbers.table, material, sets)
     }
 

@@ -13,8 +13,8 @@ use super::primitive::Primitive;
 use super::streams::Stream;
 use super::textures::LookTexture;
 use super::{Glb, MAX_BYTES, Places, Shared};
-use crate::sink::error::WriteError;
-use crate::sink::number::list;
+use crate::output::error::WriteError;
+use crate::output::number::list;
 
 /// Component and target numbers of the format.
 const U32: u32 = 5125;

@@ -10,8 +10,8 @@ use glam::{DAffine3, DQuat, DVec3};
 
 use super::primitive::Primitive;
 use super::{Glb, Places, Shared};
-use crate::sink::{Flow, PartId, Replay};
-use crate::texture::layer::SetMask;
+use crate::material::layer::SetMask;
+use crate::run::sink::{Flow, PartId, Replay};
 
 /// Parts in the order in which they come first.
 #[derive(Debug, Default)]

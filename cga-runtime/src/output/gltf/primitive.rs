@@ -7,17 +7,17 @@ use std::ops::Range;
 use glam::{DAffine3, DVec2, DVec3, DVec4, Vec4};
 
 use super::look::Looks;
-use crate::mesh::Mesh;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::uv_map::{self, SetMap};
+use crate::material::layer::SetMask;
+use crate::output::flatten::{FlatFace, corner_point, normal_map, unit};
+use crate::output::room::Room;
+use crate::output::table::Table;
+use crate::run::sink::Replay;
+use crate::run::sink::corners::Placed;
 use crate::shape::axes::without_zero;
 use crate::shape::base::Form;
-use crate::sink::Replay;
-use crate::sink::corners::Placed;
-use crate::sink::flatten::{FlatFace, corner_point, normal_map, unit};
-use crate::sink::room::Room;
-use crate::sink::table::Table;
-use crate::texture::layer::SetMask;
-use crate::texture::map::{self, SetMap};
-use crate::unit::UnitMesh;
+use crate::shape::unit::UnitMesh;
 
 /// The primitives of a glTF mesh, in the order in which they are first asked for.
 #[derive(Debug, Default)]
@@ -188,7 +188,7 @@ impl Primitive {
     /// Adds the texture coordinates of vertices that were added last, by their points in the world.
     pub(super) fn uvs(&mut self, maps: &[SetMap], points: impl Iterator<Item = DVec3> + Clone) {
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
-            if let Some(map) = map::find(maps, set) {
+            if let Some(map) = uv_map::find(maps, set) {
                 list.extend(points.clone().map(|point| flipped(map.at(point))));
             }
         }

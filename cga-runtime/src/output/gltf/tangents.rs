@@ -66,7 +66,7 @@ fn across(normal: Vec3) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sink::gltf::primitive::Stretch;
+    use crate::output::gltf::primitive::Stretch;
 
     #[test]
     fn tangents_follow_the_coordinates() {

@@ -9,10 +9,10 @@ use std::fmt::Write as _;
 use glam::Vec2;
 
 use super::tangents::NormalSpace;
+use crate::material::layer::{self, Placement, SetMask};
 use crate::material::{Layer, Material};
-use crate::sink::number::Short;
-use crate::text::Text;
-use crate::texture::layer::{self, Placement, SetMask};
+use crate::output::number::Short;
+use crate::value::text::Text;
 
 /// An image of the file, by what it is made of.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
+use crate::material::layer::{self, Placement};
 use crate::material::{ColorOf, Layer, Material, MaterialNumber};
-use crate::sink::number::Short;
-use crate::text::Text;
-use crate::texture::layer::{self, Placement};
+use crate::output::number::Short;
+use crate::value::text::Text;
 
 /// The words for maps. There is none for a dirt map.
 const MAPS: [(&str, Layer); 9] = [

@@ -1,16 +1,18 @@
 //! The results of runs on many shapes.
 
+mod models;
+
 use std::fmt;
 use std::ops::Range;
 
-use crate::derive::Report;
-use crate::fault::Error;
+use crate::run::fault::Error;
+use crate::run::report::Report;
 
 /// The sinks of all stretches, in order, and what the runs report together.
 #[derive(Clone, Debug, Default)]
 pub struct Parts<S> {
-    pub(super) parts: Vec<Part<S>>,
-    pub(super) report: Report,
+    pub(crate) parts: Vec<Part<S>>,
+    pub(crate) report: Report,
 }
 
 /// A sink and the initial shapes whose leaves it has.

@@ -1,10 +1,10 @@
 //! Models of many shapes: what a model of all of them would say.
 
-use super::Parts;
-use crate::mesh::Bounds;
-use crate::model::{LeafView, Model};
-use crate::sink::stats::Stats;
-use crate::sink::{Flow, Sink};
+use crate::geometry::mesh::Bounds;
+use crate::grammar::parallel::Parts;
+use crate::output::model::{LeafView, Model};
+use crate::output::stats::Stats;
+use crate::run::sink::{Flow, Sink};
 
 impl Parts<Model> {
     /// The leaves of all models, in the order of the shapes.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::mesh::Bounds;
+use crate::geometry::mesh::Bounds;
 
 /// A camera that looks from a direction and stands as far away as it takes to see everything.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Pictures of models, drawn without a graphics card.
 //!
 //! ```no_run
-//! # use cga_runtime::model::Model;
-//! use cga_runtime::sink::picture::Picture;
+//! # use cga_runtime::output::model::Model;
+//! use cga_runtime::output::picture::Picture;
 //! # let model = Model::new();
 //! let image = Picture::new(1200, 900).looking_from(40.0, 15.0).render(&model);
 //! println!("{} pixels", image.rgba.len() / 4);
@@ -17,10 +17,10 @@
 //! surfaces behind each other the nearest is seen. Other maps are not drawn.
 
 pub(crate) mod camera;
-mod font;
-mod image;
 mod light;
 mod lines;
+#[cfg(feature = "png")]
+mod png;
 mod raster;
 mod scene;
 mod shade;
@@ -28,16 +28,16 @@ mod texel;
 mod texture;
 mod visible;
 
+pub use crate::asset::image::Image;
 pub use camera::{Camera, Projection, Viewpoint};
-pub use image::Image;
 
 use glam::DVec3;
 
 use self::camera::{View, direction};
 use self::scene::Scene;
 use self::shade::{Gamma, Shader, display};
-use crate::mesh::Bounds;
-use crate::model::Model;
+use crate::geometry::mesh::Bounds;
+use crate::output::model::Model;
 
 /// How a picture is taken.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +68,7 @@ impl Model {
     /// # Errors
     /// What the file system says.
     #[cfg(feature = "png")]
-    pub fn write_png(&self, path: impl AsRef<std::path::Path>) -> Result<(), crate::sink::error::WriteError> {
+    pub fn write_png(&self, path: impl AsRef<std::path::Path>) -> Result<(), crate::output::error::WriteError> {
         Picture::new(1200, 900).render(self).write_png(path)
     }
 }

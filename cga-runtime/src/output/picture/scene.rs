@@ -8,14 +8,14 @@ use glam::{DAffine3, DVec2, DVec3};
 
 use super::texel::{Maps, PLAIN, Textures};
 use crate::asset::Assets;
+use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::uv_map::{self, SetMap};
 use crate::material::Material;
-use crate::mesh::{Bounds, Mesh};
-use crate::sink::flatten::{Flattener, corner_point, normal_map, unit};
-use crate::sink::number::linear;
-use crate::sink::table::Table;
-use crate::sink::{Cuboid, Flow, Leaf, Quad, Sink};
-use crate::texture::layer::SetMask;
-use crate::texture::map::{self, SetMap};
+use crate::material::layer::SetMask;
+use crate::output::flatten::{Flattener, corner_point, normal_map, unit};
+use crate::output::number::linear;
+use crate::output::table::Table;
+use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 
 /// A triangle, its coordinates relative to [`Scene::centre`].
 #[derive(Clone, Copy, Debug)]
@@ -160,8 +160,8 @@ impl Scene {
         if uvs.is_empty() || maps == Maps::default() || self.triangles.len() - first != TRIANGLES.len() {
             return;
         }
-        let sets = SetMask::of(|set| map::find(uvs, set).is_some());
-        let uv = |set, corner: usize| map::find(uvs, set).map_or(DVec2::ZERO, |map| map.at(points[corner]));
+        let sets = SetMask::of(|set| uv_map::find(uvs, set).is_some());
+        let uv = |set, corner: usize| uv_map::find(uvs, set).map_or(DVec2::ZERO, |map| map.at(points[corner]));
         for (triangle, corners) in self.triangles[first..].iter_mut().zip(TRIANGLES) {
             triangle.uvs = self.textures.add(&maps, sets, corners.map(|i| i as usize), uv);
         }

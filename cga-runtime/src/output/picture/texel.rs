@@ -12,10 +12,10 @@ use super::camera::View;
 use super::scene::{Paint, Scene, Triangle};
 use super::texture::Texture;
 use crate::asset::Assets;
+use crate::material::layer::{self, Placement, PlacementMap, SetMask};
 use crate::material::{Layer, Material, MaterialNumber, MaterialText};
-use crate::text::Text;
-use crate::texture::layer::{self, Placement, PlacementMap, SetMask};
-use crate::texture::source;
+use crate::output::texture::source;
+use crate::value::text::Text;
 
 /// The images of a picture.
 #[derive(Debug, Default)]

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::Image;
 use super::shade::Gamma;
-use crate::sink::number::linear;
+use crate::output::number::linear;
 
 /// An image and its smaller copies, each half as wide and high as the one before, down to one pixel.
 #[derive(Debug)]

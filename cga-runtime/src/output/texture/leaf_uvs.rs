@@ -1,6 +1,6 @@
 //! The texture coordinates of a list of leaves: few lists of maps, and few leaves that have one.
 
-use super::map::SetMap;
+use crate::geometry::uv_map::SetMap;
 
 /// The maps of leaves by number. Leaves without maps take no memory.
 #[derive(Clone, Debug, Default)]
@@ -49,7 +49,7 @@ mod tests {
     use glam::DVec4;
 
     use super::*;
-    use crate::texture::map::UvMap;
+    use crate::geometry::uv_map::UvMap;
 
     #[test]
     fn leaves_have_their_maps_and_equal_lists_are_kept_once() {

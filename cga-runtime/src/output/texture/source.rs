@@ -1,10 +1,10 @@
 //! The image that a name of a material leads to, for sinks that show or embed it.
 
-use crate::asset::image::ImageHeader;
+use crate::asset::image::header::ImageHeader;
 use crate::asset::{AssetError, Assets};
-use crate::sink::picture::Image;
+use crate::output::picture::Image;
 
-use super::builtin;
+use crate::asset::image::builtin;
 
 /// The image of a name.
 pub(crate) enum Source {
@@ -61,7 +61,7 @@ pub(crate) fn pixels(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
 /// The pixels of a file, if it is not broken; nothing at all if it cannot be read here.
 #[cfg(feature = "png")]
 fn decoded(header: &ImageHeader, bytes: &[u8]) -> Option<Option<Image>> {
-    Some(crate::asset::decode::decode(header, bytes).ok())
+    Some(crate::asset::image::decode::decode(header, bytes).ok())
 }
 
 #[cfg(not(feature = "png"))]

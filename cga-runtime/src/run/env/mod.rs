@@ -1,7 +1,10 @@
 //! What a run keeps besides its sink: limits, faults, the trail of rules, assets.
 
+mod base;
+mod checkpoint;
 mod counters;
 mod trail;
+mod uv_set;
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -9,33 +12,30 @@ use std::ops::ControlFlow;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use crate::array::Array;
 use crate::asset::{File, Query};
-use crate::comp::street::Streets;
-use crate::fault::{Error, Fault, FaultKind, LimitKind};
-use crate::material::ids::MaterialIds;
-use crate::mesh::Mesh;
-use crate::mesh::primitive::Made;
-use crate::report::{Prints, Reports};
-use crate::scope::Frame;
-use crate::settings::{Limits, Settings};
+use crate::geometry::Frame;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::primitive::Made;
+use crate::run::fault::{Error, Fault, FaultKind, LimitKind};
+use crate::run::report::{FAULTS_KEPT, Prints, Reports};
+use crate::run::settings::{Limits, Settings};
+use crate::run::sink::{Flow, LeafTables};
 use crate::shape::Shape;
-use crate::sink::Flow;
-use crate::text::Text;
+use crate::shape::look_ids::MaterialIds;
+use crate::shape::street::Streets;
 use crate::value::Value;
+use crate::value::array::Array;
+use crate::value::text::Text;
 
-use crate::watch::Checkpoint;
+use checkpoint::Checkpoint;
 pub(crate) use trail::Trail;
-
-/// Faults that are kept; later ones are only counted, so that memory stays bounded.
-pub(crate) const FAULTS_KEPT: usize = 1000;
 
 /// How deep functions that ask may nest, as CGA documents (*CGA changelog 2014.1*).
 const DEEPEST_CALLS: u32 = 1024;
 
 /// How much of the stack functions may use, in bytes of a build without optimisation, by the estimate of the code
 /// generator. A function that takes more than that runs where no other does. Threads have two megabytes, and rules have
-/// their share: see `STACK` in `derive.rs`.
+/// their share: see `STACK` in `run/context.rs`.
 const FUNCTIONS: u32 = 640 * 1024;
 
 /// Queries for files whose answers are kept: rules ask the same ones for every shape.
@@ -57,13 +57,6 @@ pub(crate) const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
 /// A run can count this many shapes; a count of [`ENDED`] marks a run that has ended.
 pub(crate) const MOST_SHAPES: u64 = u64::MAX / 8;
 pub(crate) const ENDED: u64 = u64::MAX / 4;
-
-/// The names and materials of a run's leaves, by number.
-#[derive(Clone, Debug)]
-pub(crate) struct LeafTables {
-    pub(crate) names: &'static [&'static str],
-    pub(crate) materials: MaterialIds,
-}
 
 /// The run's state that does not depend on the sink.
 #[derive(Debug)]
@@ -446,7 +439,7 @@ impl Env {
         if self.count_vertices(&mesh).is_break() {
             return None;
         }
-        let raised = Arc::new(crate::op::z_up(&mesh));
+        let raised = Arc::new(mesh.raised());
         if self.raised.len() < ASSETS_RAISED {
             self.raised.push([mesh, raised.clone()]);
         }

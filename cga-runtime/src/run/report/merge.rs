@@ -1,10 +1,10 @@
 //! The reports of several runs as one, in the order of the runs.
 
+use super::FAULTS_KEPT;
 use super::{Collection, MOST_BYTES, Reports, Summary};
-use crate::derive::Report;
-use crate::env::FAULTS_KEPT;
-use crate::fault::{Fault, FaultKind};
-use crate::settings::Limits;
+use crate::run::fault::{Fault, FaultKind};
+use crate::run::report::Report;
+use crate::run::settings::Limits;
 
 impl Report {
     /// Adds the report of the next run. Counts add up, faults and lines are appended, collections are joined. The same reports
@@ -14,8 +14,8 @@ impl Report {
     /// missing file, is kept once for all runs, with a count.
     ///
     /// ```
-    /// use cga_runtime::derive::Report;
-    /// use cga_runtime::settings::Limits;
+    /// use cga_runtime::run::report::Report;
+    /// use cga_runtime::run::settings::Limits;
     ///
     /// let (mut sum, mut next) = (Report::default(), Report::default());
     /// (sum.leaves, next.leaves) = (3, 4);
@@ -96,7 +96,7 @@ impl Reports {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::Text;
+    use crate::value::text::Text;
 
     fn report(add: &[(&'static str, crate::value::Value)]) -> Report {
         let mut reports = Reports::default();

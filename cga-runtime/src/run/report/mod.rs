@@ -2,15 +2,20 @@
 
 mod merge;
 mod print;
+mod run;
 mod table;
 
 use std::collections::BTreeMap;
 
 pub use print::Print;
 pub(crate) use print::Prints;
+pub use run::Report;
 
-use crate::text::Text;
+use crate::value::text::Text;
 use crate::value::{Value, ValueType};
+
+/// Faults that are kept; later ones are only counted, so that memory stays bounded.
+pub(crate) const FAULTS_KEPT: usize = 1000;
 
 /// Bytes of keys and texts that are kept in all; the limits count entries, not their length.
 const MOST_BYTES: usize = 64 << 20;
@@ -151,7 +156,7 @@ impl Reports {
         self.collections.is_empty()
     }
 
-    /// Values that found no room, a new key or a new text; see [`Limits::reports`](crate::settings::Limits::reports). A fault
+    /// Values that found no room, a new key or a new text; see [`Limits::reports`](crate::run::settings::Limits::reports). A fault
     /// tells of the first.
     pub fn left_out(&self) -> u64 {
         self.left_out

@@ -109,8 +109,8 @@ fn share(part: f64, whole: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::Text;
     use crate::value::Value;
+    use crate::value::text::Text;
 
     fn table(values: impl IntoIterator<Item = (&'static str, Value)>) -> String {
         let mut reports = Reports::default();

@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4, Vec4};
 
 use super::{Cuboid, Quad};
-use crate::scope::Axis;
+use crate::geometry::Axis;
 use crate::shape::ShapeRef;
 
 /// The place of a rectangle or a box: its first corner and its sides from there. A rectangle has the first two sides.
@@ -32,7 +32,7 @@ impl Placed {
     /// The eight corners of a box, as numbers x + 2y + 4z count them. Each is rounded once, so the three faces that meet there
     /// agree.
     #[inline(always)]
-    pub(super) fn box_corners(&self) -> [Vec4; 8] {
+    pub(crate) fn box_corners(&self) -> [Vec4; 8] {
         let (o, [x, y, z]) = (self.origin, self.sides);
         let (p, q) = (o + y, o + z);
         let r = p + z;
@@ -41,7 +41,7 @@ impl Placed {
 
     /// The four corners of a rectangle, counter-clockwise. The fourth coordinate of all is that of the origin.
     #[inline(always)]
-    pub(super) fn quad_corners(&self) -> [Vec4; 4] {
+    pub(crate) fn quad_corners(&self) -> [Vec4; 4] {
         let (a, [u, v, _]) = (self.origin, self.sides);
         let b = a + u;
         [a, b, b + v, a + v].map(|corner| corner.as_vec4())

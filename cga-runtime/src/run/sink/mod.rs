@@ -3,23 +3,8 @@
 //! A run hands every leaf shape to a [`Sink`] as soon as it is known, in an order that depends on the rules alone.
 //! A sink may end the run by returning `ControlFlow::Break(())`.
 
-pub mod buffers;
 pub(crate) mod corners;
-pub mod error;
-pub(crate) mod flatten;
-#[cfg(feature = "gltf")]
-pub mod gltf;
-pub(crate) mod measure;
-mod normals;
-pub(crate) mod number;
-pub(crate) mod numbers;
-pub mod obj;
-pub(crate) mod order;
-pub mod picture;
-mod room;
-pub mod stats;
-pub mod svg;
-pub mod table;
+mod leaf_tables;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -28,19 +13,19 @@ use glam::{DAffine3, DMat3, DVec3, DVec4};
 
 use self::corners::Placed;
 
-use crate::env::LeafTables;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::uv_map::{self, SetMap, UvMap};
 use crate::material::Material;
-use crate::material::ids::MaterialId;
-use crate::mesh::Mesh;
-use crate::place;
-use crate::scope::Scope;
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
-use crate::texture::map::{self, SetMap, UvMap};
+use crate::shape::look_ids::MaterialId;
+use crate::shape::place;
+use crate::shape::scope::Scope;
 
-pub use crate::place::{Cuboid, Quad};
-pub use crate::template::{PartId, Replay};
+pub use crate::run::template::{PartId, Replay};
+pub use crate::shape::place::{Cuboid, Quad};
+pub(crate) use leaf_tables::LeafTables;
 
 /// Go on, or stop the run.
 pub type Flow = ControlFlow<()>;
@@ -88,7 +73,7 @@ impl<'a> Leaf<'a> {
     /// The texture coordinates of a set, for a leaf that is a rectangle or a box; nothing for a set that it does not have. A
     /// mesh has its sets itself.
     pub fn uv(&self, set: usize) -> Option<UvMap> {
-        map::find(self.uvs(), set)
+        uv_map::find(self.uvs(), set)
     }
 
     /// The maps of all sets that a rectangle or a box has, sorted by set. A mesh has its sets itself.
@@ -147,7 +132,7 @@ impl<'a> Filled<'a> {
     /// The texture coordinates of a set; nothing for a set that the leaf does not have. Leaves of a run with equal material
     /// numbers have the same sets.
     pub fn uv(&self, set: usize) -> Option<UvMap> {
-        map::find(self.uvs(), set)
+        uv_map::find(self.uvs(), set)
     }
 
     /// The maps of all sets that the leaf has, sorted by set.
@@ -242,7 +227,7 @@ pub trait Sink {
     /// Hands on what the sink still holds. There are no more leaves after it.
     ///
     /// The owner of a sink calls it, once, after the last run: the same sink may take the leaves of many runs, so a run never
-    /// calls it. [`parallel`](crate::parallel) owns the sinks of its stretches and finishes each, unless a run ended with an
+    /// calls it. [`parallel`](crate::grammar::parallel) owns the sinks of its stretches and finishes each, unless a run ended with an
     /// error. `Break` ends what the owner would do next.
     fn finish(&mut self) -> Flow {
         Flow::Continue(())

@@ -17,13 +17,13 @@ use std::rc::Rc;
 
 use glam::{DMat3, DVec3};
 
-use crate::material::ids::MaterialId;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::run::sink::corners::{Placed, four};
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
+use crate::shape::look_ids::MaterialId;
+use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
-use crate::sink::corners::{Placed, four};
-use crate::unit::UnitMesh;
 
 pub(crate) use record::Tape;
 pub use replay::{Last, PartId, Replay};

@@ -9,15 +9,15 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::{DAffine3, DMat3};
 
 use super::{Body, Entry, Hole, INHERITED, Key, MOST, Mark, Record, Row, Segment, Template, Templates, Turned};
-use crate::derive::{Cx, RuleFn};
-use crate::mesh::Mesh;
-use crate::scope::Axis;
-use crate::seed::Seed;
-use crate::settings::Repeats;
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
+use crate::run::context::{Cx, RuleFn};
+use crate::run::settings::Repeats;
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
-use crate::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
+use crate::shape::seed::Seed;
 
 /// The number of the next template. Numbers are in no output: they tell templates of all sessions apart.
 static NUMBER: AtomicU64 = AtomicU64::new(1);
@@ -160,7 +160,7 @@ impl<C: Clone> Cx<'_, C> {
             if template.holes.len() == other.holes.len() { Ok(template) } else { Err(Lost::Never) }
         });
         // Of two runs whose limits differ, both make the same of extents above the largest limit.
-        let no_matter = crate::env::TOO_SMALL.1 < self.env.least_split;
+        let no_matter = crate::run::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
         let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
         // Another run of the session may have room for it.

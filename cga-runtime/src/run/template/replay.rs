@@ -7,17 +7,17 @@ use std::rc::Rc;
 use glam::{DAffine3, DVec3, DVec4};
 
 use super::{Body, Hole, INHERITED, Mark, Record, Row, Segment, Template, Turned};
-use crate::derive::{Cx, ResumeFn, RuleFn};
-use crate::env::LeafTables;
-use crate::material::ids::MaterialId;
-use crate::scope::Axis;
-use crate::seed::Seed;
+use crate::geometry::Axis;
+use crate::run::context::{Cx, ResumeFn, RuleFn};
+use crate::run::sink::LeafTables;
+use crate::run::sink::corners::{Placed, four};
+use crate::run::sink::{Filled, Flow, Sink};
 use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
-use crate::sink::corners::{Placed, four};
-use crate::sink::{Filled, Flow, Sink};
-use crate::unit::UnitMesh;
+use crate::shape::look_ids::MaterialId;
+use crate::shape::seed::Seed;
+use crate::shape::unit::UnitMesh;
 
 /// Leaves of a part that repeats, at one of its places. All of them fill their scopes.
 ///
@@ -27,9 +27,9 @@ use crate::unit::UnitMesh;
 /// use std::collections::HashMap;
 /// use std::sync::Arc;
 ///
-/// use cga_runtime::mesh::Mesh;
-/// use cga_runtime::sink::buffers::Buffers;
-/// use cga_runtime::sink::{Filled, Flow, Leaf, PartId, Replay, Sink};
+/// use cga_runtime::geometry::mesh::Mesh;
+/// use cga_runtime::output::buffers::Buffers;
+/// use cga_runtime::run::sink::{Filled, Flow, Leaf, PartId, Replay, Sink};
 /// use glam::DAffine3;
 ///
 /// /// Meshes with their places, and everything that does not repeat.

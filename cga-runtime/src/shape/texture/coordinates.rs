@@ -3,9 +3,10 @@
 use glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
 
 use super::Projections;
-use super::map::UvMap;
-use crate::scope::{Axis, Scope};
-use crate::tol::PLANAR_EPSILON;
+use crate::geometry::Axis;
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::uv_map::UvMap;
+use crate::shape::scope::Scope;
 
 /// The sets that rules have changed on a shape, sorted by number. Other sets are those of its mesh.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,8 +2,8 @@
 
 use std::cell::OnceCell;
 
-use super::map::SetMap;
-use crate::material::ids::MaterialId;
+use crate::geometry::uv_map::SetMap;
+use crate::shape::look_ids::MaterialId;
 
 /// Lists of maps by the number of the look, as a tree by the bits of the number. Most bases have one or two looks below them.
 #[derive(Debug, Default)]

@@ -6,18 +6,12 @@
 //! carry the functions along; what changes geometry in any other way writes the explicit sets first.
 
 mod bake;
-pub(crate) mod builtin;
 mod coordinates;
-pub(crate) mod files;
 pub(crate) mod kept;
-pub(crate) mod layer;
-pub(crate) mod leaf_uvs;
-pub mod map;
 mod projections;
-pub(crate) mod source;
 
 pub(crate) use coordinates::{Coordinates, Source};
 pub(crate) use projections::Projections;
 
 /// The number of sets (*Texturing*: 0 to 9).
-pub(crate) const SETS: usize = crate::mesh::UvSets::MOST;
+pub(crate) const SETS: usize = crate::geometry::mesh::UvSets::MOST;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::SETS;
-use super::map::UvMap;
+use crate::geometry::uv_map::UvMap;
 
 /// A projection for each set, if there is one. Shared, and most shapes have none.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -12,8 +12,8 @@ mod run;
 mod set;
 mod whole;
 
-pub(super) use program::Pattern;
-pub(super) use run::{Search, TooLong};
+pub(crate) use program::Pattern;
+pub(crate) use run::{Search, TooLong};
 pub(crate) use whole::Whole;
 
 #[cfg(test)]

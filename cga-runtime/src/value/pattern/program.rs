@@ -34,14 +34,14 @@ pub(super) enum Step {
 
 /// A regular expression.
 #[derive(Debug)]
-pub(in super::super) struct Pattern {
+pub(crate) struct Pattern {
     pub(super) steps: Vec<Step>,
     pub(super) forks: usize,
 }
 
 impl Pattern {
     /// Reads a pattern; the error says what is wrong with it.
-    pub(in super::super) fn new(pattern: &str) -> Result<Self, String> {
+    pub(crate) fn new(pattern: &str) -> Result<Self, String> {
         Pattern::of(&parse(pattern)?)
     }
 

@@ -11,10 +11,10 @@ const MOST_STEPS: u64 = 50_000_000;
 
 /// A text is too long for a pattern, or a pattern takes too long.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in super::super) struct TooLong;
+pub(crate) struct TooLong;
 
 /// A search of a text for matches of a pattern.
-pub(in super::super) struct Search<'a> {
+pub(crate) struct Search<'a> {
     pattern: &'a Pattern,
     text: &'a [char],
     /// Forks that are under way or led to nothing, by place and number. What a fork leads to depends on nothing else,
@@ -24,7 +24,7 @@ pub(in super::super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(in super::super) fn new(pattern: &'a Pattern, text: &'a [char]) -> Result<Self, TooLong> {
+    pub(crate) fn new(pattern: &'a Pattern, text: &'a [char]) -> Result<Self, TooLong> {
         let states = (text.len() + 1).saturating_mul(pattern.forks);
         if MOST_STATES < states {
             return Err(TooLong);
@@ -33,7 +33,7 @@ impl<'a> Search<'a> {
     }
 
     /// Start and end of the first match that begins at `from` or later.
-    pub(in super::super) fn find(&mut self, from: usize) -> Result<Option<(usize, usize)>, TooLong> {
+    pub(crate) fn find(&mut self, from: usize) -> Result<Option<(usize, usize)>, TooLong> {
         for start in from..=self.text.len() {
             if let Some(end) = self.run(0, start)? {
                 return Ok(Some((start, end)));

@@ -1,5 +1,5 @@
-use super::super::tests::Random;
 use super::*;
+use crate::func::tests::Random;
 
 /// All matches, one behind the other, those of nothing included.
 fn matches(pattern: &str, text: &str) -> Vec<String> {

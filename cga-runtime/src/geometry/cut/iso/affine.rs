@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::band::Coordinate;
-use crate::mesh::{FaceRef, Mesh};
-use crate::tol::AFFINE_EPSILON;
+use crate::geometry::mesh::{FaceRef, Mesh};
+use crate::geometry::tol::AFFINE_EPSILON;
 
 /// Returns true if a coordinate is an affine function of the place on a face, up to rounding. A face without area gives false.
 pub(super) fn is_affine(mesh: &Mesh, face: usize, coordinate: Coordinate) -> bool {

@@ -6,9 +6,9 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::crossings::Crossings;
-use crate::cut::first::first_node;
-use crate::cut::points::{NONE, Node};
-use crate::mesh::{FaceTag, Mesh};
+use crate::geometry::cut::first::first_node;
+use crate::geometry::cut::points::{NONE, Node};
+use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// The coordinate that is cut.
 #[derive(Clone, Copy)]

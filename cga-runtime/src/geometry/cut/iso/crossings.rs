@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use super::sites::Sites;
-use crate::cut::class::{Class, Span};
-use crate::cut::edges::Edges;
-use crate::cut::points::{Node, Place, Segment, comes_first};
-use crate::mesh::Mesh;
+use crate::geometry::cut::class::{Class, Span};
+use crate::geometry::cut::edges::Edges;
+use crate::geometry::cut::points::{Node, Place, Segment, comes_first};
+use crate::geometry::mesh::Mesh;
 
 /// All crossings of a cut. They are numbered after the points of the mesh.
 pub(super) struct Crossings {

@@ -22,7 +22,7 @@ use std::sync::Arc;
 use super::class::Span;
 use super::points::Place;
 use super::rising;
-use crate::mesh::{FaceTag, Mesh, TooManyCorners, UvAxis};
+use crate::geometry::mesh::{FaceTag, Mesh, TooManyCorners, UvAxis};
 use affine::is_affine;
 use band::{Band, Coordinate, Numbers, Source};
 use chain::Chain;

@@ -13,15 +13,15 @@ use glam::DVec2;
 use super::band::Source;
 use super::chain::Chain;
 use super::{Cutter, next_in};
-use crate::cut::class::Span;
-use crate::cut::contour::Section;
-use crate::cut::first::first_node;
-use crate::cut::nest::Nest;
-use crate::cut::points::{NONE, Node};
-use crate::mesh::table::PairTable;
-use crate::mesh::{FaceTag, TooManyCorners};
-use crate::tol::AFFINE_EPSILON;
-use crate::triangulate::{Projection, Triangulator};
+use crate::geometry::cut::class::Span;
+use crate::geometry::cut::contour::Section;
+use crate::geometry::cut::first::first_node;
+use crate::geometry::cut::nest::Nest;
+use crate::geometry::cut::points::{NONE, Node};
+use crate::geometry::mesh::table::PairTable;
+use crate::geometry::mesh::{FaceTag, TooManyCorners};
+use crate::geometry::tol::AFFINE_EPSILON;
+use crate::geometry::triangulate::{Projection, Triangulator};
 
 /// An edge of a piece of a triangle, by the node that it leaves.
 #[derive(Clone, Copy)]

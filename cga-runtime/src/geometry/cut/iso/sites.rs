@@ -6,9 +6,9 @@
 use std::collections::BTreeMap;
 
 use super::band::Coordinate;
-use crate::cut::class::Class;
-use crate::cut::points::{NONE, Place};
-use crate::mesh::Mesh;
+use crate::geometry::cut::class::Class;
+use crate::geometry::cut::points::{NONE, Place};
+use crate::geometry::mesh::Mesh;
 
 /// The sites of a mesh.
 pub(super) struct Sites {

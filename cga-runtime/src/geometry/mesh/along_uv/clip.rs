@@ -4,9 +4,9 @@ use glam::{DVec2, DVec3};
 
 use super::patch::{Patch, comes_first};
 use super::unit::UnitAsset;
-use crate::exact::orient;
-use crate::mesh::{Mesh, UvSets};
-use crate::tol::NEXT_EPSILON;
+use crate::geometry::exact::orient;
+use crate::geometry::mesh::{Mesh, UvSets};
+use crate::geometry::tol::NEXT_EPSILON;
 
 /// A corner of a piece, above a place of texture space.
 #[derive(Clone, Copy)]

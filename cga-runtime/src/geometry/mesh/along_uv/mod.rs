@@ -16,7 +16,7 @@ mod unit;
 use glam::DVec3;
 
 use super::{FaceTag, Mesh, MeshBuilder, TooManyCorners};
-use crate::tol::PLANAR_EPSILON;
+use crate::geometry::tol::PLANAR_EPSILON;
 use clip::{Clip, Node};
 use patch::{Patch, Patches};
 use unit::UnitAsset;

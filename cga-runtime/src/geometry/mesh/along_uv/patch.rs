@@ -6,11 +6,11 @@ use glam::{DVec2, DVec3};
 
 use super::clip::{Node, On};
 use super::{AlongUv, HeightDirection};
-use crate::exact::orient;
-use crate::mesh::extrude::vertex_normals;
-use crate::mesh::{Mesh, TooManyCorners};
-use crate::tol::AFFINE_EPSILON;
-use crate::triangulate::Triangulator;
+use crate::geometry::exact::orient;
+use crate::geometry::mesh::extrude::vertex_normals;
+use crate::geometry::mesh::{Mesh, TooManyCorners};
+use crate::geometry::tol::AFFINE_EPSILON;
+use crate::geometry::triangulate::Triangulator;
 
 /// A triangle, or a quad whose coordinates are a parallelogram. Corners run counter-clockwise in texture space.
 pub(super) struct Patch {

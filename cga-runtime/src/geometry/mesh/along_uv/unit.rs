@@ -5,9 +5,9 @@ use std::ops::Range;
 use glam::{DVec2, DVec3};
 
 use super::{AlongUv, HeightAlignment};
-use crate::mesh::Mesh;
-use crate::tol::PLANAR_EPSILON;
-use crate::triangulate::Triangulator;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::triangulate::Triangulator;
 
 /// The polygons of an asset. Its points have u and v in [0, 1] as x and y, and the height in metres as z.
 pub(super) struct UnitAsset {

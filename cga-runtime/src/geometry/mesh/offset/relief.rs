@@ -7,7 +7,7 @@
 
 use glam::DVec2;
 
-use crate::skeleton::Swept;
+use crate::geometry::skeleton::Swept;
 
 /// The heights of all points of what a face sweeps, from those of its own, which come first. Rings are as they were swept.
 pub(super) fn heights(own: &[f64], rings: &[Vec<u32>], swept: &Swept) -> Vec<f64> {

@@ -1,9 +1,9 @@
 use glam::{DMat3, DVec3};
 
 use super::{offset as offset_or_refuse, *};
-use crate::mesh::primitive::cube;
-use crate::mesh::{FaceTag, MeshBuilder, TagSet};
-use crate::text::Text;
+use crate::geometry::mesh::primitive::cube;
+use crate::geometry::mesh::{FaceTag, MeshBuilder, TagSet};
+use crate::value::text::Text;
 
 /// The outline of the reference's pictures, about: wide, with a notch from above.
 const NOTCHED: [(f64, f64); 9] =

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::cylinder::turned_over;
 use super::{Faces, circle};
-use crate::mesh::Mesh;
+use crate::geometry::mesh::Mesh;
 
 /// A cone about the vertical through the middle, its tip up: `sides` triangles counter-clockwise seen from above, then the
 /// bottom, closed. Fewer than three sides count as three (*primitiveCone operation*). Along the bottom edges u goes from 0

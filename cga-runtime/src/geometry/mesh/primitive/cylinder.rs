@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{Faces, circle};
-use crate::mesh::Mesh;
+use crate::geometry::mesh::Mesh;
 
 /// A cylinder about the vertical through the middle: `sides` side faces counter-clockwise seen from above, then top and
 /// bottom, closed. Fewer than three sides count as three (*primitiveCylinder operation*). Around the sides u goes from 0

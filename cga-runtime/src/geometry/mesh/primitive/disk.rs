@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::{Faces, circle};
-use crate::mesh::Mesh;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
 
 /// A disk that looks along an axis, in the plane where that is 0. Fewer than three corners count as three (*primitiveDisk
 /// operation*). Its texture fills the square around it.
@@ -38,7 +38,7 @@ fn lying(uv: DVec2, across: Axis) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::primitive::circle::area;
+    use crate::geometry::mesh::primitive::circle::area;
 
     #[test]
     fn a_disk_looks_along_its_axis() {

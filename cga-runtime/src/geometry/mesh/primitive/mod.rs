@@ -14,8 +14,8 @@ use glam::{DVec2, DVec3};
 
 use super::solid::{corner, square, unit_box};
 use super::{Derived, FaceEnds, FaceTag, Mesh, Tags, UvSets};
-use crate::provenance::Provenance;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::provenance::Provenance;
 
 pub use cone::cone;
 pub use cylinder::cylinder;
@@ -120,8 +120,9 @@ mod tests {
             assert_eq!(mesh.check(), []);
             assert_eq!((mesh.bounds().low.y, mesh.bounds().high.y), (0.0, 1.0));
             // Convex about the middle: each face looks away from it.
-            let away =
-                |face: crate::mesh::FaceRef<'_>| face.normal().dot(face.position(face.corner_range().start) - 0.5);
+            let away = |face: crate::geometry::mesh::FaceRef<'_>| {
+                face.normal().dot(face.position(face.corner_range().start) - 0.5)
+            };
             assert!(mesh.faces().all(|face| 0.0 < away(face)));
         }
         assert_eq!(cube().volume(), 1.0);

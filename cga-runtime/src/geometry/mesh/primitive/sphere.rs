@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::{Faces, circle};
-use crate::mesh::Mesh;
+use crate::geometry::mesh::Mesh;
 
 /// A sphere with its poles on the vertical through the middle: `divisions` rows of `sides` faces from the bottom up, each
 /// counter-clockwise seen from above; triangles at the poles, closed. Fewer than three sides and two divisions count as

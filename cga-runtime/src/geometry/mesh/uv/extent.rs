@@ -11,9 +11,9 @@
 use glam::{DVec2, DVec3};
 
 use super::UvAxis;
-use crate::mesh::{Bounds, Mesh};
-use crate::tol::{CHART_EPSILON, NEXT_EPSILON};
-use crate::triangulate::Triangulator;
+use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::tol::{CHART_EPSILON, NEXT_EPSILON};
+use crate::geometry::triangulate::Triangulator;
 
 /// The smallest and largest coordinates of a texture set, and the metres between them on the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,7 +140,7 @@ impl Sums {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{FaceTag, MeshBuilder};
+    use crate::geometry::mesh::{FaceTag, MeshBuilder};
 
     /// Faces by their corners, each a place on the ground and its coordinates.
     fn mesh(faces: &[&[([f64; 2], [f64; 2])]]) -> Mesh {

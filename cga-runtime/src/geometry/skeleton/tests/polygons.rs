@@ -6,8 +6,8 @@ use glam::{DVec2, DVec3};
 
 use super::super::contact::to_segment;
 use super::super::wavefront::twice_area;
-use crate::mesh::Mesh;
-use crate::mesh::check::winding;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::check::winding;
 
 /// A small generator of pseudo-random numbers (splitmix64).
 pub(super) struct Rng(pub(super) u64);

@@ -5,7 +5,7 @@
 use glam::DVec2;
 
 use super::{Link, NONE, Region, Sweep};
-use crate::exact::orient;
+use crate::geometry::exact::orient;
 
 impl Sweep {
     /// A corner with both edges above it: the start of a region, or of a hole in one.
