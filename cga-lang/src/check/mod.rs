@@ -48,7 +48,6 @@ use std::collections::{HashMap, HashSet};
 pub use crate::compile::Door;
 pub(crate) use annotations::{AttrInfo, ImportInfo, RuleInfo};
 pub(crate) use globals::{Globals, Init, Item};
-pub(crate) use selectors::{split_adjust, split_axis};
 
 /// What a name or call stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@
 
 use super::flow::{Facts, Flow, UvSets, body};
 use super::{Cx, Use};
-use crate::ast::{Arg, Block, Expr, ExprKind, Name, OpKind, Split};
+use crate::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
 use crate::ast_walk::ops;
 use crate::code::Code;
 use crate::diag::Diags;
@@ -76,7 +76,7 @@ impl Projected {
 }
 
 /// Looks at a split along `u` or `v` of a uv set.
-pub(super) fn check(split: &Split, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
+pub(super) fn check(split: &Block, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
     let span = split.args.first().map_or(split.name.span, |axis| axis.span);
     if facts.uvs.lacks(set) {
         let message = format!("the shape has no uv set {set}: it is never split");

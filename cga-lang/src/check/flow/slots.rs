@@ -1,7 +1,7 @@
 //! What is known of the sizes of a split, and where it is solved.
 
 use super::facts::Facts;
-use crate::ast::{Arg, Op, Prefix, Split, SplitItem};
+use crate::ast::{Arg, Block, Op, Prefix, SplitItem};
 use crate::check::interval::Interval;
 use crate::check::size::{about, axis, shown};
 use crate::span::Span;
@@ -42,7 +42,7 @@ pub(in crate::check) struct Group {
 
 /// The slots of a split along an axis, in writing order.
 pub(in crate::check) struct Slots<'a> {
-    pub(in crate::check) split: &'a Split,
+    pub(in crate::check) split: &'a Block,
     pub(in crate::check) axis: usize,
     pub(in crate::check) extent: Interval,
     pub(in crate::check) list: Vec<Slot<'a>>,
@@ -100,14 +100,20 @@ impl Slot<'_> {
 }
 
 impl<'a> Slots<'a> {
-    /// Reads a split; `value` evaluates a size.
-    pub(super) fn new(split: &'a Split, axis: usize, facts: &Facts, value: impl Fn(&Arg) -> Interval) -> Slots<'a> {
+    /// Reads the slots of a split; `value` evaluates a size.
+    pub(super) fn new(
+        split: &'a Block,
+        (items, repeat): (&'a [SplitItem], bool),
+        axis: usize,
+        facts: &Facts,
+        value: impl Fn(&Arg) -> Interval,
+    ) -> Slots<'a> {
         let extent = facts.shape.extent(axis);
         let (list, groups, pattern) = (Vec::new(), Vec::new(), Vec::new());
         let (before, most, fixed) = (Vec::new(), Vec::new(), Sum::default());
         let mut slots =
             Slots { split, axis, extent, list, groups, pattern, before, most, fixed, all_fixed: false, pieces: None };
-        slots.items(&split.items, split.repeat, None, &value);
+        slots.items(items, repeat, None, &value);
         slots.add_up();
         slots.pieces = slots.solved();
         slots

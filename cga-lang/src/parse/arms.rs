@@ -1,25 +1,26 @@
-//! `comp(f) { selector : operations | selector = operations }`, and with values instead of operations.
+//! Arms: `{ selector : operations | selector = operations }`, and `comp` with values instead of operations.
 
 use super::expr::Part;
 use super::{Parsed, Parser, Reported};
-use crate::ast::{ArmMode, Comp, CompArm, CompValue, Expr, ExprKind, Name, OpKind};
+use crate::ast::{Arm, ArmMode, CompValue, Expr, ExprKind, Name};
 use crate::token::Sym;
 
-/// A part of a comp.
+/// How an arm is written.
 pub(super) const ARM: &str = "selector : operations";
 
 impl Parser<'_> {
-    /// Behind the word `comp`.
-    pub(super) fn comp(&mut self, name: Name) -> Parsed<OpKind> {
-        let args = self.comp_args("operations", Self::args)?;
-        let arms = self.between_bars(Some(ARM), Self::arm)?;
-        self.not_repeated("comp");
-        Ok(OpKind::Comp(Comp { name, args, arms }))
-    }
-
     /// Behind the word `comp` of a value that begins at a position.
     pub(super) fn comp_value(&mut self, name: Name, start: usize) -> Parsed<Part> {
-        let args = self.comp_args("value", |parser| parser.call_args("comp"))?;
+        const USAGE: &str = "write `comp(f) { selector : value | … }`";
+        if !self.is(Sym::LParen) {
+            self.expected("`(`").help(USAGE);
+            return Err(Reported);
+        }
+        let args = self.call_args("comp")?;
+        if !self.is(Sym::LBrace) {
+            self.expected("`{`").help(USAGE);
+            return Err(Reported);
+        }
         let mut deepest = args.iter().map(|(_, depth)| *depth).max().unwrap_or(0);
         let arms = self.between_bars(Some("selector : value"), |parser| {
             let (selector, one) = parser.deep_expr()?;
@@ -34,19 +35,6 @@ impl Parser<'_> {
         Ok((Expr { kind, span: self.span_from(start) }, depth))
     }
 
-    fn comp_args<T>(&mut self, what: &str, args: impl FnOnce(&mut Self) -> Parsed<T>) -> Parsed<T> {
-        if !self.is(Sym::LParen) {
-            self.expected("`(`").help(format!("write `comp(f) {{ selector : {what} | … }}`"));
-            return Err(Reported);
-        }
-        let args = args(self)?;
-        if !self.is(Sym::LBrace) {
-            self.expected("`{`").help(format!("write `comp(f) {{ selector : {what} | … }}`"));
-            return Err(Reported);
-        }
-        Ok(args)
-    }
-
     /// Takes away a `*` behind braces that make no parts of one kind after the other.
     pub(super) fn not_repeated(&mut self, name: &str) {
         if self.is(Sym::Star) {
@@ -56,11 +44,11 @@ impl Parser<'_> {
     }
 
     /// `selector : operations`.
-    pub(super) fn arm(&mut self) -> Parsed<CompArm> {
+    pub(super) fn arm(&mut self) -> Parsed<Arm> {
         let selector = self.expr()?;
         let mode = self.arm_mode()?;
         let ops = self.ops(false)?;
-        Ok(CompArm { selector, mode, ops })
+        Ok(Arm { selector, mode, ops })
     }
 
     fn arm_mode(&mut self) -> Parsed<ArmMode> {

@@ -1,27 +1,18 @@
-//! `split(axis) { size : operations | … }*`, and `splitArea` alike.
+//! Slots: `{ size : operations | … }*`.
 
 use super::{Parsed, Parser, Reported};
-use crate::ast::{Name, OpKind, Split, SplitItem};
+use crate::ast::{BlockPart, SplitItem};
 use crate::code::Code;
 use crate::token::{Sym, Tok};
 
 impl Parser<'_> {
-    /// Behind the name of the operation.
-    pub(super) fn split(&mut self, name: Name) -> Parsed<OpKind> {
-        if !self.is(Sym::LParen) {
-            self.expected("`(`").help(format!("write `{}(x) {{ … }}`", name.text));
-            return Err(Reported);
-        }
-        let args = self.args()?;
-        if !self.is(Sym::LBrace) {
-            self.expected("`{`").help(format!("write `{}(x) {{ size : operations | … }}`", name.text));
-            return Err(Reported);
-        }
+    /// At the `{` of an operation with slots.
+    pub(super) fn slots(&mut self) -> Parsed<BlockPart> {
         let (items, repeat) = self.items()?;
-        Ok(OpKind::Split(Split { name, args, items, repeat }))
+        Ok(BlockPart::Slots(items, repeat))
     }
 
-    pub(super) fn items(&mut self) -> Parsed<(Vec<SplitItem>, bool)> {
+    fn items(&mut self) -> Parsed<(Vec<SplitItem>, bool)> {
         let items = self.between_bars(Some("size : operations"), Self::slot)?;
         Ok((items, self.eat(Sym::Star)))
     }
