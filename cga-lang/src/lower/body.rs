@@ -2,13 +2,14 @@
 
 use super::{Lower, walk};
 use crate::ast::{self, OpKind, SplitItem};
-use crate::check::{Use, split_adjust, split_axis};
 use crate::fold::fold;
 use crate::ir::{
     Arg, AttrId, Axis, Childless, Expr, ExprKind, Item, Measure, Param, Prefix, Rule, RuleId, Size, Split, Step,
     Target, TextureSplit, Type, Value,
 };
 use crate::ops::{self, ParamKind, Run};
+use crate::resolve::arguments::{split_adjust, split_axis};
+use crate::resolve::tables::Use;
 use crate::span::Span;
 
 impl<'c> Lower<'c> {

@@ -1,0 +1,331 @@
+//! Follows a shape through the steps of a rule.
+
+use super::facts::Facts;
+use super::known::Known;
+use super::shape::{Filling, Shape};
+use super::slots::Slots;
+use super::uvs::UvSets;
+use super::value::Value;
+use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, Expr, ExprKind, Name, Op, OpKind, Split};
+use crate::ops::{Effect, MOST_SIZE, Operation, ShapeAttr};
+use crate::resolve::arguments::{split_adjust, split_axis, word};
+use crate::resolve::tables::Use;
+use crate::span::Span;
+
+/// What is met on the way.
+pub(crate) enum Site<'s, 'a> {
+    /// A split along an axis of the scope.
+    Split(&'s Slots<'a>),
+    /// A split along an axis of a uv set, by number where that is known and there is such a set.
+    TextureSplit(&'a Split, Option<u32>),
+    /// A condition of a `case`, where those before it have failed.
+    Condition(&'s Turn<'s, 'a>),
+    /// An expression that is computed.
+    Value(&'a Expr),
+    /// An attribute of the shape is set.
+    Set(&'static ShapeAttr, &'a Expr),
+    /// An operation with its arguments.
+    Operation(&'static Operation, &'a [Arg]),
+}
+
+/// A condition of a `case`, among the others there.
+pub(crate) struct Turn<'t, 'e> {
+    pub(crate) condition: &'e Expr,
+    /// Those before it, which have failed: also of a `case` that it stands in behind `else`.
+    pub(crate) before: &'t [&'e Expr],
+    pub(crate) is_last: bool,
+    /// What is known where the first of them stands.
+    pub(crate) first: &'t Facts,
+}
+
+/// Who is told of what is met and handed on.
+pub(super) trait Visit<'a> {
+    /// A shape goes on with a rule.
+    fn hand_on(&mut self, rule: u32, facts: Facts);
+    /// Something was met.
+    fn meet(&mut self, site: &Site<'_, 'a>, facts: &Facts);
+}
+
+/// A way through one rule.
+pub(super) struct Walk<'w> {
+    pub(super) known: &'w Known<'w>,
+    /// Whether sizes that steps set are forgotten.
+    pub(super) forgets: bool,
+}
+
+impl<'w> Walk<'w> {
+    /// Follows a shape; gives what is known at the end, nothing where no path gets there.
+    pub(super) fn steps<'a>(&self, ops: &'a [Op], facts: Facts, visit: &mut dyn Visit<'a>) -> Option<Facts> {
+        let mut facts = facts;
+        for op in ops {
+            facts = self.step(op, facts, visit)?;
+        }
+        Some(facts)
+    }
+
+    fn step<'a>(&self, op: &'a Op, mut facts: Facts, visit: &mut dyn Visit<'a>) -> Option<Facts> {
+        match &op.kind {
+            OpKind::Call(name, args) => {
+                self.meet_args(args, &facts, visit);
+                match self.known.tables.of(name) {
+                    Some(Use::Rule(rule)) => self.hand_on(rule, args, &facts, visit),
+                    Some(Use::Operation(row)) => {
+                        visit.meet(&Site::Operation(row, args), &facts);
+                        let sets = [args.first(), args.get(1)].map(|arg| self.uv_set(arg, &facts));
+                        facts.uvs = facts.uvs.after(row, sets);
+                        facts.asset = asset_after(row, args, facts.asset);
+                        facts.shape = self.after(row, args, &facts, op.span);
+                    }
+                    Some(Use::SetShape(row)) => {
+                        args.get(1).into_iter().for_each(|arg| visit.meet(&Site::Set(row, &arg.value), &facts));
+                        if row.name.starts_with("scope.") {
+                            facts.shape = facts.shape.moved_on();
+                        }
+                    }
+                    Some(Use::Leaf | Use::SetAttr(_)) => {}
+                    _ => facts.shape = Shape::ANY,
+                }
+            }
+            OpKind::Dynamic { rule, args, overrides, .. } => {
+                self.meet_args(args, &facts, visit);
+                for own in overrides {
+                    if let crate::ast::Override::Value(_, value) = own {
+                        visit.meet(&Site::Value(value), &facts);
+                    }
+                }
+                if let Some(Use::Rule(rule)) = self.known.tables.of(rule) {
+                    // Attributes and constants of the import begin anew.
+                    let facts = Facts { globals: Vec::new(), ..facts.clone() };
+                    self.hand_on(rule, args, &facts, visit);
+                }
+            }
+            OpKind::Block(block) => self.block(block, &facts, visit),
+            OpKind::Leaf(_) | OpKind::Nil => {}
+            OpKind::Path(_, args) => {
+                self.meet_args(args, &facts, visit);
+                facts = Facts { uvs: UvSets::ANY, asset: None, ..facts.on_any_shape() };
+            }
+            OpKind::Push(ops) => _ = self.steps(ops, facts.clone(), visit),
+            OpKind::Split(split) => self.split(split, &facts, visit),
+            OpKind::Comp(comp) => self.comp(comp, &facts, visit),
+            OpKind::Case(arms, otherwise) => {
+                let first = facts.clone();
+                return self.case(arms, otherwise, facts, &first, &mut Vec::new(), visit);
+            }
+            OpKind::Chance(arms, otherwise) => {
+                let arms = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
+                let ends: Vec<Facts> = arms.filter_map(|ops| self.steps(ops, facts.clone(), visit)).collect();
+                return joined(ends);
+            }
+            OpKind::Error => facts.shape = Shape::ANY,
+        }
+        Some(facts)
+    }
+
+    fn meet_args<'a>(&self, args: &'a [Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
+        args.iter().for_each(|arg| visit.meet(&Site::Value(&arg.value), facts));
+    }
+
+    fn value(&self, expr: &Expr, facts: &Facts) -> Value {
+        self.known.value(expr, facts)
+    }
+
+    /// The number of a uv set, where it is known.
+    fn uv_set(&self, arg: Option<&Arg>, facts: &Facts) -> Option<u32> {
+        let number = self.value(&arg?.value, facts).number().known()?;
+        (0.0..10.0).contains(&number).then_some(number as u32)
+    }
+
+    fn hand_on<'a>(&self, rule: u32, args: &[Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
+        let params = args.iter().map(|arg| self.value(&arg.value, facts)).collect();
+        visit.hand_on(rule, facts.with(params));
+    }
+
+    fn case<'a>(
+        &self,
+        arms: &'a [(Expr, Vec<Op>)],
+        otherwise: &'a [Op],
+        facts: Facts,
+        first: &Facts,
+        before: &mut Vec<&'a Expr>,
+        visit: &mut dyn Visit<'a>,
+    ) -> Option<Facts> {
+        // Whoever comes to a condition has failed those before it.
+        let (mut ends, mut left) = (Vec::new(), Some(facts));
+        for (at, (condition, ops)) in arms.iter().enumerate() {
+            let Some(here) = left else { break };
+            visit.meet(&Site::Value(condition), &here);
+            let turn = Turn { condition, before, is_last: at + 1 == arms.len(), first };
+            visit.meet(&Site::Condition(&turn), &here);
+            before.push(condition);
+            if let Some(inside) = self.known.past(condition, true, here.clone()) {
+                ends.extend(self.steps(ops, inside, visit));
+            }
+            left = self.known.past(condition, false, here);
+        }
+        if let Some(here) = left {
+            ends.extend(match otherwise {
+                // The list goes on.
+                [Op { kind: OpKind::Case(arms, otherwise), .. }] => {
+                    self.case(arms, otherwise, here, first, before, visit)
+                }
+                _ => self.steps(otherwise, here, visit),
+            });
+        }
+        joined(ends)
+    }
+
+    fn split<'a>(&self, split: &'a Split, facts: &Facts, visit: &mut dyn Visit<'a>) {
+        let bodies = |visit: &mut dyn Visit<'a>, shape: &dyn Fn(usize) -> Option<Shape>| {
+            let mut index = 0;
+            self.items(&split.items, &mut index, facts, visit, shape);
+        };
+        self.meet_args(split.args.get(1..).unwrap_or_default(), facts, visit);
+        if split.is_in_texture_space() {
+            let set = self.uv_set(split.args.get(2), facts);
+            visit.meet(&Site::TextureSplit(split, set), facts);
+        }
+        let Some(axis) = split_axis(split).filter(|_| !split.is_by_area()) else {
+            return bodies(visit, &|_| Some(Shape::ANY));
+        };
+        let slots = Slots::new(split, axis as usize, facts, |size| self.value(&size.value, facts).number());
+        visit.meet(&Site::Split(&slots), facts);
+        let adjust = split_adjust(split);
+        bodies(visit, &|index| {
+            if facts.shape.is_flat(slots.axis) || slots.is_never(index) {
+                return None;
+            }
+            Some(facts.shape.part(slots.axis, slots.length(index), adjust, split.name.span))
+        });
+    }
+
+    /// The slots of a split: `shape` says what is known of a part, nothing when there never is one.
+    fn items<'a>(
+        &self,
+        items: &'a [crate::ast::SplitItem],
+        index: &mut usize,
+        facts: &Facts,
+        visit: &mut dyn Visit<'a>,
+        shape: &dyn Fn(usize) -> Option<Shape>,
+    ) {
+        for item in items {
+            match item {
+                crate::ast::SplitItem::Slot(size, ops) => {
+                    visit.meet(&Site::Value(&size.value), facts);
+                    let part = shape(*index);
+                    *index += 1;
+                    if let Some(shape) = part {
+                        self.steps(ops, facts.on(shape), visit);
+                    }
+                }
+                crate::ast::SplitItem::Group(items, _) => self.items(items, index, facts, visit, shape),
+            }
+        }
+    }
+
+    fn comp<'a>(&self, comp: &'a Comp, facts: &Facts, visit: &mut dyn Visit<'a>) {
+        let word = |index: usize| comp.args.get(index).and_then(word);
+        let (faces, z_up) = (word(0) == Some("f"), word(1) == Some("zUp"));
+        let faces = faces && (z_up || word(1).is_none());
+        for arm in &comp.arms {
+            // With the component as current shape.
+            visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
+            let selector = match &arm.selector.kind {
+                ExprKind::Name(name) => match self.known.tables.of(name) {
+                    Some(Use::Selector(word)) => Some(word),
+                    _ => None,
+                },
+                _ => None,
+            };
+            let shape = match (faces && arm.mode == ArmMode::Each, facts.shape.filling) {
+                (true, Filling::Box) if !z_up => facts.shape.face_of_box(selector, comp.name.span),
+                (true, _) => Shape::face(comp.name.span),
+                (false, _) => Shape::ANY,
+            };
+            self.steps(&arm.ops, facts.on(shape), visit);
+        }
+    }
+
+    /// Operations with braces: what they make is any shape.
+    fn block<'a>(&self, block: &'a Block, facts: &Facts, visit: &mut dyn Visit<'a>) {
+        let any = || Facts { asset: None, ..facts.on_any_shape() };
+        // Some are computed on each edge.
+        self.meet_args(&block.args, &any(), visit);
+        if let Some(Use::Operation(row)) = self.known.tables.of(&block.name) {
+            visit.meet(&Site::Operation(row, &block.args), &any());
+        }
+        for part in &block.parts {
+            match part {
+                BlockPart::Slots(items, _) => {
+                    self.items(items, &mut 0, facts, visit, &|_| Some(Shape::ANY));
+                }
+                BlockPart::Sections(list, _) => {
+                    for section in list {
+                        visit.meet(&Site::Value(&section.length.value), &any());
+                        self.steps(&section.ops, any(), visit);
+                    }
+                }
+                BlockPart::Arms(arms) => arms.iter().for_each(|arm| _ = self.steps(&arm.ops, any(), visit)),
+                BlockPart::Ops(list) => list.iter().for_each(|ops| _ = self.steps(ops, any(), visit)),
+            }
+        }
+    }
+
+    /// What an operation leaves of what was known.
+    fn after(&self, row: &'static Operation, args: &[Arg], facts: &Facts, span: Span) -> Shape {
+        let shape = facts.shape;
+        match row.scope {
+            Effect::Keeps => shape,
+            Effect::KeepsSize => Shape { filling: Filling::Unknown, ..shape },
+            _ if self.forgets => shape.moved_on(),
+            Effect::Sizes => match args {
+                [x, y, z] => self.sized(shape, [x, y, z], facts, span),
+                _ => shape.moved_on(),
+            },
+            Effect::FillsWithBox if shape.has_room() && !shape.trimmed => shape.filled(Filling::Box),
+            Effect::FillsWithBox | Effect::Fills if shape.has_room() => shape.filled(Filling::Unknown),
+            Effect::Any if row.name == "extrude" => match args {
+                [Arg { prefix: None, value, .. }] => shape.extruded(self.value(value, facts).number(), span),
+                _ => shape.moved_on(),
+            },
+            Effect::Any | Effect::FillsWithBox | Effect::Fills => shape.moved_on(),
+        }
+    }
+
+    fn sized(&self, shape: Shape, args: [&Arg; 3], facts: &Facts, span: Span) -> Shape {
+        let (mut size, mut kept) = (shape.size, [false; 3]);
+        for ((size, kept), arg) in size.iter_mut().zip(&mut kept).zip(args) {
+            let number = self.value(&arg.value, facts).number().taken();
+            let (old, is_share) = (*size, arg.prefix.is_some());
+            let new = if is_share { number.mul(old) } else { number };
+            // What is too large for a scope leaves it as it is; a share of what it has is not.
+            let is_small = is_share && -1.0 <= number.lo && number.hi <= 1.0 || new.abs().hi <= MOST_SIZE;
+            *size = if is_small { new.tame() } else { new.tame().or(old) };
+            *kept = is_share && number.known() == Some(1.0);
+        }
+        shape.sized(size, kept, span)
+    }
+}
+
+/// What the geometry is of behind an operation: the token of a file's name, as long as it is that or parts of it.
+fn asset_after(row: &Operation, args: &[Arg], before: Option<u32>) -> Option<u32> {
+    if row.name == "i" {
+        let name = args.first()?;
+        return matches!(name.value.kind, ExprKind::Text(_)).then_some(name.value.span.first);
+    }
+    let stays = matches!(row.scope, Effect::Keeps | Effect::KeepsSize | Effect::Sizes) || row.name.ends_with("Scope");
+    before.filter(|_| stays)
+}
+
+/// What holds on all of some ways.
+fn joined(ends: Vec<Facts>) -> Option<Facts> {
+    ends.into_iter().reduce(|all, next| all.or(&next))
+}
+
+/// The name of what a slot becomes when that is all, for messages.
+pub(crate) fn called(ops: &[Op]) -> Option<&Name> {
+    match ops {
+        [Op { kind: OpKind::Call(name, _) | OpKind::Leaf(name), .. }] => Some(name),
+        _ => None,
+    }
+}
