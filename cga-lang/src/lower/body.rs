@@ -2,13 +2,13 @@
 
 use super::{Lower, walk};
 use crate::ast::{self, BlockPart, OpKind, SplitItem};
-use crate::check::Use;
 use crate::fold::fold;
 use crate::ir::{
     Arg, AttrId, Axis, Childless, Expr, ExprKind, Item, Measure, Param, Prefix, Rule, RuleId, Size, Split, Step,
     Target, TextureSplit, Type, Value,
 };
 use crate::ops::{self, Braces, ParamKind, Run};
+use crate::resolve::tables::Use;
 use crate::span::Span;
 
 impl<'c> Lower<'c> {
