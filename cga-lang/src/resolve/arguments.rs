@@ -16,7 +16,7 @@ impl Block {
 }
 
 /// An expression that is a bare word.
-fn bare(expr: &Expr) -> Option<&str> {
+pub(crate) fn bare(expr: &Expr) -> Option<&str> {
     match &expr.kind {
         ExprKind::Name(name) => Some(&name.text),
         _ => None,
