@@ -180,7 +180,7 @@ pub fn isnull_text_each(array: Array<Text>) -> Array<bool> {
 mod tests {
     use super::super::tests::{env, limit, small_env, text};
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
 
     #[test]
     fn numbers_print_as_documented() {

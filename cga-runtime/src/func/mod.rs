@@ -63,8 +63,8 @@ fn whole(number: f64) -> Option<usize> {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::fault::{Error, LimitKind};
     use crate::run::env::Env;
-    use crate::run::fault::{Error, LimitKind};
     use crate::run::settings::Settings;
     use crate::value::text::Text;
 

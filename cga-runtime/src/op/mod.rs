@@ -55,8 +55,8 @@ pub use trim::trim;
 
 use glam::DVec3;
 
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::shape::Shape;
 use crate::shape::scope::Scope;
 

@@ -3,8 +3,8 @@
 //! One side may be a single value, which then meets every element of the other. Two arrays must have the same form; if
 //! they do not, the result has no elements and there is a fault.
 
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::value::array::{Array, Element, Print};
 use crate::value::compare::Compare;
 use crate::value::text::Text;
@@ -176,7 +176,7 @@ pub fn each_concat(env: &mut Env, a: impl Operand, b: impl Operand) -> Array<Tex
 mod tests {
     use super::super::super::tests::{env, faults, limit, small_env, text};
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
 
     fn row<T: Element, const N: usize>(values: [T; N]) -> Array<T> {
         Array::from(values)
