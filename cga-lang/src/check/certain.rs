@@ -9,7 +9,7 @@ use super::{
 };
 use crate::ast::Expr;
 use crate::diag::{Diag, Diags};
-use crate::ops::SPLIT_UV_SET;
+use crate::ops::{ParamKind, SPLIT_UV_SET};
 
 pub(super) fn check(cx: &mut Cx) {
     cx.tables.levels = branches::levels(cx);
@@ -37,8 +37,8 @@ pub(super) fn check(cx: &mut Cx) {
                 Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
                 Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
                 Site::Operation(row, args) => {
-                    if let ("texture", [image]) = (row.name, args) {
-                        texture::carried(&image.value, 0, projected, facts, &mut diags);
+                    for (param, image) in row.params.iter().zip(*args) {
+                        texture::carried(&image.value, param.kind, projected, facts, &mut diags);
                     }
                     texture::changed(row, args, projected, (facts, &values), &mut diags);
                     let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
@@ -46,10 +46,8 @@ pub(super) fn check(cx: &mut Cx) {
                     colour::check(program, row.params, &args, facts, &values, &mut diags);
                 }
                 Site::Set(row, value) => {
-                    if let Some(set) = texture::layer(row.name) {
-                        texture::carried(value, set, projected, facts, &mut diags);
-                    }
-                    if row.name == "material.color.rgb" {
+                    texture::carried(value, row.kind, projected, facts, &mut diags);
+                    if row.kind == ParamKind::Color {
                         colour::text(program, value, &mut diags);
                     }
                 }

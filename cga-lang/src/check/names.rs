@@ -9,7 +9,7 @@ use crate::ast::{Expr, ExprKind, Name};
 use crate::code::Code;
 use crate::ir::Type;
 use crate::link::InstanceId;
-use crate::ops::{self, Function, Needs, ParamKind, Places, Run};
+use crate::ops::{self, Function, Needs, ParamKind, Places, Run, Words};
 use crate::span::Span;
 use crate::token::Tok;
 
@@ -271,13 +271,11 @@ impl<'a> Scope<'_, 'a, '_> {
             return self.other_words(name, &rows, args);
         }
         for (index, arg) in args.iter().enumerate() {
-            let is_word =
-                |row: &&Function| matches!(row.params[index].kind, ParamKind::Word { .. } | ParamKind::Selector);
+            let is_word = |row: &&Function| matches!(row.params[index].kind, ParamKind::Word(_) | ParamKind::Selector);
             if candidates.is_empty() && !fitting.is_empty() && fitting.iter().all(is_word) {
-                let words = |row: &&'static Function| row.params[index].kind.new_words();
-                let words: Vec<&str> = fitting.iter().flat_map(words).collect();
-                let kinds = fitting.iter().map(|row| &row.params[index].kind);
-                if let Some((old, new)) = kinds.filter_map(|kind| kind.old_word(arg.word()?)).next() {
+                let known = || fitting.iter().filter_map(|row| row.params[index].kind.words());
+                let words: Vec<&str> = known().flat_map(Words::current).collect();
+                if let Some((old, new)) = known().filter_map(|words| words.old(arg.word()?)).next() {
                     self.old_word(old, new, arg.span);
                     continue;
                 }
@@ -315,7 +313,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let row = rows[0];
         for (param, arg) in row.params.iter().zip(args) {
             match &param.kind {
-                ParamKind::Word { .. } => self.word_expr(row.name, param.kind.new_words(), arg),
+                ParamKind::Word(words) => self.word_expr(row.name, words.current(), arg),
                 ParamKind::Selector => self.selector(arg, Places::FACES),
                 _ => self.expr(arg),
             }
@@ -387,10 +385,8 @@ impl<'a> Scope<'_, 'a, '_> {
 /// Whether every word of a call is one that the row knows. `word` says what the word of an argument is.
 fn words_fit(row: &Function, args: &[Expr], word: fn(&Expr) -> Option<&str>) -> bool {
     row.params.iter().zip(args).all(|(param, arg)| match &param.kind {
-        ParamKind::Word { .. } if matches!(arg.kind, ExprKind::Error) => true,
-        ParamKind::Word { words, old, .. } => {
-            word(arg).is_some_and(|word| words.iter().chain(*old).any(|(own, _)| *own == word))
-        }
+        ParamKind::Word(_) if matches!(arg.kind, ExprKind::Error) => true,
+        ParamKind::Word(words) => word(arg).is_some_and(|word| words.has(word)),
         _ => true,
     })
 }

@@ -208,7 +208,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let message = format!("the arguments of `{}` are in the wrong order", name.text);
         self.cx.diags.report(Code::UnknownWord, first.span, message).help(format!("write `{meant}`"));
         for (param, arg) in row.params.iter().zip([second, first]) {
-            if !matches!(param.kind, ParamKind::Word { .. }) {
+            if !matches!(param.kind, ParamKind::Word(_)) {
                 self.expr(&arg.value);
             }
         }
@@ -314,9 +314,9 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.no_prefix(prefix, span);
             }
             match &rows[0].params[index].kind {
-                ParamKind::Word { words, old, .. } => {
-                    self.word(rows[0].name, words.iter().map(|(word, _)| *word), arg);
-                    if let Some((old, new)) = old.iter().find(|(old, _)| word(arg) == Some(*old)) {
+                ParamKind::Word(words) => {
+                    self.word(rows[0].name, words.list.iter().copied(), arg);
+                    if let Some((old, new)) = word(arg).and_then(|word| words.old(word)) {
                         self.old_word(old, new, arg.span);
                     }
                 }
@@ -334,9 +334,9 @@ impl<'a> Scope<'_, 'a, '_> {
         if arg.prefix.is_some() || self.lookup(&name.text).is_some() {
             return false;
         }
-        let help = match (param.name, habits::colour(&name.text)) {
-            ("hexValue", Some(colour)) => format!("write `\"{colour}\"`, in quotes"),
-            ("hexValue", None) => "write a colour, as in `\"#ff8000\"`".into(),
+        let help = match (param.kind, habits::colour(&name.text)) {
+            (ParamKind::Color, Some(colour)) => format!("write `\"{colour}\"`, in quotes"),
+            (ParamKind::Color, None) => "write a colour, as in `\"#ff8000\"`".into(),
             _ => format!("write `\"{}\"`, in quotes", name.text),
         };
         self.unknown_name(name, Some(help));

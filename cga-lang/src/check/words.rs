@@ -66,8 +66,7 @@ impl<'a> Scope<'_, 'a, '_> {
     pub(super) fn computes_words(&mut self, params: &[Param], args: &[&Expr]) -> bool {
         let mut computed = false;
         for (param, arg) in params.iter().zip(args) {
-            if !matches!(param.kind, ParamKind::Word { .. }) || arg.word().is_some_and(|word| param.kind.has_word(word))
-            {
+            if !matches!(param.kind, ParamKind::Word(_)) || arg.word().is_some_and(|word| param.kind.has_word(word)) {
                 continue;
             }
             if !self.is_computed(arg) {
@@ -92,7 +91,7 @@ impl<'a> Scope<'_, 'a, '_> {
 
     /// Resolves what such words are computed from, and says that they do not run yet.
     pub(super) fn computed_word(&mut self, kind: &ParamKind, arg: &'a Expr) {
-        if !matches!(kind, ParamKind::Word { .. }) {
+        if !matches!(kind, ParamKind::Word(_)) {
             return self.expr(arg);
         }
         if arg.word().is_some_and(|word| kind.has_word(word)) {

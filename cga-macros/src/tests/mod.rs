@@ -4,4 +4,5 @@ mod doors;
 mod errors;
 mod expand;
 mod mistakes;
+mod rows;
 mod ui;

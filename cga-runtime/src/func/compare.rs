@@ -59,12 +59,6 @@ impl<T: Element> Compare for Array<T> {
     }
 }
 
-/// The order of two values, from which all relational operators follow.
-#[inline]
-pub fn compare<T: Compare>(a: T, b: T) -> Ordering {
-    a.compare(&b)
-}
-
 /// `a == b`. Arrays are equal if they have the same form and equal elements.
 #[inline]
 pub fn equal<T: Compare>(a: T, b: T) -> bool {

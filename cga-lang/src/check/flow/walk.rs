@@ -8,7 +8,7 @@ use super::uvs::UvSets;
 use super::value::Value;
 use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, Expr, ExprKind, Name, Op, OpKind, Split};
 use crate::check::{Use, split_adjust, split_axis, words};
-use crate::ops::{Effect, MOST_SIZE, Operation, ShapeAttr};
+use crate::ops::{self, Effect, FileUse, MOST_SIZE, Operation, ParamKind, Places, ShapeAttr};
 use crate::span::Span;
 
 /// What is met on the way.
@@ -77,7 +77,7 @@ impl<'w> Walk<'w> {
                     }
                     Some(Use::SetShape(row)) => {
                         args.get(1).into_iter().for_each(|arg| visit.meet(&Site::Set(row, &arg.value), &facts));
-                        if row.name.starts_with("scope.") {
+                        if row.set_scope != Effect::Keeps {
                             facts.shape = facts.shape.moved_on();
                         }
                     }
@@ -224,14 +224,15 @@ impl<'w> Walk<'w> {
 
     fn comp<'a>(&self, comp: &'a Comp, facts: &Facts, visit: &mut dyn Visit<'a>) {
         let word = |index: usize| comp.args.get(index).and_then(words::word);
-        let (faces, z_up) = (word(0) == Some("f"), word(1) == Some("zUp"));
+        let kind = word(0).and_then(ops::component);
+        let (faces, z_up) = (kind.is_some_and(|kind| kind.place == Places::FACES), word(1) == Some("zUp"));
         let faces = faces && (z_up || word(1).is_none());
         for arm in &comp.arms {
             // With the component as current shape.
             visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
             let selector = match &arm.selector.kind {
                 ExprKind::Name(name) => match self.known.tables.of(name) {
-                    Some(Use::Selector(word)) => Some(word),
+                    Some(Use::Selector(word)) => ops::selector(word),
                     _ => None,
                 },
                 _ => None,
@@ -283,11 +284,11 @@ impl<'w> Walk<'w> {
             },
             Effect::FillsWithBox if shape.has_room() && !shape.trimmed => shape.filled(Filling::Box),
             Effect::FillsWithBox | Effect::Fills if shape.has_room() => shape.filled(Filling::Unknown),
-            Effect::Any if row.name == "extrude" => match args {
+            Effect::Extrudes => match args {
                 [Arg { prefix: None, value, .. }] => shape.extruded(self.value(value, facts).number(), span),
                 _ => shape.moved_on(),
             },
-            Effect::Any | Effect::FillsWithBox | Effect::Fills => shape.moved_on(),
+            Effect::Any | Effect::MovesScope | Effect::FillsWithBox | Effect::Fills => shape.moved_on(),
         }
     }
 
@@ -308,12 +309,11 @@ impl<'w> Walk<'w> {
 
 /// What the geometry is of behind an operation: the token of a file's name, as long as it is that or parts of it.
 fn asset_after(row: &Operation, args: &[Arg], before: Option<u32>) -> Option<u32> {
-    if row.name == "i" {
-        let name = args.first()?;
-        return matches!(name.value.kind, ExprKind::Text(_)).then_some(name.value.span.first);
+    let inserted = row.params.iter().zip(args).find(|(param, _)| param.kind == ParamKind::File(FileUse::Inserted));
+    match inserted {
+        Some((_, name)) => matches!(name.value.kind, ExprKind::Text(_)).then_some(name.value.span.first),
+        None => before.filter(|_| row.scope.keeps_geometry()),
     }
-    let stays = matches!(row.scope, Effect::Keeps | Effect::KeepsSize | Effect::Sizes) || row.name.ends_with("Scope");
-    before.filter(|_| stays)
 }
 
 /// What holds on all of some ways.

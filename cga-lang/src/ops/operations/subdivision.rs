@@ -2,51 +2,23 @@
 
 use super::super::{
     BS, Block, Bounds, Default, FS, Operation, Param, ParamKind, Places, Values, bounds, float, length, of, or, param,
-    uv_set, within, word,
+    uv_set, within, words,
 };
 use super::{block, later, old};
 
-pub(super) const COMPONENT: Param = word(
-    "component",
-    "CompKind",
-    &[
-        ("f", "Faces"),
-        ("e", "Edges"),
-        ("fe", "FaceEdges"),
-        ("v", "Vertices"),
-        ("fv", "FaceVertices"),
-        ("g", "Groups"),
-        ("m", "Materials"),
-        ("h", "Holes"),
-    ],
-);
+pub(super) const COMPONENT: Param = words("component", &["f", "e", "fe", "v", "fv", "g", "m", "h"]);
 
-const SCOPE_ALIGNMENT: Param =
-    or(word("scopeAlignment", "CompAlign", &[("zUp", "ZUp"), ("noAlign", "NoAlign")]), Default::Word("zUp"));
+const SCOPE_ALIGNMENT: Param = or(words("scopeAlignment", &["zUp", "noAlign"]), Default::Word("zUp"));
 
-const ALIGNMENT: Param = word("alignment", "RectangleAlign", &[("scope", "Scope"), ("edge", "Edge")]);
+const ALIGNMENT: Param = words("alignment", &["scope", "edge"]);
 
-const DOMAIN: Param =
-    word("domain", "ScatterDomain", &[("surface", "Surface"), ("volume", "Volume"), ("scope", "Scope")]);
+const DOMAIN: Param = words("domain", &["surface", "volume", "scope"]);
 
-const DISTRIBUTION: Param =
-    word("distributionType", "Distribution", &[("uniform", "Uniform"), ("gaussian", "Gaussian")]);
+const DISTRIBUTION: Param = words("distributionType", &["uniform", "gaussian"]);
 
-const GAUSSIAN: Param = word("distributionType", "Distribution", &[("gaussian", "Gaussian")]);
+const GAUSSIAN: Param = words("distributionType", &["gaussian"]);
 
-const MEAN: Param = word(
-    "scatterMean",
-    "ScatterMean",
-    &[
-        ("center", "Center"),
-        ("front", "Front"),
-        ("back", "Back"),
-        ("left", "Left"),
-        ("right", "Right"),
-        ("top", "Top"),
-        ("bottom", "Bottom"),
-    ],
-);
+const MEAN: Param = words("scatterMean", &["center", "front", "back", "left", "right", "top", "bottom"]);
 
 /// *setbackToArea operation*.
 static AREAS: Bounds = bounds(Values::Above(0.0), "an area is above 0");
