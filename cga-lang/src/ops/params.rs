@@ -83,6 +83,8 @@ pub struct Words {
     pub rust: Option<&'static str>,
     /// Words whose variant has another name than they have, and that name.
     pub renamed: Pairs,
+    /// The code of a diagnostic about any other word.
+    pub unknown: Code,
 }
 
 /// Words, each with another name.
@@ -242,20 +244,31 @@ pub(super) const fn uv_set(name: &'static str) -> Param {
     within(float(name), &UV_SETS)
 }
 
+/// No words.
+const WORDS: Words = Words { list: &[], old: &[], rust: None, renamed: &[], unknown: Code::UnknownWord };
+
 /// A parameter for words, each of which is a variant of an enum of the runtime.
 pub(super) const fn word(name: &'static str, rust: &'static str, list: &'static [&'static str]) -> Param {
-    param(name, ParamKind::Word(Words { list, old: &[], rust: Some(rust), renamed: &[] }))
+    param(name, ParamKind::Word(Words { list, rust: Some(rust), ..WORDS }))
 }
 
 /// A parameter for words, in a row that does not run.
 pub(super) const fn words(name: &'static str, list: &'static [&'static str]) -> Param {
-    param(name, ParamKind::Word(Words { list, old: &[], rust: None, renamed: &[] }))
+    param(name, ParamKind::Word(Words { list, ..WORDS }))
 }
 
 /// The same parameter, with words whose variants have other names.
 pub(super) const fn renamed(renamed: Pairs, row: Param) -> Param {
     match row.kind {
         ParamKind::Word(words) => Param { kind: ParamKind::Word(Words { renamed, ..words }), ..row },
+        _ => row,
+    }
+}
+
+/// The same parameter, with another code for unknown words.
+pub(super) const fn unknown(unknown: Code, row: Param) -> Param {
+    match row.kind {
+        ParamKind::Word(words) => Param { kind: ParamKind::Word(Words { unknown, ..words }), ..row },
         _ => row,
     }
 }

@@ -173,7 +173,7 @@ const fn measured(row: Function) -> Function {
 
 const UV_SET: Param = or(uv_set("uvSet"), Default::Float(0.0));
 
-const SPACE: Param = renamed(
+pub(super) const SPACE: Param = renamed(
     &[("uvSpace", "Uv"), ("unitSpace", "Unit")],
     word("surfaceParameterization", "TextureSpace", &["uvSpace", "unitSpace"]),
 );

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use cga_lang::ops::{
-    COMPONENTS, Changes, Places, Run, all_functions, all_operations, all_shape_attrs, selectors, variant,
+    Braces, COMPONENTS, Changes, Places, Run, all_functions, all_operations, all_shape_attrs, selectors, variant,
 };
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use syn::{Item, UseTree, Visibility};
@@ -55,7 +55,7 @@ struct Runtime {
 impl Runtime {
     fn read() -> Runtime {
         let mut files = Vec::new();
-        read(&root().join("cga-runtime/src"), &mut files);
+        read(&sources(), &mut files);
         let mut enums: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         for (_, file) in &files {
             for item in &file.items {
@@ -70,61 +70,85 @@ impl Runtime {
         Runtime { files, enums }
     }
 
-    fn file(&self, end: &str) -> &(PathBuf, syn::File) {
-        let mut found = self.files.iter().filter(|(path, _)| path.ends_with(end));
-        let file = found.next().unwrap_or_else(|| panic!("no file {end}"));
-        assert!(found.next().is_none(), "two files {end}");
-        file
+    /// The file of a module, below the sources.
+    fn file(&self, module: &Path) -> &(PathBuf, syn::File) {
+        let places = [module.with_extension("rs"), module.join("mod.rs")].map(|place| sources().join(place));
+        let file = self.files.iter().find(|(path, _)| places.contains(path));
+        file.unwrap_or_else(|| panic!("no module {}", module.display()))
     }
 
-    /// The public names of a module, by the end of its path.
-    fn names(&self, end: &str) -> BTreeSet<String> {
-        let (path, file) = self.file(end);
-        let mut names = BTreeSet::new();
-        for item in &file.items {
+    /// The public names of a module of `rt.rs`, which is what generated code sees.
+    fn names(&self, module: &str) -> BTreeSet<String> {
+        let (mut names, (_, rt)) = (BTreeSet::new(), self.file(Path::new("rt")));
+        for item in &rt.items {
             match item {
-                Item::Fn(item) if is_public(&item.vis) => _ = names.insert(item.sig.ident.to_string()),
-                Item::Enum(item) if is_public(&item.vis) => _ = names.insert(item.ident.to_string()),
-                Item::Use(item) if is_public(&item.vis) => self.used(&item.tree, path, &mut names),
-                Item::Macro(item) if item.ident.is_none() => {
-                    let name = item.mac.path.segments.last().expect("a name").ident.to_string();
-                    if name.starts_with("each_material") {
-                        let (_, list) = self.file("material/list.rs");
-                        list.items.iter().for_each(|item| {
-                            if let Item::Macro(item) = item {
-                                entries(&item.mac.tokens, &mut names);
-                            }
-                        });
-                    } else {
-                        entries(&item.mac.tokens, &mut names);
+                Item::Mod(item) if item.ident == module => {
+                    let (_, items) = item.content.as_ref().expect("a module in place");
+                    self.add(items, Path::new(""), &mut names);
+                }
+                Item::Use(item) => {
+                    if let Some(path) = imported(&item.tree, module, Path::new("")) {
+                        let (_, file) = self.file(&path);
+                        self.add(&file.items, &path, &mut names);
                     }
                 }
                 _ => {}
             }
         }
+        assert!(!names.is_empty(), "rt.rs has no {module}");
         names
     }
 
-    /// The names of a `pub use`. A glob has those of a module: one beside the file, or at the root of the crate.
-    fn used(&self, tree: &UseTree, path: &Path, names: &mut BTreeSet<String>) {
-        match tree {
-            UseTree::Path(tree) if matches!(*tree.tree, UseTree::Glob(_)) => {
-                let name = tree.ident.to_string();
-                let beside = path.with_file_name(&name).join("mod.rs");
-                let end = self
-                    .files
-                    .iter()
-                    .find(|(path, _)| *path == beside)
-                    .map_or_else(|| format!("src/{name}/mod.rs"), |(path, _)| path.display().to_string());
-                names.extend(self.names(&end));
+    /// Adds the public names among the items of a module.
+    fn add(&self, items: &[Item], module: &Path, names: &mut BTreeSet<String>) {
+        for item in items {
+            match item {
+                Item::Fn(item) if is_public(&item.vis) => _ = names.insert(item.sig.ident.to_string()),
+                Item::Enum(item) if is_public(&item.vis) => _ = names.insert(item.ident.to_string()),
+                Item::Use(item) if is_public(&item.vis) => self.used(&item.tree, module, names),
+                Item::Macro(item) if item.ident.is_none() => match item.mac.path.get_ident() {
+                    // Their entries are arguments of other macros.
+                    Some(name) if name.to_string().starts_with("each_material") => {
+                        let (_, list) = self.file(Path::new("material/list"));
+                        list.items.iter().for_each(|item| {
+                            if let Item::Macro(item) = item {
+                                entries(&item.mac.tokens, names);
+                            }
+                        });
+                    }
+                    _ => entries(&item.mac.tokens, names),
+                },
+                _ => {}
             }
-            UseTree::Path(tree) => self.used(&tree.tree, path, names),
-            UseTree::Name(tree) => _ = names.insert(tree.ident.to_string()),
-            UseTree::Rename(tree) => _ = names.insert(tree.rename.to_string()),
-            UseTree::Group(tree) => tree.items.iter().for_each(|tree| self.used(tree, path, names)),
-            UseTree::Glob(_) => {}
         }
     }
+
+    /// Adds the names of a `pub use` in a module.
+    fn used(&self, tree: &UseTree, module: &Path, names: &mut BTreeSet<String>) {
+        match tree {
+            UseTree::Path(tree) if tree.ident == "crate" => self.used(&tree.tree, Path::new(""), names),
+            UseTree::Path(tree) => self.used(&tree.tree, &module.join(tree.ident.to_string()), names),
+            UseTree::Name(tree) => _ = names.insert(tree.ident.to_string()),
+            UseTree::Rename(tree) => _ = names.insert(tree.rename.to_string()),
+            UseTree::Group(tree) => tree.items.iter().for_each(|tree| self.used(tree, module, names)),
+            UseTree::Glob(_) => self.add(&self.file(module).1.items, module, names),
+        }
+    }
+}
+
+/// The path of a module that a `use` brings in.
+fn imported(tree: &UseTree, module: &str, path: &Path) -> Option<PathBuf> {
+    match tree {
+        UseTree::Path(tree) if tree.ident == "crate" => imported(&tree.tree, module, path),
+        UseTree::Path(tree) => imported(&tree.tree, module, &path.join(tree.ident.to_string())),
+        UseTree::Name(tree) => (tree.ident == module).then(|| path.join(module)),
+        UseTree::Group(tree) => tree.items.iter().find_map(|tree| imported(tree, module, path)),
+        UseTree::Rename(_) | UseTree::Glob(_) => None,
+    }
+}
+
+fn sources() -> PathBuf {
+    root().join("cga-runtime/src")
 }
 
 fn read(folder: &Path, files: &mut Vec<(PathBuf, syn::File)>) {
@@ -174,40 +198,41 @@ fn called(runs: impl Iterator<Item = Run>) -> BTreeSet<String> {
 #[test]
 fn rows_and_functions_of_the_runtime_belong_together() {
     let runtime = Runtime::read();
-    let operations = || all_operations();
+    // The code generator has code for each kind of braces.
+    let operations = || all_operations().filter(|row| row.braces == Braces::None);
     let of_rows = [
-        ("op/mod.rs", called(operations().map(|row| row.run))),
-        ("op/slim.rs", called(operations().filter(|row| row.changes == Changes::Scope).map(|row| row.run))),
-        ("func/mod.rs", called(all_functions().map(|row| row.run))),
-        ("src/get.rs", called(all_shape_attrs().map(|row| row.get))),
-        ("src/set.rs", called(all_shape_attrs().filter_map(|row| row.set))),
+        ("op", called(operations().map(|row| row.run))),
+        ("slim", called(operations().filter(|row| row.changes == Changes::Scope).map(|row| row.run))),
+        ("func", called(all_functions().map(|row| row.run))),
+        ("get", called(all_shape_attrs().map(|row| row.get))),
+        ("set", called(all_shape_attrs().filter_map(|row| row.set))),
     ];
     for (module, rows) in of_rows {
         let public = functions(runtime.names(module));
         let lacking: Vec<&String> = rows.difference(&public).collect();
-        assert!(lacking.is_empty(), "{module} does not have {lacking:?}");
+        assert!(lacking.is_empty(), "`{module}` does not have {lacking:?}");
         let is_syntax = |name: &str| SYNTAX.contains(&name) || name.starts_with("each_");
         let left_over: Vec<&String> = public.difference(&rows).filter(|name| !is_syntax(name)).collect();
-        assert!(left_over.is_empty(), "no row runs these functions of {module}: {left_over:?}");
+        assert!(left_over.is_empty(), "no row runs these functions of `{module}`: {left_over:?}");
     }
 }
 
 #[test]
 fn words_are_variants_of_enums_of_the_runtime() {
     let runtime = Runtime::read();
-    let operations = all_operations().map(|row| ("op/mod.rs", row.name, row.params, row.run));
-    let functions = all_functions().map(|row| ("func/mod.rs", row.name, row.params, row.run));
+    let (of_op, of_func) = (runtime.names("op"), runtime.names("func"));
+    let operations = all_operations().map(|row| (Some(&of_op), row));
+    let operations =
+        operations.map(|(module, row)| (module.filter(|_| row.braces == Braces::None), row.name, row.params, row.run));
+    let functions = all_functions().map(|row| (Some(&of_func), row.name, row.params, row.run));
     for (module, name, params, run) in operations.chain(functions) {
-        let public = runtime.names(module);
         for words in params.iter().filter_map(|param| param.kind.words()) {
-            assert_eq!(
-                words.rust.is_some(),
-                run != Run::Later,
-                "{name}: rows that run have an enum for words, others have none"
-            );
-            let Some(rust) = words.rust else { continue };
-            assert!(public.contains(rust), "{module} does not have {rust} of {name}");
-            let variants = &runtime.enums[rust];
+            let Some(rust) = words.rust else {
+                assert_eq!(run, Run::Later, "{name} runs without an enum for its words");
+                continue;
+            };
+            assert!(module.is_none_or(|public| public.contains(rust)), "the module of {name} does not have {rust}");
+            let variants = runtime.enums.get(rust).unwrap_or_else(|| panic!("no enum {rust} for {name}"));
             for word in words.list {
                 let variant = words.variant(word);
                 assert!(variants.contains(&variant), "{rust} does not have {variant}, which is `{word}` of {name}");

@@ -1,0 +1,105 @@
+//! Selectors that find nothing left, as earlier ones take all that they could.
+
+use super::readings::Readings;
+use crate::analysis::body;
+use crate::ast::{Arm, BlockPart, Expr, ExprKind, OpKind};
+use crate::ast_walk;
+use crate::code::Code;
+use crate::diag::{Diag, Diags};
+use crate::ops::{self, Braces, Directions, Operation, Selector};
+use crate::resolve::context::Cx;
+use crate::resolve::tables::{Tables, Use};
+use crate::span::Span;
+
+pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
+    let program = cx.globals.program;
+    let mut readings = Readings::default();
+    for item in &cx.globals.rules {
+        let mut diags = Diags::new();
+        ast_walk::ops(body(item), &mut |op| {
+            let OpKind::Block(block) = &op.kind else { return };
+            // Setbacks leave remainders, which no other selector takes.
+            let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = cx.tables.of(&block.name) else {
+                return;
+            };
+            for part in &block.parts {
+                if let BlockPart::Arms(list) = part {
+                    arms(list, &cx.tables, &mut diags);
+                }
+            }
+        });
+        readings.add(program, item.decl.name.id(), diags.finish());
+    }
+    readings.agreed(program)
+}
+
+/// What a selector takes, as far as it is known without the geometry.
+#[derive(Clone, Copy, PartialEq)]
+enum Takes {
+    Word(&'static Selector),
+    Index(f64),
+}
+
+fn takes(selector: &Expr, tables: &Tables) -> Option<Takes> {
+    match &selector.kind {
+        ExprKind::Name(name) => match tables.of(name)? {
+            Use::Selector(word) => ops::selector(word).map(Takes::Word),
+            _ => None,
+        },
+        ExprKind::Number(number) => Some(Takes::Index(*number)),
+        _ => None,
+    }
+}
+
+fn arms(list: &[Arm], tables: &Tables, diags: &mut Diags) {
+    let mut before: Vec<(Takes, Span)> = Vec::new();
+    let mut taken = Directions::NONE;
+    for arm in list {
+        let Some(own) = takes(&arm.selector, tables) else { continue };
+        let span = arm.selector.span;
+        if let Takes::Index(index) = own
+            && index.fract() != 0.0
+        {
+            let diag = never(diags, own, span);
+            diag.note("components have whole numbers, from 0 on").help("write another index, or leave it out");
+            continue;
+        }
+        let one = before.iter().find(|(other, _)| covers(*other, own));
+        let directions = if let Takes::Word(word) = own { word.directions } else { Directions::NONE };
+        if let Some((other, place)) = one {
+            let text = shown(*other);
+            let diag = never(diags, own, span);
+            diag.note(ONCE).related(format!("{text} takes all of them"), *place);
+            diag.help(if *other == own { "leave it out" } else { "move it before the others, or leave it out" });
+        } else if directions.within(taken) && directions != Directions::ALL {
+            let diag =
+                never(diags, own, span).note(ONCE).note("the selectors before it take every direction that it has");
+            diag.help("move it before the others, or leave it out");
+        }
+        taken = taken.and(directions);
+        before.push((own, span));
+    }
+}
+
+const ONCE: &str = "what one selector takes, the next ones cannot have";
+
+fn never(diags: &mut Diags, own: Takes, span: Span) -> &mut Diag {
+    diags.report(Code::SelectorHidden, span, format!("{} never finds anything", shown(own)))
+}
+
+fn shown(of: Takes) -> String {
+    match of {
+        Takes::Word(word) => format!("`{}`", word.name),
+        Takes::Index(index) => format!("index {index}"),
+    }
+}
+
+/// Returns true if one selector takes everything that another could.
+fn covers(one: Takes, other: Takes) -> bool {
+    one == other
+        || match (one, other) {
+            (Takes::Word(one), _) if one.directions == Directions::ALL => true,
+            (Takes::Word(one), Takes::Word(other)) => other.directions.within(one.directions),
+            _ => false,
+        }
+}
