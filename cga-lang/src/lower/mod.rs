@@ -12,12 +12,15 @@ mod merge;
 mod walk;
 
 use crate::ast::{Body, Decl, Name};
-use crate::check::{Checked, Item, RuleInfo, Use};
+use crate::check::Checked;
 use crate::fold::Known;
 use crate::graph::{components, is_cycle};
 use crate::ir::{Childless, Global, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::ir_walk::called;
 use crate::link::InstanceId;
+use crate::resolve::globals::Item;
+use crate::resolve::info::RuleInfo;
+use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::token::{Tok, Tokens};
 use merge::Owners;
