@@ -4,7 +4,7 @@ use super::{
     B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamKind, Run, T, TS, Uses, boolean, float, of, or, param,
     text, uv_set, word,
 };
-use crate::ir::Type;
+use crate::types::Type;
 
 const fn row(
     name: &'static str,

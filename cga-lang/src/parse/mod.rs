@@ -6,6 +6,7 @@
 mod annotation;
 mod array;
 mod block;
+mod brackets;
 mod branch;
 mod comp;
 mod expr;
@@ -18,6 +19,7 @@ mod report;
 mod slips;
 mod split;
 mod style;
+mod type_words;
 mod with;
 
 use crate::ast::{Ast, Name};
