@@ -1,7 +1,7 @@
 //! A declaration in other places: the same tree, with other spans.
 
 use crate::ast::{
-    Arg, BlockPart, Body, CompArm, CompValue, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Percent, SplitItem,
+    Arg, Arm, BlockPart, Body, CompValue, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Percent, SplitItem,
 };
 use crate::span::Span;
 
@@ -77,16 +77,6 @@ impl Behind {
             }
             OpKind::Leaf(name) => self.name(name),
             OpKind::Push(list) => self.ops(list),
-            OpKind::Split(split) => {
-                self.name(&mut split.name);
-                self.args(&mut split.args);
-                self.items(&mut split.items);
-            }
-            OpKind::Comp(comp) => {
-                self.name(&mut comp.name);
-                self.args(&mut comp.args);
-                self.arms(&mut comp.arms);
-            }
             OpKind::Case(arms, otherwise) => {
                 for (condition, list) in arms {
                     self.expr(condition);
@@ -132,7 +122,7 @@ impl Behind {
         }
     }
 
-    fn arms(self, arms: &mut [CompArm]) {
+    fn arms(self, arms: &mut [Arm]) {
         for arm in arms {
             self.expr(&mut arm.selector);
             self.ops(&mut arm.ops);

@@ -2,7 +2,7 @@
 
 use super::facts::Facts;
 use super::interval::Interval;
-use crate::ast::{Arg, Op, Prefix, Split, SplitItem};
+use crate::ast::{Arg, Block, Op, Prefix, SplitItem};
 use crate::span::Span;
 use cga_split::{Item, Piece, solve};
 
@@ -41,7 +41,7 @@ pub(crate) struct Group {
 
 /// The slots of a split along an axis, in writing order.
 pub(crate) struct Slots<'a> {
-    pub(crate) split: &'a Split,
+    pub(crate) split: &'a Block,
     pub(crate) axis: usize,
     pub(crate) extent: Interval,
     pub(crate) list: Vec<Slot<'a>>,
@@ -114,14 +114,20 @@ pub(crate) enum Once {
 }
 
 impl<'a> Slots<'a> {
-    /// Reads a split; `value` evaluates a size.
-    pub(super) fn new(split: &'a Split, axis: usize, facts: &Facts, value: impl Fn(&Arg) -> Interval) -> Slots<'a> {
+    /// Reads the slots of a split; `value` evaluates a size.
+    pub(super) fn new(
+        split: &'a Block,
+        (items, repeat): (&'a [SplitItem], bool),
+        axis: usize,
+        facts: &Facts,
+        value: impl Fn(&Arg) -> Interval,
+    ) -> Slots<'a> {
         let extent = facts.shape.extent(axis);
         let (list, groups, pattern) = (Vec::new(), Vec::new(), Vec::new());
         let (before, most, fixed) = (Vec::new(), Vec::new(), Sum::default());
         let mut slots =
             Slots { split, axis, extent, list, groups, pattern, before, most, fixed, all_fixed: false, pieces: None };
-        slots.items(&split.items, split.repeat, None, &value);
+        slots.items(items, repeat, None, &value);
         slots.add_up();
         slots.pieces = slots.solved();
         slots

@@ -6,9 +6,8 @@ use super::shape::{Filling, Shape};
 use super::slots::Slots;
 use super::uvs::UvSets;
 use super::value::Value;
-use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, Expr, ExprKind, Name, Op, OpKind, Split};
-use crate::ops::{Effect, MOST_SIZE, Operation, ShapeAttr};
-use crate::resolve::arguments::{split_adjust, split_axis, word};
+use crate::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
+use crate::ops::{Braces, Effect, MOST_SIZE, Measure, Operation, ParamKind, ShapeAttr};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 
@@ -17,7 +16,7 @@ pub(crate) enum Site<'s, 'a> {
     /// A split along an axis of the scope.
     Split(&'s Slots<'a>),
     /// A split along an axis of a uv set, by number where that is known and there is such a set.
-    TextureSplit(&'a Split, Option<u32>),
+    TextureSplit(&'a Block, Option<u32>),
     /// A condition of a `case`, where those before it have failed.
     Condition(&'s Turn<'s, 'a>),
     /// An expression that is computed.
@@ -106,8 +105,6 @@ impl<'w> Walk<'w> {
                 facts = Facts { uvs: UvSets::ANY, asset: None, ..facts.on_any_shape() };
             }
             OpKind::Push(ops) => _ = self.steps(ops, facts.clone(), visit),
-            OpKind::Split(split) => self.split(split, &facts, visit),
-            OpKind::Comp(comp) => self.comp(comp, &facts, visit),
             OpKind::Case(arms, otherwise) => {
                 let first = facts.clone();
                 return self.case(arms, otherwise, facts, &first, &mut Vec::new(), visit);
@@ -175,89 +172,23 @@ impl<'w> Walk<'w> {
         joined(ends)
     }
 
-    fn split<'a>(&self, split: &'a Split, facts: &Facts, visit: &mut dyn Visit<'a>) {
-        let bodies = |visit: &mut dyn Visit<'a>, shape: &dyn Fn(usize) -> Option<Shape>| {
-            let mut index = 0;
-            self.items(&split.items, &mut index, facts, visit, shape);
-        };
-        self.meet_args(split.args.get(1..).unwrap_or_default(), facts, visit);
-        if split.is_in_texture_space() {
-            let set = self.uv_set(split.args.get(2), facts);
-            visit.meet(&Site::TextureSplit(split, set), facts);
-        }
-        let Some(axis) = split_axis(split).filter(|_| !split.is_by_area()) else {
-            return bodies(visit, &|_| Some(Shape::ANY));
-        };
-        let slots = Slots::new(split, axis as usize, facts, |size| self.value(&size.value, facts).number());
-        visit.meet(&Site::Split(&slots), facts);
-        let adjust = split_adjust(split);
-        bodies(visit, &|index| {
-            if facts.shape.is_flat(slots.axis) || slots.is_never(index) {
-                return None;
-            }
-            Some(facts.shape.part(slots.axis, slots.length(index), adjust, split.name.span))
-        });
-    }
-
-    /// The slots of a split: `shape` says what is known of a part, nothing when there never is one.
-    fn items<'a>(
-        &self,
-        items: &'a [crate::ast::SplitItem],
-        index: &mut usize,
-        facts: &Facts,
-        visit: &mut dyn Visit<'a>,
-        shape: &dyn Fn(usize) -> Option<Shape>,
-    ) {
-        for item in items {
-            match item {
-                crate::ast::SplitItem::Slot(size, ops) => {
-                    visit.meet(&Site::Value(&size.value), facts);
-                    let part = shape(*index);
-                    *index += 1;
-                    if let Some(shape) = part {
-                        self.steps(ops, facts.on(shape), visit);
-                    }
-                }
-                crate::ast::SplitItem::Group(items, _) => self.items(items, index, facts, visit, shape),
-            }
-        }
-    }
-
-    fn comp<'a>(&self, comp: &'a Comp, facts: &Facts, visit: &mut dyn Visit<'a>) {
-        let word = |index: usize| comp.args.get(index).and_then(word);
-        let (faces, z_up) = (word(0) == Some("f"), word(1) == Some("zUp"));
-        let faces = faces && (z_up || word(1).is_none());
-        for arm in &comp.arms {
-            // With the component as current shape.
-            visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
-            let selector = match &arm.selector.kind {
-                ExprKind::Name(name) => match self.known.tables.of(name) {
-                    Some(Use::Selector(word)) => Some(word),
-                    _ => None,
-                },
-                _ => None,
-            };
-            let shape = match (faces && arm.mode == ArmMode::Each, facts.shape.filling) {
-                (true, Filling::Box) if !z_up => facts.shape.face_of_box(selector, comp.name.span),
-                (true, _) => Shape::face(comp.name.span),
-                (false, _) => Shape::ANY,
-            };
-            self.steps(&arm.ops, facts.on(shape), visit);
-        }
-    }
-
-    /// Operations with braces: what they make is any shape.
+    /// An operation with braces. The shape itself goes on as it was.
     fn block<'a>(&self, block: &'a Block, facts: &Facts, visit: &mut dyn Visit<'a>) {
         let any = || Facts { asset: None, ..facts.on_any_shape() };
-        // Some are computed on each edge.
-        self.meet_args(&block.args, &any(), visit);
-        if let Some(Use::Operation(row)) = self.known.tables.of(&block.name) {
-            visit.meet(&Site::Operation(row, &block.args), &any());
-        }
+        let row = match self.known.tables.of(&block.name) {
+            Some(Use::Operation(row)) => Some(row),
+            _ => None,
+        };
+        // Some arguments are computed on each edge.
+        let on_edges = row.is_some_and(|row| row.params.iter().any(|param| param.kind == ParamKind::PerEdge));
+        let here = if on_edges { any() } else { facts.clone() };
+        self.meet_args(&block.args, &here, visit);
+        row.into_iter().for_each(|row| visit.meet(&Site::Operation(row, &block.args), &here));
         for part in &block.parts {
             match part {
-                BlockPart::Slots(items, _) => {
-                    self.items(items, &mut 0, facts, visit, &|_| Some(Shape::ANY));
+                BlockPart::Slots(items, repeat) => self.slots(block, row, (items, *repeat), facts, visit),
+                BlockPart::Arms(arms) => {
+                    arms.iter().for_each(|arm| self.arm(arm, block, row, facts, visit));
                 }
                 BlockPart::Sections(list, _) => {
                     for section in list {
@@ -265,10 +196,94 @@ impl<'w> Walk<'w> {
                         self.steps(&section.ops, any(), visit);
                     }
                 }
-                BlockPart::Arms(arms) => arms.iter().for_each(|arm| _ = self.steps(&arm.ops, any(), visit)),
                 BlockPart::Ops(list) => list.iter().for_each(|ops| _ = self.steps(ops, any(), visit)),
             }
         }
+    }
+
+    fn slots<'a>(
+        &self,
+        block: &'a Block,
+        row: Option<&'static Operation>,
+        (items, repeat): (&'a [SplitItem], bool),
+        facts: &Facts,
+        visit: &mut dyn Visit<'a>,
+    ) {
+        let any = |_: usize| Some(Shape::ANY);
+        match row.map(|row| row.braces) {
+            Some(Braces::Slots(Measure::Length)) => {
+                let Some(axis) = block.axis() else { return self.items(items, &mut 0, facts, visit, &any) };
+                let value = |size: &Arg| self.value(&size.value, facts).number();
+                let slots = Slots::new(block, (items, repeat), axis as usize, facts, value);
+                visit.meet(&Site::Split(&slots), facts);
+                let adjusts = block.adjusts();
+                self.items(items, &mut 0, facts, visit, &|index| {
+                    if facts.shape.is_flat(slots.axis) || slots.is_never(index) {
+                        return None;
+                    }
+                    Some(facts.shape.part(slots.axis, slots.length(index), adjusts, block.name.span))
+                });
+            }
+            Some(Braces::Slots(Measure::Texture)) => {
+                let set = self.uv_set(block.args.get(2), facts);
+                visit.meet(&Site::TextureSplit(block, set), facts);
+                self.items(items, &mut 0, facts, visit, &any);
+            }
+            _ => self.items(items, &mut 0, facts, visit, &any),
+        }
+    }
+
+    /// The slots of a split: `shape` says what is known of a part, nothing when there never is one.
+    fn items<'a>(
+        &self,
+        items: &'a [SplitItem],
+        index: &mut usize,
+        facts: &Facts,
+        visit: &mut dyn Visit<'a>,
+        shape: &dyn Fn(usize) -> Option<Shape>,
+    ) {
+        for item in items {
+            match item {
+                SplitItem::Slot(size, ops) => {
+                    visit.meet(&Site::Value(&size.value), facts);
+                    let part = shape(*index);
+                    *index += 1;
+                    if let Some(shape) = part {
+                        self.steps(ops, facts.on(shape), visit);
+                    }
+                }
+                SplitItem::Group(items, _) => self.items(items, index, facts, visit, shape),
+            }
+        }
+    }
+
+    fn arm<'a>(
+        &self,
+        arm: &'a Arm,
+        block: &'a Block,
+        row: Option<&'static Operation>,
+        facts: &Facts,
+        visit: &mut dyn Visit<'a>,
+    ) {
+        // With the part as current shape.
+        visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
+        let selector = match &arm.selector.kind {
+            ExprKind::Name(name) => match self.known.tables.of(name) {
+                Some(Use::Selector(word)) => Some(word),
+                _ => None,
+            },
+            _ => None,
+        };
+        let word = |index: usize| block.args.get(index).and_then(|arg| arg.value.word());
+        let (is_comp, z_up) = (row.is_some_and(|row| row.braces == Braces::Components), word(1) == Some("zUp"));
+        let faces = is_comp && word(0) == Some("f") && (z_up || word(1).is_none());
+        let shape = match (faces && arm.mode == ArmMode::Each, facts.shape.filling) {
+            (true, Filling::Box) if !z_up => facts.shape.face_of_box(selector, block.name.span),
+            (true, _) => Shape::face(block.name.span),
+            (false, _) => Shape::ANY,
+        };
+        let part = facts.on(shape);
+        self.steps(&arm.ops, if is_comp { part } else { Facts { asset: None, ..part } }, visit);
     }
 
     /// What an operation leaves of what was known.

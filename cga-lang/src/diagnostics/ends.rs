@@ -2,7 +2,7 @@
 
 use super::readings::Readings;
 use crate::analysis::{Calls, body};
-use crate::ast::{ExprKind, Op, OpKind, Prefix, Split, SplitItem};
+use crate::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
 use crate::ast_walk::ops;
 use crate::code::Code;
 use crate::diag::{Diag, Diags, Level};
@@ -131,14 +131,9 @@ fn goes_on(list: &[Op], tables: &Tables, ends: Ends, within: &dyn Fn(u32) -> boo
                     taken.clone().all(|ops| inner(ops)) && (rest || inner(otherwise))
                 }
             }
-            OpKind::Split(split) if ends == Ends::ButWholeSplits => whole(split).is_some_and(inner),
-            // What is divided may be too small, or have no such components: that ends.
-            OpKind::Split(_)
-            | OpKind::Comp(_)
-            | OpKind::Block(_)
-            | OpKind::Leaf(_)
-            | OpKind::Nil
-            | OpKind::Path(..) => false,
+            OpKind::Block(block) if ends == Ends::ButWholeSplits => whole(block).is_some_and(inner),
+            // A shape may be too small to divide, or have no such components: that ends the cycle.
+            OpKind::Block(_) | OpKind::Leaf(_) | OpKind::Nil | OpKind::Path(..) => false,
         };
         if goes {
             return true;
@@ -147,11 +142,12 @@ fn goes_on(list: &[Op], tables: &Tables, ends: Ends, within: &dyn Fn(u32) -> boo
     false
 }
 
-/// What becomes of a split's only slot, if it takes all of the shape.
-fn whole(split: &Split) -> Option<&[Op]> {
-    let [SplitItem::Slot(size, ops)] = split.items.as_slice() else { return None };
+/// The operations of the only slot, if it takes all of the shape.
+fn whole(block: &Block) -> Option<&[Op]> {
+    let [BlockPart::Slots(items, repeat)] = block.parts.as_slice() else { return None };
+    let [SplitItem::Slot(size, ops)] = items.as_slice() else { return None };
     let takes_all = match (&size.prefix, &size.value.kind) {
-        (Some((Prefix::Floating, _)), ExprKind::Number(weight)) => 0.0 < *weight && !split.repeat,
+        (Some((Prefix::Floating, _)), ExprKind::Number(weight)) => 0.0 < *weight && !repeat,
         (Some((Prefix::Relative, _)), ExprKind::Number(share)) => 1.0 <= *share,
         _ => false,
     };
@@ -179,7 +175,9 @@ fn sizes(list: &[Op], tables: &Tables) -> bool {
                 Some(Use::Rule(_) | Use::Leaf | Use::SetAttr(_)) => false,
                 _ => true,
             },
-            OpKind::Comp(_) | OpKind::Block(_) | OpKind::Path(..) | OpKind::Error => true,
+            // Slots hand on what they leave of the shape.
+            OpKind::Block(block) => !matches!(block.parts.as_slice(), [BlockPart::Slots(..)]),
+            OpKind::Path(..) | OpKind::Error => true,
             _ => false,
         };
     });

@@ -2,10 +2,11 @@
 
 use super::readings::Readings;
 use crate::analysis::body;
-use crate::ast::{CompArm, Expr, ExprKind, OpKind};
+use crate::ast::{Arm, BlockPart, Expr, ExprKind, OpKind};
 use crate::ast_walk::ops;
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
+use crate::ops::{Braces, Operation};
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Tables, Use};
 use crate::span::Span;
@@ -16,8 +17,15 @@ pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     for item in &cx.globals.rules {
         let mut diags = Diags::new();
         ops(body(item), &mut |op| {
-            if let OpKind::Comp(comp) = &op.kind {
-                arms(&comp.arms, &cx.tables, &mut diags);
+            let OpKind::Block(block) = &op.kind else { return };
+            // Setbacks leave remainders, which no other selector takes.
+            let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = cx.tables.of(&block.name) else {
+                return;
+            };
+            for part in &block.parts {
+                if let BlockPart::Arms(list) = part {
+                    arms(list, &cx.tables, &mut diags);
+                }
             }
         });
         readings.add(program, item.decl.name.id(), diags.finish());
@@ -43,7 +51,7 @@ fn takes(selector: &Expr, tables: &Tables) -> Option<Takes> {
     }
 }
 
-fn arms(list: &[CompArm], tables: &Tables, diags: &mut Diags) {
+fn arms(list: &[Arm], tables: &Tables, diags: &mut Diags) {
     let mut before: Vec<(Takes, Span)> = Vec::new();
     let mut taken = 0;
     for arm in list {

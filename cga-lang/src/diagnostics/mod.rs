@@ -24,7 +24,6 @@ use crate::ast::Expr;
 use crate::diag::{Diag, Diags};
 use crate::diagnostics::readings::Readings;
 use crate::diagnostics::texture::Projected;
-use crate::ops::SPLIT_UV_SET;
 use crate::resolve::context::Cx;
 use crate::resolve::globals::Item;
 
@@ -46,11 +45,7 @@ pub(crate) fn check(cx: &mut Cx) {
         values.visit(&cx.globals, rule, &mut |site, facts| {
             assets::check(site, facts, cx, &mut diags);
             match site {
-                Site::Split(_) => {}
-                Site::TextureSplit(split, _) => {
-                    let set: Vec<&Expr> = split.args.get(2).map(|set| &set.value).into_iter().collect();
-                    bounds::check(std::slice::from_ref(&SPLIT_UV_SET), &set, facts, &values, &mut diags);
-                }
+                Site::Split(_) | Site::TextureSplit(..) => {}
                 Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
                 Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
                 Site::Operation(row, args) => {

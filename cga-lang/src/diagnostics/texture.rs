@@ -3,7 +3,7 @@
 //! Initial shapes may bring some, and a projection may be set up for what comes later: then nothing is said.
 
 use crate::analysis::{Facts, Flow, UvSets, body};
-use crate::ast::{Arg, Block, Expr, ExprKind, Name, OpKind, Split};
+use crate::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
 use crate::ast_walk::ops;
 use crate::code::Code;
 use crate::diag::Diags;
@@ -77,7 +77,7 @@ impl Projected {
 }
 
 /// Looks at a split along `u` or `v` of a uv set.
-pub(crate) fn check(split: &Split, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
+pub(crate) fn check(split: &Block, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
     let span = split.args.first().map_or(split.name.span, |axis| axis.span);
     if facts.uvs.lacks(set) {
         let message = format!("the shape has no uv set {set}: it is never split");

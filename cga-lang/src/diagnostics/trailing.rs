@@ -4,9 +4,10 @@
 
 use super::readings::Readings;
 use crate::analysis::body;
-use crate::ast::{Op, OpKind};
+use crate::ast::{Block, BlockPart, Op, OpKind};
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
+use crate::ops::Run;
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Tables, Use};
 
@@ -45,13 +46,9 @@ fn sequence(ops: &[Op], made: bool, restored: bool, tables: &Tables, diags: &mut
                 made = true;
                 false
             }
-            OpKind::Comp(_) => {
+            OpKind::Block(block) => {
                 parts(op, tables, diags);
-                made = true;
-                false
-            }
-            OpKind::Split(_) | OpKind::Block(_) => {
-                parts(op, tables, diags);
+                made |= makes_children(block, tables);
                 false
             }
             OpKind::Push(inner) => {
@@ -95,6 +92,15 @@ fn branches<'a>(
     // Each of them is looked at.
     let ends: Vec<bool> = all.map(|ops| sequence(ops, made, restored, tables, diags)).collect();
     ends.into_iter().all(|made| made)
+}
+
+/// Returns true if an operation with braces certainly makes a child. Slots may find nothing to divide.
+fn makes_children(block: &Block, tables: &Tables) -> bool {
+    let runs = matches!(tables.of(&block.name), Some(Use::Operation(row)) if row.run != Run::Later);
+    runs && block.parts.iter().any(|part| match part {
+        BlockPart::Arms(_) => true,
+        BlockPart::Slots(..) | BlockPart::Sections(..) | BlockPart::Ops(_) => false,
+    })
 }
 
 /// Parts are shapes of their own.

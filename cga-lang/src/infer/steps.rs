@@ -3,7 +3,7 @@
 use super::open::Open;
 use super::{Infer, Type, Use, Var};
 use crate::ast::{Arg, BlockPart, Name, Op, OpKind, Override, SplitItem};
-use crate::ops::{Operation, ParamKind, SPLIT_UV_SET};
+use crate::ops::{Operation, ParamKind};
 use crate::span::Span;
 
 impl<'a> Infer<'_, 'a, '_> {
@@ -18,19 +18,6 @@ impl<'a> Infer<'_, 'a, '_> {
                 }
                 OpKind::Path(_, args) => self.args(args),
                 OpKind::Push(ops) => self.ops(ops),
-                OpKind::Split(split) => {
-                    if let Some(set) = split.args.get(2).filter(|_| split.is_in_texture_space()) {
-                        let var = self.expr(&set.value);
-                        self.builtin_argument(&SPLIT_UV_SET, "split", var, set.value.span);
-                    }
-                    self.items(&split.items);
-                }
-                OpKind::Comp(comp) => {
-                    for arm in &comp.arms {
-                        self.selector(&arm.selector);
-                        self.ops(&arm.ops);
-                    }
-                }
                 OpKind::Block(block) => {
                     self.call(&block.name, &block.args);
                     for part in &block.parts {

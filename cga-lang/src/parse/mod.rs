@@ -4,11 +4,11 @@
 //! slot or arm, else the declaration, goes on behind it: a mistake in one rule does not hide those of another.
 
 mod annotation;
+mod arms;
 mod array;
 mod block;
 mod brackets;
 mod branch;
-mod comp;
 mod expr;
 mod head;
 mod import;
@@ -17,7 +17,7 @@ mod layout;
 mod op;
 mod report;
 mod slips;
-mod split;
+mod slots;
 mod style;
 mod type_words;
 mod with;

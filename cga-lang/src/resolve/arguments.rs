@@ -1,21 +1,18 @@
 //! Arguments as written: bare words, axes, errors.
 
-use crate::ast::{Arg, Expr, ExprKind, Split};
+use crate::ast::{Arg, Block, Expr, ExprKind};
 use crate::ir::Axis;
 
-/// The axis of a split; `None` when it has none, an unknown one or one of the texture space.
-pub(crate) fn split_axis(split: &Split) -> Option<Axis> {
-    match word(split.args.first()?)? {
-        "x" => Some(Axis::X),
-        "y" => Some(Axis::Y),
-        "z" => Some(Axis::Z),
-        _ => None,
+impl Block {
+    /// The axis that the first argument names; `None` for an unknown one or one of the texture space.
+    pub(crate) fn axis(&self) -> Option<Axis> {
+        Axis::named(self.args.first()?.value.word()?)
     }
-}
 
-/// Whether the parts of a split shrink to their geometry: yes, if nothing else is said.
-pub(crate) fn split_adjust(split: &Split) -> bool {
-    split.args.get(1).and_then(word) != Some("noAdjust")
+    /// Returns true if parts shrink to their geometry, unless the second argument says otherwise (*split operation*).
+    pub(crate) fn adjusts(&self) -> bool {
+        self.args.get(1).and_then(|arg| arg.value.word()) != Some("noAdjust")
+    }
 }
 
 /// An expression that is a bare word.
@@ -29,13 +26,6 @@ pub(crate) fn bare(expr: &Expr) -> Option<&str> {
 /// An argument that is a bare word.
 pub(crate) fn word(arg: &Arg) -> Option<&str> {
     plain(arg).and_then(bare)
-}
-
-impl Split {
-    /// Whether it divides texture space, `split(u, …)` or `split(v, …)`.
-    pub(crate) fn is_in_texture_space(&self) -> bool {
-        !self.is_by_area() && matches!(self.args.first().and_then(word), Some("u" | "v"))
-    }
 }
 
 /// An argument without a prefix.

@@ -265,17 +265,15 @@ impl<'a> Scope<'_, 'a, '_> {
             let is_word =
                 |row: &&Function| matches!(row.params[index].kind, ParamKind::Word { .. } | ParamKind::Selector);
             if candidates.is_empty() && !fitting.is_empty() && fitting.iter().all(is_word) {
-                let words = |row: &&'static Function| row.params[index].kind.new_words();
-                let words: Vec<&str> = fitting.iter().flat_map(words).collect();
-                let kinds = fitting.iter().map(|row| &row.params[index].kind);
-                if let Some((old, new)) = kinds.filter_map(|kind| kind.old_word(arg.word()?)).next() {
+                let kinds: Vec<&ParamKind> = fitting.iter().map(|row| &row.params[index].kind).collect();
+                if let Some((old, new)) = kinds.iter().filter_map(|kind| kind.old_word(arg.word()?)).next() {
                     self.old_word(old, new, arg.span);
                     continue;
                 }
                 if fitting.iter().any(|row| row.params[index].kind == ParamKind::Selector) {
                     self.selector(arg, Places::FACES);
                 } else {
-                    self.word_expr(text, words.iter().copied(), arg);
+                    self.word_expr(text, &kinds, arg);
                 }
                 continue;
             }
@@ -306,7 +304,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let row = rows[0];
         for (param, arg) in row.params.iter().zip(args) {
             match &param.kind {
-                ParamKind::Word { .. } => self.word_expr(row.name, param.kind.new_words(), arg),
+                ParamKind::Word { .. } => self.word_expr(row.name, &[&param.kind], arg),
                 ParamKind::Selector => self.selector(arg, Places::FACES),
                 _ => self.expr(arg),
             }

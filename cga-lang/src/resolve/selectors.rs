@@ -1,57 +1,15 @@
-//! Axes of splits, kinds of components and their selectors.
+//! Selectors of arms.
 
-use super::arguments::{bare, has_error, split_axis, word};
 use super::arity::wrong_count;
 use super::scope::Scope;
 use super::tables::Use;
-use crate::ast::{Arg, ArmMode, Binary, Comp, CompArm, CompValue, Expr, ExprKind, Name, Split, SplitItem, Unary};
+use crate::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, SplitItem, Unary};
 use crate::code::Code;
 use crate::diag::Diag;
 use crate::ops::{self, Places, Selector};
-use crate::span::Span;
 use crate::suggest::nearest;
 
 impl<'a> Scope<'_, 'a, '_> {
-    pub(crate) fn split(&mut self, split: &'a Split) {
-        self.split_args(split);
-        self.items(&split.items);
-    }
-
-    fn split_args(&mut self, split: &'a Split) {
-        if has_error(&split.args) {
-            return;
-        }
-        let Some(axis) = split.args.first() else {
-            let name = &split.name.text;
-            let message = format!("a split needs an axis: `{name}(x)`, `{name}(y)` or `{name}(z)`");
-            self.cx.diags.report(Code::UnknownAxis, split.name.span, message);
-            return;
-        };
-        if split.is_in_texture_space() {
-            if let Some(space) = split.args.get(1) {
-                self.word("split", ["uvSpace", "unitSpace"].into_iter(), space);
-            }
-            if let Some(set) = split.args.get(2) {
-                self.values(std::slice::from_ref(set));
-            }
-            if !(2..=3).contains(&split.args.len()) {
-                wrong_count(self.cx, "operation", &split.name, vec![2, 3], split.args.len());
-            }
-            return;
-        }
-        if split_axis(split).is_none() {
-            let shown = word(axis).map_or("this".into(), |word| format!("`{word}`"));
-            let diag = self.cx.diags.report(Code::UnknownAxis, axis.span, format!("{shown} is not an axis"));
-            diag.help("write `x`, `y` or `z`");
-        }
-        if let Some(adjust) = split.args.get(1) {
-            self.word(&split.name.text, ["adjust", "noAdjust"].into_iter(), adjust);
-        }
-        if 2 < split.args.len() {
-            wrong_count(self.cx, "operation", &split.name, vec![1, 2], split.args.len());
-        }
-    }
-
     pub(crate) fn items(&mut self, items: &'a [SplitItem]) {
         for item in items {
             match item {
@@ -64,16 +22,10 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    pub(crate) fn comp(&mut self, comp: &'a Comp) {
-        let args: Vec<(&Expr, Span)> = comp.args.iter().map(|arg: &Arg| (&arg.value, arg.span)).collect();
-        let place = self.comp_kind("operation", &comp.name, args.into_iter());
-        for arm in &comp.arms {
+    pub(crate) fn arm(&mut self, arm: &'a Arm, place: Places) {
+        if place.connects() {
             self.index(&arm.selector);
-            self.arm(arm, place);
         }
-    }
-
-    pub(crate) fn arm(&mut self, arm: &'a CompArm, place: Places) {
         self.selector(&arm.selector, place);
         if arm.mode == ArmMode::Connected && place != Places::NONE && !place.connects() {
             let message = "only `comp` and `modify` take `=:`";
@@ -84,7 +36,7 @@ impl<'a> Scope<'_, 'a, '_> {
 
     /// `comp(f) { selector : value }`.
     pub(crate) fn comp_value(&mut self, comp: &'a CompValue) {
-        let place = self.comp_kind("function", &comp.name, comp.args.iter().map(|arg| (arg, arg.span)));
+        let place = self.comp_args(comp);
         for (selector, _, value) in &comp.arms {
             self.index(selector);
             self.selector(selector, place);
@@ -95,50 +47,21 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// The arguments of a comp: what selectors there are.
-    fn comp_kind<'e>(
-        &mut self,
-        what: &str,
-        name: &Name,
-        args: impl ExactSizeIterator<Item = (&'e Expr, Span)>,
-    ) -> Places {
-        if 2 < args.len() {
-            wrong_count(self.cx, what, name, vec![1, 2], args.len());
+    /// The arguments of `comp` as a value, as those of the operation: gives the selectors.
+    fn comp_args(&mut self, comp: &CompValue) -> Places {
+        let Some(row) = ops::operations(&comp.name.text).next() else { return Places::NONE };
+        if comp.args.is_empty() {
+            self.missing_word(&comp.name, row);
+        } else if !row.takes(comp.args.len()) {
+            let takes = (ops::required(row.params)..=row.params.len()).collect();
+            wrong_count(self.cx, "function", &comp.name, takes, comp.args.len());
         }
-        let mut args = args;
-        let (kind, scope) = (args.next(), args.next());
-        let mut place = Places::NONE;
-        match kind.map(|(arg, span)| (arg, span, bare(arg).unwrap_or_default())) {
-            Some((Expr { kind: ExprKind::Error, .. }, ..)) => {}
-            Some((_, span, word)) => match ops::component(word) {
-                Some(row) => place = row.place,
-                None => self.unknown_component(word, span),
-            },
-            None => {
-                let message = "`comp` needs a kind of component";
-                self.cx.diags.report(Code::UnknownWord, name.span, message).help("write `comp(f)` for faces");
+        for (param, arg) in row.params.iter().zip(&comp.args) {
+            if !matches!(arg.kind, ExprKind::Error) {
+                self.word_expr(row.name, &[&param.kind], arg);
             }
         }
-        if let Some((arg, span)) = scope {
-            match bare(arg) {
-                Some("zUp" | "noAlign") => {}
-                _ if matches!(arg.kind, ExprKind::Error) => {}
-                word => {
-                    let shown = word.map_or("this".into(), |word| format!("`{word}`"));
-                    let message = format!("{shown} is not a word of `comp`");
-                    self.cx.diags.report(Code::UnknownWord, span, message).note("it knows `zUp`, `noAlign`");
-                }
-            }
-        }
-        place
-    }
-
-    fn unknown_component(&mut self, word: &str, span: Span) {
-        let shown = if word.is_empty() { "this".into() } else { format!("`{word}`") };
-        let message = format!("{shown} is not a kind of component");
-        let all = ops::COMPONENTS.iter().map(|row| format!("`{}`", row.name)).collect::<Vec<_>>().join(", ");
-        let diag = self.cx.diags.report(Code::UnknownWord, span, message);
-        diag.note(format!("there are {all}")).help("write `comp(f)` for faces");
+        row.places(comp.args.first().and_then(Expr::word))
     }
 
     /// Resolves a selector: a word, an index or a condition made of words and values.
@@ -168,7 +91,6 @@ impl<'a> Scope<'_, 'a, '_> {
         }
     }
 
-    /// Where a name is a bool for certain it is a selector's word if it can be.
     /// Refuses a negative number as a selector of a comp. Those of `setback` wrap (*setback operation*).
     fn index(&mut self, selector: &Expr) {
         if let ExprKind::Unary(Unary::Minus, operand) = &selector.kind

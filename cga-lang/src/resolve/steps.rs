@@ -11,7 +11,7 @@ use crate::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, 
 use crate::code::Code;
 use crate::diag::Level;
 use crate::door::Door;
-use crate::ops::{self, Operation, Param, ParamKind, Places, Run};
+use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::types::Type;
@@ -22,14 +22,29 @@ const MOST_DECLARED: usize = 3;
 /// The longest argument that a message repeats.
 const LONGEST: usize = 40;
 
-/// Whether what stands in braces is what the row has there.
+/// Returns true if the braces hold what the row has there.
 fn has_braces(row: &Operation, block: &Block) -> bool {
-    match (row.block, block.parts.first()) {
-        (ops::Block::None, _) => false,
-        (ops::Block::Operands, Some(BlockPart::Ops(list))) => list.len() != 1,
-        (ops::Block::Inline, Some(BlockPart::Ops(list))) => list.len() == 1,
+    match (row.braces, block.parts.first()) {
+        (Braces::None, _) => false,
+        (Braces::Operands, Some(BlockPart::Ops(list))) => list.len() != 1,
+        (Braces::Inline, Some(BlockPart::Ops(list))) => list.len() == 1,
         _ => true,
     }
+}
+
+/// The rows that an operation with braces may mean: those whose words its arguments have, else all, the likeliest first.
+fn likely(block: &Block) -> Vec<&'static Operation> {
+    let words: Vec<Option<&str>> = block.args.iter().map(word).collect();
+    let is_word = |(param, word): &(&Param, &Option<&str>)| match param.kind {
+        ParamKind::Word { .. } => word.is_some_and(|word| param.kind.has_word(word)),
+        _ => true,
+    };
+    let mut rows: Vec<_> = ops::operations(&block.name.text).filter(|row| has_braces(row, block)).collect();
+    if rows.iter().any(|row| row.words(&words).is_some()) {
+        rows.retain(|row| row.words(&words).is_some());
+    }
+    rows.sort_by_key(|row| std::cmp::Reverse(row.params.iter().zip(&words).take_while(is_word).count()));
+    rows
 }
 
 /// How a rule of those declarations is called: "`Floor(n)` or `Floor(n, height)`".
@@ -49,18 +64,6 @@ fn decimal(first: &Arg, second: &Arg) -> Option<String> {
         _ => None,
     };
     Some(format!("{}.{}", digits(first)?, digits(second)?))
-}
-
-/// The selectors of an operation with braces.
-fn place(row: &Operation, block: &Block) -> Places {
-    match row.block {
-        ops::Block::Arms(place) => place,
-        ops::Block::Sections => Places::PERIMETER,
-        ops::Block::Components => {
-            block.args.first().and_then(word).and_then(ops::component).map_or(Places::FACES, |row| row.place)
-        }
-        _ => Places::NONE,
-    }
 }
 
 impl<'a> Scope<'_, 'a, '_> {
@@ -94,8 +97,6 @@ impl<'a> Scope<'_, 'a, '_> {
             OpKind::Dynamic { import, overrides, rule, args } => self.dynamic(import, overrides, rule, args),
             OpKind::Path(_, args) => self.values(args),
             OpKind::Push(ops) => self.ops(ops),
-            OpKind::Split(split) => self.split(split),
-            OpKind::Comp(comp) => self.comp(comp),
             OpKind::Block(block) => self.block(block),
             OpKind::Case(arms, otherwise) => {
                 for (condition, ops) in arms {
@@ -214,7 +215,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     fn needs_braces(&mut self, name: &Name, row: &Operation) {
-        if row.block != ops::Block::None {
+        if row.braces != Braces::None {
             let message = format!("`{}` needs braces behind it", name.text);
             self.cx.diags.report(Code::Syntax, name.span, message).note(format!("it {}", row.about));
         }
@@ -266,7 +267,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let (message, near) = if habit.is_some() && others.is_empty() {
             (format!("there is no rule `{text}`"), None)
         } else if others.is_empty() {
-            let others = ops::all_operations().map(|row| row.name).chain(["split", "splitArea", "comp", "set", "NIL"]);
+            let others = ops::all_operations().map(|row| row.name).chain(["set", "NIL"]);
             let near = globals.meant(at, text, Kind::Rules, others);
             (format!("there is no rule `{text}`"), near.or_else(|| globals.leaf(at, text)))
         } else {
@@ -312,8 +313,8 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.no_prefix(prefix, span);
             }
             match &rows[0].params[index].kind {
-                ParamKind::Word { words, old, .. } => {
-                    self.word(rows[0].name, words.iter().map(|(word, _)| *word), arg);
+                kind @ ParamKind::Word { old, .. } => {
+                    self.word(rows[0].name, kind, arg);
                     if let Some((old, new)) = old.iter().find(|(old, _)| word(arg) == Some(*old)) {
                         self.old_word(old, new, arg.span);
                     }
@@ -341,28 +342,15 @@ impl<'a> Scope<'_, 'a, '_> {
         true
     }
 
-    /// An operation with braces. None of them runs yet; what stands in them is checked all the same.
+    /// An operation with braces.
     fn block(&mut self, block: &'a Block) {
-        let name = &block.name;
-        let all = || ops::operations(&name.text).filter(|row| has_braces(row, block));
-        let rows: Vec<_> = all().filter(|row| row.takes(block.args.len())).collect();
-        let fitting = fitting(&rows, &block.args, self.door());
+        let all = likely(block);
+        let rows: Vec<_> = all.iter().copied().filter(|row| row.takes(block.args.len())).collect();
         if !has_error(&block.args) {
-            if let Some(row) = fitting.first().or(rows.first()).copied() {
-                self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, &block.args);
-                self.about_later(name, Use::Operation(row));
-                self.note_open(name, fitting.into_iter().map(Use::Operation).collect());
-            } else if all().next().is_some() {
-                let takes: Vec<usize> = all().flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
-                wrong_count(self.cx, "operation", name, takes, block.args.len());
-            } else if !self.cx.globals.is_lost(self.at, &name.text) {
-                let names = ops::all_operations().filter(|row| row.block != ops::Block::None).map(|row| row.name);
-                let near = nearest(&name.text, names.chain(["split", "splitArea", "comp"])).map(str::to_owned);
-                let message = format!("`{}` is no operation with braces", name.text);
-                self.cx.diags.report(Code::NotAnOperation, name.span, message).suggest(near);
-            }
+            self.block_args(block, &all, &rows);
         }
-        let place = rows.first().copied().or_else(|| all().next()).map_or(Places::NONE, |row| place(row, block));
+        let first = block.args.first().and_then(|arg| arg.value.word());
+        let place = rows.first().or(all.first()).map_or(Places::NONE, |row| row.places(first));
         for part in &block.parts {
             match part {
                 BlockPart::Slots(items, _) => self.items(items),
@@ -376,6 +364,27 @@ impl<'a> Scope<'_, 'a, '_> {
                 BlockPart::Arms(arms) => arms.iter().for_each(|arm| self.arm(arm, place)),
                 BlockPart::Ops(list) => list.iter().for_each(|ops| self.ops(ops)),
             }
+        }
+    }
+
+    /// The arguments of an operation with braces: `all` are its rows, `rows` those of its number of arguments.
+    fn block_args(&mut self, block: &'a Block, all: &[&'static Operation], rows: &[&'static Operation]) {
+        let (name, args) = (&block.name, &block.args);
+        let fitting = fitting(rows, args, self.door());
+        if let Some(row) = fitting.first().or(rows.first()).copied() {
+            self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, args);
+            self.about_later(name, Use::Operation(row));
+            self.note_open(name, fitting.into_iter().map(Use::Operation).collect());
+        } else if let Some(row) = all.first() {
+            if !(args.is_empty() && self.missing_word(name, row)) {
+                let takes = all.iter().flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
+                wrong_count(self.cx, "operation", name, takes, args.len());
+            }
+        } else if !self.cx.globals.is_lost(self.at, &name.text) {
+            let names = ops::all_operations().filter(|row| row.braces != Braces::None).map(|row| row.name);
+            let near = nearest(&name.text, names).map(str::to_owned);
+            let message = format!("`{}` does not take a `{{ … }}` block", name.text);
+            self.cx.diags.report(Code::NotAnOperation, name.span, message).suggest(near);
         }
     }
 

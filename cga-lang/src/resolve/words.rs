@@ -4,7 +4,7 @@ use super::arguments::{plain, word};
 use super::arity::wrong_count;
 use super::scope::Scope;
 use super::tables::Use;
-use crate::ast::{Arg, Expr, ExprKind};
+use crate::ast::{Arg, Expr, ExprKind, Name};
 use crate::code::Code;
 use crate::door::Door;
 use crate::ops::{self, Operation, Param, ParamKind};
@@ -78,12 +78,24 @@ impl<'a> Scope<'_, 'a, '_> {
         self.not_implemented(arg.span, "a word that is computed", None);
     }
 
-    /// An argument that must be one of some words.
-    pub(crate) fn word(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, arg: &Arg) {
+    /// An argument that must be a word of a parameter.
+    pub(crate) fn word(&mut self, name: &str, kind: &ParamKind, arg: &Arg) {
         match plain(arg) {
-            Some(value) => self.word_expr(name, list, value),
-            None => self.unknown_word(name, list, "", arg.span),
+            Some(value) => self.word_expr(name, &[kind], value),
+            None => self.unknown_word(name, &[kind], "", arg.span),
         }
+    }
+
+    /// Reports that the first argument is left out, if that is a word.
+    pub(super) fn missing_word(&mut self, name: &Name, row: &Operation) -> bool {
+        let Some(kind) = row.params.first().map(|param| &param.kind) else { return false };
+        let ParamKind::Word { unknown, .. } = kind else { return false };
+        let words: Vec<&str> = kind.new_words().collect();
+        let message = format!("`{}` needs a word in parentheses", name.text);
+        let diag = self.cx.diags.report(*unknown, name.span, message);
+        diag.note(format!("it knows `{}`", words.join("`, `")));
+        diag.help(format!("write `{}({})`", name.text, words.first().unwrap_or(&"")));
+        true
     }
 
     /// Reports an old word.
@@ -92,8 +104,8 @@ impl<'a> Scope<'_, 'a, '_> {
         self.cx.diags.report(Code::OldSpelling, span, message).help(format!("write `{new}`"));
     }
 
-    /// The same in an expression.
-    pub(crate) fn word_expr(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, arg: &Expr) {
+    /// An expression that must be a word of one of some parameters.
+    pub(crate) fn word_expr(&mut self, name: &str, kinds: &[&ParamKind], arg: &Expr) {
         if let ExprKind::Call(sel, args) = &arg.kind
             && sel.text == "sel"
             && args.len() != 1
@@ -101,7 +113,7 @@ impl<'a> Scope<'_, 'a, '_> {
             return wrong_count(self.cx, "function", sel, vec![1], args.len());
         }
         let found = arg.word().unwrap_or_default();
-        let (known, is_text) = (list.clone().any(|word| word == found), matches!(arg.kind, ExprKind::Text(_)));
+        let (known, is_text) = (kinds.iter().any(|kind| kind.has_word(found)), matches!(arg.kind, ExprKind::Text(_)));
         match (known, is_text) {
             (true, false) => {}
             // Old files say so, and CityEngine runs them.
@@ -109,16 +121,18 @@ impl<'a> Scope<'_, 'a, '_> {
                 let message = format!("`{found}` is a word, as text it is an old spelling");
                 self.cx.diags.report(Code::OldSpelling, arg.span, message).help(format!("write `{found}`"));
             }
-            _ => self.unknown_word(name, list, found, arg.span),
+            _ => self.unknown_word(name, kinds, found, arg.span),
         }
     }
 
-    fn unknown_word(&mut self, name: &str, list: impl Iterator<Item = &'static str> + Clone, found: &str, span: Span) {
+    fn unknown_word(&mut self, name: &str, kinds: &[&ParamKind], found: &str, span: Span) {
+        let Some(ParamKind::Word { unknown, .. }) = kinds.first() else { return };
+        let list = kinds.iter().flat_map(|kind| kind.new_words());
         let shown = if found.is_empty() { "this".into() } else { format!("`{found}`") };
         let all = list.clone().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
         let is_word = list.clone().any(|word| word == found);
         let shown = if is_word { "text".into() } else { shown };
-        let diag = self.cx.diags.report(Code::UnknownWord, span, format!("{shown} is not a word of `{name}`"));
+        let diag = self.cx.diags.report(*unknown, span, format!("{shown} is not a word of `{name}`"));
         diag.note(format!("it knows {all}"));
         if is_word {
             diag.help(format!("write `{found}`"));
