@@ -21,7 +21,7 @@ mod uses;
 mod values;
 
 use crate::hash::FastMap;
-use crate::ir::Type;
+use crate::types::Type;
 use std::sync::LazyLock;
 
 pub use attributes::SHAPE_ATTRS;

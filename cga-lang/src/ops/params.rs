@@ -2,7 +2,7 @@
 
 use super::{Bounds, Values};
 use crate::code::Code;
-use crate::ir::Type;
+use crate::types::Type;
 
 /// A parameter of an operation or function.
 #[derive(Debug, PartialEq)]

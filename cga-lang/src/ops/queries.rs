@@ -5,7 +5,7 @@ use super::{
     AssetNames, B, BS, Default, F, FILE, FS, FileUse, Function, Needs, Param, Run, T, TS, Uses, boolean, file, float,
     of, or, outdated, renamed, text, uv_set, word,
 };
-use crate::ir::Type;
+use crate::types::Type;
 
 const fn row(
     name: &'static str,

@@ -2,7 +2,7 @@
 
 use super::functions::later;
 use super::{B, BS, F, FS, Function, Needs, Param, Run, T, TS, of};
-use crate::ir::Type;
+use crate::types::Type;
 
 const fn row(call: &'static str, params: &'static [Param], ty: Type) -> Function {
     let about = "a copy of the array with other values in some places";

@@ -6,7 +6,7 @@ use super::{
     B, BS, Default, F, FS, Function, HEX, Meaning, Needs, Param, Run, T, TS, Uses, boolean, channel, float, of, or,
     text,
 };
-use crate::ir::Type;
+use crate::types::Type;
 
 /// A function of its arguments alone.
 const fn plain(
