@@ -11,7 +11,7 @@ use cga_lang::ops::{
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use syn::{Item, UseTree, Visibility};
 
-use super::doors::root;
+use super::sources::root;
 
 /// Functions that the code generator calls for syntax, which has no rows: operators, arrays and indices, text of numbers,
 /// the form that operations on slim shapes have in common.
