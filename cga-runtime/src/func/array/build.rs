@@ -85,7 +85,8 @@ pub fn array<T: Element>(env: &mut Env, rows: &[&[Part<T>]]) -> Array<T> {
 }
 
 /// `[base : limit]`: in steps of 1 (*colon operator*).
-pub fn range(env: &mut Env, base: f64, limit: f64) -> Array<f64> {
+#[cfg(test)]
+pub(crate) fn range(env: &mut Env, base: f64, limit: f64) -> Array<f64> {
     range_by(env, base, 1.0, limit)
 }
 
