@@ -1,8 +1,8 @@
 //! What conditions are asked about.
 
-use super::looks::Looks;
 use super::select::{Sense, Word};
 use super::source::Source;
+use crate::comp::orientation::Looks;
 use crate::shape::seed::Tag;
 use crate::shape::{Counter, Shape};
 use crate::value::text::Text;

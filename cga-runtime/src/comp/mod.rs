@@ -2,8 +2,8 @@
 
 mod candidate;
 pub mod faces;
-pub(crate) mod looks;
 mod mesh_parts;
+pub(crate) mod orientation;
 mod owners;
 mod part;
 mod roof;
@@ -30,7 +30,7 @@ use crate::shape::{Counter, Geometry, Shape, ShapeRef};
 pub use candidate::{Candidate, Subcomponent, is_tagged, is_tagged_at};
 pub use value::comp_values;
 
-use looks::Looks;
+use orientation::Looks;
 use owners::Owners;
 use part::Part;
 use select::Word;

@@ -1,6 +1,5 @@
 //! The relational operators.
 
-use std::cmp::Ordering;
 
 use crate::value::compare::Compare;
 
