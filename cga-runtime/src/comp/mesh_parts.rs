@@ -7,10 +7,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::Components;
-use super::candidate::Subcomponent;
 use super::faces::extract;
 use super::roof::Roof;
-use super::select::{RoofEdge, Sense, Word};
+use super::select::{RoofEdge, Sense, Subcomponent, Word};
 use crate::comp::orientation::Looks;
 use crate::geometry::Frame;
 use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};

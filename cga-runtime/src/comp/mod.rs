@@ -27,7 +27,8 @@ use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::trim::{Surface, Trims};
 use crate::shape::{Counter, Geometry, Shape, ShapeRef};
 
-pub use candidate::{Candidate, Subcomponent, is_tagged, is_tagged_at};
+pub use candidate::{Candidate, is_tagged, is_tagged_at};
+pub use select::Subcomponent;
 pub use value::comp_values;
 
 use orientation::Looks;
