@@ -3,5 +3,7 @@
 mod errors;
 mod expand;
 mod mistakes;
+#[path = "../../../cga-lang/tests/print/mod.rs"]
+mod print;
 mod sources;
 mod ui;
