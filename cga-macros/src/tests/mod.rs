@@ -5,5 +5,6 @@ mod expand;
 mod mistakes;
 #[path = "../../../cga-lang/tests/print/mod.rs"]
 mod print;
+mod rows;
 mod sources;
 mod ui;
