@@ -24,7 +24,6 @@
 #![forbid(unsafe_code)]
 
 pub mod ast;
-mod ast_moved;
 pub mod ast_walk;
 pub mod check;
 pub mod code;

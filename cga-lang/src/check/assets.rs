@@ -1,7 +1,7 @@
 //! Files that rules name and that the package does not have; groups and materials that an asset does not have.
 
 use super::flow::{Facts, Site};
-use super::{Cx, Use};
+use super::{Cx, Entries, Use};
 use crate::ast::{Arg, Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::Diags;
@@ -13,13 +13,14 @@ use cga_split::files::places;
 
 /// Looks at what is met on the way through a rule.
 pub(super) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
+    let names = cx.tables.at(facts.own);
     match site {
         Site::Operation(row, args) => {
             if let Some(Arg { value, .. }) = file(row.params).and_then(|at| args.get(at)) {
-                named(value, row.name == "i", cx, diags);
+                named(value, row.name == "i", names, cx, diags);
             }
         }
-        Site::Set(row, value) if row.is_image() => named(value, false, cx, diags),
+        Site::Set(row, value) if row.is_image() => named(value, false, names, cx, diags),
         Site::Value(value) => expression(value, facts, cx, diags),
         _ => {}
     }
@@ -32,14 +33,15 @@ fn file(params: &[Param]) -> Option<usize> {
 
 /// Looks at an expression and its parts.
 pub(super) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags) {
+    let names = cx.tables.at(facts.own);
     if let ExprKind::Call(name, args) = &expr.kind
-        && let Some(Use::Builtin(row)) = cx.tables.of(name)
+        && let Some(Use::Builtin(row)) = names.of(name)
     {
         // `fileExists` asks for it, and searches have patterns.
         if !row.name.starts_with("file")
             && let Some(value) = file(row.params).and_then(|at| args.get(at))
         {
-            named(value, false, cx, diags);
+            named(value, false, names, cx, diags);
         }
         if let ([list, text], Some(token)) = (args.as_slice(), facts.asset) {
             within(list, text, token, cx, diags);
@@ -49,10 +51,10 @@ pub(super) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags)
 }
 
 /// The file that an expression names, and the place where that is written.
-fn text<'c>(expr: &'c Expr, cx: &'c Cx) -> Option<&'c str> {
+fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Cx) -> Option<&'c str> {
     match &expr.kind {
         ExprKind::Text(text) => Some(text),
-        ExprKind::Name(name) => match cx.tables.of(name)? {
+        ExprKind::Name(name) => match names.of(name)? {
             Use::Const(index) => match &cx.globals.consts[index as usize].value()?.0.kind {
                 ExprKind::Text(text) => Some(text),
                 _ => None,
@@ -63,8 +65,8 @@ fn text<'c>(expr: &'c Expr, cx: &'c Cx) -> Option<&'c str> {
     }
 }
 
-fn named(value: &Expr, is_inserted: bool, cx: &Cx, diags: &mut Diags) {
-    let Some(name) = text(value, cx) else { return };
+fn named(value: &Expr, is_inserted: bool, names: Entries, cx: &Cx, diags: &mut Diags) {
+    let Some(name) = text(value, names, cx) else { return };
     let program = cx.globals.program;
     match program.asset(name, value.span.first) {
         Some(Asset::Missing(beside)) => {

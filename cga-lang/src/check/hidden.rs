@@ -1,28 +1,27 @@
 //! Selectors that find nothing left, as earlier ones take all that they could.
 
-use super::{Cx, Tables, Use};
+use super::{Cx, Entries, Use};
 use crate::ast::{CompArm, Expr, ExprKind, OpKind};
 use crate::ast_walk::ops;
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::span::Span;
 
+use super::agreed::Agreed;
 use super::flow::body;
-use super::readings::Readings;
 
 pub(super) fn check(cx: &Cx) -> Vec<Diag> {
-    let program = cx.globals.program;
-    let mut readings = Readings::default();
+    let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
         let mut diags = Diags::new();
         ops(body(item), &mut |op| {
             if let OpKind::Comp(comp) = &op.kind {
-                arms(&comp.arms, &cx.tables, &mut diags);
+                arms(&comp.arms, cx.tables.at(item.own), &mut diags);
             }
         });
-        readings.add(program, item.decl.name.id(), diags.finish());
+        agreed.add(item, diags.finish());
     }
-    readings.agreed(program)
+    agreed.finish()
 }
 
 /// What a selector takes, as far as it is known without the geometry.
@@ -32,9 +31,9 @@ enum Takes {
     Index(f64),
 }
 
-fn takes(selector: &Expr, tables: &Tables) -> Option<Takes> {
+fn takes(selector: &Expr, names: Entries) -> Option<Takes> {
     match &selector.kind {
-        ExprKind::Name(name) => match tables.of(name)? {
+        ExprKind::Name(name) => match names.of(name)? {
             Use::Selector(word) => Some(Takes::Word(word)),
             _ => None,
         },
@@ -43,11 +42,11 @@ fn takes(selector: &Expr, tables: &Tables) -> Option<Takes> {
     }
 }
 
-fn arms(list: &[CompArm], tables: &Tables, diags: &mut Diags) {
+fn arms(list: &[CompArm], names: Entries, diags: &mut Diags) {
     let mut before: Vec<(Takes, Span)> = Vec::new();
     let mut taken = 0;
     for arm in list {
-        let Some(own) = takes(&arm.selector, tables) else { continue };
+        let Some(own) = takes(&arm.selector, names) else { continue };
         let span = arm.selector.span;
         if let Takes::Index(index) = own
             && index.fract() != 0.0

@@ -3,6 +3,7 @@
 //! Passes read the trees and write side tables and findings; all of them run. What could not be resolved has no entry
 //! in a table, and nothing more is said about it. [`Checked`] is made only when there was no error.
 
+mod agreed;
 mod annotations;
 mod arithmetic;
 mod arity;
@@ -24,7 +25,6 @@ mod levels;
 mod names;
 mod overrides;
 mod reach;
-mod readings;
 mod repeat;
 mod selectors;
 mod shapes;
@@ -35,14 +35,14 @@ mod types;
 mod unused;
 mod words;
 
+use crate::ast::Name;
 use crate::code::Code;
 use crate::diag::{Diags, Level};
 use crate::hash::FastMap;
 use crate::index::{Named, index};
 use crate::ir::Type;
-use crate::link::{InstanceId, Program, Wanted};
+use crate::link::{InstanceId, Key, Program, Wanted};
 use crate::ops::{Function, Operation, ShapeAttr};
-use crate::span::Span;
 use std::collections::{HashMap, HashSet};
 
 pub use crate::compile::Door;
@@ -76,21 +76,20 @@ pub(crate) enum Use {
 /// What the passes have found out.
 #[derive(Default)]
 pub(crate) struct Tables {
-    /// By [`Name::id`](crate::ast::Name::id).
-    pub(crate) uses: FastMap<u32, Use>,
+    pub(crate) uses: FastMap<Key, Use>,
     /// What calls may stand for until the types are known.
     pub(crate) open: Vec<Vec<Use>>,
-    /// Types of attributes, constants, functions, parameters and locals by [`Name::id`](crate::ast::Name::id) of the
-    /// declaration; of Rust values and Rust calls by their first token. No entry: it could not be told.
-    pub(crate) types: FastMap<u32, Type>,
+    /// Types of attributes, constants, functions, parameters and locals by the name in the declaration; of Rust values and
+    /// Rust calls by their first token. No entry: it could not be told.
+    pub(crate) types: FastMap<Key, Type>,
     /// By index of the attribute.
     pub(crate) attrs: Vec<AttrInfo>,
     /// By style of the root: the index of the rule that a run begins with.
     pub(crate) starts: Vec<Option<u32>>,
-    /// By the token of a rule's name.
-    pub(crate) rules: HashMap<u32, RuleInfo>,
-    /// By the token of an import's name.
-    pub(crate) imports: HashMap<u32, ImportInfo>,
+    /// By the name of a rule.
+    pub(crate) rules: HashMap<Key, RuleInfo>,
+    /// By the name of an import.
+    pub(crate) imports: HashMap<Key, ImportInfo>,
     /// `@RuleFileDescription`.
     pub(crate) about: String,
     /// Attributes, then constants, then functions, as one numbering: each after those it needs, as far as there is such
@@ -100,10 +99,10 @@ pub(crate) struct Tables {
     pub(crate) recursive: HashSet<u32>,
     /// Attributes and constants on a cycle that conditions may keep open, in the numbering of `order`.
     pub(crate) lazy: HashSet<usize>,
-    /// Attributes that a dynamic call gives values to, by the token of the name there.
-    pub(crate) targets: HashMap<u32, u32>,
-    /// Calls that cannot run yet though others of their name do, by the token of their name.
-    pub(crate) later: HashSet<u32>,
+    /// Attributes that a dynamic call gives values to, by the name there.
+    pub(crate) targets: HashMap<Key, u32>,
+    /// Calls that cannot run yet though others of their name do, by their name.
+    pub(crate) later: HashSet<Key>,
     /// Constants that serve as levels, by index: rules only compare them with numbers.
     pub(crate) levels: HashSet<u32>,
     /// Default values of overridden attributes that somebody asks for, by index of the constant.
@@ -129,22 +128,22 @@ pub(crate) struct Outcome<'a> {
     pub(crate) misfit: bool,
     /// Declarations that calls want with other types. When there are some, only that was found out.
     pub(crate) wanted: Vec<Wanted>,
-    /// Places in copies that are wrong there only.
-    pub(crate) unsuited: Vec<Span>,
+    /// Declarations with types of their own that do not suit them.
+    pub(crate) unsuited: Vec<InstanceId>,
 }
 
 /// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.
 /// What follows from sizes and calls is looked for when `program` is as it will be: `last` says that no more declarations
-/// are read again, and without misfits none are.
+/// are instantiated, and without misfits none are.
 pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bool, diags: &mut Diags) -> Outcome<'a> {
     let mut cx = Cx { globals: Globals::new(program), tables: Tables::default(), levels: Vec::new(), at: 0, diags };
     levels::collect(&mut cx, levels);
     duplicates::values(&mut cx);
     overrides::check(&mut cx);
     names::uses(&mut cx);
-    let types::Found { misfit, wanted } = types::infer(&mut cx);
+    let types::Found { misfit, wanted, unsuited } = types::infer(&mut cx);
     if !wanted.is_empty() {
-        return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), misfit, wanted, unsuited: Vec::new() };
+        return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), misfit, wanted, unsuited };
     }
     annotations::read(&mut cx);
     duplicates::operations(&mut cx);
@@ -155,34 +154,12 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
         certain::check(&mut cx);
     }
     let Cx { globals, tables, levels, diags, .. } = cx;
-    let unsuited = copied(program, diags);
     levels::apply(&levels, diags);
-    let ty = |item: &Item| tables.types.get(&item.decl.name.id()).copied();
+    let ty = |item: &Item| tables.type_of(item);
     let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
     let index = if last || !misfit { index(&globals, &tables) } else { Vec::new() };
     let checked = (!diags.has_errors()).then_some(Checked { globals, tables, _private: () });
     Outcome { checked, attrs, index, misfit, wanted, unsuited }
-}
-
-/// Moves what was found in copies to where it was written; gives the places of types that are wrong in the copy alone.
-fn copied(program: &Program, diags: &mut Diags) -> Vec<Span> {
-    let copies = &program.copies;
-    if !copies.on {
-        return Vec::new();
-    }
-    let (mut written, mut in_copies) = (HashSet::new(), Vec::new());
-    diags.retain_mut(|diag| {
-        if diag.code == Code::TypeMismatch {
-            match copies.is_copied(diag.span) {
-                false => _ = written.insert((diag.span, diag.message.clone())),
-                true => in_copies.push((diag.span, diag.message.clone())),
-            }
-        }
-        *diag = diag.clone().moved(|span| copies.written(span));
-        true
-    });
-    in_copies.retain(|(span, message)| !written.contains(&(copies.written(*span), message.clone())));
-    in_copies.into_iter().map(|(span, _)| span).collect()
 }
 
 /// What every pass is given.
@@ -196,7 +173,37 @@ struct Cx<'a, 'd> {
 }
 
 impl Tables {
-    pub(crate) fn of(&self, name: &crate::ast::Name) -> Option<Use> {
-        self.uses.get(&name.id()).copied()
+    /// The entries of an instance.
+    pub(crate) fn at(&self, own: InstanceId) -> Entries<'_> {
+        Entries { tables: self, own }
+    }
+
+    /// The type of a value that is declared.
+    pub(crate) fn type_of(&self, item: &Item) -> Option<Type> {
+        self.at(item.own).ty(&item.decl.name)
+    }
+
+    /// The types of its parameters.
+    fn types_of_params(&self, item: &Item) -> Vec<Option<Type>> {
+        item.decl.params.iter().map(|param| self.at(item.own).ty(param)).collect()
+    }
+}
+
+/// The entries of the side tables for the names of one instance.
+#[derive(Clone, Copy)]
+pub(crate) struct Entries<'t> {
+    tables: &'t Tables,
+    own: InstanceId,
+}
+
+impl Entries<'_> {
+    /// What a name stands for.
+    pub(crate) fn of(self, name: &Name) -> Option<Use> {
+        self.tables.uses.get(&(self.own, name.id())).copied()
+    }
+
+    /// The type of a name that is declared.
+    pub(crate) fn ty(self, name: &Name) -> Option<Type> {
+        self.tables.types.get(&(self.own, name.id())).copied()
     }
 }

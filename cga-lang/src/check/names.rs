@@ -17,9 +17,10 @@ use crate::token::Tok;
 pub(super) fn uses(cx: &mut Cx) {
     let values: Vec<_> = cx.globals.values().cloned().collect();
     for (index, item) in values.iter().enumerate() {
-        let Some((value, home)) = item.value() else { continue };
+        let Some((value, own)) = item.value() else { continue };
         let owner = (!item.origin && index < cx.globals.attrs.len()).then_some(index as u32);
-        let mut scope = Scope { cx, at: home, inner: Vec::new(), owner, place: None };
+        let at = cx.globals.program.home(own);
+        let mut scope = Scope { cx, at, own, inner: Vec::new(), owner, place: None };
         if item.is_own() {
             scope.enter(item.decl);
         }
@@ -27,7 +28,7 @@ pub(super) fn uses(cx: &mut Cx) {
     }
     for item in cx.globals.rules.clone() {
         if let crate::ast::Body::Rule(ops) = &item.decl.body {
-            let mut scope = Scope { cx, at: item.home, inner: Vec::new(), owner: None, place: None };
+            let mut scope = Scope { cx, at: item.home, own: item.own, inner: Vec::new(), owner: None, place: None };
             scope.enter(item.decl);
             scope.ops(ops);
         }
@@ -38,6 +39,8 @@ pub(super) fn uses(cx: &mut Cx) {
 pub(super) struct Scope<'s, 'a, 'd> {
     pub(super) cx: &'s mut Cx<'a, 'd>,
     pub(super) at: InstanceId,
+    /// The instance whose entries are written.
+    own: InstanceId,
     pub(super) inner: Vec<&'a Name>,
     /// The attribute whose value this is.
     owner: Option<u32>,
@@ -56,7 +59,17 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     pub(super) fn note(&mut self, name: &Name, found: Use) {
-        self.cx.tables.uses.insert(name.id(), found);
+        self.cx.tables.uses.insert((self.own, name.id()), found);
+    }
+
+    /// Notes a call that cannot run yet.
+    pub(super) fn note_later(&mut self, name: &Name) {
+        self.cx.tables.later.insert((self.own, name.id()));
+    }
+
+    /// Notes which attribute of an import an override gives a value to.
+    pub(super) fn note_target(&mut self, name: &Name, attr: u32) {
+        self.cx.tables.targets.insert((self.own, name.id()), attr);
     }
 
     /// Notes what a call may stand for; the types decide if there are several.
@@ -74,7 +87,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     pub(super) fn door(&self) -> Door {
-        self.cx.globals.program.instances[self.at].door
+        self.cx.globals.program.instances[self.at].file.door
     }
 
     pub(super) fn expr(&mut self, expr: &'a Expr) {
@@ -309,7 +322,7 @@ impl<'a> Scope<'_, 'a, '_> {
             for (param, arg) in row.params.iter().zip(args) {
                 self.computed_word(&param.kind, arg);
             }
-            self.cx.tables.later.insert(name.id());
+            self.note_later(name);
             return self.note(name, Use::Builtin(row));
         }
         let row = rows[0];

@@ -2,7 +2,7 @@
 
 use super::flow::{Face, Facts, Slot, Slots, Sum, called};
 use super::interval::Interval;
-use super::{Tables, branches};
+use super::{Entries, Tables, branches};
 use crate::ast::Arg;
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
@@ -20,7 +20,7 @@ pub(super) fn check(slots: &Slots, facts: &Facts, tables: &Tables, diags: &mut D
     for (index, slot) in slots.list.iter().enumerate() {
         // A group without any is reported as such.
         if slot.is_nothing() && !slot.group.is_some_and(|group| slots.makes_nothing(group)) {
-            nothing(slot, tables, diags);
+            nothing(slot, tables.at(facts.own), diags);
         } else if !slot.is_nothing() && slots.is_never(index) {
             starved(slots, index, facts, diags);
         }
@@ -89,8 +89,8 @@ fn flat(slots: &Slots, facts: &Facts, diags: &mut Diags) {
     }
 }
 
-fn nothing(slot: &Slot, tables: &Tables, diags: &mut Diags) {
-    if slot.value.known() == Some(0.0) && branches::is_switch(&slot.size.value, tables) {
+fn nothing(slot: &Slot, names: Entries, diags: &mut Diags) {
+    if slot.value.known() == Some(0.0) && branches::is_switch(&slot.size.value, names) {
         // A part that its author has turned off.
         return;
     }

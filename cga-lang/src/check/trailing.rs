@@ -2,9 +2,9 @@
 //!
 //! A shape with children is no leaf, so what is done to it after its last child nobody ever sees.
 
+use super::agreed::Agreed;
 use super::flow::body;
-use super::readings::Readings;
-use super::{Cx, Tables, Use};
+use super::{Cx, Entries, Use};
 use crate::ast::{Op, OpKind};
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
@@ -13,25 +13,24 @@ use crate::diag::{Diag, Diags};
 const HEARD: [&str; 3] = ["report", "print", "label"];
 
 pub(super) fn check(cx: &Cx) -> Vec<Diag> {
-    let program = cx.globals.program;
-    let mut readings = Readings::default();
+    let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
         let mut diags = Diags::new();
-        sequence(body(item), false, false, &cx.tables, &mut diags);
-        readings.add(program, item.decl.name.id(), diags.finish());
+        sequence(body(item), false, false, cx.tables.at(item.own), &mut diags);
+        agreed.add(item, diags.finish());
     }
-    readings.agreed(program)
+    agreed.finish()
 }
 
 /// Looks through the steps of one shape; says whether it certainly has a child behind them. `made`: it has one before them;
 /// `restored`: the state it had is back behind them.
-fn sequence(ops: &[Op], made: bool, restored: bool, tables: &Tables, diags: &mut Diags) -> bool {
+fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut Diags) -> bool {
     let mut made = made;
     // Where what changes the shape alone begins.
     let mut idle = None;
     for (at, op) in ops.iter().enumerate() {
         let changes = match &op.kind {
-            OpKind::Call(name, _) => match tables.of(name) {
+            OpKind::Call(name, _) => match names.of(name) {
                 Some(Use::Operation(row)) => !HEARD.contains(&row.name),
                 Some(Use::SetAttr(_) | Use::SetShape(_)) => true,
                 Some(Use::Rule(_) | Use::Leaf) => {
@@ -45,26 +44,26 @@ fn sequence(ops: &[Op], made: bool, restored: bool, tables: &Tables, diags: &mut
                 false
             }
             OpKind::Comp(_) => {
-                parts(op, tables, diags);
+                parts(op, names, diags);
                 made = true;
                 false
             }
             OpKind::Split(_) | OpKind::Block(_) => {
-                parts(op, tables, diags);
+                parts(op, names, diags);
                 false
             }
             OpKind::Push(inner) => {
-                made |= sequence(inner, made, true, tables, diags);
+                made |= sequence(inner, made, true, names, diags);
                 false
             }
             OpKind::Case(arms, otherwise) => {
                 let all = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
-                made = branches(all, made, restored, tables, diags);
+                made = branches(all, made, restored, names, diags);
                 false
             }
             OpKind::Chance(arms, otherwise) => {
                 let all = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
-                made = branches(all, made, restored, tables, diags);
+                made = branches(all, made, restored, names, diags);
                 false
             }
             OpKind::Path(..) | OpKind::Error => false,
@@ -88,15 +87,15 @@ fn branches<'a>(
     all: impl Iterator<Item = &'a Vec<Op>>,
     made: bool,
     restored: bool,
-    tables: &Tables,
+    names: Entries,
     diags: &mut Diags,
 ) -> bool {
     // Each of them is looked at.
-    let ends: Vec<bool> = all.map(|ops| sequence(ops, made, restored, tables, diags)).collect();
+    let ends: Vec<bool> = all.map(|ops| sequence(ops, made, restored, names, diags)).collect();
     ends.into_iter().all(|made| made)
 }
 
 /// Parts are shapes of their own.
-fn parts(op: &Op, tables: &Tables, diags: &mut Diags) {
-    op.bodies().into_iter().for_each(|ops| _ = sequence(ops, false, false, tables, diags));
+fn parts(op: &Op, names: Entries, diags: &mut Diags) {
+    op.bodies().into_iter().for_each(|ops| _ = sequence(ops, false, false, names, diags));
 }

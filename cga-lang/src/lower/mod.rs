@@ -11,12 +11,12 @@ mod share;
 mod walk;
 
 use crate::ast::{Body, Decl, Name};
-use crate::check::{Checked, RuleInfo, Use};
+use crate::check::{Checked, Item, RuleInfo, Use};
 use crate::fold::Known;
 use crate::graph::{components, is_cycle};
 use crate::ir::{Childless, Grammar, Host, HostId, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::ir_walk::called;
-use crate::link::InstanceId;
+use crate::link::{InstanceId, Key};
 use crate::span::Span;
 use crate::token::{Tok, Tokens};
 use std::collections::HashMap;
@@ -30,7 +30,7 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         checked,
         tokens: &checked.globals.program.tokens,
         inner: Vec::new(),
-        home: 0,
+        own: 0,
         label: String::new(),
         name: String::new(),
         blocks: HashMap::new(),
@@ -54,16 +54,16 @@ struct Lower<'c> {
     tokens: &'c Tokens,
     /// Parameters and locals of the declaration at hand.
     inner: Vec<&'c Name>,
-    /// Where its names are looked up.
-    home: InstanceId,
+    /// The instance whose entries its names have.
+    own: InstanceId,
     /// What the implicit leaves of the rule at hand are called.
     label: String,
     /// Name of the rule at hand, with its style.
     name: String,
     /// Blocks so far, by the name of their rule.
     blocks: HashMap<String, u32>,
-    /// By token.
-    hosts: HashMap<u32, HostId>,
+    /// By instance and token.
+    hosts: HashMap<Key, HostId>,
     /// By instance.
     renewals: HashMap<InstanceId, RenewalId>,
     /// Made when an import starts anew.
@@ -74,28 +74,41 @@ struct Lower<'c> {
 }
 
 impl<'c> Lower<'c> {
+    /// The type of a name or Rust value in the declaration at hand, by its first token.
     fn ty(&self, token: u32) -> Type {
-        self.checked.tables.types.get(&token).copied().unwrap_or(Type::Float)
+        self.checked.tables.types.get(&(self.own, token)).copied().unwrap_or(Type::Float)
+    }
+
+    fn type_of(&self, item: &Item) -> Type {
+        self.checked.tables.type_of(item).unwrap_or(Type::Float)
     }
 
     fn used(&self, name: &Name) -> Option<Use> {
-        self.checked.tables.of(name)
+        self.checked.tables.at(self.own).of(name)
+    }
+
+    /// Returns true if a call cannot run yet though others of its name do.
+    fn is_later(&self, name: &Name) -> bool {
+        self.checked.tables.later.contains(&(self.own, name.id()))
     }
 
     fn hosts(&mut self) {
-        for (token, tok) in self.tokens.as_slice().iter().enumerate() {
-            let token = token as u32;
-            if let (Tok::Host(handle), Some(&ty)) = (tok, self.checked.tables.types.get(&token)) {
-                self.hosts.insert(token, HostId(self.out.hosts.len() as u32));
-                self.out.hosts.push(Host { handle: *handle, ty, span: Span::one(token) });
+        let tokens = self.tokens.as_slice();
+        let is_host = |(_, token): &&Key| matches!(tokens[*token as usize], Tok::Host(_));
+        let mut hosts: Vec<Key> = self.checked.tables.types.keys().filter(is_host).copied().collect();
+        hosts.sort_unstable();
+        for key @ (_, token) in hosts {
+            if let Tok::Host(handle) = tokens[token as usize] {
+                self.hosts.insert(key, HostId(self.out.hosts.len() as u32));
+                self.out.hosts.push(Host { handle, ty: self.checked.tables.types[&key], span: Span::one(token) });
             }
         }
     }
 
     /// Begins with a declaration.
-    fn enter(&mut self, decl: &'c Decl, home: InstanceId) {
-        self.inner = decl.inner().collect();
-        self.home = home;
+    fn enter(&mut self, item: &Item<'c>) {
+        self.inner = item.decl.inner().collect();
+        self.own = item.own;
     }
 
     /// Parameters and locals of the declaration at hand.
@@ -111,7 +124,7 @@ impl<'c> Lower<'c> {
     fn rules(&mut self) {
         let checked = self.checked;
         for item in &checked.globals.rules {
-            self.enter(item.decl, item.home);
+            self.enter(item);
             let instance = &checked.globals.program.instances[item.instance];
             let style = checked.globals.program.roots.get(instance.root_style as usize);
             let style = style.and_then(|&root| checked.globals.program.instances[root].styles.name.as_deref());
@@ -130,7 +143,7 @@ impl<'c> Lower<'c> {
         }
         for (index, item) in checked.globals.rules.iter().enumerate() {
             if let Body::Rule(ops) = &item.decl.body {
-                self.enter(item.decl, item.home);
+                self.enter(item);
                 self.label.clone_from(&item.name);
                 self.name.clone_from(&self.out.rules[index].name);
                 self.out.rules[index].locals = self.locals(item.decl);
@@ -157,9 +170,8 @@ impl<'c> Lower<'c> {
             own.sort_by_key(|&index| (Some(index) != default, index));
             for index in own {
                 let name = self.out.rules[index as usize].name.clone();
-                let token = globals.rules[index as usize].decl.name.id();
-                let RuleInfo { doc, marked, hidden } =
-                    self.checked.tables.rules.get(&token).cloned().unwrap_or_default();
+                let info = self.checked.tables.rules.get(&globals.rules[index as usize].key());
+                let RuleInfo { doc, marked, hidden } = info.cloned().unwrap_or_default();
                 self.out.starts.push(Start { name, style: style as u32, rule: RuleId(index), doc, marked, hidden });
             }
         }

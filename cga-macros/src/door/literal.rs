@@ -39,7 +39,7 @@ pub(super) fn source(
     tracking: TokenStream,
 ) -> Source {
     let place = Place::Text { span, text, tracking };
-    Source { tokens, findings, hosts: Vec::new(), place, imported: Vec::new(), pieces: Vec::new() }
+    Source { tokens, findings, hosts: Vec::new(), place, imported: Vec::new(), files: Vec::new() }
 }
 
 /// Literals one after the other.

@@ -3,11 +3,12 @@
 use super::facts::{Facts, Global};
 use super::texts::{TextSet, Texts};
 use super::value::Value;
-use crate::ast::{Binary, Decl, Expr, ExprKind, Unary};
+use crate::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
 use crate::check::globals::{Globals, Init, Item};
 use crate::check::interval::Interval;
 use crate::check::{AttrInfo, Tables, Use};
 use crate::ir::{ChoiceValues, Type};
+use crate::link::InstanceId;
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
@@ -35,16 +36,27 @@ pub(in crate::check) enum Attrs {
     Defaults,
 }
 
+/// A function that is computed with its arguments.
+#[derive(Clone, Copy)]
+struct Function<'f> {
+    /// The instance whose entries its names have.
+    own: InstanceId,
+    decl: &'f Decl,
+    body: &'f Expr,
+}
+
 /// What is known of the values of a grammar.
 pub(in crate::check) struct Known<'f> {
-    pub(super) tables: &'f Tables,
+    tables: &'f Tables,
     texts: Texts,
     attrs: Vec<Value>,
     consts: Vec<Value>,
     /// With any arguments.
     functions: Vec<Value>,
     /// Functions that do not call themselves, to be computed with their arguments.
-    bodies: Vec<Option<(&'f Decl, &'f Expr)>>,
+    bodies: Vec<Option<Function<'f>>>,
+    /// By rule: the instance whose entries its names have.
+    pub(super) rules: Vec<InstanceId>,
     /// Attributes that rules set.
     changing: HashSet<u32>,
     /// How many steps are left.
@@ -57,8 +69,8 @@ impl<'f> Known<'f> {
     pub(in crate::check) fn new(globals: &Globals<'f>, tables: &'f Tables, mode: Attrs) -> Known<'f> {
         let (attrs, consts) = (globals.attrs.len(), globals.consts.len());
         let body = |(index, item): (usize, &Item<'f>)| {
-            let (value, _) = item.value().filter(|_| item.is_own() && !tables.recursive.contains(&(index as u32)))?;
-            Some((item.decl, value))
+            let (body, own) = item.value().filter(|_| item.is_own() && !tables.recursive.contains(&(index as u32)))?;
+            Some(Function { own, decl: item.decl, body })
         };
         let mut known = Known {
             tables,
@@ -67,6 +79,7 @@ impl<'f> Known<'f> {
             consts: vec![Value::Any; consts],
             functions: vec![Value::Any; globals.functions.len()],
             bodies: globals.functions.iter().enumerate().map(body).collect(),
+            rules: globals.rules.iter().map(|item| item.own).collect(),
             changing: tables.targets.values().copied().collect(),
             steps: Cell::new(MOST_STEPS),
             taken: Cell::new(0),
@@ -94,8 +107,8 @@ impl<'f> Known<'f> {
 
     /// The value of a declaration, on any shape and with any arguments.
     fn alone(&self, item: &Item) -> Value {
-        let Some((value, _)) = item.value() else { return Value::Any };
-        let mut facts = Facts::any(if item.is_own() { item.decl.params.len() } else { 0 });
+        let Some((value, own)) = item.value() else { return Value::Any };
+        let mut facts = Facts::any(own, if item.is_own() { item.decl.params.len() } else { 0 });
         if item.is_own() {
             self.begin();
             self.enter_locals(item.decl, &mut facts, 0);
@@ -114,7 +127,7 @@ impl<'f> Known<'f> {
     /// The value of an attribute; `first` is the number of the first of its name.
     fn attr(&self, globals: &Globals, index: usize, first: usize, mode: Attrs) -> Value {
         let item = &globals.attrs[index];
-        let any = Value::of(self.tables.types.get(&item.decl.name.id()).copied());
+        let any = Value::of(self.tables.type_of(item));
         if self.changing.contains(&(index as u32)) {
             return any;
         }
@@ -148,6 +161,11 @@ impl<'f> Known<'f> {
     /// A set of texts as messages show it.
     pub(in crate::check) fn told(&self, set: TextSet) -> Option<String> {
         self.texts.told(set)
+    }
+
+    /// What a name stands for.
+    pub(super) fn of(&self, name: &Name, facts: &Facts) -> Option<Use> {
+        self.tables.at(facts.own).of(name)
     }
 
     /// Whether an attribute is the same on all shapes of a run.
@@ -189,10 +207,10 @@ impl<'f> Known<'f> {
             ExprKind::Bool(truth) => Value::Truth(Some(*truth)),
             ExprKind::Text(text) => Value::Text(self.texts.set(text)),
             ExprKind::Name(name) => {
-                self.tables.of(name).map_or(Value::Any, |found| self.used(found, Vec::new(), facts, depth))
+                self.of(name, facts).map_or(Value::Any, |found| self.used(found, Vec::new(), facts, depth))
             }
             ExprKind::Call(name, args) => {
-                let Some(found) = self.tables.of(name) else { return Value::Any };
+                let Some(found) = self.of(name, facts) else { return Value::Any };
                 self.used(found, args.iter().map(value).collect(), facts, depth)
             }
             ExprKind::Unary(Unary::Plus, operand) => value(operand),
@@ -250,10 +268,10 @@ impl<'f> Known<'f> {
             Use::Attr(index) => facts.global(Global::Attr(index)).unwrap_or(self.attrs[index as usize]),
             Use::Const(index) => facts.global(Global::Const(index)).unwrap_or(self.consts[index as usize]),
             Use::Function(index) => match self.bodies[index as usize] {
-                Some((decl, body))
+                Some(Function { own, decl, body })
                     if depth < DEEPEST && decl.params.len() == args.len() && decl.locals.len() < MOST_LOCALS =>
                 {
-                    let mut inside = facts.with(args);
+                    let mut inside = facts.with(own, args);
                     self.enter_locals(decl, &mut inside, depth + 1);
                     self.within(body, &inside, depth + 1)
                 }

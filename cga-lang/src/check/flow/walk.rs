@@ -66,7 +66,7 @@ impl<'w> Walk<'w> {
         match &op.kind {
             OpKind::Call(name, args) => {
                 self.meet_args(args, &facts, visit);
-                match self.known.tables.of(name) {
+                match self.known.of(name, &facts) {
                     Some(Use::Rule(rule)) => self.hand_on(rule, args, &facts, visit),
                     Some(Use::Operation(row)) => {
                         visit.meet(&Site::Operation(row, args), &facts);
@@ -92,7 +92,7 @@ impl<'w> Walk<'w> {
                         visit.meet(&Site::Value(value), &facts);
                     }
                 }
-                if let Some(Use::Rule(rule)) = self.known.tables.of(rule) {
+                if let Some(Use::Rule(rule)) = self.known.of(rule, &facts) {
                     // Attributes and constants of the import begin anew.
                     let facts = Facts { globals: Vec::new(), ..facts.clone() };
                     self.hand_on(rule, args, &facts, visit);
@@ -137,7 +137,7 @@ impl<'w> Walk<'w> {
 
     fn hand_on<'a>(&self, rule: u32, args: &[Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
         let params = args.iter().map(|arg| self.value(&arg.value, facts)).collect();
-        visit.hand_on(rule, facts.with(params));
+        visit.hand_on(rule, facts.with(self.known.rules[rule as usize], params));
     }
 
     fn case<'a>(
@@ -230,7 +230,7 @@ impl<'w> Walk<'w> {
             // With the component as current shape.
             visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
             let selector = match &arm.selector.kind {
-                ExprKind::Name(name) => match self.known.tables.of(name) {
+                ExprKind::Name(name) => match self.known.of(name, facts) {
                     Some(Use::Selector(word)) => Some(word),
                     _ => None,
                 },
@@ -250,7 +250,7 @@ impl<'w> Walk<'w> {
         let any = || Facts { asset: None, ..facts.on_any_shape() };
         // Some are computed on each edge.
         self.meet_args(&block.args, &any(), visit);
-        if let Some(Use::Operation(row)) = self.known.tables.of(&block.name) {
+        if let Some(Use::Operation(row)) = self.known.of(&block.name, facts) {
             visit.meet(&Site::Operation(row, &block.args), &any());
         }
         for part in &block.parts {
