@@ -171,7 +171,7 @@ pub enum OpKind {
         /// Its arguments.
         args: Vec<Arg>,
     },
-    /// An operation with braces other than split and comp: `setback(1) { front : A | remainder : B }`.
+    /// An operation with braces: `split(x) { ~1 : A }`, `comp(f) { top : B }`, `setback(1) { front : A | remainder : B }`.
     Block(Block),
     /// `Name.`
     Leaf(Name),
@@ -181,10 +181,6 @@ pub enum OpKind {
     Path(Name, Vec<Arg>),
     /// `[ … ]`
     Push(Vec<Op>),
-    /// `split(axis) { … }`
-    Split(Split),
-    /// `comp(f) { … }`
-    Comp(Comp),
     /// `case … else`
     Case(Vec<(Expr, Vec<Op>)>, Vec<Op>),
     /// `30% : … else`
@@ -222,27 +218,7 @@ pub enum Prefix {
     Floating,
 }
 
-/// `split(args) { … }` or `splitArea(args) { … }`, with or without `*`.
-#[derive(Clone, Debug)]
-pub struct Split {
-    /// Which of the two.
-    pub name: Name,
-    /// Axis and so on.
-    pub args: Vec<Arg>,
-    /// The slots.
-    pub items: Vec<SplitItem>,
-    /// Whether a `*` follows.
-    pub repeat: bool,
-}
-
-impl Split {
-    /// Whether its sizes are areas.
-    pub fn is_by_area(&self) -> bool {
-        self.name.text == "splitArea"
-    }
-}
-
-/// What stands between two `|` of a split.
+/// The contents between two `|` of slots.
 #[derive(Clone, Debug)]
 pub enum SplitItem {
     /// `size : operations`
@@ -251,21 +227,10 @@ pub enum SplitItem {
     Group(Vec<SplitItem>, bool),
 }
 
-/// `comp(args) { … }`.
-#[derive(Clone, Debug)]
-pub struct Comp {
-    /// The word `comp`.
-    pub name: Name,
-    /// Kind of component and so on.
-    pub args: Vec<Arg>,
-    /// The arms.
-    pub arms: Vec<CompArm>,
-}
-
 /// `selector : operations` or `selector = operations`.
 #[derive(Clone, Debug)]
-pub struct CompArm {
-    /// Which components.
+pub struct Arm {
+    /// Selects parts of the shape.
     pub selector: Expr,
     /// The operator.
     pub mode: ArmMode,
@@ -284,18 +249,18 @@ pub enum ArmMode {
     Connected,
 }
 
-/// `name(args) { … }`: an operation with braces that is neither split nor comp.
+/// `name(args) { … }`: an operation that makes parts of the shape, each with operations of its own.
 #[derive(Clone, Debug)]
 pub struct Block {
     /// The operation's name.
     pub name: Name,
-    /// What stands in parentheses behind the name: arguments, and the word of `inline(unify)`.
+    /// The arguments in parentheses, words among them.
     pub args: Vec<Arg>,
-    /// What stands in braces, in order; `splitAndSetbackPerimeter` has two pairs of them.
+    /// The contents of each pair of braces; `splitAndSetbackPerimeter` has two pairs.
     pub parts: Vec<BlockPart>,
 }
 
-/// What stands in a pair of braces.
+/// The contents of a pair of braces.
 #[derive(Clone, Debug)]
 pub enum BlockPart {
     /// `size : operations | …`, and whether a `*` follows.
@@ -303,7 +268,7 @@ pub enum BlockPart {
     /// `length : depth : operations | …`, and whether a `*` follows.
     Sections(Vec<Section>, bool),
     /// `selector : operations | …`.
-    Arms(Vec<CompArm>),
+    Arms(Vec<Arm>),
     /// Operations; one sequence for each side of `|`. `inline Rule` has one, and so has `union Rule`, as it was written
     /// before 2025: the other side is then the shape itself, on the left unless the argument is `swap`.
     Ops(Vec<Vec<Op>>),

@@ -39,8 +39,6 @@ impl Op {
         let mut list = Vec::new();
         match &self.kind {
             OpKind::Push(inner) => list.push(inner.as_slice()),
-            OpKind::Split(split) => slots(&split.items, &mut list),
-            OpKind::Comp(comp) => list.extend(comp.arms.iter().map(|arm| arm.ops.as_slice())),
             OpKind::Block(block) => {
                 for part in &block.parts {
                     match part {

@@ -3,6 +3,8 @@
 use crate::check::{Outcome, check};
 use crate::code::Code;
 use crate::diag::{Diag, Diags, Level};
+
+pub use crate::door::Door;
 use crate::index::Named;
 use crate::ir::Grammar;
 use crate::lex::lex;
@@ -22,15 +24,6 @@ const LEAST_ROUNDS: usize = 16;
 
 /// Declarations that all rounds together may check.
 const MOST_CHECKED: usize = 100_000;
-
-/// How strict to be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Door {
-    /// Rules among Rust: a call without a rule is an error.
-    Inline,
-    /// CGA text: a call without a rule is a leaf and a warning, as CGA documents.
-    Text,
-}
 
 /// What became of some tokens.
 #[derive(Clone, Debug)]

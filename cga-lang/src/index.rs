@@ -2,8 +2,9 @@
 //! when there are errors.
 
 use crate::ast::Name;
-use crate::check::{Globals, Tables, Use};
 use crate::ir::Type;
+use crate::resolve::globals::Globals;
+use crate::resolve::tables::{Tables, Use};
 use std::collections::HashMap;
 
 /// What a name stands for.

@@ -392,6 +392,18 @@ pub enum Axis {
     Z,
 }
 
+impl Axis {
+    /// The axis of that name.
+    pub fn named(name: &str) -> Option<Axis> {
+        match name {
+            "x" => Some(Axis::X),
+            "y" => Some(Axis::Y),
+            "z" => Some(Axis::Z),
+            _ => None,
+        }
+    }
+}
+
 /// The size of a slot.
 #[derive(Clone, Debug)]
 pub struct Size {

@@ -23,17 +23,22 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod analysis;
+mod annotations;
 pub mod ast;
 pub mod ast_walk;
 pub mod check;
 pub mod code;
 pub mod compile;
 pub mod diag;
+mod diagnostics;
+mod door;
 pub mod facts;
 mod fold;
 pub mod graph;
 mod hash;
 pub mod index;
+mod infer;
 pub mod ir;
 pub mod ir_print;
 pub mod ir_walk;
@@ -43,6 +48,7 @@ mod lower;
 pub mod ops;
 pub mod parse;
 pub mod print;
+mod resolve;
 pub mod skeleton;
 pub mod snippet;
 pub mod span;

@@ -1,10 +1,10 @@
 //! The public names of a grammar, known even when it has errors: what the rest of a program can use of it.
 
 use crate::ast::{Ast, Body, Expr, ExprKind, Unary};
-use crate::check::Item;
 use crate::ir::{self, Grammar, Type, Value};
 use crate::link::Program;
 use crate::ops::{functions, shape_attr};
+use crate::resolve::globals::Item;
 use crate::span::Span;
 use std::collections::{HashMap, HashSet};
 

@@ -5,7 +5,7 @@ use cga_lang::diag::Level;
 use cga_lang::ir::Type;
 use cga_lang::lex::lex;
 use cga_lang::ops::{
-    self, Block, COMPONENTS, Default, Needs, Operation, Param, ParamKind, Places, Run, SYNTAX, Uses, component,
+    self, Braces, COMPONENTS, Default, Needs, Operation, Param, ParamKind, Places, Run, SYNTAX, Uses, component,
     required, selector, syntax,
 };
 use cga_lang::token::{Sym, Tok};
@@ -140,7 +140,7 @@ fn overlap(a: &[Param], b: &[Param]) -> bool {
 fn no_call_fits_two_rows() {
     let rows: Vec<&Operation> = ops::all_operations().collect();
     for (index, a) in rows.iter().enumerate() {
-        for b in rows[..index].iter().filter(|b| b.name == a.name && b.block == a.block) {
+        for b in rows[..index].iter().filter(|b| b.name == a.name && b.braces == a.braces) {
             assert!(!overlap(a.params, b.params), "{a:?}\n{b:?}");
         }
     }
@@ -188,11 +188,11 @@ enum Given {
 
 impl Call {
     fn fits(&self, row: &Operation) -> bool {
-        let block = match row.block {
-            Block::None => self.braces.is_none(),
-            Block::Slots | Block::Sections | Block::Arms(_) | Block::Components | Block::Ops => self.braces.is_some(),
-            Block::Operands => self.braces == Some(true),
-            Block::Inline => self.braces != Some(true),
+        let braces = match row.braces {
+            Braces::None => self.braces.is_none(),
+            Braces::Operands => self.braces == Some(true),
+            Braces::Inline => self.braces != Some(true),
+            _ => self.braces.is_some(),
         };
         let fit = |(param, arg): (&Param, &Given)| match (&param.kind, arg) {
             (kind @ ParamKind::Word { .. }, Given::Name(word)) => kind.has_word(word),
@@ -207,7 +207,7 @@ impl Call {
                 kind.ty() == Some(*ty) && prefixed
             }
         };
-        block && row.takes(self.args.len()) && row.params.iter().zip(&self.args).all(fit)
+        braces && row.takes(self.args.len()) && row.params.iter().zip(&self.args).all(fit)
     }
 }
 

@@ -23,24 +23,6 @@ pub(crate) const ALL: &[(u64, Make)] = &[
     (115, || Box::new(G115::default())),
     (116, || Box::new(G116::default())),
     (117, || Box::new(G117::default())),
-    (118, || Box::new(G118::default())),
-    (119, || Box::new(G119::default())),
-    (120, || Box::new(G120::default())),
-    (121, || Box::new(G121::default())),
-    (122, || Box::new(G122::default())),
-    (123, || Box::new(G123::default())),
-    (124, || Box::new(G124::default())),
-    (125, || Box::new(G125::default())),
-    (126, || Box::new(G126::default())),
-    (127, || Box::new(G127::default())),
-    (128, || Box::new(G128::default())),
-    (129, || Box::new(G129::default())),
-    (130, || Box::new(G130::default())),
-    (131, || Box::new(G131::default())),
-    (132, || Box::new(G132::default())),
-    (133, || Box::new(G133::default())),
-    (134, || Box::new(G134::default())),
-    (135, || Box::new(G135::default())),
 ];
 
 cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G100 in "tests/played/rules/100.cga"; }
@@ -61,21 +43,3 @@ cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G114 in "tests/playe
 cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G115 in "tests/played/rules/115.cga"; }
 cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G116 in "tests/played/rules/116.cga"; }
 cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G117 in "tests/played/rules/117.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G118 in "tests/played/rules/118.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G119 in "tests/played/rules/119.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G120 in "tests/played/rules/120.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G121 in "tests/played/rules/121.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G122 in "tests/played/rules/122.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G123 in "tests/played/rules/123.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G124 in "tests/played/rules/124.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G125 in "tests/played/rules/125.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G126 in "tests/played/rules/126.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G127 in "tests/played/rules/127.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G128 in "tests/played/rules/128.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G129 in "tests/played/rules/129.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G130 in "tests/played/rules/130.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G131 in "tests/played/rules/131.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G132 in "tests/played/rules/132.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G133 in "tests/played/rules/133.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G134 in "tests/played/rules/134.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G135 in "tests/played/rules/135.cga"; }

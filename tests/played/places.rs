@@ -1,7 +1,7 @@
 //! Where what rules print stands among what findings are about.
 
 use crate::write::FIRST_MARK;
-use cga_lang::ast::{Arg, Ast, Binary, Body, Expr, ExprKind, Op, OpKind, Prefix, Split, SplitItem};
+use cga_lang::ast::{Arg, Ast, Binary, Block, BlockPart, Body, Expr, ExprKind, Op, OpKind, Prefix, SplitItem};
 use cga_lang::ast_walk::ops;
 use cga_lang::span::Span;
 use std::ops::Range;
@@ -87,14 +87,20 @@ impl Places {
                     let bodies = arms.iter().map(|(_, ops)| marks(ops)).chain([marks(otherwise)]).collect();
                     self.branches(arms.iter().map(|(condition, _)| condition.span), bodies);
                 }
-                OpKind::Split(split) => self.splits.extend(seen.take().map(|number| Divided::new(split, number))),
-                OpKind::Comp(comp) => {
-                    let all: Vec<u32> = comp.arms.iter().flat_map(|arm| marks(&arm.ops)).collect();
-                    for arm in &comp.arms {
-                        let (selector, own) = (arm.selector.span, marks(&arm.ops));
-                        self.arms.push(Arm { selector, own, all: all.clone() });
+                OpKind::Block(block) => match block.parts.as_slice() {
+                    [BlockPart::Slots(items, star)] => {
+                        let number = seen.take();
+                        self.splits.extend(number.map(|number| Divided::new(block, (items, *star), number)));
                     }
-                }
+                    [BlockPart::Arms(arms)] => {
+                        let all: Vec<u32> = arms.iter().flat_map(|arm| marks(&arm.ops)).collect();
+                        for arm in arms {
+                            let (selector, own) = (arm.selector.span, marks(&arm.ops));
+                            self.arms.push(Arm { selector, own, all: all.clone() });
+                        }
+                    }
+                    _ => {}
+                },
                 _ => {}
             }
             op.bodies().into_iter().for_each(|inner| self.steps(inner));
@@ -132,10 +138,10 @@ impl Places {
 }
 
 impl Divided {
-    fn new(split: &Split, number: u32) -> Divided {
+    fn new(split: &Block, (items, star): (&[SplitItem], bool), number: u32) -> Divided {
         let axis = split.args.first().map_or(split.name.span, |arg| arg.span);
         let mut divided = Divided { number, rule: String::new(), axis, slots: Vec::new(), groups: Vec::new() };
-        divided.items(&split.items, split.repeat);
+        divided.items(items, star);
         divided
     }
 

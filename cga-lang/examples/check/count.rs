@@ -1,6 +1,6 @@
 //! How much a file does.
 
-use cga_lang::ast::{Ast, Body, OpKind};
+use cga_lang::ast::{Ast, BlockPart, Body, OpKind};
 use cga_lang::ast_walk;
 
 /// Numbers of what stands in a file.
@@ -16,10 +16,13 @@ pub(crate) fn count(ast: &Ast) -> Counts {
     for decl in &ast.decls {
         if let Body::Rule(ops) = &decl.body {
             counts.rules += 1;
-            ast_walk::ops(ops, &mut |op| match op.kind {
-                OpKind::Split(_) => counts.splits += 1,
-                OpKind::Comp(_) => counts.comps += 1,
-                _ => {}
+            ast_walk::ops(ops, &mut |op| {
+                let OpKind::Block(block) = &op.kind else { return };
+                match block.parts.first() {
+                    Some(BlockPart::Slots(..)) => counts.splits += 1,
+                    Some(BlockPart::Arms(_)) => counts.comps += 1,
+                    _ => {}
+                }
             });
         }
     }

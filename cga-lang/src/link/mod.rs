@@ -12,8 +12,8 @@ mod style;
 
 use crate::ast::{Ast, Import, Name, Override};
 use crate::code::Code;
-use crate::compile::Door;
 use crate::diag::{Diag, Diags};
+use crate::door::Door;
 use crate::parse::parse_part;
 use crate::span::Span;
 use crate::token::Tokens;

@@ -1,14 +1,14 @@
 //! Steps of a rule. Blocks of splits and comps that do more than name a successor become rules of their own.
 
 use super::{Lower, walk};
-use crate::ast::{self, OpKind, SplitItem};
-use crate::check::{Use, split_adjust, split_axis};
+use crate::ast::{self, BlockPart, OpKind, SplitItem};
 use crate::fold::fold;
 use crate::ir::{
     Arg, AttrId, Axis, Childless, Expr, ExprKind, Item, Measure, Param, Prefix, Rule, RuleId, Size, Split, Step,
     Target, TextureSplit, Type, Value,
 };
-use crate::ops::{self, ParamKind, Run};
+use crate::ops::{self, Braces, ParamKind, Run};
+use crate::resolve::tables::Use;
 use crate::span::Span;
 
 impl<'c> Lower<'c> {
@@ -23,9 +23,7 @@ impl<'c> Lower<'c> {
             OpKind::Nil => Step::Give(Target::Nil),
             OpKind::Path(name, args) => Step::Rust(name.text.clone(), self.values(args), name.span),
             OpKind::Push(ops) => Step::Push(self.steps(ops)),
-            OpKind::Split(split) => Step::Split(self.split(split)),
-            OpKind::Comp(comp) => Step::Comp(self.comp(comp)?),
-            OpKind::Block(block) => Step::Later(block.name.text.clone(), op.span),
+            OpKind::Block(block) => return self.divided(block, op.span),
             OpKind::Dynamic { import, overrides, rule, args } => {
                 return self.dynamic((import, overrides), (rule, args), op.span);
             }
@@ -103,35 +101,45 @@ impl<'c> Lower<'c> {
         }
     }
 
-    fn split(&mut self, split: &'c ast::Split) -> Split {
+    fn divided(&mut self, block: &'c ast::Block, span: Span) -> Option<Step> {
+        let Use::Operation(row) = self.used(&block.name)? else { return None };
+        let later = || Step::Later(block.name.text.clone(), span);
+        Some(match (row.run, row.braces, block.parts.as_slice()) {
+            (Run::Now(_), Braces::Slots(measure), [BlockPart::Slots(items, repeat)]) => {
+                Step::Split(self.split(block, measure, items, *repeat))
+            }
+            (Run::Now(_), Braces::Components, [BlockPart::Arms(arms)]) => Step::Comp(self.comp(block, arms)?),
+            _ => later(),
+        })
+    }
+
+    fn split(&mut self, block: &'c ast::Block, measure: ops::Measure, items: &'c [SplitItem], repeat: bool) -> Split {
+        let span = block.name.span;
+        let measure = match measure {
+            ops::Measure::Length => Measure::Length,
+            ops::Measure::Area => Measure::Area,
+            ops::Measure::Texture => {
+                let word = |at: usize| block.args.get(at).and_then(|arg| arg.value.word());
+                let set = match block.args.get(2) {
+                    Some(set) => self.folded(&set.value),
+                    None => Expr { kind: ExprKind::Value(Value::Float(0.0)), ty: Type::Float, span },
+                };
+                let (along_v, in_metres) = (word(0) == Some("v"), word(1) == Some("unitSpace"));
+                Measure::Texture(TextureSplit { along_v, in_metres, set })
+            }
+        };
         let mut out = Split {
-            axis: split_axis(split).unwrap_or(Axis::X),
-            measure: self.measure(split),
-            adjust: split_adjust(split),
+            axis: block.axis().unwrap_or(Axis::X),
+            measure,
+            adjust: block.adjusts(),
             sizes: Vec::new(),
             pattern: Vec::new(),
             slots: Vec::new(),
             solved: None,
-            span: split.name.span,
+            span,
         };
-        self.group(&split.items, split.repeat, &mut out);
+        self.group(items, repeat, &mut out);
         out
-    }
-
-    fn measure(&mut self, split: &'c ast::Split) -> Measure {
-        if split.is_by_area() {
-            return Measure::Area;
-        }
-        if !split.is_in_texture_space() {
-            return Measure::Length;
-        }
-        let word = |at: usize| split.args.get(at).and_then(|arg| arg.value.word());
-        let set = match split.args.get(2) {
-            Some(set) => self.folded(&set.value),
-            None => Expr { kind: ExprKind::Value(Value::Float(0.0)), ty: Type::Float, span: split.name.span },
-        };
-        let (along_v, in_metres) = (word(0) == Some("v"), word(1) == Some("unitSpace"));
-        Measure::Texture(TextureSplit { along_v, in_metres, set })
     }
 
     fn group(&mut self, items: &'c [SplitItem], repeat: bool, out: &mut Split) {

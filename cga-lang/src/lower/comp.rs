@@ -9,8 +9,8 @@ use crate::ops;
 use crate::span::Span;
 
 impl<'c> Lower<'c> {
-    pub(super) fn comp(&mut self, comp: &'c ast::Comp) -> Option<Comp<Target>> {
-        let arms = comp.arms.iter().map(|arm| {
+    pub(super) fn comp(&mut self, comp: &'c ast::Block, arms: &'c [ast::Arm]) -> Option<Comp<Target>> {
+        let arms = arms.iter().map(|arm| {
             let then = self.block(&arm.ops, block_span(&arm.ops, arm.selector.span));
             self.arm(&arm.selector, arm.mode, then)
         });

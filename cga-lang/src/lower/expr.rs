@@ -2,9 +2,9 @@
 
 use super::{Lower, comp};
 use crate::ast::{self, Unary};
-use crate::check::Use;
 use crate::ir::{AttrId, Binary, ConstId, EachUnary, Expr, ExprKind, FunctionId, Type, Value};
 use crate::ops::{self, Run};
+use crate::resolve::tables::Use;
 
 impl Lower<'_> {
     pub(super) fn expr(&mut self, expr: &ast::Expr) -> Expr {

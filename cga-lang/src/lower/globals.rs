@@ -1,9 +1,9 @@
 //! Attributes, constants and functions, with the order in which they are ready.
 
 use super::Lower;
-use crate::check::{Init, Item};
 use crate::fold::{Known, fold};
 use crate::ir::{Attr, AttrId, Const, ConstId, Expr, ExprKind, Function, FunctionId, Global, Type, Value};
+use crate::resolve::globals::{Init, Item};
 
 impl<'c> Lower<'c> {
     pub(super) fn globals(&mut self) {

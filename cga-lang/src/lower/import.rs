@@ -2,9 +2,10 @@
 
 use super::Lower;
 use crate::ast::{Arg, Name, Override};
-use crate::check::{Checked, Use};
+use crate::check::Checked;
 use crate::ir::{Anew, AttrId, ConstId, Global, Renewal, RenewalId, Step, Target};
 use crate::link::InstanceId;
+use crate::resolve::tables::Use;
 use crate::span::Span;
 
 impl<'c> Lower<'c> {

@@ -11,12 +11,15 @@ mod share;
 mod walk;
 
 use crate::ast::{Body, Decl, Name};
-use crate::check::{Checked, Item, RuleInfo, Use};
+use crate::check::Checked;
 use crate::fold::Known;
 use crate::graph::{components, is_cycle};
 use crate::ir::{Childless, Grammar, Host, HostId, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::ir_walk::called;
 use crate::link::{InstanceId, Key};
+use crate::resolve::globals::Item;
+use crate::resolve::info::RuleInfo;
+use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::token::{Tok, Tokens};
 use std::collections::HashMap;

@@ -4,14 +4,12 @@
 //! become one: all of a kind and a name are held to be the same until their text, with names of such groups in it, says
 //! otherwise.
 
-use std::collections::{HashMap, HashSet};
-
+use super::walk;
 use crate::ir::{
     AttrId, ConstId, Expr, ExprKind, FunctionId, Global, Grammar, HostId, RenewalId, RuleId, Step, Target,
 };
 use crate::ir_print;
-
-use super::walk;
+use std::collections::{HashMap, HashSet};
 
 /// Characters of text after which nothing is shared: each round, which writes all items, finds differences one call
 /// further away.

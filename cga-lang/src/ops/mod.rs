@@ -26,7 +26,7 @@ pub use bounds::{Bounds, Values};
 pub use functions::FUNCTIONS;
 pub use operations::OPERATIONS;
 pub use selectors::{COMPONENTS, Component, Places, Selector, component, selector, selectors};
-pub use syntax::{SPLIT_UV_SET, SYNTAX, Syntax, syntax};
+pub use syntax::{SYNTAX, Syntax, syntax};
 pub use uses::Uses;
 
 /// True if a row of a table can run.
@@ -47,8 +47,8 @@ pub struct Operation {
     pub run: Run,
     /// Its parameters. Those with a default stand last.
     pub params: &'static [Param],
-    /// What stands in braces behind it.
-    pub block: Block,
+    /// The braces after its arguments.
+    pub braces: Braces,
     /// What it does to the scope's size.
     pub scope: Effect,
     /// True if it looks at the state at the start of the rule, bracket or part (`center`).
@@ -99,25 +99,38 @@ pub enum Changes {
     Nothing,
 }
 
-/// What stands in braces behind an operation.
+/// The kinds of braces after an operation: what they hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Block {
+pub enum Braces {
     /// No braces.
     None,
     /// `size : operations`, repeatable, as in a split.
-    Slots,
+    Slots(Measure),
     /// `length : depth : operations`, repeatable, then a second pair of braces with `remainder : operations`.
     Sections,
     /// `selector : operations`, as in a comp, with the selectors of those places.
     Arms(Places),
     /// `selector : operations`, with the selectors of the components that the first argument names.
     Components,
+    /// The same, and what becomes of the components is joined up again.
+    Modified,
     /// Operations.
     Ops,
     /// Operations on both sides of `|`.
     Operands,
     /// A rule, an operation that divides, or operations in braces.
     Inline,
+}
+
+/// The meaning of the sizes of slots.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// Lengths along the axis of the scope that the first argument names. The second one is `adjust` or `noAdjust`.
+    Length,
+    /// Areas of the geometry, with the same arguments.
+    Area,
+    /// Texture coordinates, or metres on the surface.
+    Texture,
 }
 
 /// A parameter of an operation or function.
@@ -177,6 +190,8 @@ pub enum ParamKind {
         words: &'static [(&'static str, &'static str)],
         /// Old words, and what to write instead. They are among `words` too.
         old: &'static [(&'static str, &'static str)],
+        /// The code of a diagnostic about any other word.
+        unknown: Code,
     },
 }
 
@@ -305,14 +320,27 @@ impl ShapeAttr {
     }
 }
 
-impl Block {
+impl Braces {
     /// Returns true if the braces hold parts of the shape, each with operations: a subdivision (*Rule inlining*).
     pub fn divides(self) -> bool {
-        matches!(self, Block::Slots | Block::Sections | Block::Arms(_) | Block::Ops)
+        match self {
+            Braces::Slots(_) | Braces::Sections | Braces::Arms(_) | Braces::Components | Braces::Ops => true,
+            Braces::None | Braces::Modified | Braces::Operands | Braces::Inline => false,
+        }
     }
 }
 
 impl Operation {
+    /// The selectors of its arms; `first` is its first argument where that is a word.
+    pub fn places(&self, first: Option<&str>) -> Places {
+        match self.braces {
+            Braces::Arms(places) => places,
+            Braces::Sections => Places::PERIMETER,
+            Braces::Components | Braces::Modified => first.and_then(component).map_or(Places::NONE, |row| row.place),
+            Braces::None | Braces::Slots(_) | Braces::Ops | Braces::Operands | Braces::Inline => Places::NONE,
+        }
+    }
+
     /// Returns true if it changes geometry in its scope: texture coordinates that follow from the place are written before.
     /// Operations with a slim form take them along.
     pub fn reshapes(&self) -> bool {
@@ -472,5 +500,5 @@ const fn uv_set(name: &'static str) -> Param {
 
 /// A parameter for words.
 const fn word(name: &'static str, rust: &'static str, words: &'static [(&'static str, &'static str)]) -> Param {
-    param(name, ParamKind::Word { rust, words, old: &[] })
+    param(name, ParamKind::Word { rust, words, old: &[], unknown: Code::UnknownWord })
 }

@@ -4,6 +4,7 @@ use super::{
     B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamKind, Run, T, TS, Uses, boolean, float, of, or, param,
     text, uv_set, word,
 };
+use crate::code::Code;
 use crate::ir::Type;
 
 const fn row(
@@ -88,6 +89,7 @@ macro_rules! directions {
                 ("noStreetSide", "NotStreetFront"),
             ],
             old: &[("streetSide", "street.front"), ("noStreetSide", $no_street)],
+            unknown: Code::UnknownWord,
         })
     };
 }

@@ -1,10 +1,5 @@
 //! Words and signs of rule bodies that are syntax, not rows: what they do, for messages.
 
-use super::{Param, uv_set};
-
-/// The last argument of a split in texture space (*split operation*).
-pub static SPLIT_UV_SET: Param = uv_set("uvSet");
-
 /// A word or sign with a syntax of its own.
 #[derive(Debug, PartialEq)]
 pub struct Syntax {
@@ -20,9 +15,6 @@ const fn row(name: &'static str, about: &'static str) -> Syntax {
 
 /// Everything in a rule's body that is neither an operation of the table nor a successor.
 pub static SYNTAX: &[Syntax] = &[
-    row("split", "divides the shape along an axis or in texture space"),
-    row("splitArea", "divides the shape along an axis into parts of given areas"),
-    row("comp", "divides the shape into faces, edges, vertices or other components"),
     row("set", "sets an attribute of the shape"),
     row("NIL", "makes nothing of the shape"),
     row("[", "works on a copy of the shape up to `]`"),

@@ -1,20 +1,25 @@
-//! Operations with braces other than split and comp: `setback(2) { front : A | remainder : B }`.
+//! Operations with braces: `split(x) { ~1 : A }`, `setback(2) { front : A | remainder : B }`.
 //!
-//! What stands in the braces is told by the operation's row in the table. Of an operation that has none it is guessed,
-//! so that the rest of the rule can be read; whoever checks names says that there is no such operation.
+//! The operation's row in the table tells what the braces hold. Without a row the parser guesses, so that it can read the rest of
+//! the rule; the check of names reports the unknown operation.
 
-use super::comp::ARM;
+use super::arms::ARM;
 use super::{Parsed, Parser, Reported};
-use crate::ast::{Arg, Block, BlockPart, Name, Op, OpKind, Section, Split};
+use crate::ast::{Arg, Block, BlockPart, Name, Op, OpKind, Section};
 use crate::code::Code;
-use crate::ops::{self, Block as Braces};
+use crate::ops::{self, Braces, Measure};
 use crate::token::{Sym, Tok};
 
-/// What stands in braces behind an operation, as far as the table knows.
+/// The braces after an operation, if the table has it.
 fn block_of(name: &str) -> Option<Braces> {
-    let mut rows = ops::operations(name).map(|row| row.block).filter(|block| *block != Braces::None);
+    let mut rows = ops::operations(name).map(|row| row.braces).filter(|braces| *braces != Braces::None);
     // Old rows of `union` and its like have none.
-    rows.clone().find(|block| *block != Braces::Inline).or_else(|| rows.next())
+    rows.clone().find(|braces| *braces != Braces::Inline).or_else(|| rows.next())
+}
+
+/// Returns true if an operation cannot do without arguments.
+pub(super) fn needs_arguments(name: &str) -> bool {
+    ops::operations(name).all(|row| 0 < ops::required(row.params))
 }
 
 impl Parser<'_> {
@@ -25,16 +30,11 @@ impl Parser<'_> {
             None => self.guess()?,
         };
         let part = match braces {
-            Braces::Slots => {
-                let (items, repeat) = self.items()?;
-                if name.text == "splitArea" {
-                    // A file has a rule of that name too.
-                    return Ok(OpKind::Split(Split { name, args, items, repeat }));
-                }
-                BlockPart::Slots(items, repeat)
-            }
+            Braces::Slots(_) => self.slots()?,
             Braces::Sections => return self.perimeter(name, args),
-            Braces::Arms(_) | Braces::Components => BlockPart::Arms(self.between_bars(Some(ARM), Self::arm)?),
+            Braces::Arms(_) | Braces::Components | Braces::Modified => {
+                BlockPart::Arms(self.between_bars(Some(ARM), Self::arm)?)
+            }
             Braces::Ops | Braces::Inline | Braces::None => BlockPart::Ops(self.operands(&name, 1)?),
             Braces::Operands => BlockPart::Ops(self.operands(&name, 2)?),
         };
@@ -50,8 +50,8 @@ impl Parser<'_> {
             Braces::None => return None,
             Braces::Inline => return Some(format!("write `{name} Rule` or `{name} {{ operations }}`")),
             Braces::Sections => "{ length : depth : operations | … } { remainder : operations }",
-            Braces::Slots => "{ size : operations | … }",
-            Braces::Arms(_) | Braces::Components => "{ selector : operations | … }",
+            Braces::Slots(_) => "{ size : operations | … }",
+            Braces::Arms(_) | Braces::Components | Braces::Modified => "{ selector : operations | … }",
             Braces::Ops => "{ operations }",
             Braces::Operands => "{ operations | operations }",
         };
@@ -81,7 +81,7 @@ impl Parser<'_> {
         }
         let star = self.layout.at(close + 1).is_some_and(|token| token.is(Sym::Star));
         Ok(match (size || star, arms, bar) {
-            (true, _, _) => Braces::Slots,
+            (true, _, _) => Braces::Slots(Measure::Length),
             (_, true, _) => Braces::Components,
             (_, _, true) => Braces::Operands,
             _ => Braces::Ops,
@@ -136,7 +136,7 @@ impl Parser<'_> {
 
     /// Whether `inline …`, or `union Rule` as it was written before 2025, goes on here behind its name.
     pub(super) fn at_inlined(&self, name: &str) -> bool {
-        if !ops::operations(name).any(|row| row.block == Braces::Inline) {
+        if !ops::operations(name).any(|row| row.braces == Braces::Inline) {
             return false;
         }
         let next = match self.is(Sym::LParen).then(|| self.layout.close(self.at)) {
@@ -155,7 +155,7 @@ impl Parser<'_> {
         match &op.kind {
             OpKind::Call(name, _) => self.layout.has_rule(&name.text) || !is_operation(&name.text),
             OpKind::Block(block) => block_of(&block.name.text).is_none_or(Braces::divides),
-            OpKind::Dynamic { .. } | OpKind::Split(_) | OpKind::Comp(_) | OpKind::Error => true,
+            OpKind::Dynamic { .. } | OpKind::Error => true,
             _ => false,
         }
     }

@@ -18,6 +18,11 @@ const DECLARATIONS: &[&str] = &["attr", "const", "import", "style", "version", "
 /// The one attribute with a parameter (*changelog*, 2019.1).
 const STREET_WIDTH: &str = "streetWidth";
 
+/// Returns true if nothing can be declared with that name.
+pub(super) fn is_keyword(name: &str) -> bool {
+    KEYWORDS.contains(&name)
+}
+
 impl Parser<'_> {
     pub(super) fn grammar(&mut self) -> Ast {
         let mut ast = Ast::default();
@@ -153,7 +158,7 @@ impl Parser<'_> {
     }
 
     pub(super) fn not_a_keyword(&mut self, name: &Name) {
-        if KEYWORDS.contains(&name.text.as_str()) {
+        if is_keyword(&name.text) {
             let message = format!("`{}` is a word of the language, it cannot be declared", name.text);
             self.diags.report(Code::Syntax, name.span, message);
         }

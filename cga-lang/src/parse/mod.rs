@@ -4,10 +4,10 @@
 //! slot or arm, else the declaration, goes on behind it: a mistake in one rule does not hide those of another.
 
 mod annotation;
+mod arms;
 mod array;
 mod block;
 mod branch;
-mod comp;
 mod expr;
 mod head;
 mod import;
@@ -16,7 +16,7 @@ mod layout;
 mod op;
 mod report;
 mod slips;
-mod split;
+mod slots;
 mod style;
 mod with;
 

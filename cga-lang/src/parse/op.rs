@@ -2,6 +2,8 @@
 //!
 //! A `[` in a step pushes, whatever stands before it: a step has no value that could be indexed. In a value it indexes.
 
+use super::block::needs_arguments;
+use super::item::is_keyword;
 use super::report::STEP;
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Arg, Expr, ExprKind, Name, Op, OpKind};
@@ -93,9 +95,6 @@ impl Parser<'_> {
         let Some(name) = self.take_dotted(end) else { return self.fail("a name") };
         match name.text.as_str() {
             "NIL" => return Ok(OpKind::Nil),
-            "split" => return self.split(name),
-            "splitArea" if !self.layout.has_rule(&name.text) => return self.split(name),
-            "comp" => return self.comp(name),
             "else" | "case" => {
                 self.at -= 1;
                 return self.fail(STEP);
@@ -103,7 +102,7 @@ impl Parser<'_> {
             _ => {}
         }
         // An old file may have a rule of that name; then braces tell.
-        let own = self.layout.has_rule(&name.text);
+        let own = self.layout.has_rule(&name.text) && !is_keyword(&name.text);
         if !own && self.at_inlined(&name.text) {
             return self.inlined(name);
         }
@@ -127,13 +126,14 @@ impl Parser<'_> {
             self.bump();
             return Ok(OpKind::Error);
         }
+        let has_args = args.is_some();
         let args = args.unwrap_or_default();
         if self.is(Sym::LBrace) {
             return self.block(name, args);
         }
         if !own && let Some(usage) = self.missing_braces(&name.text) {
             let goes_on = self.at_border() || !matches!(self.peek(), Some(Tok::Number(_) | Tok::Str(_) | Tok::Host(_)));
-            self.expected("`{`").help(usage);
+            self.expected(if has_args || !needs_arguments(&name.text) { "`{`" } else { "`(`" }).help(usage);
             return if goes_on { Ok(OpKind::Error) } else { Err(Reported) };
         }
         Ok(OpKind::Call(name, args))

@@ -106,7 +106,7 @@ impl Parser<'_> {
                 Tok::Sym(Sym::RBrace | Sym::RBracket | Sym::RParen) => return None,
                 Tok::Sym(Sym::LParen | Sym::LBracket) => at = self.layout.close(at)?,
                 // The braces are its own.
-                Tok::Ident(word) if matches!(word.as_str(), "split" | "comp" | "case" | "else") || is_if(word) => {
+                Tok::Ident(word) if matches!(word.as_str(), "case" | "else") || is_if(word) => {
                     return None;
                 }
                 Tok::Ident(word) if operations(word).next().is_some() => return None,

@@ -1,7 +1,7 @@
 //! Steps of rules.
 
 use super::{Printer, Spelling};
-use crate::ast::{Arg, ArmMode, Block, BlockPart, Comp, CompArm, Name, Op, OpKind, Percent, Prefix, Split, SplitItem};
+use crate::ast::{Arg, Arm, ArmMode, Block, BlockPart, Name, Op, OpKind, Percent, Prefix, SplitItem};
 
 impl Printer<'_> {
     pub(super) fn ops(&mut self, ops: &[Op]) {
@@ -29,8 +29,6 @@ impl Printer<'_> {
                 self.ops(ops);
                 self.word(" ]");
             }
-            OpKind::Split(split) => self.split(split),
-            OpKind::Comp(comp) => self.comp(comp),
             OpKind::Case(arms, otherwise) => {
                 for (condition, ops) in arms {
                     self.word("case ");
@@ -92,13 +90,6 @@ impl Printer<'_> {
         self.expr(&arg.value);
     }
 
-    fn split(&mut self, split: &Split) {
-        self.word(&split.name.text);
-        self.args(&split.args);
-        self.word(" ");
-        self.items(&split.items, split.repeat);
-    }
-
     fn items(&mut self, items: &[SplitItem], repeat: bool) {
         self.word("{ ");
         self.list(items, " | ", |own, item| match item {
@@ -112,14 +103,7 @@ impl Printer<'_> {
         self.word(if repeat { " }*" } else { " }" });
     }
 
-    fn comp(&mut self, comp: &Comp) {
-        self.word("comp");
-        self.args(&comp.args);
-        self.word(" ");
-        self.arms(&comp.arms);
-    }
-
-    fn arms(&mut self, arms: &[CompArm]) {
+    fn arms(&mut self, arms: &[Arm]) {
         self.word("{ ");
         self.list(arms, " | ", |own, arm| {
             own.expr(&arm.selector);

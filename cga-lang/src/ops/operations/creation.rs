@@ -5,6 +5,7 @@ use super::super::{
     uv_set, within, word,
 };
 use super::{later, moves, old, op, using, with};
+use crate::code::Code;
 
 const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
     rust: "ExtrudeAlong",
@@ -16,6 +17,7 @@ const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
         ("world.up.flatTop", "WorldUpFlatTop"),
     ],
     old: &[("world.y", "world.up")],
+    unknown: Code::UnknownWord,
 };
 
 const EXTRUDE_AXIS: Param =

@@ -1,7 +1,7 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Block, Bounds, Default, Effect, Operation, Param, Values, boolean, bounds, float, or, text, within, word,
+    Bounds, Braces, Default, Effect, Operation, Param, Values, boolean, bounds, float, or, text, within, word,
 };
 use super::{block, later, old, op, with};
 
@@ -58,7 +58,7 @@ const INTERSECT: &str = "keeps what both sides have in common";
 
 /// The syntax up to 2024.1, where the left operand was the current shape (*CGA changelog 2025.0*).
 const fn one_operand(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
-    old(block(name, Block::Inline, params, about), "name both operands in braces: `{ A | B }`")
+    old(block(name, Braces::Inline, params, about), "name both operands in braces: `{ A | B }`")
 }
 
 pub(super) static ROWS: &[Operation] = &[
@@ -88,13 +88,13 @@ pub(super) static ROWS: &[Operation] = &[
     later("setTagsFromEdgeAttrs", &[], "makes tags of the initial shape's edge attributes"),
     block(
         "inline",
-        Block::Inline,
+        Braces::Inline,
         &[STRATEGY],
         "derives a rule at once and goes on with what comes of it as one shape",
     ),
-    block("union", Block::Operands, &[], UNION),
-    block("subtract", Block::Operands, &[], SUBTRACT),
-    block("intersect", Block::Operands, &[], INTERSECT),
+    block("union", Braces::Operands, &[], UNION),
+    block("subtract", Braces::Operands, &[], SUBTRACT),
+    block("intersect", Braces::Operands, &[], INTERSECT),
     one_operand("union", &[], UNION),
     one_operand("union", &[SWAP], UNION),
     one_operand("subtract", &[], SUBTRACT),

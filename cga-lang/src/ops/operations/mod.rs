@@ -10,7 +10,7 @@ mod subdivision;
 mod texturing;
 mod transform;
 
-use super::{Block, Changes, Effect, Operation, Param, Run, Uses};
+use super::{Braces, Changes, Effect, Operation, Param, Run, Uses};
 
 /// Every operation.
 pub static OPERATIONS: &[&[Operation]] = &[
@@ -35,7 +35,7 @@ const fn later(name: &'static str, params: &'static [Param], about: &'static str
         name,
         run: Run::Later,
         params,
-        block: Block::None,
+        braces: Braces::None,
         scope: Effect::Any,
         uses_base: false,
         uses: Uses::WHOLE,
@@ -86,9 +86,14 @@ const fn alone(row: Operation) -> Operation {
     Operation { overloads: false, ..row }
 }
 
-/// A row that does not run yet and has braces.
-const fn block(name: &'static str, block: Block, params: &'static [Param], about: &'static str) -> Operation {
-    Operation { block, ..later(name, params, about) }
+/// A row with braces that does not run yet.
+const fn block(name: &'static str, braces: Braces, params: &'static [Param], about: &'static str) -> Operation {
+    Operation { braces, ..later(name, params, about) }
+}
+
+/// A row with braces that runs. The shape itself goes on unchanged.
+const fn divides(call: &'static str, uses: Uses, row: Operation) -> Operation {
+    Operation { run: Run::Now(call), ..keeps(using(uses, row)) }
 }
 
 /// The same row, as something that only old files should have.

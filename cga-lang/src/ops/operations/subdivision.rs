@@ -1,14 +1,15 @@
-//! Geometry subdivision. `split`, `splitArea` and `comp` have a syntax of their own.
+//! Geometry subdivision.
 
 use super::super::{
-    BS, Block, Bounds, Default, FS, Operation, Param, ParamKind, Places, Values, bounds, float, length, of, or, param,
-    uv_set, within, word,
+    BS, Bounds, Braces, Default, FS, Measure, Operation, Param, ParamKind, Places, Uses, Values, bounds, float, length,
+    of, or, param, uv_set, within, word,
 };
-use super::{block, later, old};
+use super::{block, divides, later, old};
+use crate::code::Code;
 
 pub(super) const COMPONENT: Param = word(
     "component",
-    "CompKind",
+    "Components",
     &[
         ("f", "Faces"),
         ("e", "Edges"),
@@ -21,8 +22,25 @@ pub(super) const COMPONENT: Param = word(
     ],
 );
 
+const AXIS: Param = param(
+    "splitAxis",
+    ParamKind::Word {
+        rust: "Axis",
+        words: &[("x", "X"), ("y", "Y"), ("z", "Z")],
+        old: &[],
+        unknown: Code::UnknownAxis,
+    },
+);
+
+const UV_AXIS: Param = word("splitAxis", "UvAxis", &[("u", "U"), ("v", "V")]);
+
+const SPACE: Param = word("surfaceParameterization", "TextureSpace", &[("uvSpace", "Uv"), ("unitSpace", "Unit")]);
+
+const ADJUST: Param =
+    or(word("adjustSelector", "Adjust", &[("adjust", "Adjust"), ("noAdjust", "NoAdjust")]), Default::Word("adjust"));
+
 const SCOPE_ALIGNMENT: Param =
-    or(word("scopeAlignment", "CompAlign", &[("zUp", "ZUp"), ("noAlign", "NoAlign")]), Default::Word("zUp"));
+    or(word("scopeAlignment", "Align", &[("zUp", "ZUp"), ("noAlign", "Keep")]), Default::Word("zUp"));
 
 const ALIGNMENT: Param = word("alignment", "RectangleAlign", &[("scope", "Scope"), ("edge", "Edge")]);
 
@@ -62,77 +80,112 @@ const UV_SET: Param = or(uv_set("uvSet"), Default::Float(0.0));
 const TO_AREA: &str = "sets edges back until the remainder has that area";
 
 pub(super) static ROWS: &[Operation] = &[
+    divides(
+        "split",
+        Uses::NONE,
+        block("split", Braces::Slots(Measure::Length), &[AXIS, ADJUST], "divides the shape along an axis"),
+    ),
+    divides(
+        "texture",
+        Uses::WHOLE.and(Uses::PLACE),
+        block(
+            "split",
+            Braces::Slots(Measure::Texture),
+            &[UV_AXIS, SPACE, UV_SET],
+            "divides the shape in texture space",
+        ),
+    ),
+    divides(
+        "areas",
+        Uses::WHOLE,
+        block(
+            "splitArea",
+            Braces::Slots(Measure::Area),
+            &[AXIS, ADJUST],
+            "divides the shape along an axis into parts of given areas",
+        ),
+    ),
+    divides(
+        "comp",
+        Uses::WHOLE,
+        block(
+            "comp",
+            Braces::Components,
+            &[COMPONENT, SCOPE_ALIGNMENT],
+            "divides the shape into faces, edges, vertices or other components",
+        ),
+    ),
     block(
         "splitAndSetbackPerimeter",
-        Block::Sections,
+        Braces::Sections,
         &[length("splitOffset")],
         "divides the outline into sections and sets each back",
     ),
     block(
         "splitAndSetbackPerimeter",
-        Block::Sections,
+        Braces::Sections,
         &[length("splitOffset"), float("firstEdgeIndex"), of("selectedEdgesMask", BS)],
         "divides some edges of the outline into sections and sets each back",
     ),
-    block("setback", Block::Arms(Places::SETBACK), &[float("distance"), UV_SET], "sets edges back by a distance"),
+    block("setback", Braces::Arms(Places::SETBACK), &[float("distance"), UV_SET], "sets edges back by a distance"),
     block(
         "setback",
-        Block::Arms(Places::SETBACK),
+        Braces::Arms(Places::SETBACK),
         &[of("distances", FS), UV_SET],
         "sets edges back, each face edge by a distance of its own",
     ),
     block(
         "setbackPerEdge",
-        Block::Arms(Places::SETBACK),
+        Braces::Arms(Places::SETBACK),
         &[param("distance", ParamKind::PerEdge), UV_SET],
         "sets edges back by a distance that is computed on each",
     ),
-    block("setbackToArea", Block::Arms(Places::SETBACK), &[AREA, UV_SET], TO_AREA),
-    block("setbackToArea", Block::Arms(Places::SETBACK), &[AREA, of("minDistances", FS), UV_SET], TO_AREA),
+    block("setbackToArea", Braces::Arms(Places::SETBACK), &[AREA, UV_SET], TO_AREA),
+    block("setbackToArea", Braces::Arms(Places::SETBACK), &[AREA, of("minDistances", FS), UV_SET], TO_AREA),
     block(
         "setbackToArea",
-        Block::Arms(Places::SETBACK),
+        Braces::Arms(Places::SETBACK),
         &[AREA, of("minDistances", FS), of("maxDistances", FS), UV_SET],
         TO_AREA,
     ),
     block(
         "shapeL",
-        Block::Arms(Places::SHAPE),
+        Braces::Arms(Places::SHAPE),
         &[float("frontWidth"), float("leftWidth")],
         "sets the front and left edges back and keeps the strip",
     ),
     block(
         "shapeU",
-        Block::Arms(Places::SHAPE),
+        Braces::Arms(Places::SHAPE),
         &[float("frontWidth"), float("rightWidth"), float("leftWidth")],
         "sets all but the back edges back and keeps the strip",
     ),
     block(
         "shapeO",
-        Block::Arms(Places::SHAPE),
+        Braces::Arms(Places::SHAPE),
         &[float("frontWidth"), float("rightWidth"), float("backWidth"), float("leftWidth")],
         "sets all edges back and keeps the strip",
     ),
-    block("innerRectangle", Block::Arms(Places::SHAPE), &[ALIGNMENT], "cuts the largest rectangle out of each face"),
+    block("innerRectangle", Braces::Arms(Places::SHAPE), &[ALIGNMENT], "cuts the largest rectangle out of each face"),
     old(
         later("innerRect", &[], "replaces each face by its largest rectangle along the scope"),
         "write `innerRectangle(scope) { shape : … }`",
     ),
     block(
         "scatter",
-        Block::Ops,
+        Braces::Ops,
         &[DOMAIN, N_POINTS, DISTRIBUTION],
         "strews points over the surface, the volume or the scope",
     ),
     block(
         "scatter",
-        Block::Ops,
+        Braces::Ops,
         &[DOMAIN, N_POINTS, GAUSSIAN, MEAN, length("scatterStddev")],
         "strews points around a place",
     ),
     block(
         "modify",
-        Block::Components,
+        Braces::Modified,
         &[COMPONENT, SCOPE_ALIGNMENT],
         "changes components where they are and joins them up again",
     ),

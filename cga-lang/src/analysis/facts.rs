@@ -1,0 +1,95 @@
+//! What is known where an expression or a step stands.
+
+use super::shape::Shape;
+use super::uvs::UvSets;
+use super::value::Value;
+use crate::link::InstanceId;
+use crate::resolve::globals::Item;
+
+/// A value that stays the same while a shape goes on, by index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Global {
+    Attr(u32),
+    Const(u32),
+}
+
+/// What is known at a place.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Facts {
+    /// The instance whose entries the names have.
+    pub(crate) own: InstanceId,
+    pub(crate) shape: Shape,
+    /// Parameters, then locals.
+    pub(crate) params: Vec<Value>,
+    /// What conditions on the way say of attributes and constants; each once, in order.
+    pub(super) globals: Vec<(Global, Value)>,
+    pub(crate) uvs: UvSets,
+    /// What was inserted, as long as the shape is that or parts of it: the token of the file's name.
+    pub(crate) asset: Option<u32>,
+}
+
+impl Facts {
+    /// Nothing is known.
+    pub(crate) fn any(own: InstanceId, params: usize) -> Facts {
+        Facts {
+            own,
+            shape: Shape::ANY,
+            params: vec![Value::Any; params],
+            globals: Vec::new(),
+            uvs: UvSets::ANY,
+            asset: None,
+        }
+    }
+
+    /// Nothing but that a run begins there.
+    pub(super) fn initial(item: &Item) -> Facts {
+        Facts { shape: Shape::INITIAL, ..Facts::any(item.own, item.decl.params.len()) }
+    }
+
+    /// The same values on another shape.
+    pub(super) fn on(&self, shape: Shape) -> Facts {
+        Facts { shape, ..self.clone() }
+    }
+
+    /// The same values on a shape of which nothing is known.
+    pub(crate) fn on_any_shape(&self) -> Facts {
+        self.on(Shape::ANY)
+    }
+
+    /// The same shape in another declaration, with its parameters.
+    pub(super) fn with(&self, own: InstanceId, params: Vec<Value>) -> Facts {
+        Facts { own, params, ..self.clone() }
+    }
+
+    /// What conditions say of an attribute or a constant.
+    pub(super) fn global(&self, which: Global) -> Option<Value> {
+        let at = self.globals.binary_search_by_key(&which, |(global, _)| *global).ok()?;
+        Some(self.globals[at].1)
+    }
+
+    /// Keeps what a condition says of one.
+    pub(super) fn set_global(&mut self, which: Global, value: Value) {
+        match self.globals.binary_search_by_key(&which, |(global, _)| *global) {
+            Ok(at) => self.globals[at].1 = value,
+            Err(at) => self.globals.insert(at, (which, value)),
+        }
+    }
+
+    /// What holds for both.
+    pub(super) fn or(&self, other: &Facts) -> Facts {
+        self.joined(other, self.shape.or(&other.shape), Value::or)
+    }
+
+    /// What has changed since `before` moves on as far as there is.
+    pub(super) fn widen(&self, before: &Facts) -> Facts {
+        self.joined(before, self.shape.widen(&before.shape), Value::widen)
+    }
+
+    fn joined(&self, other: &Facts, shape: Shape, join: fn(Value, Value) -> Value) -> Facts {
+        let params = self.params.iter().zip(&other.params).map(|(a, b)| join(*a, *b)).collect();
+        let both = |(which, value): &(Global, Value)| Some((*which, join(*value, other.global(*which)?)));
+        let globals = self.globals.iter().filter_map(both).collect();
+        let asset = self.asset.filter(|_| self.asset == other.asset);
+        Facts { own: self.own, shape, params, globals, uvs: self.uvs.or(other.uvs), asset }
+    }
+}

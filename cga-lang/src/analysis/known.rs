@@ -1,0 +1,308 @@
+//! What is known of values: of attributes, constants and functions once, of expressions wherever they stand.
+
+use super::facts::{Facts, Global};
+use super::interval::Interval;
+use super::texts::{TextSet, Texts};
+use super::value::Value;
+use crate::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
+use crate::ir::{ChoiceValues, Type};
+use crate::link::InstanceId;
+use crate::resolve::globals::{Globals, Init, Item};
+use crate::resolve::info::AttrInfo;
+use crate::resolve::tables::{Tables, Use};
+use std::cell::Cell;
+use std::collections::{HashMap, HashSet};
+
+/// Functions in functions that are computed with their arguments; deeper down they count as what they are with any.
+const DEEPEST: u32 = 3;
+
+/// Steps that are taken to find out a value: what takes more may be anything.
+const MOST_STEPS: u32 = 5_000;
+
+/// Steps for all values of a program; after these each has few.
+const MOST_IN_ALL: u64 = 3_000_000;
+
+/// Steps for a value then.
+const FEW_STEPS: u32 = 200;
+
+/// Functions with more parameters and locals count as what they are with any.
+const MOST_LOCALS: usize = 40;
+
+/// What attributes count as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Attrs {
+    /// Whatever a run accepts.
+    Accepted,
+    /// The default, where a run accepts anything.
+    Defaults,
+}
+
+/// A function that is computed with its arguments.
+#[derive(Clone, Copy)]
+struct Function<'f> {
+    /// The instance whose entries its names have.
+    own: InstanceId,
+    decl: &'f Decl,
+    body: &'f Expr,
+}
+
+/// What is known of the values of a grammar.
+pub(crate) struct Known<'f> {
+    tables: &'f Tables,
+    texts: Texts,
+    attrs: Vec<Value>,
+    consts: Vec<Value>,
+    /// With any arguments.
+    functions: Vec<Value>,
+    /// Functions that do not call themselves, to be computed with their arguments.
+    bodies: Vec<Option<Function<'f>>>,
+    /// By rule: the instance whose entries its names have.
+    pub(super) rules: Vec<InstanceId>,
+    /// Attributes that rules set.
+    changing: HashSet<u32>,
+    /// How many steps are left.
+    steps: Cell<u32>,
+    /// How many were taken for values so far.
+    taken: Cell<u64>,
+}
+
+impl<'f> Known<'f> {
+    pub(crate) fn new(globals: &Globals<'f>, tables: &'f Tables, mode: Attrs) -> Known<'f> {
+        let (attrs, consts) = (globals.attrs.len(), globals.consts.len());
+        let body = |(index, item): (usize, &Item<'f>)| {
+            let (body, own) = item.value().filter(|_| item.is_own() && !tables.recursive.contains(&(index as u32)))?;
+            Some(Function { own, decl: item.decl, body })
+        };
+        let mut known = Known {
+            tables,
+            texts: Texts::new(globals.program.tokens.as_slice()),
+            attrs: vec![Value::Any; attrs],
+            consts: vec![Value::Any; consts],
+            functions: vec![Value::Any; globals.functions.len()],
+            bodies: globals.functions.iter().enumerate().map(body).collect(),
+            rules: globals.rules.iter().map(|item| item.own).collect(),
+            changing: tables.targets.values().copied().collect(),
+            steps: Cell::new(MOST_STEPS),
+            taken: Cell::new(0),
+        };
+        known.changing.extend(tables.uses.values().filter_map(|found| match found {
+            Use::SetAttr(index) => Some(*index),
+            _ => None,
+        }));
+        let mut first: HashMap<&str, usize> = HashMap::new();
+        for (index, item) in globals.attrs.iter().enumerate() {
+            first.entry(&item.name).or_insert(index);
+        }
+        for &node in &tables.order {
+            if node < attrs {
+                let first = first[globals.attrs[node].name.as_str()];
+                known.attrs[node] = known.attr(globals, node, first, mode);
+            } else if node < attrs + consts {
+                known.consts[node - attrs] = known.alone(&globals.consts[node - attrs]);
+            } else if !tables.recursive.contains(&((node - attrs - consts) as u32)) {
+                known.functions[node - attrs - consts] = known.alone(&globals.functions[node - attrs - consts]);
+            }
+        }
+        known
+    }
+
+    /// The value of a declaration, on any shape and with any arguments.
+    fn alone(&self, item: &Item) -> Value {
+        let Some((value, own)) = item.value() else { return Value::Any };
+        let mut facts = Facts::any(own, if item.is_own() { item.decl.params.len() } else { 0 });
+        if item.is_own() {
+            self.begin();
+            self.enter_locals(item.decl, &mut facts, 0);
+        }
+        self.value(value, &facts)
+    }
+
+    /// Adds the locals of a declaration.
+    fn enter_locals(&self, decl: &Decl, facts: &mut Facts, depth: u32) {
+        for (_, local) in &decl.locals {
+            let value = self.within(local, facts, depth);
+            facts.params.push(value);
+        }
+    }
+
+    /// The value of an attribute; `first` is the number of the first of its name.
+    fn attr(&self, globals: &Globals, index: usize, first: usize, mode: Attrs) -> Value {
+        let item = &globals.attrs[index];
+        let any = Value::of(self.tables.type_of(item));
+        if self.changing.contains(&(index as u32)) {
+            return any;
+        }
+        let default = match item.init {
+            Init::Flows(outer) => self.attrs[outer as usize],
+            _ => self.alone(item),
+        };
+        // What the host program sets is held to these; a default need not be. An attribute has one field, whatever the style.
+        let info = self.tables.attrs.get(first);
+        if let (Some(range), Value::Number(_)) = (info.and_then(AttrInfo::held_to_range), any) {
+            return Value::Number(Interval::between(range.min, range.max)).or(default);
+        }
+        let all = match (info.and_then(AttrInfo::held_to_choices), any) {
+            (Some(ChoiceValues::Floats(list)), Value::Number(_)) => {
+                list.iter().map(|value| Interval::point(*value)).reduce(Interval::or).map(Value::Number)
+            }
+            (Some(ChoiceValues::Texts(list)), Value::Text(_)) => {
+                list.iter().map(|text| Value::Text(self.texts.set(text))).reduce(Value::or)
+            }
+            _ => None,
+        };
+        if let Some(all) = all {
+            return all.or(default);
+        }
+        match (mode, default) {
+            (Attrs::Defaults, Value::Number(number)) if number.known().is_some() => default,
+            _ => any,
+        }
+    }
+
+    /// A set of texts as messages show it.
+    pub(crate) fn told(&self, set: TextSet) -> Option<String> {
+        self.texts.told(set)
+    }
+
+    /// What a name stands for.
+    pub(super) fn of(&self, name: &Name, facts: &Facts) -> Option<Use> {
+        self.tables.at(facts.own).of(name)
+    }
+
+    /// Whether an attribute is the same on all shapes of a run.
+    pub(super) fn is_constant(&self, attr: u32) -> bool {
+        !self.changing.contains(&attr)
+    }
+
+    /// What is known of an expression.
+    pub(crate) fn value(&self, expr: &Expr, facts: &Facts) -> Value {
+        self.begin();
+        self.within(expr, facts, 0)
+    }
+
+    /// Begins to count steps anew.
+    fn begin(&self) {
+        let most = |taken: u64| if taken < MOST_IN_ALL { MOST_STEPS } else { FEW_STEPS };
+        let taken = self.taken.get();
+        let taken = taken + u64::from(most(taken).saturating_sub(self.steps.get()));
+        self.taken.set(taken);
+        self.steps.set(most(taken));
+    }
+
+    /// What is known where a condition is true, or false; nothing where it never is.
+    pub(crate) fn past(&self, condition: &Expr, truth: bool, facts: Facts) -> Option<Facts> {
+        self.begin();
+        if self.within(condition, &facts, 0).truth() == Some(!truth) {
+            return None;
+        }
+        self.refine(condition, truth, facts, 0)
+    }
+
+    /// What is known of an expression so deep in functions.
+    pub(super) fn within(&self, expr: &Expr, facts: &Facts, depth: u32) -> Value {
+        let Some(left) = self.steps.get().checked_sub(1) else { return Value::Any };
+        self.steps.set(left);
+        let value = |part: &Expr| self.within(part, facts, depth);
+        match &expr.kind {
+            ExprKind::Number(number) => Value::Number(Interval::point(*number)),
+            ExprKind::Bool(truth) => Value::Truth(Some(*truth)),
+            ExprKind::Text(text) => Value::Text(self.texts.set(text)),
+            ExprKind::Name(name) => {
+                self.of(name, facts).map_or(Value::Any, |found| self.used(found, Vec::new(), facts, depth))
+            }
+            ExprKind::Call(name, args) => {
+                let Some(found) = self.of(name, facts) else { return Value::Any };
+                self.used(found, args.iter().map(value).collect(), facts, depth)
+            }
+            ExprKind::Unary(Unary::Plus, operand) => value(operand),
+            ExprKind::Unary(Unary::Minus, operand) => match value(operand) {
+                Value::Number(number) => Value::Number(number.neg()),
+                _ => Value::Any,
+            },
+            ExprKind::Unary(Unary::Not, operand) => Value::Truth(value(operand).truth().map(|truth| !truth)),
+            ExprKind::Binary(op @ (Binary::And | Binary::Or), _, left, right) => {
+                self.both(*op, left, right, facts, depth)
+            }
+            ExprKind::Binary(op, _, left, right) => Value::binary(*op, value(left), value(right)),
+            ExprKind::Case(arms, otherwise) => self.case(arms, otherwise, facts, depth),
+            ExprKind::Chance(arms, otherwise) => {
+                arms.iter().fold(value(otherwise), |all, (_, result)| all.or(value(result)))
+            }
+            _ => Value::Any,
+        }
+    }
+
+    /// `&&` or `||`. Both sides are computed, but the right one counts only where the left one does not decide.
+    fn both(&self, op: Binary, left: &Expr, right: &Expr, facts: &Facts, depth: u32) -> Value {
+        let (goes_on, left_is) = (op == Binary::And, self.within(left, facts, depth));
+        if left_is.truth() == Some(!goes_on) {
+            return left_is;
+        }
+        match self.refine(left, goes_on, facts.clone(), depth) {
+            Some(facts) => Value::binary(op, left_is, self.within(right, &facts, depth)),
+            None => Value::Truth(Some(!goes_on)),
+        }
+    }
+
+    fn case(&self, arms: &[(Expr, Expr)], otherwise: &Expr, facts: &Facts, depth: u32) -> Value {
+        let (mut found, mut left) = (None, Some(facts.clone()));
+        for (condition, result) in arms {
+            let Some(here) = left else { break };
+            if self.steps.get() == 0 {
+                return Value::Any;
+            }
+            let truth = self.within(condition, &here, depth).truth();
+            let refined = |truth| self.refine(condition, truth, here.clone(), depth);
+            if let Some(inside) = refined(true).filter(|_| truth != Some(false)) {
+                let result = self.within(result, &inside, depth);
+                found = Some(found.map_or(result, |found: Value| found.or(result)));
+            }
+            left = refined(false).filter(|_| truth != Some(true));
+        }
+        let otherwise = left.map(|here| self.within(otherwise, &here, depth));
+        found.into_iter().chain(otherwise).reduce(Value::or).unwrap_or(Value::Any)
+    }
+
+    fn used(&self, found: Use, args: Vec<Value>, facts: &Facts, depth: u32) -> Value {
+        match found {
+            Use::Param(index) => facts.params.get(index as usize).copied().unwrap_or(Value::Any),
+            Use::Attr(index) => facts.global(Global::Attr(index)).unwrap_or(self.attrs[index as usize]),
+            Use::Const(index) => facts.global(Global::Const(index)).unwrap_or(self.consts[index as usize]),
+            Use::Function(index) => match self.bodies[index as usize] {
+                Some(Function { own, decl, body })
+                    if depth < DEEPEST && decl.params.len() == args.len() && decl.locals.len() < MOST_LOCALS =>
+                {
+                    let mut inside = facts.with(own, args);
+                    self.enter_locals(decl, &mut inside, depth + 1);
+                    self.within(body, &inside, depth + 1)
+                }
+                _ => self.functions[index as usize],
+            },
+            Use::Convert(Type::Float) => match args[..] {
+                [number @ Value::Number(_)] => number,
+                _ => Value::Number(Interval::ALL),
+            },
+            Use::Builtin(row) if row.ty == Type::Float => {
+                let args: Vec<Interval> = args.iter().map(|arg| arg.number()).collect();
+                Value::Number(Interval::function(row.name, &args))
+            }
+            // A chance is true less often than always, and more often than never.
+            Use::Builtin(row) if row.name == "p" => Value::Truth(match args[..] {
+                [Value::Number(chance)] if 1.0 < chance.lo && !chance.is_odd() => Some(true),
+                [Value::Number(chance)] if chance.hi < 0.0 && !chance.is_odd() => Some(false),
+                _ => None,
+            }),
+            Use::Builtin(row) => Value::of(Some(row.ty)),
+            Use::Shape(row) => match row.name {
+                "scope.sx" => Value::Number(facts.shape.size[0]),
+                "scope.sy" => Value::Number(facts.shape.size[1]),
+                "scope.sz" => Value::Number(facts.shape.size[2]),
+                // Before the first split it is -1 of 0.
+                "split.index" => Value::Number(Interval::finite(-1.0, f64::INFINITY)),
+                "split.total" => Value::Number(Interval::EXTENT),
+                _ => Value::of(Some(row.ty)),
+            },
+            _ => Value::Any,
+        }
+    }
+}

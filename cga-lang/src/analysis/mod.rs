@@ -1,0 +1,214 @@
+//! What the checks can know of shapes and values, without running anything.
+//!
+//! Facts follow shapes through the steps of rules and on to the rules that they are handed to. A rule knows what all its
+//! calls agree on; one that a run begins with knows nothing. What a rule is called with in a cycle is widened, so that this
+//! ends. With an error somewhere nobody knows who calls whom, and rules know only what they say themselves.
+
+mod facts;
+pub(crate) mod interval;
+mod known;
+mod refine;
+mod shape;
+mod slots;
+mod texts;
+mod uvs;
+mod value;
+mod walk;
+
+use crate::ast::{Body, Op, OpKind};
+use crate::ast_walk::ops;
+use crate::graph::components;
+use crate::resolve::globals::{Globals, Item};
+use crate::resolve::tables::{Tables, Use};
+
+pub(crate) use facts::Facts;
+pub(crate) use known::{Attrs, Known};
+pub(crate) use shape::Face;
+pub(crate) use slots::{MARGIN, Once, Slot, Slots, Sum};
+pub(crate) use uvs::UvSets;
+pub(crate) use value::Value;
+pub(crate) use walk::{Site, Turn, called};
+
+use walk::{Visit, Walk};
+
+/// How often what a rule is called with may change before its ends move on as far as there is.
+const PATIENCE: u32 = 3;
+
+/// How often at most: then nothing is known.
+const MOST_VISITS: u32 = 12;
+
+/// What is known of a grammar.
+pub(crate) struct Flow<'f> {
+    pub(crate) known: &'f Known<'f>,
+    /// By rule: what is known where it begins. `None`: nobody calls it.
+    entries: Vec<Option<Facts>>,
+    /// By rule: whether another calls it.
+    called: Vec<bool>,
+    forgets: bool,
+}
+
+/// The calls of a grammar.
+pub(crate) struct Calls {
+    /// By rule: the rules its steps name, each once, in order.
+    pub(crate) edges: Vec<Vec<usize>>,
+    /// Rules that a run begins with.
+    pub(crate) starts: Vec<usize>,
+}
+
+impl Calls {
+    pub(crate) fn new(globals: &Globals, tables: &Tables) -> Calls {
+        let edges = globals.rules.iter().map(|item| {
+            let (names, mut list) = (tables.at(item.own), Vec::new());
+            ops(body(item), &mut |op| {
+                if let OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } = &op.kind
+                    && let Some(Use::Rule(rule)) = names.of(name)
+                {
+                    list.push(rule as usize);
+                }
+            });
+            list.sort_unstable();
+            list.dedup();
+            list
+        });
+        let edges = edges.collect();
+        let marked = globals.rules.iter().enumerate().filter(|(_, item)| {
+            let root = globals.program.roots.contains(&item.instance) && item.home == item.instance;
+            root && tables.rules.get(&item.key()).is_some_and(|info| info.marked)
+        });
+        let mut starts: Vec<usize> = marked.map(|(index, _)| index).collect();
+        starts.extend(tables.starts.iter().flatten().map(|rule| *rule as usize));
+        starts.sort_unstable();
+        starts.dedup();
+        Calls { edges, starts }
+    }
+}
+
+/// The steps of a rule.
+pub(crate) fn body<'a>(item: &Item<'a>) -> &'a [Op] {
+    match &item.decl.body {
+        Body::Rule(ops) => ops,
+        _ => &[],
+    }
+}
+
+impl<'f> Flow<'f> {
+    /// Finds out what is known. Without `calls` each rule stands alone.
+    pub(crate) fn new(globals: &Globals, known: &'f Known<'f>, calls: Option<&Calls>) -> Flow<'f> {
+        let mut flow = Flow {
+            known,
+            entries: vec![None; globals.rules.len()],
+            called: vec![false; globals.rules.len()],
+            forgets: false,
+        };
+        let Some(calls) = calls else { return flow };
+        for &start in &calls.starts {
+            flow.entries[start] = Some(Facts::initial(&globals.rules[start]));
+        }
+        for (caller, callees) in calls.edges.iter().enumerate() {
+            callees.iter().filter(|callee| **callee != caller).for_each(|&callee| flow.called[callee] = true);
+        }
+        // Whoever calls comes before the called.
+        for component in components(&calls.edges).into_iter().rev() {
+            for &rule in &component {
+                // Nobody knows how a rule that no other calls is used.
+                if !flow.called[rule] && flow.entries[rule].is_none() {
+                    flow.entries[rule] = Some(Facts::initial(&globals.rules[rule]));
+                }
+            }
+            flow.settle(globals, component);
+        }
+        flow
+    }
+
+    /// What values and conditions alone say: sizes that steps set are forgotten.
+    pub(crate) fn of_values(globals: &Globals, known: &'f Known<'f>) -> Flow<'f> {
+        Flow { forgets: true, ..Flow::new(globals, known, None) }
+    }
+
+    /// Follows shapes through the rules of a cycle until nothing new is known.
+    fn settle(&mut self, globals: &Globals, component: Vec<usize>) {
+        let mut visits = vec![0u32; component.len()];
+        let mut waits: Vec<bool> = component.iter().map(|rule| self.entries[*rule].is_some()).collect();
+        let mut work: Vec<usize> = (0..component.len()).rev().filter(|at| waits[*at]).collect();
+        while let Some(at) = work.pop() {
+            waits[at] = false;
+            let rule = component[at];
+            let mut handed = Handed { list: Vec::new() };
+            self.follow(globals, rule, &mut handed);
+            for (callee, facts) in handed.list {
+                let before = self.entries[callee].clone();
+                let mut after = before.as_ref().map_or_else(|| facts.clone(), |before| before.or(&facts));
+                if before.as_ref() == Some(&after) {
+                    continue;
+                }
+                if let Ok(at) = component.binary_search(&callee) {
+                    if let Some(before) = &before {
+                        visits[at] += 1;
+                        if PATIENCE < visits[at] {
+                            after = after.widen(before);
+                        }
+                        if MOST_VISITS < visits[at] {
+                            after = Facts::any(after.own, after.params.len());
+                        }
+                    }
+                    if !std::mem::replace(&mut waits[at], true) {
+                        work.push(at);
+                    }
+                }
+                self.entries[callee] = Some(after);
+            }
+        }
+    }
+
+    /// Goes once through a rule with what is known where it begins.
+    fn follow<'a>(&self, globals: &Globals<'a>, rule: usize, visit: &mut dyn Visit<'a>) {
+        let item = &globals.rules[rule];
+        let mut facts = self.entries[rule].clone().unwrap_or_else(|| Facts::any(item.own, item.decl.params.len()));
+        for (_, local) in &item.decl.locals {
+            visit.meet(&Site::Value(local), &facts);
+            let value = self.known.value(local, &facts);
+            facts.params.push(value);
+        }
+        let walk = Walk { known: self.known, forgets: self.forgets };
+        walk.steps(body(item), facts, visit);
+    }
+
+    /// Whether another rule calls it.
+    pub(crate) fn is_called(&self, rule: usize) -> bool {
+        self.called[rule]
+    }
+
+    /// Shows what is met on the way through a rule.
+    pub(crate) fn visit<'a>(&self, globals: &Globals<'a>, rule: usize, meet: &mut dyn FnMut(&Site<'_, 'a>, &Facts)) {
+        self.follow(globals, rule, &mut Met(meet));
+    }
+
+    /// What is known of an expression.
+    pub(crate) fn value(&self, expr: &crate::ast::Expr, facts: &Facts) -> Value {
+        self.known.value(expr, facts)
+    }
+}
+
+/// Collects what is handed on.
+struct Handed {
+    list: Vec<(usize, Facts)>,
+}
+
+impl Visit<'_> for Handed {
+    fn hand_on(&mut self, rule: u32, facts: Facts) {
+        self.list.push((rule as usize, facts));
+    }
+
+    fn meet(&mut self, _: &Site<'_, '_>, _: &Facts) {}
+}
+
+/// Shows what is met.
+struct Met<'m, 'a>(&'m mut dyn FnMut(&Site<'_, 'a>, &Facts));
+
+impl<'a> Visit<'a> for Met<'_, 'a> {
+    fn hand_on(&mut self, _: u32, _: Facts) {}
+
+    fn meet(&mut self, site: &Site<'_, 'a>, facts: &Facts) {
+        (self.0)(site, facts);
+    }
+}

@@ -1,0 +1,158 @@
+//! What a condition says of the values in it, for whoever has come past it.
+
+use super::facts::{Facts, Global};
+use super::interval::Interval;
+use super::known::Known;
+use super::texts::TextSet;
+use super::value::Value;
+use crate::ast::{Binary, Expr, ExprKind, Unary};
+use crate::resolve::tables::Use;
+
+/// A place in what is known.
+enum Place {
+    Size(usize),
+    Param(usize),
+    Global(Global),
+}
+
+impl Known<'_> {
+    /// What is known where a condition is true, or false; nothing where that cannot be.
+    pub(super) fn refine(&self, condition: &Expr, truth: bool, facts: Facts, depth: u32) -> Option<Facts> {
+        match &condition.kind {
+            ExprKind::Unary(Unary::Not, operand) => self.refine(operand, !truth, facts, depth),
+            ExprKind::Binary(Binary::And, _, left, right) if truth => {
+                self.refine(right, true, self.refine(left, true, facts, depth)?, depth)
+            }
+            ExprKind::Binary(Binary::Or, _, left, right) if !truth => {
+                self.refine(right, false, self.refine(left, false, facts, depth)?, depth)
+            }
+            ExprKind::Binary(op, _, left, right) => {
+                let Some(holds) = Holds::new(*op, truth) else { return Some(facts) };
+                if self.place(left, &facts).is_none() && self.place(right, &facts).is_none() {
+                    return Some(facts);
+                }
+                let (a, b) = (self.within(left, &facts, depth), self.within(right, &facts, depth));
+                let facts = self.narrow(left, holds, b, facts)?;
+                self.narrow(right, holds.turned(), a, facts)
+            }
+            ExprKind::Name(_) => self.narrow(condition, Holds::SAME, Value::Truth(Some(truth)), facts),
+            _ => Some(facts),
+        }
+    }
+
+    fn place(&self, expr: &Expr, facts: &Facts) -> Option<Place> {
+        let ExprKind::Name(name) = &expr.kind else { return None };
+        match self.of(name, facts)? {
+            Use::Param(index) => Some(Place::Param(index as usize)),
+            Use::Attr(index) if self.is_constant(index) => Some(Place::Global(Global::Attr(index))),
+            Use::Const(index) => Some(Place::Global(Global::Const(index))),
+            Use::Shape(row) => match row.name {
+                "scope.sx" => Some(Place::Size(0)),
+                "scope.sy" => Some(Place::Size(1)),
+                "scope.sz" => Some(Place::Size(2)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Cuts off what a comparison with something rules out.
+    fn narrow(&self, expr: &Expr, holds: Holds, with: Value, mut facts: Facts) -> Option<Facts> {
+        let Some(place) = self.place(expr, &facts) else { return Some(facts) };
+        let narrowed = holds.narrowed(self.within(expr, &facts, 0), with)?;
+        match place {
+            Place::Size(axis) => {
+                let size = narrowed.number().tame();
+                if facts.shape.size[axis] != size {
+                    (facts.shape.size[axis], facts.shape.since[axis]) = (size, None);
+                    // A face with a depth is not planar.
+                    facts.shape.is_face &= axis != 2 || size.lo <= 0.0 && 0.0 <= size.hi;
+                }
+            }
+            Place::Param(index) => {
+                if let Some(param) = facts.params.get_mut(index) {
+                    *param = narrowed;
+                }
+            }
+            Place::Global(global) => facts.set_global(global, narrowed),
+        }
+        Some(facts)
+    }
+}
+
+/// A comparison that holds for the value on its left side, or an equation that does not.
+#[derive(Clone, Copy)]
+struct Holds {
+    op: Binary,
+    /// What is no number makes it hold, too.
+    or_nan: bool,
+}
+
+impl Holds {
+    const SAME: Holds = Holds { op: Binary::Eq, or_nan: false };
+
+    /// What holds where a comparison is true, or false.
+    fn new(op: Binary, truth: bool) -> Option<Holds> {
+        let (op, or_nan) = match (op, truth) {
+            (Binary::Lt, true) | (Binary::Ge, false) => (Binary::Lt, true),
+            (Binary::Le, true) | (Binary::Gt, false) => (Binary::Le, true),
+            (Binary::Gt, true) | (Binary::Le, false) => (Binary::Gt, false),
+            (Binary::Ge, true) | (Binary::Lt, false) => (Binary::Ge, false),
+            (Binary::Eq, true) | (Binary::Ne, false) => (Binary::Eq, false),
+            (Binary::Ne, true) | (Binary::Eq, false) => (Binary::Ne, true),
+            _ => return None,
+        };
+        Some(Holds { op, or_nan })
+    }
+
+    /// With the sides the other way round.
+    fn turned(self) -> Holds {
+        let op = match self.op {
+            Binary::Lt => Binary::Gt,
+            Binary::Le => Binary::Ge,
+            Binary::Gt => Binary::Lt,
+            Binary::Ge => Binary::Le,
+            other => other,
+        };
+        Holds { op, ..self }
+    }
+
+    /// What is left of a value on the left side, with that on the right; nothing where nothing is.
+    fn narrowed(self, value: Value, with: Value) -> Option<Value> {
+        let is_same = self.op == Binary::Eq;
+        Some(match (value, with) {
+            (Value::Number(number), Value::Number(with)) => Value::Number(self.number(number, with)?),
+            (Value::Any, Value::Number(with)) => Value::Number(self.number(Interval::ALL, with)?),
+            (Value::Text(_) | Value::Any, Value::Text(with)) => {
+                let texts = if let Value::Text(texts) = value { texts } else { TextSet::ANY };
+                match self.op {
+                    Binary::Eq => Value::Text(texts.and(with)?),
+                    Binary::Ne => Value::Text(texts.without(with)?),
+                    _ => value,
+                }
+            }
+            (Value::Truth(_) | Value::Any, Value::Truth(Some(with))) => {
+                let here = with == is_same;
+                if value.truth() == Some(!here) {
+                    return None;
+                }
+                Value::Truth(Some(here))
+            }
+            _ => value,
+        })
+    }
+
+    /// Ends stay in, so that it does not matter whether they are.
+    fn number(self, number: Interval, with: Interval) -> Option<Interval> {
+        match self.op {
+            Binary::Ne => Some(number),
+            _ if !self.or_nan => number.ordered().compared(self.op, with),
+            // It may hold because of the other side.
+            _ if with.may_be_nan() => Some(number),
+            _ => match number.compared(self.op, with) {
+                None if number.may_be_nan() => Some(number),
+                found => found,
+            },
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! What is known of a shape on its way through the rules.
+
+use super::interval::Interval;
+use crate::span::Span;
+
+/// What boxes around parts of meshes may be off by, in metres and as a share: points far from the origin are rounded. It is
+/// enough up to a million kilometres.
+const ROUGH: f64 = 1e-7;
+
+/// What fills the scope, as far as parts of it keep the sizes of their slots.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Filling {
+    /// A box.
+    Box,
+    /// A rectangle across the z axis.
+    Sheet,
+    /// Anything.
+    Unknown,
+}
+
+/// A face of a comp.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Face {
+    /// It is certainly planar.
+    Flat,
+    Any,
+}
+
+/// What is known of a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Shape {
+    /// The scope's size along each axis.
+    pub(crate) size: [Interval; 3],
+    /// The step that a size comes from, where it is one.
+    pub(crate) since: [Option<Span>; 3],
+    pub(crate) filling: Filling,
+    /// Trim planes may cut what is put into the scope.
+    pub(crate) trimmed: bool,
+    /// It is a face as a comp has made it, perhaps stretched in x and y: flat along z if it is planar.
+    pub(super) is_face: bool,
+}
+
+impl Shape {
+    /// Nothing is known. Sizes are always finite, perhaps negative.
+    pub(crate) const ANY: Shape = Shape {
+        size: [Interval::FINITE; 3],
+        since: [None; 3],
+        filling: Filling::Unknown,
+        trimmed: true,
+        is_face: false,
+    };
+
+    /// An initial shape: without trim planes.
+    pub(super) const INITIAL: Shape = Shape { trimmed: false, ..Shape::ANY };
+
+    /// With another scope, of which nothing is known.
+    pub(super) fn moved_on(&self) -> Shape {
+        Shape { trimmed: self.trimmed, ..Shape::ANY }
+    }
+
+    /// A face, from that comp. Those that are not planar have a depth.
+    pub(super) fn face(from: Span) -> Shape {
+        Shape { size: [Interval::EXTENT; 3], since: [None, None, Some(from)], is_face: true, ..Shape::ANY }
+    }
+
+    /// What a selector takes of its faces, from that comp, where it is a box: rectangles. Without a selector any of them.
+    pub(super) fn face_of_box(&self, selector: Option<&str>, from: Span) -> Shape {
+        let [x, y, z] = [0, 1, 2].map(|axis| (self.extent(axis), self.since[axis]));
+        let either =
+            |a: (Interval, Option<Span>), b: (Interval, Option<Span>)| (a.0.or(b.0), a.1.filter(|_| a.1 == b.1));
+        // The sides stand upright; those above and below lie along the scope.
+        let (width, height) = match selector {
+            Some("front" | "back") => (x, y),
+            Some("left" | "right") => (z, y),
+            Some("side" | "vertical") => (either(x, z), y),
+            Some("top" | "bottom" | "horizontal") => (x, z),
+            _ => (either(x, z), either(y, z)),
+        };
+        let (size, since) = ([width.0, height.0, Interval::ZERO], [width.1, height.1, Some(from)]);
+        Shape { size, since, filling: Filling::Sheet, trimmed: true, is_face: true }
+    }
+
+    /// The extent along an axis, never negative.
+    pub(crate) fn extent(&self, axis: usize) -> Interval {
+        self.size[axis].abs()
+    }
+
+    /// Whether it certainly has no extent along an axis, as long as a face is planar.
+    pub(crate) fn is_flat(&self, axis: usize) -> bool {
+        self.extent(axis) == Interval::ZERO || self.is_face && axis == 2
+    }
+
+    /// Whether it is flat as a face is: whatever form that has, or if it is planar.
+    pub(crate) fn is_face(&self) -> Option<Face> {
+        match self.is_face {
+            true if self.size[2] == Interval::ZERO => Some(Face::Flat),
+            true => Some(Face::Any),
+            false => None,
+        }
+    }
+
+    /// What holds for both.
+    pub(super) fn or(&self, other: &Shape) -> Shape {
+        let size = [0, 1, 2].map(|axis| self.size[axis].or(other.size[axis]));
+        let since = [0, 1, 2].map(|axis| self.since[axis].filter(|_| self.since[axis] == other.since[axis]));
+        let filling = if self.filling == other.filling { self.filling } else { Filling::Unknown };
+        let (trimmed, is_face) = (self.trimmed || other.trimmed, self.is_face && other.is_face);
+        Shape { size, since, filling, trimmed, is_face }
+    }
+
+    pub(super) fn widen(&self, before: &Shape) -> Shape {
+        Shape { size: [0, 1, 2].map(|axis| self.size[axis].widen(before.size[axis])), ..*self }
+    }
+
+    /// Whether it certainly extends along all axes.
+    pub(super) fn has_room(&self) -> bool {
+        self.size.iter().all(|size| size.hi < 0.0 || 0.0 < size.lo)
+    }
+
+    /// After `s`, with what the arguments are in metres, and which leave the size as it is.
+    pub(super) fn sized(&self, size: [Interval; 3], kept: [bool; 3], by: Span) -> Shape {
+        let since = [0, 1, 2].map(|axis| if kept[axis] { self.since[axis] } else { Some(by) });
+        let filling = match self.filling {
+            Filling::Box if size.iter().all(|size| size.hi < 0.0 || 0.0 < size.lo) => Filling::Box,
+            Filling::Sheet if size[2] == Interval::ZERO && 0.0 < size[0].lo && 0.0 < size[1].lo => Filling::Sheet,
+            _ => Filling::Unknown,
+        };
+        Shape { size, since, filling, is_face: self.is_face && kept[2], ..*self }
+    }
+
+    /// With other geometry that fills it.
+    pub(super) fn filled(&self, filling: Filling) -> Shape {
+        Shape { filling, is_face: false, ..*self }
+    }
+
+    /// After `extrude`: a rectangle without depth becomes a box whose y axis is the way it grew.
+    pub(super) fn extruded(&self, distance: Interval, by: Span) -> Shape {
+        let [x, y, z] = self.size;
+        if self.filling != Filling::Sheet || z != Interval::ZERO || x.lo < 0.0 || y.lo < 0.0 {
+            return self.moved_on();
+        }
+        if distance.known() == Some(0.0) {
+            return *self;
+        }
+        if distance.is_odd() || distance.lo <= 0.0 && 0.0 <= distance.hi {
+            return self.moved_on();
+        }
+        let since = [self.since[0], Some(by), self.since[1]];
+        Shape { size: [x, distance, y], since, filling: Filling::Box, is_face: false, ..*self }
+    }
+
+    /// A part that shrinks to what is in it: no larger than its slot and the shape.
+    fn shrunk(&self, axis: usize, length: Interval, by: Span) -> Shape {
+        let mut part = Shape { filling: Filling::Unknown, ..*self };
+        for (at, size) in part.size.iter_mut().enumerate() {
+            let most = if at == axis { length.hi } else { size.abs().hi };
+            let most = most + most * ROUGH + ROUGH;
+            *size = Interval::finite(if 0.0 <= size.lo { 0.0 } else { -most }, most);
+        }
+        part.since[axis] = Some(by);
+        part
+    }
+
+    /// A part of a split along an axis: `length` is what its slot may get.
+    pub(super) fn part(&self, axis: usize, length: Interval, adjust: bool, by: Span) -> Shape {
+        let fills = match self.filling {
+            Filling::Box => true,
+            Filling::Sheet => axis != 2,
+            Filling::Unknown => !adjust,
+        };
+        if !fills {
+            return self.shrunk(axis, length, by);
+        }
+        let mut part = *self;
+        part.size[axis] = match self.size[axis] {
+            size if 0.0 <= size.lo => length,
+            size if size.hi < 0.0 => length.neg(),
+            _ => length.or(length.neg()),
+        };
+        part.since[axis] = Some(by);
+        part
+    }
+}

@@ -1,0 +1,365 @@
+//! What is known of the sizes of a split, and where it is solved.
+
+use super::facts::Facts;
+use super::interval::Interval;
+use crate::ast::{Arg, Block, Op, Prefix, SplitItem};
+use crate::span::Span;
+use cga_split::{Item, Piece, solve};
+
+/// Splits with more pieces are not laid out.
+const MOST_PIECES: u64 = 10_000;
+
+/// What the last bits of sums may be off by, as a share: claims keep that far from what they claim.
+pub(crate) const MARGIN: f64 = 1e-9;
+
+/// Sums that come this near to the whole fill it: the solver makes nothing that is as small as what is left.
+const FULL: f64 = 1e-13;
+
+/// A share of the extent that makes a piece for certain.
+const PIECE: f64 = 1e-11;
+
+/// Extents that a run divides, however large the initial shape is.
+const LEAST: f64 = 1e-3;
+
+/// A slot as written.
+pub(crate) struct Slot<'a> {
+    pub(crate) size: &'a Arg,
+    pub(crate) ops: &'a [Op],
+    /// The number behind the prefix, as a run takes it.
+    pub(crate) value: Interval,
+    /// The innermost group with `*` that it stands in, by number; 0 is the whole split's.
+    pub(crate) group: Option<usize>,
+}
+
+/// A group with `*`.
+pub(crate) struct Group {
+    /// Its slots, nested ones included.
+    pub(crate) slots: std::ops::Range<usize>,
+    /// From its first to its last slot, as written.
+    pub(crate) span: Span,
+}
+
+/// The slots of a split along an axis, in writing order.
+pub(crate) struct Slots<'a> {
+    pub(crate) split: &'a Block,
+    pub(crate) axis: usize,
+    pub(crate) extent: Interval,
+    pub(crate) list: Vec<Slot<'a>>,
+    pub(crate) groups: Vec<Group>,
+    pattern: Vec<Item>,
+    /// By slot: no less than what those before it take that come before it whenever it is made.
+    before: Vec<Sum>,
+    /// By slot: no more than what it and all before it take in metres.
+    most: Vec<f64>,
+    /// No less than what all slots take that do not float and are always there.
+    fixed: Sum,
+    /// Whether there are no others.
+    all_fixed: bool,
+    /// By slot, where everything is known: the lengths of its pieces.
+    pieces: Option<Vec<Option<Interval>>>,
+}
+
+/// A sum of sizes: a share of the extent, and metres.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Sum {
+    pub(crate) share: f64,
+    pub(crate) metres: f64,
+}
+
+impl Sum {
+    fn plus(self, other: Sum) -> Sum {
+        Sum { share: self.share + other.share, metres: self.metres + other.metres }
+    }
+}
+
+impl Slot<'_> {
+    pub(crate) fn floats(&self) -> bool {
+        matches!(self.size.prefix, Some((Prefix::Floating, _)))
+    }
+
+    pub(crate) fn is_relative(&self) -> bool {
+        matches!(self.size.prefix, Some((Prefix::Relative, _)))
+    }
+
+    /// No less than what it takes of an extent: nothing where it floats.
+    fn least(&self, extent: Interval) -> Sum {
+        let least = self.value.lo.max(0.0);
+        match () {
+            () if self.floats() => Sum::default(),
+            () if self.is_relative() => Sum { share: if PIECE < least { least } else { 0.0 }, metres: 0.0 },
+            // What is tiny beside the extent makes no piece.
+            () => Sum { share: 0.0, metres: if extent.hi * PIECE < least { least } else { 0.0 } },
+        }
+    }
+
+    /// Whether it certainly makes no piece, whatever room there is.
+    pub(crate) fn is_nothing(&self) -> bool {
+        self.value.hi <= 0.0
+    }
+}
+
+/// Why a group repeats once.
+pub(crate) enum Once {
+    /// Its relative sizes add up to that share of the scope, 1 or more.
+    Shares(f64),
+    /// Its sizes add up to more metres than the scope has at most.
+    Metres {
+        /// Of the sizes.
+        sum: f64,
+        /// Of the scope.
+        most: f64,
+    },
+    /// The solver repeats it once in a scope of that extent.
+    Extent(f64),
+}
+
+impl<'a> Slots<'a> {
+    /// Reads the slots of a split; `value` evaluates a size.
+    pub(super) fn new(
+        split: &'a Block,
+        (items, repeat): (&'a [SplitItem], bool),
+        axis: usize,
+        facts: &Facts,
+        value: impl Fn(&Arg) -> Interval,
+    ) -> Slots<'a> {
+        let extent = facts.shape.extent(axis);
+        let (list, groups, pattern) = (Vec::new(), Vec::new(), Vec::new());
+        let (before, most, fixed) = (Vec::new(), Vec::new(), Sum::default());
+        let mut slots =
+            Slots { split, axis, extent, list, groups, pattern, before, most, fixed, all_fixed: false, pieces: None };
+        slots.items(items, repeat, None, &value);
+        slots.add_up();
+        slots.pieces = slots.solved();
+        slots
+    }
+
+    /// Adds up what slots take, from the first on. Those of a group come before what is in that group alone, as it may not
+    /// repeat at all; floats take what is left, and may take nothing.
+    fn add_up(&mut self) {
+        let (mut outer, mut inner) = (Sum::default(), vec![Sum::default(); self.groups.len()]);
+        let mut most = 0.0;
+        for slot in &self.list {
+            let of_group = slot.group.map_or(Sum::default(), |group| inner[group]);
+            self.before.push(outer.plus(of_group));
+            let own = slot.group.map_or(&mut outer, |group| &mut inner[group]);
+            *own = own.plus(slot.least(self.extent));
+            let value = if slot.is_relative() { slot.value.mul(self.extent) } else { slot.value };
+            most += value.hi.max(0.0);
+            self.most.push(most);
+        }
+        self.fixed = outer;
+        self.all_fixed = self.list.iter().all(|slot| !slot.floats() && slot.group.is_none());
+    }
+
+    fn items(
+        &mut self,
+        items: &'a [SplitItem],
+        repeat: bool,
+        around: Option<usize>,
+        value: &impl Fn(&Arg) -> Interval,
+    ) {
+        let (start, first) = (self.pattern.len(), self.list.len());
+        let mut group = around;
+        if repeat {
+            self.pattern.push(Item::Repeat(0));
+            group = Some(self.groups.len());
+            self.groups.push(Group { slots: first..first, span: self.split.name.span });
+        }
+        for item in items {
+            match item {
+                SplitItem::Slot(size, ops) => {
+                    self.pattern.push(Item::Slot);
+                    self.list.push(Slot { size, ops, value: value(size).taken(), group });
+                }
+                SplitItem::Group(items, repeat) => self.items(items, *repeat, group, value),
+            }
+        }
+        if let Some(own) = group.filter(|_| repeat) {
+            self.pattern[start] = Item::Repeat((self.pattern.len() - start - 1) as u32);
+            let slots = first..self.list.len();
+            if let [first, .., last] | [first @ last] = &self.list[slots.clone()] {
+                self.groups[own].span = first.size.span.to(last.ops.last().map_or(last.size.span, |op| op.span));
+            }
+            self.groups[own].slots = slots;
+        }
+    }
+
+    /// The pieces, where the extent and all sizes are known numbers.
+    fn solved(&self) -> Option<Vec<Option<Interval>>> {
+        let extent = self.extent.known().filter(|extent| 0.0 < *extent)?;
+        let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
+        let sizes = sizes?;
+        let mut lengths = vec![0.0; sizes.len()];
+        let solution = solve(&self.pattern, &sizes, &mut lengths, extent);
+        if MOST_PIECES < solution.at_most() {
+            return None;
+        }
+        let mut made: Vec<Option<Interval>> = vec![None; self.list.len()];
+        for piece in solution.pieces() {
+            let (own, length) = (&mut made[piece.slot as usize], Interval::point(piece.length));
+            *own = Some(own.map_or(length, |own| own.or(length)));
+        }
+        Some(made)
+    }
+
+    /// The pieces of what has only known shares in it, in an extent of 1: they are the same shares of any.
+    pub(crate) fn shares(&self) -> Option<Vec<Piece>> {
+        let sizes: Option<Vec<cga_split::Size>> =
+            self.list.iter().map(|slot| slot.exact().filter(|_| slot.is_relative())).collect();
+        let sizes = sizes?;
+        let mut lengths = vec![0.0; sizes.len()];
+        let solution = solve(&self.pattern, &sizes, &mut lengths, 1.0);
+        (solution.at_most() <= MOST_PIECES).then(|| solution.pieces())
+    }
+
+    /// How often a group repeats in an extent of that length.
+    pub(crate) fn count(&self, group: usize, extent: f64) -> Option<u64> {
+        let sizes: Option<Vec<cga_split::Size>> = self.list.iter().map(Slot::exact).collect();
+        let sizes = sizes?;
+        let mut lengths = vec![0.0; sizes.len()];
+        Some(solve(&self.pattern, &sizes, &mut lengths, extent).count(group))
+    }
+
+    /// No less than what the slots before one take that come before it whenever it is made, itself included if asked.
+    pub(crate) fn before(&self, index: usize, itself: bool) -> Sum {
+        let before = self.before[index];
+        if itself { before.plus(self.list[index].least(self.extent)) } else { before }
+    }
+
+    /// No less than what all slots take that do not float and are always there.
+    pub(crate) fn fixed(&self) -> Sum {
+        self.fixed
+    }
+
+    /// Whether a sum fills the scope, whatever its extent.
+    pub(crate) fn fills(&self, sum: Sum) -> bool {
+        1.0 - FULL <= sum.share || 0.0 < sum.metres && (1.0 - FULL - sum.share) * self.extent.hi <= sum.metres
+    }
+
+    /// Whether a sum is more than the scope has, whatever its extent.
+    pub(crate) fn exceeds(&self, sum: Sum) -> bool {
+        let whole = 1.0 + MARGIN;
+        whole <= sum.share || 0.0 < sum.metres && (whole - sum.share) * self.extent.hi <= sum.metres
+    }
+
+    /// What the length of a slot's pieces may be.
+    pub(super) fn length(&self, index: usize) -> Interval {
+        if let Some(pieces) = &self.pieces {
+            return pieces[index].unwrap_or(Interval::EXTENT);
+        }
+        let slot = &self.list[index];
+        let up_to = |most: f64| Interval::finite(0.0, most.max(0.0));
+        if slot.floats() {
+            return up_to(self.extent.hi);
+        }
+        let own = if slot.is_relative() { slot.value.mul(self.extent) } else { slot.value };
+        let hi = own.hi.min(self.extent.hi);
+        // Whole, where all before it certainly leaves that much room.
+        let most = self.most[index];
+        if self.all_fixed && most * (1.0 + MARGIN) <= self.extent.lo && 0.0 < own.lo {
+            return Interval::finite(own.lo, hi);
+        }
+        up_to(hi)
+    }
+
+    /// Whether no piece of a slot is ever made.
+    pub(crate) fn is_never(&self, index: usize) -> bool {
+        if let Some(pieces) = &self.pieces {
+            return pieces[index].is_none();
+        }
+        let slot = &self.list[index];
+        slot.is_nothing()
+            || if slot.floats() {
+                slot.group.is_none() && self.fills(self.fixed())
+            } else {
+                self.fills(self.before(index, false))
+            }
+    }
+}
+
+impl Slot<'_> {
+    fn exact(&self) -> Option<cga_split::Size> {
+        let prefix = match self.size.prefix {
+            None => cga_split::Prefix::Absolute,
+            Some((Prefix::Relative, _)) => cga_split::Prefix::Relative,
+            Some((Prefix::Floating, _)) => cga_split::Prefix::Floating,
+        };
+        Some(cga_split::Size { prefix, value: self.value.known()? })
+    }
+}
+
+/// What whole splits do.
+impl Slots<'_> {
+    /// Whether a group has no slot that is ever made, whatever room there is.
+    pub(crate) fn makes_nothing(&self, group: usize) -> bool {
+        self.list[self.groups[group].slots.clone()].iter().all(Slot::is_nothing)
+    }
+
+    /// Whether a slot is cut, or not made, in any case: what reaches beyond the end of the scope.
+    pub(crate) fn is_cut(&self, index: usize) -> bool {
+        let plain = self.groups.is_empty() && !self.list[index].floats();
+        plain && !self.list[index].is_nothing() && self.exceeds(self.before(index, true))
+    }
+
+    /// What certainly is left at the end: of shares alone a share, of metres alone metres.
+    pub(crate) fn rest(&self) -> Option<f64> {
+        if !self.groups.is_empty() || self.list.iter().any(Slot::floats) {
+            return None;
+        }
+        let mut sum = 0.0;
+        for slot in &self.list {
+            sum += slot.value.known()?.max(0.0);
+        }
+        let relative = self.list.iter().filter(|slot| slot.is_relative()).count();
+        let whole = match relative {
+            0 => self.extent.known()?,
+            all if all == self.list.len() => 1.0,
+            _ => return None,
+        };
+        (sum < whole * (1.0 - MARGIN)).then_some(whole - sum)
+    }
+
+    /// No more than the pieces that a repeat makes, when it is the whole split.
+    pub(crate) fn at_least(&self, group: usize) -> Option<f64> {
+        let whole = self.groups.len() == 1 && self.groups[group].slots.len() == self.list.len();
+        let (mut share, mut metres, mut made) = (0.0, 0.0, 0.0);
+        for slot in self.list.iter().filter(|_| whole) {
+            let most = slot.value.hi.max(0.0);
+            let least = if slot.is_relative() { PIECE } else { PIECE * self.extent.hi };
+            if slot.is_relative() {
+                share += most
+            } else {
+                metres += most
+            }
+            made += if least < slot.value.lo { 1.0 } else { 0.0 };
+        }
+        let room = if metres == 0.0 { 1.0 / share } else { self.extent.lo / (metres + share * self.extent.lo) };
+        // Of the counts around it the one of least stretch is taken.
+        let count = (room * (1.0 - MARGIN) - 1.0) * made;
+        (0.0 < count && count.is_finite()).then_some(count)
+    }
+
+    /// Why a group repeats once, if that is always so.
+    pub(crate) fn once(&self, group: usize) -> Option<Once> {
+        let mut within = self.groups[group].slots.clone();
+        let own = &self.list[within.clone()];
+        // It may not happen at all.
+        if self.groups.len() != 1 || within.any(|index| self.list[index].is_nothing() || self.is_never(index)) {
+            return None;
+        }
+        let shares: f64 = own.iter().map(|slot| slot.value.lo.max(0.0)).sum();
+        let alone = own.len() == self.list.len();
+        if alone && own.iter().all(Slot::is_relative) && self.fills(Sum { share: shares, metres: 0.0 }) {
+            return Some(Once::Shares(shares));
+        }
+        let metres: f64 = own.iter().map(|slot| slot.value.lo.max(0.0)).sum();
+        let are_metres = !own.iter().any(Slot::is_relative);
+        let is_range = self.extent.known().is_none() && LEAST < self.extent.hi;
+        if alone && are_metres && is_range && self.extent.hi * (1.0 + MARGIN) <= metres {
+            return Some(Once::Metres { sum: metres, most: self.extent.hi });
+        }
+        let extent = self.extent.known().filter(|extent| LEAST < *extent)?;
+        let once = self.count(group, extent)? == 1;
+        once.then_some(Once::Extent(extent))
+    }
+}

@@ -1,0 +1,106 @@
+//! What is known of one value.
+
+use super::interval::Interval;
+use super::texts::TextSet;
+use crate::ast::Binary;
+use crate::ir::Type;
+
+/// What is known of a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Value {
+    /// One of some numbers.
+    Number(Interval),
+    /// `None`: it may be both.
+    Truth(Option<bool>),
+    /// One of some texts.
+    Text(TextSet),
+    /// Anything, of any type.
+    Any,
+}
+
+impl Value {
+    /// Anything of a type.
+    pub(super) fn of(ty: Option<Type>) -> Value {
+        match ty {
+            Some(Type::Float) => Value::Number(Interval::ALL),
+            Some(Type::Bool) => Value::Truth(None),
+            Some(Type::Text) => Value::Text(TextSet::ANY),
+            _ => Value::Any,
+        }
+    }
+
+    /// As a number.
+    pub(crate) fn number(self) -> Interval {
+        match self {
+            Value::Number(interval) => interval,
+            _ => Interval::ALL,
+        }
+    }
+
+    /// As a truth value.
+    pub(crate) fn truth(self) -> Option<bool> {
+        match self {
+            Value::Truth(truth) => truth,
+            _ => None,
+        }
+    }
+
+    /// What is one of two.
+    pub(super) fn or(self, other: Value) -> Value {
+        match (self, other) {
+            (Value::Number(a), Value::Number(b)) => Value::Number(a.or(b)),
+            (Value::Truth(a), Value::Truth(b)) => Value::Truth(a.filter(|_| a == b)),
+            (Value::Text(a), Value::Text(b)) => Value::Text(a.or(b)),
+            _ => Value::Any,
+        }
+    }
+
+    /// What has changed since `before` moves on as far as there is.
+    pub(super) fn widen(self, before: Value) -> Value {
+        match (self, before) {
+            (Value::Number(a), Value::Number(b)) => Value::Number(a.widen(b)),
+            (now, _) => now,
+        }
+    }
+
+    /// What a binary operator makes of two values.
+    pub(super) fn binary(op: Binary, left: Value, right: Value) -> Value {
+        match (op, left, right) {
+            (Binary::And | Binary::Or, ..) => {
+                let decisive = op == Binary::Or;
+                Value::Truth(match (left.truth(), right.truth()) {
+                    (Some(a), _) | (_, Some(a)) if a == decisive => Some(decisive),
+                    (Some(_), Some(_)) => Some(!decisive),
+                    _ => None,
+                })
+            }
+            (Binary::Eq, ..) => Value::Truth(left.same(right)),
+            (Binary::Ne, ..) => Value::Truth(left.same(right).map(|same| !same)),
+            (_, Value::Number(a), Value::Number(b)) => match op {
+                Binary::Add => Value::Number(a.add(b)),
+                Binary::Sub => Value::Number(a.sub(b)),
+                Binary::Mul => Value::Number(a.mul(b)),
+                Binary::Div => Value::Number(a.div(b)),
+                Binary::Rem => Value::Number(a.rem(b)),
+                Binary::Lt => Value::Truth(a.less(b)),
+                Binary::Gt => Value::Truth(a.at_most(b).map(|at_most| !at_most)),
+                Binary::Le => Value::Truth(a.at_most(b)),
+                Binary::Ge => Value::Truth(a.less(b).map(|less| !less)),
+                Binary::And | Binary::Or | Binary::Eq | Binary::Ne => Value::Any,
+            },
+            (Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge, ..) => Value::Truth(None),
+            // Text beside it makes `+` text.
+            _ => Value::Any,
+        }
+    }
+
+    /// Whether two are the same: `None` when that depends.
+    fn same(self, other: Value) -> Option<bool> {
+        match (self, other) {
+            (Value::Number(a), Value::Number(b)) => a.same(b),
+            (Value::Truth(Some(a)), Value::Truth(Some(b))) => Some(a == b),
+            (Value::Text(a), Value::Text(b)) => a.same(b),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,346 @@
+//! Follows a shape through the steps of a rule.
+
+use super::facts::Facts;
+use super::known::Known;
+use super::shape::{Filling, Shape};
+use super::slots::Slots;
+use super::uvs::UvSets;
+use super::value::Value;
+use crate::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
+use crate::ops::{Braces, Effect, MOST_SIZE, Measure, Operation, ParamKind, ShapeAttr};
+use crate::resolve::tables::Use;
+use crate::span::Span;
+
+/// What is met on the way.
+pub(crate) enum Site<'s, 'a> {
+    /// A split along an axis of the scope.
+    Split(&'s Slots<'a>),
+    /// A split along an axis of a uv set, by number where that is known and there is such a set.
+    TextureSplit(&'a Block, Option<u32>),
+    /// A condition of a `case`, where those before it have failed.
+    Condition(&'s Turn<'s, 'a>),
+    /// An expression that is computed.
+    Value(&'a Expr),
+    /// An attribute of the shape is set.
+    Set(&'static ShapeAttr, &'a Expr),
+    /// An operation with its arguments.
+    Operation(&'static Operation, &'a [Arg]),
+}
+
+/// A condition of a `case`, among the others there.
+pub(crate) struct Turn<'t, 'e> {
+    pub(crate) condition: &'e Expr,
+    /// Those before it, which have failed: also of a `case` that it stands in behind `else`.
+    pub(crate) before: &'t [&'e Expr],
+    pub(crate) is_last: bool,
+    /// What is known where the first of them stands.
+    pub(crate) first: &'t Facts,
+}
+
+/// Who is told of what is met and handed on.
+pub(super) trait Visit<'a> {
+    /// A shape goes on with a rule.
+    fn hand_on(&mut self, rule: u32, facts: Facts);
+    /// Something was met.
+    fn meet(&mut self, site: &Site<'_, 'a>, facts: &Facts);
+}
+
+/// A way through one rule.
+pub(super) struct Walk<'w> {
+    pub(super) known: &'w Known<'w>,
+    /// Whether sizes that steps set are forgotten.
+    pub(super) forgets: bool,
+}
+
+impl<'w> Walk<'w> {
+    /// Follows a shape; gives what is known at the end, nothing where no path gets there.
+    pub(super) fn steps<'a>(&self, ops: &'a [Op], facts: Facts, visit: &mut dyn Visit<'a>) -> Option<Facts> {
+        let mut facts = facts;
+        for op in ops {
+            facts = self.step(op, facts, visit)?;
+        }
+        Some(facts)
+    }
+
+    fn step<'a>(&self, op: &'a Op, mut facts: Facts, visit: &mut dyn Visit<'a>) -> Option<Facts> {
+        match &op.kind {
+            OpKind::Call(name, args) => {
+                self.meet_args(args, &facts, visit);
+                match self.known.of(name, &facts) {
+                    Some(Use::Rule(rule)) => self.hand_on(rule, args, &facts, visit),
+                    Some(Use::Operation(row)) => {
+                        visit.meet(&Site::Operation(row, args), &facts);
+                        let sets = [args.first(), args.get(1)].map(|arg| self.uv_set(arg, &facts));
+                        facts.uvs = facts.uvs.after(row, sets);
+                        facts.asset = asset_after(row, args, facts.asset);
+                        facts.shape = self.after(row, args, &facts, op.span);
+                    }
+                    Some(Use::SetShape(row)) => {
+                        args.get(1).into_iter().for_each(|arg| visit.meet(&Site::Set(row, &arg.value), &facts));
+                        if row.name.starts_with("scope.") {
+                            facts.shape = facts.shape.moved_on();
+                        }
+                    }
+                    Some(Use::Leaf | Use::SetAttr(_)) => {}
+                    _ => facts.shape = Shape::ANY,
+                }
+            }
+            OpKind::Dynamic { rule, args, overrides, .. } => {
+                self.meet_args(args, &facts, visit);
+                for own in overrides {
+                    if let crate::ast::Override::Value(_, value) = own {
+                        visit.meet(&Site::Value(value), &facts);
+                    }
+                }
+                if let Some(Use::Rule(rule)) = self.known.of(rule, &facts) {
+                    // Attributes and constants of the import begin anew.
+                    let facts = Facts { globals: Vec::new(), ..facts.clone() };
+                    self.hand_on(rule, args, &facts, visit);
+                }
+            }
+            OpKind::Block(block) => self.block(block, &facts, visit),
+            OpKind::Leaf(_) | OpKind::Nil => {}
+            OpKind::Path(_, args) => {
+                self.meet_args(args, &facts, visit);
+                facts = Facts { uvs: UvSets::ANY, asset: None, ..facts.on_any_shape() };
+            }
+            OpKind::Push(ops) => _ = self.steps(ops, facts.clone(), visit),
+            OpKind::Case(arms, otherwise) => {
+                let first = facts.clone();
+                return self.case(arms, otherwise, facts, &first, &mut Vec::new(), visit);
+            }
+            OpKind::Chance(arms, otherwise) => {
+                let arms = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
+                let ends: Vec<Facts> = arms.filter_map(|ops| self.steps(ops, facts.clone(), visit)).collect();
+                return joined(ends);
+            }
+            OpKind::Error => facts.shape = Shape::ANY,
+        }
+        Some(facts)
+    }
+
+    fn meet_args<'a>(&self, args: &'a [Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
+        args.iter().for_each(|arg| visit.meet(&Site::Value(&arg.value), facts));
+    }
+
+    fn value(&self, expr: &Expr, facts: &Facts) -> Value {
+        self.known.value(expr, facts)
+    }
+
+    /// The number of a uv set, where it is known.
+    fn uv_set(&self, arg: Option<&Arg>, facts: &Facts) -> Option<u32> {
+        let number = self.value(&arg?.value, facts).number().known()?;
+        (0.0..10.0).contains(&number).then_some(number as u32)
+    }
+
+    fn hand_on<'a>(&self, rule: u32, args: &[Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
+        let params = args.iter().map(|arg| self.value(&arg.value, facts)).collect();
+        visit.hand_on(rule, facts.with(self.known.rules[rule as usize], params));
+    }
+
+    fn case<'a>(
+        &self,
+        arms: &'a [(Expr, Vec<Op>)],
+        otherwise: &'a [Op],
+        facts: Facts,
+        first: &Facts,
+        before: &mut Vec<&'a Expr>,
+        visit: &mut dyn Visit<'a>,
+    ) -> Option<Facts> {
+        // Whoever comes to a condition has failed those before it.
+        let (mut ends, mut left) = (Vec::new(), Some(facts));
+        for (at, (condition, ops)) in arms.iter().enumerate() {
+            let Some(here) = left else { break };
+            visit.meet(&Site::Value(condition), &here);
+            let turn = Turn { condition, before, is_last: at + 1 == arms.len(), first };
+            visit.meet(&Site::Condition(&turn), &here);
+            before.push(condition);
+            if let Some(inside) = self.known.past(condition, true, here.clone()) {
+                ends.extend(self.steps(ops, inside, visit));
+            }
+            left = self.known.past(condition, false, here);
+        }
+        if let Some(here) = left {
+            ends.extend(match otherwise {
+                // The list goes on.
+                [Op { kind: OpKind::Case(arms, otherwise), .. }] => {
+                    self.case(arms, otherwise, here, first, before, visit)
+                }
+                _ => self.steps(otherwise, here, visit),
+            });
+        }
+        joined(ends)
+    }
+
+    /// An operation with braces. The shape itself goes on as it was.
+    fn block<'a>(&self, block: &'a Block, facts: &Facts, visit: &mut dyn Visit<'a>) {
+        let any = || Facts { asset: None, ..facts.on_any_shape() };
+        let row = match self.known.of(&block.name, facts) {
+            Some(Use::Operation(row)) => Some(row),
+            _ => None,
+        };
+        // Some arguments are computed on each edge.
+        let on_edges = row.is_some_and(|row| row.params.iter().any(|param| param.kind == ParamKind::PerEdge));
+        let here = if on_edges { any() } else { facts.clone() };
+        self.meet_args(&block.args, &here, visit);
+        row.into_iter().for_each(|row| visit.meet(&Site::Operation(row, &block.args), &here));
+        for part in &block.parts {
+            match part {
+                BlockPart::Slots(items, repeat) => self.slots(block, row, (items, *repeat), facts, visit),
+                BlockPart::Arms(arms) => {
+                    arms.iter().for_each(|arm| self.arm(arm, block, row, facts, visit));
+                }
+                BlockPart::Sections(list, _) => {
+                    for section in list {
+                        visit.meet(&Site::Value(&section.length.value), &any());
+                        self.steps(&section.ops, any(), visit);
+                    }
+                }
+                BlockPart::Ops(list) => list.iter().for_each(|ops| _ = self.steps(ops, any(), visit)),
+            }
+        }
+    }
+
+    fn slots<'a>(
+        &self,
+        block: &'a Block,
+        row: Option<&'static Operation>,
+        (items, repeat): (&'a [SplitItem], bool),
+        facts: &Facts,
+        visit: &mut dyn Visit<'a>,
+    ) {
+        let any = |_: usize| Some(Shape::ANY);
+        match row.map(|row| row.braces) {
+            Some(Braces::Slots(Measure::Length)) => {
+                let Some(axis) = block.axis() else { return self.items(items, &mut 0, facts, visit, &any) };
+                let value = |size: &Arg| self.value(&size.value, facts).number();
+                let slots = Slots::new(block, (items, repeat), axis as usize, facts, value);
+                visit.meet(&Site::Split(&slots), facts);
+                let adjusts = block.adjusts();
+                self.items(items, &mut 0, facts, visit, &|index| {
+                    if facts.shape.is_flat(slots.axis) || slots.is_never(index) {
+                        return None;
+                    }
+                    Some(facts.shape.part(slots.axis, slots.length(index), adjusts, block.name.span))
+                });
+            }
+            Some(Braces::Slots(Measure::Texture)) => {
+                let set = self.uv_set(block.args.get(2), facts);
+                visit.meet(&Site::TextureSplit(block, set), facts);
+                self.items(items, &mut 0, facts, visit, &any);
+            }
+            _ => self.items(items, &mut 0, facts, visit, &any),
+        }
+    }
+
+    /// The slots of a split: `shape` says what is known of a part, nothing when there never is one.
+    fn items<'a>(
+        &self,
+        items: &'a [SplitItem],
+        index: &mut usize,
+        facts: &Facts,
+        visit: &mut dyn Visit<'a>,
+        shape: &dyn Fn(usize) -> Option<Shape>,
+    ) {
+        for item in items {
+            match item {
+                SplitItem::Slot(size, ops) => {
+                    visit.meet(&Site::Value(&size.value), facts);
+                    let part = shape(*index);
+                    *index += 1;
+                    if let Some(shape) = part {
+                        self.steps(ops, facts.on(shape), visit);
+                    }
+                }
+                SplitItem::Group(items, _) => self.items(items, index, facts, visit, shape),
+            }
+        }
+    }
+
+    fn arm<'a>(
+        &self,
+        arm: &'a Arm,
+        block: &'a Block,
+        row: Option<&'static Operation>,
+        facts: &Facts,
+        visit: &mut dyn Visit<'a>,
+    ) {
+        // With the part as current shape.
+        visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
+        let selector = match &arm.selector.kind {
+            ExprKind::Name(name) => match self.known.of(name, facts) {
+                Some(Use::Selector(word)) => Some(word),
+                _ => None,
+            },
+            _ => None,
+        };
+        let word = |index: usize| block.args.get(index).and_then(|arg| arg.value.word());
+        let (is_comp, z_up) = (row.is_some_and(|row| row.braces == Braces::Components), word(1) == Some("zUp"));
+        let faces = is_comp && word(0) == Some("f") && (z_up || word(1).is_none());
+        let shape = match (faces && arm.mode == ArmMode::Each, facts.shape.filling) {
+            (true, Filling::Box) if !z_up => facts.shape.face_of_box(selector, block.name.span),
+            (true, _) => Shape::face(block.name.span),
+            (false, _) => Shape::ANY,
+        };
+        let part = facts.on(shape);
+        self.steps(&arm.ops, if is_comp { part } else { Facts { asset: None, ..part } }, visit);
+    }
+
+    /// What an operation leaves of what was known.
+    fn after(&self, row: &'static Operation, args: &[Arg], facts: &Facts, span: Span) -> Shape {
+        let shape = facts.shape;
+        match row.scope {
+            Effect::Keeps => shape,
+            Effect::KeepsSize => Shape { filling: Filling::Unknown, ..shape },
+            _ if self.forgets => shape.moved_on(),
+            Effect::Sizes => match args {
+                [x, y, z] => self.sized(shape, [x, y, z], facts, span),
+                _ => shape.moved_on(),
+            },
+            Effect::FillsWithBox if shape.has_room() && !shape.trimmed => shape.filled(Filling::Box),
+            Effect::FillsWithBox | Effect::Fills if shape.has_room() => shape.filled(Filling::Unknown),
+            Effect::Any if row.name == "extrude" => match args {
+                [Arg { prefix: None, value, .. }] => shape.extruded(self.value(value, facts).number(), span),
+                _ => shape.moved_on(),
+            },
+            Effect::Any | Effect::FillsWithBox | Effect::Fills => shape.moved_on(),
+        }
+    }
+
+    fn sized(&self, shape: Shape, args: [&Arg; 3], facts: &Facts, span: Span) -> Shape {
+        let (mut size, mut kept) = (shape.size, [false; 3]);
+        for ((size, kept), arg) in size.iter_mut().zip(&mut kept).zip(args) {
+            let number = self.value(&arg.value, facts).number().taken();
+            let (old, is_share) = (*size, arg.prefix.is_some());
+            let new = if is_share { number.mul(old) } else { number };
+            // What is too large for a scope leaves it as it is; a share of what it has is not.
+            let is_small = is_share && -1.0 <= number.lo && number.hi <= 1.0 || new.abs().hi <= MOST_SIZE;
+            *size = if is_small { new.tame() } else { new.tame().or(old) };
+            *kept = is_share && number.known() == Some(1.0);
+        }
+        shape.sized(size, kept, span)
+    }
+}
+
+/// What the geometry is of behind an operation: the token of a file's name, as long as it is that or parts of it.
+fn asset_after(row: &Operation, args: &[Arg], before: Option<u32>) -> Option<u32> {
+    if row.name == "i" {
+        let name = args.first()?;
+        return matches!(name.value.kind, ExprKind::Text(_)).then_some(name.value.span.first);
+    }
+    let stays = matches!(row.scope, Effect::Keeps | Effect::KeepsSize | Effect::Sizes) || row.name.ends_with("Scope");
+    before.filter(|_| stays)
+}
+
+/// What holds on all of some ways.
+fn joined(ends: Vec<Facts>) -> Option<Facts> {
+    ends.into_iter().reduce(|all, next| all.or(&next))
+}
+
+/// The name of what a slot becomes when that is all, for messages.
+pub(crate) fn called(ops: &[Op]) -> Option<&Name> {
+    match ops {
+        [Op { kind: OpKind::Call(name, _) | OpKind::Leaf(name), .. }] => Some(name),
+        _ => None,
+    }
+}

@@ -1,0 +1,256 @@
+//! What annotations say about attributes and imports, and which rule comes first (*annotations*).
+//!
+//! They describe and generate nothing. What cannot be understood is reported, and the rest counts as if it were not there.
+
+mod arguments;
+mod limits;
+mod notes;
+
+use crate::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
+use crate::code::Code;
+use crate::link::{InstanceId, Key, Program};
+use crate::resolve::context::Cx;
+use crate::resolve::globals::Item;
+use crate::resolve::info::{AttrInfo, Group, Hidden, ImportInfo, RuleInfo};
+use crate::span::Span;
+use crate::suggest::nearest;
+use crate::words::ANNOTATIONS;
+use arguments::wrong;
+use notes::Notes;
+use std::collections::HashMap;
+
+/// What annotations can stand before.
+enum Place<'a> {
+    Head(&'a [Annotation]),
+    Import(&'a Import),
+    Style(&'a Style),
+    Decl(&'a Decl),
+}
+
+impl<'a> Place<'a> {
+    fn annotations(&self) -> &'a [Annotation] {
+        match self {
+            Place::Head(annotations) => annotations,
+            Place::Import(import) => &import.annotations,
+            Place::Style(style) => &style.annotations,
+            Place::Decl(decl) => &decl.annotations,
+        }
+    }
+
+    fn span(&self) -> Span {
+        match self {
+            // Before everything.
+            Place::Head(_) => Span::default(),
+            Place::Import(import) => import.span,
+            Place::Style(style) => style.name.span,
+            Place::Decl(decl) => decl.span,
+        }
+    }
+}
+
+pub(crate) fn read(cx: &mut Cx) {
+    let program = cx.globals.program;
+    cx.tables.attrs = vec![AttrInfo::default(); cx.globals.attrs.len()];
+    let by_name: HashMap<Key, usize> =
+        cx.globals.attrs.iter().enumerate().map(|(index, item)| (item.key(), index)).collect();
+    let mut hidden = vec![false; program.instances.len()];
+    // Importing files come before the imported ones.
+    for (id, instance) in program.instances.iter().enumerate() {
+        cx.at = id;
+        let import = instance.parent.and_then(|parent| from(program, parent, id));
+        let import = import.and_then(|import| cx.tables.imports.get(&import).cloned()).unwrap_or_default();
+        hidden[id] = import.hidden == Hidden::All || instance.parent.is_some_and(|parent| hidden[parent]);
+        let start = file(cx, &instance.file.ast, import.group, &mut |cx, decl, mut info: AttrInfo| {
+            let Some(&index) = by_name.get(&(id, decl.name.id())) else { return };
+            info.hidden |=
+                hidden[id] || matches!(&import.hidden, Hidden::Names(names) if names.contains(&decl.name.text));
+            cx.tables.attrs[index] = info;
+        });
+        if program.roots.contains(&id) {
+            let start = start.rule_of(cx);
+            cx.tables.starts.push(start);
+        }
+    }
+}
+
+/// The import that an instance comes from.
+fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<Key> {
+    let instance = &program.instances[parent];
+    let mut imports = instance.file.ast.imports.iter();
+    let import = imports.find(|import| instance.imports.get(&import.id.text) == Some(&Some(id)))?;
+    Some((parent, import.id.id()))
+}
+
+/// Reads the annotations of a file. `group` is the one that counts where it is imported.
+fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&mut Cx, &'a Decl, AttrInfo)) -> Starts {
+    let mut places: Vec<Place<'_>> = vec![Place::Head(&ast.head)];
+    places.extend(ast.imports.iter().map(Place::Import));
+    places.extend(ast.styles.iter().map(Place::Style));
+    places.extend(ast.decls.iter().map(Place::Decl));
+    places.sort_by_key(Place::span);
+    let mut starts = Starts::default();
+    for place in places {
+        let mut notes = Notes::default();
+        for annotation in place.annotations() {
+            let (Some(name), Some(args)) = (known(cx, annotation), &annotation.args) else { continue };
+            notes.read(cx, name, annotation.name.span, args, &mut group);
+        }
+        let is_rule = matches!(place, Place::Decl(Decl { body: Body::Rule(_), .. }));
+        if let Some(span) = notes.start.filter(|_| !is_rule) {
+            wrong(cx, span, "only a rule can be the start rule".into())
+                .help("move it before the rule that begins a model");
+        }
+        if let Some(span) = notes.names.filter(|_| !matches!(place, Place::Import(_))) {
+            wrong(cx, span, "`@Hidden` has names only before an import".into());
+        }
+        match place {
+            Place::Import(import) => {
+                let info = ImportInfo { hidden: notes.hidden, group: group.clone() };
+                cx.tables.imports.insert((cx.at, import.id.id()), info);
+            }
+            Place::Decl(decl) => match &decl.body {
+                Body::Attr(_) => {
+                    let info = notes.attribute(cx, decl, &group);
+                    keep(cx, decl, info);
+                }
+                Body::Rule(_) => {
+                    starts.rule(cx, decl, notes.start);
+                    let info = RuleInfo {
+                        doc: notes.doc(decl),
+                        marked: notes.start.is_some() || decl.role == Role::Start,
+                        hidden: notes.hidden == Hidden::All,
+                    };
+                    cx.tables.rules.insert((cx.at, decl.name.id()), info);
+                }
+                _ => {}
+            },
+            Place::Head(_) | Place::Style(_) => {}
+        }
+    }
+    starts
+}
+
+/// The search for the rule that a run begins with.
+#[derive(Default)]
+struct Starts {
+    /// The first `@StartRule` of each style: the id of the rule's name.
+    first: HashMap<u32, u32>,
+}
+
+impl Starts {
+    fn rule(&mut self, cx: &mut Cx, decl: &Decl, start: Option<Span>) {
+        let Some(span) = start else { return };
+        if !decl.params.is_empty() {
+            let message = format!("`{}` has parameters, so a run cannot begin with it", decl.name.text);
+            let name = &decl.name.text;
+            let values = vec!["…"; decl.params.len()].join(", ");
+            let outer = if name == "Lot" { "Site" } else { "Lot" };
+            wrong(cx, span, message).help(format!("mark a rule that calls it, such as `{outer} --> {name}({values})`"));
+            return;
+        }
+        // All of them can be started; a run begins with the first, or with the first of its style.
+        self.first.entry(decl.style).or_insert(decl.name.id());
+    }
+
+    /// The rule marked with `start`, else the annotated one of the nearest style, else the first, each without
+    /// parameters.
+    fn rule_of(self, cx: &mut Cx) -> Option<u32> {
+        let (root, styles) = (cx.at, &cx.globals.program.instances[cx.at].styles);
+        let own = |item: &Item| item.instance == root && item.home == root && !item.decl.name.text.contains('.');
+        let rules = cx.globals.rules.iter().enumerate().filter(|(_, item)| own(item));
+        let rules: Vec<(usize, &Item)> = rules.collect();
+        let free = || rules.iter().filter(|(_, item)| item.decl.params.is_empty());
+        let annotated = |item: &Item| {
+            let name = self.first.get(&item.decl.style)?;
+            (*name == item.decl.name.id()).then(|| styles.rank(item.decl.style)).flatten()
+        };
+        let found = free()
+            .find(|(_, item)| item.decl.role == Role::Start)
+            .or_else(|| {
+                free()
+                    .filter_map(|found| Some((annotated(found.1)?, found)))
+                    .min_by_key(|(rank, _)| *rank)
+                    .map(|(_, found)| found)
+            })
+            .or_else(|| free().next())
+            .map(|(index, _)| *index as u32);
+        if let (None, Some((_, first))) = (found, rules.first()) {
+            let message = format!("`{}` has parameters, and so has every rule: no run can begin", first.decl.name.text);
+            let diag = cx.diags.report(Code::NoStartRule, first.decl.name.span, message);
+            let values = vec!["…"; first.decl.params.len()].join(", ");
+            diag.help(format!("write a rule without any, such as `Lot --> {}({values})`", first.decl.name.text));
+        }
+        found
+    }
+}
+
+/// The annotation's name as the language has it.
+fn known(cx: &mut Cx, annotation: &Annotation) -> Option<&'static str> {
+    let name = annotation.name.text.as_str();
+    if let Some(known) = ANNOTATIONS.iter().find(|&&known| known == name) {
+        return Some(known);
+    }
+    let span = annotation.name.span;
+    // *CGA changelog 2019.1*: other capitals are a warning, and it counts.
+    if let Some(known) = ANNOTATIONS.iter().find(|known| known.eq_ignore_ascii_case(name)) {
+        let message = format!("annotation `@{name}` is written `@{known}`");
+        cx.diags.report(Code::UnknownAnnotation, span, message);
+        return Some(known);
+    }
+    cx.diags
+        .report(Code::UnknownAnnotation, span, format!("unknown annotation `@{name}`"))
+        .suggest(nearest(name, ANNOTATIONS.iter().copied()).map(|near| format!("@{near}")));
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::compile::{Door, compile_files, compile_text};
+    use crate::lex::lex;
+    use crate::link::{Files, Unit};
+
+    /// One library for every path.
+    struct Library(&'static str);
+
+    impl Files for Library {
+        fn open(&mut self, path: &str, _: &str) -> Result<Unit, String> {
+            let lexed = lex(self.0);
+            Ok(Unit { name: path.into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+        }
+    }
+
+    #[test]
+    fn what_stands_before_an_import_is_said_of_it() {
+        for (before, expected) in
+            [("", [false, false]), ("@Hidden", [true, true]), ("@Hidden(b, \"c\")", [false, true])]
+        {
+            let text = format!(
+                "@Group(\"A\") attr x = 1 {before} @Group(\"B\") import lib : \"lib.cga\" attr y = 1 Lot --> lib.Lot"
+            );
+            let lexed = lex(&text);
+            let root = Unit { name: "a.cga".into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags };
+            let library = "attr a = 1  attr b = 2  @Group(\"C\") attr c = 3  Lot --> t(a, b, c)";
+            let compiled = compile_files(root, &mut Library(library), &[]);
+            assert_eq!(compiled.diags, []);
+            let grammar = compiled.grammar.expect("no error");
+            let shown: Vec<(&str, &str, bool)> =
+                grammar.attrs.iter().map(|attr| (attr.name.as_str(), attr.group[0].as_str(), attr.hidden)).collect();
+            // The group goes on across the import.
+            let [first, second] = expected;
+            let imported = [("lib.a", "B", first), ("lib.b", "B", second), ("lib.c", "C", second)];
+            assert_eq!(shown, [[("x", "A", false), ("y", "B", false)].as_slice(), &imported].concat());
+        }
+    }
+
+    #[test]
+    fn each_style_may_have_a_start_rule() {
+        for style in ["", "style S"] {
+            let source = compile_text(&format!("@StartRule A --> NIL {style} @StartRule B --> NIL"));
+            assert_eq!(source.compiled.diags, []);
+            let grammar = source.compiled.grammar.expect("no error");
+            let default = |style| grammar.starts.iter().find(|start| start.style == style).map(|start| &*start.name);
+            assert_eq!(default(0), Some("A"));
+            assert_eq!(default(1), (!style.is_empty()).then_some("S$B"));
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! What a program means, and what is wrong with it.
+//!
+//! Passes read the trees and write side tables and findings; all of them run. What could not be resolved has no entry
+//! in a table, and nothing more is said about it. [`Checked`] is made only when there was no error.
+
+use crate::code::Code;
+use crate::diag::{Diags, Level};
+use crate::diagnostics::levels;
+use crate::index::{Named, index};
+use crate::ir::Type;
+use crate::link::{InstanceId, Program, Wanted};
+use crate::resolve::context::Cx;
+use crate::resolve::globals::{Globals, Item};
+use crate::resolve::tables::Tables;
+use crate::resolve::{cycles, duplicates, names, overrides};
+use crate::{annotations, diagnostics, infer};
+
+/// A program without errors. Only this can be lowered.
+pub struct Checked<'a> {
+    pub(crate) globals: Globals<'a>,
+    pub(crate) tables: Tables,
+    _private: (),
+}
+
+/// What a check leaves behind.
+pub(crate) struct Outcome<'a> {
+    /// The program, if it had no error.
+    pub(crate) checked: Option<Checked<'a>>,
+    /// The attributes with their types, as far as they could be told.
+    pub(crate) attrs: Vec<(Item<'a>, Option<Type>)>,
+    /// Where names are declared and used.
+    pub(crate) index: Vec<Named>,
+    /// Whether something is of another type than is needed.
+    pub(crate) misfit: bool,
+    /// Declarations that calls want with other types. When there are some, only that was found out.
+    pub(crate) wanted: Vec<Wanted>,
+    /// Declarations with types of their own that do not suit them.
+    pub(crate) unsuited: Vec<InstanceId>,
+}
+
+/// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.
+/// What follows from sizes and calls is looked for when `program` is as it will be: `last` says that no more declarations
+/// are instantiated, and without misfits none are.
+pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bool, diags: &mut Diags) -> Outcome<'a> {
+    let mut cx = Cx { globals: Globals::new(program), tables: Tables::default(), at: 0, diags };
+    let levels = levels::collect(&mut cx, levels);
+    duplicates::values(&mut cx);
+    overrides::check(&mut cx);
+    names::uses(&mut cx);
+    let infer::Found { misfit, wanted, unsuited } = infer::infer(&mut cx);
+    if !wanted.is_empty() {
+        return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), misfit, wanted, unsuited };
+    }
+    annotations::read(&mut cx);
+    duplicates::operations(&mut cx);
+    duplicates::overloads(&mut cx);
+    duplicates::styles(&mut cx);
+    cycles::find(&mut cx);
+    if last || !misfit {
+        diagnostics::check(&mut cx);
+    }
+    let Cx { globals, tables, diags, .. } = cx;
+    levels::apply(&levels, diags);
+    let ty = |item: &Item| tables.type_of(item);
+    let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
+    let index = if last || !misfit { index(&globals, &tables) } else { Vec::new() };
+    let checked = (!diags.has_errors()).then_some(Checked { globals, tables, _private: () });
+    Outcome { checked, attrs, index, misfit, wanted, unsuited }
+}

@@ -1,0 +1,67 @@
+//! Checks of expressions: division by zero, arguments out of bounds, conditions that are always the same.
+
+use super::{bounds, branches, colour, texture};
+use crate::analysis::{Facts, Flow, Turn};
+use crate::ast::{Binary, Expr, ExprKind};
+use crate::code::Code;
+use crate::diag::Diags;
+use crate::resolve::context::Cx;
+use crate::resolve::tables::Use;
+
+/// Looks at an expression and its parts.
+pub(crate) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
+    match &expr.kind {
+        ExprKind::Binary(op @ (Binary::Div | Binary::Rem), _, _, right)
+            if flow.value(right, facts).number().known() == Some(0.0) =>
+        {
+            let what = if *op == Binary::Div { "this divides by zero" } else { "the remainder of zero is no number" };
+            let diag = diags.report(Code::DivisionByZero, right.span, what);
+            diag.note("the result is no number: operations take it as 0, with a fault");
+        }
+        ExprKind::Case(arms, other) => return case(arms, other, facts, (facts, &mut Vec::new()), flow, cx, diags),
+        ExprKind::Call(name, args) => {
+            if let Some(Use::Builtin(row)) = cx.tables.at(facts.own).of(name) {
+                texture::asked(name, args, (facts, flow), diags);
+                let args: Vec<&Expr> = args.iter().collect();
+                bounds::check(row.params, &args, facts, flow, diags);
+                colour::check(cx.globals.program, row.params, &args, facts, flow, diags);
+            }
+        }
+        _ => {}
+    }
+    // What stands in a comp is computed on each component.
+    let component = matches!(expr.kind, ExprKind::Comp(_)).then(|| facts.on_any_shape());
+    let facts = component.as_ref().unwrap_or(facts);
+    expr.parts().into_iter().for_each(|part| check(part, facts, flow, cx, diags));
+}
+
+/// Looks at a `case`. `first` is what was known where its first condition stands, with the conditions since: it may stand
+/// behind the `else` of another.
+fn case<'e>(
+    arms: &'e [(Expr, Expr)],
+    other: &'e Expr,
+    facts: &Facts,
+    (first, before): (&Facts, &mut Vec<&'e Expr>),
+    flow: &Flow,
+    cx: &Cx,
+    diags: &mut Diags,
+) {
+    // What is never computed may be anything.
+    let mut left = Some(facts.clone());
+    for (at, (condition, value)) in arms.iter().enumerate() {
+        let Some(here) = left else { return };
+        let is_last = at + 1 == arms.len();
+        branches::check(&Turn { condition, before, is_last, first }, &here, flow, cx, diags);
+        before.push(condition);
+        check(condition, &here, flow, cx, diags);
+        if let Some(inside) = flow.known.past(condition, true, here.clone()) {
+            check(value, &inside, flow, cx, diags);
+        }
+        left = flow.known.past(condition, false, here);
+    }
+    match (left, &other.kind) {
+        (Some(here), ExprKind::Case(arms, other)) => case(arms, other, &here, (first, before), flow, cx, diags),
+        (Some(here), _) => check(other, &here, flow, cx, diags),
+        (None, _) => {}
+    }
+}

@@ -1,0 +1,128 @@
+//! Files that rules name and that the package does not have; groups and materials that an asset does not have.
+
+use crate::analysis::{Facts, Site};
+use crate::ast::{Arg, Expr, ExprKind};
+use crate::code::Code;
+use crate::diag::Diags;
+use crate::link::Asset;
+use crate::ops::{Param, ParamKind};
+use crate::resolve::context::Cx;
+use crate::resolve::tables::{Entries, Use};
+use crate::suggest::nearest;
+use crate::token::Tok;
+use cga_split::files::places;
+
+/// Looks at what is met on the way through a rule.
+pub(crate) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
+    let names = cx.tables.at(facts.own);
+    match site {
+        Site::Operation(row, args) => {
+            if let Some(Arg { value, .. }) = file(row.params).and_then(|at| args.get(at)) {
+                named(value, row.name == "i", names, cx, diags);
+            }
+        }
+        Site::Set(row, value) if row.is_image() => named(value, false, names, cx, diags),
+        Site::Value(value) => expression(value, facts, cx, diags),
+        _ => {}
+    }
+}
+
+/// The number of the parameter that is a file.
+fn file(params: &[Param]) -> Option<usize> {
+    params.iter().position(|param| matches!(param.kind, ParamKind::File | ParamKind::Image))
+}
+
+/// Looks at an expression and its parts.
+pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags) {
+    let names = cx.tables.at(facts.own);
+    if let ExprKind::Call(name, args) = &expr.kind
+        && let Some(Use::Builtin(row)) = names.of(name)
+    {
+        // `fileExists` asks for it, and searches have patterns.
+        if !row.name.starts_with("file")
+            && let Some(value) = file(row.params).and_then(|at| args.get(at))
+        {
+            named(value, false, names, cx, diags);
+        }
+        if let ([list, text], Some(token)) = (args.as_slice(), facts.asset) {
+            within(list, text, token, cx, diags);
+        }
+    }
+    expr.parts().into_iter().for_each(|part| expression(part, facts, cx, diags));
+}
+
+/// The file that an expression names, and the place where that is written.
+fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Cx) -> Option<&'c str> {
+    match &expr.kind {
+        ExprKind::Text(text) => Some(text),
+        ExprKind::Name(name) => match names.of(name)? {
+            Use::Const(index) => match &cx.globals.consts[index as usize].value()?.0.kind {
+                ExprKind::Text(text) => Some(text),
+                _ => None,
+            },
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn named(value: &Expr, is_inserted: bool, names: Entries, cx: &Cx, diags: &mut Diags) {
+    let Some(name) = text(value, names, cx) else { return };
+    let program = cx.globals.program;
+    match program.asset(name, value.span.first) {
+        Some(Asset::Missing(beside)) => {
+            let message = format!("there is no file `{name}` in the package");
+            let diag = diags.report(Code::MissingAsset, value.span, message);
+            let places = places(name, program.folder(value.span.first)).unwrap_or_default();
+            let places: Vec<String> = places.iter().map(|place| format!("`{place}`")).collect();
+            match places.as_slice() {
+                [] => {}
+                [place] => _ = diag.note(format!("{place} is not there")),
+                [places @ .., last] => _ = diag.note(format!("neither {} nor {last} is there", places.join(", "))),
+            }
+            let mut names: Vec<&str> = beside.iter().map(String::as_str).collect();
+            names.sort_unstable();
+            match nearest(name, names) {
+                Some(near) => diag.help(format!("did you mean \"{near}\"?")),
+                None => diag
+                    .help("put it there; where a run takes its assets from elsewhere, write `@Allow(missing_asset)`"),
+            };
+        }
+        Some(Asset::Mesh { has_faces: false, .. }) if is_inserted => {
+            let diag = diags.report(Code::MissingAsset, value.span, format!("`{name}` has no faces"));
+            diag.note("a run puts a box in its place, with a fault");
+        }
+        _ => {}
+    }
+}
+
+/// Looks at the name of a group or material that is looked for among those of the geometry.
+fn within(list: &Expr, text: &Expr, token: u32, cx: &Cx, diags: &mut Diags) {
+    let (ExprKind::Name(query) | ExprKind::Call(query, _), ExprKind::Text(wanted)) = (&list.kind, &text.kind) else {
+        return;
+    };
+    let file = match cx.globals.program.tokens.as_slice().get(token as usize) {
+        Some(Tok::Str(file)) => file,
+        _ => return,
+    };
+    let Some(Asset::Mesh { has_faces: true, groups, materials }) = cx.globals.program.asset(file, token) else {
+        return;
+    };
+    let (names, what) = match query.text.as_str() {
+        "geometry.groups" => (groups, "group"),
+        "geometry.materials" => (materials, "material"),
+        _ => return,
+    };
+    if names.contains(wanted) {
+        return;
+    }
+    let diag = diags.report(Code::UnknownGroup, text.span, format!("`{file}` has no {what} \"{wanted}\""));
+    match (nearest(wanted, names.iter().map(String::as_str)), names.as_slice()) {
+        (Some(near), _) => diag.help(format!("did you mean \"{near}\"?")),
+        (None, []) => diag.note(format!("it has no {what} at all")),
+        (None, names) => {
+            let all: Vec<String> = names.iter().take(6).map(|name| format!("\"{name}\"")).collect();
+            diag.note(format!("it has {}{}", all.join(", "), if names.len() > 6 { ", …" } else { "" }))
+        }
+    };
+}

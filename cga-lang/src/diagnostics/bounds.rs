@@ -1,0 +1,60 @@
+//! Arguments outside the documented values of their parameters.
+
+use super::size::shown;
+use crate::analysis::interval::Interval;
+use crate::analysis::{Facts, Flow, Value};
+use crate::ast::{Expr, ExprKind};
+use crate::code::Code;
+use crate::diag::{Diags, Level};
+use crate::ops::{Bounds, Param, Values};
+
+/// Reports the arguments of a call that are out of bounds for every value they may have.
+pub(crate) fn check(params: &[Param], args: &[&Expr], facts: &Facts, flow: &Flow, diags: &mut Diags) {
+    for (param, arg) in params.iter().zip(args) {
+        let Some(bounds) = param.bounds else { continue };
+        let found = match (bounds.values, flow.value(arg, facts)) {
+            (Values::NotEmpty, _) => is_empty_text(arg).then(|| "this text".to_owned()),
+            (values, Value::Number(number)) => {
+                is_outside(values, number).then(|| number.known().map_or_else(|| "this".to_owned(), shown))
+            }
+            _ => None,
+        };
+        if let Some(found) = found {
+            report(param, bounds, arg, &found, diags);
+        }
+    }
+}
+
+fn report(param: &Param, bounds: &Bounds, arg: &Expr, found: &str, diags: &mut Diags) {
+    let message = match bounds.code {
+        Code::UnknownUvSet => format!("{found} is not the number of a uv set"),
+        _ if bounds.values == Values::NotEmpty => format!("`{}` is empty", param.name),
+        _ => format!("{found} is outside the values of `{}`", param.name),
+    };
+    let level = bounds.result.map_or(bounds.code.level(), |_| Level::Warning);
+    let diag = diags.report_as(bounds.code, level, arg.span, message);
+    diag.note(bounds.about);
+    if let Some(result) = bounds.result {
+        diag.note(result);
+    }
+}
+
+/// Whether no number of an interval is allowed. Runs take NaN as 0, with a fault.
+fn is_outside(values: Values, number: Interval) -> bool {
+    if number.is_odd() {
+        return false;
+    }
+    match values {
+        Values::Between(least, most) => number.hi < least || most < number.lo,
+        Values::Whole(least, most) => {
+            number.hi < least || most < number.lo || number.known().is_some_and(|number| number.fract() != 0.0)
+        }
+        Values::AtLeast(least) => number.hi < least,
+        Values::Above(least) => number.hi <= least,
+        Values::NotEmpty => false,
+    }
+}
+
+fn is_empty_text(arg: &Expr) -> bool {
+    matches!(&arg.kind, ExprKind::Text(text) if text.is_empty())
+}

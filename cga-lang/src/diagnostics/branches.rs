@@ -1,0 +1,248 @@
+//! Conditions that are always true or always false.
+
+use super::size::range;
+use crate::analysis::{Facts, Flow, Turn, Value};
+use crate::ast::{Binary, Expr, ExprKind, Unary};
+use crate::code::Code;
+use crate::diag::{Diag, Diags};
+use crate::hash::FastMap;
+use crate::ir::ChoiceValues;
+use crate::link::InstanceId;
+use crate::resolve::context::Cx;
+use crate::resolve::tables::{Entries, Use};
+use crate::suggest::nearest;
+use crate::token::{Sym, Tok};
+use std::collections::HashSet;
+
+/// Looks at a condition of a `case`.
+pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mut Diags) {
+    let condition = turn.condition;
+    let Some(truth) = flow.value(condition, facts).truth() else {
+        // A part of it may be wrong even so.
+        if let Some(stray) = unlisted(condition, facts.own, cx)
+            && let Some(truth) = flow.value(stray.part, facts).truth()
+        {
+            stray.report(always(stray.part, truth, diags));
+        }
+        return again(turn, facts.own, cx, diags);
+    };
+    if is_decided_by_switch(condition, truth, facts, flow, cx) {
+        return;
+    }
+    // Whoever names the last of all possibilities, has to write `else` even so.
+    if truth && turn.is_last && flow.value(condition, turn.first).truth().is_none() {
+        return;
+    }
+    let diag = always(condition, truth, diags);
+    let mut notes = Vec::new();
+    if let Some(stray) = unlisted(condition, facts.own, cx).filter(|stray| stray.part.span == bare(condition).span) {
+        stray.report(diag);
+    } else {
+        reasons(condition, truth, facts, flow, "here", &mut notes);
+    }
+    notes.dedup();
+    for note in notes {
+        diag.note(note);
+    }
+    diag.note(if truth { "what comes after it is never done" } else { "what it leads to is never done" });
+}
+
+fn always<'d>(condition: &Expr, truth: bool, diags: &'d mut Diags) -> &'d mut Diag {
+    let word = if truth { "true" } else { "false" };
+    diags.report(Code::CaseAlways, condition.span, format!("this condition is always {word}"))
+}
+
+/// A comparison of an attribute with a text that it never has.
+struct Stray<'e> {
+    part: &'e Expr,
+    attr: &'e str,
+    text: &'e str,
+    /// What may be meant.
+    near: Option<&'e str>,
+}
+
+impl Stray<'_> {
+    fn report(&self, diag: &mut Diag) {
+        let Stray { attr, text, .. } = self;
+        diag.note(format!("\"{text}\" is none of the values that `{attr}` may have"));
+        diag.help(match self.near {
+            Some(near) => format!("did you mean \"{near}\"?"),
+            None => format!("write one of those in its annotation, or add \"{text}\" there"),
+        });
+    }
+}
+
+/// A condition without `!` before it.
+fn bare(condition: &Expr) -> &Expr {
+    match &condition.kind {
+        ExprKind::Unary(Unary::Not, operand) => bare(operand),
+        _ => condition,
+    }
+}
+
+/// Looks for one in a condition.
+fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Cx) -> Option<Stray<'e>> {
+    let (name, text) = match &condition.kind {
+        ExprKind::Unary(Unary::Not, operand) => return unlisted(operand, own, cx),
+        ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => {
+            return unlisted(left, own, cx).or_else(|| unlisted(right, own, cx));
+        }
+        ExprKind::Binary(Binary::Eq | Binary::Ne, _, left, right) => match (&left.kind, &right.kind) {
+            (ExprKind::Name(name), ExprKind::Text(text)) | (ExprKind::Text(text), ExprKind::Name(name)) => (name, text),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let Some(Use::Attr(attr)) = cx.tables.at(own).of(name) else { return None };
+    let ChoiceValues::Texts(list) = cx.tables.attrs.get(attr as usize)?.held_to_choices()? else { return None };
+    let near = nearest(text, list.iter().map(String::as_str));
+    (!list.contains(text)).then_some(Stray { part: condition, attr: &name.text, text, near })
+}
+
+/// A condition that has failed before, word for word.
+fn again(turn: &Turn, own: InstanceId, cx: &Cx, diags: &mut Diags) {
+    let (condition, tokens) = (turn.condition, cx.globals.program.tokens.as_slice());
+    let written = |expr: &Expr| tokens.get(expr.span.first as usize..=expr.span.last as usize);
+    let Some(first) = turn.before.iter().find(|first| written(first) == written(condition)) else { return };
+    if !is_settled(condition, cx.tables.at(own)) {
+        return;
+    }
+    let diag = always(condition, false, diags);
+    diag.related("the same condition comes before it", first.span);
+    diag.note("what it leads to is never done");
+}
+
+/// Returns true if an expression is the same whenever it is computed on one shape: without chance, without Rust.
+fn is_settled(expr: &Expr, names: Entries) -> bool {
+    let own = match &expr.kind {
+        ExprKind::Name(name) | ExprKind::Call(name, _) => match names.of(name) {
+            Some(Use::Builtin(row)) => row.pure || row.name.starts_with("geometry."),
+            Some(Use::Function(_)) | None => false,
+            Some(_) => true,
+        },
+        ExprKind::Path(..) | ExprKind::Host(_) | ExprKind::Chance(..) | ExprKind::Error => false,
+        _ => true,
+    };
+    own && expr.parts().into_iter().all(|part| is_settled(part, names))
+}
+
+/// Collects what is known of the values that are compared, where that decides.
+fn reasons(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, place: &str, notes: &mut Vec<String>) {
+    match &condition.kind {
+        ExprKind::Unary(Unary::Not, operand) => reasons(operand, !truth, facts, flow, place, notes),
+        ExprKind::Binary(op @ (Binary::And | Binary::Or), _, left, right) => {
+            let mut is_told = false;
+            for side in [left, right] {
+                if flow.value(side, facts).truth() == Some(truth) {
+                    reasons(side, truth, facts, flow, place, notes);
+                    is_told = true;
+                }
+            }
+            // Or it follows from the other.
+            let goes_on = *op == Binary::And;
+            if !is_told && let Some(facts) = flow.known.past(left, goes_on, facts.clone()) {
+                let place =
+                    if goes_on { "where the part before it is true" } else { "where the part before it is false" };
+                reasons(right, truth, &facts, flow, place, notes);
+            }
+        }
+        ExprKind::Binary(_, _, left, right) => {
+            for side in [left, right] {
+                if let (ExprKind::Name(name), Some(here)) = (&side.kind, told(side, facts, flow)) {
+                    notes.push(format!("`{}` is {here} {place}", name.text));
+                }
+            }
+        }
+        ExprKind::Name(name) => {
+            notes.extend(told(condition, facts, flow).map(|here| format!("`{}` is {here} {place}", name.text)));
+        }
+        _ => {}
+    }
+}
+
+/// A value as messages show it, if something is known.
+fn told(expr: &Expr, facts: &Facts, flow: &Flow) -> Option<String> {
+    match flow.value(expr, facts) {
+        Value::Number(number) if number.lo.is_finite() || number.hi.is_finite() => {
+            Some(format!("{}{}", range(number), if number.may_be_nan() { ", or no number" } else { "" }))
+        }
+        Value::Truth(Some(truth)) => Some(truth.to_string()),
+        Value::Text(set) => flow.known.told(set),
+        _ => None,
+    }
+}
+
+/// Returns true if it is a switch that decides a condition.
+fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flow, cx: &Cx) -> bool {
+    let decides = |side: &Expr, truth: bool| {
+        flow.value(side, facts).truth() == Some(truth) && is_decided_by_switch(side, truth, facts, flow, cx)
+    };
+    match &condition.kind {
+        ExprKind::Unary(Unary::Not, operand) => decides(operand, !truth),
+        // One side is enough, or one of the two it takes.
+        ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => decides(left, truth) || decides(right, truth),
+        ExprKind::Binary(Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge, _, left, right) => {
+            is_level(left, right, facts.own, cx) || is_level(right, left, facts.own, cx)
+        }
+        _ => is_switch(condition, cx.tables.at(facts.own)) || is_literal(condition),
+    }
+}
+
+/// Returns true if an order comparison tests a switch: a constant against zero, which turns a part off (`overhang > 0`), or a constant
+/// that the rules do nothing with but compare it, more than once (`lod > 1`, `lod > 2`).
+fn is_level(constant: &Expr, bound: &Expr, own: InstanceId, cx: &Cx) -> bool {
+    let (ExprKind::Name(name) | ExprKind::Call(name, _), ExprKind::Number(bound)) = (&constant.kind, &bound.kind)
+    else {
+        return false;
+    };
+    let names = cx.tables.at(own);
+    match names.of(name) {
+        Some(Use::Function(_)) => *bound == 0.0 && is_switch(constant, names),
+        Some(Use::Const(index)) => *bound == 0.0 || cx.tables.levels.contains(&index),
+        _ => false,
+    }
+}
+
+/// Constants that are used more than once, always in a comparison with a number.
+pub(crate) fn levels(cx: &Cx) -> HashSet<u32> {
+    let tokens = cx.globals.program.tokens.as_slice();
+    let at = |token: u32, step: i64| usize::try_from(i64::from(token) + step).ok().and_then(|at| tokens.get(at));
+    let compares = |token: u32, step: i64| {
+        use Sym::{EqEq, Greater, GreaterEq, Less, LessEq, NotEq};
+        let compared = matches!(at(token, step), Some(Tok::Sym(EqEq | NotEq | Less | LessEq | Greater | GreaterEq)));
+        compared && matches!(at(token, 2 * step), Some(Tok::Number(_)))
+    };
+    let mut counts: FastMap<u32, Option<u32>> = FastMap::default();
+    for (&(_, token), found) in &cx.tables.uses {
+        if let Use::Const(index) = found {
+            let is_compared = compares(token, 1) || compares(token, -1);
+            let count = counts.entry(*index).or_insert(Some(0));
+            *count = count.filter(|_| is_compared).map(|count| count + 1);
+        }
+    }
+    counts.into_iter().filter(|(_, count)| 1 < count.unwrap_or(0)).map(|(index, _)| index).collect()
+}
+
+/// Returns true if an expression has no names: `1 == 1` is a switch, too.
+fn is_literal(expr: &Expr) -> bool {
+    matches!(
+        expr.kind,
+        ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Unary(..) | ExprKind::Binary(..)
+    ) && expr.parts().into_iter().all(is_literal)
+}
+
+/// Returns true if an expression is a bare `true` or `false`, or made of constants alone: a switch that its author sets by hand.
+pub(crate) fn is_switch(expr: &Expr, names: Entries) -> bool {
+    fn count(expr: &Expr, names: Entries, constants: &mut usize, others: &mut usize) {
+        if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
+            match names.of(name) {
+                Some(Use::Const(_) | Use::Function(_)) => *constants += 1,
+                _ => *others += 1,
+            }
+        }
+        expr.parts().into_iter().for_each(|part| count(part, names, constants, others));
+    }
+    let (mut constants, mut others) = (0, 0);
+    count(expr, names, &mut constants, &mut others);
+    matches!(expr.kind, ExprKind::Bool(_)) || 0 < constants && others == 0
+}

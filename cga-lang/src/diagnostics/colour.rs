@@ -1,0 +1,76 @@
+//! Colours that are none: text is an error among Rust, and old text keeps running, with a fault; numbers are cut to what
+//! there is.
+
+use super::size::shown;
+use crate::analysis::{Facts, Flow};
+use crate::ast::{Expr, ExprKind};
+use crate::code::Code;
+use crate::diag::{Diags, Level};
+use crate::door::Door;
+use crate::link::Program;
+use crate::ops::Param;
+
+/// Looks at the arguments of an operation or function.
+pub(crate) fn check(
+    program: &Program,
+    params: &[Param],
+    args: &[&Expr],
+    facts: &Facts,
+    flow: &Flow,
+    diags: &mut Diags,
+) {
+    let known = |name: &str| params.iter().position(|param| param.name == name).and_then(|at| args.get(at).copied());
+    if let Some(arg) = known("hexValue") {
+        text(program, arg, diags);
+    }
+    let parts = ["red", "green", "blue", "opacity"].map(known);
+    let stray = parts.into_iter().flatten().find(|part| {
+        let number = flow.value(part, facts).number();
+        number.hi < 0.0 || 1.0 < number.lo
+    });
+    let Some(stray) = stray else { return };
+    let number = flow.value(stray, facts).number().known();
+    let what = number.map_or_else(|| "this".to_owned(), shown);
+    let message = format!("{what} is no part of a colour");
+    let diag = diags.report_as(Code::NotAColor, Level::Warning, stray.span, message);
+    diag.note("red, green, blue and opacity go from 0 to 1");
+    match hex(parts.into_iter().flatten().map(|part| flow.value(part, facts).number().known())) {
+        Some(hex) => diag.help(format!("write \"{hex}\" for all of them")),
+        None => diag.help("write a number from 0 to 1"),
+    };
+}
+
+/// The colour that is meant by numbers from 0 to 255.
+fn hex(parts: impl Iterator<Item = Option<f64>>) -> Option<String> {
+    let parts: Vec<f64> = parts.collect::<Option<_>>()?;
+    let is_byte = |part: &f64| (*part == 0.0 || (2.0..=255.0).contains(part)) && part.fract() == 0.0;
+    let are_bytes = parts.iter().all(is_byte);
+    let are_large = parts.iter().any(|part| 10.0 < *part);
+    let digits = || parts.iter().map(|part| format!("{:02x}", *part as u8)).collect::<String>();
+    (are_bytes && are_large).then(|| format!("#{}", digits()))
+}
+
+/// Looks at a value that must be a colour.
+pub(crate) fn text(program: &Program, value: &Expr, diags: &mut Diags) {
+    let ExprKind::Text(text) = &value.kind else { return };
+    if is_colour(text) {
+        return;
+    }
+    let level = if program.door(value.span.first) == Door::Inline { Level::Error } else { Level::Warning };
+    let diag = diags.report_as(Code::NotAColor, level, value.span, format!("\"{text}\" is not a colour"));
+    diag.note("a colour is `#` and six hexadecimal digits, or eight with opacity");
+    let digits = text.trim_start_matches('#');
+    let hex = digits.bytes().all(|byte| byte.is_ascii_hexdigit());
+    match digits.len() {
+        6 | 8 if hex => diag.help(format!("write \"#{digits}\"")),
+        3 if hex => {
+            diag.help(format!("write \"#{}\"", digits.chars().flat_map(|digit| [digit; 2]).collect::<String>()))
+        }
+        _ => diag.help("write something like \"#ff8000\""),
+    };
+}
+
+fn is_colour(text: &str) -> bool {
+    let Some(digits) = text.strip_prefix('#') else { return false };
+    matches!(digits.len(), 6 | 8) && digits.bytes().all(|byte| byte.is_ascii_hexdigit())
+}

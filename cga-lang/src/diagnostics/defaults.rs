@@ -1,0 +1,86 @@
+//! What holds for the defaults of attributes only: a host program may set them to anything.
+
+use super::agreed::Agreed;
+use super::{repeat, size};
+use crate::analysis::{Attrs, Calls, Flow, Known, Site, Slots};
+use crate::ast::{Expr, ExprKind};
+use crate::code::Code;
+use crate::diag::{Diag, Diags, Level};
+use crate::resolve::context::Cx;
+use crate::resolve::tables::{Entries, Use};
+use crate::span::Span;
+use std::collections::HashSet;
+
+/// Findings that are worth a word even so. A size of zero is not: it turns a part off.
+const TOLD: &[Code] = &[
+    Code::SizeNotPositive,
+    Code::SlotNeverMade,
+    Code::FloatWithoutSpace,
+    Code::SlotAlwaysCut,
+    Code::SharesBeyondWhole,
+    Code::SizesBeyondExtent,
+    Code::TooManyPieces,
+];
+
+/// Looks for them; `certain` is what holds in any case.
+pub(crate) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
+    let program = cx.globals.program;
+    let known = Known::new(&cx.globals, &cx.tables, Attrs::Defaults);
+    let flow = Flow::new(&cx.globals, &known, Some(calls));
+    let mut agreed = Agreed::default();
+    for (rule, item) in cx.globals.rules.iter().enumerate() {
+        if !program.roots.contains(&item.instance) {
+            continue;
+        }
+        let mut list = Vec::new();
+        flow.visit(&cx.globals, rule, &mut |site, facts| {
+            let Site::Split(slots) = site else { return };
+            let mut diags = Diags::new();
+            size::check(slots, facts, &cx.tables, &mut diags);
+            repeat::check(slots, &mut diags);
+            list.extend(diags.finish().into_iter().filter(|diag| is_told(diag, slots)).map(|diag| {
+                let mut diag = Diag { level: Level::Warning, ..diag };
+                reason(&mut diag, slots, cx.tables.at(item.own), cx);
+                diag
+            }));
+        });
+        agreed.add(item, list);
+    }
+    let mut list = agreed.finish();
+    let known: HashSet<Span> = certain.iter().map(|diag| diag.span).collect();
+    list.retain(|diag| !known.contains(&diag.span));
+    list
+}
+
+fn is_told(diag: &Diag, slots: &Slots) -> bool {
+    let off = slots.list.iter().any(|slot| slot.size.span == diag.span && slot.value.known() == Some(0.0));
+    TOLD.contains(&diag.code) && !off
+}
+
+/// Says which defaults it is.
+fn reason(diag: &mut Diag, slots: &Slots, names: Entries, cx: &Cx) {
+    let mut attrs = Vec::new();
+    // A slot depends on those before it, one that floats on all.
+    let at = slots.list.iter().position(|slot| slot.size.span == diag.span && !slot.floats());
+    let count = at.map_or(slots.list.len(), |at| at + 1);
+    slots.list[..count].iter().for_each(|slot| read(&slot.size.value, names, &mut attrs));
+    attrs.sort_unstable();
+    attrs.dedup();
+    for &attr in &attrs {
+        let name = &cx.globals.attrs[attr as usize].decl.name;
+        diag.related(format!("so it is with the default of `{}`", name.text), name.span);
+    }
+    if attrs.is_empty() {
+        diag.note("so it is with the defaults of the attributes");
+    }
+}
+
+/// The attributes that an expression reads.
+fn read(expr: &Expr, names: Entries, list: &mut Vec<u32>) {
+    if let ExprKind::Name(name) = &expr.kind
+        && let Some(Use::Attr(attr)) = names.of(name)
+    {
+        list.push(attr);
+    }
+    expr.parts().into_iter().for_each(|part| read(part, names, list));
+}

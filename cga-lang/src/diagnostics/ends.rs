@@ -1,0 +1,187 @@
+//! Cycles of rules that never end, or that only chance ends.
+
+use super::agreed::Agreed;
+use crate::analysis::{Calls, body};
+use crate::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
+use crate::ast_walk::ops;
+use crate::code::Code;
+use crate::diag::{Diag, Diags, Level};
+use crate::graph::{components, is_cycle};
+use crate::ops::Effect;
+use crate::resolve::context::Cx;
+use crate::resolve::globals::Item;
+use crate::resolve::tables::{Entries, Use};
+use crate::span::Span;
+
+/// What counts as an end of a cycle.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Ends {
+    /// Whatever may stop a run: paths without a call, splits of what is too small.
+    All,
+    /// Not splits that hand on all of the shape: nothing gets smaller.
+    ButWholeSplits,
+    /// Not what chance alone decides.
+    ButChance,
+}
+
+pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
+    let globals = &cx.globals;
+    let mut cycle: Vec<Option<usize>> = vec![None; globals.rules.len()];
+    let cycles: Vec<Vec<usize>> =
+        components(&calls.edges).into_iter().filter(|component| is_cycle(component, &calls.edges)).collect();
+    for (number, component) in cycles.iter().enumerate() {
+        component.iter().for_each(|&rule| cycle[rule] = Some(number));
+    }
+    let sets = [Ends::All, Ends::ButWholeSplits, Ends::ButChance].map(|ends| (ends, going_on(cx, calls, &cycle, ends)));
+    let mut agreed = Agreed::default();
+    for component in &cycles {
+        let found =
+            sets.iter().find_map(|(ends, set)| Some((*ends, component.iter().copied().find(|rule| set[*rule])?)));
+        let Some((ends, rule)) = found else { continue };
+        if ends == Ends::ButWholeSplits && component.iter().any(|rule| sizes(&globals.rules[*rule], cx)) {
+            continue;
+        }
+        let item = &globals.rules[rule];
+        let name = &item.decl.name;
+        let others = component.iter().filter(|other| **other != rule).map(|other| &globals.rules[*other].decl.name);
+        let way = match others.map(|name| format!("`{}`", name.text)).collect::<Vec<_>>() {
+            list if list.is_empty() => String::new(),
+            list => format!(" by way of {}", list.join(", ")),
+        };
+        let mut diags = Diags::new();
+        let what = format!("`{}` calls itself{way}", name.text);
+        let diag = match ends {
+            Ends::All => {
+                let diag = diags.report(Code::EndlessRules, name.span, format!("{what} and never ends"));
+                diag.note("each path through it comes back to it, and nothing on the way stops")
+            }
+            Ends::ButWholeSplits => {
+                let message = format!("{what}, and nothing gets smaller on the way");
+                let diag = diags.report_as(Code::EndlessRules, Level::Warning, name.span, message);
+                diag.note("its split hands on all of the shape, so only one without an extent ends it")
+            }
+            Ends::ButChance => {
+                let diag = diags.report(Code::OnlyChanceEnds, name.span, format!("{what} until chance ends it"));
+                diag.note("only percentages decide whether it goes on")
+            }
+        };
+        let itself = component.len() == 1;
+        if let Some(call) = call_of(body(item), rule, cx.tables.at(item.own)).filter(|_| itself) {
+            diag.related("it calls itself", call);
+            diag.help(format!("write `{}.` for a leaf", name.text));
+        }
+        diag.help("write a `case` with a branch that does not call it, as in `case scope.sx < 0.1 : … else : …`");
+        agreed.add(item, diags.finish());
+    }
+    agreed.finish()
+}
+
+/// Where some steps name a rule first.
+fn call_of(list: &[Op], wanted: usize, names: Entries) -> Option<Span> {
+    let mut found = None;
+    ops(list, &mut |op| {
+        if let OpKind::Call(name, args) = &op.kind
+            && args.is_empty()
+            && names.of(name) == Some(Use::Rule(wanted as u32))
+        {
+            found = found.or(Some(name.span));
+        }
+    });
+    found
+}
+
+/// The rules of cycles in which every path comes back to such a rule.
+fn going_on(cx: &Cx, calls: &Calls, cycle: &[Option<usize>], ends: Ends) -> Vec<bool> {
+    let rules = &cx.globals.rules;
+    let mut callers = vec![Vec::new(); rules.len()];
+    for (caller, callees) in calls.edges.iter().enumerate() {
+        callees.iter().for_each(|&callee| callers[callee].push(caller));
+    }
+    let mut going: Vec<bool> = cycle.iter().map(Option::is_some).collect();
+    // What is left when nothing more can be taken away.
+    let mut open: Vec<usize> = (0..rules.len()).filter(|rule| going[*rule]).collect();
+    while let Some(rule) = open.pop() {
+        let within = |other: u32| going[other as usize] && cycle[other as usize] == cycle[rule];
+        if going[rule] && !goes_on(body(&rules[rule]), cx.tables.at(rules[rule].own), ends, &within) {
+            going[rule] = false;
+            open.extend(callers[rule].iter().filter(|caller| going[**caller]));
+        }
+    }
+    going
+}
+
+/// Whether every path through some steps calls one of those rules.
+fn goes_on(list: &[Op], names: Entries, ends: Ends, within: &dyn Fn(u32) -> bool) -> bool {
+    let inner = |ops: &[Op]| goes_on(ops, names, ends, within);
+    for op in list {
+        let goes = match &op.kind {
+            OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } => {
+                matches!(names.of(name), Some(Use::Rule(rule)) if within(rule))
+            }
+            OpKind::Error => return false,
+            OpKind::Push(ops) => inner(ops),
+            OpKind::Case(arms, otherwise) => inner(otherwise) && arms.iter().all(|(_, ops)| inner(ops)),
+            OpKind::Chance(arms, otherwise) => {
+                let sum: f64 = arms.iter().map(|(percent, _)| percent.value).sum();
+                let taken = arms.iter().filter(|(percent, _)| 0.0 < percent.value).map(|(_, ops)| ops);
+                let rest = 100.0 <= sum;
+                if ends == Ends::ButChance {
+                    // What does not go on must not ask either: else a condition may end it.
+                    let all = || taken.clone().chain((!rest).then_some(otherwise));
+                    all().any(|ops| inner(ops)) && all().all(|ops| inner(ops) || !calls_one(ops, names, within))
+                } else {
+                    taken.clone().all(|ops| inner(ops)) && (rest || inner(otherwise))
+                }
+            }
+            OpKind::Block(block) if ends == Ends::ButWholeSplits => whole(block).is_some_and(inner),
+            // A shape may be too small to divide, or have no such components: that ends the cycle.
+            OpKind::Block(_) | OpKind::Leaf(_) | OpKind::Nil | OpKind::Path(..) => false,
+        };
+        if goes {
+            return true;
+        }
+    }
+    false
+}
+
+/// The operations of the only slot, if it takes all of the shape.
+fn whole(block: &Block) -> Option<&[Op]> {
+    let [BlockPart::Slots(items, repeat)] = block.parts.as_slice() else { return None };
+    let [SplitItem::Slot(size, ops)] = items.as_slice() else { return None };
+    let takes_all = match (&size.prefix, &size.value.kind) {
+        (Some((Prefix::Floating, _)), ExprKind::Number(weight)) => 0.0 < *weight && !repeat,
+        (Some((Prefix::Relative, _)), ExprKind::Number(share)) => 1.0 <= *share,
+        _ => false,
+    };
+    takes_all.then_some(ops)
+}
+
+/// Whether some step names one of those rules.
+fn calls_one(list: &[Op], names: Entries, within: &dyn Fn(u32) -> bool) -> bool {
+    let mut found = false;
+    ops(list, &mut |op| {
+        if let OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } = &op.kind {
+            found |= matches!(names.of(name), Some(Use::Rule(rule)) if within(rule));
+        }
+    });
+    found
+}
+
+/// Whether some step of a rule may change the size of the shape.
+fn sizes(item: &Item, cx: &Cx) -> bool {
+    let (names, mut found) = (cx.tables.at(item.own), false);
+    ops(body(item), &mut |op| {
+        found |= match &op.kind {
+            OpKind::Call(name, _) => match names.of(name) {
+                Some(Use::Operation(row)) => !matches!(row.scope, Effect::Keeps | Effect::KeepsSize),
+                Some(Use::Rule(_) | Use::Leaf | Use::SetAttr(_)) => false,
+                _ => true,
+            },
+            // Slots hand on what they leave of the shape.
+            OpKind::Block(block) => !matches!(block.parts.as_slice(), [BlockPart::Slots(..)]),
+            OpKind::Path(..) | OpKind::Error => true,
+            _ => false,
+        };
+    });
+    found
+}

@@ -1,0 +1,80 @@
+//! `@Allow(code)`, `@Warn(code)` and `@Deny(code)`, before a declaration or before `version`.
+
+use crate::ast::{Annotation, ExprKind};
+use crate::code::Code;
+use crate::diag::{Diags, Level};
+use crate::resolve::context::Cx;
+use crate::span::Span;
+use crate::suggest::nearest;
+
+/// A level for findings of a code within a span, or everywhere.
+pub(crate) struct Setting {
+    code: Code,
+    level: Level,
+    place: Option<Span>,
+}
+
+pub(crate) fn collect(cx: &mut Cx, levels: &[(Code, Level)]) -> Vec<Setting> {
+    let mut settings: Vec<Setting> = levels.iter().map(|&(code, level)| Setting { code, level, place: None }).collect();
+    let program = cx.globals.program;
+    for (number, file) in program.files.iter().enumerate() {
+        // Annotations before `version` count for all of their file.
+        let whole = Span { first: file.tokens.start, last: file.tokens.end.saturating_sub(1) };
+        for annotation in &file.ast.head {
+            read(cx, annotation, Some(whole).filter(|_| number != 0), &mut settings);
+        }
+        for decl in &file.ast.decls {
+            for annotation in &decl.annotations {
+                read(cx, annotation, Some(decl.span), &mut settings);
+            }
+        }
+    }
+    settings
+}
+
+fn read(cx: &mut Cx, annotation: &Annotation, place: Option<Span>, settings: &mut Vec<Setting>) {
+    let level = match annotation.name.text.as_str() {
+        "Allow" => Level::Allow,
+        "Warn" => Level::Warning,
+        "Deny" => Level::Error,
+        _ => return,
+    };
+    for arg in annotation.args.iter().flatten() {
+        let word = match &arg.value.kind {
+            ExprKind::Name(name) => name.text.as_str(),
+            ExprKind::Text(text) => text.as_str(),
+            _ => "",
+        };
+        match Code::from_name(word) {
+            Some(code) if code.is_lint() => settings.push(Setting { code, level, place }),
+            Some(_) => {
+                let message = format!("the level of `{word}` cannot be changed");
+                cx.diags.report(Code::UnknownCode, arg.value.span, message);
+            }
+            None => {
+                let lints = Code::ALL.iter().filter(|code| code.is_lint()).map(|code| code.name());
+                cx.diags
+                    .report(Code::UnknownCode, arg.value.span, format!("there is no finding `{word}`"))
+                    .suggest(nearest(word, lints));
+            }
+        }
+    }
+}
+
+/// Gives the findings so far their levels: of several settings for a place the last counts.
+pub(crate) fn apply(settings: &[Setting], diags: &mut Diags) {
+    if settings.is_empty() {
+        return;
+    }
+    diags.retain_mut(|diag| {
+        let here = settings.iter().rev().find(|setting| {
+            setting.code == diag.code
+                && diag.code.is_lint()
+                && setting.place.is_none_or(|place| place.first <= diag.span.first && diag.span.last <= place.last)
+        });
+        if let Some(setting) = here {
+            diag.level = setting.level;
+        }
+        diag.level != Level::Allow
+    });
+}

@@ -1,0 +1,123 @@
+//! Runs the checks that follow from what is known of shapes and values.
+
+mod agreed;
+mod arithmetic;
+mod assets;
+mod bounds;
+mod branches;
+mod colour;
+mod defaults;
+mod ends;
+mod hidden;
+pub(crate) mod levels;
+mod reach;
+mod repeat;
+mod size;
+mod texture;
+mod trailing;
+mod unused;
+
+use crate::analysis::{Attrs, Calls, Facts, Flow, Known, Site};
+use crate::ast::Expr;
+use crate::diag::{Diag, Diags};
+use crate::diagnostics::agreed::Agreed;
+use crate::diagnostics::texture::Projected;
+use crate::resolve::context::Cx;
+use crate::resolve::globals::Item;
+
+pub(crate) fn check(cx: &mut Cx) {
+    cx.tables.levels = branches::levels(cx);
+    let program = cx.globals.program;
+    // With an error somewhere nobody knows who calls whom.
+    let calls = (!cx.diags.has_errors()).then(|| Calls::new(&cx.globals, &cx.tables));
+    let known = Known::new(&cx.globals, &cx.tables, Attrs::Accepted);
+    let alone = Flow::new(&cx.globals, &known, None);
+    let values = Flow::of_values(&cx.globals, &known);
+    let joined = Flow::new(&cx.globals, &known, calls.as_ref());
+    let projected = Projected::new(cx, &alone);
+    let mut agreed = Agreed::default();
+    for (rule, item) in cx.globals.rules.iter().enumerate() {
+        let mut diags = Diags::new();
+        // A rule may be made for more than what its calls give it today, and rules ask for sizes that they have set: conditions
+        // are judged by values and other conditions.
+        values.visit(&cx.globals, rule, &mut |site, facts| {
+            assets::check(site, facts, cx, &mut diags);
+            match site {
+                Site::Split(_) | Site::TextureSplit(..) => {}
+                Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
+                Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
+                Site::Operation(row, args) => {
+                    if let ("texture", [image]) = (row.name, args) {
+                        texture::carried(&image.value, 0, projected, facts, &mut diags);
+                    }
+                    texture::changed(row, args, projected, (facts, &values), &mut diags);
+                    let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
+                    bounds::check(row.params, &args, facts, &values, &mut diags);
+                    colour::check(program, row.params, &args, facts, &values, &mut diags);
+                }
+                Site::Set(row, value) => {
+                    if let Some(set) = texture::layer(row.name) {
+                        texture::carried(value, set, projected, facts, &mut diags);
+                    }
+                    if row.name == "material.color.rgb" {
+                        colour::text(program, value, &mut diags);
+                    }
+                }
+            }
+        });
+        // Nobody knows who else imports a file.
+        let is_root = program.roots.contains(&item.instance);
+        let mut list = divisions(rule, if is_root { &joined } else { &alone }, projected, cx);
+        if is_root && !list.is_empty() {
+            let anyway = divisions(rule, &alone, projected, cx);
+            let is_so = |diag: &Diag| anyway.iter().any(|other| (other.code, other.span) == (diag.code, diag.span));
+            for diag in list.iter_mut().filter(|diag| !is_so(diag)) {
+                callers(diag, item, joined.is_called(rule));
+            }
+        }
+        diags.append(list);
+        agreed.add(item, diags.finish());
+    }
+    for item in cx.globals.values() {
+        let mut diags = Diags::new();
+        let own = item.value().map_or(item.own, |(_, own)| own);
+        let facts = Facts::any(own, item.decl.params.len() + item.decl.locals.len());
+        let locals = item.decl.locals.iter().map(|(_, value)| value).filter(|_| item.is_own());
+        for value in locals.chain(item.value().map(|(value, _)| value)) {
+            arithmetic::check(value, &facts, &values, cx, &mut diags);
+            assets::expression(value, &facts, cx, &mut diags);
+        }
+        agreed.add(item, diags.finish());
+    }
+    let certain = agreed.finish();
+    let mut found = vec![hidden::check(cx), trailing::check(cx)];
+    if let Some(calls) = &calls {
+        found.push(defaults::check(cx, calls, &certain));
+        found.extend([reach::check(cx, calls), ends::check(cx, calls), unused::check(cx)]);
+    }
+    cx.diags.append(certain);
+    found.into_iter().for_each(|list| cx.diags.append(list));
+}
+
+/// What splits of a rule certainly do.
+fn divisions(rule: usize, flow: &Flow, projected: Projected, cx: &Cx) -> Vec<Diag> {
+    let mut diags = Diags::new();
+    flow.visit(&cx.globals, rule, &mut |site, facts| match site {
+        Site::Split(slots) => {
+            size::check(slots, facts, &cx.tables, &mut diags);
+            repeat::check(slots, &mut diags);
+        }
+        Site::TextureSplit(split, Some(set)) => texture::check(split, *set, projected, facts, &mut diags),
+        _ => {}
+    });
+    diags.finish()
+}
+
+/// Says of what is so because of how a rule is called, that it is.
+fn callers(diag: &mut Diag, item: &Item, is_called: bool) {
+    let name = &item.decl.name.text;
+    if is_called {
+        let start = if item.decl.params.is_empty() { "; a run that begins with it may differ" } else { "" };
+        diag.note(format!("so it is wherever `{name}` is called{start}"));
+    }
+}

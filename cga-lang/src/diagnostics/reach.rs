@@ -1,0 +1,120 @@
+//! Rules that no run gets to.
+//!
+//! A host program may begin with any rule without parameters, marked or not. A file may be imported by others, and there
+//! only rules are reported that go on with an import which does not exist.
+
+use super::agreed::Agreed;
+use crate::analysis::{Calls, body};
+use crate::ast::Role;
+use crate::code::Code;
+use crate::diag::{Diag, Diags};
+use crate::resolve::context::Cx;
+use crate::resolve::globals::{Item, Kind};
+use crate::suggest::nearest;
+use std::collections::HashSet;
+
+/// Looks for them, where nobody can import the rules.
+pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
+    let (globals, program) = (&cx.globals, cx.globals.program);
+    let mut reached = if calls.starts.is_empty() || program.may_be_imported() {
+        vec![true; globals.rules.len()]
+    } else {
+        reached(cx, calls)
+    };
+    let is_called: HashSet<usize> = calls.edges.iter().flatten().copied().collect();
+    for (rule, item) in globals.rules.iter().enumerate() {
+        reached[rule] &= is_called.contains(&rule) || missing_import(cx, item).is_none();
+    }
+    // Whoever calls what is not reached is to blame; in a cycle the first.
+    let mut called = vec![false; globals.rules.len()];
+    for (caller, callees) in calls.edges.iter().enumerate().filter(|(caller, _)| !reached[*caller]) {
+        callees.iter().filter(|callee| caller < **callee).for_each(|&callee| called[callee] = true);
+    }
+    let uncalled = uncalled(cx, calls);
+    let mut agreed = Agreed::default();
+    for (rule, item) in globals.rules.iter().enumerate() {
+        if !program.roots.contains(&item.instance) {
+            continue;
+        }
+        let mut diags = Diags::new();
+        if uncalled.contains(&rule) {
+            let name = &item.decl.name;
+            let diag = diags.report(Code::RuleNotReached, name.span, format!("no rule calls `{}`", name.text));
+            if let Some(start) = calls.starts.first().map(|start| &globals.rules[*start].decl.name) {
+                diag.related(format!("runs begin with `{}`, which is marked `@StartRule`", start.text), start.span);
+            }
+            diag.help("write `@StartRule` before it as well, or `@Hidden`, if runs begin with it");
+        }
+        if !reached[rule] && !called[rule] && !body(item).is_empty() {
+            let name = &item.decl.name;
+            let message = format!("rule `{}` is never reached", name.text);
+            let diag = diags.report(Code::RuleNotReached, name.span, message);
+            match missing_import(cx, item) {
+                Some(import) => {
+                    diag.note(format!("there is no import `{import}`, and no rule here calls `{}`", name.text));
+                    match nearest(import, globals.near(item.instance, Kind::Imports)) {
+                        Some(near) => diag.suggest(Some(near.to_owned())),
+                        None => diag.help(format!("import a file: `import {import} : \"{import}.cga\"`")),
+                    };
+                }
+                None => {
+                    diag.note("no rule that a run gets to calls it, and no run begins with a rule that has parameters");
+                }
+            }
+        }
+        agreed.add(item, diags.finish());
+    }
+    agreed.finish()
+}
+
+/// Rules without parameters that nothing calls and no annotation names, where another rule is marked as the start.
+fn uncalled(cx: &Cx, calls: &Calls) -> HashSet<usize> {
+    let program = cx.globals.program;
+    let mut others: HashSet<usize> = HashSet::new();
+    for (caller, callees) in calls.edges.iter().enumerate() {
+        others.extend(callees.iter().filter(|callee| **callee != caller));
+    }
+    let info = |item: &Item| cx.tables.rules.get(&item.key());
+    let is_root = |item: &Item| program.roots.contains(&item.instance) && !is_outward(item);
+    let is_marked = |item: &Item| is_root(item) && info(item).is_some_and(|info| info.marked);
+    if program.may_be_imported() || !cx.globals.rules.iter().any(is_marked) {
+        return HashSet::new();
+    }
+    let rules = cx.globals.rules.iter().enumerate();
+    let alone = rules.filter(|(rule, item)| {
+        let is_named = info(item).is_some_and(|info| info.marked || info.hidden);
+        is_root(item) && item.decl.params.is_empty() && !is_named && !others.contains(rule) && !body(item).is_empty()
+    });
+    alone.map(|(rule, _)| rule).collect()
+}
+
+/// Whether a rule replaces or goes on with a rule of an import, and is called from there.
+fn is_outward(item: &Item) -> bool {
+    item.decl.role != Role::Plain || item.decl.name.text.contains('.') || item.home != item.instance
+}
+
+/// The import before the name of a rule, where the file has no such import.
+fn missing_import<'a>(cx: &Cx<'a, '_>, item: &Item<'a>) -> Option<&'a str> {
+    let program = cx.globals.program;
+    let (import, _) = item.decl.name.text.split_once('.')?;
+    let is_known = program.instances[item.instance].imports.contains_key(import);
+    (!is_known && !cx.globals.is_lost(item.instance, import)).then_some(import)
+}
+
+/// By rule: whether a run gets there.
+fn reached(cx: &Cx, calls: &Calls) -> Vec<bool> {
+    let globals = &cx.globals;
+    let mut reached = vec![false; globals.rules.len()];
+    let mut open = calls.starts.clone();
+    for (rule, item) in globals.rules.iter().enumerate() {
+        if item.decl.params.is_empty() || is_outward(item) {
+            open.push(rule);
+        }
+    }
+    while let Some(rule) = open.pop() {
+        if !std::mem::replace(&mut reached[rule], true) {
+            open.extend(&calls.edges[rule]);
+        }
+    }
+    reached
+}

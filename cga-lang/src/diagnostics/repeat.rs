@@ -1,0 +1,65 @@
+//! Repeats that make no progress, too many pieces, one repetition or a sliver.
+
+use super::size::{about, axis, shown};
+use crate::analysis::{MARGIN, Once, Slots};
+use crate::code::Code;
+use crate::diag::Diags;
+
+/// The shapes that a run makes at most, where the host program sets no other limit.
+pub(crate) const MOST_SHAPES: f64 = 1e7;
+
+/// A last piece that is cut to less than that share of its size is a sliver.
+const SLIVER: f64 = 0.1;
+
+pub(crate) fn check(slots: &Slots, diags: &mut Diags) {
+    for (number, group) in slots.groups.iter().enumerate() {
+        if group.slots.is_empty() {
+            continue;
+        }
+        let first = slots.list[group.slots.start].size.span;
+        if slots.makes_nothing(number) {
+            let within = slots.groups[..number].iter().enumerate();
+            let outer = within.filter(|(_, outer)| outer.slots.end >= group.slots.end);
+            if outer.into_iter().any(|(outer, _)| slots.makes_nothing(outer)) {
+                continue;
+            }
+            let message = "this repeat can make no progress: no size in it is positive";
+            let span = if group.slots.len() == 1 { first } else { group.span };
+            diags.report(Code::RepeatNoProgress, span, message).help("give one of its slots a positive size");
+        } else if let Some(count) = slots.at_least(number).filter(|count| MOST_SHAPES < *count) {
+            let message = format!("this repeat makes about {} million pieces", (count * 1e-6).round());
+            let diag = diags.report(Code::TooManyPieces, first, message);
+            let most = MOST_SHAPES * 1e-6;
+            diag.note(format!("a run ends at {most} million shapes, unless the host program sets another limit"));
+        } else if let Some(why) = slots.once(number) {
+            let diag = diags.report(Code::RepeatOnce, first, "this is repeated once only, always");
+            diag.note(reason(&why, slots)).help("leave out the `*`, or make the sizes smaller");
+        } else if let Some((share, own)) = sliver(slots) {
+            let message = format!("the last piece is a sliver: {} of the scope", shown(share));
+            let diag = diags.report(Code::RepeatSliver, first, message);
+            diag.note(format!("of its {} nothing more fits in along {}", shown(own), axis(slots)));
+            diag.help("put `~` before the size: then the repeats fill the scope evenly");
+        }
+    }
+}
+
+/// Why a group repeats once, for a note.
+fn reason(once: &Once, slots: &Slots) -> String {
+    let axis = axis(slots);
+    match *once {
+        Once::Shares(sum) => format!("its sizes add up to {} of the scope", shown(sum)),
+        Once::Metres { sum, most } => {
+            format!("its sizes add up to {}, and the scope has {} at most along {axis}", shown(sum), about(most))
+        }
+        Once::Extent(extent) => format!("the scope has {} along {axis}", shown(extent)),
+    }
+}
+
+/// The last piece of a repeat of shares, when it is much smaller than its slot: what it gets, and what it should.
+fn sliver(slots: &Slots) -> Option<(f64, f64)> {
+    let alone = matches!(&slots.groups[..], [group] if group.slots.len() == slots.list.len());
+    let pieces = slots.shares().filter(|_| alone)?;
+    let last = pieces.last()?;
+    let own = slots.list[last.slot as usize].value.known()?;
+    (MARGIN < last.length && last.length < SLIVER * own).then_some((last.length, own))
+}

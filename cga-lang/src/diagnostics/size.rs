@@ -1,0 +1,195 @@
+//! Slots that are never made, always cut or leave a gap.
+
+use super::branches;
+use crate::analysis::interval::Interval;
+use crate::analysis::{Face, Facts, Slot, Slots, Sum, called};
+use crate::ast::Arg;
+use crate::code::Code;
+use crate::diag::{Diag, Diags};
+use crate::resolve::tables::{Entries, Tables};
+
+/// A rest is worth a word when it is less than that share of the thinnest slot: more looks as if it was meant.
+const HARDLY: f64 = 0.5;
+
+/// A rest is worth a word when it is more than that share of the extent: less is rounding, as of three times 0.33.
+const VISIBLE: f64 = 0.02 + 1e-9;
+
+pub(crate) fn check(slots: &Slots, facts: &Facts, tables: &Tables, diags: &mut Diags) {
+    if facts.shape.is_flat(slots.axis) {
+        return flat(slots, facts, diags);
+    }
+    for (index, slot) in slots.list.iter().enumerate() {
+        // A group without any is reported as such.
+        if slot.is_nothing() && !slot.group.is_some_and(|group| slots.makes_nothing(group)) {
+            nothing(slot, tables.at(facts.own), diags);
+        } else if !slot.is_nothing() && slots.is_never(index) {
+            starved(slots, index, facts, diags);
+        }
+    }
+    if (0..slots.list.len()).all(|index| slots.list[index].is_nothing() || !slots.is_never(index)) {
+        crossing(slots, facts, diags);
+    }
+    gap(slots, facts, diags);
+}
+
+/// What a slot becomes, for messages.
+fn label(slot: &Slot) -> String {
+    called(slot.ops).map_or_else(|| "this slot".into(), |name| format!("`{}`", name.text))
+}
+
+/// A number as messages show it.
+pub(crate) fn shown(number: f64) -> String {
+    let rounded = (number * 1e6).round() / 1e6;
+    // Not what is small, and no zero with a sign.
+    let is_far = rounded == 0.0 && number != 0.0 || 1e15 < number.abs();
+    if is_far { format!("{number:e}") } else { format!("{}", rounded + 0.0) }
+}
+
+/// A bound as messages show it, without what rounding may add.
+pub(crate) fn about(number: f64) -> String {
+    shown((number * 1e4).round() / 1e4)
+}
+
+/// Numbers as messages show them: "3", "between 3 and 60", "3 or more".
+pub(crate) fn range(of: Interval) -> String {
+    match (of.lo == of.hi, of.lo.is_finite(), of.hi.is_finite()) {
+        (true, ..) => shown(of.lo),
+        (false, true, true) if shown(of.lo) == shown(of.hi) => format!("about {}", shown(of.lo)),
+        (false, true, true) => format!("between {} and {}", shown(of.lo), shown(of.hi)),
+        (false, true, false) => format!("{} or more", shown(of.lo)),
+        (false, false, true) => format!("{} or less", shown(of.hi)),
+        (false, false, false) => "any number".into(),
+    }
+}
+
+/// Names the place where the extent comes from.
+fn since(slots: &Slots, facts: &Facts, diag: &mut Diag) {
+    if let Some(place) = facts.shape.since[slots.axis] {
+        diag.related(format!("the shape gets this extent along {}", axis(slots)), place);
+    }
+}
+
+pub(crate) fn axis(slots: &Slots) -> &'static str {
+    ["x", "y", "z"][slots.axis]
+}
+
+fn flat(slots: &Slots, facts: &Facts, diags: &mut Diags) {
+    let name = axis(slots);
+    let span = slots.split.args.first().map_or(slots.split.name.span, |arg: &Arg| arg.span);
+    let face = facts.shape.is_face().filter(|_| slots.axis == 2);
+    let message = match face {
+        Some(Face::Any) => format!("a planar face has no extent along {name}: it is never split"),
+        _ => format!("the shape has no extent along {name}: it is never split"),
+    };
+    let diag = diags.report(Code::FlatSplit, span, message);
+    if let Some(place) = facts.shape.since[slots.axis] {
+        diag.related(format!("it is flat along {name}"), place);
+    }
+    if face.is_some() {
+        diag.help("a face lies in x and y: write `split(x)` or `split(y)`");
+    }
+}
+
+fn nothing(slot: &Slot, names: Entries, diags: &mut Diags) {
+    if slot.value.known() == Some(0.0) && branches::is_switch(&slot.size.value, names) {
+        // A part that its author has turned off.
+        return;
+    }
+    let message = match slot.value.known() {
+        Some(size) => format!("this size is {}: {} is never made", shown(size), label(slot)),
+        None => format!("this size is never positive: {} is never made", label(slot)),
+    };
+    let diag = diags.report(Code::SizeNotPositive, slot.size.span, message);
+    if slot.value.known().is_none() {
+        diag.note(format!("it is {}", range(slot.value)));
+    }
+    diag.note("slots without a positive size are left out and take no room");
+}
+
+/// A sum as messages show it: "1.1 of the scope", or metres and how many the scope has.
+fn quantity(slots: &Slots, sum: Sum) -> String {
+    let (extent, axis) = (slots.extent, axis(slots));
+    let room = match extent.known() {
+        Some(extent) => format!("and the scope has {} along {axis}", shown(extent)),
+        None => format!("and the scope has {} at most along {axis}", about(extent.hi)),
+    };
+    match sum {
+        Sum { metres: 0.0, share } => format!("{} of the scope", shown(share)),
+        Sum { share: 0.0, metres } => format!("{}, {room}", shown(metres)),
+        Sum { share, metres } => format!("{} and {} of the scope, {room}", shown(metres), shown(share)),
+    }
+}
+
+fn starved(slots: &Slots, index: usize, facts: &Facts, diags: &mut Diags) {
+    let slot = &slots.list[index];
+    let (code, sum, which) = if slot.floats() {
+        (Code::FloatWithoutSpace, slots.fixed(), "the sizes that do not float")
+    } else {
+        (Code::SlotNeverMade, slots.before(index, false), "the sizes before it")
+    };
+    let message = format!("{} is never made: no room is left for it", label(slot));
+    let diag = diags.report(code, slot.size.span, message);
+    if slots.fills(sum) {
+        diag.note(format!("{which} add up to {}", quantity(slots, sum)));
+    } else if let Some(extent) = slots.extent.known() {
+        let others = (0..slots.list.len()).any(|other| other != index && !slots.is_never(other));
+        diag.note(match others {
+            true => format!("the other slots take all of the {} along {}", shown(extent), axis(slots)),
+            false => format!("it is too small, or the scope too large with {} along {}", shown(extent), axis(slots)),
+        });
+    }
+    let cut = (0..index).find(|&before| !slots.is_never(before) && slots.is_cut(before));
+    if let Some(cut) = cut.filter(|_| !slot.floats()) {
+        let cut = &slots.list[cut];
+        diag.related(format!("{} is cut where the scope ends", label(cut)), cut.size.span);
+    }
+    if 0.0 < sum.metres {
+        since(slots, facts, diag);
+    }
+    diag.help(if slot.floats() {
+        "make one of the others smaller, or put `~` before it"
+    } else {
+        "put `~` before one of the sizes to share what room there is"
+    });
+}
+
+/// The slot that reaches beyond the end of the scope.
+fn crossing(slots: &Slots, facts: &Facts, diags: &mut Diags) {
+    let Some(index) = (0..slots.list.len()).find(|&index| slots.is_cut(index)) else { return };
+    let slot = &slots.list[index];
+    let sum = slots.before(index, true);
+    let code = match sum {
+        Sum { metres: 0.0, .. } => Code::SharesBeyondWhole,
+        Sum { share: 0.0, .. } => Code::SizesBeyondExtent,
+        _ => Code::SlotAlwaysCut,
+    };
+    let message = format!("{} is always cut: it reaches beyond the end of the scope", label(slot));
+    let diag = diags.report(code, slot.size.span, message);
+    let which = if index == 0 { "this size alone is" } else { "the sizes up to here add up to" };
+    diag.note(format!("{which} {}", quantity(slots, sum)));
+    if 0.0 < sum.metres {
+        since(slots, facts, diag);
+    }
+    diag.help("put `~` before one of the sizes to share what room there is");
+}
+
+/// A rest at the end that is too thin to be meant.
+fn gap(slots: &Slots, facts: &Facts, diags: &mut Diags) {
+    let Some(rest) = slots.rest() else { return };
+    let made = || slots.list.iter().filter(|slot| !slot.is_nothing());
+    let thinnest = made().map(|slot| slot.value.lo).fold(f64::INFINITY, f64::min);
+    // A single slot is a part that is cut out.
+    let several = 1 < made().count();
+    let Some(last) = made().next_back().filter(|_| several && rest < thinnest * HARDLY) else { return };
+    let (whole, unit) = if last.is_relative() { (1.0, " of the scope") } else { (slots.extent.hi, "") };
+    if rest <= whole * VISIBLE {
+        return;
+    }
+    let message = format!("a gap of {}{unit} is left behind the last slot", shown(rest));
+    let diag = diags.report(Code::GapLeft, last.size.span, message);
+    diag.note(format!("the sizes add up to {}{unit}, and nothing floats", shown(whole - rest)));
+    if !last.is_relative() {
+        since(slots, facts, diag);
+    }
+    diag.help("put `~` before one of the sizes to share what room there is");
+}

@@ -1,0 +1,157 @@
+//! Splits in texture space, and textures, where there are no texture coordinates.
+//!
+//! Initial shapes may bring some, and a projection may be set up for what comes later: then nothing is said.
+
+use crate::analysis::{Facts, Flow, UvSets, body};
+use crate::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
+use crate::ast_walk::ops;
+use crate::code::Code;
+use crate::diag::Diags;
+use crate::ops::Operation;
+use crate::resolve::context::Cx;
+use crate::resolve::tables::Use;
+
+/// The texture layers by the number of their uv set (*texturing*).
+const LAYERS: [&str; 10] = [
+    "colormap",
+    "bumpmap",
+    "dirtmap",
+    "specularmap",
+    "opacitymap",
+    "normalmap",
+    "emissivemap",
+    "occlusionmap",
+    "roughnessmap",
+    "metallicmap",
+];
+
+/// The functions that give a number for a set, 0 where it is missing (*geometry.du, dv*, *geometry.uMin …*).
+const NUMBERS: [&str; 6] =
+    ["geometry.du", "geometry.dv", "geometry.uMin", "geometry.uMax", "geometry.vMin", "geometry.vMax"];
+
+/// The uv sets that some rule makes, a bit each: by a projection, and by any operation; and those with a projection.
+#[derive(Clone, Copy)]
+pub(crate) struct Projected {
+    projected: u16,
+    made: u16,
+    set_up: u16,
+}
+
+impl Projected {
+    pub(crate) fn new(cx: &Cx, flow: &Flow) -> Projected {
+        let (mut bits, mut made, mut set_up) = (0, 0, 0);
+        // Rules of a file that imports this one may make some as well.
+        if cx.globals.program.may_be_imported() {
+            (made, set_up) = (u16::MAX, u16::MAX);
+        }
+        for item in &cx.globals.rules {
+            let names = cx.tables.at(item.own);
+            ops(body(item), &mut |op| {
+                if let OpKind::Call(name, _) | OpKind::Block(Block { name, .. }) = &op.kind
+                    && let Some(Use::Operation(row)) = names.of(name)
+                {
+                    made |= UvSets::made_by(row);
+                }
+                match &op.kind {
+                    OpKind::Call(name, args) => {
+                        let Some(Use::Operation(row)) = names.of(name) else { return };
+                        let list = match row.name {
+                            "projectUV" | "bakeUV" => &mut bits,
+                            "setupProjection" | "setupUV" => &mut set_up,
+                            _ => return,
+                        };
+                        let facts = Facts::any(item.own, item.decl.params.len());
+                        let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
+                        *list |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
+                    }
+                    OpKind::Path(..) => (bits, made, set_up) = (u16::MAX, u16::MAX, u16::MAX),
+                    _ => {}
+                }
+            });
+        }
+        Projected { projected: bits, made, set_up }
+    }
+
+    fn has(self, set: u32) -> bool {
+        self.projected & 1u16.checked_shl(set).unwrap_or(0) != 0
+    }
+}
+
+/// Looks at a split along `u` or `v` of a uv set.
+pub(crate) fn check(split: &Block, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
+    let span = split.args.first().map_or(split.name.span, |axis| axis.span);
+    if facts.uvs.lacks(set) {
+        let message = format!("the shape has no uv set {set}: it is never split");
+        let diag = diags.report(Code::SplitWithoutUv, span, message);
+        diag.note(format!("nothing makes texture coordinates of set {set} before it"));
+        diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
+    } else if facts.uvs.awaits(set) && !projected.has(set) {
+        let message = format!("the projection of uv set {set} is set up, but never made");
+        let diag = diags.report(Code::SplitWithoutUv, span, message);
+        diag.note("a split goes by the texture coordinates that are there");
+        diag.help(format!("write `projectUV({set})` before it"));
+    }
+}
+
+/// Looks at an operation on a set that is there already, or on a projection.
+pub(crate) fn changed(
+    row: &Operation,
+    args: &[Arg],
+    projected: Projected,
+    (facts, flow): (&Facts, &Flow),
+    diags: &mut Diags,
+) {
+    let Some(arg) = args.first() else { return };
+    let set = || known_set(&arg.value, facts, flow);
+    match row.name {
+        "projectUV" | "bakeUV" => {
+            let Some(set) = set().filter(|set| projected.set_up & (1 << set) == 0) else { return };
+            let message = format!("no rule sets up a projection of uv set {set}: the shape has none after this");
+            let diag = diags.report(Code::MissingUvSet, arg.value.span, message);
+            diag.help(format!("write `setupProjection({set}, …)` before it"));
+        }
+        "translateUV" | "scaleUV" | "rotateUV" | "normalizeUV" | "tileUV" | "offsetUV" | "copyUV" | "insertAlongUV" => {
+            let Some(set) = set().filter(|set| facts.uvs.lacks(*set)) else { return };
+            let message = format!("the shape has no uv set {set}: `{}` has nothing to go by", row.name);
+            let diag = diags.report(Code::MissingUvSet, arg.value.span, message);
+            diag.note(format!("nothing makes texture coordinates of set {set} before it"));
+            diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
+        }
+        _ => {}
+    }
+}
+
+/// Looks at a function of texture coordinates. `geometry.hasUVs` may ask for sets that are missing.
+pub(crate) fn asked(name: &Name, args: &[Expr], (facts, flow): (&Facts, &Flow), diags: &mut Diags) {
+    let set = args.first().map_or(Some(0), |set| known_set(set, facts, flow));
+    let Some(set) = set.filter(|set| NUMBERS.contains(&&*name.text) && facts.uvs.lacks(*set)) else { return };
+    let message = format!("the shape has no uv set {set}: `{}` is 0", name.text);
+    let diag = diags.report(Code::MissingUvSet, name.span, message);
+    diag.note(format!("nothing makes texture coordinates of set {set} before it"));
+    diag.help(format!("write `setupProjection({set}, …) projectUV({set})` before it"));
+}
+
+/// The number of a uv set, where it is known and there is such a set.
+fn known_set(number: &Expr, facts: &Facts, flow: &Flow) -> Option<u32> {
+    let number = flow.value(number, facts).number().known()?;
+    (0.0..10.0).contains(&number).then_some(number as u32)
+}
+
+/// The uv set of a texture layer, by the name of its attribute.
+pub(crate) fn layer(attribute: &str) -> Option<u32> {
+    let map = attribute.strip_prefix("material.")?;
+    LAYERS.iter().position(|layer| *layer == map).map(|set| set as u32)
+}
+
+/// Looks at a texture. A layer without its uv set goes by the first one (*texturing*).
+pub(crate) fn carried(image: &Expr, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
+    let is_off = matches!(&image.kind, ExprKind::Text(text) if text.is_empty());
+    let none = |set: u32| facts.uvs.lacks(set) && projected.made & (1 << set) == 0;
+    if is_off || !none(0) || !none(set) {
+        return;
+    }
+    let message = "the shape has no texture coordinates: nothing shows this texture";
+    let diag = diags.report(Code::TextureWithoutUv, image.span, message);
+    diag.note("no rule makes texture coordinates, and those that an initial shape may bring are deleted before it");
+    diag.help("write `setupProjection(0, …) projectUV(0)` before it");
+}

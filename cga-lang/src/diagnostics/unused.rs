@@ -1,0 +1,203 @@
+//! What is declared and never used, and what hides something of the same name.
+
+use super::agreed::Agreed;
+use crate::ast::{Body, Name, Role};
+use crate::code::Code;
+use crate::diag::{Diag, Diags};
+use crate::ir::{ChoiceValues, Type};
+use crate::ops;
+use crate::resolve::context::Cx;
+use crate::resolve::globals::{Init, Item};
+use crate::resolve::tables::Use;
+use crate::span::Span;
+use crate::token::{Sym, Tok};
+use std::collections::{HashMap, HashSet};
+
+/// Looks for both, in the file that is compiled: an imported one may have more than is used here.
+pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
+    let (globals, program) = (&cx.globals, cx.globals.program);
+    // A file without a start is there for others.
+    if cx.tables.starts.iter().all(Option::is_none) {
+        return Vec::new();
+    }
+    let used = Used::new(cx);
+    let is_root = |item: &&Item| program.roots.contains(&item.instance) && item.home == item.instance && !item.origin;
+    let mut agreed = Agreed::default();
+    // What a file declares others may read.
+    let styled = styled(cx);
+    // A style may redefine a value for rules that only the other style has.
+    let is_styled = |item: &Item| styled.contains(&(item.decl.name.text.as_str(), item.decl.params.len()));
+    let values = |item: &&Item| is_root(item) && !program.may_be_imported() && !is_styled(item);
+    for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
+        let mut diags = Diags::new();
+        value(item, "attribute", Code::UnusedAttribute, used.attrs.contains(&(index as u32)), &mut diags);
+        agreed.add(item, diags.finish());
+    }
+    for (index, item) in globals.consts.iter().enumerate().filter(|(_, item)| values(item)) {
+        let mut diags = Diags::new();
+        value(item, "constant", Code::UnusedConstant, used.consts.contains(&(index as u32)), &mut diags);
+        agreed.add(item, diags.finish());
+    }
+    for item in globals.rules.iter().chain(&globals.functions).filter(is_root) {
+        let mut diags = Diags::new();
+        inner(cx, item, &styled, &mut diags);
+        agreed.add(item, diags.finish());
+    }
+    let mut list = agreed.finish();
+    list.extend(imports(cx));
+    list
+}
+
+/// What the values and steps of a grammar name.
+#[derive(Default)]
+struct Used {
+    attrs: HashSet<u32>,
+    consts: HashSet<u32>,
+}
+
+impl Used {
+    fn new(cx: &Cx) -> Used {
+        let mut used = Used::default();
+        for found in cx.tables.uses.values() {
+            match found {
+                Use::Attr(index) | Use::SetAttr(index) => _ = used.attrs.insert(*index),
+                Use::Const(index) => _ = used.consts.insert(*index),
+                _ => {}
+            }
+        }
+        for (item, info) in cx.globals.attrs.iter().zip(&cx.tables.attrs) {
+            if let Init::Flows(outer) = item.init {
+                used.attrs.insert(outer);
+            }
+            if let Some(ChoiceValues::Attr(attr)) = info.choices.as_ref().map(|choices| &choices.values) {
+                used.attrs.insert(attr.0);
+            }
+        }
+        used
+    }
+}
+
+/// Whoever begins a name with `_` knows.
+fn is_meant(name: &str) -> bool {
+    name.starts_with('_')
+}
+
+fn value(item: &Item, what: &str, code: Code, used: bool, diags: &mut Diags) {
+    let name = &item.decl.name;
+    if used || is_meant(&name.text) {
+        return;
+    }
+    let diag = diags.report(code, name.span, format!("{what} `{}` is never used", name.text));
+    diag.help(match code {
+        // Its name is known outside.
+        Code::UnusedAttribute => "leave it out, or write `@Allow(unused_attribute)` before it".to_owned(),
+        _ => format!("leave it out, or call it `_{}`", name.text),
+    });
+}
+
+/// Names and numbers of parameters of what several styles declare.
+fn styled<'a>(cx: &Cx<'a, '_>) -> HashSet<(&'a str, usize)> {
+    let program = cx.globals.program;
+    let mut styles: HashMap<(&str, usize), u32> = HashMap::new();
+    let mut found = HashSet::new();
+    for decl in program.roots.first().map_or(&[][..], |&root| &program.instances[root].file.ast.decls) {
+        let key = (decl.name.text.as_str(), decl.params.len());
+        if *styles.entry(key).or_insert(decl.style) != decl.style {
+            found.insert(key);
+        }
+    }
+    found
+}
+
+/// Parameters and locals.
+fn inner(cx: &Cx, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diags) {
+    let decl = item.decl;
+    let names: Vec<_> = decl.inner().collect();
+    let in_styles = styled.contains(&(decl.name.text.as_str(), decl.params.len()));
+    let mut used = vec![false; names.len()];
+    for token in decl.span.first..=decl.span.last {
+        if let Some(Use::Param(index)) = cx.tables.uses.get(&(item.own, token)) {
+            used.get_mut(*index as usize).into_iter().for_each(|used| *used = true);
+        }
+    }
+    for (index, (name, used)) in names.into_iter().zip(used).enumerate() {
+        let what = if index < decl.params.len() { "parameter" } else { "local value" };
+        if let Some(word) = doubtful_selector(cx, item, name, used) {
+            let message = format!("`{}` is the selector here, not the {what} of that name", name.text);
+            let diag = diags.report(Code::Shadowing, Span::one(word), message);
+            diag.related(format!("the {what} is declared"), name.span);
+            let help = format!("write `({0})` for the {what}, or give the {what} another name", name.text);
+            diag.help(help);
+            continue;
+        }
+        // Those of an extension, or of one of several styles, are there for the others as well.
+        if !used && !is_meant(&name.text) && decl.role != Role::Extension && !in_styles {
+            let message = format!("{what} `{}` is never used", name.text);
+            diags
+                .report(Code::UnusedParameter, name.span, message)
+                .help(format!("leave it out, or call it `_{}`", name.text));
+        }
+        if let Some(hidden) = cx.globals.value(item.home, &name.text) {
+            let (kind, other) = match hidden {
+                Use::Attr(index) => ("attribute", &cx.globals.attrs[index as usize]),
+                Use::Const(index) => ("constant", &cx.globals.consts[index as usize]),
+                Use::Function(index) => ("function", &cx.globals.functions[index as usize]),
+                _ => continue,
+            };
+            let message = format!("{what} `{}` hides the {kind} of that name", name.text);
+            let diag = diags.report(Code::Shadowing, name.span, message);
+            diag.related(format!("the {kind} is declared"), other.decl.name.span);
+            diag.help(match decl.body {
+                Body::Rule(_) => "give it another name; what stands in this rule means the inner one",
+                _ => "give it another name; what stands in this function means the inner one",
+            });
+        }
+    }
+}
+
+/// The first selector's word in a declaration that may have been meant as the parameter or local value of its name. A text
+/// selects nothing. A value that is read elsewhere is there for that, except a bool where the word is part of a condition.
+fn doubtful_selector(cx: &Cx, item: &Item, name: &Name, is_used: bool) -> Option<u32> {
+    let word = ops::selector(&name.text)?.name;
+    let tokens = cx.globals.program.tokens.as_slice();
+    let ty = cx.tables.at(item.own).ty(name);
+    let is_operator = |at: Option<u32>| {
+        let token = at.and_then(|at| tokens.get(at as usize));
+        matches!(token, Some(Tok::Sym(Sym::Bang | Sym::AndAnd | Sym::OrOr)))
+    };
+    let mut words = (item.decl.span.first..=item.decl.span.last)
+        .filter(|token| cx.tables.uses.get(&(item.own, *token)) == Some(&Use::Selector(word)));
+    match ty {
+        Some(Type::Bool) if is_used => {
+            words.find(|&word| is_operator(word.checked_sub(1)) || is_operator(word.checked_add(1)))
+        }
+        None | Some(Type::Bool | Type::Float) if !is_used => words.next(),
+        _ => None,
+    }
+}
+
+/// Imports whose name nothing begins with, and which get no attribute.
+fn imports(cx: &Cx) -> Vec<Diag> {
+    let (globals, program) = (&cx.globals, cx.globals.program);
+    let Some(&root) = program.roots.first() else { return Vec::new() };
+    let instance = &program.instances[root];
+    let tokens = program.tokens.as_slice();
+    let own = &instance.file.tokens;
+    let named: HashSet<&str> = (own.start as usize..own.end as usize)
+        .filter_map(|at| match (tokens.get(at)?, tokens.get(at + 1)?) {
+            (Tok::Ident(name), Tok::Sym(Sym::Dot | Sym::LParen) | Tok::Joint) => Some(name.as_str()),
+            _ => None,
+        })
+        .collect();
+    let mut diags = Diags::new();
+    for import in &instance.file.ast.imports {
+        let name = import.id.text.as_str();
+        let target = instance.imports.get(name).copied().flatten();
+        let flows = globals.attrs.iter().any(|item| Some(item.instance) == target && !item.is_own());
+        if target.is_some() && !named.contains(name) && !flows && !is_meant(name) {
+            let message = format!("import `{name}` is never used");
+            diags.report(Code::UnusedImport, import.id.span, message).help("leave it out");
+        }
+    }
+    diags.finish()
+}

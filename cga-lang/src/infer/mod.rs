@@ -1,0 +1,419 @@
+//! Which values are floats, bools, strings and arrays of these.
+//!
+//! There are no type annotations: every declaration and parameter has one type, found from its uses and from the calls.
+//! Bodies come first and calls last, so that a wrong argument is blamed at the call. What is not clear when it is read
+//! (`+`, overloaded calls, arrays) waits in `open` until more is known. Where one type is not enough, `generic` asks for
+//! instances of declarations with other ones.
+
+mod comp;
+mod expr;
+mod generic;
+mod open;
+mod steps;
+mod unify;
+
+use crate::ast::{Body, Decl, Expr, Name};
+use crate::code::Code;
+use crate::diag::Diag;
+use crate::door::Door;
+use crate::hash::FastMap;
+use crate::ir::Type;
+use crate::lex::without_unit;
+use crate::link::{InstanceId, Key, Wanted};
+use crate::resolve::context::Cx;
+use crate::resolve::globals::{Init, Item};
+use crate::resolve::tables::Use;
+use crate::span::Span;
+use crate::token::Tok;
+use generic::Stage;
+use open::{Open, Place};
+use std::collections::{HashMap, HashSet};
+use unify::{State, Var, Vars};
+
+/// What `infer` has found.
+pub(crate) struct Found {
+    /// Whether something is of another type than is needed.
+    pub(crate) misfit: bool,
+    /// Declarations that calls want with other types. When there are some, the rest is not settled.
+    pub(crate) wanted: Vec<Wanted>,
+    /// Declarations with types of their own that do not suit them: something is wrong there and in no other instance.
+    pub(crate) unsuited: Vec<InstanceId>,
+}
+
+pub(crate) fn infer(cx: &mut Cx) -> Found {
+    let before = cx.diags.count();
+    let mut pass = Infer {
+        cx,
+        vars: Vars::default(),
+        slots: FastMap::default(),
+        open: Vec::new(),
+        calls: Vec::new(),
+        ordered: Vec::new(),
+        comps: comp::Comps::default(),
+        inner: Vec::new(),
+        own: 0,
+        stage: Stage::Bodies,
+        moved: false,
+        wanted: Vec::new(),
+        misfits: Vec::new(),
+    };
+    let values: Vec<_> = pass.cx.globals.values().cloned().collect();
+    for item in &values {
+        let own = item.value().map_or(item.own, |(_, own)| own);
+        pass.inside(own, |pass| pass.declared(item));
+    }
+    for item in pass.cx.globals.rules.clone() {
+        if let Body::Rule(ops) = &item.decl.body {
+            pass.inside(item.own, |pass| {
+                pass.inner.clear();
+                pass.enter(item.decl);
+                pass.ops(ops);
+            });
+        }
+    }
+    pass.solve();
+    pass.store();
+    let unsuited = if pass.wanted.is_empty() { pass.unsuited() } else { Vec::new() };
+    let wanted = pass.wanted;
+    let misfit = |diag: &Diag| matches!(diag.code, Code::TypeMismatch | Code::UndefinedRule);
+    Found { misfit: cx.diags.since(before).iter().any(misfit), wanted, unsuited }
+}
+
+/// A declaration in a style: its name and parameters.
+type InStyle = (u32, Vec<Key>);
+
+/// A mismatch of types: the instance in which it was found, and what is reported.
+type Misfit = (InstanceId, Span, String);
+
+/// An argument of a rule or function of the grammar: joined with the parameter when all bodies are read.
+struct Argument {
+    /// The instance that has the call.
+    own: InstanceId,
+    arg: Var,
+    span: Span,
+    param: Var,
+    callee: String,
+    name: String,
+    /// The name in the call of a rule.
+    rule: Option<Span>,
+}
+
+struct Infer<'p, 'a, 'd> {
+    cx: &'p mut Cx<'a, 'd>,
+    vars: Vars,
+    /// By declaration, parameter and local; Rust values and Rust calls by their first token.
+    slots: FastMap<Key, Var>,
+    /// With the instances that they are in.
+    open: Vec<(InstanceId, Open)>,
+    calls: Vec<Argument>,
+    /// Operands of `<` and its like, which bools have not.
+    ordered: Vec<(InstanceId, Var, Span)>,
+    /// Selectors, and values for components.
+    comps: comp::Comps<'a>,
+    /// Parameters and locals of the declaration at hand.
+    inner: Vec<&'a Name>,
+    /// The instance whose entries its names have.
+    own: InstanceId,
+    stage: Stage,
+    /// Whether something became known without anything being decided.
+    moved: bool,
+    wanted: Vec<Wanted>,
+    /// Collected where declarations may have types of their own.
+    misfits: Vec<Misfit>,
+}
+
+impl<'a> Infer<'_, 'a, '_> {
+    /// Does a part of the work in an instance, and notes the mismatches that it finds there.
+    fn inside<T>(&mut self, own: InstanceId, part: impl FnOnce(&mut Self) -> T) -> T {
+        let outside = std::mem::replace(&mut self.own, own);
+        let before = self.cx.diags.count();
+        let result = part(self);
+        self.own = outside;
+        if self.cx.globals.program.typed.on {
+            let found = self.cx.diags.since(before).iter().filter(|diag| diag.code == Code::TypeMismatch);
+            self.misfits.extend(found.map(|diag| (own, diag.span, diag.message.clone())));
+        }
+        result
+    }
+
+    /// The declarations with types of their own in which something is wrong that is right where it was written.
+    fn unsuited(&self) -> Vec<InstanceId> {
+        let program = self.cx.globals.program;
+        let (typed, written): (Vec<&Misfit>, Vec<&Misfit>) =
+            self.misfits.iter().partition(|(own, ..)| program.is_typed(*own));
+        let written: HashSet<(Span, &str)> =
+            written.into_iter().map(|(_, span, text)| (*span, text.as_str())).collect();
+        let alone = typed.into_iter().filter(|(_, span, text)| !written.contains(&(*span, text)));
+        alone.map(|(own, ..)| *own).collect()
+    }
+
+    /// The value of an attribute, constant or function.
+    fn declared(&mut self, item: &Item<'a>) {
+        let own = self.slot(item.key());
+        if let Init::Flows(outer) = item.init {
+            self.flows(own, item.decl, outer);
+        }
+        let Some((value, _)) = item.value() else { return };
+        self.inner.clear();
+        if item.is_own() {
+            self.enter(item.decl);
+        }
+        let ty = self.expr(value);
+        if !item.is_own() {
+            // The declaration says what it is, and a wrong override is blamed.
+            return self.argument(ty, value.span, own, (String::new(), item.decl.name.text.clone()), None);
+        }
+        // Fails only for a recursive function that was used as something else inside its own body.
+        if let Err((own, other)) = self.vars.join(own, ty) {
+            let name = &item.decl.name.text;
+            let needs = format!("`{name}` is used as a {}, but this is", own.word());
+            self.mismatch(value.span, &needs, other);
+        }
+        if self.vars.state(ty) == State::Poison {
+            let var = self.poison();
+            self.slots.insert(item.key(), var);
+        }
+    }
+
+    fn slot(&mut self, key: Key) -> Var {
+        if let Some(&var) = self.slots.get(&key) {
+            return var;
+        }
+        let given = self.cx.globals.program.typed.given(key);
+        let var = self.vars.add(given.map_or(State::Free, State::Is), None);
+        self.slots.insert(key, var);
+        var
+    }
+
+    /// The type of a name or Rust value in the declaration at hand.
+    fn inner_slot(&mut self, token: u32) -> Var {
+        self.slot((self.own, token))
+    }
+
+    /// The types of the parameters of a declaration.
+    fn params(&mut self, item: &Item) -> Vec<Var> {
+        item.decl.params.iter().map(|param| self.slot((item.own, param.id()))).collect()
+    }
+
+    fn free(&mut self) -> Var {
+        self.vars.add(State::Free, None)
+    }
+
+    fn poison(&mut self) -> Var {
+        self.vars.add(State::Poison, None)
+    }
+
+    fn known(&mut self, ty: Type, span: Span) -> Var {
+        self.vars.add(State::Is(ty), Some(span))
+    }
+
+    /// Parameters and locals become names; locals get the types of their values.
+    fn enter(&mut self, decl: &'a Decl) {
+        self.inner.extend(&decl.params);
+        for (name, value) in &decl.locals {
+            let ty = self.expr(value);
+            let slot = self.inner_slot(name.id());
+            _ = self.vars.join(slot, ty);
+            self.inner.push(name);
+        }
+    }
+
+    /// An attribute that gets its value from the importing file's.
+    fn flows(&mut self, own: Var, decl: &Decl, outer: u32) {
+        let from = self.cx.globals.attrs[outer as usize].clone();
+        let var = self.slot(from.key());
+        self.argument(var, from.decl.name.span, own, (String::new(), decl.name.text.clone()), None);
+    }
+
+    fn mismatch(&mut self, span: Span, needs: &str, got: Type) -> &mut Diag {
+        self.cx.diags.report(Code::TypeMismatch, span, format!("{needs} a {}", got.word()))
+    }
+
+    /// Demands a type of an expression.
+    fn need(&mut self, expr: &'a Expr, ty: Type, who: &str) {
+        let var = self.expr(expr);
+        self.need_var(var, expr.span, ty, who);
+    }
+
+    fn need_var(&mut self, var: Var, span: Span, ty: Type, who: &str) {
+        if self.vars.bind(var, ty, span) {
+            return;
+        }
+        let Some(got) = self.vars.known(var) else { return };
+        let why = self.vars.why(var).filter(|why| *why != span);
+        let message = format!("{who} needs a {}, got a {}", ty.word(), got.word());
+        let literal = self.cx.globals.program.tokens.as_slice().get(span.first as usize);
+        let help = conversion(ty, got, literal.filter(|_| span.first == span.last), who, |name| {
+            self.cx.globals.value(self.cx.at, name).is_some()
+        });
+        let diag = self.cx.diags.report(Code::TypeMismatch, span, message);
+        if let Some(why) = why {
+            diag.related(format!("found to be a {}", got.word()), why);
+        }
+        if let Some(help) = help {
+            diag.help(help);
+        }
+    }
+
+    fn argument(&mut self, arg: Var, span: Span, param: Var, (callee, name): (String, String), rule: Option<Span>) {
+        self.calls.push(Argument { own: self.own, arg, span, param, callee, name, rule });
+    }
+
+    /// The arguments of a call of a declaration.
+    fn arguments(&mut self, item: &Item, args: Vec<Place>, rule: Option<Span>) {
+        let params = self.params(item);
+        for (((arg, span), var), param) in args.into_iter().zip(params).zip(&item.decl.params) {
+            self.argument(arg, span, var, (item.decl.name.text.clone(), param.text.clone()), rule);
+        }
+    }
+
+    /// A call whose arguments are of types that no rule of that name takes. It matches none, then: in text a leaf, like a
+    /// call with as many arguments as none takes.
+    fn no_rule(&mut self, name: Span, callee: &str, span: Span, message: String) -> Option<&mut Diag> {
+        let door = self.cx.globals.program.door(name.first);
+        if door == Door::Inline {
+            return Some(self.cx.diags.report(Code::TypeMismatch, span, message));
+        }
+        // One finding a call.
+        if self.cx.tables.uses.insert((self.own, name.first), Use::Leaf) == Some(Use::Leaf) {
+            return None;
+        }
+        let diag = self.cx.diags.report(Code::UndefinedRule, span, message);
+        Some(diag.note(format!("no rule takes that, it becomes a leaf named `{callee}`")))
+    }
+
+    fn solve(&mut self) {
+        self.propagate();
+        self.stage = Stage::Calls;
+        if self.cx.globals.program.typed.on {
+            self.propagate();
+        }
+        for index in 0..self.calls.len() {
+            self.join_argument(index);
+        }
+        self.join_styles();
+        self.propagate();
+        if self.cx.globals.program.typed.on {
+            self.stage = Stage::Wanting;
+            self.propagate();
+            if !self.wanted.is_empty() {
+                return;
+            }
+        }
+        self.settle();
+        for (own, var, span) in std::mem::take(&mut self.ordered) {
+            if let Some(ty @ (Type::Bool | Type::Bools)) = self.vars.known(var) {
+                let message = format!("{} have no order", if ty == Type::Bool { "bools" } else { "arrays of bools" });
+                self.inside(own, |pass| {
+                    pass.cx.diags.report(Code::TypeMismatch, span, message).help("write `==` or `!=`");
+                });
+            }
+        }
+        self.comps();
+    }
+
+    /// A value has one type in every style, and so have parameters. Who differs is reported by `duplicates`.
+    fn join_styles(&mut self) {
+        if self.cx.globals.program.roots.len() < 2 {
+            return;
+        }
+        let mut groups: HashMap<(String, usize), Vec<InStyle>> = HashMap::new();
+        for item in self.cx.globals.values().filter(|item| !item.origin) {
+            let style = self.cx.globals.program.instances[item.instance].root_style;
+            let names =
+                [&item.decl.name].into_iter().chain(&item.decl.params).map(|name| (item.own, name.id())).collect();
+            groups.entry((item.name.clone(), item.decl.params.len())).or_default().push((style, names));
+        }
+        let mut pairs = Vec::new();
+        for group in groups.into_values() {
+            // Of overloads nobody knows yet which is which.
+            let overloads = group.windows(2).any(|pair| pair[0].0 == pair[1].0);
+            let Some(((_, first), others)) = group.split_first().filter(|_| !overloads) else { continue };
+            for (_, other) in others {
+                pairs.extend(first.iter().copied().zip(other.iter().copied()));
+            }
+        }
+        pairs.sort_unstable();
+        for (first, other) in pairs {
+            let (first, other) = (self.slot(first), self.slot(other));
+            _ = self.vars.join(first, other);
+        }
+    }
+
+    fn join_argument(&mut self, index: usize) {
+        let Argument { own, arg, param, .. } = self.calls[index];
+        if let Err((got, needs)) = self.vars.join(arg, param) {
+            self.inside(own, |pass| pass.wrong_argument(index, got, needs));
+        }
+    }
+
+    fn wrong_argument(&mut self, index: usize, got: Type, needs: Type) {
+        let Argument { span, param, rule, ref callee, ref name, .. } = self.calls[index];
+        let message = match callee.as_str() {
+            "" => format!("`{name}` of the imported file is a {}, this is a {}", needs.word(), got.word()),
+            "set" => format!("`{name}` is a {}, got a {}", needs.word(), got.word()),
+            _ => format!("`{name}` of `{callee}` is a {}, got a {}", needs.word(), got.word()),
+        };
+        let why = self.vars.why(param).filter(|why| *why != span);
+        let callee = callee.clone();
+        let diag = match rule {
+            Some(call) => self.no_rule(call, &callee, span, message),
+            None => Some(self.cx.diags.report(Code::TypeMismatch, span, message)),
+        };
+        if let (Some(diag), Some(why)) = (diag, why) {
+            diag.related(format!("found to be a {}", needs.word()), why);
+        }
+    }
+
+    fn store(&mut self) {
+        let slots: Vec<(Key, Var)> = self.slots.iter().map(|(key, var)| (*key, *var)).collect();
+        for (key, var) in slots {
+            let ty = match self.vars.state(var) {
+                State::Is(ty) => ty,
+                State::Free => Type::Float,
+                State::Poison => continue,
+            };
+            self.cx.tables.types.insert(key, ty);
+        }
+        for item in self.cx.globals.items() {
+            for param in &item.decl.params {
+                self.cx.tables.types.entry((item.own, param.id())).or_insert(Type::Float);
+            }
+        }
+    }
+}
+
+/// What to type for a value of the wrong type. `literal` is the value where it is one token, `who` what needs it, and
+/// `declared` tells whether a name has a value.
+fn conversion(
+    ty: Type,
+    got: Type,
+    literal: Option<&Tok>,
+    who: &str,
+    declared: impl Fn(&str) -> bool,
+) -> Option<String> {
+    Some(match (ty, got, literal) {
+        (Type::Text, ..) if who.starts_with("`hexValue`") => "write a colour, as in `\"#ff8000\"`".into(),
+        (Type::Text, _, Some(Tok::Number(number))) => format!("write `\"{number}\"`, in quotes"),
+        (Type::Text, ..) => "write `str(…)`".into(),
+        (Type::Float, Type::Text, Some(Tok::Str(text))) => match number(text) {
+            Some(number) => format!("write `{number}`, without quotes"),
+            None if declared(text) => format!("write `{text}`, without quotes"),
+            // `float` of other text is NaN.
+            None => "write a number, without quotes".into(),
+        },
+        (Type::Float, Type::Text, _) => "write `float(…)`".into(),
+        (Type::Bool, Type::Float, _) => "write a comparison, as in `… != 0`".into(),
+        (Type::Float, Type::Floats, _) => "write `…[0]` for one element; `.+`, `.*` and so on go over all".into(),
+        _ => return None,
+    })
+}
+
+/// The number that a text holds, perhaps with a unit.
+fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let unit = text.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+')).trim();
+    let digits = text.strip_suffix(unit)?.trim().parse::<f64>().ok().filter(|number| number.is_finite());
+    let number = digits.and_then(|digits| if unit.is_empty() { Some(digits) } else { without_unit(digits, unit) });
+    number.or_else(|| text.parse::<f64>().ok().filter(|number| number.is_finite()))
+}

@@ -1,0 +1,53 @@
+//! Arguments as written: bare words, axes, errors.
+
+use crate::ast::{Arg, Block, Expr, ExprKind};
+use crate::ir::Axis;
+
+impl Block {
+    /// The axis that the first argument names; `None` for an unknown one or one of the texture space.
+    pub(crate) fn axis(&self) -> Option<Axis> {
+        Axis::named(self.args.first()?.value.word()?)
+    }
+
+    /// Returns true if parts shrink to their geometry, unless the second argument says otherwise (*split operation*).
+    pub(crate) fn adjusts(&self) -> bool {
+        self.args.get(1).and_then(|arg| arg.value.word()) != Some("noAdjust")
+    }
+}
+
+/// An expression that is a bare word.
+pub(crate) fn bare(expr: &Expr) -> Option<&str> {
+    match &expr.kind {
+        ExprKind::Name(name) => Some(&name.text),
+        _ => None,
+    }
+}
+
+/// An argument that is a bare word.
+pub(crate) fn word(arg: &Arg) -> Option<&str> {
+    plain(arg).and_then(bare)
+}
+
+/// An argument without a prefix.
+pub(crate) fn plain(arg: &Arg) -> Option<&Expr> {
+    Some(&arg.value).filter(|_| arg.prefix.is_none())
+}
+
+impl Expr {
+    /// The word it says: bare, in `sel("…")` (*sel*), or as text.
+    pub(crate) fn word(&self) -> Option<&str> {
+        match &self.kind {
+            ExprKind::Name(name) => Some(&name.text),
+            ExprKind::Text(text) => Some(text),
+            ExprKind::Call(name, args) if name.text == "sel" => match args.as_slice() {
+                [Expr { kind: ExprKind::Text(text), .. }] => Some(text),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+pub(crate) fn has_error(args: &[Arg]) -> bool {
+    args.iter().any(|arg| matches!(arg.value.kind, ExprKind::Error))
+}

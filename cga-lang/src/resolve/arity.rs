@@ -1,0 +1,40 @@
+//! Numbers of arguments, as messages put them.
+
+use super::context::Cx;
+use crate::ast::Name;
+use crate::code::Code;
+use crate::ops::Operation;
+
+/// "2 arguments", "0 or 3 arguments", "1, 3 or 4 arguments".
+pub(crate) fn counts(counts: impl IntoIterator<Item = usize>) -> String {
+    let mut list: Vec<usize> = counts.into_iter().collect();
+    list.sort_unstable();
+    list.dedup();
+    let Some((last, rest)) = list.split_last() else { return "no arguments".into() };
+    let text = match rest {
+        [] => last.to_string(),
+        rest => {
+            let rest: Vec<String> = rest.iter().map(usize::to_string).collect();
+            format!("{} or {last}", rest.join(", "))
+        }
+    };
+    if text == "0" {
+        "no arguments".into()
+    } else if text == "1" {
+        "1 argument".into()
+    } else {
+        format!("{text} arguments")
+    }
+}
+
+/// Reports a call with as many arguments as nothing of that name takes.
+pub(crate) fn wrong_count(cx: &mut Cx, what: &str, name: &Name, takes: Vec<usize>, got: usize) {
+    let message = format!("{what} `{}` takes {}, got {got}", name.text, counts(takes));
+    cx.diags.report(Code::ArgumentCount, name.span, message);
+}
+
+/// How an operation is called: `s(x, y, z)`.
+pub(crate) fn usage(row: &Operation) -> String {
+    let params: Vec<&str> = row.params.iter().map(|param| param.name).collect();
+    format!("{}({})", row.name, params.join(", "))
+}

@@ -1,0 +1,155 @@
+//! Attributes and constants that need each other on every path, and functions that never end. A cycle that conditions may
+//! keep open is computed lazily.
+
+use super::context::Cx;
+use super::globals::{Init, Item};
+use super::tables::{Entries, Tables, Use};
+use crate::ast::{Expr, ExprKind};
+use crate::code::Code;
+use crate::graph::{components, is_cycle};
+use crate::link::InstanceId;
+
+/// Of longer cycles not all are named line by line.
+const MOST_TOLD: usize = 4;
+
+/// Finds cycles among attributes, constants and functions, and the order in which values can be computed.
+pub(crate) fn find(cx: &mut Cx) {
+    let items: Vec<&Item> = cx.globals.values().collect();
+    let numbering = Numbering { attrs: cx.globals.attrs.len(), consts: cx.globals.consts.len() };
+    let edges: Vec<Vec<usize>> = items
+        .iter()
+        .map(|item| {
+            let mut list = Vec::new();
+            for (value, own) in values(item) {
+                needs(value, cx.tables.at(own), numbering, &mut list);
+            }
+            if let Init::Flows(outer) = item.init {
+                list.push(outer as usize);
+            }
+            list.sort_unstable();
+            list.dedup();
+            list
+        })
+        .collect();
+    let first_function = numbering.attrs + numbering.consts;
+    let mut ends = vec![false; items.len()];
+    for component in components(&edges) {
+        settle(&component, &items, &cx.tables, numbering, &mut ends);
+        let cyclic = is_cycle(&component, &edges);
+        let is_value = |node: &usize| *node < first_function;
+        let endless = component.iter().copied().find(|&node| !ends[node]);
+        let value = component.iter().copied().find(|node| is_value(node) && !ends[*node]);
+        // The others of a cycle.
+        let way = |node: usize| {
+            let others = component.iter().filter(|&&other| other != node).map(|&other| {
+                // As the blamed one's file would write it, or as the main file does.
+                let (other, near) = (items[other], items[other].instance == items[node].instance);
+                format!("`{}`", if near { &other.decl.name.text } else { &other.name })
+            });
+            match others.collect::<Vec<_>>() {
+                others if others.is_empty() => String::new(),
+                others => format!(" by way of {}", others.join(", ")),
+            }
+        };
+        if let (true, Some(node)) = (cyclic, value) {
+            let name = &items[node].decl.name;
+            let message = format!("`{}` needs its own value{}", name.text, way(node));
+            let diag = cx.diags.report(Code::InitCycle, name.span, message);
+            for &other in component.iter().filter(|&&other| other != node).take(MOST_TOLD) {
+                let other = &items[other].decl.name;
+                diag.related(format!("`{}` is declared", other.text), other.span);
+            }
+            diag.help(match component.len() {
+                1 => "give it a value that does not need it, at least in one branch of a `case`",
+                _ => "give one of them a value that does not need the others, at least in one branch of a `case`",
+            });
+        } else if let (true, Some(node)) = (cyclic, endless) {
+            let item = items[node];
+            cx.diags
+                .report(
+                    Code::EndlessFunction,
+                    item.decl.name.span,
+                    format!("`{}` calls itself{} and never ends", item.decl.name.text, way(node)),
+                )
+                .help("a recursive function needs a `case` with a branch that does not call it");
+        }
+        for &node in &component {
+            cx.tables.order.push(node);
+            if cyclic && is_value(&node) {
+                cx.tables.lazy.insert(node);
+            } else if cyclic {
+                cx.tables.recursive.insert((node - first_function) as u32);
+            }
+        }
+    }
+}
+
+/// The expressions an item's value is made of, locals first, and the instance whose entries their names have.
+fn values<'a>(item: &Item<'a>) -> impl Iterator<Item = (&'a Expr, InstanceId)> {
+    let own = item.own;
+    let locals = item.is_own().then(|| item.decl.locals.iter().map(move |(_, value)| (value, own)));
+    locals.into_iter().flatten().chain(item.value())
+}
+
+/// Nodes: attributes, then constants, then functions.
+#[derive(Clone, Copy)]
+struct Numbering {
+    attrs: usize,
+    consts: usize,
+}
+
+impl Numbering {
+    fn node(self, found: Option<Use>) -> Option<usize> {
+        match found? {
+            Use::Attr(index) => Some(index as usize),
+            Use::Const(index) => Some(self.attrs + index as usize),
+            Use::Function(index) => Some(self.attrs + self.consts + index as usize),
+            _ => None,
+        }
+    }
+}
+
+/// Collects what an expression uses.
+fn needs(expr: &Expr, names: Entries, numbering: Numbering, list: &mut Vec<usize>) {
+    for part in expr.parts() {
+        needs(part, names, numbering, list);
+    }
+    if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
+        list.extend(numbering.node(names.of(name)));
+    }
+}
+
+/// Finds out which declarations of a component can end: those of which some path calls only what can end.
+fn settle(component: &[usize], items: &[&Item], tables: &Tables, numbering: Numbering, ends: &mut [bool]) {
+    for _ in component {
+        let mut changed = false;
+        for &node in component {
+            if !ends[node] && values(items[node]).all(|(value, own)| can_end(value, tables.at(own), numbering, ends)) {
+                ends[node] = true;
+                changed = true;
+            }
+        }
+        if !changed {
+            break;
+        }
+    }
+}
+
+fn can_end(expr: &Expr, names: Entries, numbering: Numbering, ends: &[bool]) -> bool {
+    let can = |part: &Expr| can_end(part, names, numbering, ends);
+    let used = |name| numbering.node(names.of(name)).is_none_or(|node| ends[node]);
+    match &expr.kind {
+        ExprKind::Name(name) => used(name),
+        ExprKind::Call(name, args) => used(name) && args.iter().all(can),
+        ExprKind::Case(arms, otherwise) => {
+            arms.first().is_none_or(|(first, _)| can(first))
+                && (can(otherwise) || arms.iter().any(|(_, value)| can(value)))
+        }
+        // What no selector takes has no value to compute.
+        ExprKind::Comp(comp) => {
+            comp.arms.first().is_none_or(|(first, ..)| can(first)) && comp.arms.iter().any(|(_, _, value)| can(value))
+        }
+        ExprKind::Chance(arms, otherwise) => can(otherwise) || arms.iter().any(|(_, value)| can(value)),
+        _ => expr.parts().into_iter().all(can),
+    }
+}

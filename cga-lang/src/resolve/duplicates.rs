@@ -1,0 +1,144 @@
+//! Two declarations of one name.
+
+use super::arity;
+use super::context::Cx;
+use super::globals::Item;
+use crate::ast::{Body, Decl, Role};
+use crate::code::Code;
+use crate::diag::Diags;
+use crate::ir::Type;
+use crate::link::InstanceId;
+use crate::ops::{self, Operation, Param, ParamKind, Run};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+/// Fills the tables of names. Attributes, constants and functions without parameters share their names; parameters and
+/// locals of a declaration do too.
+pub(crate) fn values(cx: &mut Cx) {
+    let diags = &mut *cx.diags;
+    cx.globals.name(|item, what, first| duplicate(diags, item.decl, what, first.decl));
+    for item in cx.globals.items() {
+        let inner: Vec<_> = item.decl.inner().collect();
+        for (index, name) in inner.iter().enumerate() {
+            if let Some(first) = inner[..index].iter().find(|first| first.text == name.text) {
+                let what = if index < item.decl.params.len() { "parameter" } else { "local value" };
+                let message = format!("{what} `{}` is declared twice", name.text);
+                cx.diags.report(Code::DuplicateName, name.span, message).related("first declared", first.span);
+            }
+        }
+    }
+    // *start*, *extension*: both belong to the style `Default`, and an extension has one form (*changelog 2024.0*).
+    let mut extensions: HashMap<(InstanceId, &str), &Decl> = HashMap::new();
+    for item in &cx.globals.rules {
+        let (decl, name) = (item.decl, &item.decl.name);
+        let word = match decl.role {
+            Role::Plain => continue,
+            Role::Start => "start",
+            Role::Extension => "extension",
+        };
+        if decl.style != 0 {
+            let message = format!("`{word}` cannot stand in a style");
+            cx.diags.report(Code::Syntax, name.span, message).help("move the rule before the first `style`");
+        } else if decl.role == Role::Extension && item.home == item.instance {
+            match extensions.entry((item.instance, &name.text)) {
+                Entry::Vacant(entry) => _ = entry.insert(decl),
+                Entry::Occupied(entry) => {
+                    let message = format!("extension `{}` is declared twice, an extension has one form", name.text);
+                    let first = entry.get().name.span;
+                    cx.diags.report(Code::DuplicateName, name.span, message).related("first declared", first);
+                }
+            }
+        }
+    }
+}
+
+/// Rules that an operation hides: they have its name and parameters of its types. A rule with the name of an operation that
+/// does not run yet is called instead.
+pub(crate) fn operations(cx: &mut Cx) {
+    for item in &cx.globals.rules {
+        let types = cx.tables.types_of_params(item);
+        let rows = ops::operations(&item.decl.name.text).filter(|row| row.run != Run::Later);
+        if let Some(row) = rows.into_iter().find(|row| hides(row, &types)) {
+            let message = format!("`{}` is an operation, so this rule could never be called", arity::usage(row));
+            cx.diags.report(Code::DuplicateName, item.decl.name.span, message).help("give the rule another name");
+        }
+    }
+}
+
+/// Whether an operation is called wherever a rule with parameters of these types could be.
+fn hides(row: &Operation, types: &[Option<Type>]) -> bool {
+    let takes = |(param, ty): (&Param, &Option<Type>)| match &param.kind {
+        ParamKind::Any => true,
+        kind => ty.is_none() || kind.ty() == *ty,
+    };
+    row.takes(types.len()) && (!row.overloads || row.params.iter().zip(types).all(takes))
+}
+
+/// Instance, style, name and types of parameters.
+type Signature<'a> = (InstanceId, u32, &'a str, Vec<Option<Type>>);
+
+/// Rules and functions of one name must differ in number or types of parameters.
+pub(crate) fn overloads(cx: &mut Cx) {
+    for (items, what) in [(&cx.globals.rules, "rule"), (&cx.globals.functions, "function")] {
+        let mut first: HashMap<Signature<'_>, &Decl> = HashMap::new();
+        for item in items.iter().filter(|item| item.home == item.instance) {
+            let types = cx.tables.types_of_params(item);
+            match first.entry((item.instance, item.decl.style, &item.decl.name.text, types)) {
+                Entry::Vacant(entry) => _ = entry.insert(item.decl),
+                Entry::Occupied(entry) => duplicate(cx.diags, item.decl, what, entry.get()),
+            }
+        }
+    }
+}
+
+/// A name means the same kind of thing in every style, and a value has one type in all of them (*CGA changelog 2018.0*).
+pub(crate) fn styles(cx: &mut Cx) {
+    let roots = &cx.globals.program.roots;
+    if roots.len() < 2 {
+        return;
+    }
+    // Rules have their names to themselves, and cannot be anything else.
+    let kinds = [
+        (&cx.globals.attrs, "an attribute"),
+        (&cx.globals.consts, "a constant"),
+        (&cx.globals.functions, "a function"),
+    ];
+    let mut groups: HashMap<(&str, usize), Vec<(&Item, &str)>> = HashMap::new();
+    for (items, what) in kinds {
+        for item in items.iter().filter(|item| !item.origin && roots.contains(&item.instance)) {
+            groups.entry((&item.decl.name.text, item.decl.params.len())).or_default().push((item, what));
+        }
+    }
+    for group in groups.into_values() {
+        // Overloads may differ.
+        let overloads = group.windows(2).any(|pair| pair[0].0.instance == pair[1].0.instance);
+        let Some(((first, kind), others)) = group.split_first().filter(|_| !overloads) else { continue };
+        let ty = |item: &Item| cx.tables.type_of(item);
+        for (item, what) in others {
+            let name = &item.decl.name;
+            let message = if kind != what {
+                format!("`{}` is {what} in this style and {kind} in another", name.text)
+            } else if let (Some(own), Some(other)) = (ty(item), ty(first))
+                && own != other
+            {
+                format!("`{}` is a {} in this style and a {} in another", name.text, own.word(), other.word())
+            } else {
+                continue;
+            };
+            cx.diags.report(Code::TypeMismatch, name.span, message).related("the other", first.decl.name.span);
+        }
+    }
+}
+
+fn duplicate(diags: &mut Diags, decl: &Decl, what: &str, first: &Decl) {
+    let params = match decl.params.len() {
+        0 => String::new(),
+        1 => " with 1 parameter".into(),
+        count => format!(" with {count} parameters"),
+    };
+    let message = format!("{what} `{}`{params} is declared twice", decl.name.text);
+    let diag = diags.report(Code::DuplicateName, decl.name.span, message).related("first declared", first.name.span);
+    if matches!((&first.body, &decl.body), (Body::Attr(_), Body::Function(_))) && decl.params.is_empty() {
+        diag.help(format!("rules give an attribute another value with `set({}, …)`", decl.name.text));
+    }
+}

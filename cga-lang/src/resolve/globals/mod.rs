@@ -1,0 +1,417 @@
+//! What is declared, in every instance of every file, and how names find it.
+
+mod overrides;
+
+use crate::ast::{Body, Decl, Expr, Name, OpKind, Role};
+use crate::link::{InstanceId, Key, Program};
+use crate::resolve::tables::Use;
+use crate::suggest::nearest;
+use crate::{ast_walk, ops};
+use std::cell::Cell;
+use std::collections::{HashMap, HashSet};
+
+/// Everything that is declared. Indices count the items of a kind: instance by instance, in source order.
+pub(crate) struct Globals<'a> {
+    pub(crate) program: &'a Program,
+    pub(crate) attrs: Vec<Item<'a>>,
+    pub(crate) consts: Vec<Item<'a>>,
+    pub(crate) functions: Vec<Item<'a>>,
+    pub(crate) rules: Vec<Item<'a>>,
+    names: Vec<Names<'a>>,
+    /// How many more suggestions there may be.
+    hints: Cell<u32>,
+}
+
+/// Most findings that suggest a name of the grammar: a large file with a mistake in each line would take for ever.
+const MOST_HINTS: u32 = 100;
+
+/// Most overloads of a name with as many parameters that calls know of. There are hardly as many types, and each call
+/// looks at all.
+const MOST_OVERLOADS: usize = 64;
+
+/// A declaration in its place.
+#[derive(Clone)]
+pub(crate) struct Item<'a> {
+    pub(crate) decl: &'a Decl,
+    /// The instance it belongs to.
+    pub(crate) instance: InstanceId,
+    /// The instance in which its names are looked up: another one for a rule that an import overrides.
+    pub(crate) home: InstanceId,
+    /// The instance whose entries in the side tables are its own: `home`, or the number of its types.
+    pub(crate) own: InstanceId,
+    /// With the names of imports before it: `imp.height`.
+    pub(crate) name: String,
+    /// Where its value comes from.
+    pub(crate) init: Init<'a>,
+    /// How near its style is to the one in force.
+    pub(crate) rank: usize,
+    /// Whether it is what an overridden attribute would be without the override.
+    pub(crate) origin: bool,
+}
+
+/// Where the value of an attribute comes from.
+#[derive(Clone, Copy)]
+pub(crate) enum Init<'a> {
+    /// What its declaration says.
+    Own,
+    /// From an override in an import, whose names are looked up there.
+    Override(&'a Expr, InstanceId),
+    /// From the importing file's attribute of the same name.
+    Flows(u32),
+}
+
+/// What names mean in an instance.
+#[derive(Default)]
+struct Names<'a> {
+    /// Attributes, constants and functions without parameters.
+    values: HashMap<&'a str, Use>,
+    functions: HashMap<&'a str, Vec<u32>>,
+    rules: HashMap<&'a str, Vec<u32>>,
+    /// Rules that replace extensions, for calls from inside.
+    replaced: HashMap<&'a str, u32>,
+    /// Rules marked with `start`.
+    start: Vec<u32>,
+    /// Names that may be declared where something could not be read.
+    lost: HashSet<&'a str>,
+    /// Default values of overridden attributes, which the overriding expression may ask for.
+    origins: HashMap<&'a str, u32>,
+}
+
+/// Where a name, perhaps dotted, is to be looked up.
+pub(crate) enum Way<'n> {
+    /// In that instance, by the rest of the name.
+    To(InstanceId, &'n str),
+    /// In a file that could not be read.
+    Missing,
+}
+
+impl<'a> Item<'a> {
+    /// The expression that makes its value, and the instance whose entries its names have; none for a rule.
+    pub(crate) fn value(&self) -> Option<(&'a Expr, InstanceId)> {
+        match self.init {
+            Init::Own => self.decl.value().map(|value| (value, self.own)),
+            Init::Override(value, home) => Some((value, home)),
+            Init::Flows(_) => None,
+        }
+    }
+
+    /// What side tables know it by.
+    pub(crate) fn key(&self) -> Key {
+        (self.own, self.decl.name.id())
+    }
+
+    /// Whether its own parameters and locals count in its value.
+    pub(crate) fn is_own(&self) -> bool {
+        matches!(self.init, Init::Own)
+    }
+}
+
+impl<'a> Globals<'a> {
+    pub(crate) fn new(program: &'a Program) -> Self {
+        let names = program.instances.iter().map(|_| Names::default()).collect();
+        let hints = Cell::new(MOST_HINTS);
+        let mut globals = Globals {
+            program,
+            attrs: Vec::new(),
+            consts: Vec::new(),
+            functions: Vec::new(),
+            rules: Vec::new(),
+            names,
+            hints,
+        };
+        let mut typed = program.typed_declarations();
+        for instance in 0..program.instances.len() {
+            globals.collect(instance, typed.remove(&instance).unwrap_or_default());
+        }
+        globals.take_overrides();
+        globals
+    }
+
+    /// The declarations of an instance that count with its style in force. `typed` are those with types of their own.
+    fn collect(&mut self, id: InstanceId, typed: Vec<(InstanceId, &'a Decl)>) {
+        let instance = &self.program.instances[id];
+        let ast = &instance.file.ast;
+        self.names[id].lost = ast.lost.iter().map(String::as_str).collect();
+        let decls = || ast.decls.iter().map(|decl| (id, decl)).chain(typed.iter().copied());
+        // A declaration takes the place of another that belongs to a style further down.
+        let key = |decl: &'a Decl| (decl.name.text.as_str(), decl.params.len());
+        let mut nearest: HashMap<(&str, usize), usize> = HashMap::new();
+        let mut counts: HashMap<(&str, usize, usize), usize> = HashMap::new();
+        for (_, decl) in decls().filter(|_| !ast.styles.is_empty()) {
+            if let Some(rank) = instance.styles.rank(decl.style) {
+                nearest.entry(key(decl)).and_modify(|least| *least = rank.min(*least)).or_insert(rank);
+                *counts.entry((&decl.name.text, decl.params.len(), rank)).or_default() += 1;
+            }
+        }
+        for (own, decl) in decls() {
+            let Some(rank) = instance.styles.rank(decl.style) else { continue };
+            // Which of several overloads is meant only the types can tell: then all stay, and the nearest is tried first.
+            let overloads =
+                counts.get(&(decl.name.text.as_str(), decl.params.len(), rank)).is_some_and(|count| 1 < *count);
+            if !overloads && nearest.get(&key(decl)).is_some_and(|least| *least < rank) {
+                continue;
+            }
+            let item = Item {
+                decl,
+                instance: id,
+                home: id,
+                own,
+                name: format!("{}{}", instance.prefix, decl.name.text),
+                init: Init::Own,
+                rank,
+                origin: false,
+            };
+            match decl.body {
+                Body::Attr(_) => self.attrs.push(item),
+                Body::Const(_) => self.consts.push(item),
+                Body::Function(_) => self.functions.push(item),
+                Body::Rule(_) => self.rules.push(item),
+            }
+        }
+    }
+
+    /// Fills the tables of names. A name that an earlier declaration has already goes to `twice`.
+    pub(super) fn name<'s>(&'s mut self, mut twice: impl FnMut(&Item<'a>, &str, &Item<'a>)) {
+        let mut found: Vec<(&Item<'a>, &str, Use)> = Vec::new();
+        let mut enter = |items: &'s [Item<'a>], what: &'static str, make: fn(u32) -> Use| {
+            let own = items.iter().enumerate().filter(|(_, item)| !item.origin);
+            found.extend(own.map(|(index, item)| (item, what, make(index as u32))));
+        };
+        enter(&self.attrs, "attribute", Use::Attr);
+        enter(&self.consts, "constant", Use::Const);
+        enter(&self.functions, "function", Use::Function);
+        found.sort_by_key(|(item, ..)| (item.own, item.decl.name.id()));
+        for (item, what, own) in found {
+            let (name, names) = (item.decl.name.text.as_str(), &mut self.names[item.instance]);
+            if let Use::Function(index) = own {
+                overload(names.functions.entry(name).or_default(), index, &self.functions);
+                if !item.decl.params.is_empty() {
+                    continue;
+                }
+            }
+            match names.values.get(name) {
+                // Functions are compared by their types, later.
+                Some(Use::Function(_)) if matches!(own, Use::Function(_)) => {}
+                Some(Use::Attr(first)) => twice(item, what, &self.attrs[*first as usize]),
+                Some(Use::Const(first)) => twice(item, what, &self.consts[*first as usize]),
+                Some(Use::Function(first)) => twice(item, what, &self.functions[*first as usize]),
+                _ => _ = names.values.insert(name, own),
+            }
+        }
+        // What dynamic calls start anew is an instance of its own.
+        let mut renewed: HashMap<(InstanceId, &str), Vec<InstanceId>> = HashMap::new();
+        for (id, instance) in self.program.instances.iter().enumerate() {
+            if let (Some(parent), true) = (instance.parent, 1 < instance.layers.len()) {
+                renewed.entry((parent, &instance.prefix)).or_default().push(id);
+            }
+        }
+        for (index, item) in self.rules.iter().enumerate() {
+            // A rule in the place of an extension is found from inside only.
+            if item.home != item.instance {
+                continue;
+            }
+            let name = item.decl.name.text.as_str();
+            let names = &mut self.names[item.instance];
+            overload(names.rules.entry(name).or_default(), index as u32, &self.rules);
+            if item.decl.role == Role::Start {
+                names.start.push(index as u32);
+            }
+            // `id.Name --> …` goes on where the imported file leaves off.
+            if let Some((import, rest)) = name.split_once('.')
+                && let Some(Some(target)) = self.program.instances[item.instance].imports.get(import)
+            {
+                let prefix = self.program.instances[*target].prefix.as_str();
+                let others = renewed.get(&(item.instance, prefix)).into_iter().flatten();
+                for target in [target].into_iter().chain(others) {
+                    self.names[*target].rules.entry(rest).or_default().insert(0, index as u32);
+                }
+            }
+        }
+    }
+
+    /// Follows the names of imports.
+    pub(crate) fn way<'n>(&self, from: InstanceId, name: &'n str) -> Way<'n> {
+        let (mut at, mut rest) = (from, name);
+        while let Some((first, behind)) = rest.split_once('.') {
+            match self.program.instances[at].imports.get(first) {
+                Some(Some(next)) => (at, rest) = (*next, behind),
+                Some(None) => return Way::Missing,
+                // The import itself could not be read.
+                None if self.names[at].lost.contains(first) => return Way::Missing,
+                None => break,
+            }
+        }
+        Way::To(at, rest)
+    }
+
+    /// Whether something of that name may be declared where it could not be read.
+    pub(crate) fn is_lost(&self, from: InstanceId, name: &str) -> bool {
+        match self.way(from, name) {
+            Way::Missing => true,
+            Way::To(at, rest) => self.program.instances[at].file.is_torn || self.names[at].lost.contains(rest),
+        }
+    }
+
+    /// The attribute, constant or function without parameters of that name.
+    pub(crate) fn value(&self, from: InstanceId, name: &str) -> Option<Use> {
+        let Way::To(at, rest) = self.way(from, name) else { return None };
+        self.names[at].values.get(rest).copied()
+    }
+
+    /// The value that an overridden attribute would have without the override.
+    pub(crate) fn origin(&self, from: InstanceId, name: &str) -> Option<u32> {
+        let Way::To(at, rest) = self.way(from, name) else { return None };
+        self.names[at].origins.get(rest).copied()
+    }
+
+    /// The functions of that name.
+    pub(crate) fn functions(&self, from: InstanceId, name: &str) -> &[u32] {
+        match self.way(from, name) {
+            Way::To(at, rest) => self.names[at].functions.get(rest).map(Vec::as_slice).unwrap_or_default(),
+            Way::Missing => &[],
+        }
+    }
+
+    /// The rules of that name; `start` stands for those marked so.
+    pub(crate) fn rules(&self, from: InstanceId, name: &str) -> Vec<u32> {
+        // A dotted name that continues a leaf of an import is declared here.
+        if let Some(list) = self.names[from].rules.get(name).filter(|_| name.contains('.')) {
+            return list.clone();
+        }
+        let Way::To(at, rest) = self.way(from, name) else { return Vec::new() };
+        let names = &self.names[at];
+        if let Some(&rule) = names.replaced.get(rest).filter(|_| at == from) {
+            return vec![rule];
+        }
+        match names.rules.get(rest) {
+            Some(list) => list.clone(),
+            None if rest == "start" => names.start.clone(),
+            None => Vec::new(),
+        }
+    }
+
+    /// The rules of that name as the instance has them, whatever takes their place.
+    pub(crate) fn plain_rules(&self, id: InstanceId, name: &str) -> &[u32] {
+        self.names[id].rules.get(name).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// Everything with a value: attributes, constants, functions.
+    pub(crate) fn values(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
+        self.attrs.iter().chain(&self.consts).chain(&self.functions)
+    }
+
+    /// Everything.
+    pub(crate) fn items(&self) -> impl Iterator<Item = &Item<'a>> + '_ {
+        self.rules.iter().chain(self.values())
+    }
+
+    /// The declared name that may be meant by another one: of an import where that one begins with an import's name, and
+    /// among `others` too where it does not.
+    pub(crate) fn meant<'o>(
+        &self,
+        from: InstanceId,
+        name: &str,
+        kind: Kind,
+        others: impl IntoIterator<Item = &'o str>,
+    ) -> Option<String> {
+        match self.way(from, name) {
+            Way::Missing => None,
+            Way::To(at, rest) if at != from => {
+                let near = nearest(rest, self.near(at, kind))?;
+                Some(format!("{}{near}", &name[..name.len() - rest.len()]))
+            }
+            Way::To(..) => {
+                let own = nearest(name, self.near(from, kind)).map(str::to_owned);
+                let other = nearest(name, others).map(str::to_owned);
+                nearest(name, own.iter().chain(&other).map(String::as_str)).map(str::to_owned)
+            }
+        }
+    }
+
+    /// The leaf of an instance whose name is near, with its dot.
+    pub(crate) fn leaf(&self, from: InstanceId, name: &str) -> Option<String> {
+        self.hints.get().checked_sub(1)?;
+        let mut leaves: Vec<&str> = Vec::new();
+        for item in self.rules.iter().filter(|item| item.home == from) {
+            if let Body::Rule(ops) = &item.decl.body {
+                ast_walk::ops(ops, &mut |op| match &op.kind {
+                    OpKind::Leaf(leaf) if leaf.text != name => leaves.push(&leaf.text),
+                    _ => {}
+                });
+            }
+        }
+        leaves.sort_unstable();
+        leaves.dedup();
+        nearest(name, leaves).map(|near| format!("{near}."))
+    }
+
+    /// Names that are declared in an instance, sorted; none when there were enough suggestions.
+    pub(crate) fn near(&self, from: InstanceId, kind: Kind) -> Vec<&'a str> {
+        let names = &self.names[from];
+        let Some(left) = self.hints.get().checked_sub(1) else { return Vec::new() };
+        self.hints.set(left);
+        let mut list: Vec<&'a str> = match kind {
+            Kind::Values => names.values.keys().copied().collect(),
+            Kind::Attrs => {
+                let attr = |(name, found): (&&'a str, &Use)| matches!(found, Use::Attr(_)).then_some(*name);
+                names.values.iter().filter_map(attr).collect()
+            }
+            Kind::Functions => names.functions.keys().copied().collect(),
+            Kind::Rules => names.rules.keys().copied().collect(),
+            Kind::Extensions => {
+                let items = names.rules.values().flatten().map(|index| &self.rules[*index as usize]);
+                items
+                    .filter(|item| item.decl.role == Role::Extension)
+                    .map(|item| item.decl.name.text.as_str())
+                    .collect()
+            }
+            Kind::Imports => self.program.instances[from].imports.keys().map(String::as_str).collect(),
+        };
+        list.sort_unstable();
+        list
+    }
+}
+
+/// What a suggestion is looked for among.
+#[derive(Clone, Copy)]
+pub(crate) enum Kind {
+    Values,
+    Attrs,
+    Functions,
+    Rules,
+    Extensions,
+    Imports,
+}
+
+/// Adds to the declarations of a name.
+fn overload(list: &mut Vec<u32>, index: u32, items: &[Item]) {
+    let params = |index: u32| items[index as usize].decl.params.len();
+    // The last ones are looked at first, for whoever declares one thing ten thousand times.
+    if list.iter().rev().filter(|other| params(**other) == params(index)).take(MOST_OVERLOADS).count() < MOST_OVERLOADS
+    {
+        // The nearest style first: of equals the first is taken.
+        let style = |index: u32| items[index as usize].rank;
+        let at = list.partition_point(|other| style(*other) <= style(index));
+        list.insert(at, index);
+    }
+}
+
+impl Decl {
+    /// The expression it stands for, unless it is a rule.
+    pub(crate) fn value(&self) -> Option<&Expr> {
+        match &self.body {
+            Body::Attr(value) | Body::Const(value) | Body::Function(value) => Some(value),
+            Body::Rule(_) => None,
+        }
+    }
+
+    /// Parameters, then locals: what [`Use::Param`] counts.
+    pub(crate) fn inner(&self) -> impl Iterator<Item = &Name> {
+        self.params.iter().chain(self.locals.iter().map(|(name, _)| name))
+    }
+}
+
+/// Functions of the language of that name that take so many arguments.
+pub(crate) fn builtins(name: &str, count: usize) -> Vec<&'static ops::Function> {
+    ops::functions(name).filter(|row| row.takes(count)).collect()
+}

@@ -1,0 +1,17 @@
+//! Names: what is declared, and what each use stands for.
+
+pub(crate) mod arguments;
+pub(crate) mod arity;
+pub(crate) mod context;
+pub(crate) mod cycles;
+pub(crate) mod duplicates;
+pub(crate) mod globals;
+mod habits;
+pub(crate) mod info;
+pub(crate) mod names;
+pub(crate) mod overrides;
+mod scope;
+pub(crate) mod selectors;
+pub(crate) mod steps;
+pub(crate) mod tables;
+pub(crate) mod words;

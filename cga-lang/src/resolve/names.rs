@@ -1,0 +1,419 @@
+//! What each name in an expression stands for. Steps of rules are in `steps`.
+
+use super::arguments::bare;
+use super::arity::wrong_count;
+use super::context::Cx;
+use super::globals::{Init, Kind, builtins};
+use super::habits;
+use super::scope::Scope;
+use super::tables::Use;
+use crate::ast::{Expr, ExprKind, Name};
+use crate::code::Code;
+use crate::door::Door;
+use crate::ir::Type;
+use crate::ops::{self, Function, Needs, ParamKind, Places, Run};
+use crate::span::Span;
+use crate::token::Tok;
+
+/// Resolves every use.
+pub(crate) fn uses(cx: &mut Cx) {
+    let values: Vec<_> = cx.globals.values().cloned().collect();
+    for (index, item) in values.iter().enumerate() {
+        let Some((value, own)) = item.value() else { continue };
+        let owner = (!item.origin && index < cx.globals.attrs.len()).then_some(index as u32);
+        let at = cx.globals.program.home(own);
+        let mut scope = Scope { cx, at, own, inner: Vec::new(), owner, place: None };
+        if item.is_own() {
+            scope.enter(item.decl);
+        }
+        scope.expr(value);
+    }
+    for item in cx.globals.rules.clone() {
+        if let crate::ast::Body::Rule(ops) = &item.decl.body {
+            let mut scope = Scope { cx, at: item.home, own: item.own, inner: Vec::new(), owner: None, place: None };
+            scope.enter(item.decl);
+            scope.ops(ops);
+        }
+    }
+}
+
+impl<'a> Scope<'_, 'a, '_> {
+    /// Parameters, then locals, each of which sees those before it.
+    fn enter(&mut self, decl: &'a crate::ast::Decl) {
+        self.inner.extend(&decl.params);
+        for (name, value) in &decl.locals {
+            self.expr(value);
+            self.inner.push(name);
+        }
+    }
+
+    pub(crate) fn note(&mut self, name: &Name, found: Use) {
+        self.cx.tables.uses.insert((self.own, name.id()), found);
+    }
+
+    /// Notes a call that cannot run yet.
+    pub(crate) fn note_later(&mut self, name: &Name) {
+        self.cx.tables.later.insert((self.own, name.id()));
+    }
+
+    /// Notes the attribute of an import that an override gives a value to.
+    pub(crate) fn note_target(&mut self, name: &Name, attr: u32) {
+        self.cx.tables.targets.insert((self.own, name.id()), attr);
+    }
+
+    /// Notes what a call may stand for; the types decide if there are several.
+    pub(crate) fn note_open(&mut self, name: &Name, mut candidates: Vec<Use>) {
+        match candidates.as_slice() {
+            [] => {}
+            [one] => self.note(name, *one),
+            _ => {
+                candidates.dedup();
+                let open = Use::Open(self.cx.tables.open.len() as u32);
+                self.cx.tables.open.push(candidates);
+                self.note(name, open);
+            }
+        }
+    }
+
+    pub(crate) fn door(&self) -> Door {
+        self.cx.globals.program.instances[self.at].file.door
+    }
+
+    pub(crate) fn expr(&mut self, expr: &'a Expr) {
+        match &expr.kind {
+            ExprKind::Name(name) => return self.expr_name(name),
+            ExprKind::Call(..) if self.has_unread(expr.span) => {}
+            ExprKind::Call(name, args) => return self.call(name, args),
+            ExprKind::Comp(comp) => return self.comp_value(comp),
+            ExprKind::Chance(arms, _) => self.percentages(arms.iter().map(|(percent, _)| percent)),
+            _ => {}
+        }
+        for part in expr.parts() {
+            self.expr(part);
+        }
+    }
+
+    /// Whether there is something in a span that could not be read and was reported.
+    pub(crate) fn has_unread(&self, span: Span) -> bool {
+        let tokens = self.cx.globals.program.tokens.as_slice();
+        let list = tokens.get(span.first as usize..=span.last as usize).unwrap_or_default();
+        list.iter().any(|token| matches!(token, Tok::Bad))
+    }
+
+    /// What a bare name stands for, if anything.
+    pub(crate) fn lookup(&mut self, name: &str) -> Option<Use> {
+        if let Some(index) = self.inner.iter().position(|inner| inner.text == name) {
+            return Some(Use::Param(index as u32));
+        }
+        let global = self.cx.globals.value(self.at, name).map(|found| self.unless_own(found, name));
+        global
+            .or_else(|| ops::functions(name).find(|row| row.takes(0)).map(Use::Builtin))
+            .or_else(|| ops::shape_attr(name).map(Use::Shape))
+    }
+
+    /// An attribute that overrides another may be made of what that other would be.
+    fn unless_own(&mut self, found: Use, name: &str) -> Use {
+        let (Use::Attr(index), Some(owner)) = (found, self.owner) else { return found };
+        let flows = matches!(self.cx.globals.attrs[index as usize].init, Init::Flows(outer) if outer == owner);
+        let overrides = index == owner && !self.cx.globals.attrs[index as usize].is_own();
+        match self.cx.globals.origin(self.at, name).filter(|_| flows || overrides) {
+            Some(origin) => {
+                self.cx.tables.origins.insert(origin);
+                Use::Const(origin)
+            }
+            None => found,
+        }
+    }
+
+    pub(crate) fn expr_name(&mut self, name: &'a Name) {
+        let found = self.lookup(&name.text);
+        let own = matches!(found, Some(Use::Param(_) | Use::Attr(_) | Use::Const(_) | Use::Function(_) | Use::Open(_)));
+        if let (Some(place), Some(row), false) = (self.place, ops::selector(&name.text), own) {
+            return self.known_selector(name, row, place);
+        }
+        match found {
+            Some(found) => {
+                self.about_later(name, found);
+                self.note(name, found);
+            }
+            None => self.unknown_name(name, None),
+        }
+    }
+
+    /// Says so when something is used that does not run yet or should not be used any more.
+    pub(crate) fn about_later(&mut self, name: &Name, found: Use) {
+        match found {
+            Use::Builtin(Function { needs: Needs::Component, .. }) if self.place.is_none() => {
+                let message = format!("`{}` can only stand in a selector", name.text);
+                self.cx.diags.report(Code::UnknownFunction, name.span, message).note("it asks about a component");
+            }
+            Use::Builtin(Function { run: Run::Later, about, .. }) => {
+                self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, about)));
+            }
+            Use::Builtin(row) => self.deprecated(name, row.old),
+            Use::Shape(row) => {
+                if row.get == Run::Later {
+                    self.not_implemented(name.span, &format!("`{}`", name.text), None);
+                }
+                self.deprecated(name, row.old);
+            }
+            Use::SetShape(row) => {
+                if row.set == Some(Run::Later) {
+                    self.not_implemented(name.span, &format!("`set` of `{}`", name.text), None);
+                }
+                self.deprecated(name, row.old);
+            }
+            Use::Operation(row) => {
+                if row.run == Run::Later {
+                    self.not_implemented(name.span, &format!("`{}`", name.text), Some((&name.text, row.about)));
+                }
+                self.deprecated(name, row.old);
+            }
+            _ => {}
+        }
+    }
+
+    /// Says that something known does nothing yet. `about` is its name and what it will do.
+    pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: Option<(&str, &str)>) {
+        let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
+        if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
+            diag.note(format!("`{name}` {about}"));
+        }
+        diag.note("it does nothing in a run, which says so among its faults");
+    }
+
+    pub(crate) fn deprecated(&mut self, name: &Name, old: Option<&str>) {
+        if let Some(instead) = old {
+            let message = format!("`{}` is an old spelling", name.text);
+            self.cx.diags.report(Code::OldSpelling, name.span, message).help(instead.to_owned());
+        }
+    }
+
+    /// Reports a name that stands for nothing. `help` is what to type where text is needed.
+    pub(crate) fn unknown_name(&mut self, name: &'a Name, help: Option<String>) {
+        let (text, globals, at) = (name.text.as_str(), &self.cx.globals, self.at);
+        if globals.is_lost(at, text) {
+            return;
+        }
+        let takes = self.takes(text);
+        if !takes.is_empty() {
+            return wrong_count(self.cx, "function", name, takes, 0);
+        }
+        let is_rule = !globals.rules(at, text).is_empty();
+        let inner = self.inner.iter().map(|inner| inner.text.as_str());
+        let near = globals.meant(at, text, Kind::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
+        let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
+        let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`")));
+        let near = truth.or(near).filter(|_| help.is_none());
+        let (inline, dotted) = (self.door() == Door::Inline, text.contains('.'));
+        let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
+        if is_rule {
+            diag.note(format!("`{text}` is a rule: it makes shapes, it has no value"));
+        }
+        let suggested = near.is_some();
+        diag.suggest(near);
+        if ops::selector(text).is_some() {
+            diag.note(format!("`{text}` selects components: it stands in the selectors of a `comp`, nowhere else"));
+        }
+        if let Some(help) = help {
+            diag.help(help);
+        } else if let Some(("self" | "Self" | "this", rest)) = text.split_once('.') {
+            diag.help(format!("write `{rest}`"));
+        } else if !dotted && !suggested && !is_rule && !is_known_elsewhere(text) {
+            diag.help(format!("declare it: `attr {text} = …`"));
+            if inline {
+                diag.help(format!("write `#{text}` for a Rust value, `\"{text}\"` for text"));
+            }
+        } else if let Some((first, _)) = text.split_once('.')
+            && !ops::all_shape_attrs().any(|row| row.name.starts_with(first))
+            && !self.cx.globals.program.instances[at].imports.contains_key(first)
+        {
+            let all = ops::all_functions().map(|row| row.name).filter(|name| name.split('.').next() == Some(first));
+            let mut all: Vec<String> = all.map(|name| format!("`{name}`")).collect();
+            all.dedup();
+            match all.is_empty() {
+                true => diag.note(format!("there is no import `{first}`")),
+                false => diag.note(format!("there are {}", all.join(", "))),
+            };
+        }
+    }
+
+    /// Numbers of arguments that functions of a name take.
+    fn takes(&self, name: &str) -> Vec<usize> {
+        let globals = &self.cx.globals;
+        let own =
+            globals.functions(self.at, name).iter().map(|index| globals.functions[*index as usize].decl.params.len());
+        let own: Vec<usize> = own.collect();
+        let rows = ops::functions(name).flat_map(|row| ops::required(row.params)..=row.params.len());
+        own.into_iter().chain(rows).chain(conversion(name).map(|_| 1)).collect()
+    }
+
+    fn call(&mut self, name: &'a Name, args: &'a [Expr]) {
+        let text = name.text.as_str();
+        let own = self.cx.globals.functions(self.at, text).iter().copied();
+        let own = own.filter(|index| self.cx.globals.functions[*index as usize].decl.params.len() == args.len());
+        let mut candidates: Vec<Use> = own.map(Use::Function).collect();
+        let rows = builtins(text, args.len());
+        if candidates.is_empty() && rows.is_empty() && !(args.len() == 1 && conversion(text).is_some()) {
+            // A word that the function takes is no name that is missing.
+            let is_word = |arg: &&Expr| {
+                let words = || ops::functions(text).flat_map(|row| row.params);
+                bare(arg).is_some_and(|word| words().any(|param| param.kind.has_word(word)))
+            };
+            args.iter().filter(|arg| !is_word(arg)).for_each(|arg| self.expr(arg));
+            return self.unknown_call(name, args);
+        }
+        // Words are no names: they tell rows apart, and are not looked up.
+        let mut fitting: Vec<_> = rows.iter().copied().filter(|row| words_fit(row, args, bare)).collect();
+        if fitting.is_empty() {
+            let said = if self.door() == Door::Text { Expr::word } else { not_text };
+            fitting = rows.iter().copied().filter(|row| words_fit(row, args, said)).collect();
+        }
+        if candidates.is_empty() && fitting.is_empty() && !rows.is_empty() && conversion(text).is_none() {
+            return self.other_words(name, &rows, args);
+        }
+        for (index, arg) in args.iter().enumerate() {
+            let is_word =
+                |row: &&Function| matches!(row.params[index].kind, ParamKind::Word { .. } | ParamKind::Selector);
+            if candidates.is_empty() && !fitting.is_empty() && fitting.iter().all(is_word) {
+                let kinds: Vec<&ParamKind> = fitting.iter().map(|row| &row.params[index].kind).collect();
+                if let Some((old, new)) = kinds.iter().filter_map(|kind| kind.old_word(arg.word()?)).next() {
+                    self.old_word(old, new, arg.span);
+                    continue;
+                }
+                if fitting.iter().any(|row| row.params[index].kind == ParamKind::Selector) {
+                    self.selector(arg, Places::FACES);
+                } else {
+                    self.word_expr(text, &kinds, arg);
+                }
+                continue;
+            }
+            self.expr(arg);
+        }
+        if args.len() == 1
+            && let Some(ty) = conversion(text)
+        {
+            candidates.push(Use::Convert(ty));
+        }
+        candidates.extend(fitting.into_iter().map(Use::Builtin));
+        if let Some(first @ Use::Builtin(_)) = candidates.first().copied() {
+            self.about_later(name, first);
+        }
+        self.note_open(name, candidates);
+    }
+
+    /// A call whose words fit no row.
+    fn other_words(&mut self, name: &Name, rows: &[&'static Function], args: &'a [Expr]) {
+        let all: Vec<&Expr> = args.iter().collect();
+        if let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &all)) {
+            for (param, arg) in row.params.iter().zip(args) {
+                self.computed_word(&param.kind, arg);
+            }
+            self.note_later(name);
+            return self.note(name, Use::Builtin(row));
+        }
+        let row = rows[0];
+        for (param, arg) in row.params.iter().zip(args) {
+            match &param.kind {
+                ParamKind::Word { .. } => self.word_expr(row.name, &[&param.kind], arg),
+                ParamKind::Selector => self.selector(arg, Places::FACES),
+                _ => self.expr(arg),
+            }
+        }
+    }
+
+    fn unknown_call(&mut self, name: &'a Name, args: &'a [Expr]) {
+        let text = name.text.as_str();
+        if self.cx.globals.is_lost(self.at, text) || args.iter().any(|arg| matches!(arg.kind, ExprKind::Error)) {
+            return;
+        }
+        let takes = self.takes(text);
+        if !takes.is_empty() {
+            return wrong_count(self.cx, "function", name, takes, args.len());
+        }
+        if let Some(found) = self.lookup(text) {
+            let what = match found {
+                Use::Param(_) => "a parameter",
+                Use::Attr(_) => "an attribute",
+                Use::Const(_) => "a constant",
+                _ => "an attribute of the shape",
+            };
+            let message = format!("`{text}` is {what}, it takes no arguments");
+            self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write `{text}`"));
+            return;
+        }
+        let others = ops::all_functions().map(|row| row.name).chain(["str"]);
+        let method = self.method(text, args);
+        let near = match method {
+            Some(_) => None,
+            None => self.cx.globals.meant(self.at, text, Kind::Functions, others),
+        };
+        let shape = ops::operations(text).next().is_some() || !self.cx.globals.rules(self.at, text).is_empty();
+        let diag = self.cx.diags.report(Code::UnknownFunction, name.span, format!("unknown function `{text}`"));
+        if let Some(call) = method {
+            diag.note("values have no methods").help(format!("write `{call}`"));
+        } else if shape {
+            diag.note(format!("`{text}` works on shapes, it has no value"));
+        } else {
+            diag.suggest(near);
+        }
+    }
+
+    /// `scope.sx.sqrt()` as CGA writes it, where it names a value and a function.
+    fn method(&mut self, text: &str, args: &[Expr]) -> Option<String> {
+        let (value, function) = text.rsplit_once('.')?;
+        let takes = self.takes(function).contains(&(args.len() + 1));
+        self.lookup(value).filter(|_| takes)?;
+        let rest = if args.is_empty() { "" } else { ", …" };
+        Some(format!("{function}({value}{rest})"))
+    }
+
+    /// Percentages of one block may not add up to more than 100.
+    pub(crate) fn percentages(&mut self, list: impl Iterator<Item = &'a crate::ast::Percent>) {
+        let mut sum = 0.0;
+        for percent in list {
+            sum += percent.value;
+            // Written fractions like 33.3 add up with an error in the last digits.
+            if 100.0 + 1e-9 < sum {
+                let message = format!("the percentages up to here add up to {}", (sum * 1e6).round() / 1e6);
+                let diag = self.cx.diags.report(Code::PercentOver100, percent.span, message);
+                diag.help("make them smaller: `else` gets what is left of 100");
+                return;
+            }
+        }
+    }
+}
+
+/// Whether every word of a call is one that the row knows. `word` says what the word of an argument is.
+fn words_fit(row: &Function, args: &[Expr], word: fn(&Expr) -> Option<&str>) -> bool {
+    row.params.iter().zip(args).all(|(param, arg)| match &param.kind {
+        ParamKind::Word { .. } if matches!(arg.kind, ExprKind::Error) => true,
+        ParamKind::Word { words, old, .. } => {
+            word(arg).is_some_and(|word| words.iter().chain(*old).any(|(own, _)| *own == word))
+        }
+        _ => true,
+    })
+}
+
+/// Whether a name that has no value is a word of an operation, or a selector.
+fn is_known_elsewhere(name: &str) -> bool {
+    ops::selector(name).is_some()
+        || ops::all_operations().any(|row| row.params.iter().any(|param| param.kind.has_word(name)))
+}
+
+fn not_text(arg: &Expr) -> Option<&str> {
+    arg.word().filter(|_| !matches!(arg.kind, ExprKind::Text(_)))
+}
+
+/// The type a conversion function gives.
+fn conversion(name: &str) -> Option<Type> {
+    match name {
+        "float" => Some(Type::Float),
+        "bool" => Some(Type::Bool),
+        "str" => Some(Type::Text),
+        "floatArray" => Some(Type::Floats),
+        "boolArray" => Some(Type::Bools),
+        "stringArray" => Some(Type::Texts),
+        _ => None,
+    }
+}

@@ -1,0 +1,113 @@
+//! What stands in parentheses behind an import: whether it names attributes and extensions of the imported file.
+
+use super::context::Cx;
+use super::globals::Kind;
+use super::tables::Use;
+use crate::ast::{Decl, Override, Role};
+use crate::code::Code;
+use crate::diag::Level;
+use crate::link::{InstanceId, Layer};
+use crate::suggest::nearest;
+use std::collections::HashSet;
+
+pub(crate) fn check(cx: &mut Cx) {
+    let program = cx.globals.program;
+    for (id, instance) in program.instances.iter().enumerate() {
+        for (index, layer) in instance.layers.iter().enumerate() {
+            // The layers before the last belong to the static import, which is an instance of its own.
+            if index + 1 == instance.layers.len() {
+                layer_of(cx, id, layer);
+            }
+        }
+    }
+}
+
+fn layer_of(cx: &mut Cx, id: InstanceId, layer: &Layer) {
+    let list = cx.globals.program.overrides(layer).unwrap_or_default();
+    list_of(cx, id, list);
+}
+
+/// Checks overrides of an instance.
+pub(crate) fn list_of(cx: &mut Cx, id: InstanceId, list: &[Override]) {
+    let mut seen = HashSet::new();
+    for own in list {
+        let name = match own {
+            Override::Keep(name) | Override::Value(name, _) => name,
+            Override::Rule(decl) => &decl.name,
+        };
+        if !seen.insert(name.text.as_str()) {
+            let message = format!("`{}` is overridden twice", name.text);
+            cx.diags.report(Code::DuplicateName, name.span, message);
+            continue;
+        }
+        if cx.globals.is_lost(id, &name.text) {
+            continue;
+        }
+        match own {
+            Override::Keep(_) | Override::Value(..) => attribute(cx, id, name),
+            // With a dot it was reported when it was read.
+            Override::Rule(decl) if decl.name.text.contains('.') => {}
+            Override::Rule(decl) => extension(cx, id, decl),
+        }
+    }
+}
+
+fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
+    match cx.globals.value(id, &name.text) {
+        // *CGA changelog 2023.0*: not allowed any more. Files older than that are read, and mean what they meant.
+        Some(Use::Attr(_)) if name.text.contains('.') => {
+            let message = format!("`{}` belongs to an import of the imported file", name.text);
+            cx.diags
+                .report(Code::OldSpelling, name.span, message)
+                .help("since CGA 2023.0 only that file gives it a value");
+        }
+        Some(Use::Attr(_)) => {}
+        found => {
+            let near = nearest(&name.text, cx.globals.near(id, Kind::Attrs)).map(str::to_owned);
+            let message = match found {
+                Some(_) => format!("`{}` is a constant, only attributes can be overridden", name.text),
+                None => format!("the imported file has no attribute `{}`", name.text),
+            };
+            cx.diags.report(Code::UnknownName, name.span, message).suggest(near);
+        }
+    }
+}
+
+fn extension(cx: &mut Cx, id: InstanceId, own: &Decl) {
+    let (name, program) = (&own.name, cx.globals.program);
+    // Also where the style in force has one of its own, which stays.
+    let decls = || program.instances[id].file.ast.decls.iter().filter(|decl| decl.name.text == name.text);
+    if let Some(extension) = decls().find(|decl| decl.role == Role::Extension) {
+        if extension.params.len() != own.params.len() {
+            let message = format!(
+                "extension `{}` has {}, this has {}",
+                name.text,
+                parameters(extension.params.len()),
+                own.params.len()
+            );
+            cx.diags.report(Code::ArgumentCount, name.span, message).related("declared", extension.name.span);
+        }
+        return;
+    }
+    let rule = |index: &u32| &cx.globals.rules[*index as usize];
+    let named: Vec<_> =
+        cx.globals.plain_rules(id, &name.text).iter().map(rule).filter(|item| item.home == id).collect();
+    let near = nearest(&name.text, cx.globals.near(id, Kind::Extensions)).map(str::to_owned);
+    if let Some(rule) = named.first() {
+        let message = format!("rule `{}` is no extension, it cannot be overridden", name.text);
+        cx.diags
+            .report_as(Code::UndefinedRule, Level::Error, name.span, message)
+            .help(format!("write `extension {}` in the imported file", rule.decl.name.text));
+    } else {
+        let message = format!("the imported file has no rule `{}`", name.text);
+        cx.diags.report_as(Code::UndefinedRule, Level::Error, name.span, message).suggest(near);
+    }
+}
+
+fn parameters(count: usize) -> String {
+    match count {
+        0 => "no parameters".into(),
+        1 => "1 parameter".into(),
+        count => format!("{count} parameters"),
+    }
+}

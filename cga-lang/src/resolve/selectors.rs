@@ -1,0 +1,161 @@
+//! Selectors of arms.
+
+use super::arity::wrong_count;
+use super::scope::Scope;
+use super::tables::Use;
+use crate::ast::{Arm, ArmMode, Binary, CompValue, Expr, ExprKind, Name, SplitItem, Unary};
+use crate::code::Code;
+use crate::diag::Diag;
+use crate::ops::{self, Places, Selector};
+use crate::suggest::nearest;
+
+impl<'a> Scope<'_, 'a, '_> {
+    pub(crate) fn items(&mut self, items: &'a [SplitItem]) {
+        for item in items {
+            match item {
+                SplitItem::Slot(size, ops) => {
+                    self.expr(&size.value);
+                    self.ops(ops);
+                }
+                SplitItem::Group(items, _) => self.items(items),
+            }
+        }
+    }
+
+    pub(crate) fn arm(&mut self, arm: &'a Arm, place: Places) {
+        if place.connects() {
+            self.index(&arm.selector);
+        }
+        self.selector(&arm.selector, place);
+        if arm.mode == ArmMode::Connected && place != Places::NONE && !place.connects() {
+            let message = "only `comp` and `modify` take `=:`";
+            self.cx.diags.report(Code::Syntax, arm.selector.span, message).help("write `:` or `=`");
+        }
+        self.ops(&arm.ops);
+    }
+
+    /// `comp(f) { selector : value }`.
+    pub(crate) fn comp_value(&mut self, comp: &'a CompValue) {
+        let place = self.comp_args(comp);
+        for (selector, _, value) in &comp.arms {
+            self.index(selector);
+            self.selector(selector, place);
+            // Words ask about the component that is to be selected; the value is none of them.
+            let outer = self.place.take();
+            self.expr(value);
+            self.place = outer;
+        }
+    }
+
+    /// The arguments of `comp` as a value, as those of the operation: gives the selectors.
+    fn comp_args(&mut self, comp: &CompValue) -> Places {
+        let Some(row) = ops::operations(&comp.name.text).next() else { return Places::NONE };
+        if comp.args.is_empty() {
+            self.missing_word(&comp.name, row);
+        } else if !row.takes(comp.args.len()) {
+            let takes = (ops::required(row.params)..=row.params.len()).collect();
+            wrong_count(self.cx, "function", &comp.name, takes, comp.args.len());
+        }
+        for (param, arg) in row.params.iter().zip(&comp.args) {
+            if !matches!(arg.kind, ExprKind::Error) {
+                self.word_expr(row.name, &[&param.kind], arg);
+            }
+        }
+        row.places(comp.args.first().and_then(Expr::word))
+    }
+
+    /// Resolves a selector: a word, an index or a condition made of words and values.
+    pub(crate) fn selector(&mut self, selector: &'a Expr, place: Places) {
+        if place.has_words_only() {
+            return self.only_word(selector, place);
+        }
+        let outer = self.place.replace(place);
+        self.condition(selector, place);
+        self.place = outer;
+    }
+
+    /// Resolves a selector where only words can stand.
+    fn only_word(&mut self, selector: &Expr, place: Places) {
+        match &selector.kind {
+            ExprKind::Error => {}
+            ExprKind::Name(name) => match ops::selector(&name.text) {
+                Some(row) => self.known_selector(name, row, place),
+                None => _ = self.wrong_selector(name, place, &format!("unknown selector `{}`", name.text)),
+            },
+            _ => {
+                let here = ops::selectors().filter(|row| row.on.has(place)).map(|row| format!("`{}`", row.name));
+                let here = here.collect::<Vec<_>>().join(", ");
+                let message = "a selector is a word here, not an index or a condition";
+                self.cx.diags.report(Code::UnknownSelector, selector.span, message).note(format!("there are {here}"));
+            }
+        }
+    }
+
+    /// Refuses a negative number as a selector of a comp. Those of `setback` wrap (*setback operation*).
+    fn index(&mut self, selector: &Expr) {
+        if let ExprKind::Unary(Unary::Minus, operand) = &selector.kind
+            && let ExprKind::Number(number) = operand.kind
+            && 0.0 < number
+        {
+            let message = format!("there is no component with the index -{number}");
+            let diag = self.cx.diags.report(Code::UnknownSelector, selector.span, message);
+            diag.note("components are numbered from 0 on").help("write the index of a component, or a selector");
+        }
+    }
+
+    /// Resolves a part of a selector that must be a bool: the whole selector, or an operand of `!`, `&&` and `||`. The selector
+    /// of a name goes before everything that is declared. Parentheses make the name an expression, as arithmetic does.
+    fn condition(&mut self, part: &'a Expr, place: Places) {
+        match &part.kind {
+            ExprKind::Name(name) => self.selector_name(name, part.span == name.span, place),
+            ExprKind::Unary(Unary::Not, part) => self.condition(part, place),
+            ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => {
+                self.condition(left, place);
+                self.condition(right, place);
+            }
+            _ => self.expr(part),
+        }
+    }
+
+    fn selector_name(&mut self, name: &'a Name, is_bare: bool, place: Places) {
+        let text = name.text.as_str();
+        match ops::selector(text) {
+            Some(row) if is_bare => self.known_selector(name, row, place),
+            None if self.lookup(text).is_none() => {
+                if !self.cx.globals.is_lost(self.at, text) {
+                    self.wrong_selector(name, place, &format!("unknown selector `{text}`"));
+                }
+            }
+            _ => self.expr_name(name),
+        }
+    }
+
+    /// A selector's word, where components of that kind are selected.
+    pub(crate) fn known_selector(&mut self, name: &Name, row: &'static Selector, place: Places) {
+        self.note(name, Use::Selector(row.name));
+        self.deprecated(name, row.old);
+        if row.on.has(place) {
+            return;
+        }
+        let diag = self.wrong_selector(name, place, &format!("selector `{}` cannot stand here", name.text));
+        let kinds = ops::COMPONENTS.iter().filter(|kind| row.on.has(kind.place));
+        let kinds: Vec<String> = kinds.map(|kind| format!("`comp({})`", kind.name)).collect();
+        if !kinds.is_empty() {
+            diag.note(format!("`{}` stands in {}", name.text, kinds.join(", ")));
+        }
+    }
+
+    fn wrong_selector(&mut self, name: &Name, place: Places, message: &str) -> &mut Diag {
+        let here = || ops::selectors().filter(|row| row.on.has(place) && row.old.is_none()).map(|row| row.name);
+        let all: Vec<String> = here().filter(|name| !name.contains('.')).map(|name| format!("`{name}`")).collect();
+        let longer = here().find(|row| row.rsplit_once('.').is_some_and(|(_, last)| last == name.text));
+        let near = longer.or_else(|| nearest(&name.text, here()).filter(|near| *near != name.text));
+        let by_name =
+            [(Places::GROUPS, "groups"), (Places::MATERIALS, "materials")].into_iter().find(|(kind, _)| *kind == place);
+        let diag = self.cx.diags.report(Code::UnknownSelector, name.span, message);
+        if let Some((_, list)) = by_name.filter(|_| near.is_none()) {
+            return diag.help(format!("one of a name is `findFirst(geometry.{list}, \"{}\")`", name.text));
+        }
+        diag.suggest(near).note(format!("there are {}", all.join(", ")))
+    }
+}

@@ -1,0 +1,506 @@
+//! Steps of a rule: which operation, rule or leaf each call is, and whether the words in it exist.
+
+use super::arguments::{has_error, word};
+use super::arity::{counts, usage, wrong_count};
+use super::globals::Kind;
+use super::scope::Scope;
+use super::tables::Use;
+use super::words::fitting;
+use super::{habits, overrides};
+use crate::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
+use crate::code::Code;
+use crate::diag::Level;
+use crate::door::Door;
+use crate::ir::Type;
+use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
+use crate::span::Span;
+use crate::suggest::nearest;
+
+/// Most declarations of a rule that a message names.
+const MOST_DECLARED: usize = 3;
+
+/// The longest argument that a message repeats.
+const LONGEST: usize = 40;
+
+/// Returns true if the braces hold what the row has there.
+fn has_braces(row: &Operation, block: &Block) -> bool {
+    match (row.braces, block.parts.first()) {
+        (Braces::None, _) => false,
+        (Braces::Operands, Some(BlockPart::Ops(list))) => list.len() != 1,
+        (Braces::Inline, Some(BlockPart::Ops(list))) => list.len() == 1,
+        _ => true,
+    }
+}
+
+/// The rows that an operation with braces may mean: those whose words its arguments have, else all, the likeliest first.
+fn likely(block: &Block) -> Vec<&'static Operation> {
+    let words: Vec<Option<&str>> = block.args.iter().map(word).collect();
+    let is_word = |(param, word): &(&Param, &Option<&str>)| match param.kind {
+        ParamKind::Word { .. } => word.is_some_and(|word| param.kind.has_word(word)),
+        _ => true,
+    };
+    let mut rows: Vec<_> = ops::operations(&block.name.text).filter(|row| has_braces(row, block)).collect();
+    if rows.iter().any(|row| row.words(&words).is_some()) {
+        rows.retain(|row| row.words(&words).is_some());
+    }
+    rows.sort_by_key(|row| std::cmp::Reverse(row.params.iter().zip(&words).take_while(is_word).count()));
+    rows
+}
+
+/// How a rule of those declarations is called: "`Floor(n)` or `Floor(n, height)`".
+fn calls(name: &str, declared: &[&Decl]) -> String {
+    let call = |decl: &&Decl| {
+        let params: Vec<&str> = decl.params.iter().map(|param| param.text.as_str()).collect();
+        if params.is_empty() { format!("`{name}`") } else { format!("`{name}({})`", params.join(", ")) }
+    };
+    let list: Vec<String> = declared.iter().take(MOST_DECLARED).map(call).collect();
+    list.join(" or ")
+}
+
+/// The number that two arguments with a decimal comma between them were meant as.
+fn decimal(first: &Arg, second: &Arg) -> Option<String> {
+    let digits = |arg: &Arg| match arg.value.kind {
+        ExprKind::Number(value) if arg.prefix.is_none() && value.fract() == 0.0 && value < 1e9 => Some(value),
+        _ => None,
+    };
+    Some(format!("{}.{}", digits(first)?, digits(second)?))
+}
+
+impl<'a> Scope<'_, 'a, '_> {
+    pub(crate) fn ops(&mut self, ops: &'a [Op]) {
+        for (index, op) in ops.iter().enumerate() {
+            self.op(op);
+            if let (OpKind::Leaf(leaf), Some(OpKind::Call(next, _))) = (&op.kind, ops.get(index + 1).map(|op| &op.kind))
+            {
+                self.misspelt_import(leaf, next);
+            }
+        }
+    }
+
+    /// `lbi.Lot` is a leaf and a call where `lib` is the import.
+    fn misspelt_import(&mut self, leaf: &Name, next: &Name) {
+        let imports = self.cx.globals.program.instances[self.at].imports.keys().map(String::as_str);
+        if let Some(near) = nearest(&leaf.text, imports) {
+            let message = format!("`{}.` is a leaf here, and `{}` is called on its own", leaf.text, next.text);
+            let diag = self.cx.diags.report_as(Code::UndefinedRule, Level::Warning, leaf.span, message);
+            diag.help(format!("did you mean `{near}.{}`?", next.text));
+        }
+    }
+
+    fn op(&mut self, op: &'a Op) {
+        match &op.kind {
+            OpKind::Leaf(_) | OpKind::Nil | OpKind::Error => {}
+            // What could not be read may be an argument: nothing is known about their number.
+            OpKind::Call(_, args) if self.has_unread(op.span) => args.iter().for_each(|arg| self.expr(&arg.value)),
+            OpKind::Call(name, args) if name.text == "set" => self.set(name, args),
+            OpKind::Call(name, args) => self.shape_call(name, args),
+            OpKind::Dynamic { import, overrides, rule, args } => self.dynamic(import, overrides, rule, args),
+            OpKind::Path(_, args) => self.values(args),
+            OpKind::Push(ops) => self.ops(ops),
+            OpKind::Block(block) => self.block(block),
+            OpKind::Case(arms, otherwise) => {
+                for (condition, ops) in arms {
+                    self.expr(condition);
+                    self.ops(ops);
+                }
+                self.ops(otherwise);
+            }
+            OpKind::Chance(arms, otherwise) => {
+                self.percentages(arms.iter().map(|(percent, _)| percent));
+                for (_, ops) in arms {
+                    self.ops(ops);
+                }
+                self.ops(otherwise);
+            }
+        }
+    }
+
+    /// Arguments that are plain values.
+    pub(crate) fn values(&mut self, args: &'a [Arg]) {
+        for arg in args {
+            if let Some((prefix, span)) = arg.prefix {
+                self.no_prefix(prefix, span);
+            }
+            self.expr(&arg.value);
+        }
+    }
+
+    fn no_prefix(&mut self, prefix: Prefix, span: Span) {
+        let sign = if prefix == Prefix::Relative { "'" } else { "~" };
+        let diag = self.cx.diags.report(Code::MisplacedPrefix, span, format!("`{sign}` cannot stand here"));
+        match prefix {
+            Prefix::Relative => diag.note("only lengths can be relative to the scope"),
+            Prefix::Floating => diag.note("only the sizes of a split can float"),
+        };
+        diag.help("leave it out");
+    }
+
+    /// An operation or a rule.
+    fn shape_call(&mut self, name: &'a Name, args: &'a [Arg]) {
+        if has_error(args) {
+            args.iter().for_each(|arg| self.expr(&arg.value));
+            return;
+        }
+        let rows: Vec<_> = ops::operations(&name.text).filter(|row| row.takes(args.len())).collect();
+        let fitting = fitting(&rows, args, self.door());
+        let rules = self.rules(name, args.len());
+        // A rule with the name of what does not run yet is older than that.
+        if !rules.is_empty() && fitting.iter().all(|row| row.run == Run::Later) {
+            self.values(args);
+            return self.note_open(name, rules);
+        }
+        match (fitting.as_slice(), rows.first()) {
+            ([], None) => {
+                // What an operation with another number of arguments makes of these nobody can tell: its words would
+                // look like unknown names and its relative lengths misplaced.
+                if ops::operations(&name.text).next().is_none() {
+                    args.iter().for_each(|arg| self.expr(&arg.value));
+                }
+                self.undefined(name, args.len());
+            }
+            ([], Some(_)) => self.wrong_words(name, &rows, args),
+            ([row, ..], _) => {
+                self.operation(&fitting, args);
+                self.about_later(name, Use::Operation(row));
+                self.needs_braces(name, row);
+                // The types decide; where they fit both, the operation is called.
+                let rules = rules.into_iter().filter(|_| row.overloads);
+                self.note_open(name, fitting.iter().copied().map(Use::Operation).chain(rules).collect());
+            }
+        }
+    }
+
+    /// A call whose words fit no row: they are computed, or they are wrong.
+    fn wrong_words(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) {
+        let values: Vec<&'a Expr> = args.iter().map(|arg| &arg.value).collect();
+        let Some(row) = rows.iter().find(|row| self.computes_words(row.params, &values)) else {
+            if self.swapped(name, rows, args) {
+                return;
+            }
+            let reported = self.cx.diags.count();
+            self.operation(&rows[..1], args);
+            if let [first, second] = args
+                && let Some(number) = decimal(first, second)
+                && ops::operations(&name.text).any(|row| row.takes(1))
+            {
+                self.cx.diags.help_since(reported, &format!("write `{number}`: a number has a decimal point"));
+            }
+            return;
+        };
+        for (param, value) in row.params.iter().zip(values) {
+            self.computed_word(&param.kind, value);
+        }
+        self.note_later(name);
+        self.note(name, Use::Operation(row));
+    }
+
+    /// Reports two arguments that fit the other way round.
+    fn swapped(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) -> bool {
+        let [first, second] = args else { return false };
+        let words = [word(second), word(first)];
+        let Some(row) = rows.iter().find(|row| row.words(&words).is_some()) else { return false };
+        let text = |arg: &Arg| {
+            let text = self.cx.globals.program.tokens.text(arg.span, LONGEST);
+            text.strip_prefix("- ").map_or(text.clone(), |rest| format!("-{rest}"))
+        };
+        let meant = format!("{}({}, {})", name.text, text(second), text(first));
+        let message = format!("the arguments of `{}` are in the wrong order", name.text);
+        self.cx.diags.report(Code::UnknownWord, first.span, message).help(format!("write `{meant}`"));
+        for (param, arg) in row.params.iter().zip([second, first]) {
+            if !matches!(param.kind, ParamKind::Word { .. }) {
+                self.expr(&arg.value);
+            }
+        }
+        true
+    }
+
+    fn needs_braces(&mut self, name: &Name, row: &Operation) {
+        if row.braces != Braces::None {
+            let message = format!("`{}` needs braces behind it", name.text);
+            self.cx.diags.report(Code::Syntax, name.span, message).note(format!("it {}", row.about));
+        }
+    }
+
+    /// The rules a call may mean.
+    fn rules(&self, name: &Name, count: usize) -> Vec<Use> {
+        let globals = &self.cx.globals;
+        let list = globals.rules(self.at, &name.text).into_iter();
+        list.filter(|index| globals.rules[*index as usize].decl.params.len() == count).map(Use::Rule).collect()
+    }
+
+    /// A call that is neither an operation nor a rule.
+    fn undefined(&mut self, name: &'a Name, count: usize) {
+        let (text, globals, at) = (name.text.as_str(), &self.cx.globals, self.at);
+        if globals.is_lost(at, text) {
+            return;
+        }
+        let takes: Vec<usize> =
+            ops::operations(text).flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
+        if !takes.is_empty() {
+            let new = ops::operations(text).filter(|row| row.old.is_none());
+            let mut rows: Vec<String> = new.map(|row| format!("`{}`", usage(row))).collect();
+            rows.dedup();
+            let message = format!("operation `{text}` takes {}, got {count}", counts(takes));
+            // Of an operation that is only kept for old files.
+            let instead = ops::operations(text).find_map(|row| row.old);
+            let diag = self.cx.diags.report(Code::ArgumentCount, name.span, message);
+            match instead.filter(|_| rows.is_empty()) {
+                Some(instead) => diag.help(instead),
+                None => diag.help(format!("write {}", rows.join(" or "))),
+            };
+            if let Some(help) = habits::step(text).filter(|_| count == 3) {
+                diag.help(help);
+            }
+            return;
+        }
+        let declared: Vec<&Decl> =
+            globals.rules(at, text).iter().map(|&index| globals.rules[index as usize].decl).collect();
+        let others: Vec<usize> = declared.iter().map(|decl| decl.params.len()).collect();
+        let function = ops::functions(text).next().is_some() || !globals.functions(at, text).is_empty();
+        if function && others.is_empty() {
+            let message = format!("`{text}` is a function: it has a value, it does nothing to the shape");
+            self.cx.diags.report(Code::NotAnOperation, name.span, message);
+            return;
+        }
+        let inline = self.door() == Door::Inline;
+        let habit = habits::step(text);
+        let (message, near) = if habit.is_some() && others.is_empty() {
+            (format!("there is no rule `{text}`"), None)
+        } else if others.is_empty() {
+            let others = ops::all_operations().map(|row| row.name).chain(["set", "NIL"]);
+            let near = globals.meant(at, text, Kind::Rules, others);
+            (format!("there is no rule `{text}`"), near.or_else(|| globals.leaf(at, text)))
+        } else {
+            (format!("rule `{text}` takes {}, got {count}", counts(others.iter().copied())), None)
+        };
+        let level = if inline { Level::Error } else { Level::Warning };
+        let is_value = self.lookup(text).is_some() && count == 0;
+        let diag = self.cx.diags.report_as(Code::UndefinedRule, level, name.span, message);
+        if !inline {
+            diag.note(format!("it becomes a leaf named `{text}`"));
+        }
+        diag.suggest(near);
+        if let Some(help) = habit.filter(|_| others.is_empty()) {
+            diag.help(help);
+        }
+        if !declared.is_empty() {
+            diag.help(format!("write {}", calls(text, &declared)));
+        }
+        for decl in declared.iter().take(MOST_DECLARED) {
+            diag.related("it is declared", decl.name.span);
+        }
+        if is_value {
+            diag.note(format!("`{text}` is a value, and does nothing to the shape"));
+        }
+        if others.is_empty() && count == 0 && !text.contains('.') {
+            diag.help(format!("write `{text}.` for a leaf, or declare it: `{text} --> …`"));
+        }
+        self.note(name, Use::Leaf);
+    }
+
+    /// The arguments of an operation. Of several rows the types decide, later.
+    fn operation(&mut self, rows: &[&'static Operation], args: &'a [Arg]) {
+        for (index, arg) in args.iter().enumerate() {
+            let kinds = || rows.iter().map(|row| &row.params[index].kind);
+            let takes = |prefix| {
+                kinds().any(|kind| match kind {
+                    ParamKind::Length => prefix == Prefix::Relative,
+                    ParamKind::Size => true,
+                    _ => false,
+                })
+            };
+            if let Some((prefix, span)) = arg.prefix.filter(|(prefix, _)| !takes(*prefix)) {
+                self.no_prefix(prefix, span);
+            }
+            match &rows[0].params[index].kind {
+                kind @ ParamKind::Word { old, .. } => {
+                    self.word(rows[0].name, kind, arg);
+                    if let Some((old, new)) = old.iter().find(|(old, _)| word(arg) == Some(*old)) {
+                        self.old_word(old, new, arg.span);
+                    }
+                }
+                ParamKind::Selector => self.selector(&arg.value, Places::FACES.and(Places::SETBACK)),
+                _ if kinds().all(|kind| kind.ty() == Some(Type::Text))
+                    && self.unquoted(&rows[0].params[index], arg) => {}
+                _ => self.expr(&arg.value),
+            }
+        }
+    }
+
+    /// Reports an unknown name where text is needed: quotation marks are missing.
+    fn unquoted(&mut self, param: &Param, arg: &'a Arg) -> bool {
+        let ExprKind::Name(name) = &arg.value.kind else { return false };
+        if arg.prefix.is_some() || self.lookup(&name.text).is_some() {
+            return false;
+        }
+        let help = match (param.name, habits::colour(&name.text)) {
+            ("hexValue", Some(colour)) => format!("write `\"{colour}\"`, in quotes"),
+            ("hexValue", None) => "write a colour, as in `\"#ff8000\"`".into(),
+            _ => format!("write `\"{}\"`, in quotes", name.text),
+        };
+        self.unknown_name(name, Some(help));
+        true
+    }
+
+    /// An operation with braces.
+    fn block(&mut self, block: &'a Block) {
+        let all = likely(block);
+        let rows: Vec<_> = all.iter().copied().filter(|row| row.takes(block.args.len())).collect();
+        if !has_error(&block.args) {
+            self.block_args(block, &all, &rows);
+        }
+        let first = block.args.first().and_then(|arg| arg.value.word());
+        let place = rows.first().or(all.first()).map_or(Places::NONE, |row| row.places(first));
+        for part in &block.parts {
+            match part {
+                BlockPart::Slots(items, _) => self.items(items),
+                BlockPart::Sections(list, _) => {
+                    for section in list {
+                        self.expr(&section.length.value);
+                        self.expr(&section.depth);
+                        self.ops(&section.ops);
+                    }
+                }
+                BlockPart::Arms(arms) => arms.iter().for_each(|arm| self.arm(arm, place)),
+                BlockPart::Ops(list) => list.iter().for_each(|ops| self.ops(ops)),
+            }
+        }
+    }
+
+    /// The arguments of an operation with braces: `all` are its rows, `rows` those of its number of arguments.
+    fn block_args(&mut self, block: &'a Block, all: &[&'static Operation], rows: &[&'static Operation]) {
+        let (name, args) = (&block.name, &block.args);
+        let fitting = fitting(rows, args, self.door());
+        if let Some(row) = fitting.first().or(rows.first()).copied() {
+            self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, args);
+            self.about_later(name, Use::Operation(row));
+            self.note_open(name, fitting.into_iter().map(Use::Operation).collect());
+        } else if let Some(row) = all.first() {
+            if !(args.is_empty() && self.missing_word(name, row)) {
+                let takes = all.iter().flat_map(|row| ops::required(row.params)..=row.params.len()).collect();
+                wrong_count(self.cx, "operation", name, takes, args.len());
+            }
+        } else if !self.cx.globals.is_lost(self.at, &name.text) {
+            let names = ops::all_operations().filter(|row| row.braces != Braces::None).map(|row| row.name);
+            let near = nearest(&name.text, names).map(str::to_owned);
+            let message = format!("`{}` does not take a `{{ … }}` block", name.text);
+            self.cx.diags.report(Code::NotAnOperation, name.span, message).suggest(near);
+        }
+    }
+
+    /// `id(overrides).Rule(args)`.
+    fn dynamic(&mut self, import: &'a Name, list: &'a [Override], rule: &'a Name, args: &'a [Arg]) {
+        for own in list {
+            if let Override::Value(_, value) = own {
+                self.expr(value);
+            }
+        }
+        self.values(args);
+        let program = self.cx.globals.program;
+        let own = &program.instances[self.at];
+        let target = match (own.dynamic.get(&import.id()), own.imports.get(&import.text)) {
+            (Some(&target), _) => target,
+            (None, Some(Some(target))) => {
+                overrides::list_of(self.cx, *target, list);
+                *target
+            }
+            (None, Some(None)) => return,
+            (None, None) if self.cx.globals.is_lost(self.at, &import.text) => return,
+            (None, None) => {
+                let near = nearest(&import.text, self.cx.globals.near(self.at, Kind::Imports)).map(str::to_owned);
+                let message = format!("there is no import `{}`", import.text);
+                self.cx.diags.report(Code::UnknownName, import.span, message).suggest(near);
+                return;
+            }
+        };
+        for own in list {
+            if let Override::Value(name, _) = own
+                && let Some(Use::Attr(attr)) = self.cx.globals.value(target, &name.text)
+            {
+                self.note_target(name, attr);
+            }
+        }
+        let here = std::mem::replace(&mut self.at, target);
+        let rules = self.rules(rule, args.len());
+        if rules.is_empty() {
+            self.undefined(rule, args.len());
+        }
+        self.note_open(rule, rules);
+        self.at = here;
+    }
+
+    fn set(&mut self, name: &'a Name, args: &'a [Arg]) {
+        let [target, value] = args else {
+            if !has_error(args) {
+                wrong_count(self.cx, "operation", name, vec![2], args.len());
+            }
+            return;
+        };
+        self.values(std::slice::from_ref(value));
+        match &target.value.kind {
+            ExprKind::Name(attr) => self.set_name(name, &attr.text, attr.span),
+            // A word in text: the same as the bare word, as long as it is known.
+            ExprKind::Call(sel, words) if sel.text == "sel" => match words.as_slice() {
+                [Expr { kind: ExprKind::Text(text), span }] => self.set_name(name, text, *span),
+                _ => {
+                    words.iter().for_each(|word| self.expr(word));
+                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", None);
+                    self.note_later(name);
+                }
+            },
+            _ if has_error(args) => {}
+            _ => {
+                let message = "`set` needs the name of an attribute";
+                let diag = self.cx.diags.report(Code::NotSettable, target.span, message);
+                if let ExprKind::Text(text) = &target.value.kind {
+                    diag.help(format!("write `set({text}, …)`"));
+                }
+            }
+        }
+    }
+
+    fn set_name(&mut self, set: &'a Name, text: &'a str, span: Span) {
+        // A parameter of that name hides nothing here: it could not be set anyway.
+        let found = match self.cx.globals.value(self.at, text) {
+            Some(Use::Attr(index)) => Ok(Use::SetAttr(index)),
+            Some(Use::Const(_)) => Err("a constant"),
+            Some(_) => Err("a function"),
+            None => match ops::shape_attr(text) {
+                Some(row) if row.set.is_some() => Ok(Use::SetShape(row)),
+                Some(_) => Err("given by the shape"),
+                None if self.inner.iter().any(|inner| inner.text == text) => Err("a parameter"),
+                None => return self.unknown_target(text, span),
+            },
+        };
+        match found {
+            Ok(found) => {
+                self.about_later(&Name { text: text.to_owned(), span }, found);
+                self.note(set, found);
+            }
+            Err(what) => {
+                let message = format!("`{text}` is {what}, it cannot be set");
+                let diag = self.cx.diags.report(Code::NotSettable, span, message);
+                if what == "a constant" {
+                    diag.help(format!("declare it as an attribute: `attr {text} = …`"));
+                }
+            }
+        }
+    }
+
+    fn unknown_target(&mut self, text: &'a str, span: Span) {
+        let globals = &self.cx.globals;
+        if globals.is_lost(self.at, text) {
+            return;
+        }
+        let others = ops::all_shape_attrs().filter(|row| row.set.is_some()).map(|row| row.name);
+        let part = |row: &&ops::ShapeAttr| row.name.rsplit('.').next() == Some(text);
+        let longer = ops::all_shape_attrs().filter(|row| row.set.is_some()).find(part).map(|row| row.name.to_owned());
+        let near = longer.or_else(|| globals.meant(self.at, text, Kind::Attrs, others).map(|near| near.to_string()));
+        let is_operation = ops::operations(text).next().is_some();
+        let message = format!("there is no attribute `{text}`");
+        let diag = self.cx.diags.report(Code::UnknownName, span, message).suggest(near);
+        if is_operation {
+            diag.help(format!("`{text}` is an operation: write `{text}(…)`"));
+        }
+    }
+}

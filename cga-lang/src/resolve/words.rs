@@ -1,0 +1,148 @@
+//! Words among arguments: bare, as `sel("word")`, as text in old files, or computed.
+
+use super::arguments::{plain, word};
+use super::arity::wrong_count;
+use super::scope::Scope;
+use super::tables::Use;
+use crate::ast::{Arg, Expr, ExprKind, Name};
+use crate::code::Code;
+use crate::door::Door;
+use crate::ops::{self, Operation, Param, ParamKind};
+use crate::span::Span;
+use crate::suggest::nearest;
+
+/// The rows whose words stand among the arguments: of those that fit, the ones with the most words. Bare words go before
+/// text, which an operation may take as such.
+pub(crate) fn fitting(rows: &[&'static Operation], args: &[Arg], door: Door) -> Vec<&'static Operation> {
+    let bare: Vec<Option<&str>> = args.iter().map(word).collect();
+    let best = best(rows, &bare);
+    if !best.is_empty() {
+        return best;
+    }
+    let said: Vec<Option<&str>> = args
+        .iter()
+        .map(|arg| plain(arg).filter(|value| door == Door::Text || !matches!(value.kind, ExprKind::Text(_)))?.word())
+        .collect();
+    self::best(rows, &said)
+}
+
+fn best(rows: &[&'static Operation], words: &[Option<&str>]) -> Vec<&'static Operation> {
+    let most = rows.iter().filter_map(|row| row.words(words)).max();
+    rows.iter().copied().filter(|row| most.is_some() && row.words(words) == most).collect()
+}
+
+impl<'a> Scope<'_, 'a, '_> {
+    /// Whether every word of a row stands among the arguments or comes out in a run; at least one does that.
+    pub(crate) fn computes_words(&mut self, params: &[Param], args: &[&Expr]) -> bool {
+        let mut computed = false;
+        for (param, arg) in params.iter().zip(args) {
+            if !matches!(param.kind, ParamKind::Word { .. }) || arg.word().is_some_and(|word| param.kind.has_word(word))
+            {
+                continue;
+            }
+            if !self.is_computed(arg) {
+                return false;
+            }
+            computed = true;
+        }
+        computed
+    }
+
+    /// Whether an argument gives its word in a run. Text does so where text is a word at all; with `sel` anywhere.
+    fn is_computed(&mut self, arg: &Expr) -> bool {
+        let text = self.door() == Door::Text;
+        match &arg.kind {
+            ExprKind::Call(name, args) if name.text == "sel" => args.len() == 1 && arg.word().is_none(),
+            ExprKind::Name(name) => text && matches!(self.lookup(&name.text), Some(found) if !is_shape(found)),
+            ExprKind::Call(..) | ExprKind::Case(..) | ExprKind::Chance(..) | ExprKind::Index(..) => text,
+            ExprKind::Binary(crate::ast::Binary::Add, ..) => text,
+            _ => false,
+        }
+    }
+
+    /// Resolves what such words are computed from, and says that they do not run yet.
+    pub(crate) fn computed_word(&mut self, kind: &ParamKind, arg: &'a Expr) {
+        if !matches!(kind, ParamKind::Word { .. }) {
+            return self.expr(arg);
+        }
+        if arg.word().is_some_and(|word| kind.has_word(word)) {
+            return;
+        }
+        match &arg.kind {
+            ExprKind::Call(name, args) if name.text == "sel" => {
+                args.iter().for_each(|arg| self.expr(arg));
+                ops::functions("sel").for_each(|row| self.note(name, Use::Builtin(row)));
+            }
+            _ => self.expr(arg),
+        }
+        self.not_implemented(arg.span, "a word that is computed", None);
+    }
+
+    /// An argument that must be a word of a parameter.
+    pub(crate) fn word(&mut self, name: &str, kind: &ParamKind, arg: &Arg) {
+        match plain(arg) {
+            Some(value) => self.word_expr(name, &[kind], value),
+            None => self.unknown_word(name, &[kind], "", arg.span),
+        }
+    }
+
+    /// Reports that the first argument is left out, if that is a word.
+    pub(super) fn missing_word(&mut self, name: &Name, row: &Operation) -> bool {
+        let Some(kind) = row.params.first().map(|param| &param.kind) else { return false };
+        let ParamKind::Word { unknown, .. } = kind else { return false };
+        let words: Vec<&str> = kind.new_words().collect();
+        let message = format!("`{}` needs a word in parentheses", name.text);
+        let diag = self.cx.diags.report(*unknown, name.span, message);
+        diag.note(format!("it knows `{}`", words.join("`, `")));
+        diag.help(format!("write `{}({})`", name.text, words.first().unwrap_or(&"")));
+        true
+    }
+
+    /// Reports an old word.
+    pub(crate) fn old_word(&mut self, old: &str, new: &str, span: Span) {
+        let message = format!("`{old}` is an old spelling");
+        self.cx.diags.report(Code::OldSpelling, span, message).help(format!("write `{new}`"));
+    }
+
+    /// An expression that must be a word of one of some parameters.
+    pub(crate) fn word_expr(&mut self, name: &str, kinds: &[&ParamKind], arg: &Expr) {
+        if let ExprKind::Call(sel, args) = &arg.kind
+            && sel.text == "sel"
+            && args.len() != 1
+        {
+            return wrong_count(self.cx, "function", sel, vec![1], args.len());
+        }
+        let found = arg.word().unwrap_or_default();
+        let (known, is_text) = (kinds.iter().any(|kind| kind.has_word(found)), matches!(arg.kind, ExprKind::Text(_)));
+        match (known, is_text) {
+            (true, false) => {}
+            // Old files say so, and CityEngine runs them.
+            (true, true) if self.door() == Door::Text => {
+                let message = format!("`{found}` is a word, as text it is an old spelling");
+                self.cx.diags.report(Code::OldSpelling, arg.span, message).help(format!("write `{found}`"));
+            }
+            _ => self.unknown_word(name, kinds, found, arg.span),
+        }
+    }
+
+    fn unknown_word(&mut self, name: &str, kinds: &[&ParamKind], found: &str, span: Span) {
+        let Some(ParamKind::Word { unknown, .. }) = kinds.first() else { return };
+        let list = kinds.iter().flat_map(|kind| kind.new_words());
+        let shown = if found.is_empty() { "this".into() } else { format!("`{found}`") };
+        let all = list.clone().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
+        let is_word = list.clone().any(|word| word == found);
+        let shown = if is_word { "text".into() } else { shown };
+        let diag = self.cx.diags.report(*unknown, span, format!("{shown} is not a word of `{name}`"));
+        diag.note(format!("it knows {all}"));
+        if is_word {
+            diag.help(format!("write `{found}`"));
+        } else {
+            diag.suggest(nearest(found, list));
+        }
+    }
+}
+
+/// Whether a name belongs to the shape: `scope.sx` is no word, and its value is none either.
+fn is_shape(found: Use) -> bool {
+    matches!(found, Use::Shape(_))
+}
