@@ -61,7 +61,7 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
     }
     let Cx { globals, tables, diags, .. } = cx;
     levels::apply(&levels, diags);
-    let ty = |item: &Item| tables.type_of(item);
+    let ty = |item: &Item| item.ty(&tables);
     let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
     let index = if last || !misfit { index(&globals, &tables) } else { Vec::new() };
     let checked = (!diags.has_errors()).then_some(Checked { globals, tables, _private: () });

@@ -54,4 +54,5 @@ pub mod snippet;
 pub mod span;
 mod suggest;
 pub mod token;
+mod types;
 mod words;

@@ -101,7 +101,7 @@ impl Limits {
                 ChoiceValues::Texts(_) => Some(Type::Text),
                 ChoiceValues::Attr(id) => {
                     let source = cx.globals.attrs.get(id.0 as usize);
-                    source.and_then(|item| cx.tables.type_of(item)).map(Type::element)
+                    source.and_then(|item| item.ty(&cx.tables)).map(Type::element)
                 }
             };
             let is_truth = |text: &String| text == "true" || text == "false";

@@ -1,6 +1,7 @@
 //! Conditions that are always true or always false.
 
-use super::size::range;
+use super::numbers::range;
+use super::switch::is_switch;
 use crate::analysis::{Facts, Flow, Turn, Value};
 use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::code::Code;
@@ -229,20 +230,4 @@ fn is_literal(expr: &Expr) -> bool {
         expr.kind,
         ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Unary(..) | ExprKind::Binary(..)
     ) && expr.parts().into_iter().all(is_literal)
-}
-
-/// Returns true if an expression is a bare `true` or `false`, or made of constants alone: a switch that its author sets by hand.
-pub(crate) fn is_switch(expr: &Expr, names: Entries) -> bool {
-    fn count(expr: &Expr, names: Entries, constants: &mut usize, others: &mut usize) {
-        if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
-            match names.of(name) {
-                Some(Use::Const(_) | Use::Function(_)) => *constants += 1,
-                _ => *others += 1,
-            }
-        }
-        expr.parts().into_iter().for_each(|part| count(part, names, constants, others));
-    }
-    let (mut constants, mut others) = (0, 0);
-    count(expr, names, &mut constants, &mut others);
-    matches!(expr.kind, ExprKind::Bool(_)) || 0 < constants && others == 0
 }

@@ -1,7 +1,7 @@
 //! Colours that are none: text is an error among Rust, and old text keeps running, with a fault; numbers are cut to what
 //! there is.
 
-use super::size::shown;
+use super::numbers::shown;
 use crate::analysis::{Facts, Flow};
 use crate::ast::{Expr, ExprKind};
 use crate::code::Code;

@@ -83,7 +83,7 @@ impl<'c> Lower<'c> {
     }
 
     fn type_of(&self, item: &Item) -> Type {
-        self.checked.tables.type_of(item).unwrap_or(Type::Float)
+        item.ty(&self.checked.tables).unwrap_or(Type::Float)
     }
 
     fn used(&self, name: &Name) -> Option<Use> {

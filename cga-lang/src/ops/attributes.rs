@@ -2,7 +2,7 @@
 
 use super::material::MATERIAL;
 use super::{B, Changes, F, Needs, Run, ShapeAttr, T, Uses};
-use crate::ir::Type;
+use crate::types::Type;
 
 /// Every attribute of shapes.
 pub static SHAPE_ATTRS: &[&[ShapeAttr]] = &[SHAPE, MATERIAL];

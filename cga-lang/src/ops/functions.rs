@@ -4,7 +4,7 @@ use super::{
     B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Uses, Values, boolean, bounds, float, of,
     or, queries, set_elements, text, values, within, word,
 };
-use crate::ir::Type;
+use crate::types::Type;
 
 /// Every function. `str`, `floatArray` and their like of a value that has the type already are the value itself, and `str`
 /// of a float or bool is [`ToText`](crate::ir::ExprKind::ToText): these need no row.

@@ -2,7 +2,7 @@
 
 use super::attributes::{both, using};
 use super::{B, Changes, F, ShapeAttr, T, Uses};
-use crate::ir::Type;
+use crate::types::Type;
 
 const OPACITY: &str = "write `material.opacity`";
 

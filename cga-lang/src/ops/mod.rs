@@ -18,7 +18,7 @@ mod values;
 
 use crate::code::Code;
 use crate::hash::FastMap;
-use crate::ir::Type;
+use crate::types::Type;
 use std::sync::LazyLock;
 
 pub use attributes::SHAPE_ATTRS;

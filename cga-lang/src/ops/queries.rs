@@ -5,7 +5,7 @@ use super::{
     text, uv_set, word,
 };
 use crate::code::Code;
-use crate::ir::Type;
+use crate::types::Type;
 
 const fn row(
     name: &'static str,

@@ -1,7 +1,7 @@
 //! `setElems`, for every type of array, of values and of indices.
 
 use super::{B, BS, F, FS, Function, Needs, Param, Run, T, TS, Uses, of};
-use crate::ir::Type;
+use crate::types::Type;
 
 const fn row(call: &'static str, params: &'static [Param], ty: Type) -> Function {
     let about = "a copy of the array with other values in some places";

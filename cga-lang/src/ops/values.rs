@@ -2,7 +2,7 @@
 //! for single numbers comes first.
 
 use super::{B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, Uses, boolean, float, of, or, text};
-use crate::ir::Type;
+use crate::types::Type;
 
 /// A function of its arguments alone.
 const fn plain(

@@ -10,10 +10,10 @@ use super::tables::Use;
 use crate::ast::{Expr, ExprKind, Name};
 use crate::code::Code;
 use crate::door::Door;
-use crate::ir::Type;
 use crate::ops::{self, Function, Needs, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::token::Tok;
+use crate::types::Type;
 
 /// Resolves every use.
 pub(crate) fn uses(cx: &mut Cx) {

@@ -11,10 +11,10 @@ use crate::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, 
 use crate::code::Code;
 use crate::diag::Level;
 use crate::door::Door;
-use crate::ir::Type;
 use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
+use crate::types::Type;
 
 /// Most declarations of a rule that a message names.
 const MOST_DECLARED: usize = 3;

@@ -1,12 +1,11 @@
 //! What the passes have found out: side tables by name.
 
-use super::globals::Item;
 use super::info::{AttrInfo, ImportInfo, RuleInfo};
 use crate::ast::Name;
 use crate::hash::FastMap;
-use crate::ir::Type;
 use crate::link::{InstanceId, Key};
 use crate::ops::{Function, Operation, ShapeAttr};
+use crate::types::Type;
 use std::collections::{HashMap, HashSet};
 
 /// What a name or call stands for.
@@ -72,16 +71,6 @@ impl Tables {
     /// The entries of an instance.
     pub(crate) fn at(&self, own: InstanceId) -> Entries<'_> {
         Entries { tables: self, own }
-    }
-
-    /// The type of a value that is declared.
-    pub(crate) fn type_of(&self, item: &Item) -> Option<Type> {
-        self.at(item.own).ty(&item.decl.name)
-    }
-
-    /// The types of its parameters.
-    pub(crate) fn types_of_params(&self, item: &Item) -> Vec<Option<Type>> {
-        item.decl.params.iter().map(|param| self.at(item.own).ty(param)).collect()
     }
 }
 

@@ -1,41 +1,12 @@
 //! Values of one type as values of another.
 
-use std::fmt;
-
-use crate::array::{Array, Element, Print};
-use crate::env::Env;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::array::{Array, Element, Print};
+use crate::value::number::Number;
+use crate::value::text::Text;
 
 /// What stands for "no value" in text (*isNull function*); among numbers it is "not a number".
 const NULL: &str = "\u{e000}";
-
-/// A number as rules print it: without exponent and trailing zeros, at most 15 digits so that rounding noise stays out
-/// of sight (*str function*: `1.69 - 0.69` is 1; *CGA changelog 2024.1*: one digit less than before, and pages of before
-/// have 16).
-pub(crate) struct Number(pub(crate) f64);
-
-impl fmt::Display for Number {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let number = self.0;
-        if number.is_nan() {
-            return f.write_str("nan");
-        }
-        if number.is_infinite() {
-            return f.write_str(if 0.0 < number { "inf" } else { "-inf" });
-        }
-        if number == 0.0 {
-            return f.write_str("0");
-        }
-        // Small whole numbers, which are most, need no rounding.
-        if number.abs() < 1e15 && number == number.trunc() {
-            return write!(f, "{}", number as i64);
-        }
-        // Round in decimal, then print the shortest form of what that is. Beyond the largest number there is nothing to
-        // round to.
-        let rounded = format!("{number:.14e}").parse().ok().filter(|rounded: &f64| rounded.is_finite());
-        write!(f, "{}", rounded.unwrap_or(number))
-    }
-}
 
 /// A number as text, as in `str(1.5)` (*str function*).
 pub fn float_to_text(x: f64) -> Text {
@@ -209,7 +180,7 @@ pub fn isnull_text_each(array: Array<Text>) -> Array<bool> {
 mod tests {
     use super::super::tests::{env, limit, small_env, text};
     use super::*;
-    use crate::fault::LimitKind;
+    use crate::run::fault::LimitKind;
 
     #[test]
     fn numbers_print_as_documented() {

@@ -5,10 +5,10 @@
 //! for anything.
 
 use super::whole;
-use crate::array::{Array, Element};
-use crate::env::Env;
+use crate::run::env::Env;
 use crate::shape::view::View;
-use crate::text::Text;
+use crate::value::array::{Array, Element};
+use crate::value::text::Text;
 
 fn items(list: &str) -> impl Iterator<Item = &str> + Clone {
     list.split(';').filter(|item| !item.is_empty())
@@ -140,7 +140,7 @@ pub fn list_terminate(env: &mut Env, list: Text) -> Text {
 mod tests {
     use super::super::tests::{Random, env, faults, limit, small_env, text};
     use super::*;
-    use crate::fault::LimitKind;
+    use crate::run::fault::LimitKind;
     use crate::shape::Shape;
 
     fn rule() -> Text {

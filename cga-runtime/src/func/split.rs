@@ -1,10 +1,10 @@
 //! `splitString`.
 
-use super::pattern::{Pattern, Search, TooLong};
-use crate::array::Array;
-use crate::env::Env;
-use crate::fault::FaultKind;
-use crate::text::{Text, shortened};
+use crate::run::env::Env;
+use crate::run::fault::FaultKind;
+use crate::value::array::Array;
+use crate::value::pattern::{Pattern, Search, TooLong};
+use crate::value::text::{Text, shortened};
 
 /// The parts of a text between delimiters, in one row; a delimiter that begins with `$` is a regular expression
 /// (*splitString function*).
@@ -64,7 +64,7 @@ fn split_by_pattern(env: &mut Env, pattern: &Pattern, text: &str) -> Result<Arra
 mod tests {
     use super::super::tests::{Random, env, faults, limit, small_env, text};
     use super::*;
-    use crate::fault::LimitKind;
+    use crate::run::fault::LimitKind;
 
     fn split(whole: &str, delimiter: &str) -> String {
         split_string(&mut env(), text(whole), text(delimiter)).to_string()

@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
-use super::{settle, turn};
-use crate::env::Env;
+use super::settle;
+use crate::geometry::rotation::turn;
+use crate::run::env::Env;
 use crate::shape::Shape;
 
 /// A coordinate system.
@@ -67,7 +68,8 @@ mod tests {
     use glam::DMat3;
 
     use super::*;
-    use crate::op::{Length, angles, rotate, size, translate};
+    use crate::geometry::rotation::angles;
+    use crate::op::{Length, rotate, size, translate};
     use crate::shape::Shape;
 
     const ALL: [CoordSystem; 4] = [CoordSystem::Scope, CoordSystem::Pivot, CoordSystem::Object, CoordSystem::World];
@@ -76,7 +78,7 @@ mod tests {
     fn setting() -> (Env, Shape) {
         let mut start = Shape::rectangle(4.0, 3.0).at([10.0, 20.0, 30.0]);
         start.pivot.axes = turn(10.0, 20.0, 30.0);
-        let mut env = Env::new(&crate::settings::Settings::default(), &["Lot"], &start, "Lot");
+        let mut env = Env::new(&crate::run::settings::Settings::default(), &["Lot"], &start, "Lot");
         let mut shape = start.clone();
         shape.pivot.axes = turn(0.0, 45.0, 5.0);
         shape.pivot.origin = DVec3::new(-1.0, 2.0, 3.0);

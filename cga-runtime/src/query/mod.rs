@@ -8,6 +8,7 @@ mod count;
 mod faces;
 mod file;
 mod form;
+pub mod get;
 mod material;
 mod measure;
 mod print;
@@ -40,7 +41,7 @@ pub use texture::{
 };
 
 /// The coordinate that `convert` gives.
-pub use crate::scope::Axis;
+pub use crate::geometry::Axis;
 
 #[cfg(test)]
 mod tests;

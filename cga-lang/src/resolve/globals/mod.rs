@@ -4,8 +4,9 @@ mod overrides;
 
 use crate::ast::{Body, Decl, Expr, Name, OpKind, Role};
 use crate::link::{InstanceId, Key, Program};
-use crate::resolve::tables::Use;
+use crate::resolve::tables::{Tables, Use};
 use crate::suggest::nearest;
+use crate::types::Type;
 use crate::{ast_walk, ops};
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
@@ -98,6 +99,16 @@ impl<'a> Item<'a> {
     /// What side tables know it by.
     pub(crate) fn key(&self) -> Key {
         (self.own, self.decl.name.id())
+    }
+
+    /// The type of its value, as far as it could be told.
+    pub(crate) fn ty(&self, tables: &Tables) -> Option<Type> {
+        tables.at(self.own).ty(&self.decl.name)
+    }
+
+    /// The types of its parameters.
+    pub(crate) fn types_of_params(&self, tables: &Tables) -> Vec<Option<Type>> {
+        self.decl.params.iter().map(|param| tables.at(self.own).ty(param)).collect()
     }
 
     /// Whether its own parameters and locals count in its value.

@@ -1,8 +1,8 @@
 //! Arrays from values: `[1, a; 2:4]` and `base : increment : limit`.
 
-use crate::array::{Array, Element};
-use crate::env::Env;
-use crate::fault::FaultKind;
+use crate::run::env::Env;
+use crate::run::fault::FaultKind;
+use crate::value::array::{Array, Element};
 
 /// What stands between commas in `[…]`.
 #[derive(Clone, Debug)]
@@ -122,7 +122,7 @@ pub fn range_by(env: &mut Env, base: f64, increment: f64, limit: f64) -> Array<f
 mod tests {
     use super::super::super::tests::{Random, env, faults, limit, small_env, text};
     use super::*;
-    use crate::fault::LimitKind;
+    use crate::run::fault::LimitKind;
 
     fn by(base: f64, increment: f64, limit: f64) -> Vec<f64> {
         range_by(&mut env(), base, increment, limit).as_slice().to_vec()

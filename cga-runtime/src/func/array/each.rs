@@ -3,11 +3,11 @@
 //! One side may be a single value, which then meets every element of the other. Two arrays must have the same form; if
 //! they do not, the result has no elements and there is a fault.
 
-use super::super::compare::Compare;
-use crate::array::{Array, Element, Print};
-use crate::env::Env;
-use crate::fault::FaultKind;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::run::fault::FaultKind;
+use crate::value::array::{Array, Element, Print};
+use crate::value::compare::Compare;
+use crate::value::text::Text;
 
 /// A side of such an operator: a value or an array.
 pub trait Operand {
@@ -176,7 +176,7 @@ pub fn each_concat(env: &mut Env, a: impl Operand, b: impl Operand) -> Array<Tex
 mod tests {
     use super::super::super::tests::{env, faults, limit, small_env, text};
     use super::*;
-    use crate::fault::LimitKind;
+    use crate::run::fault::LimitKind;
 
     fn row<T: Element, const N: usize>(values: [T; N]) -> Array<T> {
         Array::from(values)

@@ -4,8 +4,8 @@
 
 use super::super::whole;
 use super::each::Operand;
-use crate::array::{Array, Element};
-use crate::env::Env;
+use crate::run::env::Env;
+use crate::value::array::{Array, Element};
 
 /// What may number elements, rows or columns: a number, numbers, or truth values that say which are meant.
 pub trait Indices: Operand {
@@ -85,7 +85,7 @@ mod tests {
     use super::super::build::{range, range_by};
     use super::super::each::each_greater;
     use super::*;
-    use crate::fault::LimitKind;
+    use crate::run::fault::LimitKind;
 
     fn row<const N: usize>(values: [f64; N]) -> Array<f64> {
         Array::from(values)

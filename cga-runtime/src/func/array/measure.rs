@@ -1,8 +1,8 @@
 //! What an array is as a whole: its size, its sum, where a value stands.
 
-use crate::array::{Array, Element};
-use crate::env::Env;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::array::{Array, Element};
+use crate::value::text::Text;
 
 /// How many elements (*size function*).
 pub fn size<T: Element>(array: Array<T>) -> f64 {
@@ -67,7 +67,7 @@ pub fn transpose<T: Element>(array: Array<T>) -> Array<T> {
 mod tests {
     use super::super::super::tests::{env, faults, limit, small_env, text};
     use super::*;
-    use crate::fault::LimitKind;
+    use crate::run::fault::LimitKind;
 
     fn two_rows() -> Array<f64> {
         Array::from(vec![vec![1.0, 2.0, 3.0], vec![4.0, 5.0, 6.0]])
