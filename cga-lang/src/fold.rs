@@ -84,6 +84,7 @@ pub(crate) fn fold(expr: &mut Expr, known: &Known) -> Option<Value> {
         | ExprKind::Host(_)
         | ExprKind::Shape(_)
         | ExprKind::Word(_)
+        | ExprKind::Style(_)
         | ExprKind::Later(_) => return None,
     };
     expr.kind = ExprKind::Value(value.clone());

@@ -51,9 +51,8 @@ pub struct Grammar {
     pub rules: Vec<Rule>,
     /// The rules a run can begin with: the default first.
     pub starts: Vec<Start>,
-    /// By style: attributes and constants in an order in which each is ready before it is used. Lazy ones of a cycle follow each
-    /// other. `Default` is first.
-    pub init: Vec<Vec<Global>>,
+    /// Attributes and constants in an order in which each is ready before it is used. Lazy ones of a cycle follow each other.
+    pub init: Vec<Init>,
     /// Imports that start anew somewhere.
     pub renewals: Vec<Renewal>,
     /// Rust values used in the rules, one entry a use, in source order.
@@ -73,7 +72,7 @@ impl Grammar {
 pub struct Start {
     /// How the host program calls it: `Lot`, or `Style$Lot`.
     pub name: String,
-    /// The style in force, by number into [`Grammar::init`].
+    /// The style in force, by number; `Default` is 0.
     pub style: u32,
     /// The rule; it has no parameters.
     pub rule: RuleId,
@@ -92,6 +91,15 @@ pub enum Global {
     Attr(AttrId),
     /// A constant.
     Const(ConstId),
+}
+
+/// A value that is computed when a run begins.
+#[derive(Clone, Debug)]
+pub struct Init {
+    /// The attribute or constant.
+    pub global: Global,
+    /// The styles that have it, by number; `None` for all.
+    pub styles: Option<Vec<u32>>,
 }
 
 /// A value known while compiling.

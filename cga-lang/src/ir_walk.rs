@@ -121,6 +121,7 @@ macro_rules! parts {
             | ExprKind::Host(_)
             | ExprKind::Shape(_)
             | ExprKind::Word(_)
+            | ExprKind::Style(_)
             | ExprKind::Later(_) => Vec::new(),
             ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
             ExprKind::Neg(a)

@@ -2,7 +2,7 @@
 //!
 //! Each file is parsed once. An *instance* is one file with one style in force at one import site. Instances share the
 //! tokens and the tree of their file; side tables are keyed by the instance and the name. Two imports of one file share no
-//! values, as CGA documents; rules that are equal in several styles become one after lowering (`share.rs`).
+//! values, as CGA documents; styles are merged after lowering (`lower/merge.rs`).
 
 mod asset;
 mod instantiate;

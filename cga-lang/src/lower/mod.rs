@@ -7,14 +7,14 @@ mod expr;
 mod extent;
 mod globals;
 mod import;
-mod share;
+mod merge;
 mod walk;
 
 use crate::ast::{Body, Decl, Name};
 use crate::check::Checked;
 use crate::fold::Known;
 use crate::graph::{components, is_cycle};
-use crate::ir::{Childless, Grammar, Host, HostId, Param, RenewalId, Rule, RuleId, Start, Step, Type};
+use crate::ir::{Childless, Global, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::ir_walk::called;
 use crate::link::{InstanceId, Key};
 use crate::resolve::globals::Item;
@@ -22,6 +22,7 @@ use crate::resolve::info::RuleInfo;
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::token::{Tok, Tokens};
+use merge::Owners;
 use std::collections::HashMap;
 
 /// Longest text of a rule kept for its doc line, in bytes.
@@ -41,12 +42,14 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         renewals: HashMap::new(),
         below: None,
         known: Known::default(),
+        owners: Owners::default(),
+        init: Vec::new(),
         out: Grammar::default(),
     };
     lower.hosts();
     lower.globals();
     lower.rules();
-    share::share(&mut lower.out);
+    lower.merge();
     extent::solve_known(&mut lower.out);
     lower.cycles();
     lower.out
@@ -73,6 +76,9 @@ struct Lower<'c> {
     below: Option<import::Below>,
     /// Constants and functions whose value is known.
     known: Known,
+    owners: Owners,
+    /// By style: attributes and constants in an order in which each is ready before it is used.
+    init: Vec<Vec<Global>>,
     out: Grammar,
 }
 
@@ -95,16 +101,34 @@ impl<'c> Lower<'c> {
         self.checked.tables.later.contains(&(self.own, name.id()))
     }
 
+    /// The style of the compiled file that a declaration belongs to.
+    fn style(&self, item: &Item) -> u32 {
+        self.checked.globals.program.instances[item.instance].root_style
+    }
+
+    /// One definition for each name, whatever the number of styles.
+    fn merge(&mut self) {
+        match &self.init[..] {
+            [only] => self.out.init = only.iter().map(|&global| Init { global, styles: None }).collect(),
+            init => merge::merge(&mut self.out, &self.owners, init),
+        }
+    }
+
+    /// Rust values. One that is used in several instances is computed once, for each type.
     fn hosts(&mut self) {
         let tokens = self.tokens.as_slice();
         let is_host = |(_, token): &&Key| matches!(tokens[*token as usize], Tok::Host(_));
-        let mut hosts: Vec<Key> = self.checked.tables.types.keys().filter(is_host).copied().collect();
-        hosts.sort_unstable();
-        for key @ (_, token) in hosts {
-            if let Tok::Host(handle) = tokens[token as usize] {
-                self.hosts.insert(key, HostId(self.out.hosts.len() as u32));
-                self.out.hosts.push(Host { handle, ty: self.checked.tables.types[&key], span: Span::one(token) });
+        let mut keys: Vec<Key> = self.checked.tables.types.keys().filter(is_host).copied().collect();
+        keys.sort_unstable();
+        let mut numbers: HashMap<(u32, Type), HostId> = HashMap::new();
+        for key @ (_, token) in keys {
+            let (Tok::Host(handle), ty) = (&tokens[token as usize], self.checked.tables.types[&key]) else { continue };
+            let next = HostId(self.out.hosts.len() as u32);
+            let id = *numbers.entry((*handle, ty)).or_insert(next);
+            if id == next {
+                self.out.hosts.push(Host { handle: *handle, ty, span: Span::one(token) });
             }
+            self.hosts.insert(key, id);
         }
     }
 
@@ -128,8 +152,9 @@ impl<'c> Lower<'c> {
         let checked = self.checked;
         for item in &checked.globals.rules {
             self.enter(item);
-            let instance = &checked.globals.program.instances[item.instance];
-            let style = checked.globals.program.roots.get(instance.root_style as usize);
+            let style = self.style(item);
+            self.owners.rules.push(style);
+            let style = checked.globals.program.roots.get(style as usize);
             let style = style.and_then(|&root| checked.globals.program.instances[root].styles.name.as_deref());
             self.out.rules.push(Rule {
                 name: style.map_or_else(|| item.name.clone(), |style| format!("{style}${}", item.name)),

@@ -1,6 +1,6 @@
 //! Over the expressions of a rule's body, to change them. Who only looks uses `ir_walk`.
 
-use crate::ir::{Arg, Expr, ExprKind, Measure, Selector, Step, Target};
+use crate::ir::{Arg, Expr, ExprKind, Grammar, Measure, Selector, Step, Target};
 
 /// Every step of a body, those in brackets and branches included.
 pub(super) fn steps(list: &mut [Step], visit: &mut dyn FnMut(&mut Step)) {
@@ -83,6 +83,24 @@ pub(super) fn exprs(steps: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
 fn target_exprs(target: &mut Target, visit: &mut dyn FnMut(&mut Expr)) {
     if let Target::Rule { args, .. } = target {
         args.iter_mut().for_each(visit);
+    }
+}
+
+/// Every expression of a grammar, with its parts.
+pub(super) fn all_exprs(grammar: &mut Grammar, change: &dyn Fn(&mut Expr)) {
+    fn parts(expr: &mut Expr, change: &dyn Fn(&mut Expr)) {
+        change(expr);
+        expr.parts_mut().into_iter().for_each(|part| parts(part, change));
+    }
+    grammar.attrs.iter_mut().for_each(|it| parts(&mut it.default, change));
+    grammar.consts.iter_mut().for_each(|it| parts(&mut it.value, change));
+    for function in &mut grammar.functions {
+        function.locals.iter_mut().for_each(|local| parts(local, change));
+        parts(&mut function.body, change);
+    }
+    for rule in &mut grammar.rules {
+        rule.locals.iter_mut().for_each(|local| parts(local, change));
+        exprs(&mut rule.body, &mut |expr| parts(expr, change));
     }
 }
 

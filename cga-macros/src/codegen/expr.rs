@@ -3,7 +3,7 @@
 
 use cga_lang::ir::{Binary, EachUnary, Expr, ExprKind, Global, Type, Value};
 use cga_lang::ops::{Function, Needs, Param, ParamKind};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::public::captured;
@@ -148,6 +148,7 @@ impl Cx<'_> {
             }
             ExprKind::Comp(comp) => self.comp_value(comp, at),
             ExprKind::Word(word) => comp::asked(word),
+            ExprKind::Style(styles) => is_style(styles, &quote_spanned!(place=> g.style)),
             ExprKind::Later(what) => {
                 let (later, env) = (types::later(expr.ty), &at.env);
                 quote_spanned!(place=> cga_rt::later::#later(#env, #what))
@@ -335,6 +336,12 @@ impl Cx<'_> {
         let call = call(&passed);
         quote_spanned!(place=> { #(let #names = #values;)* #call })
     }
+}
+
+/// Returns true in some styles.
+pub(super) fn is_style(styles: &[u32], style: &TokenStream) -> TokenStream {
+    let styles = styles.iter().map(|number| Literal::u32_suffixed(*number));
+    quote_spanned!(Span::mixed_site()=> ::core::matches!(#style, #(#styles)|*))
 }
 
 /// The conditions of a stochastic block.
