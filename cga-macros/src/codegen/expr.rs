@@ -9,7 +9,7 @@ use quote::{quote, quote_spanned};
 use super::public::captured;
 use super::types::{self, cloned, value};
 use super::{Cx, comp, local};
-use crate::header::{HostType, conversion, convert};
+use crate::output::{HostType, conversion, convert};
 
 /// Where an expression is evaluated: how it gets at the run and at the current shape, both borrowed mutably.
 pub(super) struct Place {

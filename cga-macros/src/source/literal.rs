@@ -8,7 +8,8 @@ use cga_lang::token::Tokens;
 use proc_macro2::{Literal, Span, TokenStream};
 
 use super::content::Content;
-use super::{Place, Problem, Source, TextPlace};
+use super::rules::{Places, QuotedText, Source};
+use crate::problem::Problem;
 
 pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
     let span = literals.first().map_or_else(Span::call_site, Literal::span);
@@ -26,7 +27,7 @@ pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
     // Editors' macro servers know no place.
     let name = if name.is_empty() { "rules".to_owned() } else { name };
     let ranges = lexed.ranges.iter().map(|range| joined.place(range)).collect();
-    let place = TextPlace { name, written: joined.written, ranges };
+    let place = QuotedText { name, written: joined.written, ranges };
     Ok(source(lexed.tokens, lexed.diags, span, place, TokenStream::new()))
 }
 
@@ -35,11 +36,11 @@ pub(super) fn source(
     tokens: Tokens,
     findings: Vec<Diag>,
     span: Span,
-    text: TextPlace,
+    text: QuotedText,
     tracking: TokenStream,
 ) -> Source {
-    let place = Place::Text { span, text, tracking };
-    Source { tokens, findings, hosts: Vec::new(), place, imported: Vec::new(), files: Vec::new() }
+    let places = Places::Text { span, text, tracking };
+    Source { tokens, findings, hosts: Vec::new(), places, imported: Vec::new(), files: Vec::new() }
 }
 
 /// Literals one after the other.

@@ -1,4 +1,4 @@
-//! Equal rules are equal, whichever door they come through.
+//! Equal rules are equal, whichever source they come from.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use cga_lang::print::{Spelling, print};
 use cga_lang::token::Tokens;
 use proc_macro2::{Span, TokenStream};
 
-use crate::door::tokens::read;
+use crate::source::tokens::read;
 
 /// Every rule file of the language's tests and of the facade's.
 fn corpus() -> Vec<PathBuf> {
@@ -51,7 +51,7 @@ impl Files for Below {
     }
 }
 
-/// Both doors' idea of some tokens: the grammar, or else the findings.
+/// Both readings of some tokens: the grammar, or else the findings.
 fn meaning(tokens: &Tokens, path: &Path) -> String {
     let name = path.strip_prefix(root()).expect("below the root").to_string_lossy().replace('\\', "/");
     let unit = Unit { name, tokens: tokens.clone(), door: Door::Text, found: Vec::new() };
@@ -63,7 +63,7 @@ fn meaning(tokens: &Tokens, path: &Path) -> String {
 }
 
 #[test]
-fn both_doors_mean_the_same_over_a_corpus() {
+fn both_sources_mean_the_same_over_a_corpus() {
     let mut compared = 0;
     for path in corpus() {
         let text = fs::read_to_string(&path).expect("readable rules");
@@ -86,7 +86,7 @@ fn both_doors_mean_the_same_over_a_corpus() {
 }
 
 #[test]
-fn both_doors_read_the_same_tokens() {
+fn both_sources_read_the_same_tokens() {
     let text = "@Range(min = 1) attr a = -1.5e3 - 2 f(x) = x == 1 && !(x != 2) || x <= 3 && x >= 4 % 5
         A(a) --> case a>1:[s('1,~2,\"\\\"\")]X. else:split(x){'a:A(1)|{~1:NIL}*|2:crate::b::c(3)X.} 30% : A else : B
         Lot --> [ t(0,-1,0) ] comp(f){side:A=B|top=C.}";

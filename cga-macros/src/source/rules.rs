@@ -1,33 +1,24 @@
-//! The three doors through which rules come in. A door knows where token n is; nothing else does.
+//! The rules of one macro call as tokens, and where each token is.
 
-mod content;
-mod file;
-mod import;
-mod literal;
-pub(crate) mod tokens;
-
+use super::import::{self, Imported};
 use cga_lang::compile::{Compiled, Door};
 use cga_lang::diag::Diag;
 use cga_lang::link::Unit;
 use cga_lang::span;
 use cga_lang::token::{Sym, Tok, Tokens};
-use proc_macro2::{Ident, Span, TokenStream};
-
-pub(crate) use import::{Imported, Imports};
-
-use crate::header::{Body, Header};
+use proc_macro2::{Span, TokenStream};
 
 /// Rules as tokens, and what it takes to speak about them.
 pub(crate) struct Source {
-    tokens: Tokens,
-    findings: Vec<Diag>,
-    hosts: Vec<Host>,
-    place: Place,
+    pub(super) tokens: Tokens,
+    pub(super) findings: Vec<Diag>,
+    pub(super) hosts: Vec<Host>,
+    pub(super) places: Places,
     /// Imported files.
-    imported: Vec<Imported>,
+    pub(super) imported: Vec<Imported>,
     /// The files of the program: the first of the tokens that spans count, and the number in `imported`; `None` for the
     /// rules themselves.
-    files: Vec<(u32, Option<usize>)>,
+    pub(super) files: Vec<(u32, Option<usize>)>,
 }
 
 /// A Rust value in the rules: `#name` or `#(…)`.
@@ -38,52 +29,22 @@ pub(crate) struct Host {
     pub(crate) span: Span,
 }
 
-/// Where tokens are.
-enum Place {
+/// The places of the tokens.
+pub(super) enum Places {
     /// Inline: each token begins and ends somewhere, and a path has its own tokens.
     Inline { spans: Vec<(Span, Span)>, paths: Vec<(u32, TokenStream)>, end: Span },
     /// In a string or a file: the literal stands for all that is in it, and there is a text to quote from.
-    Text { span: Span, text: TextPlace, tracking: TokenStream },
+    Text { span: Span, text: QuotedText, tracking: TokenStream },
 }
 
 /// A text that findings quote from.
-pub(crate) struct TextPlace {
+pub(crate) struct QuotedText {
     /// What the user calls it: a path.
     pub(crate) name: String,
     /// The text as it is written, escapes and all, in the place where it stands in its file.
     pub(crate) written: String,
     /// For each token, its bytes in `written`.
     pub(crate) ranges: Vec<std::ops::Range<usize>>,
-}
-
-/// A door that could not be opened.
-pub(crate) struct Problem {
-    first: Span,
-    last: Span,
-    message: String,
-}
-
-impl Problem {
-    pub(crate) fn new(first: Span, last: Span, message: impl Into<String>) -> Self {
-        Problem { first, last, message: message.into() }
-    }
-
-    /// The error alone.
-    pub(crate) fn error(&self) -> TokenStream {
-        crate::report::error(self.first, self.last, &self.message)
-    }
-}
-
-/// Opens the door that the header names.
-pub(crate) fn open(header: &Header, body: Body) -> Result<Source, Problem> {
-    match body {
-        Body::Inline(stream) => {
-            let end = header.name.as_ref().map_or_else(Span::call_site, Ident::span);
-            Ok(tokens::read(stream, end))
-        }
-        Body::Text(literals) => literal::read(&literals),
-        Body::File(literal) => file::read(&literal),
-    }
 }
 
 impl Source {
@@ -94,19 +55,19 @@ impl Source {
 
     /// Whether the rules stand among Rust, token by token.
     pub(crate) fn is_inline(&self) -> bool {
-        matches!(self.place, Place::Inline { .. })
+        matches!(self.places, Places::Inline { .. })
     }
 
     /// The rules as a file that others may be imported into.
     pub(crate) fn unit(&self) -> Unit {
         // Inline is strict, text is compatible.
-        let door = match self.place {
-            Place::Inline { .. } => Door::Inline,
-            Place::Text { .. } => Door::Text,
+        let door = match self.places {
+            Places::Inline { .. } => Door::Inline,
+            Places::Text { .. } => Door::Text,
         };
         // Paths in a string or inline count from the package's folder.
-        let name = match &self.place {
-            Place::Text { text, tracking, .. } if !tracking.is_empty() => text.name.clone(),
+        let name = match &self.places {
+            Places::Text { text, tracking, .. } if !tracking.is_empty() => text.name.clone(),
             _ => String::new(),
         };
         Unit { name, tokens: self.tokens.clone(), door, found: self.findings.clone() }
@@ -130,7 +91,7 @@ impl Source {
         }
     }
 
-    /// What the door itself found.
+    /// The diagnostics of reading the tokens.
     #[cfg(test)]
     pub(crate) fn findings(&self) -> &[Diag] {
         &self.findings
@@ -142,12 +103,12 @@ impl Source {
     }
 
     /// The text a token stands in, and the token's number there; `None` for inline rules.
-    pub(crate) fn text(&self, token: u32) -> Option<(&TextPlace, u32)> {
-        match (self.locate(token), &self.place) {
-            ((Some(Imported { text, .. }), token), _) | ((None, token), Place::Text { text, .. }) => {
+    pub(crate) fn text(&self, token: u32) -> Option<(&QuotedText, u32)> {
+        match (self.locate(token), &self.places) {
+            ((Some(Imported { text, .. }), token), _) | ((None, token), Places::Text { text, .. }) => {
                 Some((text, token))
             }
-            ((None, _), Place::Inline { .. }) => None,
+            ((None, _), Places::Inline { .. }) => None,
         }
     }
 
@@ -159,7 +120,7 @@ impl Source {
 
     /// Where inline rules name the path that led to a file.
     fn path_of(&self, file: &Imported) -> Option<(Span, Span)> {
-        let Place::Inline { spans, .. } = &self.place else { return None };
+        let Places::Inline { spans, .. } = &self.places else { return None };
         let is_import = |tokens: &[Tok]| match tokens {
             [import, _, Tok::Sym(Sym::Colon), Tok::Str(path)] => import.ident() == Some("import") && *path == file.path,
             _ => false,
@@ -175,12 +136,12 @@ impl Source {
 
     fn ends(&self, index: u32) -> (Span, Span) {
         let (imported, index) = self.locate(index);
-        match &self.place {
-            Place::Inline { end, .. } if imported.is_some() => (*end, *end),
-            Place::Inline { spans, end, .. } => {
+        match &self.places {
+            Places::Inline { end, .. } if imported.is_some() => (*end, *end),
+            Places::Inline { spans, end, .. } => {
                 spans.get(index as usize).or(spans.last()).copied().unwrap_or((*end, *end))
             }
-            Place::Text { span, .. } => (*span, *span),
+            Places::Text { span, .. } => (*span, *span),
         }
     }
 
@@ -192,7 +153,7 @@ impl Source {
             let imported = self.locate(index).0.is_some();
             return Some(if imported { format!("line {line} of {}", text.name) } else { format!("line {line}") });
         }
-        let Place::Inline { spans, .. } = &self.place else { return None };
+        let Places::Inline { spans, .. } = &self.places else { return None };
         let index = self.locate(index).1;
         // Editors' macro servers know no lines and say 1 or 0.
         let line = spans.get(index as usize).map(|(span, _)| span.start().line).filter(|line| 1 < *line)?;
@@ -202,7 +163,7 @@ impl Source {
     /// A Rust path as the user wrote it.
     pub(crate) fn path(&self, token: u32, text: &str) -> TokenStream {
         let (imported, token) = self.locate(token);
-        if let (Place::Inline { paths, .. }, None) = (&self.place, imported)
+        if let (Places::Inline { paths, .. }, None) = (&self.places, imported)
             && let Ok(at) = paths.binary_search_by_key(&token, |(index, _)| *index)
         {
             return paths[at].1.clone();
@@ -213,9 +174,9 @@ impl Source {
 
     /// Makes the build depend on the rule file and what it imports.
     pub(crate) fn tracking(&self) -> TokenStream {
-        let own = match &self.place {
-            Place::Inline { .. } => TokenStream::new(),
-            Place::Text { tracking, .. } => tracking.clone(),
+        let own = match &self.places {
+            Places::Inline { .. } => TokenStream::new(),
+            Places::Text { tracking, .. } => tracking.clone(),
         };
         own.into_iter().chain(import::follow(&self.imported)).collect()
     }

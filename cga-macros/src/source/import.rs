@@ -8,8 +8,8 @@ use cga_lang::lex::lex;
 use cga_lang::link::{Asset, Files, Unit, candidates, folder};
 use proc_macro2::{Literal, TokenStream};
 
-use super::TextPlace;
 use super::file::{text, tracking};
+use super::rules::QuotedText;
 
 /// Larger meshes are there, and no more is known of them.
 const LARGEST_MESH: u64 = 1 << 26;
@@ -29,7 +29,7 @@ pub(crate) struct Imports {
 
 /// A file that was imported.
 pub(crate) struct Imported {
-    pub(super) text: TextPlace,
+    pub(super) text: QuotedText,
     /// The path behind the `import` of the rules themselves that led to it.
     pub(super) path: String,
 }
@@ -63,7 +63,7 @@ impl Files for Imports {
         let named = |name: &str| self.opened.iter().find(|file| file.text.name == name);
         if named(name).is_none() {
             let path = named(from).map_or(path, |file| &file.path).to_owned();
-            let text = TextPlace { name: name.clone(), written: text, ranges: lexed.ranges };
+            let text = QuotedText { name: name.clone(), written: text, ranges: lexed.ranges };
             self.opened.push(Imported { text, path });
         }
         Ok(Unit { name: name.clone(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })

@@ -7,7 +7,7 @@ use cga_lang::span::Span as TokenSpan;
 use cga_lang::token::{Sym, Tok, Tokens};
 use proc_macro2::{Delimiter, Group, Literal, Spacing, Span, TokenStream, TokenTree};
 
-use super::{Host, Place, Source};
+use super::rules::{Host, Places, Source};
 
 /// Reads inline rules. `end` is where an underline goes when there are no tokens.
 pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
@@ -21,8 +21,8 @@ pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
             .is_some_and(|next| is_close(spans[dot - 1].1, spans[dot].0) && is_close(spans[dot].1, next.0))
     });
     let findings: Vec<Diag> = reader.diags.finish();
-    let place = Place::Inline { spans: reader.spans, paths: reader.paths, end };
-    Source { tokens: reader.tokens, findings, hosts: reader.hosts, place, imported: Vec::new(), files: Vec::new() }
+    let places = Places::Inline { spans: reader.spans, paths: reader.paths, end };
+    Source { tokens: reader.tokens, findings, hosts: reader.hosts, places, imported: Vec::new(), files: Vec::new() }
 }
 
 #[derive(Default)]

@@ -11,7 +11,8 @@ use quote::quote;
 
 use super::content::value;
 use super::literal::source;
-use super::{Problem, Source, TextPlace};
+use super::rules::{QuotedText, Source};
+use crate::problem::Problem;
 
 pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
     let span = literal.span();
@@ -36,7 +37,7 @@ pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
         })
     })?;
     let lexed = lex(&text);
-    let place = TextPlace { name: path.replace('\\', "/"), written: text, ranges: lexed.ranges };
+    let place = QuotedText { name: path.replace('\\', "/"), written: text, ranges: lexed.ranges };
     Ok(source(lexed.tokens, lexed.diags, span, place, tracking(literal)))
 }
 
