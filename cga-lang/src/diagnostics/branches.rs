@@ -117,7 +117,7 @@ fn again(turn: &Turn, own: InstanceId, cx: &Cx, diags: &mut Diags) {
 fn is_settled(expr: &Expr, names: Entries) -> bool {
     let own = match &expr.kind {
         ExprKind::Name(name) | ExprKind::Call(name, _) => match names.of(name) {
-            Some(Use::Builtin(row)) => row.pure || row.name.starts_with("geometry."),
+            Some(Use::Builtin(row)) => row.is_settled(),
             Some(Use::Function(_)) | None => false,
             Some(_) => true,
         },

@@ -11,9 +11,6 @@ use crate::ops::Run;
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Entries, Use};
 
-/// Operations that are there for something else than the shape.
-const HEARD: [&str; 3] = ["report", "print", "label"];
-
 pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
@@ -33,7 +30,7 @@ fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut 
     for (at, op) in ops.iter().enumerate() {
         let changes = match &op.kind {
             OpKind::Call(name, _) => match names.of(name) {
-                Some(Use::Operation(row)) => !HEARD.contains(&row.name),
+                Some(Use::Operation(row)) => !row.is_for_run(),
                 Some(Use::SetAttr(_) | Use::SetShape(_)) => true,
                 Some(Use::Rule(_) | Use::Leaf) => {
                     made = true;

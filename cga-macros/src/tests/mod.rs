@@ -3,5 +3,6 @@
 mod errors;
 mod expand;
 mod mistakes;
+mod rows;
 mod sources;
 mod ui;
