@@ -39,7 +39,7 @@ pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags)
     {
         files(row.params, &args.iter().collect::<Vec<_>>(), names, cx, diags);
         if let ([list, text], Some(token)) = (args.as_slice(), facts.asset) {
-            within(list, text, token, cx, diags);
+            within(list, text, token, names, cx, diags);
         }
     }
     expr.parts().into_iter().for_each(|part| expression(part, facts, cx, diags));
@@ -95,7 +95,7 @@ fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Cx, diags: &mut Dia
 }
 
 /// Looks at the name of a group or material that is looked for among those of the geometry.
-fn within(list: &Expr, text: &Expr, token: u32, cx: &Cx, diags: &mut Diags) {
+fn within(list: &Expr, text: &Expr, token: u32, entries: Entries, cx: &Cx, diags: &mut Diags) {
     let (ExprKind::Name(query) | ExprKind::Call(query, _), ExprKind::Text(wanted)) = (&list.kind, &text.kind) else {
         return;
     };
@@ -106,7 +106,7 @@ fn within(list: &Expr, text: &Expr, token: u32, cx: &Cx, diags: &mut Diags) {
     let Some(Asset::Mesh { has_faces: true, groups, materials }) = cx.globals.program.asset(file, token) else {
         return;
     };
-    let Some(Use::Builtin(Function { names: Some(names), .. })) = cx.tables.of(query) else { return };
+    let Some(Use::Builtin(Function { names: Some(names), .. })) = entries.of(query) else { return };
     let (names, what) = match names {
         AssetNames::Groups => (groups, "group"),
         AssetNames::Materials => (materials, "material"),
