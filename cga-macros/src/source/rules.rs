@@ -1,6 +1,7 @@
 //! The rules of one macro call as tokens, and where each token is.
 
 use super::import::{self, Imported};
+use super::quoted::QuotedText;
 use cga_lang::compile::{Compiled, Door};
 use cga_lang::diag::Diag;
 use cga_lang::link::Unit;
@@ -35,16 +36,6 @@ pub(super) enum Places {
     Inline { spans: Vec<(Span, Span)>, paths: Vec<(u32, TokenStream)>, end: Span },
     /// In a string or a file: the literal stands for all that is in it, and there is a text to quote from.
     Text { span: Span, text: QuotedText, tracking: TokenStream },
-}
-
-/// A text that findings quote from.
-pub(crate) struct QuotedText {
-    /// What the user calls it: a path.
-    pub(crate) name: String,
-    /// The text as it is written, escapes and all, in the place where it stands in its file.
-    pub(crate) written: String,
-    /// For each token, its bytes in `written`.
-    pub(crate) ranges: Vec<std::ops::Range<usize>>,
 }
 
 impl Source {
