@@ -41,7 +41,7 @@ pub(super) fn source(
     tracking: TokenStream,
 ) -> Source {
     let places = Places::Text { span, text, tracking };
-    Source { tokens, findings, hosts: Vec::new(), places, imported: Vec::new(), pieces: Vec::new() }
+    Source { tokens, findings, hosts: Vec::new(), places, imported: Vec::new(), files: Vec::new() }
 }
 
 /// Literals one after the other.
