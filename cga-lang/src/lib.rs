@@ -48,7 +48,6 @@ pub mod link;
 mod lower;
 pub mod ops;
 pub mod parse;
-pub mod print;
 mod resolve;
 pub mod skeleton;
 pub mod snippet;

@@ -116,7 +116,7 @@ fn again(turn: &Turn, cx: &Cx, diags: &mut Diags) {
 fn is_settled(expr: &Expr, tables: &Tables) -> bool {
     let own = match &expr.kind {
         ExprKind::Name(name) | ExprKind::Call(name, _) => match tables.of(name) {
-            Some(Use::Builtin(row)) => row.pure || row.name.starts_with("geometry."),
+            Some(Use::Builtin(row)) => row.is_settled(),
             Some(Use::Function(_)) | None => false,
             Some(_) => true,
         },

@@ -17,10 +17,10 @@ mod wire_parts;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::fault::FaultKind;
 use crate::geometry::Frame;
 use crate::run::context::Cx;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::run::sink::Flow;
 use crate::shape::scope::Scope;
 use crate::shape::seed::{self, Seed, Tag};

@@ -4,12 +4,6 @@ use std::cmp::Ordering;
 
 use crate::value::compare::Compare;
 
-/// The order of two values, from which all relational operators follow.
-#[inline]
-pub fn compare<T: Compare>(a: T, b: T) -> Ordering {
-    a.compare(&b)
-}
-
 /// `a == b`. Arrays are equal if they have the same form and equal elements.
 #[inline]
 pub fn equal<T: Compare>(a: T, b: T) -> bool {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::asset::Assets;
 use crate::run::watch::Watch;
 
-/// Limits of one run. A run that reaches a limit ends with [`Error::Limit`](crate::run::fault::Error::Limit), unless
+/// Limits of one run. A run that reaches a limit ends with [`Error::Limit`](crate::fault::Error::Limit), unless
 /// the limit's description differs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
