@@ -1,7 +1,8 @@
-//! The textures of what is seen: which image lies where on a triangle.
+//! The textures of visible surfaces: the images and their places on a triangle.
 //!
-//! A point that is seen is known in space, so its texture coordinates follow from its place in the triangle, and need no correction
-//! for the perspective. The points that the neighbours of a sample would show on the same plane tell how much of the image it shows.
+//! A visible point is known in space. So its texture coordinates follow from its place in the triangle, without
+//! correction for the perspective. The points of neighbouring samples on the same plane give the part of the image
+//! that a sample shows.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -22,16 +23,16 @@ use crate::value::text::Text;
 pub(super) struct Textures {
     assets: Option<Arc<Assets>>,
     list: Vec<Texture>,
-    /// By name and use: as colour or as opacity. Only ever asked, never walked.
+    /// The textures by name and use, colour or opacity. Only for look-ups, never iterated.
     by_name: HashMap<(Text, bool), Option<u32>>,
-    /// Places in images of the corners of triangles.
+    /// The places of triangles' corners in images.
     corners: Vec<[Option<Corners>; 2]>,
 }
 
-/// The places of the corners of a triangle in an image, near 0: an image repeats.
+/// The places of a triangle's corners in an image, moved near 0, as an image repeats.
 pub(super) type Corners = [[f32; 2]; 3];
 
-/// No texture coordinates.
+/// The mark of a triangle without texture coordinates.
 pub(super) const PLAIN: u32 = u32::MAX;
 
 /// An image on a layer of a material.
@@ -42,15 +43,15 @@ pub(super) struct Map {
     placement: PlacementMap,
 }
 
-/// How an opacity map counts.
+/// The effect of an opacity map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Alpha {
     Blend,
-    /// All or nothing, from this opacity on.
+    /// Opaque from this opacity on, otherwise invisible.
     Mask(f32),
 }
 
-/// The images of a material that pictures show.
+/// The images of a material in pictures.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Maps {
     color: Option<Map>,
@@ -99,7 +100,8 @@ impl Textures {
         texture
     }
 
-    /// Keeps the places of the corners of a triangle; gives their number. `uv` gives the coordinates of a corner in a set.
+    /// Keeps the places of a triangle's corners and returns their index. `uv` returns the coordinates of a corner in
+    /// a set.
     pub(super) fn add(
         &mut self,
         maps: &Maps,
@@ -123,7 +125,7 @@ impl Textures {
 }
 
 impl Maps {
-    /// True if an opacity map may make parts of a surface transparent.
+    /// Returns true if an opacity map may make parts of a surface transparent.
     pub(super) fn has_opacity(&self) -> bool {
         self.opacity.is_some()
     }
@@ -134,7 +136,7 @@ impl Maps {
 struct Footprint {
     /// The point as weights of the second and the third corner of its triangle.
     at: DVec2,
-    /// Towards the samples to the right and below.
+    /// The differences to the samples to the right and below.
     sides: [DVec2; 2],
 }
 
@@ -166,7 +168,7 @@ impl Footprint {
 }
 
 impl Scene {
-    /// The paint of a triangle at a point that a sample shows, with the images on it.
+    /// The paint of a triangle at the point of a sample, with its images.
     pub(super) fn paint_at(&self, triangle: &Triangle, view: &View, sample: [f64; 2], point: DVec3) -> Paint {
         let mut paint = self.paints[triangle.paint as usize];
         let Some(corners) = self.textures.corners.get(triangle.uvs as usize) else { return paint };
@@ -186,7 +188,7 @@ impl Scene {
         paint
     }
 
-    /// The opacity of a triangle on the whole.
+    /// The mean opacity of a triangle.
     pub(super) fn mean_opacity(&self, triangle: &Triangle) -> f32 {
         let paint = &self.paints[triangle.paint as usize];
         match paint.maps.opacity {
