@@ -26,7 +26,6 @@
 mod analysis;
 mod annotations;
 pub mod ast;
-mod ast_moved;
 pub mod ast_walk;
 pub mod check;
 pub mod code;

@@ -4,13 +4,7 @@ use glam::{Vec2, Vec3};
 
 use super::binary::Word;
 use super::primitive::Primitive;
-
-/// The coordinates of a normal map: a list of the primitive, and the linear part of the placement with v upwards.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct NormalSpace {
-    pub(super) list: usize,
-    pub(super) rows: [Vec2; 2],
-}
+use super::textures::NormalSpace;
 
 impl Primitive {
     /// Writes the direction of growing u on the surface at each vertex, and the side of growing v. A vertex belongs
