@@ -2,7 +2,7 @@
 //!
 //! The pages: *split operation* and *Subdivision split*.
 
-/// Whether a size makes a piece: positive and finite sizes do.
+/// Returns true if a size makes a piece: positive and finite sizes do.
 ///
 /// *Subdivision split*: negative and zero sizes make no piece and take no room. Operations replace NaN and infinite
 /// arguments (0/0, 1/0) by zero (*CGA changelog 2013.1*), so these make no piece either.
@@ -11,7 +11,7 @@ pub fn is_size(value: f64) -> bool {
     0.0 < value && value < f64::INFINITY
 }
 
-/// Whether an extent is split, and whether a share of an extent counts. The limit keeps squares finite, which areas
+/// Returns true if an extent is split, or if a share of an extent counts. The limit keeps squares finite, which areas
 /// need.
 #[inline]
 pub(crate) fn is_extent(value: f64) -> bool {
@@ -29,8 +29,8 @@ pub(crate) fn smallest_piece(extent: f64) -> f64 {
     extent * 1e-12
 }
 
-/// Whether the stretch `more` of the larger of two neighbouring counts is as near to 1 as the stretch `fewer` of the
-/// smaller count.
+/// Returns true if the stretch `more` of the larger of two neighbouring counts is as near to 1 as the stretch `fewer`
+/// of the smaller count.
 ///
 /// "Best number of repetitions and least stretching" (*split operation*). The difference decides, not the ratio: `{ 1
 /// | ~2.7 }* | 1` in

@@ -49,7 +49,7 @@ fn normal(path: &str) -> Option<String> {
     (!parts.iter().any(leads_out)).then(|| parts.join("/"))
 }
 
-/// Whether some platform reads a part of a path as another place: a drive, or several parts in one.
+/// Returns true if some platform reads a part of a path as another place: a drive, or several parts in one.
 fn is_outside(part: &str) -> bool {
     part.contains(['\\', '\0']) || part.as_bytes().get(1) == Some(&b':')
 }

@@ -83,7 +83,7 @@ struct Group {
     top: usize,
     /// The end of its items in the pattern.
     end: usize,
-    /// Whether it, or a group inside, has a slot with a length. Otherwise the group is never made.
+    /// True if it, or a group inside, has a slot with a length. Otherwise the group is never made.
     live: bool,
     /// The number of live groups before it.
     number: u64,

@@ -41,7 +41,7 @@ impl Sum {
         if 0.0 < self.floating && smallest_piece(extent) < room { room / self.floating } else { 0.0 }
     }
 
-    /// Whether there is room for all absolute sizes.
+    /// Returns true if there is room for all absolute sizes.
     #[inline]
     fn fits(self, extent: f64) -> bool {
         self.absolute <= extent + smallest_piece(extent)

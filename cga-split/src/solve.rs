@@ -134,7 +134,7 @@ fn floats<'l>(sizes: &[Size], lengths: &'l mut [f64]) -> impl Iterator<Item = &'
     lengths.iter_mut().zip(sizes).filter(|(_, size)| size.prefix == Prefix::Floating).map(|(length, _)| length)
 }
 
-/// Whether this stretch leaves some floats too short for a piece while other floats are long enough.
+/// Returns true if this stretch leaves some floats too short for a piece while other floats are long enough.
 #[inline(always)]
 fn has_slivers(sizes: &[Size], lengths: &[f64], by: f64, extent: f64) -> bool {
     let smallest = smallest_piece(extent);

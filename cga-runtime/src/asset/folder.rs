@@ -36,7 +36,7 @@ pub(super) fn inside(root: &Path, path: &Path) -> Result<PathBuf, AssetError> {
 #[derive(Debug, Default)]
 pub(super) struct Listing {
     pub(super) names: Vec<String>,
-    /// Whether files were skipped because of a limit.
+    /// True if files were skipped because of a limit.
     pub(super) cut_short: bool,
 }
 

@@ -137,7 +137,7 @@ impl Assets {
         found
     }
 
-    /// Whether a file or mesh exists and has a usable format.
+    /// Returns true if a file or mesh exists and has a usable format.
     pub(crate) fn exists(&self, file: &File) -> bool {
         let name = file.name.as_str();
         if BUILTINS.contains(&name) || CUBES.contains(&name) {

@@ -73,8 +73,8 @@ impl Query {
         self.wrong.clone().or_else(slow)
     }
 
-    /// Whether the query matches a file. `path` is relative to the asset folder, with forward slashes. An empty query
-    /// matches no file.
+    /// Returns true if the query matches a file. `path` is relative to the asset folder, with forward slashes. An empty
+    /// query matches no file.
     pub(crate) fn finds(&self, project: &str, path: &str) -> bool {
         !self.terms.is_empty() && self.terms.iter().all(|term| term.holds(&self.steps, project, path))
     }
@@ -97,7 +97,7 @@ impl Term {
 }
 
 impl Pattern {
-    /// Whether the pattern matches a whole text. Uses up `steps`; without steps left the result is false.
+    /// Returns true if the pattern matches a whole text. Uses up `steps`; without steps left the result is false.
     fn holds(&self, steps: &Cell<u64>, text: &str) -> bool {
         if steps.get() == 0 {
             return false;
@@ -128,8 +128,8 @@ fn words(text: &str) -> Vec<String> {
     words
 }
 
-/// Whether a pattern with `*` and `?` matches a whole text, and the number of comparisons. Only the last `*` is ever
-/// retried, so the number is at most the product of the two lengths.
+/// Matches a pattern with `*` and `?` against a whole text. Returns the result and the number of comparisons. Only the
+/// last `*` is ever retried, so the number is at most the product of the two lengths.
 fn plain(pattern: &[char], text: &str) -> (bool, u64) {
     let (mut at, mut steps) = (0, 0);
     let mut rest = text.chars();

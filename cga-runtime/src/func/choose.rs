@@ -8,7 +8,7 @@ use crate::value::array::{Array, Element};
 use crate::value::compare::Compare;
 use crate::value::text::Text;
 
-/// Whether `a` is less than `b`. NaN is never less.
+/// Returns true if `a` is less than `b`. NaN is never less.
 fn before<T: Compare>(a: &T, b: &T) -> bool {
     !a.unordered() && !b.unordered() && a.compare(b) == Ordering::Less
 }

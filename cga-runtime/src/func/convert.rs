@@ -156,12 +156,12 @@ pub fn texts_from_bools(array: Array<bool>) -> Array<Text> {
     array.map(|truth| bool_to_text(*truth))
 }
 
-/// Whether a number represents "no value" (*isNull function*).
+/// Returns true if a number represents "no value" (*isNull function*).
 pub fn isnull_float(x: f64) -> bool {
     x.is_nan()
 }
 
-/// Whether a text represents "no value" (*isNull function*).
+/// Returns true if a text represents "no value" (*isNull function*).
 pub fn isnull_text(x: Text) -> bool {
     x.as_str() == NULL
 }

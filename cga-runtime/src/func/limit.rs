@@ -8,13 +8,13 @@ use crate::run::sink::Flow;
 use crate::value::text::Text;
 
 impl Env {
-    /// Whether an array may have `elements` elements. If not, the run ends.
+    /// Returns true if an array may have `elements` elements. If not, the run ends.
     pub(crate) fn may_hold(&mut self, elements: usize) -> bool {
         let limit = self.settings.limits.array;
         self.within(LimitKind::Array, elements, limit)
     }
 
-    /// Whether a text may have `bytes` bytes. If not, the run ends.
+    /// Returns true if a text may have `bytes` bytes. If not, the run ends.
     pub(crate) fn may_write(&mut self, bytes: usize) -> bool {
         let limit = self.settings.limits.text;
         self.within(LimitKind::Text, bytes, limit)

@@ -24,7 +24,7 @@ fn list_of<'t>(items: impl Iterator<Item = &'t str>) -> Text {
     Text::from(list)
 }
 
-/// Whether an item matches a search text.
+/// Returns true if an item matches a search text.
 fn matches(item: &str, search: &str) -> bool {
     let (from_start, search) = search.strip_prefix('*').map_or((true, search), |rest| (false, rest));
     let (to_end, search) = search.strip_suffix('*').map_or((true, search), |rest| (false, rest));

@@ -90,12 +90,12 @@ pub fn abs_each(array: Array<f64>) -> Array<f64> {
     array.map(|x| x.abs())
 }
 
-/// Whether `x` is NaN (*isnan function*).
+/// Returns true if `x` is NaN (*isnan function*).
 pub fn isnan(x: f64) -> bool {
     x.is_nan()
 }
 
-/// Whether `x` is infinite (*isinf function*).
+/// Returns true if `x` is infinite (*isinf function*).
 pub fn isinf(x: f64) -> bool {
     x.is_infinite()
 }

@@ -29,7 +29,7 @@ pub fn chance(env: &mut Env, shape: &mut impl View, q: f64) -> bool {
     drawn_below(shape, q)
 }
 
-/// Whether the next random number in 0..1 is below `q`.
+/// Returns true if the next random number in 0..1 is below `q`.
 pub(crate) fn drawn_below(shape: &mut impl View, q: f64) -> bool {
     shape.draw() < q
 }

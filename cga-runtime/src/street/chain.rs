@@ -51,7 +51,7 @@ pub(super) enum End {
 pub(super) struct Node {
     pub(super) place: DVec2,
     pub(super) height: f64,
-    /// Whether it is a bend too tight for a mitre, rather than a vertex of the graph where streets meet.
+    /// True if it is a bend too tight for a mitre, rather than a vertex of the graph where streets meet.
     pub(super) is_bend: bool,
     /// The chains that meet here, by number, and the end of each.
     pub(super) arms: Vec<(u32, usize)>,

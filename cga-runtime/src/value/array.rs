@@ -71,7 +71,7 @@ impl<T> Array<T> {
         self.values.len()
     }
 
-    /// Whether the array has no elements.
+    /// Returns true if the array has no elements.
     pub fn is_empty(&self) -> bool {
         self.values.is_empty()
     }

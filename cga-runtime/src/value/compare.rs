@@ -10,7 +10,7 @@ pub trait Compare {
     /// The order of two values. The operators are derived from it: `a <= b` is "not greater".
     fn compare(&self, other: &Self) -> Ordering;
 
-    /// Whether the value is not ordered: NaN.
+    /// Returns true if the value is not ordered: NaN.
     fn unordered(&self) -> bool {
         false
     }

@@ -50,7 +50,7 @@ impl Pattern {
         solve(&self.items, &self.sizes, &mut vec![0.0; self.sizes.len()], extent).pieces()
     }
 
-    /// Whether any of its slots floats.
+    /// Returns true if any of its slots floats.
     pub(crate) fn floats(&self) -> bool {
         self.sizes.iter().any(|size| size.prefix == Prefix::Floating && cga_split::is_size(size.value))
     }

@@ -15,7 +15,7 @@ fn without_comment(line: &str) -> &str {
     line.bytes().position(begins).map_or(line, |at| &line[..at])
 }
 
-/// Whether bytes are UTF-16, by a byte order mark or by the first letters.
+/// Returns true if bytes are UTF-16, by a byte order mark or by the first letters.
 pub(super) fn is_utf16(bytes: &[u8]) -> bool {
     match *bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,

@@ -67,7 +67,7 @@ fn common_form(env: &mut Env, what: &str, a: &impl Operand, b: &impl Operand) ->
     }
 }
 
-/// Whether two arrays have the same shape; if not, there is a fault.
+/// Returns true if two arrays have the same shape; if not, there is a fault.
 pub(in super::super) fn same_form<T: Element>(env: &mut Env, what: &str, a: &Array<T>, b: &Array<T>) -> bool {
     common_form(env, what, a, b).is_some()
 }

@@ -35,7 +35,7 @@ pub(super) struct Sweep {
 struct Edge {
     low: DVec2,
     high: DVec2,
-    /// Whether the solid is right of the edge: true for left edges of outlines and right edges of holes.
+    /// True if the solid is right of the edge: true for left edges of outlines and right edges of holes.
     enters: bool,
     owner: u32,
 }
@@ -44,7 +44,7 @@ struct Edge {
 #[derive(Clone, Copy)]
 struct Event {
     at: DVec2,
-    /// Whether both its edges are above it. Among corners at one place these come last.
+    /// True if both its edges are above it. Among corners at one place these come last.
     begins: bool,
     /// The edge that ends at the corner and the edge that begins there.
     edges: [u32; 2],
@@ -178,7 +178,7 @@ impl Sweep {
             || self.are_in_order(neighbours[0], neighbours[1])
     }
 
-    /// Whether two neighbours are beside each other over their common range of heights.
+    /// Returns true if two neighbours are beside each other over their common range of heights.
     fn are_in_order(&self, left: Option<u32>, right: Option<u32>) -> bool {
         let (Some(left), Some(right)) = (left, right) else { return true };
         let [left, right] = [left, right].map(|edge| self.edges[edge as usize]);
@@ -203,8 +203,8 @@ impl Edge {
         if self.low == p || self.high == p { 0 } else { orient(self.low, self.high, p) }
     }
 
-    /// Whether it is left of the low end of another edge, or contains that end and is left of the high end. `None` if
-    /// the two edges are collinear there.
+    /// Returns true if it is left of the low end of another edge, or contains that end and is left of the high end.
+    /// `None` if the two edges are collinear there.
     #[inline]
     fn is_left_of(&self, other: &Edge) -> Option<bool> {
         let side = match self.side(other.low) {

@@ -149,7 +149,7 @@ impl Chains {
     }
 }
 
-/// Whether the closed part of the edges encloses more area clockwise than counter-clockwise.
+/// Returns true if the closed part of the edges encloses more area clockwise than counter-clockwise.
 fn is_inside_out(edges: &[[u32; 2]], flat: &[DVec2]) -> bool {
     let Some(&[first, _]) = edges.first() else { return false };
     let ends = edges.iter().flatten().map(|&end| flat[end as usize]);

@@ -42,7 +42,7 @@ impl Class {
         self.0.div_ceil(2)
     }
 
-    /// Whether the class is in a slab or on one of its planes.
+    /// Returns true if the class is in a slab or on one of its planes.
     pub(super) fn touches(self, slab: u32) -> bool {
         self.slab() == slab || self.slab_above() == slab
     }
@@ -75,13 +75,13 @@ impl Span {
         self.high.slab()
     }
 
-    /// Whether the whole span is on one plane, so that no slab contains a part of it.
+    /// Returns true if the whole span is on one plane, so that no slab contains a part of it.
     #[inline]
     pub(super) fn is_flat(self) -> bool {
         self.top() < self.bottom()
     }
 
-    /// Whether an end of the span is on a plane.
+    /// Returns true if an end of the span is on a plane.
     #[inline]
     pub(super) fn touches_plane(self) -> bool {
         self.low.is_on_plane() || self.high.is_on_plane()

@@ -23,13 +23,14 @@ impl Extent {
         AROUND_EPSILON * self.low.abs().max(self.high.abs()).max_element()
     }
 
-    /// Whether the box is inside another one, except for rounding. Then it is also inside every box around that one.
+    /// Returns true if the box is inside another one, except for rounding. Then it is also inside every box around that
+    /// one.
     pub(super) fn is_in(&self, other: &Extent) -> bool {
         let slack = other.slack();
         other.low.cmple(self.low + slack).all() && self.high.cmple(other.high + slack).all()
     }
 
-    /// Whether a point is inside the box or on its rim.
+    /// Returns true if a point is inside the box or on its rim.
     #[inline]
     pub(super) fn holds(&self, point: DVec2) -> bool {
         self.low.x <= point.x && self.low.y <= point.y && point.x <= self.high.x && point.y <= self.high.y

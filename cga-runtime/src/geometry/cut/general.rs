@@ -59,7 +59,7 @@ struct PlaneEdge {
 #[derive(Clone, Copy)]
 struct End {
     along: f64,
-    /// Whether the interior of the face begins here, in the direction of the line.
+    /// True if the interior of the face begins here, in the direction of the line.
     opens: bool,
     fragment: usize,
 }

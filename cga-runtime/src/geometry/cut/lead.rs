@@ -130,7 +130,7 @@ impl Wall {
         self.rings.iter().map(Vec::len).sum()
     }
 
-    /// Whether a point in the plane of the face is inside it or on its rim.
+    /// Returns true if a point in the plane of the face is inside it or on its rim.
     fn holds(&self, point: DVec3) -> bool {
         let turns = self.rings.iter().map(|ring| winding(ring, self.projection.apply(point)));
         turns.sum::<Option<i32>>() != Some(0)

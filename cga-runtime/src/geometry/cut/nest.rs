@@ -48,8 +48,8 @@ impl Loop {
         0.0 <= self.area
     }
 
-    /// Whether the loop can contain a hole by its bounding box and area, except for rounding. The areas are those of
-    /// the section scaled by `scale`.
+    /// Returns true if the loop can contain a hole by its bounding box and area, except for rounding. The areas are
+    /// those of the section scaled by `scale`.
     fn may_hold(&self, hole: &Loop, scale: f64) -> bool {
         let Extent { low, high } = self.extent;
         let spare = self.extent.slack() * scale * (high * scale - low * scale).element_sum();
@@ -74,7 +74,7 @@ pub(crate) struct Nest {
     /// The loops in the order of groups, and the end of each group.
     pub(crate) order: Vec<Range<usize>>,
     pub(crate) ends: Vec<usize>,
-    /// Whether outlines are clockwise and holes counter-clockwise.
+    /// True if outlines are clockwise and holes counter-clockwise.
     inverted: bool,
     /// The factor that scales the section to about 1.
     scale: f64,

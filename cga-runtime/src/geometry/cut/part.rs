@@ -12,7 +12,7 @@ use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
 pub(super) struct Part {
     pub(super) mesh: Mesh,
     pub(super) whole: usize,
-    /// Whether a piece was dropped because it has no extent. Then some points may be unused.
+    /// True if a piece was dropped because it has no extent. Then some points may be unused.
     pub(super) dropped: bool,
     /// The face that must come first.
     pub(super) lead: Option<usize>,

@@ -21,7 +21,7 @@ pub(super) struct Rings {
     view: Option<(Projection, FaceTag)>,
     /// The corners of the face's outline.
     outline: Range<usize>,
-    /// Whether a ring was dropped since the last faces were added.
+    /// True if a ring was dropped since the last faces were added.
     dropped: bool,
     nest: Nest,
     flat: Vec<DVec2>,

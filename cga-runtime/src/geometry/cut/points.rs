@@ -50,12 +50,12 @@ impl Node {
         Node { place, from: corner as u32, to: corner as u32 }
     }
 
-    /// Whether it is a corner, rather than a crossing.
+    /// Returns true if it is a corner, rather than a crossing.
     pub(super) fn is_corner(&self) -> bool {
         self.from == self.to
     }
 
-    /// Whether both nodes are crossings of the same edge of a face.
+    /// Returns true if both nodes are crossings of the same edge of a face.
     #[inline]
     pub(super) fn is_on_edge_of(&self, other: &Node) -> bool {
         !self.is_corner() && (self.from, self.to) == (other.from, other.to)
@@ -97,7 +97,7 @@ pub(super) struct Points {
     pub(super) places: Vec<Place>,
     /// The points on each plane. The list may be longer than the list of planes.
     pub(super) levels: Vec<Level>,
-    /// Whether corners have values to interpolate at crossings.
+    /// True if corners have values to interpolate at crossings.
     pub(super) mixes: bool,
     /// For each edge the number of its only crossing on the plane, or the start of its crossings in the list.
     edges: Edges,

@@ -65,7 +65,7 @@ impl Probe {
         i32::from(self.is_above(from)) - i32::from(self.is_above(to))
     }
 
-    /// Whether the point is above another point.
+    /// Returns true if the point is above another point.
     fn is_above(&self, p: DVec2) -> bool {
         let rise = if self.ahead.x != 0.0 { self.ahead.x } else { self.ahead.y };
         p.y < self.at.y || (p.y == self.at.y && 0.0 < rise)

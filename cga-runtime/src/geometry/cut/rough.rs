@@ -36,7 +36,7 @@ impl Rough {
         self.steep = ACROSS_EPSILON * mesh.bounds().size().max_element();
     }
 
-    /// Whether a face may be of this kind, by its corners.
+    /// Returns true if a face may be of this kind, by its corners.
     #[inline]
     pub(super) fn may_be(&self, mesh: &Mesh, corners: Range<usize>, axis: usize) -> bool {
         let mut heights = mesh.corners[corners].iter().map(|&point| mesh.points[point as usize][axis]);
@@ -116,8 +116,8 @@ impl Rough {
     }
 }
 
-/// Whether a face is across an axis and its line with a plane is lost in rounding: because its corners are not exactly
-/// in its plane, or because of the rounding of coordinates of this size.
+/// Returns true if a face is across an axis and its line with a plane is lost in rounding: because its corners are not
+/// exactly in its plane, or because of the rounding of coordinates of this size.
 fn has_rough_line(face: &FaceRef<'_>, axis: usize) -> bool {
     let corners = || face.corner_range().map(|corner| face.position(corner));
     let bounds = Bounds::of(corners());

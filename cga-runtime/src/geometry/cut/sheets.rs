@@ -63,7 +63,7 @@ impl Sheets {
         self.is_above(face, is_above)
     }
 
-    /// Whether a face goes above its plane, given its side by the rule.
+    /// Returns true if a face goes above its plane, given its side by the rule.
     pub(super) fn is_above(&self, face: usize, by_rule: bool) -> bool {
         by_rule != self.moved.binary_search(&(face as u32)).is_ok()
     }
@@ -173,7 +173,7 @@ impl<'f> Search<'f> {
         }
     }
 
-    /// Whether all edges of a rim lack partners.
+    /// Returns true if all edges of a rim lack partners.
     fn has(&self, rim: &[[u32; 2]]) -> bool {
         rim.chunk_by(|a, b| a == b).all(|same| same.len() <= self.left(same[0]))
     }

@@ -139,7 +139,7 @@ impl Simple {
     }
 }
 
-/// Whether a cycle of classes rises once and falls once, without running along a plane in between.
+/// Returns true if a cycle of classes rises once and falls once, without running along a plane in between.
 fn is_simple(classes: impl Iterator<Item = Class> + Clone, span: Span) -> bool {
     let mut turns = 0;
     let mut rising = None;

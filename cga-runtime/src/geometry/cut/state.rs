@@ -16,9 +16,9 @@ pub(super) struct State {
     pub(super) rim: Rim,
     pub(super) sheets: Sheets,
     room: Vec<Room>,
-    /// Whether there are so many crossings that their look-ups wait for memory.
+    /// True if there are so many crossings that their look-ups wait for memory.
     pub(super) reads_ahead: bool,
-    /// Whether the mesh is inside out, computed on demand.
+    /// True if the mesh is inside out, computed on demand.
     pub(super) inverted: Option<bool>,
 }
 
@@ -47,7 +47,7 @@ struct Room {
 }
 
 impl State {
-    /// Whether its buffers are too large to be kept for the next cut.
+    /// Returns true if its buffers are too large to be kept for the next cut.
     pub(super) fn is_large(&self) -> bool {
         const KEPT: usize = 1 << 20;
         KEPT < self.points.places.capacity() + self.rim.capacity()
@@ -196,20 +196,20 @@ impl State {
         plane + u32::from(self.is_triangle_above(mesh, corners, plane))
     }
 
-    /// Whether a triangle in a plane goes above it. The test is exact, because the triangle may be the narrowest piece
-    /// of a face.
+    /// Returns true if a triangle in a plane goes above it. The test is exact, because the triangle may be the
+    /// narrowest piece of a face.
     fn is_triangle_above(&mut self, mesh: &Mesh, corners: [Place; 3], plane: u32) -> bool {
         let flat = &self.points.levels[plane as usize].flat;
         let [a, b, c] = corners.map(|corner| flat[corner.number as usize]);
         self.is_facing_above(mesh, f64::from(orient(a, b, c)))
     }
 
-    /// Whether a part in a plane goes above it, given the upward component of its normal.
+    /// Returns true if a part in a plane goes above it, given the upward component of its normal.
     fn is_facing_above(&mut self, mesh: &Mesh, up: f64) -> bool {
         if self.is_inverted(mesh) { up > 0.0 } else { up < 0.0 }
     }
 
-    /// Whether the mesh is inside out.
+    /// Returns true if the mesh is inside out.
     pub(super) fn is_inverted(&mut self, mesh: &Mesh) -> bool {
         *self.inverted.get_or_insert_with(|| mesh.is_inside_out())
     }

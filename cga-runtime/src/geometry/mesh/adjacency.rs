@@ -121,7 +121,7 @@ impl Adjacency {
         corners.iter().map(|&corner| self.face(corner)).filter(move |&face| last.replace(face) != Some(face))
     }
 
-    /// Whether exactly one face has an edge (*comp operation*, border).
+    /// Returns true if exactly one face has an edge (*comp operation*, border).
     pub(crate) fn is_border(&self, edge: usize) -> bool {
         self.faces_at(edge).nth(1).is_none()
     }

@@ -7,7 +7,7 @@ use crate::geometry::exact::orient;
 use crate::geometry::triangulate::Projection;
 
 impl FaceRef<'_> {
-    /// Whether the face is convex, as seen along its normal. Straight corners are allowed. Holes are ignored.
+    /// Returns true if the face is convex, as seen along its normal. Straight corners are allowed. Holes are ignored.
     pub(crate) fn is_convex(&self) -> bool {
         let projection = Projection::along(self.normal());
         let mut points = self.outline().map(|point| projection.apply(point));

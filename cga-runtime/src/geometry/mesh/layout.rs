@@ -72,7 +72,7 @@ impl FaceEnds {
         *self = FaceEnds { single: 0, ends };
     }
 
-    /// Whether every face has a loop, and all faces together have `loops` loops.
+    /// Returns true if every face has a loop, and all faces together have `loops` loops.
     pub(crate) fn cover(&self, loops: usize) -> bool {
         let mut last = self.single;
         self.ends.iter().all(|&end| std::mem::replace(&mut last, end) < end) && last as usize == loops

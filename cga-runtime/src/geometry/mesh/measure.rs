@@ -12,8 +12,8 @@ impl Mesh {
         *self.derived.bounds.get_or_init(|| Bounds::of(self.points.iter().copied()))
     }
 
-    /// Whether the faces enclose a volume: each edge is used equally often in both directions. False for a mesh without
-    /// faces.
+    /// Returns true if the faces enclose a volume: each edge is used equally often in both directions. False for a mesh
+    /// without faces.
     pub fn is_closed(&self) -> bool {
         *self.derived.closed.get_or_init(|| self.count_closed())
     }
@@ -55,7 +55,7 @@ impl Mesh {
         self.volume_of(|p| p)
     }
 
-    /// Whether the mesh is closed and its faces look inwards.
+    /// Returns true if the mesh is closed and its faces look inwards.
     pub(crate) fn is_inside_out(&self) -> bool {
         let bounds = self.bounds();
         let scale = bounds.scale_to_one();

@@ -90,7 +90,7 @@ pub struct FaceTag {
     pub material: u32,
     /// Index into the mesh's sets of component tags, or [`FaceTag::NONE`].
     pub tags: u32,
-    /// Whether a cut made this face.
+    /// True if a cut made this face.
     pub cap: bool,
 }
 
@@ -193,7 +193,7 @@ impl Mesh {
         self.face_ends.len()
     }
 
-    /// Whether the mesh has no faces.
+    /// Returns true if the mesh has no faces.
     pub fn is_empty(&self) -> bool {
         self.face_ends.is_empty()
     }

@@ -82,7 +82,7 @@ impl Edge {
         self.a.max(self.b)
     }
 
-    /// Whether two edges have more in common than corners.
+    /// Returns true if two edges have more in common than corners.
     fn meets(&self, other: &Edge) -> bool {
         if self.low().cmpgt(other.high()).any() || other.low().cmpgt(self.high()).any() {
             return false;
@@ -97,7 +97,7 @@ impl Edge {
         if a * b < 0 && c * d < 0 {
             return true;
         }
-        // Whether a corner of one edge is inside the other edge.
+        // True if a corner of one edge is inside the other edge.
         let inside = |side: i32, p: DVec2, edge: &Edge| {
             side == 0 && p != edge.a && p != edge.b && p.cmpge(edge.low()).all() && p.cmple(edge.high()).all()
         };

@@ -22,7 +22,7 @@ impl TagSet {
         &self.0
     }
 
-    /// Whether a query matches one of the tags.
+    /// Returns true if a query matches one of the tags.
     pub fn matches(&self, query: &str) -> bool {
         self.0.iter().any(|name| matches(query, name))
     }
@@ -34,8 +34,8 @@ impl TagSet {
     }
 }
 
-/// Whether a query matches a tag: the parts of the query match the first parts of the tag, where `?` matches any part
-/// and `*` one or more (*Geometry tagging*, tag queries).
+/// Returns true if a query matches a tag: the parts of the query match the first parts of the tag, where `?` matches
+/// any part and `*` one or more (*Geometry tagging*, tag queries).
 pub(crate) fn matches(query: &str, tag: &str) -> bool {
     let parts: Vec<&str> = tag.split('.').collect();
     // For each number of parts, whether the query so far can match exactly these parts.

@@ -50,13 +50,13 @@ impl UvSets {
         self.lists.iter().enumerate().filter(|(_, list)| !list.is_empty()).map(|(set, _)| set)
     }
 
-    /// Whether no set has coordinates.
+    /// Returns true if no set has coordinates.
     #[inline]
     pub(crate) fn is_empty(&self) -> bool {
         self.lists.is_empty()
     }
 
-    /// Whether each set is empty or has `corners` pairs.
+    /// Returns true if each set is empty or has `corners` pairs.
     pub(crate) fn fit(&self, corners: usize) -> bool {
         self.lists.iter().all(|list| [0, corners].contains(&list.len()))
     }

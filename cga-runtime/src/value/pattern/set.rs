@@ -6,7 +6,7 @@ pub(super) struct Set {
     /// First and last characters, unordered, possibly overlapping.
     ranges: Vec<(char, char)>,
     negated: bool,
-    /// Whether case is ignored.
+    /// True if case is ignored.
     fold: bool,
 }
 
@@ -15,7 +15,7 @@ const WORD: &[(char, char)] = &[('0', '9'), ('A', 'Z'), ('_', '_'), ('a', 'z')];
 const SPACE: &[(char, char)] = &[('\t', '\r'), (' ', ' ')];
 const LINE_END: &[(char, char)] = &[('\n', '\n')];
 
-/// Whether a character belongs to a word, as in `\w`.
+/// Returns true if a character belongs to a word, as in `\w`.
 pub(super) fn is_word(c: char) -> bool {
     inside(WORD, c)
 }

@@ -12,7 +12,8 @@ impl Whole {
         Pattern::whole(pattern).map(Whole)
     }
 
-    /// Whether it matches, and the number of steps taken. A search that would take too long does not match.
+    /// Matches a text. Returns the result and the number of steps taken. A search that would take too long does not
+    /// match.
     pub(crate) fn matches(&self, text: &str) -> (bool, u64) {
         let text: Vec<char> = text.chars().collect();
         let Ok(mut search) = Search::new(&self.0, &text) else { return (false, u64::MAX) };

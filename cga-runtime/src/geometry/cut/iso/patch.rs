@@ -360,7 +360,7 @@ fn edge_of(node: &Node) -> u32 {
     if high - low <= 1 { low } else { high }
 }
 
-/// The node that a ring begins with: by the rule for first edges, or, for a hole, with its first corner.
+/// The first node of a ring: by the rule for first edges, or the first corner for a hole.
 fn first_of_ring(marks: &[Node], outline: &Range<usize>) -> usize {
     if marks.iter().any(|node| outline.contains(&(node.from as usize))) {
         return first_node(marks.iter(), outline);

@@ -140,7 +140,7 @@ impl Made<'_> {
     }
 }
 
-/// Whether the corners of a piece are in one plane, except for rounding.
+/// Returns true if the corners of a piece are in one plane, except for rounding.
 fn is_planar(nodes: &[(DVec3, &Node)]) -> bool {
     if nodes.len() == 3 {
         return true;

@@ -92,7 +92,7 @@ impl Patch {
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
     }
 
-    /// Whether its range of coordinates meets another range.
+    /// Returns true if its range of coordinates meets another range.
     pub(super) fn may_meet(&self, [low, high]: [DVec2; 2]) -> bool {
         let meets = |axis: usize| {
             let (own_low, own_high) = self.range(axis);
@@ -131,7 +131,7 @@ impl Patch {
         Ok(count_up(low.floor(), high.ceil(), most)?.map(move |u| DVec2::new(u, row)))
     }
 
-    /// Whether it covers a part of a cell.
+    /// Returns true if it covers a part of a cell.
     fn covers(&self, cell: DVec2) -> bool {
         let (bottom, top) = self.range(1);
         let (low, high) = self.range_in_row(cell.y);
@@ -243,8 +243,8 @@ impl Patches {
         self.list.push(patch);
     }
 
-    /// Whether polygons above an edge in a cell belong to a patch: they belong to the first patch at the edge that
-    /// covers the cell.
+    /// Returns true if polygons above an edge in a cell belong to a patch: they belong to the first patch at the edge
+    /// that covers the cell.
     pub(super) fn owns_wall(&self, patch: usize, edge: usize, cell: DVec2) -> bool {
         let known = self.neighbours.get(&key(&self.list[patch], edge));
         let first = known.into_iter().flatten().find(|&&other| self.list[other as usize].covers(cell));
@@ -258,7 +258,7 @@ fn key(patch: &Patch, edge: usize) -> [End; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// Whether coordinates are the corners of a parallelogram, except for rounding.
+/// Returns true if coordinates are the corners of a parallelogram, except for rounding.
 fn is_parallelogram(corners: &[Corner]) -> bool {
     let [a, b, c, d] = corners else { return false };
     let gap = (a.uv - b.uv) + (c.uv - d.uv);
