@@ -1,14 +1,6 @@
 //! The relational operators.
 
-use std::cmp::Ordering;
-
 use crate::value::compare::Compare;
-
-/// The order of two values. All relational operators are derived from it.
-#[inline]
-pub fn compare<T: Compare>(a: T, b: T) -> Ordering {
-    a.compare(&b)
-}
 
 /// `a == b`. Arrays are equal if they have the same shape and equal elements.
 #[inline]

@@ -4,8 +4,8 @@
 //! steps. The colours of `spectrum` are approximated from the pictures of the *splitArea operation*.
 
 use super::colour::print;
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::value::text::Text;
 
 /// The number of colours of a ramp.

@@ -7,8 +7,8 @@
 use std::collections::VecDeque;
 use std::rc::Rc;
 
+use crate::fault::LimitKind;
 use crate::run::env::{Env, Trail};
-use crate::run::fault::LimitKind;
 use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::run::template::{Tape, Templates};
 use crate::shape::base::Form;

@@ -7,16 +7,20 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::face::unit;
 use super::{Derived, FaceTag, Mesh, Tags};
 
+/// The map of normals that matches the winding: it maps `a × b` to `(m·a) × (m·b)`, also if `m` mirrors. Unlike the
+/// inverse it exists for flat maps too.
+pub(crate) fn normal_map(m: &DMat3) -> DMat3 {
+    DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
+}
+
 impl Mesh {
     /// The mesh transformed by a map. The order of corners stays, so a mirroring map turns the faces and the corner
     /// normals inside out.
     pub fn map(&self, map: &DAffine3) -> Mesh {
-        let m = map.matrix3;
-        // The matrix that transforms cross products of edges. Unlike the inverse it exists for flat maps too.
-        let cofactor = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
+        let normal_map = normal_map(&map.matrix3);
         Mesh {
             points: self.points.iter().map(|&p| map.transform_point3(p)).collect(),
-            normals: self.normals.iter().map(|&n| unit(cofactor * n)).collect(),
+            normals: self.normals.iter().map(|&n| unit(normal_map * n)).collect(),
             derived: self.derived.of_moved(),
             ..self.clone_structure()
         }

@@ -3,24 +3,7 @@
 use glam::DVec2;
 
 use super::Failure;
-use super::wavefront::{NONE, Wavefront};
-
-/// The first edge that a reflex vertex reaches, and the time.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Split {
-    pub(super) time: f64,
-    /// [`NONE`] if the edge has changed; then no edge is reached before the time.
-    pub(super) edge: u32,
-}
-
-impl Split {
-    pub(super) const NEVER: Split = Split { time: f64::INFINITY, edge: NONE };
-
-    /// Returns true if the split must be computed again.
-    fn is_open(&self) -> bool {
-        self.edge == NONE && self.time < f64::INFINITY
-    }
-}
+use super::wavefront::{NONE, Split, Wavefront};
 
 /// An event at the current time, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -90,7 +90,8 @@ impl Triangulator {
         Self::default()
     }
 
-    /// Appends the triangles of a face as positions in [`Mesh::corners`] (and so in its texture coordinates and normals).
+    /// Appends the triangles of a face as indices into [`Mesh::corners`], and so into its texture coordinates and
+    /// normals.
     ///
     /// The caps on both sides of a cut have the same triangles, reversed.
     pub fn face(&mut self, mesh: &Mesh, face: usize, out: &mut Vec<[u32; 3]>) {

@@ -1,0 +1,138 @@
+//! The caps that close the slabs in the cut planes.
+//!
+//! The sections on both sides of a plane are the same loops in opposite directions, so they are computed once. The cap
+//! below a plane faces up, the cap above it faces down. The texture coordinates of a cap are metres in its plane,
+//! upright if the cap is upright.
+
+mod first_face;
+pub(crate) mod rim;
+pub(crate) mod sheet_search;
+pub(crate) mod sheets;
+
+use glam::{DVec2, DVec3};
+
+use super::points::{Place, Points};
+use super::state::State;
+use crate::geometry::cut::caps::first_face::{Lead, Wish};
+use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::geometry::nesting::Nest;
+use crate::geometry::nesting::contour::Contour;
+
+/// Buffers, and the origin and scale of the texture coordinates of caps.
+pub(crate) struct Caps {
+    low: DVec3,
+    stretch: DVec3,
+    edges: Vec<[u32; 2]>,
+    contour: Contour,
+    nest: Nest,
+    lead: Lead,
+}
+
+impl Default for Caps {
+    fn default() -> Self {
+        let (edges, contour, nest, lead) = Default::default();
+        Caps { low: DVec3::ZERO, stretch: DVec3::ONE, edges, contour, nest, lead }
+    }
+}
+
+impl Caps {
+    /// Sets the origin of the texture coordinates of caps, a point of the mesh, and the factors that convert the mesh's
+    /// lengths to metres.
+    pub(crate) fn in_metres(&mut self, low: DVec3, stretch: DVec3) {
+        (self.low, self.stretch) = (low, stretch);
+    }
+
+    /// Adds the caps of every plane to the slabs on both sides of it. Chains that do not close are passed to `open`,
+    /// with their plane, as numbers of points on it.
+    pub(crate) fn close(&mut self, state: &mut State, mesh: &Mesh, mut open: impl FnMut(&Points, usize, Vec<u32>)) {
+        let planes = state.points.planes.len();
+        state.rim.sort(planes);
+        let mut sought = false;
+        for plane in 0..planes {
+            state.rim.missing(plane, &mut self.edges);
+            if self.edges.is_empty() {
+                continue;
+            }
+            let points = &state.points;
+            let flat = &points.levels[plane].flat;
+            self.contour.follow(&self.edges, flat, |chain| open(points, plane, chain));
+            if self.contour.ends.is_empty() {
+                continue;
+            }
+            self.nest.sort(&self.contour.section(flat));
+            if !std::mem::replace(&mut sought, true) {
+                self.lead.find(state, mesh);
+            }
+            let plane = plane as u32;
+            let first = self.turn_to_lead(plane);
+            self.add(state, mesh, plane, plane, first);
+            self.add(state, mesh, plane, plane + 1, first);
+        }
+    }
+
+    /// Finds the cap of a plane that comes first and rotates it to begin with its required edge. Returns the number of
+    /// the cap.
+    fn turn_to_lead(&mut self, plane: u32) -> usize {
+        let mut start = 0;
+        for (group, &end) in self.nest.ends.iter().enumerate() {
+            for (number, range) in self.nest.order[start..end].iter().enumerate() {
+                let ring = &mut self.contour.corners[range.clone()];
+                if let Some(at) = self.lead.edge_in(plane, ring) {
+                    // The first edge of a face is an edge of its outline.
+                    if number == 0 {
+                        ring.rotate_left(at);
+                    }
+                    return group;
+                }
+            }
+            start = end;
+        }
+        0
+    }
+
+    /// Adds the caps of a plane to one of its slabs, beginning with the cap number `first`.
+    fn add(&self, state: &mut State, mesh: &Mesh, plane: u32, slab: u32, first: usize) {
+        let State { parts, points, .. } = state;
+        let axis = points.axis;
+        let up = slab == plane;
+        let part = &mut parts[slab as usize];
+        let mut normal = DVec3::ZERO;
+        normal[axis] = if up { 1.0 } else { -1.0 };
+        let (right, upwards) = texture_axes(normal);
+        match self.lead.wants(slab, plane) {
+            Some(Wish::First) => part.lead = Some(part.mesh.face_ends.len()),
+            Some(Wish::Second) => part.lead = part.lead.or(Some(part.mesh.face_ends.len())),
+            None => {}
+        }
+        let groups = self.nest.ends.len();
+        for group in std::iter::once(first).chain((0..groups).filter(|&group| group != first)) {
+            let start = if group == 0 { 0 } else { self.nest.ends[group - 1] };
+            for range in &self.nest.order[start..self.nest.ends[group]] {
+                let ring = &self.contour.corners[range.clone()];
+                for i in 0..ring.len() {
+                    // Reversed, with the first edge first: 1 0 n-1 … 2.
+                    let corner = ring[if up { i } else { (ring.len() + 1 - i) % ring.len() }];
+                    let number = part.number(points, Place::on(plane, corner), slab);
+                    part.mesh.corners.push(number);
+                    let point = part.mesh.points[number as usize];
+                    let metres = (point - self.low) * self.stretch;
+                    part.mesh.uvs.push_from(&mesh.uvs, |_| DVec2::new(right.dot(metres), upwards.dot(metres)));
+                    if !mesh.normals.is_empty() {
+                        part.mesh.normals.push(normal);
+                    }
+                }
+                part.end_loop();
+            }
+            part.end_face(FaceTag::CAP);
+        }
+    }
+}
+
+/// The texture axes of a cap, in metres and not mirrored as seen from outside: upright, or like those of a floor if the
+/// cap is horizontal.
+pub(crate) fn texture_axes(normal: DVec3) -> (DVec3, DVec3) {
+    const FLAT: f64 = 1e-9;
+    let level = DVec3::Y.cross(normal);
+    let right = if level.length() <= FLAT { DVec3::X } else { level.normalize() };
+    (right, normal.cross(right))
+}
