@@ -1,5 +1,5 @@
-//! Everything generated code may touch, and nothing else. Not part of the public promise: versions are pinned to each
-//! other.
+//! The interface of generated code. It is not part of the public promise: versions of macro and runtime are pinned to
+//! each other.
 
 pub use std::boxed::Box;
 pub use std::ops::ControlFlow;
