@@ -40,7 +40,7 @@ pub(crate) struct Found {
 }
 
 pub(crate) fn infer(cx: &mut Cx) -> Found {
-    let before = cx.diags.count();
+    let before = cx.diags.so_far().len();
     let mut pass = Infer {
         cx,
         vars: Vars::default(),
@@ -93,7 +93,7 @@ pub(crate) fn infer(cx: &mut Cx) -> Found {
     pass.store();
     let wanted = pass.wanted;
     let misfit = |diag: &Diag| matches!(diag.code, Code::TypeMismatch | Code::UndefinedRule);
-    Found { misfit: cx.diags.since(before).iter().any(misfit), wanted }
+    Found { misfit: cx.diags.so_far()[before..].iter().any(misfit), wanted }
 }
 
 /// A declaration in a style: the tokens of its name and parameters.
