@@ -1,13 +1,13 @@
 //! What holds for the defaults of attributes only: a host program may set them to anything.
 
-use super::readings::Readings;
+use super::agreed::Agreed;
 use super::{repeat, size};
 use crate::analysis::{Attrs, Calls, Flow, Known, Site, Slots};
 use crate::ast::{Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::{Basis, Diag, Diags, Level};
 use crate::resolve::context::Cx;
-use crate::resolve::tables::{Tables, Use};
+use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
 use std::collections::HashSet;
 
@@ -27,7 +27,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
     let program = cx.globals.program;
     let known = Known::new(&cx.globals, &cx.tables, Attrs::Defaults);
     let flow = Flow::new(&cx.globals, &known, Some(calls));
-    let mut readings = Readings::default();
+    let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {
             continue;
@@ -39,13 +39,13 @@ pub(crate) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
             size::check(slots, facts, &cx.tables, &mut diags);
             repeat::check(slots, &mut diags);
             list.extend(diags.finish().into_iter().filter(|diag| is_told(diag, slots)).map(|diag| {
-                let basis = Basis::Defaults(defaults(diag.span, slots, &cx.tables, cx));
+                let basis = Basis::Defaults(defaults(diag.span, slots, cx.tables.at(item.own), cx));
                 Diag { level: Level::Warning, basis, ..diag }
             }));
         });
-        readings.add(program, item.decl.name.id(), list);
+        agreed.add(item, list);
     }
-    let mut list = readings.agreed(program);
+    let mut list = agreed.finish();
     let known: HashSet<Span> = certain.iter().map(|diag| diag.span).collect();
     list.retain(|diag| !known.contains(&diag.span));
     list
@@ -57,12 +57,12 @@ fn is_told(diag: &Diag, slots: &Slots) -> bool {
 }
 
 /// The attributes whose defaults a diagnostic about a slot follows from.
-fn defaults(span: Span, slots: &Slots, tables: &Tables, cx: &Cx) -> Vec<(String, Span)> {
+fn defaults(span: Span, slots: &Slots, names: Entries, cx: &Cx) -> Vec<(String, Span)> {
     let mut attrs = Vec::new();
     // A slot depends on those before it, one that floats on all.
     let at = slots.list.iter().position(|slot| slot.size.span == span && !slot.floats());
     let count = at.map_or(slots.list.len(), |at| at + 1);
-    slots.list[..count].iter().for_each(|slot| read(&slot.size.value, tables, &mut attrs));
+    slots.list[..count].iter().for_each(|slot| read(&slot.size.value, names, &mut attrs));
     attrs.sort_unstable();
     attrs.dedup();
     let names = attrs.into_iter().map(|attr| &cx.globals.attrs[attr as usize].decl.name);
@@ -70,11 +70,11 @@ fn defaults(span: Span, slots: &Slots, tables: &Tables, cx: &Cx) -> Vec<(String,
 }
 
 /// The attributes that an expression reads.
-fn read(expr: &Expr, tables: &Tables, list: &mut Vec<u32>) {
+fn read(expr: &Expr, names: Entries, list: &mut Vec<u32>) {
     if let ExprKind::Name(name) = &expr.kind
-        && let Some(Use::Attr(attr)) = tables.of(name)
+        && let Some(Use::Attr(attr)) = names.of(name)
     {
         list.push(attr);
     }
-    expr.parts().into_iter().for_each(|part| read(part, tables, list));
+    expr.parts().into_iter().for_each(|part| read(part, names, list));
 }

@@ -1,9 +1,9 @@
 //! Values.
 
 use super::Printer;
-use crate::ast::{Binary, Expr, ExprKind, Unary};
-use crate::ops;
-use crate::token::push_quoted;
+use super::push_quoted;
+use cga_lang::ast::{Binary, Expr, ExprKind, Unary};
+use cga_lang::ops;
 
 impl Printer<'_> {
     pub(super) fn expr(&mut self, expr: &Expr) {

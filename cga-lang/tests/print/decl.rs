@@ -1,8 +1,8 @@
 //! Declarations, imports, styles, annotations.
 
 use super::Printer;
-use crate::ast::{Annotation, Body, Decl, Import, Name, Override, Role, Style};
-use crate::token::push_quoted;
+use super::push_quoted;
+use cga_lang::ast::{Annotation, Body, Decl, Import, Name, Override, Role, Style};
 
 impl Printer<'_> {
     pub(super) fn annotation(&mut self, annotation: &Annotation) {

@@ -6,12 +6,13 @@ mod decl;
 mod expr;
 mod op;
 
-use crate::ast::Ast;
-use crate::token::push_quoted;
+use cga_lang::ast::Ast;
+use cga_lang::span::Span;
+use cga_lang::token::{Tok, Tokens};
 
 /// How relative sizes are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spelling {
+pub(crate) enum Spelling {
     /// `'0.5`, as in CGA text.
     Text,
     /// `^0.5`, as among Rust.
@@ -19,7 +20,7 @@ pub enum Spelling {
 }
 
 /// The text of a tree, one declaration a line: imports first, then everything else in source order.
-pub fn print(ast: &Ast, spelling: Spelling) -> String {
+pub(crate) fn print(ast: &Ast, spelling: Spelling) -> String {
     let mut out =
         Printer { out: String::new(), spelling, imports: ast.imports.iter().map(|import| &*import.id.text).collect() };
     for annotation in &ast.head {
@@ -73,4 +74,10 @@ impl Printer<'_> {
             each(self, item);
         }
     }
+}
+
+/// Appends a string in quotes.
+fn push_quoted(out: &mut String, text: &str) {
+    let token: Tokens = std::iter::once(Tok::Str(text.to_owned())).collect();
+    out.push_str(&token.text(Span { first: 0, last: 0 }, usize::MAX));
 }
