@@ -1,4 +1,4 @@
-//! Findings → compiler errors and warnings.
+//! Diagnostics as compiler errors and warnings.
 
 use cga_lang::diag::{Basis, Diag, Level, Line};
 use cga_lang::snippet::place;
@@ -8,16 +8,16 @@ use quote::quote_spanned;
 use crate::problem::Problem;
 use crate::source::Source;
 
-/// Most errors that are shown, and most warnings: nobody reads more, and rustc takes long over them.
+/// The largest number of errors shown, and of warnings: rustc takes long over more.
 const MOST_SHOWN: usize = 100;
 
-/// Findings as tokens.
+/// Diagnostics as tokens.
 pub(crate) struct Findings {
     pub(crate) tokens: TokenStream,
     pub(crate) has_errors: bool,
 }
 
-/// Turns findings into tokens, in the order of the source.
+/// Turns diagnostics into tokens, in source order.
 pub(crate) fn findings(list: &[Diag], source: &Source) -> Findings {
     let mut list: Vec<&Diag> = list.iter().filter(|diag| diag.level != Level::Allow).collect();
     list.sort_by_key(|diag| diag.span);
@@ -47,7 +47,7 @@ pub(crate) fn findings(list: &[Diag], source: &Source) -> Findings {
     Findings { tokens, has_errors: 0 < errors }
 }
 
-/// The lines of a finding; for text with a quotation of it.
+/// The lines of a diagnostic. Rules in text are quoted.
 fn message(diag: &Diag, source: &Source) -> String {
     // Warnings show their code anyway.
     let is_lint = diag.level == Level::Error && diag.code.is_lint();
@@ -75,8 +75,8 @@ fn message(diag: &Diag, source: &Source) -> String {
     message
 }
 
-/// A line as rules among Rust spell it: relative sizes with `^`.
-pub(crate) fn spelled(line: &Line) -> String {
+/// A line in the spelling of inline rules: `^` for relative sizes.
+fn spelled(line: &Line) -> String {
     line.spelled('^')
 }
 

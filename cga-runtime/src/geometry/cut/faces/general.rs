@@ -13,11 +13,11 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::class::Class;
 use super::pieces::Rings;
-use super::points::Node;
-use super::rim::Side;
-use super::state::State;
+use crate::geometry::cut::caps::rim::Side;
+use crate::geometry::cut::class::Class;
+use crate::geometry::cut::points::Node;
+use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
 use crate::geometry::triangulate::Projection;
 
@@ -66,7 +66,7 @@ struct End {
 
 /// Buffers.
 #[derive(Default)]
-pub(super) struct General {
+pub(crate) struct General {
     nodes: Vec<Node>,
     fragments: Vec<Fragment>,
     untouched: Vec<Untouched>,
@@ -104,7 +104,7 @@ impl Line {
 }
 
 impl General {
-    pub(super) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) {
+    pub(crate) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) {
         let view = mesh.face(face);
         let line = Line::of(&view, state.points.axis);
         self.take_apart(state, mesh, &view, line);

@@ -6,12 +6,12 @@
 
 use std::ops::Range;
 
-use super::points::Node;
+use crate::geometry::cut::points::Node;
 
 /// The place of the node that a piece begins with. `outline` holds the corners of the face's outline; nodes from elsewhere,
 /// such as corners of holes, are passed over.
 #[inline]
-pub(super) fn first_node<'a>(
+pub(crate) fn first_node<'a>(
     nodes: impl DoubleEndedIterator<Item = &'a Node> + Clone,
     outline: &Range<usize>,
 ) -> usize {
@@ -41,7 +41,7 @@ pub(super) fn first_node<'a>(
 
 /// The same for a piece whose first two nodes are on one edge and the other two on another.
 #[inline]
-pub(super) fn first_node_of_band([up, down]: [&Node; 2], outline: &Range<usize>) -> usize {
+pub(crate) fn first_node_of_band([up, down]: [&Node; 2], outline: &Range<usize>) -> usize {
     match step(up, outline) < step(down, outline) {
         true if step(up, outline) == Some(1) => 0,
         true => 3,

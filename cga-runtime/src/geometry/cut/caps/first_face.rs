@@ -8,16 +8,16 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
-use super::class::Span;
-use super::points::Node;
-use super::state::State;
+use crate::geometry::cut::class::Span;
+use crate::geometry::cut::points::Node;
+use crate::geometry::cut::state::State;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::check::winding;
 use crate::geometry::triangulate::Projection;
 
 /// Where the first face of the mesh went, and what there is of the wall at its first edge.
 #[derive(Default)]
-pub(super) struct Lead {
+pub(crate) struct Lead {
     slabs: Range<u32>,
     /// Edges of that wall in planes: plane and numbers there, the lower first, sorted.
     wall: Vec<(u32, [u32; 2])>,
@@ -26,7 +26,7 @@ pub(super) struct Lead {
 
 impl Lead {
     /// To be called when all faces have been cut.
-    pub(super) fn find(&mut self, state: &mut State, mesh: &Mesh) {
+    pub(crate) fn find(&mut self, state: &mut State, mesh: &Mesh) {
         self.wall.clear();
         let first = mesh.face(0);
         let span = Span::of(first.loops().flatten().map(|&point| state.points.places[point as usize].class));
@@ -83,7 +83,7 @@ impl Lead {
     }
 
     /// Where in a ring of points on a plane an edge of that wall begins.
-    pub(super) fn edge_in(&self, plane: u32, ring: &[u32]) -> Option<usize> {
+    pub(crate) fn edge_in(&self, plane: u32, ring: &[u32]) -> Option<usize> {
         let start = self.wall.partition_point(|&(on, _)| on < plane);
         let end = self.wall.partition_point(|&(on, _)| on <= plane);
         let wall = &self.wall[start..end];
@@ -96,7 +96,7 @@ impl Lead {
 
     /// Whether a cap in that plane is to come first in that slab, rather than one in another plane, or at least when there is
     /// no other.
-    pub(super) fn wants(&self, slab: u32, plane: u32) -> Option<Wish> {
+    pub(crate) fn wants(&self, slab: u32, plane: u32) -> Option<Wish> {
         if self.slabs.contains(&slab) {
             return None;
         }
@@ -137,7 +137,7 @@ impl Wall {
 
 /// How much a cap is wanted as the first face of a part.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Wish {
+pub(crate) enum Wish {
     First,
     Second,
 }

@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::geometry::exact::orient;
 
 /// A point so little off a place that no edge goes through it, not even one that the place is on.
-pub(super) struct Probe {
+pub(crate) struct Probe {
     /// The place. The point is off it by ε to the left of `ahead`, and by ε² ahead.
     at: DVec2,
     ahead: DVec2,
@@ -13,7 +13,7 @@ pub(super) struct Probe {
 
 impl Probe {
     /// Beside the middle of a ring's longest edge, to its left or its right.
-    pub(super) fn beside(ring: &[u32], to_the_right: bool, flat: impl Fn(u32) -> DVec2) -> Self {
+    pub(crate) fn beside(ring: &[u32], to_the_right: bool, flat: impl Fn(u32) -> DVec2) -> Self {
         let at = |i: usize| flat(ring[i % ring.len()]);
         let length = |i: usize| at(i).distance_squared(at(i + 1));
         let longest = (0..ring.len()).max_by(|&i, &j| length(i).total_cmp(&length(j))).unwrap_or(0);
@@ -24,7 +24,7 @@ impl Probe {
 
     /// Well inside a ring: in the middle of the widest chord, half way up the widest gap between heights of corners. Nothing
     /// for a ring without an inside.
-    pub(super) fn inside(ring: &[u32], flat: impl Fn(u32) -> DVec2) -> Option<Self> {
+    pub(crate) fn inside(ring: &[u32], flat: impl Fn(u32) -> DVec2) -> Option<Self> {
         let corners: Vec<DVec2> = ring.iter().map(|&corner| flat(corner)).collect();
         let mut heights: Vec<f64> = corners.iter().map(|p| p.y).collect();
         heights.sort_by(f64::total_cmp);
@@ -56,12 +56,12 @@ impl Probe {
     }
 
     /// The place that the point is off.
-    pub(super) fn at(&self) -> DVec2 {
+    pub(crate) fn at(&self) -> DVec2 {
         self.at
     }
 
     /// How often a way between two points far to the right comes past it: 1 upwards, -1 downwards.
-    pub(super) fn rise(&self, from: DVec2, to: DVec2) -> i32 {
+    pub(crate) fn rise(&self, from: DVec2, to: DVec2) -> i32 {
         i32::from(self.is_above(from)) - i32::from(self.is_above(to))
     }
 
@@ -72,7 +72,7 @@ impl Probe {
     }
 
     /// By how much an edge winds around it: 1 where a ray to the right meets it on its way up, -1 on its way down.
-    pub(super) fn turn(&self, a: DVec2, b: DVec2) -> i32 {
+    pub(crate) fn turn(&self, a: DVec2, b: DVec2) -> i32 {
         let (up, down) = (self.is_above(a) && !self.is_above(b), self.is_above(b) && !self.is_above(a));
         if !up && !down {
             return 0;

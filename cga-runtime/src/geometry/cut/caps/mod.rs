@@ -3,17 +3,22 @@
 //! The sections of both sides of a plane are the same loops the other way round, so they are found once. Below a plane the
 //! cap looks up, above it looks down. A cap's texture coordinates are metres in its plane, upright where it stands.
 
+mod first_face;
+pub(crate) mod rim;
+pub(crate) mod sheet_search;
+pub(crate) mod sheets;
+
 use glam::{DVec2, DVec3};
 
-use super::contour::Contour;
-use super::lead::{Lead, Wish};
-use super::nest::Nest;
 use super::points::{Place, Points};
 use super::state::State;
+use crate::geometry::cut::caps::first_face::{Lead, Wish};
 use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::geometry::nesting::Nest;
+use crate::geometry::nesting::contour::Contour;
 
 /// Buffers, and where caps take their texture coordinates from.
-pub(super) struct Caps {
+pub(crate) struct Caps {
     low: DVec3,
     stretch: DVec3,
     edges: Vec<[u32; 2]>,
@@ -31,13 +36,13 @@ impl Default for Caps {
 
 impl Caps {
     /// From now on coordinates of caps begin at a point of the mesh, whose lengths are stretched to metres.
-    pub(super) fn in_metres(&mut self, low: DVec3, stretch: DVec3) {
+    pub(crate) fn in_metres(&mut self, low: DVec3, stretch: DVec3) {
         (self.low, self.stretch) = (low, stretch);
     }
 
     /// Adds the caps of every plane to the slabs on both sides of it. Edges that do not close are handed to `open`, with their
     /// plane, as numbers of points on it.
-    pub(super) fn close(&mut self, state: &mut State, mesh: &Mesh, mut open: impl FnMut(&Points, usize, Vec<u32>)) {
+    pub(crate) fn close(&mut self, state: &mut State, mesh: &Mesh, mut open: impl FnMut(&Points, usize, Vec<u32>)) {
         let planes = state.points.planes.len();
         state.rim.sort(planes);
         let mut sought = false;
@@ -122,7 +127,7 @@ impl Caps {
 
 /// Along which the texture of a cap runs, in metres and not mirrored when seen from outside: upright, or as a floor's where
 /// the cap lies flat.
-pub(super) fn texture_axes(normal: DVec3) -> (DVec3, DVec3) {
+pub(crate) fn texture_axes(normal: DVec3) -> (DVec3, DVec3) {
     const FLAT: f64 = 1e-9;
     let level = DVec3::Y.cross(normal);
     let right = if level.length() <= FLAT { DVec3::X } else { level.normalize() };

@@ -9,18 +9,18 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::class::Span;
 use super::pieces::Rings;
-use super::points::Node;
-use super::rim::Side;
-use super::state::State;
+use crate::geometry::cut::caps::rim::Side;
+use crate::geometry::cut::class::Span;
+use crate::geometry::cut::points::Node;
+use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh};
 use crate::geometry::tol::{ACROSS_EPSILON, LINE_EPSILON};
 use crate::geometry::triangulate::{Projection, Triangulator};
 
 /// Buffers.
 #[derive(Default)]
-pub(super) struct Rough {
+pub(crate) struct Rough {
     /// A face that rises by more than this lies across the axis nowhere.
     steep: f64,
     triangulator: Triangulator,
@@ -32,13 +32,13 @@ pub(super) struct Rough {
 
 impl Rough {
     /// To be called before a mesh is cut.
-    pub(super) fn start(&mut self, mesh: &Mesh) {
+    pub(crate) fn start(&mut self, mesh: &Mesh) {
         self.steep = ACROSS_EPSILON * mesh.bounds().size().max_element();
     }
 
     /// Whether a face may be of this kind, by its corners.
     #[inline]
-    pub(super) fn may_be(&self, mesh: &Mesh, corners: Range<usize>, axis: usize) -> bool {
+    pub(crate) fn may_be(&self, mesh: &Mesh, corners: Range<usize>, axis: usize) -> bool {
         let mut heights = mesh.corners[corners].iter().map(|&point| mesh.points[point as usize][axis]);
         let first = heights.next().unwrap_or(0.0);
         // Of nearly all faces the second or third corner tells.
@@ -47,7 +47,7 @@ impl Rough {
 
     /// Cuts a face into its slabs; `false`, with nothing done, when it is not of this kind.
     #[cold]
-    pub(super) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) -> bool {
+    pub(crate) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) -> bool {
         let view = mesh.face(face);
         let is_rough = has_rough_line(&view, state.points.axis);
         if is_rough {

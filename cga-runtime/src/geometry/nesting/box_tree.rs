@@ -8,12 +8,12 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::extent::Extent;
-use super::nest::Loop;
-use super::runs::Budget;
+use super::ring::Loop;
+use super::winding::Budget;
 
 /// A tree over some loops.
 #[derive(Default)]
-pub(super) struct BoxTree {
+pub(crate) struct BoxTree {
     /// A node, all of its first half, all of its second half.
     nodes: Vec<Node>,
     /// Loops by rising area.
@@ -33,7 +33,7 @@ struct Node {
 
 impl BoxTree {
     /// Builds the tree of the loops that count.
-    pub(super) fn fill(&mut self, loops: &[Loop], counts: impl Fn(usize) -> bool) {
+    pub(crate) fn fill(&mut self, loops: &[Loop], counts: impl Fn(usize) -> bool) {
         self.nodes.clear();
         self.by_rank.clear();
         self.by_rank.extend((0..loops.len()).filter(|&number| counts(number)).map(|number| number as u32));
@@ -82,7 +82,7 @@ impl BoxTree {
 
     /// Finds the smallest loop that is accepted. Nothing when the budget is spent before. `may_be_in` tells by the box of a
     /// loop, or of several, whether any can be accepted.
-    pub(super) fn smallest(
+    pub(crate) fn smallest(
         &mut self,
         budget: &mut Budget,
         may_be_in: impl Fn(&Extent) -> bool,

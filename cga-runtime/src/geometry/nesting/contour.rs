@@ -1,24 +1,24 @@
 //! Directed edges in a plane into loops, by point identity.
 //!
 //! Where exactly one edge comes in and one goes out the loop just goes on. Elsewhere, edges that run back and forth cancel,
-//! and the rest is paired by angle ([`super::chain`]). Loops that meet themselves are taken apart, so each loop here has
+//! and the rest is paired by angle ([`super::pairing`]). Loops that meet themselves are taken apart, so each loop here has
 //! every point once. Edges that do not close are given back as chains.
 
 use std::ops::Range;
 
 use glam::DVec2;
 
-use super::chain::{self, Chains};
+use super::pairing::{self, Chains};
 
 const NONE: u32 = u32::MAX;
 
 /// Loops of one plane, and buffers.
 #[derive(Default)]
-pub(super) struct Contour {
+pub(crate) struct Contour {
     next: Vec<u32>,
     /// Loops one after the other, as numbers of points.
-    pub(super) corners: Vec<u32>,
-    pub(super) ends: Vec<usize>,
+    pub(crate) corners: Vec<u32>,
+    pub(crate) ends: Vec<usize>,
     chains: Chains,
     on_stack: Vec<u32>,
     stack: Vec<u32>,
@@ -33,19 +33,19 @@ pub(crate) struct Section<'c> {
 
 impl Section<'_> {
     /// The corners of a loop.
-    pub(super) fn ring(&self, range: &Range<usize>) -> &[u32] {
+    pub(crate) fn ring(&self, range: &Range<usize>) -> &[u32] {
         &self.corners[range.clone()]
     }
 }
 
 impl Contour {
     /// The loops that were found, of the plane with these points.
-    pub(super) fn section<'c>(&'c self, flat: &'c [DVec2]) -> Section<'c> {
+    pub(crate) fn section<'c>(&'c self, flat: &'c [DVec2]) -> Section<'c> {
         Section { flat, corners: &self.corners, ends: &self.ends }
     }
 
     /// Finds the loops of some edges between points on a plane. Chains that do not close are handed to `open`.
-    pub(super) fn follow(&mut self, edges: &[[u32; 2]], flat: &[DVec2], open: impl FnMut(Vec<u32>)) {
+    pub(crate) fn follow(&mut self, edges: &[[u32; 2]], flat: &[DVec2], open: impl FnMut(Vec<u32>)) {
         self.corners.clear();
         self.ends.clear();
         if self.is_single(edges, flat.len()) {
@@ -86,7 +86,7 @@ impl Contour {
 
     fn follow_paired(&mut self, edges: &[[u32; 2]], flat: &[DVec2], open: impl FnMut(Vec<u32>)) {
         let mut chains = std::mem::take(&mut self.chains);
-        chain::pair(&mut chains, edges, flat);
+        pairing::pair(&mut chains, edges, flat);
         chains.open.drain(..).for_each(open);
         self.on_stack.clear();
         self.on_stack.resize(flat.len(), NONE);

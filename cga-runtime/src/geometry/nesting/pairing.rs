@@ -8,19 +8,20 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
-use super::nest::about_one;
+use super::extent::about_one;
+use super::merge_sort::merge_sort;
 use crate::geometry::exact::orient;
 
 const NONE: u32 = u32::MAX;
 
 /// Walks found, and buffers.
 #[derive(Default)]
-pub(super) struct Chains {
+pub(crate) struct Chains {
     /// Closed walks one after the other; a point may come several times.
-    pub(super) corners: Vec<u32>,
-    pub(super) loop_ends: Vec<usize>,
+    pub(crate) corners: Vec<u32>,
+    pub(crate) loop_ends: Vec<usize>,
     /// Walks that do not close, ends included.
-    pub(super) open: Vec<Vec<u32>>,
+    pub(crate) open: Vec<Vec<u32>>,
     /// Edges at each point, those that leave with the lowest bit set; where each point's start.
     at: Vec<u32>,
     starts: Vec<usize>,
@@ -34,7 +35,7 @@ pub(super) struct Chains {
 }
 
 /// Finds the walks of some edges.
-pub(super) fn pair(chains: &mut Chains, edges: &[[u32; 2]], flat: &[DVec2]) {
+pub(crate) fn pair(chains: &mut Chains, edges: &[[u32; 2]], flat: &[DVec2]) {
     chains.corners.clear();
     chains.loop_ends.clear();
     chains.open.clear();
@@ -155,26 +156,6 @@ fn is_inside_out(edges: &[[u32; 2]], flat: &[DVec2]) -> bool {
     let (from, scale) = (flat[first as usize], about_one(ends));
     let at = |end: u32| flat[end as usize] * scale - from * scale;
     edges.iter().map(|&[a, b]| at(a).perp_dot(at(b))).sum::<f64>() < 0.0
-}
-
-/// Sorts, equal ones in their order. Whatever the comparisons say (where products underflow they are not exact), it ends and
-/// loses nothing, and it takes n log n of them.
-pub(super) fn merge_sort<T: Copy>(list: &mut [T], spare: &mut Vec<T>, compare: &impl Fn(&T, &T) -> Ordering) {
-    if list.len() < 2 {
-        return;
-    }
-    let middle = list.len() / 2;
-    merge_sort(&mut list[..middle], spare, compare);
-    merge_sort(&mut list[middle..], spare, compare);
-    spare.clear();
-    spare.extend_from_slice(&list[..middle]);
-    let (mut left, mut right) = (0, middle);
-    for at in 0..list.len() {
-        let take_left =
-            left < middle && (right == list.len() || compare(&spare[left], &list[right]) != Ordering::Greater);
-        list[at] = if take_left { spare[left] } else { list[right] };
-        *(if take_left { &mut left } else { &mut right }) += 1;
-    }
 }
 
 /// Counter-clockwise from the right, as seen from a centre. No order where a point is at the centre.

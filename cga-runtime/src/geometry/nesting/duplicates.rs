@@ -11,7 +11,7 @@ use super::extent::Extent;
 
 /// Which loops go through the same places in the same order.
 #[derive(Default)]
-pub(super) struct Twins {
+pub(crate) struct Twins {
     /// Of loops that are not the first of their kind, which one is, and how many came before.
     first: HashMap<usize, (usize, usize)>,
     /// Of the first ones that are not alone, all of the kind.
@@ -21,7 +21,7 @@ pub(super) struct Twins {
 
 impl Twins {
     /// Finds them among loops, each given by its corners and its box.
-    pub(super) fn find(&mut self, section: &Section<'_>, loops: impl Iterator<Item = (Range<usize>, Extent)> + Clone) {
+    pub(crate) fn find(&mut self, section: &Section<'_>, loops: impl Iterator<Item = (Range<usize>, Extent)> + Clone) {
         self.first.clear();
         self.all.clear();
         self.order.clear();
@@ -45,17 +45,17 @@ impl Twins {
     }
 
     /// The first loop of a loop's kind, and how many of the kind came before it.
-    pub(super) fn first(&self, number: usize) -> (usize, usize) {
+    pub(crate) fn first(&self, number: usize) -> (usize, usize) {
         self.first.get(&number).copied().unwrap_or((number, 0))
     }
 
     /// Loops that are not the first of their kind, each with which one is; in no useful order.
-    pub(super) fn others(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+    pub(crate) fn others(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.first.iter().map(|(&number, &(first, _))| (number, first))
     }
 
     /// Of a kind, given by its first loop, the one with a number, from the start again beyond the last.
-    pub(super) fn nth(&self, first: usize, number: usize) -> usize {
+    pub(crate) fn nth(&self, first: usize, number: usize) -> usize {
         self.all.get(&first).map_or(first, |all| all[number % all.len()])
     }
 }

@@ -9,18 +9,18 @@ use super::points::{NONE, Node, Place, Points};
 use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
 
 /// The mesh of a slab, and how many faces it has from the source as they were.
-pub(super) struct Part {
-    pub(super) mesh: Mesh,
-    pub(super) whole: usize,
+pub(crate) struct Part {
+    pub(crate) mesh: Mesh,
+    pub(crate) whole: usize,
     /// Whether a piece was left out because it has no extent: points of it may not be used.
-    pub(super) dropped: bool,
+    pub(crate) dropped: bool,
     /// A face that is to come first.
-    pub(super) lead: Option<usize>,
+    pub(crate) lead: Option<usize>,
 }
 
 impl Part {
     /// With room for some points, corners and loops.
-    pub(super) fn new(source: &Mesh, points: usize, corners: usize, loops: usize) -> Self {
+    pub(crate) fn new(source: &Mesh, points: usize, corners: usize, loops: usize) -> Self {
         let mut mesh = source.alike(corners);
         mesh.points.reserve(points);
         mesh.corners.reserve(corners);
@@ -33,7 +33,7 @@ impl Part {
 
     /// Adds a triangle of the source whose corners have these numbers here.
     #[inline]
-    pub(super) fn keep_triangle(&mut self, source: &Mesh, tag: FaceTag, corners: Range<usize>, numbers: [u32; 3]) {
+    pub(crate) fn keep_triangle(&mut self, source: &Mesh, tag: FaceTag, corners: Range<usize>, numbers: [u32; 3]) {
         self.whole += 1;
         self.piece(tag, numbers);
         self.copy_carried(source, corners);
@@ -41,7 +41,7 @@ impl Part {
 
     /// What corners of the source carry besides their points.
     #[inline]
-    pub(super) fn copy_carried(&mut self, source: &Mesh, corners: Range<usize>) {
+    pub(crate) fn copy_carried(&mut self, source: &Mesh, corners: Range<usize>) {
         self.mesh.uvs.copy_from(&source.uvs, corners.clone());
         if !source.normals.is_empty() {
             self.mesh.normals.extend_from_slice(&source.normals[corners]);
@@ -50,7 +50,7 @@ impl Part {
 
     /// The number of a point in this slab; on a plane it is given when first asked for.
     #[inline]
-    pub(super) fn number(&mut self, points: &mut Points, place: Place, slab: u32) -> u32 {
+    pub(crate) fn number(&mut self, points: &mut Points, place: Place, slab: u32) -> u32 {
         if !place.class.is_on_plane() {
             return place.number;
         }
@@ -67,14 +67,14 @@ impl Part {
 
     /// Adds a point; gives its number.
     #[inline]
-    pub(super) fn add_point(&mut self, point: DVec3) -> u32 {
+    pub(crate) fn add_point(&mut self, point: DVec3) -> u32 {
         self.mesh.points.push(point);
         self.mesh.points.len() as u32 - 1
     }
 
     /// Adds corners of a piece with what they carry.
     #[inline(always)]
-    pub(super) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[Node], slab: u32) {
+    pub(crate) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[Node], slab: u32) {
         for node in nodes {
             let number = self.number(points, node.place, slab);
             self.mesh.corners.push(number);
@@ -84,7 +84,7 @@ impl Part {
 
     /// Adds what corners of a piece carry besides their points.
     #[inline(always)]
-    pub(super) fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
+    pub(crate) fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
         if !source.uvs.is_empty() {
             for node in nodes {
                 let share = if node.is_corner() { 0.0 } else { points.share(node.place) };
@@ -107,25 +107,25 @@ impl Part {
 
     /// Adds a piece that is one loop, without what its corners carry; the numbers of its points here are known.
     #[inline(always)]
-    pub(super) fn piece<const N: usize>(&mut self, tag: FaceTag, numbers: [u32; N]) {
+    pub(crate) fn piece<const N: usize>(&mut self, tag: FaceTag, numbers: [u32; N]) {
         self.mesh.corners.extend(numbers);
         self.end_loop();
         self.end_face(tag);
     }
 
     #[inline]
-    pub(super) fn end_loop(&mut self) {
+    pub(crate) fn end_loop(&mut self) {
         self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
     }
 
     #[inline]
-    pub(super) fn end_face(&mut self, tag: FaceTag) {
+    pub(crate) fn end_face(&mut self, tag: FaceTag) {
         self.mesh.face_ends.push(self.mesh.loop_ends.len());
         self.mesh.tags.push(tag);
     }
 
     /// The finished mesh; the source itself when all of it is here, nothing when nothing is.
-    pub(super) fn finish(mut self, source: &Arc<Mesh>, closed: bool) -> Option<Arc<Mesh>> {
+    pub(crate) fn finish(mut self, source: &Arc<Mesh>, closed: bool) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_ends.len();
         if faces == 0 {
             return None;

@@ -6,14 +6,14 @@
 
 /// Which side of a plane a face is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Side {
+pub(crate) enum Side {
     Below,
     Above,
 }
 
 impl Side {
     /// Of a face in a slab, touching a plane.
-    pub(super) fn of(slab: u32, plane: u32) -> Self {
+    pub(crate) fn of(slab: u32, plane: u32) -> Self {
         if slab == plane { Side::Below } else { Side::Above }
     }
 }
@@ -28,7 +28,7 @@ struct Edge {
 
 /// All edges in all planes.
 #[derive(Default)]
-pub(super) struct Rim {
+pub(crate) struct Rim {
     /// Edges that a cut made: the face below has them this way, the one above the other way.
     cuts: Vec<Edge>,
     /// All others, ends in rising order, with how often the faces below and above have them that way.
@@ -41,28 +41,28 @@ pub(super) struct Rim {
 
 impl Rim {
     /// So many edges it has room for.
-    pub(super) fn capacity(&self) -> usize {
+    pub(crate) fn capacity(&self) -> usize {
         self.cuts.capacity() + self.edges.capacity()
     }
 
-    pub(super) fn reset(&mut self) {
+    pub(crate) fn reset(&mut self) {
         self.cuts.clear();
         self.edges.clear();
     }
 
     #[inline]
-    pub(super) fn cut(&mut self, plane: u32, a: u32, b: u32) {
+    pub(crate) fn cut(&mut self, plane: u32, a: u32, b: u32) {
         self.cuts.push(Edge { plane, a, b });
     }
 
-    pub(super) fn edge(&mut self, plane: u32, a: u32, b: u32, side: Side) {
+    pub(crate) fn edge(&mut self, plane: u32, a: u32, b: u32, side: Side) {
         let by = if a < b { 1 } else { -1 };
         let count = if side == Side::Below { [by, 0] } else { [0, by] };
         self.edges.push((Edge { plane, a: a.min(b), b: a.max(b) }, count));
     }
 
     /// Gets ready for [`Rim::missing`] of each plane in turn.
-    pub(super) fn sort(&mut self, planes: usize) {
+    pub(crate) fn sort(&mut self, planes: usize) {
         self.next_edge = 0;
         self.edges.sort_unstable_by_key(|(edge, _)| (edge.plane, edge.a, edge.b));
         // Counting sort: the edges of a plane keep the order of their faces.
@@ -81,7 +81,7 @@ impl Rim {
 
     /// The edges that the cap of the side below a plane must have: those its faces have without a partner, turned round.
     /// The cap above has the same ones the other way. To be asked for plane after plane.
-    pub(super) fn missing(&mut self, plane: usize, out: &mut Vec<[u32; 2]>) {
+    pub(crate) fn missing(&mut self, plane: usize, out: &mut Vec<[u32; 2]>) {
         let start = if plane == 0 { 0 } else { self.ends[plane - 1] };
         out.clear();
         out.extend(self.sorted[start..self.ends[plane]].iter().map(|&[a, b]| [b, a]));

@@ -11,28 +11,43 @@
 //!
 //! Then the faces are cut again. Whatever is found here, parts are closed: caps follow from where the faces are.
 
+use super::sheets::Flat;
+use crate::geometry::cut::points::Place;
+use crate::geometry::cut::state::State;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::nesting::Nest;
+use crate::geometry::nesting::contour::Contour;
 use glam::DVec2;
 
-use super::contour::Contour;
-use super::nest::Nest;
-use super::points::Place;
-use super::state::State;
-use crate::geometry::mesh::Mesh;
-
-/// Where the faces in the planes go.
-#[derive(Default)]
-pub(super) struct Sheets {
-    /// The faces in the planes by the rule, in the order of the mesh.
-    flat: Vec<Flat>,
-    /// Faces that go to the other side, sorted.
-    moved: Vec<u32>,
-}
-
-#[derive(Clone, Copy)]
-struct Flat {
-    face: u32,
-    plane: u32,
-    is_above: bool,
+/// Finds the faces that go to the other side, when all faces have been cut by the rule. Whether there are any.
+pub(crate) fn find(state: &mut State, mesh: &Mesh) -> bool {
+    let mut flat = std::mem::take(&mut state.sheets.flat);
+    flat.sort_by_key(|flat| flat.plane);
+    let mut moved = Vec::new();
+    // Without faces in planes nothing is to be done.
+    if !flat.is_empty() {
+        state.rim.sort(state.points.planes.len());
+        let mut missing = Vec::new();
+        let mut next = 0;
+        for together in flat.chunk_by(|a, b| a.plane == b.plane) {
+            let plane = together[0].plane as usize;
+            // Edges are given plane by plane.
+            for plane in std::mem::replace(&mut next, plane + 1)..=plane {
+                state.rim.missing(plane, &mut missing);
+            }
+            if !missing.is_empty() {
+                let places = &state.points.places;
+                let mut search = Search::new(mesh, places, together, &mut missing);
+                search.match_all_sheets();
+                let inverted = state.is_inverted(mesh);
+                search.match_folds(&state.points.levels[plane].flat, inverted);
+                moved.append(&mut search.moved);
+            }
+        }
+    }
+    moved.sort_unstable();
+    state.sheets.moved = moved;
+    !state.sheets.moved.is_empty()
 }
 
 /// An edge of a face in a plane, as the cap below the plane would have it in place of the face.
@@ -49,55 +64,6 @@ struct Group {
     faces: Vec<usize>,
     /// The edges of its rim, sorted.
     rim: Vec<[u32; 2]>,
-}
-
-impl Sheets {
-    pub(super) fn clear(&mut self) {
-        self.flat.clear();
-        self.moved.clear();
-    }
-
-    /// Notes where the rule takes a face; gives where it goes.
-    pub(super) fn place(&mut self, face: usize, plane: u32, is_above: bool) -> bool {
-        self.flat.push(Flat { face: face as u32, plane, is_above });
-        self.is_above(face, is_above)
-    }
-
-    /// Whether a face goes above its plane, given what the rule says.
-    pub(super) fn is_above(&self, face: usize, by_rule: bool) -> bool {
-        by_rule != self.moved.binary_search(&(face as u32)).is_ok()
-    }
-
-    /// Finds the faces that go to the other side, when all faces have been cut by the rule. Whether there are any.
-    pub(super) fn find(state: &mut State, mesh: &Mesh) -> bool {
-        let mut flat = std::mem::take(&mut state.sheets.flat);
-        flat.sort_by_key(|flat| flat.plane);
-        let mut moved = Vec::new();
-        // Without faces in planes nothing is to be done.
-        if !flat.is_empty() {
-            state.rim.sort(state.points.planes.len());
-            let mut missing = Vec::new();
-            let mut next = 0;
-            for together in flat.chunk_by(|a, b| a.plane == b.plane) {
-                let plane = together[0].plane as usize;
-                // Edges are given plane by plane.
-                for plane in std::mem::replace(&mut next, plane + 1)..=plane {
-                    state.rim.missing(plane, &mut missing);
-                }
-                if !missing.is_empty() {
-                    let places = &state.points.places;
-                    let mut search = Search::new(mesh, places, together, &mut missing);
-                    search.match_all_sheets();
-                    let inverted = state.is_inverted(mesh);
-                    search.match_folds(&state.points.levels[plane].flat, inverted);
-                    moved.append(&mut search.moved);
-                }
-            }
-        }
-        moved.sort_unstable();
-        state.sheets.moved = moved;
-        !state.sheets.moved.is_empty()
-    }
 }
 
 /// How often groups are made again: sheets that touch others become groups when those are settled.

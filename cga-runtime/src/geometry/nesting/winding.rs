@@ -16,23 +16,23 @@ use super::probe::Probe;
 const FAN: usize = 8;
 
 /// The number of boxes and edges that queries may still look at.
-pub(super) struct Budget(pub(super) usize);
+pub(crate) struct Budget(pub(crate) usize);
 
 impl Budget {
     #[inline]
-    pub(super) fn spend(&mut self, count: usize) {
+    pub(crate) fn spend(&mut self, count: usize) {
         self.0 = self.0.saturating_sub(count);
     }
 
     #[inline]
-    pub(super) fn is_spent(&self) -> bool {
+    pub(crate) fn is_spent(&self) -> bool {
         self.0 == 0
     }
 }
 
 /// The runs of several loops.
 #[derive(Default)]
-pub(super) struct Runs {
+pub(crate) struct Runs {
     /// Loop after loop: runs of edges, then runs of those, up to a few.
     extents: Vec<Extent>,
     /// The extents of each loop; short loops have none.
@@ -41,7 +41,7 @@ pub(super) struct Runs {
 
 impl Runs {
     /// Sorts the edges of loops into runs; nothing stands for a loop that is never asked about.
-    pub(super) fn fill<'r>(&mut self, section: &Section<'_>, loops: impl Iterator<Item = Option<&'r Range<usize>>>) {
+    pub(crate) fn fill<'r>(&mut self, section: &Section<'_>, loops: impl Iterator<Item = Option<&'r Range<usize>>>) {
         self.extents.clear();
         self.of_loop.clear();
         for range in loops {
@@ -73,7 +73,7 @@ impl Runs {
     }
 
     /// Counts how often a loop winds around a probe; any number when the budget is spent.
-    pub(super) fn winding(
+    pub(crate) fn winding(
         &self,
         section: &Section<'_>,
         number: usize,

@@ -1,17 +1,17 @@
 //! Triangles that one plane cuts in two without going through a corner: nearly all cut faces of most meshes.
 //!
 //! The corner that is alone on its side is `l`, the next ones are `m` and `n`; the plane meets `l m` in `x` and `n l` in `y`. The
-//! tip is `l x y`, the rest `x m n y`, turned so that they begin with what is left of the first edge, as [`super::first`]
+//! tip is `l x y`, the rest `x m n y`, turned so that they begin with what is left of the first edge, as [`crate::geometry::cut::faces::first_edge`]
 //! has it. The three corners are different points, as in every mesh.
 
 use std::ops::Range;
 
-use super::points::{Node, Place};
-use super::state::State;
+use crate::geometry::cut::points::{Node, Place};
+use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// Cuts a triangle by the plane between its two slabs; the corner with number `lone` is alone on its side.
-pub(super) fn clip(
+pub(crate) fn clip(
     state: &mut State,
     mesh: &Mesh,
     tag: FaceTag,

@@ -5,16 +5,16 @@
 
 use std::ops::Range;
 
-use super::class::{Class, Span};
-use super::first::{first_node, first_node_of_band};
-use super::points::{Node, Place};
-use super::rim::Side;
-use super::state::State;
+use crate::geometry::cut::caps::rim::Side;
+use crate::geometry::cut::class::{Class, Span};
+use crate::geometry::cut::faces::first_edge::{first_node, first_node_of_band};
+use crate::geometry::cut::points::{Node, Place};
+use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{FaceTag, Mesh};
 
 /// Buffers.
 #[derive(Default)]
-pub(super) struct Simple {
+pub(crate) struct Simple {
     /// The way up, with everything at the lowest and the highest level.
     up: Vec<Node>,
     /// The way down, from the top.
@@ -24,7 +24,7 @@ pub(super) struct Simple {
 impl Simple {
     /// Cuts a face of one loop into its slabs; `false`, with nothing done, when it is not of this kind. `places` are those of
     /// its corners, and `span` is what they span.
-    pub(super) fn clip(
+    pub(crate) fn clip(
         &mut self,
         state: &mut State,
         mesh: &Mesh,

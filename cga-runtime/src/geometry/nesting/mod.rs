@@ -3,59 +3,38 @@
 //! Outlines run counter-clockwise, holes clockwise (of a section that is inside out as a whole, the other way). A hole
 //! belongs to the smallest outline that winds around it; a hole that no outline winds around stays on its own. Each hole is
 //! asked for at one point just beside it, on the side of the solid, among the outlines whose box holds the point
-//! ([`super::box_tree`]). Where this takes long, because many boxes hold what their outlines do not, a sweep tells
-//! ([`super::around`]), unless loops cross. Rounding may press what is between a hole and its outline flat, or turn it over:
+//! ([`crate::geometry::nesting::box_tree`]). Where this takes long, because many boxes hold what their outlines do not, a sweep tells
+//! ([`crate::geometry::nesting::sweep`]), unless loops cross. Rounding may press what is between a hole and its outline flat, or turn it over:
 //! a hole for which nothing is found that could hold it is asked for again at a point well inside.
 //!
 //! All queries together look at a limited number of boxes and edges for each corner of the section. Holes that are left then
 //! stay on their own: parts are closed whichever outline a hole belongs to.
 
+mod box_tree;
+pub(crate) mod contour;
+mod duplicates;
+pub(crate) mod extent;
+mod merge_sort;
+mod pairing;
+mod probe;
+mod ring;
+mod status;
+mod sweep;
+mod winding;
+
 use std::ops::Range;
 
 use glam::DVec2;
 
-use super::around::Sweep;
-use super::box_tree::BoxTree;
-use super::contour::Section;
-use super::extent::Extent;
-use super::probe::Probe;
-use super::runs::{Budget, Runs};
-use super::twins::Twins;
 use crate::geometry::tol::PLANAR_EPSILON;
-
-/// A loop, and for a hole its outline.
-pub(super) struct Loop {
-    pub(super) range: Range<usize>,
-    /// Twice the area, negative for a hole.
-    area: f64,
-    pub(super) extent: Extent,
-    outline: Option<usize>,
-}
-
-impl Loop {
-    /// The outline of a box.
-    #[cfg(test)]
-    pub(super) fn outline(extent: Extent) -> Self {
-        let size = extent.high - extent.low;
-        Loop { range: 0..4, area: 2.0 * size.x * size.y, extent, outline: None }
-    }
-
-    pub(super) fn area(&self) -> f64 {
-        self.area
-    }
-
-    pub(super) fn is_outline(&self) -> bool {
-        0.0 <= self.area
-    }
-
-    /// Whether it could be around a hole, as far as boxes and areas tell, but for rounding. The areas are those of a section
-    /// that is `scale` times as large.
-    fn may_hold(&self, hole: &Loop, scale: f64) -> bool {
-        let Extent { low, high } = self.extent;
-        let spare = self.extent.slack() * scale * (high * scale - low * scale).element_sum();
-        hole.extent.is_in(&self.extent) && -hole.area <= self.area + spare
-    }
-}
+use box_tree::BoxTree;
+use contour::Section;
+use duplicates::Twins;
+use extent::{Extent, about_one};
+use probe::Probe;
+use ring::Loop;
+use sweep::Sweep;
+use winding::{Budget, Runs};
 
 /// The number of boxes and edges to look at for each corner of a section, and for any section. Sections whose loops lie about
 /// at random need about ten a corner, and the sweep takes about as long as this many.
@@ -88,7 +67,7 @@ pub(crate) struct Nest {
 
 impl Nest {
     /// One loop, which is an outline.
-    pub(super) fn single(&mut self, end: usize) {
+    pub(crate) fn single(&mut self, end: usize) {
         self.order.clear();
         self.ends.clear();
         self.order.push(0..end);
@@ -105,13 +84,13 @@ impl Nest {
     }
 
     /// The same, of a section of which it is known whether it is inside out.
-    pub(super) fn sort_as(&mut self, section: &Section<'_>, inverted: bool) {
+    pub(crate) fn sort_as(&mut self, section: &Section<'_>, inverted: bool) {
         self.measure(section);
         self.nest(section, inverted);
     }
 
     /// The holes that belong to no outline.
-    pub(super) fn lone_holes(&self) -> impl Iterator<Item = &Range<usize>> {
+    pub(crate) fn lone_holes(&self) -> impl Iterator<Item = &Range<usize>> {
         self.loops.iter().filter(|ring| !ring.is_outline() && ring.outline.is_none()).map(|ring| &ring.range)
     }
 
@@ -248,14 +227,6 @@ impl Nest {
             loops[*hole].outline = found.or(own.outline);
         }
     }
-}
-
-/// What makes a section of these corners about as large as 1 when its areas would be beyond what a number holds.
-pub(super) fn about_one(mut corners: impl Iterator<Item = DVec2>) -> f64 {
-    const RANGE: std::ops::Range<f64> = 1e-100..1e100;
-    let Some(from) = corners.next() else { return 1.0 };
-    let half = corners.fold(0.0, |half: f64, corner| half.max((corner * 0.5 - from * 0.5).abs().max_element()));
-    if half == 0.0 || RANGE.contains(&half) { 1.0 } else { libm::scalbn(1.0, -libm::ilogb(half)) }
 }
 
 /// The area of a loop and its box; the area of a section that is `scale` times as large.

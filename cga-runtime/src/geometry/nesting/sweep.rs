@@ -7,9 +7,9 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
-use super::chain::merge_sort;
 use super::contour::Section;
-use super::row::{Row, Spot};
+use super::merge_sort::merge_sort;
+use super::status::{Row, Spot};
 use crate::geometry::exact::orient;
 
 /// No outline.
@@ -19,7 +19,7 @@ const UNKNOWN: u32 = u32::MAX - 1;
 
 /// Buffers.
 #[derive(Default)]
-pub(super) struct Sweep {
+pub(crate) struct Sweep {
     /// For each loop the outline around it.
     around: Vec<u32>,
     /// Of the corners of a loop.
@@ -51,14 +51,14 @@ struct Event {
 
 impl Sweep {
     /// The outline around a loop, when the sweep has found one.
-    pub(super) fn around(&self, number: usize) -> Option<usize> {
+    pub(crate) fn around(&self, number: usize) -> Option<usize> {
         let outline = self.around[number];
         (outline < UNKNOWN).then_some(outline as usize)
     }
 
     /// Fills `around` for the loops that count; `false` when they cross. Of a section that is inside out, outlines run
     /// clockwise.
-    pub(super) fn find(
+    pub(crate) fn find(
         &mut self,
         section: &Section<'_>,
         inverted: bool,
