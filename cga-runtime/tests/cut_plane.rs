@@ -100,7 +100,7 @@ fn the_normal_says_what_is_above() {
     }
 }
 
-/// A plane across an axis gives what a slab cut gives.
+/// A plane across an axis gives the same result as a slab cut.
 #[test]
 fn a_plane_across_an_axis_is_a_slab_cut() {
     for (name, mesh) in solids() {

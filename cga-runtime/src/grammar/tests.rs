@@ -5,7 +5,7 @@ use crate::grammar::attribute::{AttributeDefault, ChoiceValues, Choices, Range};
 use crate::value::array::Array;
 use crate::value::text::Text;
 
-/// What `cga!` writes for a grammar, by hand.
+/// A hand-written equivalent of the code that `cga!` generates.
 struct Tower {
     height: f64,
     lit: bool,

@@ -1,7 +1,7 @@
 //! The directions of components as seen from the streets at the initial shape (*comp operation*, street selectors).
 //!
 //! Edges with a street are the front. The other edges are sorted by their outward direction, compared with the front
-//! as a whole: back within 45 degrees, else left or right. A component gets the class of the edge with the most
+//! as a whole: back within 45 degrees, otherwise left or right. A component gets the class of the edge with the most
 //! similar direction; of equal edges, the nearest. The reference only shows pictures of lots.
 
 use glam::DVec3;

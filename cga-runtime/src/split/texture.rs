@@ -17,7 +17,7 @@ use crate::shape::base::Base;
 use crate::shape::{Geometry, Inserted, Placed, Shape, ShapeRef};
 
 /// The coordinate, the unit and the uv set of a split in texture space.
-pub type TextureAxis = (UvAxis, TextureSpace, f64);
+pub(crate) type TextureAxis = (UvAxis, TextureSpace, f64);
 
 /// The pieces of a split in texture space, and their shapes. The split is from the smallest to the largest
 /// coordinate. Without coordinates in the set there are no pieces, and a fault. If all coordinates are equal, there

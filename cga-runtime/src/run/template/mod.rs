@@ -27,7 +27,7 @@ use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
 
 pub(crate) use record::Tape;
-pub use replay::{Last, PartId, Replay};
+pub use replay::{PartId, Replay};
 
 /// The number of templates kept for a place in the rules, the last ones used.
 const KEPT: usize = 16;
@@ -62,7 +62,7 @@ struct Key {
     form: Form,
     unit: UnitMesh,
     material: MaterialId,
-    /// True if the shape has texture coordinates, which the number of a look without a number does not tell.
+    /// True if the shape has texture coordinates. For a look without a number, `material` does not tell.
     has_coordinates: bool,
     /// The axes along which coordinates are constant. A move along another axis makes a shape with another base.
     constant: [bool; 3],

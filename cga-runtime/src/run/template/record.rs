@@ -228,7 +228,7 @@ impl<C: Clone> Cx<'_, C> {
 }
 
 impl Body {
-    /// Divides the leaves at the holes, and finds those after each other that are alike.
+    /// Divides the leaves at the holes, and finds consecutive leaves that are alike.
     fn divided(mut self, holes: impl Iterator<Item = usize>) -> Self {
         let ends = holes.chain([self.leaves.len()]);
         let mut start = 0;

@@ -1,7 +1,7 @@
 //! Extraction of faces from a mesh.
 
+use super::Mesh;
 use crate::geometry::Frame;
-use crate::geometry::mesh::Mesh;
 
 /// A mesh of the given faces, in their order, in the coordinates of a frame. Shared points stay shared, and unused
 /// points are dropped. Tags, texture coordinates and normals are kept. Faces that do not exist are ignored.
