@@ -4,6 +4,7 @@
 
 pub use cga_macros::cga;
 pub use cga_runtime::asset::{AssetError, Assets};
+pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
 pub use cga_runtime::geometry::mesh::{Mesh, MeshBuilder, MeshError};
 pub use cga_runtime::geometry::{Axis, Frame};
 /// The vector types in meshes and sinks.
@@ -46,7 +47,6 @@ pub use cga_runtime::grammar::session::Session;
 pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
 pub use cga_runtime::output::model::{Geometry, LeafView, Model};
 pub use cga_runtime::output::parts::{Part, Parts, ShapeError};
-pub use cga_runtime::run::fault::{Error, Fault, FaultKind, LimitKind};
 pub use cga_runtime::run::report::Report;
 pub use cga_runtime::run::report::{Collection, Print, Reports, Summary};
 pub use cga_runtime::run::rules::Rules;

@@ -13,7 +13,7 @@
 //! | [`street`] | initial shapes from centre lines |
 //! | [`shape`] | the current shape: scope, geometry, seed, look, trim planes |
 //! | [`geometry`] | meshes, cuts, triangulation, offsets, exact predicates |
-//! | [`material`], [`value`] | plain data |
+//! | [`material`], [`fault`], [`value`] | plain data |
 //!
 //! Conventions: right-handed, y up, metres and degrees; f64 inside, f32 in output buffers. Faces are planar polygons
 //! with holes, counter-clockwise seen from outside. Most users want the facade crate `cga`.
@@ -23,6 +23,7 @@ pub use glam;
 
 pub mod asset;
 pub mod comp;
+pub mod fault;
 pub mod func;
 pub mod geometry;
 pub mod grammar;

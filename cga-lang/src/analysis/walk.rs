@@ -7,7 +7,7 @@ use super::slots::Slots;
 use super::uvs::UvSets;
 use super::value::Value;
 use crate::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
-use crate::ops::{Braces, Effect, MOST_SIZE, Measure, Operation, ParamKind, ShapeAttr};
+use crate::ops::{self, Braces, Effect, FileUse, MOST_SIZE, Measure, Operation, ParamKind, Places, ShapeAttr};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 
@@ -66,7 +66,7 @@ impl<'w> Walk<'w> {
         match &op.kind {
             OpKind::Call(name, args) => {
                 self.meet_args(args, &facts, visit);
-                match self.known.tables.of(name) {
+                match self.known.of(name, &facts) {
                     Some(Use::Rule(rule)) => self.hand_on(rule, args, &facts, visit),
                     Some(Use::Operation(row)) => {
                         visit.meet(&Site::Operation(row, args), &facts);
@@ -77,7 +77,7 @@ impl<'w> Walk<'w> {
                     }
                     Some(Use::SetShape(row)) => {
                         args.get(1).into_iter().for_each(|arg| visit.meet(&Site::Set(row, &arg.value), &facts));
-                        if row.name.starts_with("scope.") {
+                        if row.set_scope != Effect::Keeps {
                             facts.shape = facts.shape.moved_on();
                         }
                     }
@@ -92,7 +92,7 @@ impl<'w> Walk<'w> {
                         visit.meet(&Site::Value(value), &facts);
                     }
                 }
-                if let Some(Use::Rule(rule)) = self.known.tables.of(rule) {
+                if let Some(Use::Rule(rule)) = self.known.of(rule, &facts) {
                     // Attributes and constants of the import begin anew.
                     let facts = Facts { globals: Vec::new(), ..facts.clone() };
                     self.hand_on(rule, args, &facts, visit);
@@ -135,7 +135,7 @@ impl<'w> Walk<'w> {
 
     fn hand_on<'a>(&self, rule: u32, args: &[Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
         let params = args.iter().map(|arg| self.value(&arg.value, facts)).collect();
-        visit.hand_on(rule, facts.with(params));
+        visit.hand_on(rule, facts.with(self.known.rules[rule as usize], params));
     }
 
     fn case<'a>(
@@ -175,7 +175,7 @@ impl<'w> Walk<'w> {
     /// An operation with braces. The shape itself goes on as it was.
     fn block<'a>(&self, block: &'a Block, facts: &Facts, visit: &mut dyn Visit<'a>) {
         let any = || Facts { asset: None, ..facts.on_any_shape() };
-        let row = match self.known.tables.of(&block.name) {
+        let row = match self.known.of(&block.name, facts) {
             Some(Use::Operation(row)) => Some(row),
             _ => None,
         };
@@ -268,15 +268,16 @@ impl<'w> Walk<'w> {
         // With the part as current shape.
         visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
         let selector = match &arm.selector.kind {
-            ExprKind::Name(name) => match self.known.tables.of(name) {
-                Some(Use::Selector(word)) => Some(word),
+            ExprKind::Name(name) => match self.known.of(name, facts) {
+                Some(Use::Selector(word)) => ops::selector(word),
                 _ => None,
             },
             _ => None,
         };
         let word = |index: usize| block.args.get(index).and_then(|arg| arg.value.word());
         let (is_comp, z_up) = (row.is_some_and(|row| row.braces == Braces::Components), word(1) == Some("zUp"));
-        let faces = is_comp && word(0) == Some("f") && (z_up || word(1).is_none());
+        let kind = word(0).and_then(ops::component);
+        let faces = is_comp && kind.is_some_and(|kind| kind.place == Places::FACES) && (z_up || word(1).is_none());
         let shape = match (faces && arm.mode == ArmMode::Each, facts.shape.filling) {
             (true, Filling::Box) if !z_up => facts.shape.face_of_box(selector, block.name.span),
             (true, _) => Shape::face(block.name.span),
@@ -299,11 +300,11 @@ impl<'w> Walk<'w> {
             },
             Effect::FillsWithBox if shape.has_room() && !shape.trimmed => shape.filled(Filling::Box),
             Effect::FillsWithBox | Effect::Fills if shape.has_room() => shape.filled(Filling::Unknown),
-            Effect::Any if row.name == "extrude" => match args {
+            Effect::Extrudes => match args {
                 [Arg { prefix: None, value, .. }] => shape.extruded(self.value(value, facts).number(), span),
                 _ => shape.moved_on(),
             },
-            Effect::Any | Effect::FillsWithBox | Effect::Fills => shape.moved_on(),
+            Effect::Any | Effect::MovesScope | Effect::FillsWithBox | Effect::Fills => shape.moved_on(),
         }
     }
 
@@ -324,12 +325,11 @@ impl<'w> Walk<'w> {
 
 /// What the geometry is of behind an operation: the token of a file's name, as long as it is that or parts of it.
 fn asset_after(row: &Operation, args: &[Arg], before: Option<u32>) -> Option<u32> {
-    if row.name == "i" {
-        let name = args.first()?;
-        return matches!(name.value.kind, ExprKind::Text(_)).then_some(name.value.span.first);
+    let inserted = row.params.iter().zip(args).find(|(param, _)| param.kind == ParamKind::File(FileUse::Inserted));
+    match inserted {
+        Some((_, name)) => matches!(name.value.kind, ExprKind::Text(_)).then_some(name.value.span.first),
+        None => before.filter(|_| row.scope.keeps_geometry()),
     }
-    let stays = matches!(row.scope, Effect::Keeps | Effect::KeepsSize | Effect::Sizes) || row.name.ends_with("Scope");
-    before.filter(|_| stays)
 }
 
 /// What holds on all of some ways.

@@ -7,7 +7,7 @@ use crate::ir::{
     Arg, AttrId, Axis, Childless, Expr, ExprKind, Item, Measure, Param, Prefix, Rule, RuleId, Size, Split, Step,
     Target, TextureSplit, Type, Value,
 };
-use crate::ops::{self, Braces, ParamKind, Run};
+use crate::ops::{self, Braces, ParamKind, Run, Words};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 
@@ -65,7 +65,7 @@ impl<'c> Lower<'c> {
     }
 
     fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Step> {
-        if self.checked.tables.later.contains(&name.id()) {
+        if self.is_later(name) {
             return Some(Step::Later(name.text.clone(), span));
         }
         Some(match self.used(name)? {
@@ -73,12 +73,13 @@ impl<'c> Lower<'c> {
             Use::Operation(row) => {
                 let left_out = row.params.iter().skip(args.len()).filter_map(|param| default(param, span));
                 let args = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
-                    ParamKind::Value(_) => Arg::Value(self.folded(&arg.value)),
-                    ParamKind::Any => Arg::Value(self.folded(&arg.value)),
-                    ParamKind::File | ParamKind::Image => Arg::Value(self.file(&arg.value)),
+                    ParamKind::Value(_) | ParamKind::Any | ParamKind::Color | ParamKind::Channel => {
+                        Arg::Value(self.folded(&arg.value))
+                    }
+                    ParamKind::File(_) | ParamKind::Image(_) => Arg::Value(self.file(&arg.value)),
                     ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
                     ParamKind::Selector | ParamKind::PerEdge => Arg::Value(self.folded(&arg.value)),
-                    ParamKind::Word { words, .. } => Arg::Word(word(arg, words)),
+                    ParamKind::Word(words) => Arg::Word(word(arg, words)),
                 });
                 Step::Do(row, args.collect::<Vec<_>>().into_iter().chain(left_out).collect(), span)
             }
@@ -87,7 +88,7 @@ impl<'c> Lower<'c> {
                 Step::SetAttr(AttrId(index), self.folded(&args.get(1)?.value), span)
             }
             Use::SetShape(row) if row.set == Some(Run::Later) => Step::Later(format!("set({})", row.name), span),
-            Use::SetShape(row) if row.is_image() => Step::SetShape(row, self.file(&args.get(1)?.value), span),
+            Use::SetShape(row) if row.kind.is_file() => Step::SetShape(row, self.file(&args.get(1)?.value), span),
             Use::SetShape(row) => Step::SetShape(row, self.folded(&args.get(1)?.value), span),
             _ => Step::Give(self.successor(name, args)?),
         })
@@ -243,7 +244,7 @@ pub(super) fn block_span(ops: &[ast::Op], owner: Span) -> Span {
     ops.first().map_or(owner, |op| Span::one(op.span.first))
 }
 
-fn word(arg: &ast::Arg, words: &'static [(&'static str, &'static str)]) -> &'static str {
+fn word(arg: &ast::Arg, words: &Words) -> &'static str {
     let text = arg.value.word().unwrap_or_default();
-    words.iter().map(|(word, _)| *word).find(|word| *word == text).unwrap_or_default()
+    words.list.iter().copied().find(|word| *word == text).unwrap_or_default()
 }

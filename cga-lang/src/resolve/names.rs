@@ -10,7 +10,7 @@ use super::tables::Use;
 use crate::ast::{Expr, ExprKind, Name};
 use crate::code::Code;
 use crate::door::Door;
-use crate::ops::{self, Function, Needs, ParamKind, Places, Run};
+use crate::ops::{self, Function, Needs, ParamKind, Places, Run, Words};
 use crate::span::Span;
 use crate::token::Tok;
 use crate::types::Type;
@@ -19,9 +19,10 @@ use crate::types::Type;
 pub(crate) fn uses(cx: &mut Cx) {
     let values: Vec<_> = cx.globals.values().cloned().collect();
     for (index, item) in values.iter().enumerate() {
-        let Some((value, home)) = item.value() else { continue };
+        let Some((value, own)) = item.value() else { continue };
         let owner = (!item.origin && index < cx.globals.attrs.len()).then_some(index as u32);
-        let mut scope = Scope { cx, at: home, inner: Vec::new(), owner, place: None };
+        let at = cx.globals.program.home(own);
+        let mut scope = Scope { cx, at, own, inner: Vec::new(), owner, place: None };
         if item.is_own() {
             scope.enter(item.decl);
         }
@@ -29,7 +30,7 @@ pub(crate) fn uses(cx: &mut Cx) {
     }
     for item in cx.globals.rules.clone() {
         if let crate::ast::Body::Rule(ops) = &item.decl.body {
-            let mut scope = Scope { cx, at: item.home, inner: Vec::new(), owner: None, place: None };
+            let mut scope = Scope { cx, at: item.home, own: item.own, inner: Vec::new(), owner: None, place: None };
             scope.enter(item.decl);
             scope.ops(ops);
         }
@@ -47,7 +48,17 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     pub(crate) fn note(&mut self, name: &Name, found: Use) {
-        self.cx.tables.uses.insert(name.id(), found);
+        self.cx.tables.uses.insert((self.own, name.id()), found);
+    }
+
+    /// Notes a call that cannot run yet.
+    pub(crate) fn note_later(&mut self, name: &Name) {
+        self.cx.tables.later.insert((self.own, name.id()));
+    }
+
+    /// Notes the attribute of an import that an override gives a value to.
+    pub(crate) fn note_target(&mut self, name: &Name, attr: u32) {
+        self.cx.tables.targets.insert((self.own, name.id()), attr);
     }
 
     /// Notes what a call may stand for; the types decide if there are several.
@@ -65,7 +76,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     pub(crate) fn door(&self) -> Door {
-        self.cx.globals.program.instances[self.at].door
+        self.cx.globals.program.instances[self.at].file.door
     }
 
     pub(crate) fn expr(&mut self, expr: &'a Expr) {
@@ -262,18 +273,17 @@ impl<'a> Scope<'_, 'a, '_> {
             return self.other_words(name, &rows, args);
         }
         for (index, arg) in args.iter().enumerate() {
-            let is_word =
-                |row: &&Function| matches!(row.params[index].kind, ParamKind::Word { .. } | ParamKind::Selector);
+            let is_word = |row: &&Function| matches!(row.params[index].kind, ParamKind::Word(_) | ParamKind::Selector);
             if candidates.is_empty() && !fitting.is_empty() && fitting.iter().all(is_word) {
-                let kinds: Vec<&ParamKind> = fitting.iter().map(|row| &row.params[index].kind).collect();
-                if let Some((old, new)) = kinds.iter().filter_map(|kind| kind.old_word(arg.word()?)).next() {
+                let words: Vec<Words> = fitting.iter().filter_map(|row| row.params[index].kind.words()).collect();
+                if let Some((old, new)) = words.iter().filter_map(|words| words.old(arg.word()?)).next() {
                     self.old_word(old, new, arg.span);
                     continue;
                 }
                 if fitting.iter().any(|row| row.params[index].kind == ParamKind::Selector) {
                     self.selector(arg, Places::FACES);
                 } else {
-                    self.word_expr(text, &kinds, arg);
+                    self.word_expr(text, &words, arg);
                 }
                 continue;
             }
@@ -298,13 +308,13 @@ impl<'a> Scope<'_, 'a, '_> {
             for (param, arg) in row.params.iter().zip(args) {
                 self.computed_word(&param.kind, arg);
             }
-            self.cx.tables.later.insert(name.id());
+            self.note_later(name);
             return self.note(name, Use::Builtin(row));
         }
         let row = rows[0];
         for (param, arg) in row.params.iter().zip(args) {
             match &param.kind {
-                ParamKind::Word { .. } => self.word_expr(row.name, &[&param.kind], arg),
+                ParamKind::Word(words) => self.word_expr(row.name, &[*words], arg),
                 ParamKind::Selector => self.selector(arg, Places::FACES),
                 _ => self.expr(arg),
             }
@@ -376,10 +386,8 @@ impl<'a> Scope<'_, 'a, '_> {
 /// Whether every word of a call is one that the row knows. `word` says what the word of an argument is.
 fn words_fit(row: &Function, args: &[Expr], word: fn(&Expr) -> Option<&str>) -> bool {
     row.params.iter().zip(args).all(|(param, arg)| match &param.kind {
-        ParamKind::Word { .. } if matches!(arg.kind, ExprKind::Error) => true,
-        ParamKind::Word { words, old, .. } => {
-            word(arg).is_some_and(|word| words.iter().chain(*old).any(|(own, _)| *own == word))
-        }
+        ParamKind::Word(_) if matches!(arg.kind, ExprKind::Error) => true,
+        ParamKind::Word(words) => word(arg).is_some_and(|word| words.has(word)),
         _ => true,
     })
 }

@@ -2,7 +2,7 @@
 //! evaluated first and one by one, so that the borrows never overlap.
 
 use cga_lang::ir::{Binary, EachUnary, Expr, ExprKind, Global, Type, Value};
-use cga_lang::ops::{Function, Needs, Param, ParamKind};
+use cga_lang::ops::{Function, Needs, Param, ParamKind, Words};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
@@ -362,7 +362,7 @@ pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Place) -> Vec<Toke
 fn words<'e>(function: &'static Function, call: &'e Expr) -> Vec<Option<&'e str>> {
     let ExprKind::Builtin(_, args) = &call.kind else { return Vec::new() };
     let word = |(param, arg): (&Param, &'e Expr)| match (&param.kind, &arg.kind) {
-        (ParamKind::Word { .. }, ExprKind::Value(Value::Text(word))) => Some(word.as_str()),
+        (ParamKind::Word(_), ExprKind::Value(Value::Text(word))) => Some(word.as_str()),
         _ => None,
     };
     function.params.iter().zip(args).map(word).collect()
@@ -370,10 +370,9 @@ fn words<'e>(function: &'static Function, call: &'e Expr) -> Vec<Option<&'e str>
 
 /// A word as the runtime's enum has it.
 pub(super) fn word_variant(kind: &ParamKind, word: &str, module: &TokenStream) -> TokenStream {
-    let ParamKind::Word { rust, words, .. } = kind else { return TokenStream::new() };
+    let ParamKind::Word(words @ Words { rust: Some(rust), .. }) = kind else { return TokenStream::new() };
     let place = Span::mixed_site();
-    let variant = words.iter().find(|(written, _)| *written == word).map_or("", |(_, variant)| variant);
-    let (rust, variant) = (Ident::new(rust, place), Ident::new(variant, place));
+    let (rust, variant) = (Ident::new(rust, place), Ident::new(&words.variant(word), place));
     quote_spanned!(place=> cga_rt::#module::#rust::#variant)
 }
 

@@ -8,7 +8,8 @@ use cga_lang::token::Tokens;
 use proc_macro2::{Literal, Span, TokenStream};
 
 use super::content::Content;
-use super::rules::{Places, QuotedText, Source};
+use super::quoted::QuotedText;
+use super::rules::{Places, Source};
 use crate::problem::Problem;
 
 pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
@@ -31,7 +32,7 @@ pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
     Ok(source(lexed.tokens, lexed.diags, span, place, TokenStream::new()))
 }
 
-/// A source behind a literal.
+/// A source whose tokens come from a literal.
 pub(super) fn source(
     tokens: Tokens,
     findings: Vec<Diag>,
@@ -40,15 +41,15 @@ pub(super) fn source(
     tracking: TokenStream,
 ) -> Source {
     let places = Places::Text { span, text, tracking };
-    Source { tokens, findings, hosts: Vec::new(), places, imported: Vec::new(), pieces: Vec::new() }
+    Source { tokens, findings, hosts: Vec::new(), places, imported: Vec::new(), files: Vec::new() }
 }
 
 /// Literals one after the other.
 #[derive(Default)]
 struct Joined {
-    /// What they mean.
+    /// The text after escapes are resolved.
     text: String,
-    /// How they are written: blank lines and columns before each put it where it stands in its file.
+    /// The literals as written. Blank lines and columns before each keep its position in its file.
     written: String,
     /// For each byte of `text`, the bytes of `written` its character takes.
     origin: Vec<Range<usize>>,

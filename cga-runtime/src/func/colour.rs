@@ -1,7 +1,7 @@
 //! Colours as text, such as "#ff8000", and as numbers. Channels are in 0..=1, hues in degrees.
 
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::value::text::Text;
 
 /// Red, green and blue.

@@ -1,14 +1,6 @@
 //! The relational operators.
 
-use std::cmp::Ordering;
-
 use crate::value::compare::Compare;
-
-/// The order of two values, from which all relational operators follow.
-#[inline]
-pub fn compare<T: Compare>(a: T, b: T) -> Ordering {
-    a.compare(&b)
-}
 
 /// `a == b`. Arrays are equal if they have the same form and equal elements.
 #[inline]

@@ -35,11 +35,6 @@ pub fn bool_to_float(x: bool) -> f64 {
     if x { 1.0 } else { 0.0 }
 }
 
-/// Numbers stay as they are.
-pub fn float_to_float(x: f64) -> f64 {
-    x
-}
-
 /// The number that the text begins with, behind spaces; not a number when there is none (*float function*, *floatArray
 /// function*).
 pub fn text_to_float(x: Text) -> f64 {
@@ -79,11 +74,6 @@ pub fn float_to_bool(x: f64) -> bool {
     x != 0.0
 }
 
-/// Truth values stay as they are.
-pub fn bool_to_bool(x: bool) -> bool {
-    x
-}
-
 /// `f`, `false` and zeros are false, every other text is true (*bool function*).
 pub fn text_to_bool(x: Text) -> bool {
     truth(&x)
@@ -107,11 +97,6 @@ pub fn no_bools() -> Array<bool> {
 /// `stringArray()` (*stringArray function*).
 pub fn no_texts() -> Array<Text> {
     Array::default()
-}
-
-/// An array of the type asked for stays as it is.
-pub fn array_itself<T: Element>(array: Array<T>) -> Array<T> {
-    array
 }
 
 /// [`bool_to_float`] of each element (*floatArray function*).
@@ -180,7 +165,7 @@ pub fn isnull_text_each(array: Array<Text>) -> Array<bool> {
 mod tests {
     use super::super::tests::{env, limit, small_env, text};
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
 
     #[test]
     fn numbers_print_as_documented() {
@@ -263,7 +248,6 @@ mod tests {
         assert_eq!(bools_from_texts(truths), Array::from([true, true, false, false, false, true]));
         assert_eq!(texts_from_floats(env, Array::from([1.0, 1.777, 20.0])).to_string(), "(3)[1,1.777,20]");
         assert_eq!(texts_from_bools(Array::from([true, false])), Array::from(["true", "false"].map(text)));
-        assert_eq!(array_itself(Array::from([1.0])), Array::from([1.0]));
         assert!(no_floats().is_empty() && no_bools().is_empty() && no_texts().is_empty());
         texts_from_floats(&mut small_env(10, 4), Array::from([1.25]));
         let env = &mut small_env(10, 3);

@@ -1,8 +1,8 @@
 //! Rust in rules: values (`#name`) and operations (`path::call(…)`).
 
+use crate::fault::{Fault, FaultKind};
 use crate::func;
 use crate::run::env::Env;
-use crate::run::fault::{Fault, FaultKind};
 use crate::shape::Shape;
 use crate::value::array::Array;
 use crate::value::text::Text;

@@ -51,7 +51,7 @@ pub fn texts(env: &mut Env, name: &'static str) -> Array<Text> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::fault::FaultKind;
+    use crate::fault::FaultKind;
 
     #[test]
     fn a_name_is_missed_once_a_run() {

@@ -2,8 +2,8 @@
 
 use std::fmt::{self, Write};
 
+use crate::fault::LimitKind;
 use crate::run::env::Env;
-use crate::run::fault::LimitKind;
 use crate::run::sink::Flow;
 use crate::value::text::Text;
 

@@ -140,7 +140,7 @@ pub fn list_terminate(env: &mut Env, list: Text) -> Text {
 mod tests {
     use super::super::tests::{Random, env, faults, limit, small_env, text};
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
     use crate::shape::Shape;
 
     fn rule() -> Text {

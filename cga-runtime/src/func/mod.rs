@@ -27,13 +27,11 @@ pub use colour::{
     color_hex_to_b, color_hex_to_g, color_hex_to_h, color_hex_to_o, color_hex_to_r, color_hex_to_s, color_hex_to_v,
     color_hsv_to_hex, color_hsvo_to_hex, color_rgb_to_hex, color_rgbo_to_hex,
 };
-pub use compare::{compare, equal, greater, greater_equal, less, less_equal, unequal};
+pub use compare::{equal, greater, greater_equal, less, less_equal, unequal};
 pub use convert::{
-    array_itself, array_to_text, array_to_text as floats_to_text, array_to_text as bools_to_text,
-    array_to_text as texts_to_text, bool_to_bool, bool_to_float, bool_to_text, bools_from_floats, bools_from_texts,
-    float_to_bool, float_to_float, float_to_text, floats_from_bools, floats_from_texts, isnull_float,
-    isnull_float_each, isnull_text, isnull_text_each, no_bools, no_floats, no_texts, text_to_bool, text_to_float,
-    text_to_text, texts_from_bools, texts_from_floats,
+    array_to_text, bool_to_float, bool_to_text, bools_from_floats, bools_from_texts, float_to_bool, float_to_text,
+    floats_from_bools, floats_from_texts, isnull_float, isnull_float_each, isnull_text, isnull_text_each, no_bools,
+    no_floats, no_texts, text_to_bool, text_to_float, text_to_text, texts_from_bools, texts_from_floats,
 };
 pub use list::{
     list_add, list_clean, list_count, list_first, list_from_array, list_index, list_item, list_last, list_random,
@@ -63,8 +61,8 @@ fn whole(number: f64) -> Option<usize> {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::fault::{Error, LimitKind};
     use crate::run::env::Env;
-    use crate::run::fault::{Error, LimitKind};
     use crate::run::settings::Settings;
     use crate::value::text::Text;
 

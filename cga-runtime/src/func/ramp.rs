@@ -4,8 +4,8 @@
 //! of `spectrum` are read off the pictures of the *splitArea operation*, as far as they show them.
 
 use super::colour::print;
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::value::text::Text;
 
 /// Colours of a ramp.

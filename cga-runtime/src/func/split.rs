@@ -1,7 +1,7 @@
 //! `splitString`.
 
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::value::array::Array;
 use crate::value::pattern::{Pattern, Search, TooLong};
 use crate::value::text::{Text, shortened};
@@ -64,7 +64,7 @@ fn split_by_pattern(env: &mut Env, pattern: &Pattern, text: &str) -> Result<Arra
 mod tests {
     use super::super::tests::{Random, env, faults, limit, small_env, text};
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
 
     fn split(whole: &str, delimiter: &str) -> String {
         split_string(&mut env(), text(whole), text(delimiter)).to_string()

@@ -106,7 +106,7 @@ pub fn get_range(text: Text, left: Text, right: Text) -> Text {
 mod tests {
     use super::super::tests::{Random, env, faults, limit, small_env, text};
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
 
     #[test]
     fn fact_84_substring() {

@@ -5,8 +5,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use crate::geometry::Frame;
-use crate::geometry::mesh::{Bounds, unit};
-use crate::shape::stretch;
+use crate::geometry::mesh::unit;
 
 /// Edges between points, or points alone.
 #[derive(Clone, Debug, Default)]
@@ -108,27 +107,4 @@ enum End {
 
 fn cut_at(start: DVec3, end: DVec3, share: f64) -> DVec3 {
     start + (end - start) * share
-}
-
-/// A wire and the box in its own coordinates that the scope stretches it from.
-#[derive(Clone, Debug)]
-pub(crate) struct PlacedWire {
-    pub(crate) wire: Wire,
-    pub(crate) low: DVec3,
-    pub(crate) size: DVec3,
-}
-
-impl PlacedWire {
-    /// A wire whose coordinates are scope coordinates, with the box of its points.
-    pub(crate) fn fitted(wire: Wire) -> Self {
-        let bounds = Bounds::of(wire.points.iter().copied());
-        let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
-        PlacedWire { low, size: bounds.size(), wire }
-    }
-
-    /// In scope coordinates.
-    pub(crate) fn in_scope(&self, size: DVec3) -> Wire {
-        let stretch = stretch(self.size, size);
-        self.wire.stretched(stretch, -self.low * stretch)
-    }
 }

@@ -3,8 +3,8 @@
 
 use std::cell::{Cell, OnceCell};
 
+use super::support::global;
 use crate::op::set;
-use crate::rt::global;
 use crate::run::env::Env;
 use crate::shape::Shape;
 

@@ -5,6 +5,7 @@ mod field;
 pub(crate) mod lazy;
 pub mod parallel;
 pub mod session;
+pub(crate) mod support;
 mod unrunnable;
 
 pub use field::Field;
@@ -12,8 +13,8 @@ pub use unrunnable::Unrunnable;
 
 use self::attribute::{Attribute, AttributeError};
 use self::session::DynSession;
+use crate::fault::Error;
 use crate::output::model::Model;
-use crate::run::fault::Error;
 use crate::run::report::Report;
 use crate::run::settings::Settings;
 use crate::run::sink::Sink;

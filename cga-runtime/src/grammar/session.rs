@@ -7,10 +7,10 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use crate::fault::Error;
 use crate::grammar::Grammar;
 use crate::output::model::Model;
 use crate::run::derive::{self, Kept, Outcome, Start};
-use crate::run::fault::Error;
 use crate::run::report::Report;
 use crate::run::rules::Rules;
 use crate::run::settings::Settings;

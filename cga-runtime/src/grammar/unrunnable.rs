@@ -1,8 +1,8 @@
 //! Grammars whose rules have errors.
 
+use crate::fault::Error;
 use crate::run::context::Cx;
 use crate::run::env::Env;
-use crate::run::fault::Error;
 use crate::run::rules::Rules;
 use crate::run::sink::Flow;
 use crate::run::start_rule::StartRule;

@@ -4,11 +4,11 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::UpAxis;
 use super::refit::refit;
+use crate::fault::FaultKind;
 use crate::geometry::Frame;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::tol::TIE_EPSILON;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::run::sink::{Cuboid, Quad};
 use crate::shape::place;
 use crate::shape::scope::Scope;

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::asset::{CUBES, File};
+use crate::fault::{FaultKind, LimitKind};
 use crate::geometry::mesh::{AlongUv, HeightAlignment, HeightDirection, Mesh, insert_along_uv as bend, primitive};
 use crate::run::env::Env;
-use crate::run::fault::{FaultKind, LimitKind};
 use crate::shape::Shape;
 
 /// `insertAlongUV(uvSet, filePath, height)`: copies of an asset, bent along texture coordinates, take the place of the triangles and

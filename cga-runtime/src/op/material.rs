@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::set;
 use crate::asset::{AssetError, UNKNOWN_TEXTURE};
+use crate::fault::FaultKind;
 use crate::func;
 use crate::material::{Color, Layer, Material, MaterialText, Named};
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::shape::{Geometry, Placed, Shape};
 use crate::value::array::Array;
 use crate::value::text::Text;

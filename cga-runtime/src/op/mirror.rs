@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use super::pivot::rearranged;
 use super::refit::as_placed;
-use crate::geometry::wire::PlacedWire;
 use crate::run::env::Env;
+use crate::shape::PlacedWire;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
 /// `mirror(x, y, z)`: mirrors the geometry about the middle of its scope, which stays (*mirror operation*). What looked

@@ -9,6 +9,7 @@ mod align_geometry;
 mod along_uv;
 mod coordinates;
 mod extrude;
+mod fit;
 mod insert;
 mod material;
 mod mirror;
@@ -33,7 +34,7 @@ pub use align_geometry::{
     align_to_indices, align_to_selected,
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
-pub use coordinates::{CoordSystem, TransformMode, rotate_in, translate_in};
+pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;
@@ -55,8 +56,8 @@ pub use trim::trim;
 
 use glam::DVec3;
 
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::shape::Shape;
 use crate::shape::scope::Scope;
 

@@ -1,9 +1,9 @@
 //! `offset`: outlines of faces moved in or out.
 
+use crate::fault::FaultKind;
 use crate::geometry::mesh::OffsetFaces;
 use crate::geometry::mesh::offset::{OffsetError, offset as offset_mesh};
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Shape};

@@ -6,10 +6,11 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::refit::{as_placed, rectangle};
 use super::settle;
+use crate::fault::FaultKind;
 use crate::geometry::Frame;
-use crate::geometry::wire::{PlacedWire, Wire};
+use crate::geometry::wire::Wire;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
+use crate::shape::PlacedWire;
 use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Placed, Shape};
 

@@ -8,13 +8,13 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::insert::fit;
+use super::fit::fit;
 use super::settle;
+use crate::fault::FaultKind;
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::primitive::Made;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::shape::texture::Source;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Inserted, Placed, Shape};

@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use crate::fault::FaultKind;
 use crate::geometry::mesh::Bounds;
 use crate::geometry::tol::ANGLE_EPSILON;
-use crate::geometry::wire::{PlacedWire, Wire};
+use crate::geometry::wire::Wire;
 use crate::geometry::{Axis, Frame};
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
+use crate::shape::PlacedWire;
 use crate::shape::place;
 use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;

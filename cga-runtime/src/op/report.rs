@@ -1,7 +1,7 @@
 //! `report`, `print` and `label`.
 
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::shape::Shape;
 use crate::shape::view::View;
 use crate::value::Value;

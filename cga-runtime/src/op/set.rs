@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 
+use crate::fault::FaultKind;
 use crate::geometry::Frame;
 use crate::geometry::rotation::turn;
 use crate::material::list::{each_material_number, each_material_text};
 use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
 use crate::query::get;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::shape::Shape;
 use crate::shape::scope::Scope;
 use crate::shape::seed::Seed;

@@ -7,12 +7,12 @@ use cga_split::{Prefix, Size};
 use glam::{DAffine2, DVec2, DVec3, DVec4};
 
 use super::Length;
+use crate::fault::FaultKind;
 use crate::geometry::mesh::uv::{range, spread};
 use crate::geometry::rotation::sin_cos;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::uv_map::UvMap;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::shape::Shape;
 use crate::shape::texture::Source;
 

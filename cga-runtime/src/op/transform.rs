@@ -5,8 +5,8 @@ use glam::DVec3;
 use crate::geometry::rotation::turn;
 
 use super::{Length, settle};
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::shape::Shape;
 use crate::shape::scope::Scope;
 

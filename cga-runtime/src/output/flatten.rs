@@ -4,9 +4,10 @@
 
 use std::ops::Range;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DVec3};
 
 use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::map::normal_map;
 use crate::geometry::triangulate::Triangulator;
 
 /// Cuts faces into triangles, keeping its buffers from mesh to mesh.
@@ -45,11 +46,6 @@ impl Flattener {
             }
         }
     }
-}
-
-/// The map under which normals follow the winding: it takes `a × b` to `(m·a) × (m·b)`, also when `m` mirrors.
-pub(crate) fn normal_map(m: &DMat3) -> DMat3 {
-    DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
 }
 
 /// The point of a corner.

@@ -4,8 +4,8 @@
 
 use glam::DAffine3;
 
-use super::flatten::normal_map;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::map::normal_map;
 use crate::run::sink::{Cuboid, Quad};
 
 /// In square metres.

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use crate::asset::Assets;
+use crate::fault::Fault;
 use crate::geometry::Axis;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::SetMap;
@@ -19,7 +20,6 @@ use crate::output::numbers::Numbers;
 use crate::output::stats::Stats;
 use crate::output::texture::files::Files;
 use crate::output::texture::leaf_uvs::LeafUvs;
-use crate::run::fault::Fault;
 use crate::run::report::Report;
 use crate::run::report::{Collection, Print, Reports};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};

@@ -20,13 +20,14 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::error::WriteError;
-use super::flatten::{Flattener, normal_map, unit};
+use super::flatten::{Flattener, unit};
 use super::number::{Texts, push_whole};
 use super::numbers::Numbers;
 use crate::geometry::mesh::Mesh;
-use crate::grammar::parallel::Parts;
+use crate::geometry::mesh::map::normal_map;
 use crate::material::Material;
 use crate::output::model::Model;
+use crate::output::parts::Parts;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
 use crate::value::text::Text;
 

@@ -11,13 +11,14 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::error::WriteError;
-use super::flatten::{corner_point, normal_map, unit};
+use super::flatten::{corner_point, unit};
 use super::number::Short;
 use super::order;
 use super::picture::Viewpoint;
 use super::picture::camera::{View, direction};
 use super::table::Table;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::map::normal_map;
 use crate::material::Material;
 use crate::output::model::Model;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};

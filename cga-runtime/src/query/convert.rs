@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
+use crate::fault::FaultKind;
 use crate::geometry::rotation::{angles, turn};
 use crate::geometry::{Axis, Frame};
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::shape::Shape;
 use crate::value::array::Array;
 

@@ -2,11 +2,11 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::mesh::TextureSpace;
 use crate::geometry::mesh::UvAxis;
 use crate::geometry::mesh::uv::spread;
 use crate::run::env::Env;
 use crate::shape::Shape;
-use crate::split::texture::TextureSpace;
 
 /// `geometry.du(uvSet, space)`: the largest u minus the smallest, as coordinates or about in metres; 0 without coordinates
 /// (*geometry.du, dv functions*).

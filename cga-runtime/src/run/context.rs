@@ -7,8 +7,8 @@
 use std::collections::VecDeque;
 use std::rc::Rc;
 
+use crate::fault::LimitKind;
 use crate::run::env::{Env, Trail};
-use crate::run::fault::LimitKind;
 use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::run::template::{Tape, Templates};
 use crate::shape::base::Form;
@@ -115,6 +115,18 @@ impl<C> Cx<'_, C> {
         // It was counted when its rule was entered.
         self.env.shapes -= 1;
         filled(self.env, self.sink, shape, rule)
+    }
+
+    /// As [`Cx::leaf`], compiled once for a grammar: for leaves that are rare.
+    #[inline(never)]
+    pub fn any_leaf(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+        self.leaf(shape, rule)
+    }
+
+    /// As [`Cx::symbol`], compiled once for a grammar: for leaves that are rare.
+    #[inline(never)]
+    pub fn any_symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+        self.symbol(shape, rule)
     }
 
     /// A leaf symbol: counts as a shape of its own.

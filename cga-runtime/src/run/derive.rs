@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 use std::io::Write as _;
 
+use crate::fault::Error;
 use crate::run::context::Cx;
 use crate::run::env::Env;
-use crate::run::fault::Error;
 use crate::run::report::{Print, Report};
 use crate::run::rules::Rules;
 use crate::run::settings::Settings;

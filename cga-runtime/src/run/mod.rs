@@ -3,7 +3,6 @@
 pub(crate) mod context;
 pub(crate) mod derive;
 pub mod env;
-pub mod fault;
 pub mod report;
 pub mod rules;
 pub mod settings;

@@ -1,8 +1,8 @@
 //! The interface between a run and generated code.
 
+use crate::fault::Error;
 use crate::run::context::Cx;
 use crate::run::env::Env;
-use crate::run::fault::Error;
 use crate::run::sink::Flow;
 use crate::run::start_rule::StartRule;
 use crate::shape::{Shape, ShapeRef};

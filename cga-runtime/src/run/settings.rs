@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::asset::Assets;
 use crate::run::watch::Watch;
 
-/// Bounds on what one run may make. Reaching one ends the run with [`Error::Limit`](crate::run::fault::Error::Limit), unless it
+/// Bounds on what one run may make. Reaching one ends the run with [`Error::Limit`](crate::fault::Error::Limit), unless it
 /// says otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {

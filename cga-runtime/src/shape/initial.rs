@@ -5,11 +5,11 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::{Counter, Geometry, Placed, Shape};
+use crate::fault::Error;
 use crate::geometry::face_frame::{self, FaceFrame};
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::tol::{ANGLE_EPSILON, ROUNDING_EPSILON};
 use crate::geometry::{Axis, Frame};
-use crate::run::fault::Error;
 use crate::shape::scope::Scope;
 use crate::shape::seed::Seed;
 use crate::shape::state::StateRef;

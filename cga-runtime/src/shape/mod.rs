@@ -10,6 +10,7 @@ mod initial;
 pub(crate) mod look;
 pub(crate) mod look_ids;
 pub(crate) mod place;
+mod placed;
 pub mod scope;
 pub(crate) mod seed;
 pub(crate) mod slim;
@@ -25,7 +26,6 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::mesh::Mesh;
-use crate::geometry::wire::PlacedWire;
 use crate::geometry::{Axis, Frame};
 use crate::material::{Color, Material};
 use crate::shape::scope::Scope;
@@ -35,6 +35,7 @@ use crate::shape::texture::Coordinates;
 use crate::shape::trim::Trims;
 use crate::shape::unit::UnitMesh;
 
+pub(crate) use placed::{Inserted, Placed, PlacedWire};
 pub use slim::ShapeRef;
 
 /// A shape with all it has: the shape that a run starts with, and the shape that operations change.
@@ -130,61 +131,6 @@ impl Geometry {
             _ => Inserted::No,
         }
     }
-}
-
-/// Whether geometry is as it was inserted (*geometry.isInstanced function*).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Inserted {
-    /// It was not inserted, or it was changed since.
-    No,
-    /// A box or a rectangle. Sinks get its mesh as any other.
-    Plain,
-    /// An asset or a primitive with a mesh of its own. Sinks get it as an instance.
-    Asset,
-}
-
-/// A mesh and the box in its own coordinates that the scope stretches it from.
-#[derive(Clone, Debug)]
-pub(crate) struct Placed {
-    pub(crate) mesh: Arc<Mesh>,
-    pub(crate) low: DVec3,
-    pub(crate) size: DVec3,
-    pub(crate) inserted: Inserted,
-    /// Whether the mesh is mirrored itself, so that a scope with a negative size mirrors it back.
-    pub(crate) mirrored: bool,
-}
-
-impl Placed {
-    /// A mesh whose coordinates are scope coordinates, with the box of its points.
-    pub(crate) fn fitted(mesh: Mesh) -> Self {
-        let bounds = mesh.bounds();
-        let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
-        Placed { low, size: bounds.size(), mesh: Arc::new(mesh), inserted: Inserted::No, mirrored: false }
-    }
-
-    /// A box or a rectangle.
-    pub(crate) fn unit(unit: UnitMesh) -> Self {
-        let (mesh, bounds) = (unit.mesh().clone(), unit.mesh().bounds());
-        let inserted = if unit.is_inserted() { Inserted::Plain } else { Inserted::No };
-        Placed { mesh, low: bounds.low, size: bounds.size(), inserted, mirrored: false }
-    }
-
-    /// Factor from mesh to scope lengths, for each axis.
-    pub(crate) fn stretch(&self, size: DVec3) -> DVec3 {
-        stretch(self.size, size)
-    }
-
-    /// From mesh coordinates to scope coordinates.
-    pub(crate) fn to_scope(&self, size: DVec3) -> DAffine3 {
-        let stretch = self.stretch(size);
-        DAffine3 { matrix3: DMat3::from_diagonal(stretch), translation: -self.low * stretch }
-    }
-}
-
-/// Factor from one size to another, for each axis.
-pub(crate) fn stretch(from: DVec3, to: DVec3) -> DVec3 {
-    let factor = |have: f64, want: f64| if have == want || have == 0.0 { 1.0 } else { want / have };
-    DVec3::new(factor(from.x, to.x), factor(from.y, to.y), factor(from.z, to.z))
 }
 
 impl Shape {

@@ -7,14 +7,15 @@ use glam::DVec3;
 
 use super::row::Row;
 use super::{Adjust, Piece};
+use crate::fault::{FaultKind, LimitKind};
 use crate::geometry::Axis;
 use crate::geometry::cut;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tol::PLANAR_EPSILON;
-use crate::geometry::wire::{PlacedWire, Wire};
+use crate::geometry::wire::Wire;
 use crate::run::env::Env;
-use crate::run::fault::{FaultKind, LimitKind};
 use crate::run::sink::Flow;
+use crate::shape::PlacedWire;
 use crate::shape::scope::Scope;
 use crate::shape::unit::Band;
 use crate::shape::{Geometry, Inserted, Placed, Shape};

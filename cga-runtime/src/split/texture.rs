@@ -8,22 +8,13 @@ use cga_split::{Item, Piece, Size, solve};
 use super::divide::{check, listed};
 use super::division::Made;
 use super::parts::Borders;
+use crate::fault::{FaultKind, LimitKind};
 use crate::geometry::cut;
 use crate::geometry::mesh::uv::spread;
-use crate::geometry::mesh::{Mesh, UvAxis, UvExtent};
+use crate::geometry::mesh::{Mesh, TextureSpace, UvAxis, UvExtent};
 use crate::run::env::Env;
-use crate::run::fault::{FaultKind, LimitKind};
 use crate::shape::base::Base;
 use crate::shape::{Geometry, Inserted, Placed, Shape, ShapeRef};
-
-/// The unit of the sizes of a split in texture space.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TextureSpace {
-    /// Texture coordinates: `uvSpace`.
-    Uv,
-    /// Metres on the surface: `unitSpace`.
-    Unit,
-}
 
 /// The coordinate, the unit and the uv set of a split in texture space.
 pub type TextureAxis = (UvAxis, TextureSpace, f64);

@@ -3,6 +3,7 @@
 //! Elements are numbered from 0, row by row. An array without elements has no rows and no columns, however it came to
 //! be; so all empty arrays of a type are equal.
 
+use std::cmp::Ordering;
 use std::fmt::{self, Write};
 use std::sync::Arc;
 
@@ -229,6 +230,21 @@ fn value_width(value: &impl Print) -> Result<usize, fmt::Error> {
     let mut count = Count(0);
     value.print(&mut count)?;
     Ok(count.0)
+}
+
+impl<T: Element> Compare for Array<T> {
+    /// Element by element, row by row. When the first rows are equal as far as both go, the array with fewer columns is
+    /// less; when all rows that both have are equal, the one with fewer rows (*Array types operators*).
+    fn compare(&self, other: &Self) -> Ordering {
+        for (row, other_row) in self.iter_rows().zip(other.iter_rows()) {
+            let elements = row.iter().zip(other_row).map(|(a, b)| a.compare(b));
+            let order = elements.fold(Ordering::Equal, Ordering::then).then(row.len().cmp(&other_row.len()));
+            if order.is_ne() {
+                return order;
+            }
+        }
+        self.rows().cmp(&other.rows())
+    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 use std::cmp::Ordering;
 
-use super::array::{Array, Element};
 use super::text::Text;
 
 /// Values that the relational operators can compare.
@@ -41,20 +40,5 @@ impl Compare for Text {
     fn compare(&self, other: &Self) -> Ordering {
         // Copies share their characters, and long ones are not gone through.
         if std::ptr::eq(self.as_str(), other.as_str()) { Ordering::Equal } else { self.cmp(other) }
-    }
-}
-
-impl<T: Element> Compare for Array<T> {
-    /// Element by element, row by row. When the first rows are equal as far as both go, the array with fewer columns is
-    /// less; when all rows that both have are equal, the one with fewer rows (*Array types operators*).
-    fn compare(&self, other: &Self) -> Ordering {
-        for (row, other_row) in self.iter_rows().zip(other.iter_rows()) {
-            let elements = row.iter().zip(other_row).map(|(a, b)| a.compare(b));
-            let order = elements.fold(Ordering::Equal, Ordering::then).then(row.len().cmp(&other_row.len()));
-            if order.is_ne() {
-                return order;
-            }
-        }
-        self.rows().cmp(&other.rows())
     }
 }

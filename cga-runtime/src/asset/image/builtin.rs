@@ -1,7 +1,7 @@
 //! Textures that are always there, drawn by code.
 
+use crate::asset::image::Image;
 use crate::asset::{BUILTINS, UNKNOWN_TEXTURE};
-use crate::output::picture::Image;
 
 /// A black and white checkerboard of 16 by 16 fields.
 pub(crate) const DEFAULT: &str = "builtin:default";

@@ -8,8 +8,8 @@ use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
 use crate::asset::AssetError;
+use crate::asset::image::Image;
 use crate::asset::image::header::{ImageHeader, ImageKind, MOST_PIXELS};
-use crate::output::picture::Image;
 
 /// The pixels of an image file, as four bytes of sRGB and opacity. Grey, palettes and 16 bits a channel become that.
 ///

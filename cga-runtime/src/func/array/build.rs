@@ -1,7 +1,7 @@
 //! Arrays from values: `[1, a; 2:4]` and `base : increment : limit`.
 
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::value::array::{Array, Element};
 
 /// What stands between commas in `[…]`.
@@ -85,7 +85,8 @@ pub fn array<T: Element>(env: &mut Env, rows: &[&[Part<T>]]) -> Array<T> {
 }
 
 /// `[base : limit]`: in steps of 1 (*colon operator*).
-pub fn range(env: &mut Env, base: f64, limit: f64) -> Array<f64> {
+#[cfg(test)]
+pub(crate) fn range(env: &mut Env, base: f64, limit: f64) -> Array<f64> {
     range_by(env, base, 1.0, limit)
 }
 
@@ -122,7 +123,7 @@ pub fn range_by(env: &mut Env, base: f64, increment: f64, limit: f64) -> Array<f
 mod tests {
     use super::super::super::tests::{Random, env, faults, limit, small_env, text};
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
 
     fn by(base: f64, increment: f64, limit: f64) -> Vec<f64> {
         range_by(&mut env(), base, increment, limit).as_slice().to_vec()

@@ -3,8 +3,8 @@
 //! One side may be a single value, which then meets every element of the other. Two arrays must have the same form; if
 //! they do not, the result has no elements and there is a fault.
 
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::value::array::{Array, Element, Print};
 use crate::value::compare::Compare;
 use crate::value::text::Text;
@@ -139,11 +139,6 @@ comparisons! {
     each_greater_equal = ".>=" is_ge;
 }
 
-/// `.+ a`: the array itself.
-pub fn each_plus(a: Array<f64>) -> Array<f64> {
-    a
-}
-
 /// `.- a`.
 pub fn each_minus(a: Array<f64>) -> Array<f64> {
     a.map(|value| -value)
@@ -176,7 +171,7 @@ pub fn each_concat(env: &mut Env, a: impl Operand, b: impl Operand) -> Array<Tex
 mod tests {
     use super::super::super::tests::{env, faults, limit, small_env, text};
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
 
     fn row<T: Element, const N: usize>(values: [T; N]) -> Array<T> {
         Array::from(values)
@@ -197,7 +192,6 @@ mod tests {
         assert_eq!(each_add(env, row([1.0, 2.0]), 1.0), row([2.0, 3.0]));
         assert_eq!(each_add(env, 1.0, down([1.0, 2.0])), down([2.0, 3.0]));
         assert_eq!(each_add(env, row([1.0, 2.0]), row([2.0, 1.0])), row([3.0, 3.0]));
-        assert_eq!(each_plus(row([1.0, 2.0])), row([1.0, 2.0]));
         assert_eq!(each_subtract(env, square([1.0, 2.0, 3.0, 4.0]), 1.0), square([0.0, 1.0, 2.0, 3.0]));
         assert_eq!(each_subtract(env, 3.0, row([1.0, 2.0])), row([2.0, 1.0]));
         assert_eq!(each_subtract(env, down([3.0, 2.0]), down([2.0, 1.0])), down([1.0, 1.0]));

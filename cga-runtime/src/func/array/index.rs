@@ -85,7 +85,7 @@ mod tests {
     use super::super::build::{range, range_by};
     use super::super::each::each_greater;
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
 
     fn row<const N: usize>(values: [f64; N]) -> Array<f64> {
         Array::from(values)

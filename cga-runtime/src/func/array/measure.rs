@@ -67,7 +67,7 @@ pub fn transpose<T: Element>(array: Array<T>) -> Array<T> {
 mod tests {
     use super::super::super::tests::{env, faults, limit, small_env, text};
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
 
     fn two_rows() -> Array<f64> {
         Array::from(vec![vec![1.0, 2.0, 3.0], vec![4.0, 5.0, 6.0]])

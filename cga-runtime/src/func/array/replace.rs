@@ -2,8 +2,8 @@
 
 use super::each::Operand;
 use super::index::Indices;
+use crate::fault::FaultKind;
 use crate::run::env::Env;
-use crate::run::fault::FaultKind;
 use crate::value::array::{Array, Element};
 
 /// `setElems(array, indices, values)`: elements counted row by row (*setElems function*).
@@ -99,7 +99,7 @@ mod tests {
     use super::super::each::{each_equal, each_greater};
     use super::super::measure::count_true;
     use super::*;
-    use crate::run::fault::LimitKind;
+    use crate::fault::LimitKind;
 
     fn row<const N: usize>(values: [f64; N]) -> Array<f64> {
         Array::from(values)

@@ -7,16 +7,20 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::face::unit;
 use super::{Derived, FaceTag, Mesh, Tags};
 
+/// The map under which normals follow the winding: it takes `a × b` to `(m·a) × (m·b)`, also when `m` mirrors.
+/// Unlike the inverse it exists for flat maps too.
+pub(crate) fn normal_map(m: &DMat3) -> DMat3 {
+    DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
+}
+
 impl Mesh {
     /// The mesh moved by a map. The order of corners stays: a map that mirrors turns the faces inside out, and the
     /// corner normals with them.
     pub fn map(&self, map: &DAffine3) -> Mesh {
-        let m = map.matrix3;
-        // What cross products of edges go through; unlike the inverse it exists for flat maps too.
-        let cofactor = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
+        let normal_map = normal_map(&map.matrix3);
         Mesh {
             points: self.points.iter().map(|&p| map.transform_point3(p)).collect(),
-            normals: self.normals.iter().map(|&n| unit(cofactor * n)).collect(),
+            normals: self.normals.iter().map(|&n| unit(normal_map * n)).collect(),
             derived: self.derived.of_moved(),
             ..self.clone_structure()
         }

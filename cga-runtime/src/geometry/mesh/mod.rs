@@ -20,7 +20,7 @@ pub mod extrude;
 mod extrude_wire;
 mod face;
 mod layout;
-mod map;
+pub(crate) mod map;
 mod measure;
 pub(crate) mod offset;
 mod polygon;
@@ -55,7 +55,7 @@ pub use offset::OffsetFaces;
 pub use tag::TagSet;
 pub(crate) use tag::matches as tag_matches;
 pub(crate) use uv::UvSets;
-pub use uv::{UvAxis, UvExtent};
+pub use uv::{TextureSpace, UvAxis, UvExtent};
 
 /// Faces with holes over shared points. Made by [`MeshBuilder`], never changed afterwards.
 #[derive(Clone, Debug, Default)]

@@ -12,6 +12,15 @@ use crate::geometry::uv_map::SetMap;
 pub use extent::UvExtent;
 pub(crate) use extent::{range, spread};
 
+/// The unit of the sizes of a split in texture space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TextureSpace {
+    /// Texture coordinates: `uvSpace`.
+    Uv,
+    /// Metres on the surface: `unitSpace`.
+    Unit,
+}
+
 /// One of the two texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum UvAxis {

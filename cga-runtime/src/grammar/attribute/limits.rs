@@ -1,8 +1,8 @@
 //! Which values an attribute may have.
 
 use super::{Attribute, AttributeDefault, AttributeError};
+use crate::fault::Error;
 use crate::grammar::Grammar;
-use crate::run::fault::Error;
 use crate::value::Value;
 use crate::value::array::Array;
 use crate::value::text::Text;

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
+use crate::fault::Error;
 use crate::run::derive::Outcome;
-use crate::run::fault::Error;
 use crate::run::report::Report;
 use crate::shape::Shape;
 

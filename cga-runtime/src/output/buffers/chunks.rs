@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec3};
 use super::part::Run;
 use super::{Buffers, Vertex};
 use crate::geometry::mesh::Mesh;
-use crate::output::flatten::normal_map;
+use crate::geometry::mesh::map::normal_map;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 
 /// The vertices of a box, which is never divided.

@@ -7,10 +7,10 @@ use glam::DVec3;
 
 use super::Glb;
 use super::primitive::Primitive;
-use crate::grammar::parallel::Parts;
 use crate::material::layer::SetMask;
 use crate::output::buffers::{Buffers, Part};
 use crate::output::error::WriteError;
+use crate::output::parts::Parts;
 use crate::run::sink::Flow;
 
 impl Glb {

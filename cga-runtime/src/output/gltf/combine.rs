@@ -3,8 +3,8 @@
 
 use super::textures::ImageKey;
 use crate::asset::Assets;
+use crate::asset::image::Image;
 use crate::asset::image::header::MOST_PIXELS;
-use crate::output::picture::Image;
 use crate::output::texture::source::{self, Pixels};
 use crate::value::text::Text;
 

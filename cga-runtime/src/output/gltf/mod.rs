@@ -45,7 +45,6 @@ use crate::asset::Assets;
 use crate::geometry::Axis;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::{self, SetMap};
-use crate::grammar::parallel;
 use crate::material::layer::SetMask;
 use crate::output::model::Model;
 use crate::output::texture::files::Files;
@@ -293,7 +292,7 @@ impl Model {
     }
 }
 
-impl parallel::Parts<Model> {
+impl super::parts::Parts<Model> {
     /// All models as one GLB file, the same as that of one model with all leaves.
     ///
     /// # Errors

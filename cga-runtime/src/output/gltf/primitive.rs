@@ -8,9 +8,10 @@ use glam::{DAffine3, DVec2, DVec3, DVec4, Vec4};
 
 use super::look::Looks;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::map::normal_map;
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::layer::SetMask;
-use crate::output::flatten::{FlatFace, corner_point, normal_map, unit};
+use crate::output::flatten::{FlatFace, corner_point, unit};
 use crate::output::room::Room;
 use crate::output::table::Table;
 use crate::run::sink::Replay;

@@ -5,7 +5,7 @@ mod models;
 use std::fmt;
 use std::ops::Range;
 
-use crate::run::fault::Error;
+use crate::fault::Error;
 use crate::run::report::Report;
 
 /// The sinks of all stretches, in order, and what the runs report together.

@@ -1,8 +1,8 @@
 //! Models of many shapes: what a model of all of them would say.
 
 use crate::geometry::mesh::Bounds;
-use crate::grammar::parallel::Parts;
 use crate::output::model::{LeafView, Model};
+use crate::output::parts::Parts;
 use crate::output::stats::Stats;
 use crate::run::sink::{Flow, Sink};
 

@@ -8,11 +8,12 @@ use glam::{DAffine3, DVec2, DVec3};
 
 use super::texel::{Maps, PLAIN, Textures};
 use crate::asset::Assets;
+use crate::geometry::mesh::map::normal_map;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::{self, SetMap};
 use crate::material::Material;
 use crate::material::layer::SetMask;
-use crate::output::flatten::{Flattener, corner_point, normal_map, unit};
+use crate::output::flatten::{Flattener, corner_point, unit};
 use crate::output::number::linear;
 use crate::output::table::Table;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};

@@ -1,8 +1,8 @@
 //! The image that a name of a material leads to, for sinks that show or embed it.
 
+use crate::asset::image::Image;
 use crate::asset::image::header::ImageHeader;
 use crate::asset::{AssetError, Assets};
-use crate::output::picture::Image;
 
 use crate::asset::image::builtin;
 

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::{ENDED, Env, MOST_SHAPES};
-use crate::run::fault::LimitKind;
+use crate::fault::LimitKind;
 use crate::run::settings::Settings;
 use crate::run::sink::Flow;
 use crate::run::watch::{Progress, STRIDE, Watch};

@@ -13,10 +13,10 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use crate::asset::{File, Query};
+use crate::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::geometry::Frame;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::primitive::Made;
-use crate::run::fault::{Error, Fault, FaultKind, LimitKind};
 use crate::run::report::{FAULTS_KEPT, Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::sink::{Flow, LeafTables};

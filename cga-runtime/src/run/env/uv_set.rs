@@ -1,7 +1,7 @@
 //! Numbers of texture coordinate sets.
 
 use super::Env;
-use crate::run::fault::FaultKind;
+use crate::fault::FaultKind;
 use crate::shape::texture::SETS;
 
 impl Env {

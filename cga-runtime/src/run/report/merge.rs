@@ -2,7 +2,7 @@
 
 use super::FAULTS_KEPT;
 use super::{Collection, MOST_BYTES, Reports, Summary};
-use crate::run::fault::{Fault, FaultKind};
+use crate::fault::{Fault, FaultKind};
 use crate::run::report::Report;
 use crate::run::settings::Limits;
 

@@ -1,7 +1,7 @@
 //! The report of a run.
 
 use super::{Collection, Print, Reports};
-use crate::run::fault::Fault;
+use crate::fault::Fault;
 
 /// The counts, faults, reports and lines of a run.
 #[derive(Clone, Debug, Default)]

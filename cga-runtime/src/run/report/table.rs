@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use super::{Collection, Reports, Summary};
-use crate::func::float_to_text;
+use crate::value::number::Number;
 
 /// Groups within groups that are shown. Keys may have any number of dots.
 const LEVELS: usize = 8;
@@ -82,7 +82,7 @@ impl Reports {
 }
 
 fn row(name: String, summary: &Summary, group: Option<&Summary>) -> Row {
-    let number = |value: Option<f64>| value.map_or(String::new(), |value| float_to_text(value).to_string());
+    let number = |value: Option<f64>| value.map_or(String::new(), |value| Number(value).to_string());
     let numbers = summary.numbers != 0;
     let count = share(summary.count as f64, group.map(|group| group.count as f64));
     let sum = share(summary.sum, group.map(|group| group.sum));

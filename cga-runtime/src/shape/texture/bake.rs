@@ -94,7 +94,7 @@ impl Shape {
     fn flat_normal(&self, axis: Axis) -> Option<DVec3> {
         let up = self.scope.axes.col(axis.index());
         let Geometry::Mesh(placed) = &self.geometry else { return Some(up) };
-        let turn = crate::output::flatten::normal_map(&placed.to_scope(self.scope.size).matrix3);
+        let turn = crate::geometry::mesh::map::normal_map(&placed.to_scope(self.scope.size).matrix3);
         let mut sides = placed.mesh.faces().map(|face| 0.0 < (turn * face.normal())[axis.index()]);
         let is_up = sides.next()?;
         sides.all(|side| side == is_up).then_some(if is_up { up } else { -up })
@@ -124,7 +124,7 @@ fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projectio
             }
             Some(resolved @ Resolved::Cube(..)) => {
                 let mut list = vec![DVec2::ZERO; mesh.corners().len()];
-                let turn = crate::output::flatten::normal_map(&place.matrix3);
+                let turn = crate::geometry::mesh::map::normal_map(&place.matrix3);
                 for face in mesh.faces() {
                     let Some(map) = resolved.map(turn * face.normal()) else { continue };
                     let local = map.after(place);
