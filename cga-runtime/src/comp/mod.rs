@@ -1,13 +1,12 @@
 //! The component split: which component goes to which arm, and the shapes they make.
 
 mod candidate;
-pub mod faces;
-pub(crate) mod looks;
 mod mesh_parts;
+pub(crate) mod orientation;
 mod owners;
 mod part;
 mod roof;
-pub mod select;
+pub(crate) mod select;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -27,10 +26,12 @@ use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::trim::{Surface, Trims};
 use crate::shape::{Counter, Geometry, Shape, ShapeRef};
 
-pub use candidate::{Candidate, Subcomponent, is_tagged, is_tagged_at};
+pub(crate) use candidate::Candidate;
+pub use candidate::{is_tagged, is_tagged_at};
+pub use select::Subcomponent;
 pub use value::comp_values;
 
-use looks::Looks;
+use orientation::Looks;
 use owners::Owners;
 use part::Part;
 use select::Word;

@@ -1,7 +1,4 @@
-//! Segments that lie on each other, against each other: they touch as far as the shorter one reaches, and cancel when they
-//! have the same ends.
-
-use std::collections::BTreeMap;
+//! Coincident segments with opposite directions: they touch up to the end of the shorter one.
 
 use super::Failure;
 use super::arrangement::{Arrangement, End, Segment};
@@ -9,8 +6,8 @@ use super::contact::{Contacts, to_segment};
 use super::wavefront::{Wavefront, turn_back};
 
 impl Arrangement {
-    /// Finds segments of a cluster that lie on each other, so that the far end of the shorter one touches the other. Whether
-    /// there was any that is new. Pairs of segments that were there before have been looked at.
+    /// Finds coincident segments of a cluster, so that the far end of the shorter one touches the other one. Returns
+    /// whether a contact is new. Pairs of segments that were there before are skipped.
     pub(super) fn find_overlaps(
         &self,
         front: &Wavefront,
@@ -35,7 +32,7 @@ impl Arrangement {
         if found {
             return Ok(true);
         }
-        // Where nothing is between them they meet, however far they seem to be from each other.
+        // Without another segment in between they meet, at any computed distance.
         for pair in self.pairs(front) {
             let [a, b] = pair.map(|segment| front.lines[self.segments[segment].line as usize]);
             if turn_back(&a, &b) {
@@ -48,7 +45,7 @@ impl Arrangement {
         Ok(found)
     }
 
-    /// Notes that a segment to a cluster and one from it touch, if they do. Whether that is new.
+    /// Records that a segment to a cluster and a segment from it touch, if they do. Returns whether this is new.
     fn overlap(&self, front: &Wavefront, contacts: &mut Contacts, pair: [usize; 2], near: f64) -> bool {
         let [incoming, outgoing] = pair.map(|segment| &self.segments[segment]);
         let position = |end: End| front.positions[end.vertex() as usize];
@@ -71,33 +68,4 @@ impl Arrangement {
             contacts.touch(edge, vertex)
         }
     }
-}
-
-/// Takes out segments between the same clusters that run against each other.
-pub(super) fn cancel(segments: &mut Vec<Segment>) -> Vec<[Segment; 2]> {
-    // For each pair of clusters the segments from one to the other that have not been cancelled, the last first.
-    let mut between: BTreeMap<[End; 2], Vec<usize>> = BTreeMap::new();
-    for (number, segment) in segments.iter().enumerate().rev() {
-        if let (End::Cluster(_), End::Cluster(_)) = (segment.from, segment.to) {
-            between.entry([segment.from, segment.to]).or_default().push(number);
-        }
-    }
-    let mut gone = vec![false; segments.len()];
-    let mut cancelled = Vec::new();
-    for number in 0..segments.len() {
-        let segment = segments[number];
-        if gone[number] {
-            continue;
-        }
-        if let Some(against) = between.get_mut(&[segment.to, segment.from]).and_then(Vec::pop) {
-            if let Some(own) = between.get_mut(&[segment.from, segment.to]) {
-                own.pop();
-            }
-            (gone[number], gone[against]) = (true, true);
-            cancelled.push([segment, segments[against]]);
-        }
-    }
-    let mut gone = gone.into_iter();
-    segments.retain(|_| gone.next() == Some(false));
-    cancelled
 }

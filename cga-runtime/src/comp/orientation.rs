@@ -14,11 +14,11 @@ use crate::shape::street::Streets;
 /// How a shape stands.
 #[derive(Clone, Debug)]
 pub(crate) struct Looks {
-    pub(super) scope: Scope,
+    pub(crate) scope: Scope,
     /// The axes of the initial shape.
     object: DMat3,
     /// Whether the normals of faces point inwards.
-    pub(super) inwards: bool,
+    pub(crate) inwards: bool,
     streets: Option<Arc<Streets>>,
 }
 
@@ -47,7 +47,7 @@ impl Looks {
 
     /// The same of what is somewhere in the world.
     #[inline]
-    pub(super) fn takes_at(&self, axes: Axes, direction: Direction, normal: DVec3, at: impl FnOnce() -> DVec3) -> bool {
+    pub(crate) fn takes_at(&self, axes: Axes, direction: Direction, normal: DVec3, at: impl FnOnce() -> DVec3) -> bool {
         match (axes, &self.streets) {
             (Axes::Scope, _) => direction.takes(normal),
             (Axes::World, _) => direction.takes(self.scope.axes * normal),

@@ -1,27 +1,27 @@
-//! Rings of one face within one slab into faces: which are outlines, and which holes belong to which.
+//! Groups the rings of one face within one slab into faces: outlines with their holes.
 
 use std::ops::Range;
 
 use glam::DVec2;
 
-use super::contour::Section;
-use super::first::first_node;
-use super::nest::Nest;
-use super::points::Node;
-use super::state::State;
+use crate::geometry::cut::faces::first_edge::first_node;
+use crate::geometry::cut::points::Node;
+use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::geometry::nesting::Nest;
+use crate::geometry::nesting::contour::Section;
 use crate::geometry::triangulate::Projection;
 
-/// Rings being collected, and buffers.
+/// The rings collected so far, and buffers.
 #[derive(Default)]
-pub(super) struct Rings {
-    /// Of all rings; those after the last end belong to the ring being made.
-    pub(super) nodes: Vec<Node>,
+pub(crate) struct Rings {
+    /// The nodes of all rings. The nodes after the last end belong to the current ring.
+    pub(crate) nodes: Vec<Node>,
     ends: Vec<usize>,
     view: Option<(Projection, FaceTag)>,
-    /// Corners of the face's outline.
+    /// The corners of the face's outline.
     outline: Range<usize>,
-    /// Whether a ring was too short since the last faces were added.
+    /// True if a ring was dropped since the last faces were added.
     dropped: bool,
     nest: Nest,
     flat: Vec<DVec2>,
@@ -30,15 +30,15 @@ pub(super) struct Rings {
 
 impl Rings {
     /// Begins a face.
-    pub(super) fn start(&mut self, projection: Projection, tag: FaceTag, outline: Range<usize>) {
+    pub(crate) fn start(&mut self, projection: Projection, tag: FaceTag, outline: Range<usize>) {
         self.view = Some((projection, tag));
         self.outline = outline;
         self.nodes.clear();
         self.ends.clear();
     }
 
-    /// Ends the ring being made. No corner repeats the one before it; what is too short for a ring is dropped.
-    pub(super) fn end_ring(&mut self) {
+    /// Ends the current ring. Repeated corners are removed, and rings with fewer than three corners are dropped.
+    pub(crate) fn end_ring(&mut self) {
         let start = self.ends.last().copied().unwrap_or(0);
         let mut kept = start;
         for i in start..self.nodes.len() {
@@ -59,9 +59,9 @@ impl Rings {
         self.nodes.truncate(kept);
     }
 
-    /// Adds the rings to a slab as faces, and forgets them. A hole outside of all outlines, which only a broken face has,
-    /// becomes a face of its own.
-    pub(super) fn emit(&mut self, state: &mut State, mesh: &Mesh, slab: u32) {
+    /// Adds the rings to a slab as faces, and clears the list. A hole outside all outlines, which only a broken face
+    /// has, becomes a face of its own.
+    pub(crate) fn emit(&mut self, state: &mut State, mesh: &Mesh, slab: u32) {
         let Some((projection, tag)) = self.view else { return };
         if let [end] = self.ends[..] {
             self.nest.single(end);

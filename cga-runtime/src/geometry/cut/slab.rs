@@ -1,4 +1,4 @@
-//! One slab's mesh while it is made.
+//! The mesh of one slab during a cut.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -8,19 +8,19 @@ use glam::DVec3;
 use super::points::{NONE, Node, Place, Points};
 use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
 
-/// The mesh of a slab, and how many faces it has from the source as they were.
-pub(super) struct Part {
-    pub(super) mesh: Mesh,
-    pub(super) whole: usize,
-    /// Whether a piece was left out because it has no extent: points of it may not be used.
-    pub(super) dropped: bool,
-    /// A face that is to come first.
-    pub(super) lead: Option<usize>,
+/// The mesh of a slab, and the number of its faces that were not cut.
+pub(crate) struct Part {
+    pub(crate) mesh: Mesh,
+    pub(crate) whole: usize,
+    /// True if a piece was dropped because it has no extent. Then some points may be unused.
+    pub(crate) dropped: bool,
+    /// The face that must come first.
+    pub(crate) lead: Option<usize>,
 }
 
 impl Part {
-    /// With room for some points, corners and loops.
-    pub(super) fn new(source: &Mesh, points: usize, corners: usize, loops: usize) -> Self {
+    /// An empty part with capacity for points, corners and loops.
+    pub(crate) fn new(source: &Mesh, points: usize, corners: usize, loops: usize) -> Self {
         let mut mesh = source.alike(corners);
         mesh.points.reserve(points);
         mesh.corners.reserve(corners);
@@ -31,26 +31,26 @@ impl Part {
         Part { mesh, whole: 0, dropped: false, lead: None }
     }
 
-    /// Adds a triangle of the source whose corners have these numbers here.
+    /// Adds a triangle of the source. `numbers` are the numbers of its corners in this part.
     #[inline]
-    pub(super) fn keep_triangle(&mut self, source: &Mesh, tag: FaceTag, corners: Range<usize>, numbers: [u32; 3]) {
+    pub(crate) fn keep_triangle(&mut self, source: &Mesh, tag: FaceTag, corners: Range<usize>, numbers: [u32; 3]) {
         self.whole += 1;
         self.piece(tag, numbers);
         self.copy_carried(source, corners);
     }
 
-    /// What corners of the source carry besides their points.
+    /// Copies the values of corners of the source.
     #[inline]
-    pub(super) fn copy_carried(&mut self, source: &Mesh, corners: Range<usize>) {
+    pub(crate) fn copy_carried(&mut self, source: &Mesh, corners: Range<usize>) {
         self.mesh.uvs.copy_from(&source.uvs, corners.clone());
         if !source.normals.is_empty() {
             self.mesh.normals.extend_from_slice(&source.normals[corners]);
         }
     }
 
-    /// The number of a point in this slab; on a plane it is given when first asked for.
+    /// The number of a point in this slab. A point on a plane gets its number at the first request.
     #[inline]
-    pub(super) fn number(&mut self, points: &mut Points, place: Place, slab: u32) -> u32 {
+    pub(crate) fn number(&mut self, points: &mut Points, place: Place, slab: u32) -> u32 {
         if !place.class.is_on_plane() {
             return place.number;
         }
@@ -65,16 +65,16 @@ impl Part {
         self.add_point(points.lift(plane, place.number))
     }
 
-    /// Adds a point; gives its number.
+    /// Adds a point and returns its number.
     #[inline]
-    pub(super) fn add_point(&mut self, point: DVec3) -> u32 {
+    pub(crate) fn add_point(&mut self, point: DVec3) -> u32 {
         self.mesh.points.push(point);
         self.mesh.points.len() as u32 - 1
     }
 
-    /// Adds corners of a piece with what they carry.
+    /// Adds corners of a piece with their values.
     #[inline(always)]
-    pub(super) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[Node], slab: u32) {
+    pub(crate) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[Node], slab: u32) {
         for node in nodes {
             let number = self.number(points, node.place, slab);
             self.mesh.corners.push(number);
@@ -82,9 +82,9 @@ impl Part {
         self.carry(points, source, nodes);
     }
 
-    /// Adds what corners of a piece carry besides their points.
+    /// Adds the values of corners of a piece.
     #[inline(always)]
-    pub(super) fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
+    pub(crate) fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
         if !source.uvs.is_empty() {
             for node in nodes {
                 let share = if node.is_corner() { 0.0 } else { points.share(node.place) };
@@ -105,27 +105,27 @@ impl Part {
         }
     }
 
-    /// Adds a piece that is one loop, without what its corners carry; the numbers of its points here are known.
+    /// Adds a piece with one loop, without the values of its corners. The numbers of its points are known.
     #[inline(always)]
-    pub(super) fn piece<const N: usize>(&mut self, tag: FaceTag, numbers: [u32; N]) {
+    pub(crate) fn piece<const N: usize>(&mut self, tag: FaceTag, numbers: [u32; N]) {
         self.mesh.corners.extend(numbers);
         self.end_loop();
         self.end_face(tag);
     }
 
     #[inline]
-    pub(super) fn end_loop(&mut self) {
+    pub(crate) fn end_loop(&mut self) {
         self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
     }
 
     #[inline]
-    pub(super) fn end_face(&mut self, tag: FaceTag) {
+    pub(crate) fn end_face(&mut self, tag: FaceTag) {
         self.mesh.face_ends.push(self.mesh.loop_ends.len());
         self.mesh.tags.push(tag);
     }
 
-    /// The finished mesh; the source itself when all of it is here, nothing when nothing is.
-    pub(super) fn finish(mut self, source: &Arc<Mesh>, closed: bool) -> Option<Arc<Mesh>> {
+    /// The finished mesh. The source itself if the part contains all of it, `None` if the part is empty.
+    pub(crate) fn finish(mut self, source: &Arc<Mesh>, closed: bool) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_ends.len();
         if faces == 0 {
             return None;

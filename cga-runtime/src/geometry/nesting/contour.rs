@@ -1,30 +1,30 @@
-//! Directed edges in a plane into loops, by point identity.
+//! Joins directed edges in a plane to loops, by point identity.
 //!
-//! Where exactly one edge comes in and one goes out the loop just goes on. Elsewhere, edges that run back and forth cancel,
-//! and the rest is paired by angle ([`super::chain`]). Loops that meet themselves are taken apart, so each loop here has
-//! every point once. Edges that do not close are given back as chains.
+//! At a point with one incoming and one outgoing edge the loop simply continues. At other points, edges that run back
+//! and forth cancel, and the others are paired by angle ([`super::pairing`]). Loops that meet themselves are divided,
+//! so each loop has every point once. Edges that do not close are returned as chains.
 
 use std::ops::Range;
 
 use glam::DVec2;
 
-use super::chain::{self, Chains};
+use super::pairing::{self, Chains};
 
 const NONE: u32 = u32::MAX;
 
-/// Loops of one plane, and buffers.
+/// The loops of one plane, and buffers.
 #[derive(Default)]
-pub(super) struct Contour {
+pub(crate) struct Contour {
     next: Vec<u32>,
-    /// Loops one after the other, as numbers of points.
-    pub(super) corners: Vec<u32>,
-    pub(super) ends: Vec<usize>,
+    /// The loops in sequence, as numbers of points.
+    pub(crate) corners: Vec<u32>,
+    pub(crate) ends: Vec<usize>,
     chains: Chains,
     on_stack: Vec<u32>,
     stack: Vec<u32>,
 }
 
-/// Loops with the points they go through.
+/// Loops with their points.
 pub(crate) struct Section<'c> {
     pub(crate) flat: &'c [DVec2],
     pub(crate) corners: &'c [u32],
@@ -33,19 +33,19 @@ pub(crate) struct Section<'c> {
 
 impl Section<'_> {
     /// The corners of a loop.
-    pub(super) fn ring(&self, range: &Range<usize>) -> &[u32] {
+    pub(crate) fn ring(&self, range: &Range<usize>) -> &[u32] {
         &self.corners[range.clone()]
     }
 }
 
 impl Contour {
-    /// The loops that were found, of the plane with these points.
-    pub(super) fn section<'c>(&'c self, flat: &'c [DVec2]) -> Section<'c> {
+    /// The loops that were found. `flat` are the points on the plane.
+    pub(crate) fn section<'c>(&'c self, flat: &'c [DVec2]) -> Section<'c> {
         Section { flat, corners: &self.corners, ends: &self.ends }
     }
 
-    /// Finds the loops of some edges between points on a plane. Chains that do not close are handed to `open`.
-    pub(super) fn follow(&mut self, edges: &[[u32; 2]], flat: &[DVec2], open: impl FnMut(Vec<u32>)) {
+    /// Finds the loops of some edges between points on a plane. Chains that do not close are passed to `open`.
+    pub(crate) fn follow(&mut self, edges: &[[u32; 2]], flat: &[DVec2], open: impl FnMut(Vec<u32>)) {
         self.corners.clear();
         self.ends.clear();
         if self.is_single(edges, flat.len()) {
@@ -55,7 +55,8 @@ impl Contour {
         }
     }
 
-    /// Notes where the edge from each point leads. Whether there is one way in and one way out wherever there is any.
+    /// Records the successor of each point. Returns whether every point that is used has one incoming and one outgoing
+    /// edge.
     fn is_single(&mut self, edges: &[[u32; 2]], points: usize) -> bool {
         self.next.clear();
         self.next.resize(points, NONE);
@@ -86,7 +87,7 @@ impl Contour {
 
     fn follow_paired(&mut self, edges: &[[u32; 2]], flat: &[DVec2], open: impl FnMut(Vec<u32>)) {
         let mut chains = std::mem::take(&mut self.chains);
-        chain::pair(&mut chains, edges, flat);
+        pairing::pair(&mut chains, edges, flat);
         chains.open.drain(..).for_each(open);
         self.on_stack.clear();
         self.on_stack.resize(flat.len(), NONE);
@@ -98,7 +99,8 @@ impl Contour {
         self.chains = chains;
     }
 
-    /// A closed walk into loops that have each point once: whenever a point comes again, what lies between is a loop.
+    /// Divides a closed walk into loops that have each point once. When a point occurs again, the part in between is a
+    /// loop.
     fn take_apart(&mut self, walk: &[u32]) {
         self.stack.clear();
         for &corner in walk {
@@ -123,7 +125,7 @@ impl Contour {
         self.end_loop(from);
     }
 
-    /// Two edges back and forth are no loop.
+    /// Ends a loop. Two edges back and forth are dropped.
     fn end_loop(&mut self, from: usize) {
         if self.corners.len() < from + 3 {
             self.corners.truncate(from);
