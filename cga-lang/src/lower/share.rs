@@ -4,11 +4,10 @@
 //! become one: all of a kind and a name are held to be the same until their text, with names of such groups in it, says
 //! otherwise.
 
-use super::walk;
 use crate::ir::{
     AttrId, ConstId, Expr, ExprKind, FunctionId, Global, Grammar, HostId, RenewalId, RuleId, Step, Target,
 };
-use crate::ir_print;
+use crate::{ir_print, ir_walk};
 use std::collections::{HashMap, HashSet};
 
 /// Characters of text after which nothing is shared: each round, which writes all items, finds differences one call
@@ -55,7 +54,7 @@ pub(super) fn share(grammar: &mut Grammar) {
         renewal.globals.iter_mut().for_each(|own| *own = global(*own));
     }
     for rule in &mut grammar.rules {
-        walk::steps(&mut rule.body, &mut |step| {
+        ir_walk::steps_mut(&mut rule.body, &mut |step| {
             match step {
                 Step::SetAttr(id, ..) => *id = AttrId(attrs[id.0 as usize].0),
                 Step::Anew(anew) => {
@@ -64,7 +63,7 @@ pub(super) fn share(grammar: &mut Grammar) {
                 }
                 _ => {}
             }
-            for target in walk::targets(step) {
+            for target in ir_walk::targets_mut(step) {
                 if let Target::Rule { rule, .. } = target {
                     *rule = RuleId(rules[rule.0 as usize].0);
                 }
@@ -189,6 +188,6 @@ fn exprs(grammar: &mut Grammar, change: &dyn Fn(&mut Expr)) {
     }
     for rule in &mut grammar.rules {
         rule.locals.iter_mut().for_each(|local| parts(local, change));
-        walk::exprs(&mut rule.body, &mut |expr| parts(expr, change));
+        ir_walk::exprs_mut(&mut rule.body, &mut |expr| parts(expr, change));
     }
 }

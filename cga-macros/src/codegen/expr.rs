@@ -8,7 +8,7 @@ use quote::{quote, quote_spanned};
 
 use super::public::captured;
 use super::types::{self, cloned, value};
-use super::{Cx, comp, local};
+use super::{Cx, arms, local};
 use crate::header::{HostType, conversion, convert};
 
 /// Where an expression is evaluated: how it gets at the run and at the current shape, both borrowed mutably.
@@ -128,7 +128,7 @@ impl Cx<'_> {
                     // Words stand in the call itself.
                     let mut values = args.iter();
                     let args = function.params.iter().zip(words(function, expr)).map(|(param, word)| match word {
-                        Some(word) => word_variant(&param.kind, word, &quote_spanned!(place=> func)),
+                        Some(word) => word_variant(&param.kind, word, &quote_spanned!(place=> func::)),
                         None => values.next().cloned().unwrap_or_default(),
                     });
                     quote_spanned!(place=> cga_rt::func::#name(#needs #(#args),*))
@@ -147,7 +147,7 @@ impl Cx<'_> {
                 quote_spanned!(place=> cga_rt::get::#get(#needs))
             }
             ExprKind::Comp(comp) => self.comp_value(comp, at),
-            ExprKind::Word(word) => comp::asked(word),
+            ExprKind::Word(word) => arms::asked(word),
             ExprKind::Later(what) => {
                 let (later, env) = (types::later(expr.ty), &at.env);
                 quote_spanned!(place=> cga_rt::later::#later(#env, #what))
@@ -367,7 +367,7 @@ pub(super) fn word_variant(kind: &ParamKind, word: &str, module: &TokenStream) -
     let place = Span::mixed_site();
     let variant = words.iter().find(|(written, _)| *written == word).map_or("", |(_, variant)| variant);
     let (rust, variant) = (Ident::new(rust, place), Ident::new(variant, place));
-    quote_spanned!(place=> cga_rt::#module::#rust::#variant)
+    quote_spanned!(place=> cga_rt::#module #rust::#variant)
 }
 
 /// The function of an operator that goes over elements.
