@@ -12,7 +12,7 @@ use std::time::Duration;
 
 use cga::glam::{DAffine3, DVec3};
 use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Repeats, Settings, Shape, Sink, cga};
-use cga_runtime::mesh::{FaceTag, MeshBuilder};
+use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder};
 use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 

@@ -14,9 +14,9 @@ use std::time::{Duration, Instant};
 
 use cga::glam::{DAffine3, DVec3};
 use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Settings, Shape, Sink, cga};
-use cga_runtime::cut;
-use cga_runtime::mesh::{FaceTag, MeshBuilder};
-use cga_runtime::scope::Axis;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut;
+use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder};
 use common::table::{Table, number};
 use section::section;
 

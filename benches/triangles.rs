@@ -14,7 +14,7 @@ use cga::sink::buffers::Buffers;
 use cga::sink::gltf::Glb;
 use cga::sink::obj::Obj;
 use cga::{Mesh, Settings, Shape, Sink, cga};
-use cga_runtime::triangulate::Triangulator;
+use cga_runtime::geometry::triangulate::Triangulator;
 use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 

@@ -3,22 +3,17 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub use cga_macros::cga;
-pub use cga_runtime::array::Array;
 pub use cga_runtime::asset::{AssetError, Assets};
-pub use cga_runtime::attribute::{
-    Attribute, AttributeDefault, AttributeError, AttributeKind, ChoiceValues, Choices, Range,
-};
-pub use cga_runtime::derive::Report;
 pub use cga_runtime::fault::{Error, Fault, FaultKind, LimitKind};
+pub use cga_runtime::geometry::mesh::{Mesh, MeshBuilder, MeshError};
+pub use cga_runtime::geometry::{Axis, Frame};
 /// The vector types in meshes and sinks.
 pub use cga_runtime::glam;
-pub use cga_runtime::grammar::{Grammar, Rules, StartRule};
-pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
-pub use cga_runtime::mesh::{Mesh, MeshBuilder, MeshError};
-pub use cga_runtime::model::{Geometry, LeafView, Model};
-pub use cga_runtime::parallel::{Part, Parts, ShapeError, Stretch};
-pub use cga_runtime::report::{Collection, Print, Reports, Summary};
-pub use cga_runtime::scope::{Axis, Frame, Scope};
+pub use cga_runtime::grammar::Grammar;
+pub use cga_runtime::grammar::attribute::{
+    Attribute, AttributeDefault, AttributeError, AttributeKind, ChoiceValues, Choices, Range,
+};
+pub use cga_runtime::grammar::parallel::Stretch;
 /// ```
 /// use cga::{Error, Grammar, Model, Settings, Shape, cga};
 ///
@@ -32,7 +27,7 @@ pub use cga_runtime::scope::{Axis, Frame, Scope};
 /// assert_eq!(model.volume(), 6.0 * 8.0 * (4.0 + 5.0));
 /// # Ok::<(), Error>(())
 /// ```
-pub use cga_runtime::session::DynSession;
+pub use cga_runtime::grammar::session::DynSession;
 /// ```
 /// use cga::sink::buffers::Buffers;
 /// use cga::{Error, Settings, Shape, cga};
@@ -48,35 +43,44 @@ pub use cga_runtime::session::DynSession;
 /// assert_eq!(session.generate(&Shape::rectangle(1.0, 2.0))?.volume(), 12.0);
 /// # Ok::<(), Error>(())
 /// ```
-pub use cga_runtime::session::Session;
+pub use cga_runtime::grammar::session::Session;
+pub use cga_runtime::material::{Channel, Color, Layer, LayerPart, Material, MaterialNumber, MaterialText};
+pub use cga_runtime::output::model::{Geometry, LeafView, Model};
+pub use cga_runtime::output::parts::{Part, Parts, ShapeError};
+pub use cga_runtime::run::report::Report;
+pub use cga_runtime::run::report::{Collection, Print, Reports, Summary};
+pub use cga_runtime::run::rules::Rules;
 #[doc(hidden)]
-pub use cga_runtime::settings::Repeats;
-pub use cga_runtime::settings::{Limits, Settings};
+pub use cga_runtime::run::settings::Repeats;
+pub use cga_runtime::run::settings::{Limits, Settings};
+pub use cga_runtime::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+pub use cga_runtime::run::start_rule::StartRule;
+pub use cga_runtime::run::watch::{Progress, Watch};
+pub use cga_runtime::shape::scope::Scope;
 pub use cga_runtime::shape::{Shape, ShapeRef};
-pub use cga_runtime::sink::{Cuboid, Flow, Leaf, Quad, Sink};
-pub use cga_runtime::text::Text;
+pub use cga_runtime::value::array::Array;
+pub use cga_runtime::value::text::Text;
 pub use cga_runtime::value::{Value, ValueType};
-pub use cga_runtime::watch::{Progress, Watch};
 
 /// Meshes: building, measuring, checking, reading.
 pub mod mesh {
     #[cfg(feature = "obj")]
     pub use cga_runtime::asset::obj::{ObjError, ObjFile, read_obj};
-    pub use cga_runtime::mesh::check::Flaw;
-    pub use cga_runtime::mesh::{Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError};
+    pub use cga_runtime::geometry::mesh::check::Flaw;
+    pub use cga_runtime::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh, MeshBuilder, MeshError};
 }
 
 /// Texture coordinates of leaves that are rectangles or boxes: maps from points of the world.
 pub mod texture {
-    pub use cga_runtime::texture::map::{SetMap, UvMap};
+    pub use cga_runtime::geometry::uv_map::{SetMap, UvMap};
 }
 
 /// Where leaves go: the trait and the sinks that come with the crate.
 pub mod sink {
     #[cfg(feature = "gltf")]
-    pub use cga_runtime::sink::gltf;
-    pub use cga_runtime::sink::{Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
-    pub use cga_runtime::sink::{buffers, error, obj, picture, stats, svg, table};
+    pub use cga_runtime::output::gltf;
+    pub use cga_runtime::output::{buffers, error, obj, picture, stats, svg, table};
+    pub use cga_runtime::run::sink::{Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
 }
 
 /// Many initial shapes at once, on several threads with the feature `rayon`. The results are those of a loop, to the byte.
@@ -140,7 +144,8 @@ pub mod sink {
 /// assert!(error.to_string().starts_with("initial shape 1: "));
 /// ```
 pub mod parallel {
-    pub use cga_runtime::parallel::{Part, Parts, ShapeError, Stretch, derive_all, generate_all, run_all};
+    pub use cga_runtime::grammar::parallel::{Stretch, derive_all, generate_all, run_all};
+    pub use cga_runtime::output::parts::{Part, Parts, ShapeError};
 }
 
 /// Streets, sidewalks and junctions from centre lines: initial shapes with texture coordinates along and across.

@@ -1,6 +1,15 @@
 //! Every kind of finding: its name, its usual level and what it means.
 
-use crate::diag::Level;
+/// How bad a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Level {
+    /// Not shown.
+    Allow,
+    /// The rules have a meaning, though hardly the one that was meant.
+    Warning,
+    /// The rules have no meaning.
+    Error,
+}
 
 macro_rules! codes {
     ($($name:ident $text:literal $level:ident $about:literal,)*) => {

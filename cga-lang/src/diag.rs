@@ -1,18 +1,8 @@
 //! Findings, and a list of them that cannot be lost.
 
 use crate::code::Code;
+pub use crate::code::Level;
 use crate::span::Span;
-
-/// How bad a finding is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Level {
-    /// Not shown.
-    Allow,
-    /// The rules have a meaning, though hardly the one that was meant.
-    Warning,
-    /// The rules have no meaning.
-    Error,
-}
 
 /// A finding: what is wrong, where, why, and what to type instead.
 #[derive(Clone, Debug, PartialEq)]

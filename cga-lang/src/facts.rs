@@ -107,6 +107,7 @@ impl Facts {
             ExprKind::Chance(..) => Uses::DRAWS,
             ExprKind::Value(_)
             | ExprKind::Param(_)
+            | ExprKind::Style(_)
             | ExprKind::Later(_)
             | ExprKind::Array(_)
             | ExprKind::Range(..)

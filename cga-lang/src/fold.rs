@@ -4,6 +4,7 @@
 //! What would give infinity or no number stays as it is, because at run time that is a fault with a place.
 
 use crate::ir::{Binary, Expr, ExprKind, Type, Value};
+use crate::ops::Meaning;
 
 /// Longest text made while compiling: doubling it again and again must not fill the memory.
 const LONGEST_TEXT: usize = 4096;
@@ -35,10 +36,10 @@ pub(crate) fn fold(expr: &mut Expr, known: &Known) -> Option<Value> {
             known.functions.get(id.0 as usize)?.clone()?
         }
         ExprKind::Builtin(row, args) => {
-            let (name, pure) = (row.name, row.pure);
+            let (meaning, pure) = (row.meaning, row.pure);
             let values: Option<Vec<Value>> =
                 args.iter_mut().map(|arg| fold(arg, known)).collect::<Vec<_>>().into_iter().collect();
-            builtin(name, &values.filter(|_| pure)?)?
+            builtin(meaning, &values.filter(|_| pure)?)?
         }
         ExprKind::Rust(_, args) => {
             for arg in args {
@@ -84,6 +85,7 @@ pub(crate) fn fold(expr: &mut Expr, known: &Known) -> Option<Value> {
         | ExprKind::Host(_)
         | ExprKind::Shape(_)
         | ExprKind::Word(_)
+        | ExprKind::Style(_)
         | ExprKind::Later(_) => return None,
     };
     expr.kind = ExprKind::Value(value.clone());
@@ -184,18 +186,18 @@ fn to_text(value: Value) -> Option<Value> {
     }
 }
 
-fn builtin(name: &str, args: &[Value]) -> Option<Value> {
-    match (name, args) {
-        ("floor", [Value::Float(a)]) => finite(a.floor()),
-        ("ceil", [Value::Float(a)]) => finite(a.ceil()),
-        ("abs", [Value::Float(a)]) => finite(a.abs()),
-        ("sqrt", [Value::Float(a)]) => finite(a.sqrt()),
-        ("float", [Value::Bool(a)]) => Some(Value::Float(f64::from(u8::from(*a)))),
-        ("bool", [Value::Float(a)]) => Some(Value::Bool(*a != 0.0)),
-        ("rint", [Value::Float(a)]) => finite(a.round_ties_even()),
+fn builtin(meaning: Meaning, args: &[Value]) -> Option<Value> {
+    match (meaning, args) {
+        (Meaning::Floor, [Value::Float(a)]) => finite(a.floor()),
+        (Meaning::Ceil, [Value::Float(a)]) => finite(a.ceil()),
+        (Meaning::Abs, [Value::Float(a)]) => finite(a.abs()),
+        (Meaning::Sqrt, [Value::Float(a)]) => finite(a.sqrt()),
+        (Meaning::BoolToFloat, [Value::Bool(a)]) => Some(Value::Float(f64::from(u8::from(*a)))),
+        (Meaning::FloatToBool, [Value::Float(a)]) => Some(Value::Bool(*a != 0.0)),
+        (Meaning::Round, [Value::Float(a)]) => finite(a.round_ties_even()),
         // Which zero wins is left to the runtime.
-        ("min", [Value::Float(a), Value::Float(b)]) if a != b => finite(a.min(*b)),
-        ("max", [Value::Float(a), Value::Float(b)]) if a != b => finite(a.max(*b)),
+        (Meaning::Min, [Value::Float(a), Value::Float(b)]) if a != b => finite(a.min(*b)),
+        (Meaning::Max, [Value::Float(a), Value::Float(b)]) if a != b => finite(a.max(*b)),
         _ => None,
     }
 }

@@ -10,6 +10,7 @@ mod expr;
 use crate::ops::{Operation, ShapeAttr};
 use crate::span::Span;
 
+pub use crate::types::Type;
 pub use cga_split::{Item, Piece, Prefix};
 
 pub use crate::ast::ArmMode;
@@ -51,9 +52,8 @@ pub struct Grammar {
     pub rules: Vec<Rule>,
     /// The rules a run can begin with: the default first.
     pub starts: Vec<Start>,
-    /// By style: attributes and constants in an order in which each is ready before it is used. Lazy ones of a cycle follow each
-    /// other. `Default` is first.
-    pub init: Vec<Vec<Global>>,
+    /// Attributes and constants in an order in which each is ready before it is used. Lazy ones of a cycle follow each other.
+    pub init: Vec<Init>,
     /// Imports that start anew somewhere.
     pub renewals: Vec<Renewal>,
     /// Rust values used in the rules, one entry a use, in source order.
@@ -73,7 +73,7 @@ impl Grammar {
 pub struct Start {
     /// How the host program calls it: `Lot`, or `Style$Lot`.
     pub name: String,
-    /// The style in force, by number into [`Grammar::init`].
+    /// The style in force, by number; `Default` is 0.
     pub style: u32,
     /// The rule; it has no parameters.
     pub rule: RuleId,
@@ -94,61 +94,13 @@ pub enum Global {
     Const(ConstId),
 }
 
-/// The type of a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Type {
-    /// A 64-bit float; CGA has no integers.
-    Float,
-    /// A truth value.
-    Bool,
-    /// Text.
-    Text,
-    /// An array of floats, in rows.
-    Floats,
-    /// An array of truth values, in rows.
-    Bools,
-    /// An array of text, in rows.
-    Texts,
-}
-
-impl Type {
-    /// Every type.
-    pub const ALL: [Type; 6] = [Type::Float, Type::Bool, Type::Text, Type::Floats, Type::Bools, Type::Texts];
-
-    /// In CGA's words.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Type::Float => "float",
-            Type::Bool => "bool",
-            Type::Text => "string",
-            Type::Floats => "float[]",
-            Type::Bools => "bool[]",
-            Type::Texts => "string[]",
-        }
-    }
-
-    /// Whether it is an array.
-    pub const fn is_array(self) -> bool {
-        matches!(self, Type::Floats | Type::Bools | Type::Texts)
-    }
-
-    /// What an array of it has in it; itself when it is none.
-    pub const fn element(self) -> Type {
-        match self {
-            Type::Float | Type::Floats => Type::Float,
-            Type::Bool | Type::Bools => Type::Bool,
-            Type::Text | Type::Texts => Type::Text,
-        }
-    }
-
-    /// An array of it; itself when it is one.
-    pub const fn array(self) -> Type {
-        match self.element() {
-            Type::Bool => Type::Bools,
-            Type::Text => Type::Texts,
-            _ => Type::Floats,
-        }
-    }
+/// A value that is computed when a run begins.
+#[derive(Clone, Debug)]
+pub struct Init {
+    /// The attribute or constant.
+    pub global: Global,
+    /// The styles that have it, by number; `None` for all.
+    pub styles: Option<Vec<u32>>,
 }
 
 /// A value known while compiling.

@@ -6,7 +6,7 @@ mod facts;
 use crate::facts::{Facts, RuleFacts};
 use crate::ir::{
     Anew, Arg, Attr, Binary, Childless, ChoiceValues, Choices, Const, EachUnary, Expr, ExprKind, Function, FunctionId,
-    Global, Grammar, Param, Prefix, Presentation, Renewal, Rule, RuleId, Size, Start, Step, Target, Value,
+    Global, Grammar, Init, Param, Prefix, Presentation, Renewal, Rule, RuleId, Size, Start, Step, Target, Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
@@ -19,47 +19,27 @@ pub fn print(grammar: &Grammar) -> String {
     out.out
 }
 
-/// The text of each item of a grammar, by kind.
-pub(crate) struct Items {
-    pub(crate) attrs: Vec<String>,
-    pub(crate) consts: Vec<String>,
-    pub(crate) functions: Vec<String>,
-    pub(crate) renewals: Vec<String>,
-    pub(crate) rules: Vec<String>,
+/// The text of an expression.
+pub(crate) fn expr(grammar: &Grammar, expr: &Expr) -> String {
+    Printer::plain(grammar).expr(expr)
 }
 
-impl Items {
-    /// Characters in all.
-    pub(crate) fn len(&self) -> usize {
-        [&self.attrs, &self.consts, &self.functions, &self.rules].into_iter().flatten().map(String::len).sum()
-    }
+/// The text of a function.
+pub(crate) fn function(grammar: &Grammar, function: &Function) -> String {
+    let mut out = Printer::plain(grammar);
+    out.function(function);
+    out.out
 }
 
-/// The text of each item of a grammar.
-pub(crate) fn items(grammar: &Grammar) -> Items {
-    let printer = || Printer { grammar, facts: None, params: &[], out: String::new(), depth: 0 };
-    let function = |it| {
-        let mut out = printer();
-        out.function(it);
-        out.out
-    };
-    let rule = |it| {
-        let mut out = printer();
-        out.rule(it, None);
-        out.out
-    };
-    Items {
-        attrs: grammar.attrs.iter().map(|it| printer().attr(it)).collect(),
-        consts: grammar.consts.iter().map(|it| printer().constant(it)).collect(),
-        functions: grammar.functions.iter().map(function).collect(),
-        renewals: grammar.renewals.iter().map(|it| printer().renewal(it)).collect(),
-        rules: grammar.rules.iter().map(rule).collect(),
-    }
+/// The text of a rule without facts, which follow from other rules.
+pub(crate) fn rule(grammar: &Grammar, rule: &Rule) -> String {
+    let mut out = Printer::plain(grammar);
+    out.rule(rule, None);
+    out.out
 }
 
 struct Printer<'g> {
     grammar: &'g Grammar,
-    /// Without facts an item is printed as it is written: facts follow from other items.
     facts: Option<&'g Facts>,
     params: &'g [Param],
     out: String,
@@ -67,6 +47,10 @@ struct Printer<'g> {
 }
 
 impl<'g> Printer<'g> {
+    fn plain(grammar: &'g Grammar) -> Self {
+        Printer { grammar, facts: None, params: &[], out: String::new(), depth: 0 }
+    }
+
     fn line(&mut self, text: &str) {
         for _ in 0..self.depth {
             self.out.push_str("    ");
@@ -162,9 +146,12 @@ impl<'g> Printer<'g> {
             Global::Attr(id) => grammar.attrs[id.0 as usize].name.clone(),
             Global::Const(id) => grammar.consts[id.0 as usize].name.clone(),
         };
-        for (style, init) in grammar.init.iter().enumerate().filter(|(_, init)| !init.is_empty()) {
-            let style = if style == 0 { String::new() } else { format!(" of style {style}") };
-            let text = format!("init{style} {}", init.iter().map(name).collect::<Vec<_>>().join(", "));
+        let init = |init: &Init| match &init.styles {
+            Some(styles) => format!("{} in {styles:?}", name(&init.global)),
+            None => name(&init.global),
+        };
+        if !grammar.init.is_empty() {
+            let text = format!("init {}", grammar.init.iter().map(init).collect::<Vec<_>>().join(", "));
             self.line(&text);
         }
         for (index, host) in grammar.hosts.iter().enumerate() {
@@ -351,6 +338,7 @@ impl<'g> Printer<'g> {
             ExprKind::Shape(row) => row.name.to_owned(),
             ExprKind::Comp(comp) => self.comp_value(comp),
             ExprKind::Word(word) => (*word).to_owned(),
+            ExprKind::Style(styles) => format!("style {styles:?}"),
             ExprKind::Later(what) => format!("later {what}"),
             ExprKind::Array(rows) => {
                 let row = |row: &Vec<Expr>| row.iter().map(|entry| self.expr(entry)).collect::<Vec<_>>().join(", ");

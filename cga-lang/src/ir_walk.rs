@@ -104,8 +104,30 @@ pub(crate) fn exprs_mut(list: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
     });
 }
 
-/// An expression and its parts, to change them.
-pub(crate) fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
+/// Every expression of a grammar, with its parts, to change it.
+pub(crate) fn all_exprs_mut(grammar: &mut Grammar, visit: &mut dyn FnMut(&mut Expr)) {
+    grammar.attrs.iter_mut().for_each(|it| parts_mut(&mut it.default, visit));
+    grammar.consts.iter_mut().for_each(|it| parts_mut(&mut it.value, visit));
+    for function in &mut grammar.functions {
+        function.locals.iter_mut().for_each(|local| parts_mut(local, visit));
+        parts_mut(&mut function.body, visit);
+    }
+    for rule in &mut grammar.rules {
+        rule.locals.iter_mut().for_each(|local| parts_mut(local, visit));
+        exprs_mut(&mut rule.body, &mut |expr| parts_mut(expr, visit));
+    }
+}
+
+/// The parameters that an expression reads, to change them.
+pub(crate) fn params_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut u32)) {
+    parts_mut(expr, &mut |part| {
+        if let ExprKind::Param(index) = &mut part.kind {
+            visit(index);
+        }
+    });
+}
+
+fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
     visit(expr);
     for part in expr.parts_mut() {
         parts_mut(part, visit);
@@ -168,6 +190,7 @@ macro_rules! parts {
             | ExprKind::Host(_)
             | ExprKind::Shape(_)
             | ExprKind::Word(_)
+            | ExprKind::Style(_)
             | ExprKind::Later(_) => Vec::new(),
             ExprKind::Call(_, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
             ExprKind::Neg(a)

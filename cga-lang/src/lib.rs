@@ -55,4 +55,5 @@ pub mod snippet;
 pub mod span;
 mod suggest;
 pub mod token;
+mod types;
 mod words;

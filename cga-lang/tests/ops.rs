@@ -51,11 +51,11 @@ fn parameters_are_well_formed() {
                 (kind, Some(Default::Word(word))) => assert!(kind.has_word(word), "{place} knows `{word}`"),
                 (kind, Some(default)) => panic!("{place}: {default:?} for {kind:?}"),
             }
-            if let ParamKind::Word { words, old, .. } = &param.kind {
-                let known: HashSet<&str> = words.iter().map(|(word, _)| *word).collect();
-                assert!(!words.is_empty() && known.len() == words.len(), "{place} has each word once");
+            if let Some(words) = param.kind.words() {
+                let known: HashSet<&str> = words.list.iter().copied().collect();
+                assert!(!known.is_empty() && known.len() == words.list.len(), "{place} has each word once");
                 assert!(known.iter().all(|word| is_name(word)), "{place}");
-                for (word, instead) in *old {
+                for (word, instead) in words.old {
                     let is_new = known.contains(instead) || instead.contains('(');
                     assert!(known.contains(word) && is_new, "{place}: `{word}`");
                 }
@@ -88,15 +88,15 @@ fn a_function_uses_the_shape_if_it_gets_one() {
 #[test]
 fn a_word_is_the_same_variant_wherever_an_enum_is_used() {
     for rows in [operations(), functions()] {
-        let mut variants: HashMap<(&str, &str), &str> = HashMap::new();
+        let mut variants: HashMap<(&str, &str), String> = HashMap::new();
         for (name, params, ..) in rows {
             for param in params {
-                let ParamKind::Word { rust, words, .. } = param.kind else { continue };
-                assert!(rust.starts_with(|c: char| c.is_ascii_uppercase()) && is_name(rust), "{rust} of {name}");
-                for (word, variant) in words {
-                    assert!(variant.starts_with(|c: char| c.is_ascii_uppercase()) && is_name(variant), "{variant}");
-                    let first = *variants.entry((rust, word)).or_insert(variant);
-                    assert_eq!(first, *variant, "`{word}` of {rust} in {name}");
+                let Some(words) = param.kind.words() else { continue };
+                let Some(rust) = words.rust else { continue };
+                for word in words.list {
+                    let variant = words.variant(word);
+                    let first = variants.entry((rust, word)).or_insert_with(|| variant.clone());
+                    assert_eq!(*first, variant, "`{word}` of {rust} in {name}");
                 }
             }
         }
@@ -195,8 +195,8 @@ impl Call {
             _ => self.braces.is_some(),
         };
         let fit = |(param, arg): (&Param, &Given)| match (&param.kind, arg) {
-            (kind @ ParamKind::Word { .. }, Given::Name(word)) => kind.has_word(word),
-            (kind, Given::Name(name)) => ops::shape_attr(name).is_some_and(|attr| Some(attr.ty) == kind.ty()),
+            (ParamKind::Word(words), Given::Name(word)) => words.has(word),
+            (kind, Given::Name(name)) => ops::shape_attr(name).is_some_and(|attr| attr.kind.ty() == kind.ty()),
             (ParamKind::Any, Given::Value { .. }) => true,
             (kind, Given::Value { ty, prefix }) => {
                 let prefixed = match prefix {

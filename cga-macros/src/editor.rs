@@ -11,8 +11,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
 use crate::codegen::is_plain;
-use crate::door::Source;
 use crate::header::Header;
+use crate::source::Source;
 
 /// The names of rules that stand inline.
 pub(crate) fn names(compiled: &Compiled, header: &Header, source: &Source, has_errors: bool) -> TokenStream {

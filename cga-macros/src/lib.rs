@@ -1,16 +1,19 @@
 //! The `cga!` macro: CGA shape-grammar rules inside Rust. Use it through the crate `cga`, whose documentation tells the
 //! whole story.
 //!
-//! This crate is a thin shell: `door` turns what the user wrote into tokens, `cga-lang` reads and checks them, `report`
+//! This crate is a thin shell: `source` turns what the user wrote into tokens, `cga-lang` reads and checks them, `report`
 //! shows the findings and `codegen` writes Rust.
 #![forbid(unsafe_code)]
 
 mod codegen;
-mod door;
+
 mod editor;
 mod header;
+mod output;
+mod problem;
 mod report;
 mod skeleton;
+mod source;
 
 use cga_lang::compile::compile_files;
 use proc_macro2::TokenStream;
@@ -66,11 +69,11 @@ pub fn cga(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
 
 fn expand(input: TokenStream) -> TokenStream {
     let (header, body) = header::read(input);
-    let mut source = match body.and_then(|body| door::open(&header, body)) {
+    let mut source = match body.and_then(|body| source::open(&header, body)) {
         Ok(source) => source,
         Err(problem) => return skeleton::behind(&problem, &header),
     };
-    let mut imports = door::Imports::new();
+    let mut imports = source::Imports::new();
     let compiled = compile_files(source.unit(), &mut imports, &header.levels);
     source.import(&compiled, imports.opened());
     let findings = report::findings(&compiled.diags, &source);
@@ -80,7 +83,7 @@ fn expand(input: TokenStream) -> TokenStream {
     };
     let names = editor::names(&compiled, &header, &source, findings.has_errors);
     let aside: TokenStream = [findings.tokens, names].into_iter().collect();
-    header.wrap(&source, &aside, &output)
+    output::wrap(&header, &source, &aside, &output)
 }
 
 #[cfg(test)]

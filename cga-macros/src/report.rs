@@ -6,7 +6,8 @@ use cga_lang::snippet::place;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote_spanned;
 
-use crate::door::Source;
+use crate::problem::Problem;
+use crate::source::Source;
 
 /// Most errors that are shown, and most warnings: nobody reads more, and rustc takes long over them.
 const MOST_SHOWN: usize = 100;
@@ -47,7 +48,7 @@ pub(crate) fn findings(list: &[Diag], source: &Source) -> Findings {
     Findings { tokens, has_errors: 0 < errors }
 }
 
-/// The lines of a finding; behind a text door with the text it speaks of.
+/// The lines of a finding; for text with a quotation of it.
 fn message(diag: &Diag, source: &Source) -> String {
     // Warnings show their code anyway.
     let mut diag = diag.clone();
@@ -85,6 +86,11 @@ pub(crate) fn spelled(line: &str) -> String {
         out.push(if c == '\'' && is_code && !is_text { '^' } else { c });
     }
     out
+}
+
+/// The error of a source that cannot be opened.
+pub(crate) fn problem(problem: &Problem) -> TokenStream {
+    error(problem.first, problem.last, &problem.message)
 }
 
 /// A compiler error underlined from one place to another: rustc takes the span of the first and the last token.

@@ -5,8 +5,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::codegen::{Public, PublicAttr, Taken, public};
-use crate::door::{Problem, Source};
-use crate::header::{Header, Output};
+use crate::header::Header;
+use crate::output::Output;
+use crate::problem::Problem;
+use crate::report;
+use crate::source::Source;
 
 /// The struct with its fields and methods; nothing in it runs. The `#` values count as used.
 pub(crate) fn grammar(compiled: &Compiled, header: &Header, source: &Source) -> Output {
@@ -18,7 +21,7 @@ pub(crate) fn grammar(compiled: &Compiled, header: &Header, source: &Source) -> 
 
 /// The struct alone: not even its attributes are known.
 pub(crate) fn behind(problem: &Problem, header: &Header) -> TokenStream {
-    let error = problem.error();
+    let error = report::problem(problem);
     if header.name.is_none() {
         return error;
     }

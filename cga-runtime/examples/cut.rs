@@ -16,10 +16,10 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use std::{env, fs};
 
-use cga_runtime::cut;
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder};
-use cga_runtime::scope::Axis;
-use cga_runtime::triangulate::Triangulator;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut;
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use cga_runtime::geometry::triangulate::Triangulator;
 
 type Failure = Box<dyn Error>;
 

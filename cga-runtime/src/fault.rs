@@ -94,7 +94,7 @@ impl fmt::Display for LimitKind {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
-    /// A limit of the [`Limits`](crate::settings::Limits) was reached.
+    /// A limit of the [`Limits`](crate::run::settings::Limits) was reached.
     Limit {
         /// Which.
         what: LimitKind,

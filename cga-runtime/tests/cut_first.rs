@@ -4,10 +4,10 @@ mod cut_support;
 
 use std::sync::Arc;
 
-use cga_runtime::cut::{self, Plane};
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::{self, Plane};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use cga_runtime::glam::{DVec2, DVec3};
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder};
-use cga_runtime::scope::Axis;
 use cut_support::{even, own};
 
 /// An L with a courtyard, seen from above: counter-clockwise, then the hole clockwise.

@@ -4,10 +4,10 @@ mod cut_support;
 
 use std::sync::Arc;
 
-use cga_runtime::cut::{self, Plane, slabs};
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::{self, Plane, slabs};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use cga_runtime::glam::{DVec2, DVec3};
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder};
-use cga_runtime::scope::Axis;
 use cut_support::{closed_by_position, together};
 
 fn mesh(points: &[[f64; 3]], faces: &[&[u32]]) -> Mesh {

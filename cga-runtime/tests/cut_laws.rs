@@ -4,9 +4,9 @@ mod cut_support;
 
 use std::sync::Arc;
 
-use cga_runtime::cut::slabs;
-use cga_runtime::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, extrude, primitive};
-use cga_runtime::scope::Axis;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::slabs;
+use cga_runtime::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, extrude, primitive};
 use cut_support::*;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 

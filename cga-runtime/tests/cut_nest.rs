@@ -4,10 +4,10 @@ mod cut_support;
 
 use std::sync::Arc;
 
-use cga_runtime::cut::{Plane, Slabs, halves, slabs};
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::{Plane, Slabs, halves, slabs};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use cga_runtime::glam::{DMat3, DQuat, DVec2, DVec3, EulerRot};
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder};
-use cga_runtime::scope::Axis;
 use cut_support::{AXES, Rng};
 
 /// A wing around a courtyard with a ridge half way: its outline at the ground, its depth, and the height of the ridge.

@@ -5,9 +5,9 @@ mod cut_support;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use cga_runtime::cut::{Plane, Slabs, halves, slabs};
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
-use cga_runtime::scope::Axis;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::{Plane, Slabs, halves, slabs};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
 use cut_support::{Rng, cells, check_triangles, closed_by_position, moved, prism, ring, square, torus, turned};
 use glam::DVec3;
 

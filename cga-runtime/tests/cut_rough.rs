@@ -4,10 +4,10 @@ mod cut_support;
 
 use std::sync::Arc;
 
-use cga_runtime::cut::{Plane, Slabs, halves, slabs};
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::{Plane, Slabs, halves, slabs};
+use cga_runtime::geometry::mesh::{FaceTag, Flaw, Mesh, MeshBuilder, primitive};
 use cga_runtime::glam::{DAffine3, DQuat, DVec2, DVec3, EulerRot};
-use cga_runtime::mesh::{FaceTag, Flaw, Mesh, MeshBuilder, primitive};
-use cga_runtime::scope::Axis;
 use cut_support::{AXES, Rng, closed_by_position, even, own, prism, ring, square, turned};
 
 /// The mesh with other points, each corner with its point as texture coordinates and normal, each face with a group.

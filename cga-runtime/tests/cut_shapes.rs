@@ -5,9 +5,9 @@ mod cut_support;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use cga_runtime::cut::slabs;
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
-use cga_runtime::scope::Axis;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::slabs;
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, primitive};
 use cut_support::section::section;
 use cut_support::*;
 use glam::{DAffine3, DMat3, DVec3};
@@ -207,7 +207,7 @@ fn an_open_mesh_stays_open() {
     // A box without lid and a sheet.
     let cube = primitive::cube();
     let all: Vec<u32> = (0..6).filter(|&face| face != 1).collect();
-    let open = Arc::new(cga_runtime::comp::faces::extract(&cube, &all, &cga_runtime::scope::Frame::WORLD));
+    let open = Arc::new(cga_runtime::comp::faces::extract(&cube, &all, &cga_runtime::geometry::Frame::WORLD));
     let cut = slabs(&open, Axis::X, &[0.5]);
     assert_eq!(cut.open.len(), 1);
     assert_eq!(cut.open[0].points.len(), 4);
@@ -289,7 +289,7 @@ fn random_soups_are_cut_without_harm() {
             let cut = slabs(&mesh, axis, &offsets);
             for part in cut.parts.iter().flatten() {
                 let broken = part.check().into_iter().find(|flaw| {
-                    use cga_runtime::mesh::Flaw;
+                    use cga_runtime::geometry::mesh::Flaw;
                     !matches!(flaw, Flaw::NotPlanar { .. } | Flaw::Hole { .. })
                 });
                 assert_eq!(broken, None, "round {round} {axis:?}");

@@ -4,10 +4,10 @@ mod cut_support;
 
 use std::sync::Arc;
 
-use cga_runtime::cut::{Plane, Slabs, halves, slabs};
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::{Plane, Slabs, halves, slabs};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use cga_runtime::glam::DVec3;
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder};
-use cga_runtime::scope::Axis;
 use cut_support::{Rng, closed_by_position};
 
 type Rectangle = [f64; 4];

@@ -5,9 +5,9 @@ mod iso_support;
 
 use std::sync::Arc;
 
-use cga_runtime::cut::{iso_bands, slabs};
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder, TooManyCorners, UvAxis};
-use cga_runtime::scope::Axis;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::{iso_bands, slabs};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, TooManyCorners, UvAxis};
 use cut_support::*;
 use glam::{DVec2, DVec3};
 use iso_support::*;

@@ -5,8 +5,8 @@ mod iso_support;
 
 use std::sync::Arc;
 
-use cga_runtime::cut::iso_bands;
-use cga_runtime::mesh::{
+use cga_runtime::geometry::cut::iso_bands;
+use cga_runtime::geometry::mesh::{
     AlongUv, FaceTag, HeightAlignment, HeightDirection, MeshBuilder, UvAxis, insert_along_uv, primitive,
 };
 use cut_support::Rng;
@@ -44,7 +44,7 @@ fn soups_of_polygons_are_cut() {
                 let low = if number == 0 { f64::NEG_INFINITY } else { lines[number - 1] };
                 let high = lines.get(number).copied().unwrap_or(f64::INFINITY);
                 for flaw in band.check() {
-                    use cga_runtime::mesh::Flaw::{Hole, NotPlanar};
+                    use cga_runtime::geometry::mesh::Flaw::{Hole, NotPlanar};
                     assert!(matches!(flaw, NotPlanar { .. } | Hole { .. }), "{round}: {flaw}");
                 }
                 assert!(band.uvs().iter().all(|uv| (low..=high).contains(&uv[axis.index()])), "{round}");

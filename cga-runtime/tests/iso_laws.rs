@@ -6,8 +6,8 @@ mod iso_support;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use cga_runtime::cut::iso_bands;
-use cga_runtime::mesh::{Extrude, Flaw, Mesh, UvAxis, extrude, primitive};
+use cga_runtime::geometry::cut::iso_bands;
+use cga_runtime::geometry::mesh::{Extrude, Flaw, Mesh, UvAxis, extrude, primitive};
 use cut_support::*;
 use glam::{DVec2, DVec3};
 use iso_support::*;

@@ -4,10 +4,10 @@ mod cut_support;
 
 use std::sync::Arc;
 
-use cga_runtime::cut::{Plane, halves, slabs};
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder};
-use cga_runtime::scope::Axis;
-use cga_runtime::triangulate::Triangulator;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::{Plane, halves, slabs};
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use cga_runtime::geometry::triangulate::Triangulator;
 use cut_support::*;
 use glam::{DVec2, DVec3};
 

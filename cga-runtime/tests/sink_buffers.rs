@@ -5,12 +5,13 @@ mod sink_support;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cga_runtime::cut::slabs;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::slabs;
 use cga_runtime::material::Material;
-use cga_runtime::scope::{Axis, Scope};
-use cga_runtime::sink::buffers::Buffers;
-use cga_runtime::sink::stats::checksum;
-use cga_runtime::sink::{Leaf, Sink};
+use cga_runtime::output::buffers::Buffers;
+use cga_runtime::output::stats::checksum;
+use cga_runtime::run::sink::{Leaf, Sink};
+use cga_runtime::shape::scope::Scope;
 use glam::{DAffine3, DMat3, DVec3, dvec3};
 use sink_support::{Fill, color, front, mixed, plate, textured, tower, upright};
 

@@ -4,9 +4,9 @@ mod sink_support;
 
 use std::sync::Arc;
 
-use cga_runtime::model::{Geometry, Model};
-use cga_runtime::scope::Scope;
-use cga_runtime::sink::{Leaf, Quad, Sink};
+use cga_runtime::output::model::{Geometry, Model};
+use cga_runtime::run::sink::{Leaf, Quad, Sink};
+use cga_runtime::shape::scope::Scope;
 use glam::{DAffine3, DMat3, DVec3, dvec3};
 use sink_support::{Fill, color, front, mixed, plate, tower, upright};
 

@@ -5,7 +5,7 @@ mod sink_support;
 use std::sync::Arc;
 
 use cga_runtime::material::{Channel, Layer, Material, MaterialNumber, MaterialText};
-use cga_runtime::model::Model;
+use cga_runtime::output::model::Model;
 use glam::{DAffine3, DVec3, dvec3};
 use sink_support::{Fill, color, front, hash, mixed, plate, steady, textured, upright};
 

@@ -4,9 +4,9 @@ mod sink_support;
 
 use std::sync::Arc;
 
-use cga_runtime::model::Model;
-use cga_runtime::sink::picture::{Camera, Image, Lines, Picture};
-use cga_runtime::sink::svg::Svg;
+use cga_runtime::output::model::Model;
+use cga_runtime::output::picture::{Camera, Image, Lines, Picture};
+use cga_runtime::output::svg::Svg;
 use glam::{DAffine3, DVec3, dvec3};
 use sink_support::{Fill, color, hash, mixed, plate, steady, tower, upright};
 
@@ -121,7 +121,7 @@ fn odd_models_and_sizes_do_no_harm() {
     }
     // A camera inside a box.
     let model = red_box();
-    let camera = Camera::auto(cga_runtime::mesh::Bounds { low: DVec3::splat(0.4), high: DVec3::splat(0.5) });
+    let camera = Camera::auto(cga_runtime::geometry::mesh::Bounds { low: DVec3::splat(0.4), high: DVec3::splat(0.5) });
     Picture::new(40, 30).camera(camera).render(&model);
 }
 

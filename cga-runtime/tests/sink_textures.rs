@@ -7,15 +7,15 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use cga_runtime::asset::Assets;
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use cga_runtime::geometry::uv_map::{SetMap, UvMap};
 use cga_runtime::material::{Layer, LayerPart, Material, MaterialNumber, MaterialText};
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder};
-use cga_runtime::model::Model;
-use cga_runtime::scope::Scope;
-use cga_runtime::sink::buffers::{Buffers, Chunks};
-use cga_runtime::sink::gltf::Glb;
-use cga_runtime::sink::picture::{Camera, Image, Lines, Picture};
-use cga_runtime::sink::{Flow, Leaf, Sink};
-use cga_runtime::texture::map::{SetMap, UvMap};
+use cga_runtime::output::buffers::{Buffers, Chunks};
+use cga_runtime::output::gltf::Glb;
+use cga_runtime::output::model::Model;
+use cga_runtime::output::picture::{Camera, Image, Lines, Picture};
+use cga_runtime::run::sink::{Flow, Leaf, Sink};
+use cga_runtime::shape::scope::Scope;
 use glam::{DAffine3, DVec3, dvec2, dvec3, dvec4};
 use sink_support::{Fill, color, front, upright};
 
@@ -143,7 +143,7 @@ fn rectangles_and_boxes_have_the_coordinates_of_their_meshes() {
     };
     assert_eq!(glb(false), glb(true));
     let mut obj = Vec::new();
-    let mut writer = cga_runtime::sink::obj::Obj::new(&mut obj, "x.mtl");
+    let mut writer = cga_runtime::output::obj::Obj::new(&mut obj, "x.mtl");
     fill(&mut writer, &[2], false);
     writer.finish().expect("a library");
     let text = String::from_utf8(obj).expect("text");

@@ -133,3 +133,74 @@ fn the_selectors_of_styles_keep_their_text() {
     assert_eq!(lines(&model_of(&rules, "Lot")), ["0 + 0"]);
     assert_eq!(lines(&model_of(&rules, "S$Lot")), ["0"]);
 }
+
+#[test]
+fn values_may_need_each_other_in_turn() {
+    cga! {
+        grammar Turned = r#"
+            attr a = 2
+            attr b = a + 1
+            attr c = f
+            f = a * 10
+            Lot --> print(a) print(b) print(c)
+            style S
+            attr a = b + 1
+            attr b = 7
+            style T extends S
+            f = case a > 100 : c else : b
+        "#;
+    }
+    let rules = Turned::default();
+    assert_eq!(lines(&model_of(&rules, "Lot")), ["2", "3", "20"]);
+    assert_eq!(lines(&model_of(&rules, "S$Lot")), ["8", "7", "80"]);
+    assert_eq!(lines(&model_of(&rules, "T$Lot")), ["8", "7", "7"]);
+    let given = Turned { a: Some(30.0), ..Turned::default() };
+    assert_eq!(lines(&model_of(&given, "Lot")), ["30", "31", "300"]);
+    assert_eq!(lines(&model_of(&given, "S$Lot")), ["30", "7", "300"]);
+}
+
+#[test]
+fn locals_of_other_styles_are_not_computed() {
+    cga! {
+        grammar Locals = r#"
+            f(x) with ( y := rand(1) + x ) = y > 0
+            Lot with ( p := rand(1) ) --> print(p) print(f(1)) print(rand(1)) Next("a")
+            Next(t) with ( q := len(t) ) --> print(q) split(x) { ~1 : print(q) }
+            style S
+            f(x) with ( z := print(x)  y := z ) = y > 0
+            Lot with ( t := "none"  p := print(t) ) --> print(rand(1)) Next(p)
+            Next(t) with ( r := t + "!"  q := print(r) ) --> split(x) { ~1 : print(q + "?") }
+        "#;
+    }
+    cga! { grammar First = "Lot --> print(rand(1))"; }
+    let rules = Locals::default();
+    let plain = lines(&model_of(&rules, "Lot"));
+    assert_eq!((plain.len(), &plain[3..]), (5, &["1".to_owned(), "1".to_owned()][..]));
+    let first = lines(&model(&First::default()));
+    assert_eq!(plain[0], first[0], "the first random number is the local's");
+    assert_eq!(lines(&model_of(&rules, "S$Lot")), ["none", &first[0], "none!", "none!?"]);
+}
+
+#[test]
+fn constants_of_styles_are_not_folded_into_rules_of_others() {
+    cga! {
+        grammar Constants = r#"
+            const a = 1
+            const b = a * 2
+            const c = a * 0
+            f(x) = x + b
+            Lot --> print(a + b) print(f(c)) set(v, a) Next
+            Next --> print(v)
+            attr v = 5
+            style S
+            const a = 3
+            style T
+            const b = rand(1) * 0 + 4
+            Next --> print(-v)
+        "#;
+    }
+    let rules = Constants::default();
+    assert_eq!(lines(&model_of(&rules, "Lot")), ["3", "2", "1"]);
+    assert_eq!(lines(&model_of(&rules, "S$Lot")), ["9", "6", "3"]);
+    assert_eq!(lines(&model_of(&rules, "T$Lot")), ["5", "4", "-1"]);
+}

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use cga::{Assets, Settings, Shape, cga};
-use cga_runtime::mesh::primitive;
+use cga_runtime::geometry::mesh::primitive;
 
 use super::collect::Leaves;
 

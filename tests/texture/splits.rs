@@ -2,7 +2,7 @@
 
 use cga::glam::{DVec2, DVec3};
 use cga::{Mesh, Shape, cga};
-use cga_runtime::mesh::{FaceTag, MeshBuilder};
+use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder};
 
 use super::collect::{Leaves, leaves};
 

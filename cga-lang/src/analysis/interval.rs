@@ -6,6 +6,7 @@
 //! `>=` and `==` are false.
 
 use crate::ast::Binary;
+use crate::ops::Meaning;
 
 /// Numbers from `lo` to `hi`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -192,25 +193,24 @@ impl Interval {
     }
 
     /// What a function of the language makes of its arguments, as far as it is known.
-    pub(crate) fn function(name: &str, args: &[Interval]) -> Interval {
+    pub(crate) fn function(meaning: Meaning, args: &[Interval]) -> Interval {
         // Runs take what is not finite as zero.
         let rising = |of: fn(f64) -> f64, arg: Interval| {
             let arg = arg.taken();
             Interval { lo: of(arg.lo), hi: of(arg.hi), ..arg }
         };
-        match (name, args) {
-            ("floor", [a]) => rising(f64::floor, *a),
-            ("ceil", [a]) => rising(f64::ceil, *a),
-            ("rint", [a]) => rising(f64::round_ties_even, *a),
-            ("sqrt", [a]) if 0.0 <= a.lo => rising(f64::sqrt, *a),
-            ("abs", [a]) => a.taken().abs(),
-            ("min", [a, b]) => a.min(*b),
-            ("max", [a, b]) => a.max(*b),
-            ("sin" | "cos", [a]) => Interval { nan: a.is_odd(), ..Interval::UNIT },
-            ("float", [a]) => *a,
-            ("rand", []) => Interval::between(0.0, 1.0),
-            ("rand", [max]) if !max.is_odd() => max.or(Interval::ZERO),
-            ("rand", [min, max]) if !min.is_odd() && !max.is_odd() => min.or(*max).about(),
+        match (meaning, args) {
+            (Meaning::Floor, [a]) => rising(f64::floor, *a),
+            (Meaning::Ceil, [a]) => rising(f64::ceil, *a),
+            (Meaning::Round, [a]) => rising(f64::round_ties_even, *a),
+            (Meaning::Sqrt, [a]) if 0.0 <= a.lo => rising(f64::sqrt, *a),
+            (Meaning::Abs, [a]) => a.taken().abs(),
+            (Meaning::Min, [a, b]) => a.min(*b),
+            (Meaning::Max, [a, b]) => a.max(*b),
+            (Meaning::Wave, [a]) => Interval { nan: a.is_odd(), ..Interval::UNIT },
+            (Meaning::Random, []) => Interval::between(0.0, 1.0),
+            (Meaning::Random, [max]) if !max.is_odd() => max.or(Interval::ZERO),
+            (Meaning::Random, [min, max]) if !min.is_odd() && !max.is_odd() => min.or(*max).about(),
             _ => Interval::ALL,
         }
     }
@@ -322,14 +322,14 @@ mod tests {
             for x in members(a) {
                 // As operations take it.
                 let x_taken = if x.is_finite() { x } else { 0.0 };
-                for (name, exact) in [
-                    ("floor", x_taken.floor()),
-                    ("ceil", x_taken.ceil()),
-                    ("rint", x_taken.round_ties_even()),
-                    ("sqrt", x_taken.sqrt()),
-                    ("abs", x_taken.abs()),
+                for (meaning, exact) in [
+                    (Meaning::Floor, x_taken.floor()),
+                    (Meaning::Ceil, x_taken.ceil()),
+                    (Meaning::Round, x_taken.round_ties_even()),
+                    (Meaning::Sqrt, x_taken.sqrt()),
+                    (Meaning::Abs, x_taken.abs()),
                 ] {
-                    assert!(has(Interval::function(name, &[a]), exact), "{name} of {x} in {a:?}");
+                    assert!(has(Interval::function(meaning, &[a]), exact), "{meaning:?} of {x} in {a:?}");
                 }
                 assert!(a.known().is_none_or(|known| known == x));
                 assert!(has(a.taken(), x_taken));

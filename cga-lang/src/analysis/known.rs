@@ -6,6 +6,7 @@ use super::texts::{TextSet, Texts};
 use super::value::Value;
 use crate::ast::{Binary, Decl, Expr, ExprKind, Unary};
 use crate::ir::{ChoiceValues, Type};
+use crate::ops::{AttrValues, Meaning};
 use crate::resolve::globals::{Globals, Init, Item};
 use crate::resolve::info::AttrInfo;
 use crate::resolve::tables::{Tables, Use};
@@ -266,23 +267,19 @@ impl<'f> Known<'f> {
             },
             Use::Builtin(row) if row.ty == Type::Float => {
                 let args: Vec<Interval> = args.iter().map(|arg| arg.number()).collect();
-                Value::Number(Interval::function(row.name, &args))
+                Value::Number(Interval::function(row.meaning, &args))
             }
             // A chance is true less often than always, and more often than never.
-            Use::Builtin(row) if row.name == "p" => Value::Truth(match args[..] {
+            Use::Builtin(row) if row.meaning == Meaning::Chance => Value::Truth(match args[..] {
                 [Value::Number(chance)] if 1.0 < chance.lo && !chance.is_odd() => Some(true),
                 [Value::Number(chance)] if chance.hi < 0.0 && !chance.is_odd() => Some(false),
                 _ => None,
             }),
             Use::Builtin(row) => Value::of(Some(row.ty)),
-            Use::Shape(row) => match row.name {
-                "scope.sx" => Value::Number(facts.shape.size[0]),
-                "scope.sy" => Value::Number(facts.shape.size[1]),
-                "scope.sz" => Value::Number(facts.shape.size[2]),
-                // Before the first split it is -1 of 0.
-                "split.index" => Value::Number(Interval::finite(-1.0, f64::INFINITY)),
-                "split.total" => Value::Number(Interval::EXTENT),
-                _ => Value::of(Some(row.ty)),
+            Use::Shape(row) => match row.values {
+                AttrValues::Size(axis) => Value::Number(facts.shape.size[axis]),
+                AttrValues::From(least) => Value::Number(Interval::finite(least, f64::INFINITY)),
+                AttrValues::Any => Value::of(row.kind.ty()),
             },
             _ => Value::Any,
         }

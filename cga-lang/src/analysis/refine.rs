@@ -6,6 +6,7 @@ use super::known::Known;
 use super::texts::TextSet;
 use super::value::Value;
 use crate::ast::{Binary, Expr, ExprKind, Unary};
+use crate::ops::AttrValues;
 use crate::resolve::tables::Use;
 
 /// A place in what is known.
@@ -46,11 +47,9 @@ impl Known<'_> {
             Use::Param(index) => Some(Place::Param(index as usize)),
             Use::Attr(index) if self.is_constant(index) => Some(Place::Global(Global::Attr(index))),
             Use::Const(index) => Some(Place::Global(Global::Const(index))),
-            Use::Shape(row) => match row.name {
-                "scope.sx" => Some(Place::Size(0)),
-                "scope.sy" => Some(Place::Size(1)),
-                "scope.sz" => Some(Place::Size(2)),
-                _ => None,
+            Use::Shape(row) => match row.values {
+                AttrValues::Size(axis) => Some(Place::Size(axis)),
+                AttrValues::Any | AttrValues::From(_) => None,
             },
             _ => None,
         }

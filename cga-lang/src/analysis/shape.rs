@@ -1,6 +1,7 @@
 //! What is known of a shape on its way through the rules.
 
 use super::interval::Interval;
+use crate::ops::{Directions, Selector};
 use crate::span::Span;
 
 /// What boxes around parts of meshes may be off by, in metres and as a share: points far from the origin are rounded. It is
@@ -64,16 +65,20 @@ impl Shape {
     }
 
     /// What a selector takes of its faces, from that comp, where it is a box: rectangles. Without a selector any of them.
-    pub(super) fn face_of_box(&self, selector: Option<&str>, from: Span) -> Shape {
+    pub(super) fn face_of_box(&self, selector: Option<&Selector>, from: Span) -> Shape {
         let [x, y, z] = [0, 1, 2].map(|axis| (self.extent(axis), self.since[axis]));
         let either =
             |a: (Interval, Option<Span>), b: (Interval, Option<Span>)| (a.0.or(b.0), a.1.filter(|_| a.1 == b.1));
-        // The sides stand upright; those above and below lie along the scope.
-        let (width, height) = match selector {
-            Some("front" | "back") => (x, y),
-            Some("left" | "right") => (z, y),
-            Some("side" | "vertical") => (either(x, z), y),
-            Some("top" | "bottom" | "horizontal") => (x, z),
+        // The sides are upright; the faces above and below lie along the scope.
+        let takes = |faces| selector.is_none_or(|row| row.directions.meet(faces));
+        let across = takes(Directions::FRONT_FACE) || takes(Directions::BACK_FACE);
+        let along = takes(Directions::LEFT_FACE) || takes(Directions::RIGHT_FACE);
+        let flat = takes(Directions::TOP_FACE) || takes(Directions::BOTTOM_FACE);
+        let (width, height) = match (across, along, flat) {
+            (true, false, false) => (x, y),
+            (false, true, false) => (z, y),
+            (true, true, false) => (either(x, z), y),
+            (false, false, true) => (x, z),
             _ => (either(x, z), either(y, z)),
         };
         let (size, since) = ([width.0, height.0, Interval::ZERO], [width.1, height.1, Some(from)]);

@@ -1,13 +1,9 @@
 //! Which texture coordinates a shape may have.
 
-use crate::ops::{Effect, Operation};
+use crate::ops::{Operation, UvEffect};
 
 /// The uv sets of the language (*texturing*).
 const ALL: u16 = (1 << 10) - 1;
-
-/// Operations that make no texture coordinates though they change the geometry.
-const MAKES_NONE: &[&str] =
-    &["extrude", "offset", "taper", "roofGable", "roofHip", "roofPyramid", "roofShed", "roofRidge"];
 
 /// What is known of the uv sets of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,24 +42,20 @@ impl UvSets {
     pub(super) fn after(self, row: &Operation, sets: [Option<u32>; 2]) -> UvSets {
         let [bit, second] = sets.map(|set| set.filter(|set| *set < 10).map(|set| 1u16 << set));
         let UvSets { may, awaits } = self;
-        match (row.name, bit) {
-            ("setupProjection" | "setupUV", bit) => UvSets { may, awaits: awaits | bit.unwrap_or(0) },
-            ("projectUV" | "bakeUV", Some(bit)) => UvSets { may: may | bit, awaits: awaits & !bit },
-            ("projectUV" | "bakeUV", None) => UvSets::ANY,
+        match (row.uvs, bit) {
+            (UvEffect::SetsUp, bit) => UvSets { may, awaits: awaits | bit.unwrap_or(0) },
+            (UvEffect::Projects, Some(bit)) => UvSets { may: may | bit, awaits: awaits & !bit },
+            (UvEffect::Projects, None) => UvSets::ANY,
             // A set that is missing makes the other one missing (*copyUV operation*).
-            ("copyUV", Some(from)) if may & from == 0 => UvSets { may: may & !second.unwrap_or(0), awaits },
-            ("copyUV", _) if may != 0 => match second {
+            (UvEffect::Copies, Some(from)) if may & from == 0 => UvSets { may: may & !second.unwrap_or(0), awaits },
+            (UvEffect::Copies, _) if may != 0 => match second {
                 Some(to) => UvSets { may: may | to, awaits: awaits & !to },
                 None => UvSets { may: ALL, awaits: 0 },
             },
-            ("deleteUV", Some(bit)) => UvSets { may: may & !bit, awaits },
-            // They have the first set only (*primitiveCube operation*).
-            (name, _) if name.starts_with("primitive") => UvSets { may: 1, awaits: awaits & !1 },
-            (name, _) if MAKES_NONE.contains(&name) => self,
-            ("translateUV" | "scaleUV" | "rotateUV" | "normalizeUV" | "tileUV" | "offsetUV" | "deleteUV", _) => self,
-            _ if matches!(row.scope, Effect::Keeps | Effect::KeepsSize | Effect::Sizes) => self,
-            (name, _) if name.ends_with("Scope") || name.starts_with("alignScope") || name == "setPivot" => self,
-            _ => UvSets { may: ALL, awaits: 0 },
+            (UvEffect::Deletes, Some(bit)) => UvSets { may: may & !bit, awaits },
+            (UvEffect::First, _) => UvSets { may: 1, awaits: awaits & !1 },
+            (UvEffect::Keeps | UvEffect::Changes | UvEffect::Copies | UvEffect::Deletes, _) => self,
+            (UvEffect::Any | UvEffect::Follows, _) => UvSets { may: ALL, awaits: 0 },
         }
     }
 }

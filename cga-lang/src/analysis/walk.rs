@@ -7,7 +7,7 @@ use super::slots::Slots;
 use super::uvs::UvSets;
 use super::value::Value;
 use crate::ast::{Arg, Arm, ArmMode, Block, BlockPart, Expr, ExprKind, Name, Op, OpKind, SplitItem};
-use crate::ops::{Braces, Effect, MOST_SIZE, Measure, Operation, ParamKind, ShapeAttr};
+use crate::ops::{self, Braces, Effect, FileUse, MOST_SIZE, Measure, Operation, ParamKind, Places, ShapeAttr};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 
@@ -77,7 +77,7 @@ impl<'w> Walk<'w> {
                     }
                     Some(Use::SetShape(row)) => {
                         args.get(1).into_iter().for_each(|arg| visit.meet(&Site::Set(row, &arg.value), &facts));
-                        if row.name.starts_with("scope.") {
+                        if row.set_scope != Effect::Keeps {
                             facts.shape = facts.shape.moved_on();
                         }
                     }
@@ -269,14 +269,15 @@ impl<'w> Walk<'w> {
         visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
         let selector = match &arm.selector.kind {
             ExprKind::Name(name) => match self.known.tables.of(name) {
-                Some(Use::Selector(word)) => Some(word),
+                Some(Use::Selector(word)) => ops::selector(word),
                 _ => None,
             },
             _ => None,
         };
         let word = |index: usize| block.args.get(index).and_then(|arg| arg.value.word());
         let (is_comp, z_up) = (row.is_some_and(|row| row.braces == Braces::Components), word(1) == Some("zUp"));
-        let faces = is_comp && word(0) == Some("f") && (z_up || word(1).is_none());
+        let kind = word(0).and_then(ops::component);
+        let faces = is_comp && kind.is_some_and(|kind| kind.place == Places::FACES) && (z_up || word(1).is_none());
         let shape = match (faces && arm.mode == ArmMode::Each, facts.shape.filling) {
             (true, Filling::Box) if !z_up => facts.shape.face_of_box(selector, block.name.span),
             (true, _) => Shape::face(block.name.span),
@@ -299,11 +300,11 @@ impl<'w> Walk<'w> {
             },
             Effect::FillsWithBox if shape.has_room() && !shape.trimmed => shape.filled(Filling::Box),
             Effect::FillsWithBox | Effect::Fills if shape.has_room() => shape.filled(Filling::Unknown),
-            Effect::Any if row.name == "extrude" => match args {
+            Effect::Extrudes => match args {
                 [Arg { prefix: None, value, .. }] => shape.extruded(self.value(value, facts).number(), span),
                 _ => shape.moved_on(),
             },
-            Effect::Any | Effect::FillsWithBox | Effect::Fills => shape.moved_on(),
+            Effect::Any | Effect::MovesScope | Effect::FillsWithBox | Effect::Fills => shape.moved_on(),
         }
     }
 
@@ -324,12 +325,11 @@ impl<'w> Walk<'w> {
 
 /// What the geometry is of behind an operation: the token of a file's name, as long as it is that or parts of it.
 fn asset_after(row: &Operation, args: &[Arg], before: Option<u32>) -> Option<u32> {
-    if row.name == "i" {
-        let name = args.first()?;
-        return matches!(name.value.kind, ExprKind::Text(_)).then_some(name.value.span.first);
+    let inserted = row.params.iter().zip(args).find(|(param, _)| param.kind == ParamKind::File(FileUse::Inserted));
+    match inserted {
+        Some((_, name)) => matches!(name.value.kind, ExprKind::Text(_)).then_some(name.value.span.first),
+        None => before.filter(|_| row.scope.keeps_geometry()),
     }
-    let stays = matches!(row.scope, Effect::Keeps | Effect::KeepsSize | Effect::Sizes) || row.name.ends_with("Scope");
-    before.filter(|_| stays)
 }
 
 /// What holds on all of some ways.

@@ -5,7 +5,7 @@ use crate::ast::{Arg, Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::Diags;
 use crate::link::Asset;
-use crate::ops::{Param, ParamKind};
+use crate::ops::{AssetNames, FileUse, Function, Param, ParamKind};
 use crate::resolve::context::Cx;
 use crate::resolve::tables::Use;
 use crate::suggest::nearest;
@@ -16,19 +16,18 @@ use cga_split::files::places;
 pub(crate) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
     match site {
         Site::Operation(row, args) => {
-            if let Some(Arg { value, .. }) = file(row.params).and_then(|at| args.get(at)) {
-                named(value, row.name == "i", cx, diags);
-            }
+            let args: Vec<&Expr> = args.iter().map(|Arg { value, .. }| value).collect();
+            files(row.params, &args, cx, diags);
         }
-        Site::Set(row, value) if row.is_image() => named(value, false, cx, diags),
+        Site::Set(row, value) => named(value, row.kind, cx, diags),
         Site::Value(value) => expression(value, facts, cx, diags),
         _ => {}
     }
 }
 
-/// The number of the parameter that is a file.
-fn file(params: &[Param]) -> Option<usize> {
-    params.iter().position(|param| matches!(param.kind, ParamKind::File | ParamKind::Image))
+/// Looks at the arguments that are files.
+fn files(params: &[Param], args: &[&Expr], cx: &Cx, diags: &mut Diags) {
+    params.iter().zip(args).for_each(|(param, value)| named(value, param.kind, cx, diags));
 }
 
 /// Looks at an expression and its parts.
@@ -36,12 +35,7 @@ pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags)
     if let ExprKind::Call(name, args) = &expr.kind
         && let Some(Use::Builtin(row)) = cx.tables.of(name)
     {
-        // `fileExists` asks for it, and searches have patterns.
-        if !row.name.starts_with("file")
-            && let Some(value) = file(row.params).and_then(|at| args.get(at))
-        {
-            named(value, false, cx, diags);
-        }
+        files(row.params, &args.iter().collect::<Vec<_>>(), cx, diags);
         if let ([list, text], Some(token)) = (args.as_slice(), facts.asset) {
             within(list, text, token, cx, diags);
         }
@@ -64,7 +58,11 @@ fn text<'c>(expr: &'c Expr, cx: &'c Cx) -> Option<&'c str> {
     }
 }
 
-fn named(value: &Expr, is_inserted: bool, cx: &Cx, diags: &mut Diags) {
+/// Looks at an argument or value that may be the name of a file.
+fn named(value: &Expr, kind: ParamKind, cx: &Cx, diags: &mut Diags) {
+    if !matches!(kind, ParamKind::Image(_) | ParamKind::File(FileUse::Read | FileUse::Inserted)) {
+        return;
+    }
     let Some(name) = text(value, cx) else { return };
     let program = cx.globals.program;
     match program.asset(name, value.span.first) {
@@ -86,7 +84,7 @@ fn named(value: &Expr, is_inserted: bool, cx: &Cx, diags: &mut Diags) {
                     .help("put it there; where a run takes its assets from elsewhere, write `@Allow(missing_asset)`"),
             };
         }
-        Some(Asset::Mesh { has_faces: false, .. }) if is_inserted => {
+        Some(Asset::Mesh { has_faces: false, .. }) if kind == ParamKind::File(FileUse::Inserted) => {
             let diag = diags.report(Code::MissingAsset, value.span, format!("`{name}` has no faces"));
             diag.note("a run puts a box in its place, with a fault");
         }
@@ -106,10 +104,10 @@ fn within(list: &Expr, text: &Expr, token: u32, cx: &Cx, diags: &mut Diags) {
     let Some(Asset::Mesh { has_faces: true, groups, materials }) = cx.globals.program.asset(file, token) else {
         return;
     };
-    let (names, what) = match query.text.as_str() {
-        "geometry.groups" => (groups, "group"),
-        "geometry.materials" => (materials, "material"),
-        _ => return,
+    let Some(Use::Builtin(Function { names: Some(names), .. })) = cx.tables.of(query) else { return };
+    let (names, what) = match names {
+        AssetNames::Groups => (groups, "group"),
+        AssetNames::Materials => (materials, "material"),
     };
     if names.contains(wanted) {
         return;

@@ -1,6 +1,6 @@
 //! Arguments outside the documented values of their parameters.
 
-use super::size::shown;
+use super::numbers::shown;
 use crate::analysis::interval::Interval;
 use crate::analysis::{Facts, Flow, Value};
 use crate::ast::{Expr, ExprKind};

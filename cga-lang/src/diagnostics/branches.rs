@@ -1,6 +1,7 @@
 //! Conditions that are always true or always false.
 
-use super::size::range;
+use super::numbers::range;
+use super::switch::is_switch;
 use crate::analysis::{Facts, Flow, Turn, Value};
 use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::code::Code;
@@ -115,7 +116,7 @@ fn again(turn: &Turn, cx: &Cx, diags: &mut Diags) {
 fn is_settled(expr: &Expr, tables: &Tables) -> bool {
     let own = match &expr.kind {
         ExprKind::Name(name) | ExprKind::Call(name, _) => match tables.of(name) {
-            Some(Use::Builtin(row)) => row.pure || row.name.starts_with("geometry."),
+            Some(Use::Builtin(row)) => row.is_settled(),
             Some(Use::Function(_)) | None => false,
             Some(_) => true,
         },
@@ -227,20 +228,4 @@ fn is_literal(expr: &Expr) -> bool {
         expr.kind,
         ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Text(_) | ExprKind::Unary(..) | ExprKind::Binary(..)
     ) && expr.parts().into_iter().all(is_literal)
-}
-
-/// Returns true if an expression is a bare `true` or `false`, or made of constants alone: a switch that its author sets by hand.
-pub(crate) fn is_switch(expr: &Expr, tables: &Tables) -> bool {
-    fn names(expr: &Expr, tables: &Tables, constants: &mut usize, others: &mut usize) {
-        if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
-            match tables.of(name) {
-                Some(Use::Const(_) | Use::Function(_)) => *constants += 1,
-                _ => *others += 1,
-            }
-        }
-        expr.parts().into_iter().for_each(|part| names(part, tables, constants, others));
-    }
-    let (mut constants, mut others) = (0, 0);
-    names(expr, tables, &mut constants, &mut others);
-    matches!(expr.kind, ExprKind::Bool(_)) || 0 < constants && others == 0
 }

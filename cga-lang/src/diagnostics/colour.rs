@@ -1,14 +1,14 @@
 //! Colours that are none: text is an error among Rust, and old text keeps running, with a fault; numbers are cut to what
 //! there is.
 
-use super::size::shown;
+use super::numbers::shown;
 use crate::analysis::{Facts, Flow};
 use crate::ast::{Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::{Diags, Level};
 use crate::door::Door;
 use crate::link::Program;
-use crate::ops::Param;
+use crate::ops::{Param, ParamKind};
 
 /// Looks at the arguments of an operation or function.
 pub(crate) fn check(
@@ -19,12 +19,9 @@ pub(crate) fn check(
     flow: &Flow,
     diags: &mut Diags,
 ) {
-    let known = |name: &str| params.iter().position(|param| param.name == name).and_then(|at| args.get(at).copied());
-    if let Some(arg) = known("hexValue") {
-        text(program, arg, diags);
-    }
-    let parts = ["red", "green", "blue", "opacity"].map(known);
-    let stray = parts.into_iter().flatten().find(|part| {
+    let of = |kind| params.iter().zip(args).filter(move |(param, _)| param.kind == kind).map(|(_, arg)| *arg);
+    of(ParamKind::Color).for_each(|arg| text(program, arg, diags));
+    let stray = of(ParamKind::Channel).find(|part| {
         let number = flow.value(part, facts).number();
         number.hi < 0.0 || 1.0 < number.lo
     });
@@ -34,7 +31,7 @@ pub(crate) fn check(
     let message = format!("{what} is no part of a colour");
     let diag = diags.report_as(Code::NotAColor, Level::Warning, stray.span, message);
     diag.note("red, green, blue and opacity go from 0 to 1");
-    match hex(parts.into_iter().flatten().map(|part| flow.value(part, facts).number().known())) {
+    match hex(of(ParamKind::Channel).map(|part| flow.value(part, facts).number().known())) {
         Some(hex) => diag.help(format!("write \"{hex}\" for all of them")),
         None => diag.help("write a number from 0 to 1"),
     };

@@ -3,10 +3,10 @@
 use super::readings::Readings;
 use crate::analysis::body;
 use crate::ast::{Arm, BlockPart, Expr, ExprKind, OpKind};
-use crate::ast_walk::ops;
+use crate::ast_walk;
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
-use crate::ops::{Braces, Operation};
+use crate::ops::{self, Braces, Directions, Operation, Selector};
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Tables, Use};
 use crate::span::Span;
@@ -16,7 +16,7 @@ pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     let mut readings = Readings::default();
     for item in &cx.globals.rules {
         let mut diags = Diags::new();
-        ops(body(item), &mut |op| {
+        ast_walk::ops(body(item), &mut |op| {
             let OpKind::Block(block) = &op.kind else { return };
             // Setbacks leave remainders, which no other selector takes.
             let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = cx.tables.of(&block.name) else {
@@ -36,14 +36,14 @@ pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
 /// What a selector takes, as far as it is known without the geometry.
 #[derive(Clone, Copy, PartialEq)]
 enum Takes {
-    Word(&'static str),
+    Word(&'static Selector),
     Index(f64),
 }
 
 fn takes(selector: &Expr, tables: &Tables) -> Option<Takes> {
     match &selector.kind {
         ExprKind::Name(name) => match tables.of(name)? {
-            Use::Selector(word) => Some(Takes::Word(word)),
+            Use::Selector(word) => ops::selector(word).map(Takes::Word),
             _ => None,
         },
         ExprKind::Number(number) => Some(Takes::Index(*number)),
@@ -53,7 +53,7 @@ fn takes(selector: &Expr, tables: &Tables) -> Option<Takes> {
 
 fn arms(list: &[Arm], tables: &Tables, diags: &mut Diags) {
     let mut before: Vec<(Takes, Span)> = Vec::new();
-    let mut taken = 0;
+    let mut taken = Directions::NONE;
     for arm in list {
         let Some(own) = takes(&arm.selector, tables) else { continue };
         let span = arm.selector.span;
@@ -65,18 +65,18 @@ fn arms(list: &[Arm], tables: &Tables, diags: &mut Diags) {
             continue;
         }
         let one = before.iter().find(|(other, _)| covers(*other, own));
-        let directions = if let Takes::Word(word) = own { directions(word) } else { 0 };
+        let directions = if let Takes::Word(word) = own { word.directions } else { Directions::NONE };
         if let Some((other, place)) = one {
             let text = shown(*other);
             let diag = never(diags, own, span);
             diag.note(ONCE).related(format!("{text} takes all of them"), *place);
             diag.help(if *other == own { "leave it out" } else { "move it before the others, or leave it out" });
-        } else if directions != 0 && directions & !taken == 0 && own != Takes::Word("all") {
+        } else if directions.within(taken) && directions != Directions::ALL {
             let diag =
                 never(diags, own, span).note(ONCE).note("the selectors before it take every direction that it has");
             diag.help("move it before the others, or leave it out");
         }
-        taken |= directions;
+        taken = taken.and(directions);
         before.push((own, span));
     }
 }
@@ -89,48 +89,17 @@ fn never(diags: &mut Diags, own: Takes, span: Span) -> &mut Diag {
 
 fn shown(of: Takes) -> String {
     match of {
-        Takes::Word(word) => format!("`{word}`"),
+        Takes::Word(word) => format!("`{}`", word.name),
         Takes::Index(index) => format!("index {index}"),
     }
 }
 
-/// Whether one selector takes all that another could.
+/// Returns true if one selector takes everything that another could.
 fn covers(one: Takes, other: Takes) -> bool {
     one == other
-        || one == Takes::Word("all")
         || match (one, other) {
-            (Takes::Word(one), Takes::Word(other)) => {
-                let (all, some) = (directions(one), directions(other));
-                some != 0 && some & !all == 0 && other != "all"
-            }
+            (Takes::Word(one), _) if one.directions == Directions::ALL => true,
+            (Takes::Word(one), Takes::Word(other)) => other.directions.within(one.directions),
             _ => false,
         }
-}
-
-/// The directions that a word of the scope's axes takes, one a bit: for each quadrant the inclinations that it has. A
-/// quadrant is that of the largest coordinate, so what is in the front is never steeper than 45 degrees.
-fn directions(word: &str) -> u16 {
-    const ASLANT: u16 = 0b0000_0000_0000_1111;
-    const VERTICAL: u16 = 0b0000_0000_1111_0000;
-    const NUTANT: u16 = 0b0000_1111_0000_0000;
-    const TOP: u16 = 0b0011_0000_0000_0000;
-    const TOP_ASLANT: u16 = 0b0001_0000_0000_0000;
-    const BOTTOM: u16 = 0b1100_0000_0000_0000;
-    const BOTTOM_NUTANT: u16 = 0b0100_0000_0000_0000;
-    let around = |quadrant: u32| 0b0001_0001_0001 << quadrant;
-    match word {
-        "front" => around(0),
-        "back" => around(1),
-        "left" => around(2),
-        "right" => around(3),
-        "top" => TOP,
-        "bottom" => BOTTOM,
-        "aslant" => ASLANT | TOP_ASLANT,
-        "vertical" => VERTICAL,
-        "nutant" => NUTANT | BOTTOM_NUTANT,
-        "horizontal" => (TOP & !TOP_ASLANT) | (BOTTOM & !BOTTOM_NUTANT),
-        "side" => ASLANT | VERTICAL | NUTANT | TOP_ASLANT | BOTTOM_NUTANT,
-        "all" => u16::MAX,
-        _ => 0,
-    }
 }

@@ -9,10 +9,12 @@ mod defaults;
 mod ends;
 mod hidden;
 pub(crate) mod levels;
+mod numbers;
 mod reach;
 mod readings;
 mod repeat;
 mod size;
+mod switch;
 mod texture;
 mod trailing;
 mod unused;
@@ -22,6 +24,7 @@ use crate::ast::Expr;
 use crate::diag::{Diag, Diags};
 use crate::diagnostics::readings::Readings;
 use crate::diagnostics::texture::Projected;
+use crate::ops::ParamKind;
 use crate::resolve::context::Cx;
 use crate::resolve::globals::Item;
 
@@ -47,8 +50,8 @@ pub(crate) fn check(cx: &mut Cx) {
                 Site::Condition(turn) => branches::check(turn, facts, &values, cx, &mut diags),
                 Site::Value(value) => arithmetic::check(value, facts, &values, cx, &mut diags),
                 Site::Operation(row, args) => {
-                    if let ("texture", [image]) = (row.name, args) {
-                        texture::carried(&image.value, 0, projected, facts, &mut diags);
+                    for (param, image) in row.params.iter().zip(*args) {
+                        texture::carried(&image.value, param.kind, projected, facts, &mut diags);
                     }
                     texture::changed(row, args, projected, (facts, &values), &mut diags);
                     let args: Vec<&Expr> = args.iter().map(|arg| &arg.value).collect();
@@ -56,10 +59,8 @@ pub(crate) fn check(cx: &mut Cx) {
                     colour::check(program, row.params, &args, facts, &values, &mut diags);
                 }
                 Site::Set(row, value) => {
-                    if let Some(set) = texture::layer(row.name) {
-                        texture::carried(value, set, projected, facts, &mut diags);
-                    }
-                    if row.name == "material.color.rgb" {
+                    texture::carried(value, row.kind, projected, facts, &mut diags);
+                    if row.kind == ParamKind::Color {
                         colour::text(program, value, &mut diags);
                     }
                 }

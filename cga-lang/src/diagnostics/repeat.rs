@@ -1,6 +1,7 @@
 //! Repeats that make no progress, too many pieces, one repetition or a sliver.
 
-use super::size::{about, axis, shown};
+use super::numbers::{about, shown};
+use super::size::axis;
 use crate::analysis::{MARGIN, Once, Slots};
 use crate::code::Code;
 use crate::diag::Diags;

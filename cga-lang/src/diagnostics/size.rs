@@ -1,7 +1,7 @@
 //! Slots that are never made, always cut or leave a gap.
 
-use super::branches;
-use crate::analysis::interval::Interval;
+use super::numbers::{about, range, shown};
+use super::switch::is_switch;
 use crate::analysis::{Face, Facts, Slot, Slots, Sum, called};
 use crate::ast::Arg;
 use crate::code::Code;
@@ -37,31 +37,6 @@ fn label(slot: &Slot) -> String {
     called(slot.ops).map_or_else(|| "this slot".into(), |name| format!("`{}`", name.text))
 }
 
-/// A number as messages show it.
-pub(crate) fn shown(number: f64) -> String {
-    let rounded = (number * 1e6).round() / 1e6;
-    // Not what is small, and no zero with a sign.
-    let is_far = rounded == 0.0 && number != 0.0 || 1e15 < number.abs();
-    if is_far { format!("{number:e}") } else { format!("{}", rounded + 0.0) }
-}
-
-/// A bound as messages show it, without what rounding may add.
-pub(crate) fn about(number: f64) -> String {
-    shown((number * 1e4).round() / 1e4)
-}
-
-/// Numbers as messages show them: "3", "between 3 and 60", "3 or more".
-pub(crate) fn range(of: Interval) -> String {
-    match (of.lo == of.hi, of.lo.is_finite(), of.hi.is_finite()) {
-        (true, ..) => shown(of.lo),
-        (false, true, true) if shown(of.lo) == shown(of.hi) => format!("about {}", shown(of.lo)),
-        (false, true, true) => format!("between {} and {}", shown(of.lo), shown(of.hi)),
-        (false, true, false) => format!("{} or more", shown(of.lo)),
-        (false, false, true) => format!("{} or less", shown(of.hi)),
-        (false, false, false) => "any number".into(),
-    }
-}
-
 /// Names the place where the extent comes from.
 fn since(slots: &Slots, facts: &Facts, diag: &mut Diag) {
     if let Some(place) = facts.shape.since[slots.axis] {
@@ -91,7 +66,7 @@ fn flat(slots: &Slots, facts: &Facts, diags: &mut Diags) {
 }
 
 fn nothing(slot: &Slot, tables: &Tables, diags: &mut Diags) {
-    if slot.value.known() == Some(0.0) && branches::is_switch(&slot.size.value, tables) {
+    if slot.value.known() == Some(0.0) && is_switch(&slot.size.value, tables) {
         // A part that its author has turned off.
         return;
     }

@@ -7,27 +7,9 @@ use crate::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
 use crate::ast_walk::ops;
 use crate::code::Code;
 use crate::diag::Diags;
-use crate::ops::Operation;
+use crate::ops::{Function, Operation, ParamKind, UvEffect};
 use crate::resolve::context::Cx;
 use crate::resolve::tables::Use;
-
-/// The texture layers by the number of their uv set (*texturing*).
-const LAYERS: [&str; 10] = [
-    "colormap",
-    "bumpmap",
-    "dirtmap",
-    "specularmap",
-    "opacitymap",
-    "normalmap",
-    "emissivemap",
-    "occlusionmap",
-    "roughnessmap",
-    "metallicmap",
-];
-
-/// The functions that give a number for a set, 0 where it is missing (*geometry.du, dv*, *geometry.uMin …*).
-const NUMBERS: [&str; 6] =
-    ["geometry.du", "geometry.dv", "geometry.uMin", "geometry.uMax", "geometry.vMin", "geometry.vMax"];
 
 /// The uv sets that some rule makes, a bit each: by a projection, and by any operation; and those with a projection.
 #[derive(Clone, Copy)]
@@ -54,9 +36,9 @@ impl Projected {
                 match &op.kind {
                     OpKind::Call(name, args) => {
                         let Some(Use::Operation(row)) = cx.tables.of(name) else { return };
-                        let list = match row.name {
-                            "projectUV" | "bakeUV" => &mut bits,
-                            "setupProjection" | "setupUV" => &mut set_up,
+                        let list = match row.uvs {
+                            UvEffect::Projects => &mut bits,
+                            UvEffect::SetsUp => &mut set_up,
                             _ => return,
                         };
                         let facts = Facts::any(cx.globals.rules[index].decl.params.len());
@@ -102,14 +84,14 @@ pub(crate) fn changed(
 ) {
     let Some(arg) = args.first() else { return };
     let set = || known_set(&arg.value, facts, flow);
-    match row.name {
-        "projectUV" | "bakeUV" => {
+    match row.uvs {
+        UvEffect::Projects => {
             let Some(set) = set().filter(|set| projected.set_up & (1 << set) == 0) else { return };
             let message = format!("no rule sets up a projection of uv set {set}: the shape has none after this");
             let diag = diags.report(Code::MissingUvSet, arg.value.span, message);
             diag.help(format!("write `setupProjection({set}, …)` before it"));
         }
-        "translateUV" | "scaleUV" | "rotateUV" | "normalizeUV" | "tileUV" | "offsetUV" | "copyUV" | "insertAlongUV" => {
+        effect if effect.needs_set() => {
             let Some(set) = set().filter(|set| facts.uvs.lacks(*set)) else { return };
             let message = format!("the shape has no uv set {set}: `{}` has nothing to go by", row.name);
             let diag = diags.report(Code::MissingUvSet, arg.value.span, message);
@@ -121,9 +103,9 @@ pub(crate) fn changed(
 }
 
 /// Looks at a function of texture coordinates. `geometry.hasUVs` may ask for sets that are missing.
-pub(crate) fn asked(name: &Name, args: &[Expr], (facts, flow): (&Facts, &Flow), diags: &mut Diags) {
+pub(crate) fn asked(row: &Function, name: &Name, args: &[Expr], (facts, flow): (&Facts, &Flow), diags: &mut Diags) {
     let set = args.first().map_or(Some(0), |set| known_set(set, facts, flow));
-    let Some(set) = set.filter(|set| NUMBERS.contains(&&*name.text) && facts.uvs.lacks(*set)) else { return };
+    let Some(set) = set.filter(|set| row.needs_uv_set && facts.uvs.lacks(*set)) else { return };
     let message = format!("the shape has no uv set {set}: `{}` is 0", name.text);
     let diag = diags.report(Code::MissingUvSet, name.span, message);
     diag.note(format!("nothing makes texture coordinates of set {set} before it"));
@@ -136,14 +118,9 @@ fn known_set(number: &Expr, facts: &Facts, flow: &Flow) -> Option<u32> {
     (0.0..10.0).contains(&number).then_some(number as u32)
 }
 
-/// The uv set of a texture layer, by the name of its attribute.
-pub(crate) fn layer(attribute: &str) -> Option<u32> {
-    let map = attribute.strip_prefix("material.")?;
-    LAYERS.iter().position(|layer| *layer == map).map(|set| set as u32)
-}
-
-/// Looks at a texture. A layer without its uv set goes by the first one (*texturing*).
-pub(crate) fn carried(image: &Expr, set: u32, projected: Projected, facts: &Facts, diags: &mut Diags) {
+/// Looks at a value that may be a texture. A layer without its uv set goes by the first one (*texturing*).
+pub(crate) fn carried(image: &Expr, kind: ParamKind, projected: Projected, facts: &Facts, diags: &mut Diags) {
+    let ParamKind::Image(set) = kind else { return };
     let is_off = matches!(&image.kind, ExprKind::Text(text) if text.is_empty());
     let none = |set: u32| facts.uvs.lacks(set) && projected.made & (1 << set) == 0;
     if is_off || !none(0) || !none(set) {

@@ -11,9 +11,6 @@ use crate::ops::Run;
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Tables, Use};
 
-/// Operations that are there for something else than the shape.
-const HEARD: [&str; 3] = ["report", "print", "label"];
-
 pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     let program = cx.globals.program;
     let mut readings = Readings::default();
@@ -34,7 +31,7 @@ fn sequence(ops: &[Op], made: bool, restored: bool, tables: &Tables, diags: &mut
     for (at, op) in ops.iter().enumerate() {
         let changes = match &op.kind {
             OpKind::Call(name, _) => match tables.of(name) {
-                Some(Use::Operation(row)) => !HEARD.contains(&row.name),
+                Some(Use::Operation(row)) => !row.is_for_run(),
                 Some(Use::SetAttr(_) | Use::SetShape(_)) => true,
                 Some(Use::Rule(_) | Use::Leaf) => {
                     made = true;

@@ -124,7 +124,7 @@ impl<'a> Infer<'_, 'a, '_> {
                 self.known(row.ty, name.span)
             }
             Some(Use::Convert(ty)) => self.known(ty, name.span),
-            Some(Use::Shape(row)) => self.known(row.ty, name.span),
+            Some(Use::Shape(row)) => self.known(row.ty(), name.span),
             Some(Use::Selector(_)) => self.known(Type::Bool, name.span),
             Some(Use::Open(open)) => {
                 let candidates = self.candidates(open);
@@ -137,9 +137,8 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     pub(super) fn builtin_argument(&mut self, param: &Param, name: &str, var: Var, span: Span) {
-        let Some(ty) = param.kind.ty() else { return };
         let who = if param.name.is_empty() { format!("`{name}`") } else { format!("`{}` of `{name}`", param.name) };
-        self.need_var(var, span, ty, &who);
+        self.need_kind(var, span, param.kind, &who);
     }
 
     /// What a call may be, with the types it takes.

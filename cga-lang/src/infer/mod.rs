@@ -17,14 +17,15 @@ use crate::code::Code;
 use crate::diag::Diag;
 use crate::door::Door;
 use crate::hash::FastMap;
-use crate::ir::Type;
 use crate::lex::without_unit;
 use crate::link::Wanted;
+use crate::ops::ParamKind;
 use crate::resolve::context::Cx;
 use crate::resolve::globals::Init;
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::token::Tok;
+use crate::types::Type;
 use generic::Stage;
 use open::Open;
 use std::collections::HashMap;
@@ -186,6 +187,12 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     fn need_var(&mut self, var: Var, span: Span, ty: Type, who: &str) {
+        self.need_kind(var, span, ParamKind::Value(ty), who);
+    }
+
+    /// Demands the type of a kind of value.
+    fn need_kind(&mut self, var: Var, span: Span, kind: ParamKind, who: &str) {
+        let Some(ty) = kind.ty() else { return };
         if self.vars.bind(var, ty, span) {
             return;
         }
@@ -193,7 +200,7 @@ impl<'a> Infer<'_, 'a, '_> {
         let why = self.vars.why(var).filter(|why| *why != span);
         let message = format!("{who} needs a {}, got a {}", ty.word(), got.word());
         let literal = self.cx.globals.program.tokens.as_slice().get(span.first as usize);
-        let help = conversion(ty, got, literal.filter(|_| span.first == span.last), who, |name| {
+        let help = conversion(kind, got, literal.filter(|_| span.first == span.last), |name| {
             self.cx.globals.value(self.cx.at, name).is_some()
         });
         let diag = self.cx.diags.report(Code::TypeMismatch, span, message);
@@ -323,17 +330,11 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 }
 
-/// What to type for a value of the wrong type. `literal` is the value where it is one token, `who` what needs it, and
-/// `declared` tells whether a name has a value.
-fn conversion(
-    ty: Type,
-    got: Type,
-    literal: Option<&Tok>,
-    who: &str,
-    declared: impl Fn(&str) -> bool,
-) -> Option<String> {
-    Some(match (ty, got, literal) {
-        (Type::Text, ..) if who.starts_with("`hexValue`") => "write a colour, as in `\"#ff8000\"`".into(),
+/// What to type for a value of the wrong type. `literal` is the value where it is one token, and `declared` tells
+/// whether a name has a value.
+fn conversion(kind: ParamKind, got: Type, literal: Option<&Tok>, declared: impl Fn(&str) -> bool) -> Option<String> {
+    Some(match (kind.ty()?, got, literal) {
+        (Type::Text, ..) if kind == ParamKind::Color => "write a colour, as in `\"#ff8000\"`".into(),
         (Type::Text, _, Some(Tok::Number(number))) => format!("write `\"{number}\"`, in quotes"),
         (Type::Text, ..) => "write `str(…)`".into(),
         (Type::Float, Type::Text, Some(Tok::Str(text))) => match number(text) {

@@ -120,7 +120,8 @@ impl<'a> Infer<'_, 'a, '_> {
             }
             Some(Use::SetShape(row)) => {
                 if let Some(value) = args.get(1) {
-                    self.need(&value.value, row.ty, &format!("`{}`", row.name));
+                    let var = self.expr(&value.value);
+                    self.need_kind(var, value.value.span, row.kind, &format!("`{}`", row.name));
                 }
             }
             Some(Use::Open(open)) => {
@@ -136,7 +137,7 @@ impl<'a> Infer<'_, 'a, '_> {
         for (param, arg) in row.params.iter().zip(args) {
             match param.kind {
                 // A word that is computed; any other has no entry in the tables.
-                ParamKind::Word { .. } => _ = self.expr(&arg.value),
+                ParamKind::Word(_) => _ = self.expr(&arg.value),
                 ParamKind::Selector => self.selector(&arg.value),
                 _ => {
                     let var = self.expr(&arg.value);

@@ -1,7 +1,7 @@
 //! Types not known yet, and what becomes of them.
 
-use crate::ir::Type;
 use crate::span::Span;
+use crate::types::Type;
 
 /// A type that may not be known yet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -38,8 +38,7 @@ pub struct Attr {
     pub is_set: bool,
     /// Whether it is on a cycle that conditions may keep open: it is computed when it is first read.
     pub lazy: bool,
-    /// Whether the host program may set it. An attribute that has one value in several styles is there once for each;
-    /// those of one name share a field.
+    /// Whether the host program may set it.
     pub public: bool,
     /// The name in its declaration.
     pub span: Span,

@@ -40,6 +40,8 @@ pub enum ExprKind {
     Comp(Box<Comp>),
     /// Whether a selector's word takes the component that is asked about; in its newest spelling.
     Word(&'static str),
+    /// Returns true if the style of the run is one of these numbers.
+    Style(Vec<u32>),
     /// A value that is known and cannot be computed yet: 0, false, empty, or what is given.
     Later(String),
     /// `[a, b; c, d]`: entries are elements or arrays.

@@ -1,6 +1,7 @@
 //! Files that rules name: what is known of them while compiling.
 
 use super::{Files, Program, folder_of};
+use crate::ops::{self, FileUse, Param, ParamKind};
 use crate::suggest::nearest;
 use crate::token::{Sym, Tok};
 use cga_split::files::places;
@@ -68,7 +69,7 @@ impl Assets {
         let tokens = program.tokens.as_slice();
         for part in tokens.windows(3) {
             if let [Tok::Ident(word), Tok::Sym(Sym::LParen), Tok::Str(name)] = part
-                && word == "fileExists"
+                && asks_for_file(word)
             {
                 assets.asked_for.insert(name.clone());
             }
@@ -131,6 +132,12 @@ fn with_nearest(asset: Asset, name: &str) -> Asset {
 fn beside(name: &str, other: &str) -> String {
     let folder = name.rfind('/').map_or("", |at| &name[..=at]);
     format!("{folder}{}", other.rsplit('/').next().unwrap_or(other))
+}
+
+/// Returns true for the name of a function that asks whether there is a file.
+fn asks_for_file(word: &str) -> bool {
+    let asks = |param: &Param| param.kind == ParamKind::File(FileUse::Asked);
+    ops::functions(word).any(|row| row.params.first().is_some_and(asks))
 }
 
 /// Whether a text is the name of a file below a folder, other than rules.

@@ -2,8 +2,8 @@
 //!
 //! An *instance* is one file with one style in force, imported in one place. Each instance has tokens and a tree of its
 //! own: the file is read again for it, behind the tokens so far, so that a name is still identified by its token. Two
-//! imports of one file share nothing, as CGA wants it; what styles have in common is found again after lowering
-//! (`share.rs`).
+//! imports of one file share nothing, as CGA wants it; styles are merged after lowering
+//! (`lower/merge.rs`).
 
 mod asset;
 mod copies;

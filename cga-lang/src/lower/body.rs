@@ -5,7 +5,7 @@ use crate::ast::{self, OpKind};
 use crate::fold::fold;
 use crate::ir::{Arg, AttrId, Childless, Expr, ExprKind, Param, Prefix, Rule, RuleId, Size, Step, Target, Type, Value};
 use crate::ir_walk;
-use crate::ops::{self, Operation, ParamKind, Run};
+use crate::ops::{self, Operation, ParamKind, Run, Words};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 
@@ -65,12 +65,15 @@ impl<'c> Lower<'c> {
     /// The arguments of an operation, with the defaults of those that are left out.
     pub(super) fn args(&mut self, row: &'static Operation, args: &[ast::Arg], span: Span) -> Vec<Arg> {
         let given = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
-            ParamKind::Value(_) | ParamKind::Any | ParamKind::Selector | ParamKind::PerEdge => {
-                Arg::Value(self.folded(&arg.value))
-            }
-            ParamKind::File | ParamKind::Image => Arg::Value(self.file(&arg.value)),
+            ParamKind::Value(_)
+            | ParamKind::Any
+            | ParamKind::Color
+            | ParamKind::Channel
+            | ParamKind::Selector
+            | ParamKind::PerEdge => Arg::Value(self.folded(&arg.value)),
+            ParamKind::File(_) | ParamKind::Image(_) => Arg::Value(self.file(&arg.value)),
             ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
-            ParamKind::Word { words, .. } => Arg::Word(word(&arg.value, words)),
+            ParamKind::Word(words) => Arg::Word(word(&arg.value, words)),
         });
         let mut list: Vec<Arg> = given.collect();
         list.extend(row.params.iter().skip(args.len()).filter_map(|param| default(param, span)));
@@ -89,7 +92,7 @@ impl<'c> Lower<'c> {
                 Step::SetAttr(AttrId(index), self.folded(&args.get(1)?.value), span)
             }
             Use::SetShape(row) if row.set == Some(Run::Later) => Step::Later(format!("set({})", row.name), span),
-            Use::SetShape(row) if row.is_image() => Step::SetShape(row, self.file(&args.get(1)?.value), span),
+            Use::SetShape(row) if row.kind.is_file() => Step::SetShape(row, self.file(&args.get(1)?.value), span),
             Use::SetShape(row) => Step::SetShape(row, self.folded(&args.get(1)?.value), span),
             _ => Step::Give(self.successor(name, args)?),
         })
@@ -152,22 +155,13 @@ impl<'c> Lower<'c> {
 /// Numbers the parameters a body reads anew, without gaps; returns the old numbers in order.
 fn capture(body: &mut [Step]) -> Vec<u32> {
     let mut captured = Vec::new();
-    params(body, &mut |index| captured.push(*index));
+    ir_walk::exprs_mut(body, &mut |expr| ir_walk::params_mut(expr, &mut |index| captured.push(*index)));
     captured.sort_unstable();
     captured.dedup();
-    params(body, &mut |index| *index = captured.binary_search(index).unwrap_or_default() as u32);
-    captured
-}
-
-/// The parameters that a body reads.
-fn params(body: &mut [Step], visit: &mut dyn FnMut(&mut u32)) {
     ir_walk::exprs_mut(body, &mut |expr| {
-        ir_walk::parts_mut(expr, &mut |part| {
-            if let ExprKind::Param(index) = &mut part.kind {
-                visit(index);
-            }
-        });
+        ir_walk::params_mut(expr, &mut |index| *index = captured.binary_search(index).unwrap_or_default() as u32);
     });
+    captured
 }
 
 /// What counts for an argument that was left out.
@@ -186,7 +180,7 @@ fn default(param: &ops::Param, span: Span) -> Option<Arg> {
 }
 
 /// The word that an argument says.
-fn word(arg: &ast::Expr, words: &'static [(&'static str, &'static str)]) -> &'static str {
+fn word(arg: &ast::Expr, words: &Words) -> &'static str {
     let text = arg.word().unwrap_or_default();
-    words.iter().map(|(word, _)| *word).find(|word| *word == text).unwrap_or_default()
+    words.list.iter().copied().find(|word| *word == text).unwrap_or_default()
 }

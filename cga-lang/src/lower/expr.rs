@@ -98,10 +98,10 @@ impl Lower<'_> {
     /// Words among the arguments are text from here on.
     fn builtin_args(&mut self, row: &'static ops::Function, args: &[ast::Expr]) -> Vec<Expr> {
         let own = args.iter().zip(row.params).map(|(arg, param)| match (arg.word(), &param.kind) {
-            (Some(word), ops::ParamKind::Word { .. } | ops::ParamKind::Selector) => {
+            (Some(word), ops::ParamKind::Word(_) | ops::ParamKind::Selector) => {
                 Expr { kind: ExprKind::Value(Value::Text(word.to_owned())), ty: Type::Text, span: arg.span }
             }
-            (_, ops::ParamKind::File | ops::ParamKind::Image) => {
+            (_, kind) if kind.is_file() => {
                 let name = self.expr(arg);
                 self.in_folder(name)
             }
@@ -147,8 +147,8 @@ impl Lower<'_> {
             }
             Some(Use::Builtin(row)) if row.run == Run::Later => (ExprKind::Later(row.name.into()), row.ty),
             Some(Use::Builtin(row)) => Self::builtin(row, args),
-            Some(Use::Shape(row)) if row.get == Run::Later => (ExprKind::Later(row.name.into()), row.ty),
-            Some(Use::Shape(row)) => (ExprKind::Shape(row), row.ty),
+            Some(Use::Shape(row)) if row.get == Run::Later => (ExprKind::Later(row.name.into()), row.ty()),
+            Some(Use::Shape(row)) => (ExprKind::Shape(row), row.ty()),
             Some(Use::Convert(ty)) => match args.pop() {
                 Some(arg) => convert(arg, ty),
                 None => nothing(),

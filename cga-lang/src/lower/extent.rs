@@ -141,9 +141,11 @@ fn after(step: &Step, known: Known) -> Known {
             Effect::Sizes => known.resize(args),
             Effect::FillsWithBox if known.has_room() => Known { solid: !known.trimmed, ..known },
             Effect::Fills if known.has_room() => Known { solid: false, ..known },
-            Effect::Any | Effect::FillsWithBox | Effect::Fills => known.moved_on(),
+            Effect::Any | Effect::MovesScope | Effect::Extrudes | Effect::FillsWithBox | Effect::Fills => {
+                known.moved_on()
+            }
         },
-        Step::SetShape(row, ..) if row.name.starts_with("scope.") => known.moved_on(),
+        Step::SetShape(row, ..) if row.set_scope != Effect::Keeps => known.moved_on(),
         Step::Rust(..) => NOTHING,
         _ => known,
     }

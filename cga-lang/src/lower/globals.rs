@@ -1,9 +1,10 @@
 //! Attributes, constants and functions, with the order in which they are ready.
 
-use super::Lower;
+use super::{Lower, merge};
 use crate::fold::{Known, fold};
 use crate::ir::{Attr, AttrId, Const, ConstId, Expr, ExprKind, Function, FunctionId, Global, Type, Value};
 use crate::resolve::globals::{Init, Item};
+use std::collections::HashMap;
 
 impl<'c> Lower<'c> {
     pub(super) fn globals(&mut self) {
@@ -11,7 +12,7 @@ impl<'c> Lower<'c> {
         // Values with locals become functions behind those of the grammar, so these come first.
         for (index, item) in globals.functions.iter().enumerate() {
             let function = self.function(item, self.checked.tables.recursive.contains(&(index as u32)));
-            self.out.functions.push(function);
+            self.push_function(function, self.style(item));
         }
         for (index, (item, info)) in globals.attrs.iter().zip(&self.checked.tables.attrs).enumerate() {
             let lazy = self.checked.tables.lazy.contains(&index);
@@ -47,6 +48,11 @@ impl<'c> Lower<'c> {
         self.fold_values();
     }
 
+    fn push_function(&mut self, function: Function, style: u32) {
+        self.out.functions.push(function);
+        self.owners.functions.push(style);
+    }
+
     fn function(&mut self, item: &Item<'c>, recursive: bool) -> Function {
         self.enter(item.decl, item.home);
         let locals = self.locals(item.decl);
@@ -71,7 +77,7 @@ impl<'c> Lower<'c> {
         if item.is_own() && !item.decl.locals.is_empty() {
             let function = self.function(item, lazy);
             let (id, ty) = (FunctionId(self.out.functions.len() as u32), function.ty);
-            self.out.functions.push(function);
+            self.push_function(function, self.style(item));
             return Expr { kind: ExprKind::Call(id, Vec::new()), ty, span: item.decl.name.span };
         }
         self.inner.clear();
@@ -94,27 +100,64 @@ impl<'c> Lower<'c> {
 
     fn fold_values(&mut self) {
         let globals = &self.checked.globals;
-        let (attrs, consts) = (self.out.attrs.len(), self.out.consts.len());
-        let mut known = Known { consts: vec![None; consts], functions: vec![None; self.out.functions.len()] };
-        self.out.init = vec![Vec::new(); globals.program.roots.len()];
-        let style = |item: &Item| globals.program.instances[item.instance].root_style as usize;
-        for &node in &self.checked.tables.order {
-            if let Some(attr) = self.out.attrs.get_mut(node) {
-                attr.known = fold(&mut attr.default, &known);
-                self.out.init[style(&globals.attrs[node])].push(Global::Attr(AttrId(node as u32)));
-            } else if let Some(own) = self.out.consts.get_mut(node - attrs) {
-                let index = node - attrs;
-                own.known = fold(&mut own.value, &known);
-                own.lazy &= own.known.is_none();
-                known.consts[index].clone_from(&own.known);
-                if self.is_needed(index) {
-                    self.out.init[style(&globals.consts[index])].push(Global::Const(ConstId(index as u32)));
-                }
-            } else if let Some(function) = self.out.functions.get_mut(node - attrs - consts) {
-                known.functions[node - attrs - consts] =
-                    fold(&mut function.body, &known).filter(|_| function.locals.is_empty());
+        self.owners.attrs = globals.attrs.iter().map(|item| self.style(item)).collect();
+        self.owners.consts = globals.consts.iter().map(|item| self.style(item)).collect();
+        let mut known = self.known_in_a_style();
+        let consts = merge::numbers(&self.out.consts, &self.owners.consts, |it| (it.name.clone(), it.ty));
+        agree(&mut known.consts, &consts);
+        agree(&mut known.functions, &merge::functions(&self.out.functions, &self.owners.functions));
+        for attr in &mut self.out.attrs {
+            attr.known = fold(&mut attr.default, &known);
+        }
+        for (own, known_value) in self.out.consts.iter_mut().zip(&known.consts) {
+            fold(&mut own.value, &known);
+            own.known.clone_from(known_value);
+            own.lazy &= own.known.is_none();
+            if let Some(value) = known_value {
+                own.value.kind = ExprKind::Value(value.clone());
             }
         }
+        for function in &mut self.out.functions {
+            fold(&mut function.body, &known);
+        }
         self.known = known;
+        self.init = vec![Vec::new(); globals.program.roots.len()];
+        for &node in &self.checked.tables.order {
+            if let Some(&style) = self.owners.attrs.get(node) {
+                self.init[style as usize].push(Global::Attr(AttrId(node as u32)));
+            } else if let Some(&style) = self.owners.consts.get(node - globals.attrs.len())
+                && self.is_needed(node - globals.attrs.len())
+            {
+                self.init[style as usize].push(Global::Const(ConstId((node - globals.attrs.len()) as u32)));
+            }
+        }
+    }
+
+    /// Values of constants and functions in their style.
+    fn known_in_a_style(&self) -> Known {
+        let (attrs, consts, functions) = (self.out.attrs.len(), &self.out.consts, &self.out.functions);
+        let mut known = Known { consts: vec![None; consts.len()], functions: vec![None; functions.len()] };
+        for index in self.checked.tables.order.iter().filter_map(|node| node.checked_sub(attrs)) {
+            if let Some(own) = consts.get(index) {
+                known.consts[index] = fold(&mut own.value.clone(), &known);
+            } else if let Some(function) = functions.get(index - consts.len()).filter(|it| it.locals.is_empty()) {
+                known.functions[index - consts.len()] = fold(&mut function.body.clone(), &known);
+            }
+        }
+        known
+    }
+}
+
+/// Keeps the values that are equal in all styles.
+fn agree(known: &mut [Option<Value>], numbers: &[usize]) {
+    let mut first: HashMap<usize, Option<Value>> = HashMap::new();
+    for (value, number) in known.iter().zip(numbers) {
+        let first = first.entry(*number).or_insert_with(|| value.clone());
+        if first != value {
+            *first = None;
+        }
+    }
+    for (value, number) in known.iter_mut().zip(numbers) {
+        value.clone_from(&first[number]);
     }
 }

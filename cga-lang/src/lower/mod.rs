@@ -6,20 +6,23 @@ mod childless;
 mod expr;
 mod extent;
 mod globals;
+mod hosts;
 mod import;
-mod share;
+mod merge;
 
 use crate::ast::{Body, Decl, Name};
 use crate::check::Checked;
 use crate::fold::Known;
 use crate::graph::{components, is_cycle};
-use crate::ir::{Childless, Grammar, Host, HostId, Param, RenewalId, Rule, RuleId, Start, Step, Type};
+use crate::ir::{Childless, Global, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::ir_walk::called;
 use crate::link::InstanceId;
+use crate::resolve::globals::Item;
 use crate::resolve::info::RuleInfo;
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::token::{Tok, Tokens};
+use merge::Owners;
 use std::collections::HashMap;
 
 /// Longest text of a rule kept for its doc line, in bytes.
@@ -39,12 +42,15 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         renewals: HashMap::new(),
         below: None,
         known: Known::default(),
+        owners: Owners::default(),
+        init: Vec::new(),
         out: Grammar::default(),
     };
     lower.hosts();
     lower.globals();
     lower.rules();
-    share::share(&mut lower.out);
+    hosts::share(&mut lower.out);
+    lower.merge();
     extent::solve_known(&mut lower.out);
     lower.cycles();
     lower.out
@@ -71,6 +77,9 @@ struct Lower<'c> {
     below: Option<import::Below>,
     /// Constants and functions whose value is known.
     known: Known,
+    owners: Owners,
+    /// By style: attributes and constants in an order in which each is ready before it is used.
+    init: Vec<Vec<Global>>,
     out: Grammar,
 }
 
@@ -81,6 +90,19 @@ impl<'c> Lower<'c> {
 
     fn used(&self, name: &Name) -> Option<Use> {
         self.checked.tables.of(name)
+    }
+
+    /// The style of the compiled file that a declaration belongs to.
+    fn style(&self, item: &Item) -> u32 {
+        self.checked.globals.program.instances[item.instance].root_style
+    }
+
+    /// One definition for each name, whatever the number of styles.
+    fn merge(&mut self) {
+        match &self.init[..] {
+            [only] => self.out.init = only.iter().map(|&global| Init { global, styles: None }).collect(),
+            init => merge::merge(&mut self.out, &self.owners, init),
+        }
     }
 
     fn hosts(&mut self) {
@@ -113,8 +135,9 @@ impl<'c> Lower<'c> {
         let checked = self.checked;
         for item in &checked.globals.rules {
             self.enter(item.decl, item.home);
-            let instance = &checked.globals.program.instances[item.instance];
-            let style = checked.globals.program.roots.get(instance.root_style as usize);
+            let style = self.style(item);
+            self.owners.rules.push(style);
+            let style = checked.globals.program.roots.get(style as usize);
             let style = style.and_then(|&root| checked.globals.program.instances[root].styles.name.as_deref());
             self.out.rules.push(Rule {
                 name: style.map_or_else(|| item.name.clone(), |style| format!("{style}${}", item.name)),

@@ -1,8 +1,8 @@
 //! The attributes of shapes.
 
 use super::material::MATERIAL;
-use super::{B, Changes, F, Needs, Run, ShapeAttr, T, Uses};
-use crate::ir::Type;
+use super::{AttrValues, B, Changes, Effect, F, Needs, ParamKind, Run, ShapeAttr, T, Uses};
+use crate::types::Type;
 
 /// Every attribute of shapes.
 pub static SHAPE_ATTRS: &[&[ShapeAttr]] = &[SHAPE, MATERIAL];
@@ -12,12 +12,14 @@ const fn get(name: &'static str, get: &'static str, uses: Uses) -> ShapeAttr {
     ShapeAttr {
         name,
         get: Run::Now(get),
-        ty: F,
+        kind: ParamKind::Value(F),
+        values: AttrValues::Any,
         needs: Needs::Shape,
         uses,
         set: None,
         set_uses: Uses::NONE,
         set_changes: Changes::Nothing,
+        set_scope: Effect::Keeps,
         old: None,
     }
 }
@@ -25,7 +27,7 @@ const fn get(name: &'static str, get: &'static str, uses: Uses) -> ShapeAttr {
 /// Can be set. Reading and setting use the whole shape.
 pub(super) const fn both(name: &'static str, call: &'static str, ty: Type) -> ShapeAttr {
     ShapeAttr {
-        ty,
+        kind: ParamKind::Value(ty),
         set: Some(Run::Now(call)),
         set_uses: Uses::WHOLE,
         set_changes: Changes::Whole,
@@ -48,32 +50,50 @@ const fn pivot(name: &'static str, call: &'static str) -> ShapeAttr {
     ShapeAttr { needs: Needs::Both, ..both(name, call, F) }
 }
 
+/// A number of the scope: setting it changes the scope.
+const fn scope(name: &'static str, call: &'static str) -> ShapeAttr {
+    ShapeAttr { set_scope: Effect::Any, ..both(name, call, F) }
+}
+
+/// The size of the scope along an axis.
+const fn scope_size(name: &'static str, call: &'static str, axis: usize) -> ShapeAttr {
+    ShapeAttr { values: AttrValues::Size(axis), ..using(Uses::SIZE, Uses::NONE, scope(name, call)) }
+}
+
+/// The same row, of an attribute with finite values from a number on.
+const fn from(least: f64, row: ShapeAttr) -> ShapeAttr {
+    ShapeAttr { values: AttrValues::From(least), ..row }
+}
+
+const TEXT: ParamKind = ParamKind::Value(T);
+
 static SHAPE: &[ShapeAttr] = &[
-    using(Uses::SIZE, Uses::NONE, both("scope.sx", "scope_sx", F)),
-    using(Uses::SIZE, Uses::NONE, both("scope.sy", "scope_sy", F)),
-    using(Uses::SIZE, Uses::NONE, both("scope.sz", "scope_sz", F)),
+    scope_size("scope.sx", "scope_sx", 0),
+    scope_size("scope.sy", "scope_sy", 1),
+    scope_size("scope.sz", "scope_sz", 2),
     // Relative to the pivot.
-    both("scope.tx", "scope_tx", F),
-    both("scope.ty", "scope_ty", F),
-    both("scope.tz", "scope_tz", F),
-    both("scope.rx", "scope_rx", F),
-    both("scope.ry", "scope_ry", F),
-    both("scope.rz", "scope_rz", F),
+    scope("scope.tx", "scope_tx"),
+    scope("scope.ty", "scope_ty"),
+    scope("scope.tz", "scope_tz"),
+    scope("scope.rx", "scope_rx"),
+    scope("scope.ry", "scope_ry"),
+    scope("scope.rz", "scope_rz"),
     get("scope.elevation", "scope_elevation", Uses::PLACE),
-    get("split.index", "split_index", Uses::INDEX),
-    get("split.total", "split_total", Uses::TOTAL),
+    // Before the first split it is -1 of 0.
+    from(-1.0, get("split.index", "split_index", Uses::INDEX)),
+    from(0.0, get("split.total", "split_total", Uses::TOTAL)),
     get("comp.index", "comp_index", Uses::WHOLE),
     get("comp.total", "comp_total", Uses::WHOLE),
-    ShapeAttr { ty: T, ..get("comp.sel", "comp_sel", Uses::WHOLE) },
+    ShapeAttr { kind: TEXT, ..get("comp.sel", "comp_sel", Uses::WHOLE) },
     both("trim.vertical", "trim_vertical", B),
     both("trim.horizontal", "trim_horizontal", B),
     using(Uses::DRAWS, Uses::DRAWS, both("seedian", "seedian", F)),
     // Old rules tell shapes apart by it; *getTreeKey* came in its place.
     ShapeAttr { get: Run::Later, old: Some("write `getTreeKey()`, which is text"), ..get("uid", "", Uses::WHOLE) },
-    ShapeAttr { ty: T, ..initial("initialShape.name", "initial_shape_name") },
-    ShapeAttr { ty: T, ..initial("initialShape.startRule", "initial_shape_start_rule") },
+    ShapeAttr { kind: TEXT, ..initial("initialShape.name", "initial_shape_name") },
+    ShapeAttr { kind: TEXT, ..initial("initialShape.startRule", "initial_shape_start_rule") },
     ShapeAttr {
-        ty: T,
+        kind: TEXT,
         old: Some("write `initialShape.startRule`"),
         ..initial("initialShape.symbol", "initial_shape_start_rule")
     },

@@ -1,10 +1,10 @@
 //! The functions.
 
 use super::{
-    B, BS, Bounds, Default, F, FILE, FS, Function, Needs, Param, Run, T, TS, Uses, Values, boolean, bounds, float, of,
-    or, queries, set_elements, text, values, within, word,
+    B, BS, Bounds, Default, F, FILE, FS, Function, Meaning, Needs, Param, Run, T, TS, Uses, Values, boolean, bounds,
+    float, of, or, queries, renamed, set_elements, text, values, within, word, words,
 };
-use crate::ir::Type;
+use crate::types::Type;
 
 /// Every function. `str`, `floatArray` and their like of a value that has the type already are the value itself, and `str`
 /// of a float or bool is [`ToText`](crate::ir::ExprKind::ToText): these need no row.
@@ -34,8 +34,8 @@ pub static FUNCTIONS: &[&[Function]] = &[
     REST,
 ];
 
-/// A row that does not run yet. What the function will need is said when it does.
-const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
+/// A row that does not run yet, and the base of those that do. The row says what the function needs when it runs.
+pub(super) const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
     Function {
         name,
         run: Run::Later,
@@ -44,6 +44,9 @@ const fn later(name: &'static str, params: &'static [Param], ty: Type, about: &'
         needs: Needs::Nothing,
         uses: Uses::NONE,
         pure: false,
+        meaning: Meaning::Opaque,
+        needs_uv_set: false,
+        names: None,
         old: None,
         about,
     }
@@ -60,7 +63,7 @@ static LABELS: Bounds =
 
 const LABEL: Param = within(text("label"), &LABELS);
 
-const TARGET: Param = word("target", "ContextTarget", &[("intra", "Intra"), ("inter", "Inter"), ("all", "All")]);
+const TARGET: Param = words("target", &["intra", "inter", "all"]);
 
 /// No target means all (*occlusion queries*).
 const OPTIONAL_TARGET: Param = or(TARGET, Default::Word("all"));
@@ -68,23 +71,21 @@ const OPTIONAL_TARGET: Param = or(TARGET, Default::Word("all"));
 /// An empty label means none.
 const OPTIONAL_LABEL: Param = or(text("label"), Default::Text(""));
 
-const COMPARISON: Param = word(
+const COMPARISON: Param = words(
     "comparisonType",
-    "ContextComparison",
     &[
-        ("world.northernmost", "WorldNorthernmost"),
-        ("world.southernmost", "WorldSouthernmost"),
-        ("world.easternmost", "WorldEasternmost"),
-        ("world.westernmost", "WorldWesternmost"),
-        ("world.highest", "WorldHighest"),
-        ("world.lowest", "WorldLowest"),
-        ("area.largest", "AreaLargest"),
-        ("area.smallest", "AreaSmallest"),
+        "world.northernmost",
+        "world.southernmost",
+        "world.easternmost",
+        "world.westernmost",
+        "world.highest",
+        "world.lowest",
+        "area.largest",
+        "area.smallest",
     ],
 );
 
-const GEO_COORDINATE: Param =
-    word("geoCoordinate", "GeoCoordinate", &[("X", "X"), ("Y", "Y"), ("lon", "Lon"), ("lat", "Lat")]);
+const GEO_COORDINATE: Param = words("geoCoordinate", &["X", "Y", "lon", "lat"]);
 
 /// Other shapes, the initial shape's edges, and where on Earth a shape is.
 static CONTEXT: &[Function] = &[
@@ -106,24 +107,23 @@ static CONTEXT: &[Function] = &[
     later("getTreeKey", &[], T, "the way from the initial shape to this one, as a list of numbers"),
 ];
 
-const TAGGED: Param = or(
-    word(
-        "components",
-        "TaggedParts",
-        &[("all", "All"), ("faces", "Faces"), ("edges", "Edges"), ("vertices", "Vertices")],
-    ),
-    Default::Word("all"),
-);
+const TAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
 /// What `isTagged` looks at instead of the component itself.
-const SUBCOMPONENT: Param = word("subcomponent", "Subcomponent", &[("e", "Edges"), ("v", "Vertices")]);
+const SUBCOMPONENT: Param =
+    renamed(&[("e", "Edges"), ("v", "Vertices")], word("subcomponent", "Subcomponent", &["e", "v"]));
+
+/// A question about the geometry, which does not run yet.
+const fn tags(name: &'static str, params: &'static [Param], ty: Type, about: &'static str) -> Function {
+    Function { needs: Needs::Shape, uses: Uses::WHOLE, ..later(name, params, ty, about) }
+}
 
 /// Tags of geometry.
 static GEOMETRY: &[Function] = &[
-    later("geometry.tags", &[], TS, "the tags of the components, in order"),
-    later("geometry.tags", &[text("tagQuery"), TAGGED], TS, "the tags that match, in order"),
-    later("geometry.hasTags", &[], B, "whether components have tags"),
-    later("geometry.hasTags", &[text("tagQuery"), TAGGED], B, "whether components have tags that match"),
+    tags("geometry.tags", &[], TS, "the tags of the components, in order"),
+    tags("geometry.tags", &[text("tagQuery"), TAGGED], TS, "the tags that match, in order"),
+    tags("geometry.hasTags", &[], B, "whether components have tags"),
+    tags("geometry.hasTags", &[text("tagQuery"), TAGGED], B, "whether components have tags that match"),
 ];
 
 /// Tags, as selectors ask for them (*comp operation*).
@@ -137,19 +137,11 @@ static TAGS: &[Function] = &[
     ),
 ];
 
-const ASSET_RATIO: Param = word("axesRatio", "AssetAxes", &[("xy", "Xy"), ("xz", "Xz"), ("yz", "Yz"), ("xyz", "Xyz")]);
+const ASSET_RATIO: Param = words("axesRatio", &["xy", "xz", "yz", "xyz"]);
 
-const ASSET_SIZE: Param = word(
-    "axisSize",
-    "AssetAxes",
-    &[("x", "X"), ("y", "Y"), ("z", "Z"), ("xy", "Xy"), ("xz", "Xz"), ("yz", "Yz"), ("xyz", "Xyz")],
-);
+const ASSET_SIZE: Param = words("axisSize", &["x", "y", "z", "xy", "xz", "yz", "xyz"]);
 
-const IMAGE_RATIO: Param = word(
-    "axesRatio",
-    "ImageAxes",
-    &[("xy", "Xy"), ("xz", "Xz"), ("yx", "Yx"), ("yz", "Yz"), ("zx", "Zx"), ("zy", "Zy")],
-);
+const IMAGE_RATIO: Param = words("axesRatio", &["xy", "xz", "yx", "yz", "zx", "zy"]);
 
 const QUERY: Param = text("searchQuery");
 const KEY: Param = text("key");

@@ -6,9 +6,13 @@
 
 mod attributes;
 mod bounds;
+mod directions;
+mod effects;
 mod functions;
 mod material;
+mod meaning;
 mod operations;
+mod params;
 mod queries;
 mod selectors;
 mod set_elements;
@@ -16,18 +20,27 @@ mod syntax;
 mod uses;
 mod values;
 
-use crate::code::Code;
 use crate::hash::FastMap;
-use crate::ir::Type;
+use crate::types::Type;
 use std::sync::LazyLock;
 
 pub use attributes::SHAPE_ATTRS;
 pub use bounds::{Bounds, Values};
+pub use directions::Directions;
+pub(crate) use effects::MOST_SIZE;
+pub use effects::{Changes, Effect, UvEffect};
 pub use functions::FUNCTIONS;
+pub use meaning::{AttrValues, Meaning};
 pub use operations::OPERATIONS;
+pub use params::{Default, FileUse, Param, ParamKind, Words, required, variant};
 pub use selectors::{COMPONENTS, Component, Places, Selector, component, selector, selectors};
 pub use syntax::{SYNTAX, Syntax, syntax};
 pub use uses::Uses;
+
+use params::{
+    FILE, HEX, boolean, bounds, channel, file, float, length, of, or, outdated, param, renamed, size, takes, text,
+    unknown, uv_set, within, word, words,
+};
 
 /// True if a row of a table can run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,8 +62,10 @@ pub struct Operation {
     pub params: &'static [Param],
     /// The braces after its arguments.
     pub braces: Braces,
-    /// What it does to the scope's size.
+    /// The effect on the scope and on the geometry in it.
     pub scope: Effect,
+    /// The effect on the sets of texture coordinates.
+    pub uvs: UvEffect,
     /// True if it looks at the state at the start of the rule, bracket or part (`center`).
     pub uses_base: bool,
     /// The parts of the shape that it reads or changes besides the scope and the material. Arguments count on their own.
@@ -63,40 +78,6 @@ pub struct Operation {
     pub old: Option<&'static str>,
     /// What it does, in a line.
     pub about: &'static str,
-}
-
-/// Sizes that a scope may have, in metres: what is larger leaves it as it is along that axis (*s operation* of the runtime).
-pub(crate) const MOST_SIZE: f64 = 1e149;
-
-/// What an operation does to the size of the scope, as far as it is known while compiling.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Effect {
-    /// Anything.
-    Any,
-    /// Nothing; the geometry stays in its place in the scope too.
-    Keeps,
-    /// Nothing, but the geometry in it changes.
-    KeepsSize,
-    /// Sets it: `s`.
-    Sizes,
-    /// Puts a box into a scope that has a size along all axes, and leaves that as it is.
-    FillsWithBox,
-    /// The same with something else.
-    Fills,
-}
-
-/// The part of the current shape that an operation changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Changes {
-    /// Any part.
-    Whole,
-    /// The scope or the geometry of rectangles and boxes. The runtime has a second function in its `slim` module, which makes
-    /// the shape whole where that does not suffice.
-    Scope,
-    /// The material alone.
-    Material,
-    /// Nothing: the run is told something.
-    Nothing,
 }
 
 /// The kinds of braces after an operation: what they hold.
@@ -133,68 +114,6 @@ pub enum Measure {
     Texture,
 }
 
-/// A parameter of an operation or function.
-#[derive(Debug, PartialEq)]
-pub struct Param {
-    /// For messages.
-    pub name: &'static str,
-    /// What may stand there.
-    pub kind: ParamKind,
-    /// What counts when it is left out.
-    pub default: Option<Default>,
-    /// The values that the reference allows, where it does not allow all.
-    pub bounds: Option<&'static Bounds>,
-}
-
-/// What counts when an argument is left out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Default {
-    /// A number.
-    Float(f64),
-    /// A truth value.
-    Bool(bool),
-    /// Text.
-    Text(&'static str),
-    /// One of the parameter's words.
-    Word(&'static str),
-}
-
-/// Words, each with another name.
-type Pairs = &'static [(&'static str, &'static str)];
-
-/// What may stand in an argument.
-#[derive(Debug, PartialEq)]
-pub enum ParamKind {
-    /// A value of that type.
-    Value(Type),
-    /// A value of any type. The runtime's function is generic in it.
-    Any,
-    /// A length in metres, or relative with `'`.
-    Length,
-    /// A length in metres, relative with `'` or floating with `~`.
-    Size,
-    /// Text: the name of a file, which is looked for from the folder of the rule file that it is written in.
-    File,
-    /// The same for an image, which is not opened: materials keep its name.
-    Image,
-    /// One of the selectors of components, or an index, or a condition. Rows that run have no such parameter yet.
-    Selector,
-    /// A float that is computed for each edge of each face, with that edge as current shape. Rows that run have no such
-    /// parameter yet.
-    PerEdge,
-    /// A word. The runtime has an enum of that name with a variant for each second entry.
-    Word {
-        /// The runtime's enum.
-        rust: &'static str,
-        /// As written, and the enum's variant.
-        words: &'static [(&'static str, &'static str)],
-        /// Old words, and what to write instead. They are among `words` too.
-        old: &'static [(&'static str, &'static str)],
-        /// The code of a diagnostic about any other word.
-        unknown: Code,
-    },
-}
-
 /// A function of the language.
 #[derive(Debug, PartialEq)]
 pub struct Function {
@@ -212,6 +131,12 @@ pub struct Function {
     pub uses: Uses,
     /// True if equal arguments always give equal results, so that it may be folded.
     pub pure: bool,
+    /// The meaning to constant folding and to the analysis of values.
+    pub meaning: Meaning,
+    /// True if it is 0 where the shape does not have the uv set that the first argument names.
+    pub needs_uv_set: bool,
+    /// The list of names of an asset that it gives, if it gives one.
+    pub names: Option<AssetNames>,
     /// For an old spelling: what to write instead, as a help line.
     pub old: Option<&'static str>,
     /// What it gives, in a line.
@@ -233,6 +158,15 @@ pub enum Needs {
     Component,
 }
 
+/// The names in an asset, in the geometry of a shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AssetNames {
+    /// The names of its groups.
+    Groups,
+    /// The names of its materials.
+    Materials,
+}
+
 /// An attribute of the current shape.
 #[derive(Debug, PartialEq)]
 pub struct ShapeAttr {
@@ -240,8 +174,10 @@ pub struct ShapeAttr {
     pub name: &'static str,
     /// What reads it.
     pub get: Run,
-    /// Its type.
-    pub ty: Type,
+    /// The kind of its value.
+    pub kind: ParamKind,
+    /// The values that it may have.
+    pub values: AttrValues,
     /// What it is read from.
     pub needs: Needs,
     /// The parts of the shape that reading it uses.
@@ -252,6 +188,8 @@ pub struct ShapeAttr {
     pub set_uses: Uses,
     /// The part of the shape that setting it changes.
     pub set_changes: Changes,
+    /// The effect of setting it on the scope.
+    pub set_scope: Effect,
     /// Why it is accepted though nobody should write it any more, and what to write instead.
     pub old: Option<&'static str>,
 }
@@ -266,57 +204,10 @@ impl Run {
     }
 }
 
-impl ParamKind {
-    /// Returns true if a bare word can stand there as that word: not as the name of a value.
-    pub fn has_word(&self, word: &str) -> bool {
-        matches!(self, ParamKind::Word { words, .. } if words.iter().any(|(own, _)| *own == word))
-    }
-
-    /// The words that can stand there, without old ones.
-    pub fn new_words(&self) -> impl Iterator<Item = &'static str> + Clone + use<> {
-        let (words, old): (Pairs, Pairs) = match self {
-            ParamKind::Word { words, old, .. } => (words, old),
-            _ => (&[], &[]),
-        };
-        words.iter().map(|(word, _)| *word).filter(move |word| old.iter().all(|(old, _)| old != word))
-    }
-
-    /// An old word, and what to write instead.
-    pub fn old_word(&self, word: &str) -> Option<(&'static str, &'static str)> {
-        match self {
-            ParamKind::Word { old, .. } => old.iter().copied().find(|(old, _)| *old == word),
-            _ => None,
-        }
-    }
-
-    /// Returns true if one argument can be meant for both.
-    pub fn overlaps(&self, other: &ParamKind) -> bool {
-        match (self, other) {
-            (ParamKind::Word { words, .. }, ParamKind::Word { .. }) => {
-                words.iter().any(|(word, _)| other.has_word(word))
-            }
-            (ParamKind::Selector, _) | (_, ParamKind::Selector) => true,
-            (ParamKind::Word { .. }, _) | (_, ParamKind::Word { .. }) => false,
-            (ParamKind::Any, _) | (_, ParamKind::Any) => true,
-            _ => self.ty() == other.ty(),
-        }
-    }
-
-    /// The type of the value that stands there; none for words and where any type does.
-    pub fn ty(&self) -> Option<Type> {
-        match self {
-            ParamKind::Value(ty) => Some(*ty),
-            ParamKind::Length | ParamKind::Size | ParamKind::PerEdge => Some(Type::Float),
-            ParamKind::File | ParamKind::Image => Some(Type::Text),
-            ParamKind::Any | ParamKind::Selector | ParamKind::Word { .. } => None,
-        }
-    }
-}
-
 impl ShapeAttr {
-    /// Returns true if it is the name of an image. An old name sets the same map as the new one.
-    pub fn is_image(&self) -> bool {
-        self.ty == Type::Text && matches!(self.set, Some(Run::Now(call)) if call.ends_with("map"))
+    /// The type of its value.
+    pub fn ty(&self) -> Type {
+        self.kind.ty().expect("attributes have values")
     }
 }
 
@@ -347,6 +238,11 @@ impl Operation {
         !matches!(self.scope, Effect::Keeps | Effect::Sizes) && self.changes != Changes::Scope
     }
 
+    /// Returns true if its result is not for the shape, which it leaves as it is, but for the run: `report`, `print`, `label`.
+    pub fn is_for_run(&self) -> bool {
+        self.uses.says && self.scope == Effect::Keeps
+    }
+
     /// Returns true if it takes that number of arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)
@@ -357,9 +253,9 @@ impl Operation {
     pub fn words(&self, args: &[Option<&str>]) -> Option<usize> {
         let mut found = 0;
         for (param, arg) in self.params.iter().zip(args) {
-            match (&param.kind, arg) {
-                (ParamKind::Word { .. }, Some(word)) if param.kind.has_word(word) => found += 1,
-                (ParamKind::Word { .. }, _) => return None,
+            match (param.kind, arg) {
+                (ParamKind::Word(words), Some(word)) if words.has(word) => found += 1,
+                (ParamKind::Word(_), _) => return None,
                 _ => {}
             }
         }
@@ -368,19 +264,15 @@ impl Operation {
 }
 
 impl Function {
+    /// Returns true if it gives the same result whenever it is called with equal arguments on one shape.
+    pub fn is_settled(&self) -> bool {
+        self.pure || (!self.uses.is_none() && !self.uses.draws && !self.uses.says)
+    }
+
     /// Returns true if it takes that number of arguments.
     pub fn takes(&self, count: usize) -> bool {
         takes(self.params, count)
     }
-}
-
-fn takes(params: &[Param], count: usize) -> bool {
-    required(params) <= count && count <= params.len()
-}
-
-/// How many arguments cannot be left out.
-pub fn required(params: &[Param]) -> usize {
-    params.iter().take_while(|param| param.default.is_none()).count()
 }
 
 type Rows<T> = FastMap<&'static str, Vec<&'static T>>;
@@ -443,62 +335,3 @@ const T: Type = Type::Text;
 const FS: Type = Type::Floats;
 const BS: Type = Type::Bools;
 const TS: Type = Type::Texts;
-
-const fn param(name: &'static str, kind: ParamKind) -> Param {
-    Param { name, kind, default: None, bounds: None }
-}
-
-const fn float(name: &'static str) -> Param {
-    param(name, ParamKind::Value(F))
-}
-
-const fn boolean(name: &'static str) -> Param {
-    param(name, ParamKind::Value(B))
-}
-
-const fn text(name: &'static str) -> Param {
-    param(name, ParamKind::Value(T))
-}
-
-const FILE: Param = param("filePath", ParamKind::File);
-
-const fn length(name: &'static str) -> Param {
-    param(name, ParamKind::Length)
-}
-
-const fn size(name: &'static str) -> Param {
-    param(name, ParamKind::Size)
-}
-
-const fn of(name: &'static str, ty: Type) -> Param {
-    param(name, ParamKind::Value(ty))
-}
-
-/// A parameter that may be left out.
-const fn or(param: Param, default: Default) -> Param {
-    Param { default: Some(default), ..param }
-}
-
-/// A parameter with documented bounds.
-const fn within(param: Param, bounds: &'static Bounds) -> Param {
-    Param { bounds: Some(bounds), ..param }
-}
-
-/// Bounds without a documented result of other values.
-const fn bounds(values: Values, about: &'static str) -> Bounds {
-    Bounds { values, about, code: Code::OutOfRange, result: None }
-}
-
-/// The numbers of uv sets (*texturing*).
-static UV_SETS: Bounds =
-    Bounds { code: Code::UnknownUvSet, ..bounds(Values::Between(0.0, 9.0), "uv sets are numbered from 0 to 9") };
-
-/// The number of a uv set.
-const fn uv_set(name: &'static str) -> Param {
-    within(float(name), &UV_SETS)
-}
-
-/// A parameter for words.
-const fn word(name: &'static str, rust: &'static str, words: &'static [(&'static str, &'static str)]) -> Param {
-    param(name, ParamKind::Word { rust, words, old: &[], unknown: Code::UnknownWord })
-}

@@ -1,11 +1,11 @@
 //! The functions that look at the shape, its geometry, the run and files.
 
+use super::functions::later;
 use super::{
-    B, BS, Default, F, FILE, FS, Function, Needs, Param, ParamKind, Run, T, TS, Uses, boolean, float, of, or, param,
-    text, uv_set, word,
+    AssetNames, B, BS, Default, F, FILE, FS, FileUse, Function, Needs, Param, Run, T, TS, Uses, boolean, file, float,
+    of, or, outdated, renamed, text, uv_set, word,
 };
-use crate::code::Code;
-use crate::ir::Type;
+use crate::types::Type;
 
 const fn row(
     name: &'static str,
@@ -15,7 +15,7 @@ const fn row(
     (needs, uses): (Needs, Uses),
     about: &'static str,
 ) -> Function {
-    Function { name, run: Run::Now(call), params, ty, needs, uses, pure: false, old: None, about }
+    Function { run: Run::Now(call), needs, uses, ..later(name, params, ty, about) }
 }
 
 /// Asks the shape alone.
@@ -55,53 +55,55 @@ const fn run(
 /// deprecated like `streetSide` (*CGA changelog 2012.1*).
 macro_rules! directions {
     ($no_street:literal $(, $more:expr)*) => {
-        param("faceOrientation", ParamKind::Word {
-            rust: "Word",
-            words: &[
-                $($more,)*
-                ("front", "Front"),
-                ("back", "Back"),
-                ("left", "Left"),
-                ("right", "Right"),
-                ("top", "Top"),
-                ("bottom", "Bottom"),
-                ("side", "Side"),
-                ("object.front", "ObjectFront"),
-                ("object.back", "ObjectBack"),
-                ("object.left", "ObjectLeft"),
-                ("object.right", "ObjectRight"),
-                ("object.top", "ObjectTop"),
-                ("object.bottom", "ObjectBottom"),
-                ("object.side", "ObjectSide"),
-                ("world.south", "WorldSouth"),
-                ("world.north", "WorldNorth"),
-                ("world.west", "WorldWest"),
-                ("world.east", "WorldEast"),
-                ("world.up", "WorldUp"),
-                ("world.down", "WorldDown"),
-                ("world.side", "WorldSide"),
-                ("street.front", "StreetFront"),
-                ("street.back", "StreetBack"),
-                ("street.left", "StreetLeft"),
-                ("street.right", "StreetRight"),
-                ("street.side", "StreetSide"),
-                ("streetSide", "StreetFront"),
-                ("noStreetSide", "NotStreetFront"),
-            ],
-            old: &[("streetSide", "street.front"), ("noStreetSide", $no_street)],
-            unknown: Code::UnknownWord,
-        })
+        outdated(
+            &[("streetSide", "street.front"), ("noStreetSide", $no_street)],
+            renamed(
+                &[("surface", "All"), ("streetSide", "StreetFront"), ("noStreetSide", "NotStreetFront")],
+                word(
+                    "faceOrientation",
+                    "Word",
+                    &[
+                        $($more,)*
+                        "front",
+                        "back",
+                        "left",
+                        "right",
+                        "top",
+                        "bottom",
+                        "side",
+                        "object.front",
+                        "object.back",
+                        "object.left",
+                        "object.right",
+                        "object.top",
+                        "object.bottom",
+                        "object.side",
+                        "world.south",
+                        "world.north",
+                        "world.west",
+                        "world.east",
+                        "world.up",
+                        "world.down",
+                        "world.side",
+                        "street.front",
+                        "street.back",
+                        "street.left",
+                        "street.right",
+                        "street.side",
+                        "streetSide",
+                        "noStreetSide",
+                    ],
+                ),
+            ),
+        )
     };
 }
 
-const FACES: Param = or(
-    directions!("geometry.area() - geometry.area(street.front)", ("all", "All"), ("surface", "All")),
-    Default::Word("all"),
-);
+const FACES: Param =
+    or(directions!("geometry.area() - geometry.area(street.front)", "all", "surface"), Default::Word("all"));
 const DIRECTION: Param = directions!("geometry.area(street.front) < geometry.area()");
 
-const ANGLE: Param =
-    word("angleType", "AngleType", &[("maxSlope", "MaxSlope"), ("azimuth", "Azimuth"), ("zenith", "Zenith")]);
+const ANGLE: Param = word("angleType", "AngleType", &["maxSlope", "azimuth", "zenith"]);
 
 const TOLERANCE: Param = float("tolerance");
 
@@ -140,49 +142,62 @@ pub(super) static GEOMETRY: &[Function] = &[
         "whether all faces are flat, within so many degrees",
     ),
     both("geometry.isOriented", "geometry_is_oriented", &[DIRECTION], B, "whether a face looks there"),
-    both("geometry.groups", "geometry_groups", &[], TS, "the names of the groups that have faces"),
-    shape("geometry.materials", "geometry_materials", &[], TS, "the names of the materials that faces have"),
+    Function {
+        names: Some(AssetNames::Groups),
+        ..both("geometry.groups", "geometry_groups", &[], TS, "the names of the groups that have faces")
+    },
+    Function {
+        names: Some(AssetNames::Materials),
+        ..shape("geometry.materials", "geometry_materials", &[], TS, "the names of the materials that faces have")
+    },
 ];
 
-const SYSTEMS: &[(&str, &str)] = &[("scope", "Scope"), ("pivot", "Pivot"), ("object", "Object"), ("world", "World")];
+pub(super) const SYSTEMS: &[&str] = &["scope", "pivot", "object", "world"];
 const FROM: Param = word("fromSystem", "System", SYSTEMS);
 const TO: Param = word("toSystem", "System", SYSTEMS);
-const WHAT: Param = word("type", "ConvertWhat", &[("pos", "Pos"), ("orient", "Orient")]);
-const COORDINATE: Param = word("coordinate", "Axis", &[("x", "X"), ("y", "Y"), ("z", "Z")]);
+const WHAT: Param = word("type", "ConvertWhat", &["pos", "orient"]);
+const COORDINATE: Param = word("coordinate", "Axis", &["x", "y", "z"]);
 
-const SOURCE: Param =
-    word("source", "MaterialSource", &[("used", "Used"), ("shape", "Shape"), ("geometry", "Geometry")]);
-const MODE: Param = word("mode", "MaterialMode", &[("changed", "Changed"), ("all", "All")]);
+const SOURCE: Param = word("source", "MaterialSource", &["used", "shape", "geometry"]);
+const MODE: Param = word("mode", "MaterialMode", &["changed", "all"]);
 
 /// The same row, of a function that asks for texture coordinates, which may follow from the place in the world.
 const fn placed(row: Function) -> Function {
     Function { uses: Uses::WHOLE.and(Uses::PLACE), ..row }
 }
 
+/// The same row, of a function that measures a uv set, and gives 0 where it is missing (*geometry.du, dv*, *geometry.uMin …*).
+const fn measured(row: Function) -> Function {
+    Function { needs_uv_set: true, ..placed(row) }
+}
+
 const UV_SET: Param = or(uv_set("uvSet"), Default::Float(0.0));
 
-const SPACE: Param = word("surfaceParameterization", "TextureSpace", &[("uvSpace", "Uv"), ("unitSpace", "Unit")]);
+pub(super) const SPACE: Param = renamed(
+    &[("uvSpace", "Uv"), ("unitSpace", "Unit")],
+    word("surfaceParameterization", "TextureSpace", &["uvSpace", "unitSpace"]),
+);
 
 /// Texture coordinates.
 pub(super) static TEXTURE: &[Function] = &[
-    placed(both(
+    measured(both(
         "geometry.du",
         "geometry_du",
         &[uv_set("uvSet"), SPACE],
         F,
         "the extent in u, in coordinates or about in metres",
     )),
-    placed(both(
+    measured(both(
         "geometry.dv",
         "geometry_dv",
         &[uv_set("uvSet"), SPACE],
         F,
         "the extent in v, in coordinates or about in metres",
     )),
-    placed(both("geometry.uMin", "geometry_u_min", &[UV_SET], F, "the smallest u")),
-    placed(both("geometry.uMax", "geometry_u_max", &[UV_SET], F, "the largest u")),
-    placed(both("geometry.vMin", "geometry_v_min", &[UV_SET], F, "the smallest v")),
-    placed(both("geometry.vMax", "geometry_v_max", &[UV_SET], F, "the largest v")),
+    measured(both("geometry.uMin", "geometry_u_min", &[UV_SET], F, "the smallest u")),
+    measured(both("geometry.uMax", "geometry_u_max", &[UV_SET], F, "the largest u")),
+    measured(both("geometry.vMin", "geometry_v_min", &[UV_SET], F, "the smallest v")),
+    measured(both("geometry.vMax", "geometry_v_max", &[UV_SET], F, "the largest v")),
     placed(both("geometry.hasUVs", "geometry_has_uvs", &[], B, "whether there are texture coordinates")),
     placed(both(
         "geometry.hasUVs",
@@ -219,19 +234,22 @@ pub(super) static SHAPES: &[Function] = &[
 ];
 
 /// What it finds is named so that it is found from the rule file.
-const QUERY: Param = param("searchQuery", ParamKind::File);
+const QUERY: Param = file("searchQuery", FileUse::Searched);
 
-const ASSET: Param = word(
-    "attribute",
-    "AssetDimension",
-    &[("sx", "Sx"), ("sy", "Sy"), ("sz", "Sz"), ("tx", "Tx"), ("ty", "Ty"), ("tz", "Tz")],
-);
-const IMAGE: Param = word("attribute", "ImageDimension", &[("sx", "Sx"), ("sy", "Sy")]);
-const NAMING: Param = word("namingAttribute", "AssetNaming", &[("g", "Groups"), ("m", "Materials")]);
+const ASSET: Param = word("attribute", "AssetDimension", &["sx", "sy", "sz", "tx", "ty", "tz"]);
+const IMAGE: Param = word("attribute", "ImageDimension", &["sx", "sy"]);
+const NAMING: Param =
+    renamed(&[("g", "Groups"), ("m", "Materials")], word("namingAttribute", "AssetNaming", &["g", "m"]));
 
 /// Files and what is in them.
 pub(super) static FILES: &[Function] = &[
-    run("fileExists", "file_exists", &[FILE], B, "whether there is a file that can be used"),
+    run(
+        "fileExists",
+        "file_exists",
+        &[file("filePath", FileUse::Asked)],
+        B,
+        "whether there is a file that can be used",
+    ),
     run("fileSearch", "file_search", &[QUERY], T, "the files that a query finds, as a list"),
     run("filesSearch", "files_search", &[QUERY], TS, "the files that a query finds"),
     row(

@@ -1,5 +1,6 @@
 //! The components of shapes, and the words that select among them.
 
+use super::Directions;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -81,7 +82,12 @@ impl Places {
 
     /// Returns true if a selector takes `=:`: only components are connected (*comp* and *modify operation*).
     pub const fn connects(self) -> bool {
-        self.0 & Places::COMP.0 != 0
+        self.meets(Places::COMP)
+    }
+
+    /// Returns true if there are common places.
+    pub const fn meets(self, other: Places) -> bool {
+        self.0 & other.0 != 0
     }
 
     /// Returns true if all of those are among these.
@@ -97,6 +103,8 @@ pub struct Selector {
     pub name: &'static str,
     /// Where it may stand.
     pub on: Places,
+    /// The directions, in the axes of the scope, that the components it takes may look in. Words of other axes have none.
+    pub directions: Directions,
     /// True if it takes the same components of a shape wherever the shape is and however it is turned.
     pub rigid: bool,
     /// It is accepted though nobody should write it any more: what to do instead, as a help line says it.
@@ -111,7 +119,12 @@ const fn facing(name: &'static str, about: &'static str) -> Selector {
 }
 
 const fn only(name: &'static str, on: Places, about: &'static str) -> Selector {
-    Selector { name, on, rigid: false, old: None, about }
+    Selector { name, on, directions: Directions::NONE, rigid: false, old: None, about }
+}
+
+/// The same row, of a word that asks for directions in the axes of the scope.
+const fn towards(directions: Directions, row: Selector) -> Selector {
+    Selector { directions, rigid: true, ..row }
 }
 
 /// The same row, of a word that asks for nothing but the shape itself.
@@ -125,18 +138,18 @@ const fn old(row: Selector, instead: &'static str) -> Selector {
 
 /// Every selector; in messages they stand in this order.
 static ROWS: &[Selector] = &[
-    rigid(facing("front", "what faces the scope's front, its z axis")),
-    rigid(facing("back", "what faces the scope's back")),
-    rigid(facing("left", "what faces the scope's left")),
-    rigid(facing("right", "what faces the scope's right, its x axis")),
-    rigid(facing("top", "what faces the scope's top, its y axis")),
-    rigid(facing("bottom", "what faces the scope's bottom")),
-    rigid(facing("side", "what is not horizontal")),
-    rigid(only("vertical", Places::COMP, "what stands upright")),
-    rigid(only("horizontal", Places::COMP, "what lies flat")),
-    rigid(only("aslant", Places::COMP, "what leans back, as a roof does")),
-    rigid(only("nutant", Places::COMP, "what leans forward")),
-    rigid(facing("all", "everything that is left")),
+    towards(Directions::FRONT, facing("front", "what faces the scope's front, its z axis")),
+    towards(Directions::BACK, facing("back", "what faces the scope's back")),
+    towards(Directions::LEFT, facing("left", "what faces the scope's left")),
+    towards(Directions::RIGHT, facing("right", "what faces the scope's right, its x axis")),
+    towards(Directions::TOP, facing("top", "what faces the scope's top, its y axis")),
+    towards(Directions::BOTTOM, facing("bottom", "what faces the scope's bottom")),
+    towards(Directions::SIDE, facing("side", "what is not horizontal")),
+    towards(Directions::VERTICAL, only("vertical", Places::COMP, "what stands upright")),
+    towards(Directions::HORIZONTAL, only("horizontal", Places::COMP, "what lies flat")),
+    towards(Directions::ASLANT, only("aslant", Places::COMP, "what leans back, as a roof does")),
+    towards(Directions::NUTANT, only("nutant", Places::COMP, "what leans forward")),
+    towards(Directions::ALL, facing("all", "everything that is left")),
     facing("object.front", "what faces the object's front"),
     facing("object.back", "what faces the object's back"),
     facing("object.left", "what faces the object's left"),

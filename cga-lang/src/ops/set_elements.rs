@@ -1,21 +1,12 @@
 //! `setElems`, for every type of array, of values and of indices.
 
-use super::{B, BS, F, FS, Function, Needs, Param, Run, T, TS, Uses, of};
-use crate::ir::Type;
+use super::functions::later;
+use super::{B, BS, F, FS, Function, Needs, Param, Run, T, TS, of};
+use crate::types::Type;
 
 const fn row(call: &'static str, params: &'static [Param], ty: Type) -> Function {
     let about = "a copy of the array with other values in some places";
-    Function {
-        name: "setElems",
-        run: Run::Now(call),
-        params,
-        ty,
-        needs: Needs::Env,
-        uses: Uses::NONE,
-        pure: true,
-        old: None,
-        about,
-    }
+    Function { run: Run::Now(call), needs: Needs::Env, pure: true, ..later("setElems", params, ty, about) }
 }
 
 /// The rows for an array and values: with one index, which may be a number, numbers or truth values, and with two.

@@ -1,8 +1,12 @@
 //! The functions of values: numbers, text, lists in text, arrays, colours, paths, chance. Of rows with one name the one
 //! for single numbers comes first.
 
-use super::{B, BS, Default, F, FS, Function, Needs, Param, Run, T, TS, Uses, boolean, float, of, or, text};
-use crate::ir::Type;
+use super::functions::later;
+use super::{
+    B, BS, Default, F, FS, Function, HEX, Meaning, Needs, Param, Run, T, TS, Uses, boolean, channel, float, of, or,
+    text,
+};
+use crate::types::Type;
 
 /// A function of its arguments alone.
 const fn plain(
@@ -12,17 +16,7 @@ const fn plain(
     ty: Type,
     about: &'static str,
 ) -> Function {
-    Function {
-        name,
-        run: Run::Now(call),
-        params,
-        ty,
-        needs: Needs::Nothing,
-        uses: Uses::NONE,
-        pure: true,
-        old: None,
-        about,
-    }
+    Function { run: Run::Now(call), pure: true, ..later(name, params, ty, about) }
 }
 
 /// One that can leave a fault or end the run.
@@ -48,6 +42,11 @@ const fn draw(
     Function { needs, uses: Uses::DRAWS, pure: false, ..plain(name, call, params, ty, about) }
 }
 
+/// The same row, of a function with a meaning at compile time.
+const fn means(meaning: Meaning, row: Function) -> Function {
+    Function { meaning, ..row }
+}
+
 /// The same row, of an old spelling.
 const fn old(row: Function, instead: &'static str) -> Function {
     Function { old: Some(instead), ..row }
@@ -58,25 +57,41 @@ const INDEX: &str = "write `findFirst(…)`, which needs an epsilon for floats";
 
 /// Random numbers.
 pub(super) static CHANCE: &[Function] = &[
-    draw("rand", "rand", &[], F, Needs::Shape, "a random number between 0 and 1"),
-    draw("rand", "rand_to", &[float("max")], F, Needs::Both, "a random number between 0 and a number"),
-    draw("rand", "rand_between", &[float("min"), float("max")], F, Needs::Both, "a random number between two numbers"),
-    draw("p", "chance", &[float("probability")], B, Needs::Both, "true with a probability from 0 to 1"),
+    means(Meaning::Random, draw("rand", "rand", &[], F, Needs::Shape, "a random number between 0 and 1")),
+    means(
+        Meaning::Random,
+        draw("rand", "rand_to", &[float("max")], F, Needs::Both, "a random number between 0 and a number"),
+    ),
+    means(
+        Meaning::Random,
+        draw(
+            "rand",
+            "rand_between",
+            &[float("min"), float("max")],
+            F,
+            Needs::Both,
+            "a random number between two numbers",
+        ),
+    ),
+    means(
+        Meaning::Chance,
+        draw("p", "chance", &[float("probability")], B, Needs::Both, "true with a probability from 0 to 1"),
+    ),
 ];
 
 /// Arithmetic.
 pub(super) static MATH: &[Function] = &[
-    run("floor", "floor", &[float("x")], F, "the largest whole number that is not above"),
+    means(Meaning::Floor, run("floor", "floor", &[float("x")], F, "the largest whole number that is not above")),
     plain("floor", "floor_each", &[of("x", FS)], FS, "the largest whole number that is not above, for each element"),
-    run("ceil", "ceil", &[float("x")], F, "the smallest whole number that is not below"),
+    means(Meaning::Ceil, run("ceil", "ceil", &[float("x")], F, "the smallest whole number that is not below")),
     plain("ceil", "ceil_each", &[of("x", FS)], FS, "the smallest whole number that is not below, for each element"),
-    run("rint", "rint", &[float("x")], F, "the nearest whole number"),
+    means(Meaning::Round, run("rint", "rint", &[float("x")], F, "the nearest whole number")),
     plain("rint", "rint_each", &[of("x", FS)], FS, "the nearest whole number, for each element"),
-    run("abs", "abs", &[float("x")], F, "the number without its sign"),
+    means(Meaning::Abs, run("abs", "abs", &[float("x")], F, "the number without its sign")),
     plain("abs", "abs_each", &[of("x", FS)], FS, "the number without its sign, for each element"),
-    run("sqrt", "sqrt", &[float("x")], F, "the square root"),
-    run("sin", "sin", &[float("degrees")], F, "the sine of an angle in degrees"),
-    run("cos", "cos", &[float("degrees")], F, "the cosine of an angle in degrees"),
+    means(Meaning::Sqrt, run("sqrt", "sqrt", &[float("x")], F, "the square root")),
+    means(Meaning::Wave, run("sin", "sin", &[float("degrees")], F, "the sine of an angle in degrees")),
+    means(Meaning::Wave, run("cos", "cos", &[float("degrees")], F, "the cosine of an angle in degrees")),
     run("tan", "tan", &[float("degrees")], F, "the tangent of an angle in degrees"),
     run("asin", "asin", &[float("x")], F, "the angle of a sine, from -90 to 90 degrees"),
     run("acos", "acos", &[float("x")], F, "the angle of a cosine, from 0 to 180 degrees"),
@@ -86,11 +101,11 @@ pub(super) static MATH: &[Function] = &[
     run("exp", "exp", &[float("x")], F, "e to the power of a number"),
     run("ln", "ln", &[float("x")], F, "the natural logarithm"),
     run("log10", "log10", &[float("x")], F, "the logarithm to base 10"),
-    plain("min", "min", &[float("a"), float("b")], F, "the smaller one"),
+    means(Meaning::Min, plain("min", "min", &[float("a"), float("b")], F, "the smaller one")),
     plain("min", "min_text", &[text("a"), text("b")], T, "the text that comes first"),
     run("min", "min_each", &[of("a", FS), of("b", FS)], FS, "the smaller one, element by element"),
     run("min", "min_each", &[of("a", TS), of("b", TS)], TS, "the smaller one, element by element"),
-    plain("max", "max", &[float("a"), float("b")], F, "the larger one"),
+    means(Meaning::Max, plain("max", "max", &[float("a"), float("b")], F, "the larger one")),
     plain("max", "max_text", &[text("a"), text("b")], T, "the text that comes last"),
     run("max", "max_each", &[of("a", FS), of("b", FS)], FS, "the larger one, element by element"),
     run("max", "max_each", &[of("a", TS), of("b", TS)], TS, "the larger one, element by element"),
@@ -140,9 +155,9 @@ pub(super) static MATH: &[Function] = &[
 
 /// Values of one type as values of another.
 pub(super) static CONVERSIONS: &[Function] = &[
-    plain("float", "bool_to_float", &[boolean("value")], F, "1 or 0"),
+    means(Meaning::BoolToFloat, plain("float", "bool_to_float", &[boolean("value")], F, "1 or 0")),
     plain("float", "text_to_float", &[text("value")], F, "the number that a text begins with"),
-    plain("bool", "float_to_bool", &[float("value")], B, "whether it is not 0"),
+    means(Meaning::FloatToBool, plain("bool", "float_to_bool", &[float("value")], B, "whether it is not 0")),
     plain("bool", "text_to_bool", &[text("value")], B, "whether it is neither `f` nor `false` nor a zero"),
     plain("floatArray", "no_floats", &[], FS, "an array without elements"),
     plain("floatArray", "floats_from_bools", &[of("values", BS)], FS, "1 or 0 for each element"),
@@ -346,18 +361,18 @@ pub(super) static ARRAYS: &[Function] = &[
 
 /// Colours.
 pub(super) static COLOURS: &[Function] = &[
-    run("colorHexToR", "color_hex_to_r", &[text("hexValue")], F, "red of a colour such as \"#ff8000\""),
-    run("colorHexToG", "color_hex_to_g", &[text("hexValue")], F, "green of a colour such as \"#ff8000\""),
-    run("colorHexToB", "color_hex_to_b", &[text("hexValue")], F, "blue of a colour such as \"#ff8000\""),
-    run("colorHexToH", "color_hex_to_h", &[text("hexValue")], F, "the hue in degrees of a colour such as \"#ff8000\""),
-    run("colorHexToS", "color_hex_to_s", &[text("hexValue")], F, "the saturation of a colour such as \"#ff8000\""),
-    run("colorHexToV", "color_hex_to_v", &[text("hexValue")], F, "the value of a colour such as \"#ff8000\""),
-    run("colorHexToO", "color_hex_to_o", &[text("hexValue")], F, "the opacity of a colour such as \"#ff8000\""),
-    run("colorRGBToHex", "color_rgb_to_hex", &[float("red"), float("green"), float("blue")], T, RGB),
+    run("colorHexToR", "color_hex_to_r", &[HEX], F, "red of a colour such as \"#ff8000\""),
+    run("colorHexToG", "color_hex_to_g", &[HEX], F, "green of a colour such as \"#ff8000\""),
+    run("colorHexToB", "color_hex_to_b", &[HEX], F, "blue of a colour such as \"#ff8000\""),
+    run("colorHexToH", "color_hex_to_h", &[HEX], F, "the hue in degrees of a colour such as \"#ff8000\""),
+    run("colorHexToS", "color_hex_to_s", &[HEX], F, "the saturation of a colour such as \"#ff8000\""),
+    run("colorHexToV", "color_hex_to_v", &[HEX], F, "the value of a colour such as \"#ff8000\""),
+    run("colorHexToO", "color_hex_to_o", &[HEX], F, "the opacity of a colour such as \"#ff8000\""),
+    run("colorRGBToHex", "color_rgb_to_hex", &[channel("red"), channel("green"), channel("blue")], T, RGB),
     run(
         "colorRGBOToHex",
         "color_rgbo_to_hex",
-        &[float("red"), float("green"), float("blue"), float("opacity")],
+        &[channel("red"), channel("green"), channel("blue"), channel("opacity")],
         T,
         RGB,
     ),
@@ -365,7 +380,7 @@ pub(super) static COLOURS: &[Function] = &[
     run(
         "colorHSVOToHex",
         "color_hsvo_to_hex",
-        &[float("hue"), float("saturation"), float("value"), float("opacity")],
+        &[float("hue"), float("saturation"), float("value"), channel("opacity")],
         T,
         HSV,
     ),

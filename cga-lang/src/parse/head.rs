@@ -3,8 +3,8 @@
 //! Nobody can tell `lib.Wall` from a leaf `lib.` and a call of `Wall` by looking at the two names: where a step may
 //! stand, a dot joins names if the first of them is an import of this grammar, or if a rule of that name is declared.
 
-use super::layout::pairs;
-use super::slips::is_type;
+use super::brackets::pairs;
+use super::type_words::is_type;
 use crate::ops;
 use crate::token::{Sym, Tok};
 use std::collections::HashSet;

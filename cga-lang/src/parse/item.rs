@@ -1,7 +1,7 @@
 //! Declarations: rules, attributes, constants, functions.
 
 use super::head::Head;
-use super::slips::is_type;
+use super::type_words::is_type;
 use super::{Parsed, Parser, Reported};
 use crate::ast::{Annotation, Ast, Body, Decl, Expr, ExprKind, Name, Op, OpKind, Role};
 use crate::code::Code;

@@ -7,6 +7,7 @@ mod annotation;
 mod arms;
 mod array;
 mod block;
+mod brackets;
 mod branch;
 mod expr;
 mod head;
@@ -18,6 +19,7 @@ mod report;
 mod slips;
 mod slots;
 mod style;
+mod type_words;
 mod with;
 
 use crate::ast::{Ast, Name};

@@ -1,6 +1,6 @@
 //! Findings of the parser: what was expected, what stands there, what to type.
 
-use super::slips::is_type;
+use super::type_words::is_type;
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::ast::{Ast, Body};
 use crate::code::Code;

@@ -3,23 +3,13 @@
 //! All of it would be a mistake anyway: a rule or attribute may have such a word as its name.
 
 use super::head::Head;
+use super::type_words::is_type;
 use super::{Parsed, Parser, Reported};
 use crate::ast::Name;
 use crate::code::Code;
 use crate::ops::{operations, shape_attr};
 use crate::token::{Sym, Tok, Tokens};
 use std::ops::Range;
-
-/// What other languages call the types of values.
-const TYPES: &[&str] = &[
-    "float", "double", "int", "number", "bool", "boolean", "string", "str", "String", "f32", "f64", "i32", "u32",
-    "usize", "var", "let",
-];
-
-/// Whether a name before another one was meant as its type.
-pub(super) fn is_type(word: &str) -> bool {
-    TYPES.contains(&word)
-}
 
 /// The longest piece of the rules that a message repeats.
 const LONGEST: usize = 40;

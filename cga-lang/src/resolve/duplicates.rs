@@ -6,9 +6,9 @@ use super::globals::Item;
 use crate::ast::{Body, Decl, Role};
 use crate::code::Code;
 use crate::diag::Diags;
-use crate::ir::Type;
 use crate::link::InstanceId;
 use crate::ops::{self, Operation, Param, ParamKind, Run};
+use crate::types::Type;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 

@@ -10,10 +10,10 @@ use super::tables::Use;
 use crate::ast::{Expr, ExprKind, Name};
 use crate::code::Code;
 use crate::door::Door;
-use crate::ir::Type;
-use crate::ops::{self, Function, Needs, ParamKind, Places, Run};
+use crate::ops::{self, Function, Needs, ParamKind, Places, Run, Words};
 use crate::span::Span;
 use crate::token::Tok;
+use crate::types::Type;
 
 /// Resolves every use.
 pub(crate) fn uses(cx: &mut Cx) {
@@ -262,18 +262,17 @@ impl<'a> Scope<'_, 'a, '_> {
             return self.other_words(name, &rows, args);
         }
         for (index, arg) in args.iter().enumerate() {
-            let is_word =
-                |row: &&Function| matches!(row.params[index].kind, ParamKind::Word { .. } | ParamKind::Selector);
+            let is_word = |row: &&Function| matches!(row.params[index].kind, ParamKind::Word(_) | ParamKind::Selector);
             if candidates.is_empty() && !fitting.is_empty() && fitting.iter().all(is_word) {
-                let kinds: Vec<&ParamKind> = fitting.iter().map(|row| &row.params[index].kind).collect();
-                if let Some((old, new)) = kinds.iter().filter_map(|kind| kind.old_word(arg.word()?)).next() {
+                let words: Vec<Words> = fitting.iter().filter_map(|row| row.params[index].kind.words()).collect();
+                if let Some((old, new)) = words.iter().filter_map(|words| words.old(arg.word()?)).next() {
                     self.old_word(old, new, arg.span);
                     continue;
                 }
                 if fitting.iter().any(|row| row.params[index].kind == ParamKind::Selector) {
                     self.selector(arg, Places::FACES);
                 } else {
-                    self.word_expr(text, &kinds, arg);
+                    self.word_expr(text, &words, arg);
                 }
                 continue;
             }
@@ -304,7 +303,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let row = rows[0];
         for (param, arg) in row.params.iter().zip(args) {
             match &param.kind {
-                ParamKind::Word { .. } => self.word_expr(row.name, &[&param.kind], arg),
+                ParamKind::Word(words) => self.word_expr(row.name, &[*words], arg),
                 ParamKind::Selector => self.selector(arg, Places::FACES),
                 _ => self.expr(arg),
             }
@@ -376,10 +375,8 @@ impl<'a> Scope<'_, 'a, '_> {
 /// Whether every word of a call is one that the row knows. `word` says what the word of an argument is.
 fn words_fit(row: &Function, args: &[Expr], word: fn(&Expr) -> Option<&str>) -> bool {
     row.params.iter().zip(args).all(|(param, arg)| match &param.kind {
-        ParamKind::Word { .. } if matches!(arg.kind, ExprKind::Error) => true,
-        ParamKind::Word { words, old, .. } => {
-            word(arg).is_some_and(|word| words.iter().chain(*old).any(|(own, _)| *own == word))
-        }
+        ParamKind::Word(_) if matches!(arg.kind, ExprKind::Error) => true,
+        ParamKind::Word(words) => word(arg).is_some_and(|word| words.has(word)),
         _ => true,
     })
 }

@@ -56,9 +56,9 @@ impl<'a> Scope<'_, 'a, '_> {
             let takes = (ops::required(row.params)..=row.params.len()).collect();
             wrong_count(self.cx, "function", &comp.name, takes, comp.args.len());
         }
-        for (param, arg) in row.params.iter().zip(&comp.args) {
+        for (words, arg) in row.params.iter().filter_map(|param| param.kind.words()).zip(&comp.args) {
             if !matches!(arg.kind, ExprKind::Error) {
-                self.word_expr(row.name, &[&param.kind], arg);
+                self.word_expr(row.name, &[words], arg);
             }
         }
         row.places(comp.args.first().and_then(Expr::word))

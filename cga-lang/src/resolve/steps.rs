@@ -11,10 +11,10 @@ use crate::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, 
 use crate::code::Code;
 use crate::diag::Level;
 use crate::door::Door;
-use crate::ir::Type;
 use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
 use crate::suggest::nearest;
+use crate::types::Type;
 
 /// Most declarations of a rule that a message names.
 const MOST_DECLARED: usize = 3;
@@ -36,7 +36,7 @@ fn has_braces(row: &Operation, block: &Block) -> bool {
 fn likely(block: &Block) -> Vec<&'static Operation> {
     let words: Vec<Option<&str>> = block.args.iter().map(word).collect();
     let is_word = |(param, word): &(&Param, &Option<&str>)| match param.kind {
-        ParamKind::Word { .. } => word.is_some_and(|word| param.kind.has_word(word)),
+        ParamKind::Word(words) => word.is_some_and(|word| words.has(word)),
         _ => true,
     };
     let mut rows: Vec<_> = ops::operations(&block.name.text).filter(|row| has_braces(row, block)).collect();
@@ -207,7 +207,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let message = format!("the arguments of `{}` are in the wrong order", name.text);
         self.cx.diags.report(Code::UnknownWord, first.span, message).help(format!("write `{meant}`"));
         for (param, arg) in row.params.iter().zip([second, first]) {
-            if !matches!(param.kind, ParamKind::Word { .. }) {
+            if !matches!(param.kind, ParamKind::Word(_)) {
                 self.expr(&arg.value);
             }
         }
@@ -313,9 +313,9 @@ impl<'a> Scope<'_, 'a, '_> {
                 self.no_prefix(prefix, span);
             }
             match &rows[0].params[index].kind {
-                kind @ ParamKind::Word { old, .. } => {
-                    self.word(rows[0].name, kind, arg);
-                    if let Some((old, new)) = old.iter().find(|(old, _)| word(arg) == Some(*old)) {
+                ParamKind::Word(words) => {
+                    self.word(rows[0].name, *words, arg);
+                    if let Some((old, new)) = word(arg).and_then(|word| words.old(word)) {
                         self.old_word(old, new, arg.span);
                     }
                 }
@@ -333,9 +333,9 @@ impl<'a> Scope<'_, 'a, '_> {
         if arg.prefix.is_some() || self.lookup(&name.text).is_some() {
             return false;
         }
-        let help = match (param.name, habits::colour(&name.text)) {
-            ("hexValue", Some(colour)) => format!("write `\"{colour}\"`, in quotes"),
-            ("hexValue", None) => "write a colour, as in `\"#ff8000\"`".into(),
+        let help = match (param.kind, habits::colour(&name.text)) {
+            (ParamKind::Color, Some(colour)) => format!("write `\"{colour}\"`, in quotes"),
+            (ParamKind::Color, None) => "write a colour, as in `\"#ff8000\"`".into(),
             _ => format!("write `\"{}\"`, in quotes", name.text),
         };
         self.unknown_name(name, Some(help));

@@ -2,8 +2,8 @@
 
 use super::info::{AttrInfo, ImportInfo, RuleInfo};
 use crate::hash::FastMap;
-use crate::ir::Type;
 use crate::ops::{Function, Operation, ShapeAttr};
+use crate::types::Type;
 use std::collections::{HashMap, HashSet};
 
 /// What a name or call stands for.

@@ -7,7 +7,7 @@ use super::tables::Use;
 use crate::ast::{Arg, Expr, ExprKind, Name};
 use crate::code::Code;
 use crate::door::Door;
-use crate::ops::{self, Operation, Param, ParamKind};
+use crate::ops::{self, Operation, Param, ParamKind, Words};
 use crate::span::Span;
 use crate::suggest::nearest;
 
@@ -36,8 +36,7 @@ impl<'a> Scope<'_, 'a, '_> {
     pub(crate) fn computes_words(&mut self, params: &[Param], args: &[&Expr]) -> bool {
         let mut computed = false;
         for (param, arg) in params.iter().zip(args) {
-            if !matches!(param.kind, ParamKind::Word { .. }) || arg.word().is_some_and(|word| param.kind.has_word(word))
-            {
+            if !matches!(param.kind, ParamKind::Word(_)) || arg.word().is_some_and(|word| param.kind.has_word(word)) {
                 continue;
             }
             if !self.is_computed(arg) {
@@ -62,7 +61,7 @@ impl<'a> Scope<'_, 'a, '_> {
 
     /// Resolves what such words are computed from, and says that they do not run yet.
     pub(crate) fn computed_word(&mut self, kind: &ParamKind, arg: &'a Expr) {
-        if !matches!(kind, ParamKind::Word { .. }) {
+        if !matches!(kind, ParamKind::Word(_)) {
             return self.expr(arg);
         }
         if arg.word().is_some_and(|word| kind.has_word(word)) {
@@ -79,20 +78,21 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     /// An argument that must be a word of a parameter.
-    pub(crate) fn word(&mut self, name: &str, kind: &ParamKind, arg: &Arg) {
+    pub(crate) fn word(&mut self, name: &str, words: Words, arg: &Arg) {
         match plain(arg) {
-            Some(value) => self.word_expr(name, &[kind], value),
-            None => self.unknown_word(name, &[kind], "", arg.span),
+            Some(value) => self.word_expr(name, &[words], value),
+            None => self.unknown_word(name, &[words], "", arg.span),
         }
     }
 
     /// Reports that the first argument is left out, if that is a word.
     pub(super) fn missing_word(&mut self, name: &Name, row: &Operation) -> bool {
-        let Some(kind) = row.params.first().map(|param| &param.kind) else { return false };
-        let ParamKind::Word { unknown, .. } = kind else { return false };
-        let words: Vec<&str> = kind.new_words().collect();
+        let Some(words @ Words { unknown, .. }) = row.params.first().and_then(|param| param.kind.words()) else {
+            return false;
+        };
+        let words: Vec<&str> = words.current().collect();
         let message = format!("`{}` needs a word in parentheses", name.text);
-        let diag = self.cx.diags.report(*unknown, name.span, message);
+        let diag = self.cx.diags.report(unknown, name.span, message);
         diag.note(format!("it knows `{}`", words.join("`, `")));
         diag.help(format!("write `{}({})`", name.text, words.first().unwrap_or(&"")));
         true
@@ -105,7 +105,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     /// An expression that must be a word of one of some parameters.
-    pub(crate) fn word_expr(&mut self, name: &str, kinds: &[&ParamKind], arg: &Expr) {
+    pub(crate) fn word_expr(&mut self, name: &str, words: &[Words], arg: &Expr) {
         if let ExprKind::Call(sel, args) = &arg.kind
             && sel.text == "sel"
             && args.len() != 1
@@ -113,7 +113,7 @@ impl<'a> Scope<'_, 'a, '_> {
             return wrong_count(self.cx, "function", sel, vec![1], args.len());
         }
         let found = arg.word().unwrap_or_default();
-        let (known, is_text) = (kinds.iter().any(|kind| kind.has_word(found)), matches!(arg.kind, ExprKind::Text(_)));
+        let (known, is_text) = (words.iter().any(|words| words.has(found)), matches!(arg.kind, ExprKind::Text(_)));
         match (known, is_text) {
             (true, false) => {}
             // Old files say so, and CityEngine runs them.
@@ -121,18 +121,18 @@ impl<'a> Scope<'_, 'a, '_> {
                 let message = format!("`{found}` is a word, as text it is an old spelling");
                 self.cx.diags.report(Code::OldSpelling, arg.span, message).help(format!("write `{found}`"));
             }
-            _ => self.unknown_word(name, kinds, found, arg.span),
+            _ => self.unknown_word(name, words, found, arg.span),
         }
     }
 
-    fn unknown_word(&mut self, name: &str, kinds: &[&ParamKind], found: &str, span: Span) {
-        let Some(ParamKind::Word { unknown, .. }) = kinds.first() else { return };
-        let list = kinds.iter().flat_map(|kind| kind.new_words());
+    fn unknown_word(&mut self, name: &str, words: &[Words], found: &str, span: Span) {
+        let Some(first) = words.first() else { return };
+        let list = words.iter().copied().flat_map(Words::current);
         let shown = if found.is_empty() { "this".into() } else { format!("`{found}`") };
         let all = list.clone().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
         let is_word = list.clone().any(|word| word == found);
         let shown = if is_word { "text".into() } else { shown };
-        let diag = self.cx.diags.report(*unknown, span, format!("{shown} is not a word of `{name}`"));
+        let diag = self.cx.diags.report(first.unknown, span, format!("{shown} is not a word of `{name}`"));
         diag.note(format!("it knows {all}"));
         if is_word {
             diag.help(format!("write `{found}`"));

@@ -1,7 +1,7 @@
 //! Arms: a table, a closure for what is asked about parts, and a `match` over the arms.
 
 use cga_lang::ir::{Arm, ArmMode, Block, Comp, Expr, RuleId, Selector, Target};
-use cga_lang::ops::Braces;
+use cga_lang::ops::{Braces, variant};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -73,7 +73,7 @@ impl Cx<'_> {
         let table = arms.iter().map(|arm| {
             let select = match &arm.selector {
                 Selector::Word(word) => {
-                    let word = variant(word);
+                    let word = Ident::new(&variant(word), place);
                     quote_spanned!(place=> Word(cga_rt::Word::#word))
                 }
                 Selector::Index(asked) => {
@@ -114,15 +114,7 @@ impl Cx<'_> {
 
 /// A selector's word, inside a condition.
 pub(super) fn asked(word: &str) -> TokenStream {
-    let (place, word) = (Span::mixed_site(), variant(word));
+    let place = Span::mixed_site();
+    let word = Ident::new(&variant(word), place);
     quote_spanned!(place=> candidate.is(cga_rt::Word::#word))
-}
-
-/// The runtime's name of a selector's word: `ObjectFront` for `object.front`.
-fn variant(word: &str) -> Ident {
-    let capital = |part: &str| {
-        let mut chars = part.chars();
-        chars.next().map(|first| first.to_uppercase().chain(chars).collect::<String>()).unwrap_or_default()
-    };
-    Ident::new(&word.split('.').map(capital).collect::<String>(), Span::mixed_site())
 }

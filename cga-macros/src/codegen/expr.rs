@@ -2,14 +2,14 @@
 //! evaluated first and one by one, so that the borrows never overlap.
 
 use cga_lang::ir::{Binary, EachUnary, Expr, ExprKind, Global, Type, Value};
-use cga_lang::ops::{Function, Needs, Param, ParamKind};
-use proc_macro2::{Ident, Span, TokenStream};
+use cga_lang::ops::{Function, Needs, Param, ParamKind, Words};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::public::captured;
 use super::types::{self, cloned, value};
 use super::{Cx, arms, local};
-use crate::header::{HostType, conversion, convert};
+use crate::output::{HostType, conversion, convert};
 
 /// Where an expression is evaluated: how it gets at the run and at the current shape, both borrowed mutably.
 pub(super) struct Place {
@@ -148,6 +148,7 @@ impl Cx<'_> {
             }
             ExprKind::Comp(comp) => self.comp_value(comp, at),
             ExprKind::Word(word) => arms::asked(word),
+            ExprKind::Style(styles) => is_style(styles, &quote_spanned!(place=> g.style)),
             ExprKind::Later(what) => {
                 let (later, env) = (types::later(expr.ty), &at.env);
                 quote_spanned!(place=> cga_rt::later::#later(#env, #what))
@@ -337,6 +338,12 @@ impl Cx<'_> {
     }
 }
 
+/// Returns true in some styles.
+pub(super) fn is_style(styles: &[u32], style: &TokenStream) -> TokenStream {
+    let styles = styles.iter().map(|number| Literal::u32_suffixed(*number));
+    quote_spanned!(Span::mixed_site()=> ::core::matches!(#style, #(#styles)|*))
+}
+
 /// The conditions of a stochastic block.
 pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Place) -> Vec<TokenStream> {
     let place = Span::mixed_site();
@@ -355,7 +362,7 @@ pub(super) fn draws(percents: impl Iterator<Item = f64>, at: &Place) -> Vec<Toke
 fn words<'e>(function: &'static Function, call: &'e Expr) -> Vec<Option<&'e str>> {
     let ExprKind::Builtin(_, args) = &call.kind else { return Vec::new() };
     let word = |(param, arg): (&Param, &'e Expr)| match (&param.kind, &arg.kind) {
-        (ParamKind::Word { .. }, ExprKind::Value(Value::Text(word))) => Some(word.as_str()),
+        (ParamKind::Word(_), ExprKind::Value(Value::Text(word))) => Some(word.as_str()),
         _ => None,
     };
     function.params.iter().zip(args).map(word).collect()
@@ -363,10 +370,9 @@ fn words<'e>(function: &'static Function, call: &'e Expr) -> Vec<Option<&'e str>
 
 /// A word as the runtime's enum has it.
 pub(super) fn word_variant(kind: &ParamKind, word: &str, module: &TokenStream) -> TokenStream {
-    let ParamKind::Word { rust, words, .. } = kind else { return TokenStream::new() };
+    let ParamKind::Word(words @ Words { rust: Some(rust), .. }) = kind else { return TokenStream::new() };
     let place = Span::mixed_site();
-    let variant = words.iter().find(|(written, _)| *written == word).map_or("", |(_, variant)| variant);
-    let (rust, variant) = (Ident::new(rust, place), Ident::new(variant, place));
+    let (rust, variant) = (Ident::new(rust, place), Ident::new(&words.variant(word), place));
     quote_spanned!(place=> cga_rt::#module #rust::#variant)
 }
 

@@ -7,7 +7,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
 use super::names::{Taken, ident};
-use crate::door::Source;
+use crate::source::Source;
 
 /// A public field.
 pub(super) struct Field<'g> {

@@ -2,11 +2,12 @@
 
 use std::collections::HashMap;
 
-use cga_lang::ir::{Global, RuleId, Type};
+use cga_lang::ir::{ExprKind, Global, RuleId, Type};
+use cga_lang::ir_walk;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::expr::Place;
+use super::expr::{Place, is_style};
 use super::fields::Field;
 use super::public::captured;
 use super::rule::given;
@@ -26,10 +27,12 @@ pub(super) fn values(cx: &Cx<'_>) -> TokenStream {
     let origin = cx.has_lazy().then(|| (Ident::new("origin", place), quote_spanned!(place=> cga_rt::Origin)));
     // Imports that start anew open a cycle on a copy.
     let copied = cx.renews_lazy().then(|| quote_spanned!(place=> #[derive(::core::clone::Clone)]));
+    let style =
+        cx.asks_for_style().then(|| (Ident::new("style", place), quote_spanned!(place=> ::core::primitive::u32)));
     let hosts = cx.hosts.iter().enumerate().filter(|_| cx.captured);
     let hosts = hosts.map(|(at, ty)| (captured(at), inner_type(ty.inside())));
     let (names, types): (Vec<_>, Vec<_>) =
-        attrs.chain(consts).chain(origin).chain(hosts).chain(cx.held_fields()).unzip();
+        attrs.chain(consts).chain(style).chain(origin).chain(hosts).chain(cx.held_fields()).unzip();
     quote_spanned! { place=>
         #copied
         #[derive(::core::default::Default)]
@@ -57,6 +60,13 @@ fn waiting<'c>(cx: &'c Cx<'_>) -> impl Iterator<Item = (RuleId, Vec<TokenStream>
 }
 
 impl Cx<'_> {
+    /// Returns true if something depends on the style of the run.
+    fn asks_for_style(&self) -> bool {
+        let mut asks = false;
+        ir_walk::exprs(self.grammar, &mut |expr| asks |= matches!(expr.kind, ExprKind::Style(_)));
+        asks
+    }
+
     /// Returns true if no attribute and no constant depends on the initial shape.
     fn is_settled_globally(&self) -> bool {
         let attrs = self.grammar.attrs.iter().map(|attr| (&attr.default, attr.lazy));
@@ -116,7 +126,7 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
         quote_spanned!(place=> ::core::result::Result::Ok(()))
     };
     let by_name = fields::by_name(&fields);
-    let (held, globals) = (cx.hold_fields(&by_name), values_by_style(cx, &by_name));
+    let (held, globals) = (cx.hold_fields(&by_name), initial_values(cx, &by_name));
     let origin = cx.has_lazy().then(|| quote_spanned!(place=> g.origin = cga_rt::Origin::initial(initial);));
     let (get_arms, set_arms) = fields::arms(&fields);
     let captured = (0..cx.grammar.hosts.len()).filter(|_| cx.captured).map(captured);
@@ -231,21 +241,23 @@ pub(super) fn rules_impl(cx: &Cx<'_>, header: &Header) -> TokenStream {
     }
 }
 
-/// Evaluates attributes and constants, those of the style in force.
-fn values_by_style(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
+/// Evaluates the attributes and constants of the style in force.
+fn initial_values(cx: &Cx<'_>, fields: &HashMap<&str, &Field<'_>>) -> TokenStream {
     let place = Span::mixed_site();
-    let style = |list: &Vec<Global>| {
-        let lazy = list.iter().filter(|global| cx.is_lazy(**global));
-        let given = lazy.filter_map(|global| cx.lazy_given(*global, field(cx, fields, *global)));
-        let computed = list.iter().map(|global| init(cx, fields, *global));
-        given.chain(computed).collect()
-    };
-    let mut styles: Vec<TokenStream> = cx.grammar.init.iter().map(style).collect();
-    if styles.len() < 2 {
-        return styles.pop().unwrap_or_default();
-    }
-    let numbers = (0..styles.len() as u32).map(Literal::u32_suffixed);
-    quote_spanned!(place=> match style { #(#numbers => { #styles })* _ => {} })
+    let style = cx.asks_for_style().then(|| quote_spanned!(place=> g.style = style;));
+    let lazy = cx.grammar.init.iter().filter(|init| cx.is_lazy(init.global));
+    let given = lazy.filter_map(|init| cx.lazy_given(init.global, field(cx, fields, init.global)));
+    let values = cx.grammar.init.chunk_by(|a, b| a.styles == b.styles).map(|inits| {
+        let values = inits.iter().map(|own| init(cx, fields, own.global));
+        match &inits[0].styles {
+            Some(styles) => {
+                let is_style = is_style(styles, &quote_spanned!(place=> style));
+                quote_spanned!(place=> if #is_style { #(#values)* })
+            }
+            None => values.collect(),
+        }
+    });
+    style.into_iter().chain(given).chain(values).collect()
 }
 
 /// The field of an attribute that has one.

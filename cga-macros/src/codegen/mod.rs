@@ -31,8 +31,9 @@ use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
-use crate::door::Source;
-use crate::header::{Header, HostType, Output};
+use crate::header::Header;
+use crate::output::{HostType, Output};
+use crate::source::Source;
 
 pub(crate) use names::Taken;
 pub(crate) use names::is_plain;

@@ -53,7 +53,7 @@ impl Cx<'_> {
                 quote_spanned!(place=> cga_rt::Length::Absolute(#value))
             }
             (Arg::Value(value), ParamKind::Size) => prefixed(Prefix::Absolute, &expr(self, value, at)),
-            (Arg::Value(value), ParamKind::Image) => self.image(value, at),
+            (Arg::Value(value), ParamKind::Image(_)) => self.image(value, at),
             (Arg::Value(value), _) => expr(self, value, at),
             (Arg::Length(size), ParamKind::Size) => prefixed(size.prefix, &expr(self, &size.value, at)),
             (Arg::Length(size), _) => {

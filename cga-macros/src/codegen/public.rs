@@ -8,8 +8,9 @@ use quote::quote_spanned;
 use super::fields::Field;
 use super::names::{Taken, ident};
 use super::{local, types};
-use crate::door::Source;
-use crate::header::{Header, HostType, capture};
+use crate::header::Header;
+use crate::output::{HostType, capture};
+use crate::source::Source;
 
 /// What the user's code sees of a grammar. Without `hidden` it is a skeleton that cannot run: there are errors.
 pub(crate) struct Public {

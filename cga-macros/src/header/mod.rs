@@ -1,16 +1,13 @@
-//! What stands before the rules: `#[doc] @Allow(…) pub grammar Tower`, and how findings, rules and header go together.
+//! The tokens before the rules: `#[doc] @Allow(…) pub grammar Tower`.
 
 mod read;
 
 use cga_lang::code::Code;
 use cga_lang::diag::Level;
-use cga_lang::ir::Type;
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{format_ident, quote, quote_spanned};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::format_ident;
 
 pub(crate) use read::read;
-
-use crate::door::{Host, Source};
 
 /// What the user asked for.
 pub(crate) struct Header {
@@ -49,91 +46,5 @@ impl Header {
     /// The grammar's name for the user; empty for the expression form.
     pub(crate) fn label(&self) -> String {
         self.name.as_ref().map(|name| name.to_string().trim_start_matches("r#").to_owned()).unwrap_or_default()
-    }
-
-    /// Puts findings, rebuild tracking and output together: items, or an expression when there is no header.
-    pub(crate) fn wrap(&self, source: &Source, aside: &TokenStream, output: &Output) -> TokenStream {
-        let (tracking, code) = (source.tracking(), &output.code);
-        if self.name.is_some() {
-            return quote!(#aside #tracking #code);
-        }
-        // Evaluated outside of the block, so that Rust code in the rules sees nothing of what is in it.
-        let hosts = output.captures.iter().map(|(handle, ty)| (&source.hosts()[*handle as usize], *ty));
-        let values = hosts.map(|(host, ty)| match ty {
-            Some(ty) => convert(&self.runtime, ty, host),
-            None => host.reference(),
-        });
-        let names = (0..output.captures.len()).map(capture);
-        let place = Span::mixed_site();
-        quote_spanned!(place=> match (#(#values,)*) { (#(#names,)*) => { #aside #tracking #code } })
-    }
-}
-
-/// Generated code, and the `#` values it captures in the expression form: by handle, with the type the rules need. It
-/// is not known when there are errors.
-pub(crate) struct Output {
-    pub(crate) code: TokenStream,
-    pub(crate) captures: Vec<(u32, Option<HostType>)>,
-}
-
-/// What a Rust value in the rules must be.
-#[derive(Clone, Copy)]
-pub(crate) enum HostType {
-    /// Of that type.
-    Is(Type),
-    /// Anything with a text form: it stands beside text.
-    Shown,
-}
-
-impl HostType {
-    /// The type of the value inside the rules.
-    pub(crate) fn inside(self) -> Type {
-        match self {
-            HostType::Is(ty) => ty,
-            HostType::Shown => Type::Text,
-        }
-    }
-}
-
-/// The local that holds a captured value.
-pub(crate) fn capture(index: usize) -> Ident {
-    Ident::new(&format!("_capture_{index}"), Span::mixed_site())
-}
-
-/// A Rust value as the rules need it. All of the call stands at the user's token, so that a wrong type is shown there.
-pub(crate) fn convert(runtime: &TokenStream, ty: HostType, host: &Host) -> TokenStream {
-    let place = Span::mixed_site().located_at(host.span);
-    let (runtime, code) = (relocated(runtime, place), host.reference());
-    let function = conversion(ty, place);
-    quote_spanned!(place=> #runtime::host::#function(#code))
-}
-
-/// The function of the runtime's `host` module that takes a Rust value of that type.
-pub(crate) fn conversion(ty: HostType, place: Span) -> TokenStream {
-    match ty {
-        HostType::Is(Type::Float) => quote_spanned!(place=> ToFloat::to_float),
-        HostType::Is(Type::Bool) => quote_spanned!(place=> ToBool::to_bool),
-        HostType::Is(Type::Text) => quote_spanned!(place=> ToText::to_text),
-        HostType::Is(Type::Floats) => quote_spanned!(place=> ToFloats::to_floats),
-        HostType::Is(Type::Bools) => quote_spanned!(place=> ToBools::to_bools),
-        HostType::Is(Type::Texts) => quote_spanned!(place=> ToTexts::to_texts),
-        HostType::Shown => quote_spanned!(place=> Show::show),
-    }
-}
-
-/// A path in another place. It means what it meant before.
-fn relocated(path: &TokenStream, place: Span) -> TokenStream {
-    let moved = path.clone().into_iter().map(|mut token| {
-        token.set_span(place.resolved_at(token.span()));
-        token
-    });
-    moved.collect()
-}
-
-impl Host {
-    /// The value, borrowed.
-    fn reference(&self) -> TokenStream {
-        let (place, code) = (Span::mixed_site().located_at(self.span), &self.expr);
-        quote_spanned!(place=> &#code)
     }
 }

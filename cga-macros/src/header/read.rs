@@ -1,4 +1,4 @@
-//! Reads the header: attributes, levels, visibility, name and the door.
+//! Reads the header: attributes, levels, visibility, name and the source.
 
 use cga_lang::code::Code;
 use cga_lang::diag::Level;
@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree
 use quote::quote;
 
 use super::{Body, Header};
-use crate::door::Problem;
+use crate::problem::Problem;
 
 /// Reads the header, if there is one. Where it is broken the problem goes with as much of it as there is.
 pub(crate) fn read(input: TokenStream) -> (Header, Result<Body, Problem>) {

@@ -21,8 +21,8 @@ use cga_lang::link::{Files, Unit};
 use cga_lang::snippet::bytes;
 use proc_macro2::{Span, TokenStream};
 
-use crate::door::tokens::read;
 use crate::report::spelled;
+use crate::source::tokens::read;
 
 /// How many of the mistakes must be told well.
 const LEAST: usize = 40;

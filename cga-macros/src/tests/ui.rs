@@ -10,14 +10,14 @@ use cga_lang::diag::{Diag, Level};
 use cga_lang::link::Files;
 use proc_macro2::{TokenStream, TokenTree};
 
-use super::doors::{Below, root};
+use super::sources::{Below, root};
 use crate::header::{self, Body};
 use crate::report::spelled;
 
 /// What Rust cannot read, and no macro gets to see.
 const NO_RUST: [&str; 3] = ["missing_brace", "quote_before_bracket", "quote_before_digits"];
 
-/// What is about files of a package, and cases have none: fixtures and the test of `door/import.rs` show it.
+/// What is about files of a package, and cases have none: fixtures and the test of `source/import.rs` show it.
 const ABOUT_FILES: [Code; 2] = [Code::MissingAsset, Code::UnknownGroup];
 
 /// A case: its path, and what stands in each of its `cga!`.
@@ -63,7 +63,7 @@ fn grammars(stream: TokenStream) -> Vec<TokenStream> {
     found
 }
 
-/// The findings of a grammar that are shown; none behind a door that does not open.
+/// The findings of a grammar that are shown; none for a source that cannot be opened.
 fn found(input: TokenStream) -> Vec<Diag> {
     let (header, body) = header::read(input);
     let unit = match body {
@@ -71,7 +71,7 @@ fn found(input: TokenStream) -> Vec<Diag> {
             let path: syn::LitStr = syn::parse_quote!(#path);
             Below.open(&path.value(), "").ok()
         }
-        Ok(body) => crate::door::open(&header, body).ok().map(|source| source.unit()),
+        Ok(body) => crate::source::open(&header, body).ok().map(|source| source.unit()),
         Err(_) => None,
     };
     let diags = unit.map(|unit| compile_files(unit, &mut Below, &header.levels).diags);

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::text::Text;
+use crate::value::text::Text;
 
 /// The name of a file, and the folder of the rule file that names it: relative names are looked for from there (*Asset
 /// search*).

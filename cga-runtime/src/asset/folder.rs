@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use cga_split::files::places;
 
 use super::AssetError;
-use crate::text::Text;
+use crate::value::text::Text;
 
 /// Files and folders that are looked at; more are left out, the same ones on every platform.
 const MOST_ENTRIES: usize = 100_000;

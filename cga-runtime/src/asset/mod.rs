@@ -1,12 +1,9 @@
 //! Where rules find files: meshes that the caller hands over, then files below a folder the caller names.
 
-#[cfg(feature = "png")]
-pub(crate) mod decode;
 mod error;
 mod file;
 mod folder;
 pub(crate) mod image;
-mod images;
 mod search;
 
 #[cfg(feature = "obj")]
@@ -23,10 +20,10 @@ pub(crate) use search::Query;
 
 use cga_split::files::places;
 
-use self::image::ImageHeader;
-use crate::mesh::Mesh;
-use crate::text::Text;
-use crate::texture::builtin;
+use self::image::header::ImageHeader;
+use crate::asset::image::builtin;
+use crate::geometry::mesh::Mesh;
+use crate::value::text::Text;
 use folder::Listing;
 
 /// Names whose meshes and images are remembered; others are looked up each time, so that memory stays bounded.
@@ -245,7 +242,7 @@ fn read_mesh(root: Option<&Path>, path: &Path) -> Result<Arc<Mesh>, AssetError> 
         std::fs::read(file).ok()
     };
     let file = obj::read_obj(&bytes, &mut material_file).map_err(|error| AssetError::Broken(error.to_string()))?;
-    Ok(Arc::new(images::with_names_from_root(file.mesh, root, path)))
+    Ok(Arc::new(image::with_names_from_root(file.mesh, root, path)))
 }
 
 #[cfg(not(feature = "obj"))]

@@ -4,10 +4,10 @@
 //! `Name=`, `Ext=`, `Path=`, `Project=`. A pattern holds for all of a text; `*` stands for any characters and `?` for one.
 //! One that begins with `$` is a regular expression. Space between single quotes is part of a term.
 
-use crate::text::shortened;
+use crate::value::text::shortened;
 use std::cell::Cell;
 
-use crate::func::Whole;
+use crate::value::pattern::Whole;
 
 /// Comparisons of characters that one search may take, over all files.
 const MOST_STEPS: u64 = 100_000_000;

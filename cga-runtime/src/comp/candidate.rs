@@ -3,9 +3,9 @@
 use super::looks::Looks;
 use super::select::{Sense, Word};
 use super::source::Source;
-use crate::seed::Tag;
+use crate::shape::seed::Tag;
 use crate::shape::{Counter, Shape};
-use crate::text::Text;
+use crate::value::text::Text;
 
 /// What `isTagged` looks at instead of the component itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

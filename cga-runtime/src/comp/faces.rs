@@ -1,7 +1,7 @@
 //! Faces taken out of a mesh.
 
-use crate::mesh::Mesh;
-use crate::scope::Frame;
+use crate::geometry::Frame;
+use crate::geometry::mesh::Mesh;
 
 /// A mesh of just these faces, in their order, in the coordinates of a frame. Points are shared as before, those no
 /// longer used are dropped; tags, texture coordinates and normals are kept. Faces that do not exist are left out.
@@ -54,8 +54,8 @@ pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::comp::frame::face_frame;
-    use crate::mesh::primitive::{cube, cylinder};
+    use crate::geometry::face_frame::face_frame;
+    use crate::geometry::mesh::primitive::{cube, cylinder};
 
     #[test]
     fn one_face_in_its_own_frame_lies_flat() {

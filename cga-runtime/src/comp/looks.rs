@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use super::select::{Axes, Direction};
-use super::street::Streets;
-use crate::env::Env;
-use crate::scope::Scope;
+use super::select::Axes;
+use crate::run::env::Env;
 use crate::shape::Shape;
+use crate::shape::direction::Direction;
+use crate::shape::scope::Scope;
+use crate::shape::street::Streets;
 
 /// How a shape stands.
 #[derive(Clone, Debug)]

@@ -9,15 +9,15 @@ use glam::DVec3;
 use super::Components;
 use super::candidate::Subcomponent;
 use super::faces::extract;
-use super::frame::{FaceFrame, along, beside, face_frame, upright};
 use super::looks::Looks;
 use super::roof::Roof;
 use super::select::{RoofEdge, Sense, Word};
-use crate::mesh::{Adjacency, FaceTag, Mesh, MeshBuilder, flip, unit};
-use crate::provenance::Provenance;
-use crate::scope::Frame;
-use crate::tol::{COPLANAR_EPSILON, UP_EPSILON};
-use crate::wire::Wire;
+use crate::geometry::Frame;
+use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
+use crate::geometry::mesh::{Adjacency, FaceTag, Mesh, MeshBuilder, flip, unit};
+use crate::geometry::provenance::Provenance;
+use crate::geometry::tol::{COPLANAR_EPSILON, UP_EPSILON};
+use crate::geometry::wire::Wire;
 
 /// A mesh in scope coordinates, seen as components of one kind.
 #[derive(Debug)]

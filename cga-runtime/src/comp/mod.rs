@@ -2,7 +2,6 @@
 
 mod candidate;
 pub mod faces;
-pub mod frame;
 pub(crate) mod looks;
 mod mesh_parts;
 mod owners;
@@ -10,7 +9,6 @@ mod part;
 mod roof;
 pub mod select;
 mod source;
-pub(crate) mod street;
 #[cfg(test)]
 mod tests;
 mod value;
@@ -19,14 +17,15 @@ mod wire_parts;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::derive::Cx;
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::scope::{Frame, Scope};
-use crate::seed::{self, Seed, Tag};
+use crate::geometry::Frame;
+use crate::run::context::Cx;
+use crate::run::env::Env;
+use crate::run::sink::Flow;
+use crate::shape::scope::Scope;
+use crate::shape::seed::{self, Seed, Tag};
+use crate::shape::trim::{Surface, Trims};
 use crate::shape::{Counter, Geometry, Shape, ShapeRef};
-use crate::sink::Flow;
-use crate::trim::{Surface, Trims};
 
 pub use candidate::{Candidate, Subcomponent, is_tagged, is_tagged_at};
 pub use value::comp_values;

@@ -7,12 +7,14 @@ use glam::DVec3;
 use super::mesh_parts::MeshParts;
 use super::source::Source;
 use super::{Align, Components};
-use crate::mesh::{Bounds, Mesh};
-use crate::scope::{Axis, Frame, Scope};
+use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::wire::Wire;
+use crate::geometry::{Axis, Frame};
+use crate::shape::PlacedWire;
+use crate::shape::scope::Scope;
+use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Placed, Shape};
-use crate::tol::PLANAR_EPSILON;
-use crate::unit::UnitMesh;
-use crate::wire::{PlacedWire, Wire};
 
 /// Scope, pivot and geometry of a component, or of several together.
 pub(super) struct Part {

@@ -9,8 +9,8 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::select::RoofEdge;
-use crate::mesh::{Mesh, unit};
-use crate::tol::UP_EPSILON;
+use crate::geometry::mesh::{Mesh, unit};
+use crate::geometry::tol::UP_EPSILON;
 
 /// A mesh seen as a roof.
 #[derive(Debug)]

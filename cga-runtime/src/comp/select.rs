@@ -1,9 +1,6 @@
 //! The words that select components, as far as they look at directions.
 
-use glam::DVec3;
-
-use crate::tol::TIE_EPSILON;
-use crate::unit;
+use crate::shape::direction::Direction;
 
 /// A word that selects components (*comp operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,35 +73,6 @@ pub(crate) enum Axes {
     Street,
 }
 
-/// Where a component looks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Direction {
-    /// +z.
-    Front,
-    /// Anything but +z.
-    NotFront,
-    /// −z.
-    Back,
-    /// −x.
-    Left,
-    /// +x.
-    Right,
-    /// +y.
-    Top,
-    /// −y.
-    Bottom,
-    /// Everything that is not horizontal.
-    Side,
-    /// Up or down within 11.25 degrees.
-    Horizontal,
-    /// Looking up between 11.25 and 78.75 degrees.
-    Aslant,
-    /// Within 11.25 degrees of the horizon.
-    Vertical,
-    /// Looking down between 11.25 and 78.75 degrees.
-    Nutant,
-}
-
 /// The edges of roofs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum RoofEdge {
@@ -159,133 +127,5 @@ impl Word {
             Word::NotStreetFront => (Axes::Street, D::NotFront),
         };
         Sense::Looks(axes, direction)
-    }
-}
-
-/// The sine of 11.25 degrees above the horizon, where `vertical` ends.
-const LEVEL: f64 = 0.195_090_322_016_128_25;
-/// The sine of 78.75 degrees above the horizon, where `horizontal` begins.
-const STEEP: f64 = 0.980_785_280_403_230_4;
-
-impl Direction {
-    /// Whether a unit normal, in the axes that this is a direction of, looks there.
-    #[inline]
-    pub(crate) fn takes(self, normal: DVec3) -> bool {
-        match self {
-            Direction::Front => quadrant(normal) == (2, true),
-            Direction::NotFront => quadrant(normal) != (2, true),
-            Direction::Back => quadrant(normal) == (2, false),
-            Direction::Right => quadrant(normal) == (0, true),
-            Direction::Left => quadrant(normal) == (0, false),
-            Direction::Top => quadrant(normal) == (1, true),
-            Direction::Bottom => quadrant(normal) == (1, false),
-            Direction::Horizontal => is_horizontal(normal),
-            Direction::Side => !is_horizontal(normal),
-            Direction::Aslant => LEVEL < normal.y && normal.y <= STEEP,
-            Direction::Vertical => -LEVEL < normal.y && normal.y <= LEVEL,
-            Direction::Nutant => -STEEP < normal.y && normal.y <= -LEVEL,
-        }
-    }
-
-    /// Whether it takes a side of a box in those axes.
-    #[inline]
-    pub(crate) fn takes_side(self, side: unit::Side) -> bool {
-        let sides = match self {
-            Direction::Front => 0b00_0001,
-            Direction::NotFront => 0b11_1110,
-            Direction::Right => 0b00_0010,
-            Direction::Back => 0b00_0100,
-            Direction::Left => 0b00_1000,
-            Direction::Top => 0b01_0000,
-            Direction::Bottom => 0b10_0000,
-            Direction::Horizontal => 0b11_0000,
-            Direction::Side | Direction::Vertical => 0b00_1111,
-            Direction::Aslant | Direction::Nutant => 0,
-        };
-        sides >> side as u32 & 1 == 1
-    }
-}
-
-/// The axis that a normal follows most, and whether forwards. Where two are equal, z comes before x before y: the
-/// pictures of the reference leave ties to rounding.
-#[inline]
-fn quadrant(normal: DVec3) -> (usize, bool) {
-    let size = normal.abs();
-    // At 45 degrees but for rounding, as at the mitres of an offset rectangle.
-    let is_most = |a: f64, b: f64| b <= a + TIE_EPSILON;
-    let axis = if is_most(size.z, size.x) && is_most(size.z, size.y) {
-        2
-    } else if is_most(size.x, size.y) {
-        0
-    } else {
-        1
-    };
-    (axis, 0.0 < normal[axis])
-}
-
-/// (78.75, 90] or [-90, -78.75] degrees.
-#[inline]
-fn is_horizontal(normal: DVec3) -> bool {
-    STEEP < normal.y || normal.y <= -STEEP
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Looks up by some degrees.
-    fn at(degrees: f64) -> DVec3 {
-        let (sin, cos) = libm::sincos(degrees.to_radians());
-        DVec3::new(0.0, sin, cos)
-    }
-
-    #[test]
-    fn sides_of_boxes_are_taken_as_their_normals_are() {
-        use Direction::*;
-        let all = [Front, Back, Right, Left, Top, Bottom, Horizontal, Side, Aslant, Vertical, Nutant];
-        for side in unit::Side::ALL {
-            assert!(
-                all.iter().all(|direction| direction.takes_side(side) == direction.takes(side.normal())),
-                "{side:?}"
-            );
-        }
-    }
-
-    #[test]
-    fn fact_49_the_ends_of_the_angle_classes() {
-        use Direction::{Aslant, Horizontal, Nutant, Side, Vertical};
-        let classes = [
-            (78.75, Aslant),
-            (78.76, Horizontal),
-            (11.25, Vertical),
-            (11.26, Aslant),
-            (-11.25, Nutant),
-            (-11.24, Vertical),
-            (-78.75, Horizontal),
-            (-78.74, Nutant),
-            (90.0, Horizontal),
-            (-90.0, Horizontal),
-            (0.0, Vertical),
-        ];
-        for (degrees, class) in classes {
-            for each in [Horizontal, Aslant, Vertical, Nutant] {
-                assert_eq!(each.takes(at(degrees)), each == class, "{degrees} {each:?}");
-            }
-            assert_eq!(Side.takes(at(degrees)), class != Horizontal);
-        }
-    }
-
-    #[test]
-    fn every_normal_is_in_one_quadrant() {
-        use Direction::{Back, Bottom, Front, Left, Right, Top};
-        for x in -3..=3 {
-            for y in -3..=3 {
-                for z in -3..=3 {
-                    let normal = DVec3::new(f64::from(x), f64::from(y), f64::from(z)).normalize_or_zero();
-                    let quadrants = [Front, Back, Left, Right, Top, Bottom];
-                    assert_eq!(quadrants.iter().filter(|quadrant| quadrant.takes(normal)).count(), 1);
-                }
-            }
-        }
     }
 }

@@ -10,11 +10,12 @@ use super::mesh_parts::MeshParts;
 use super::select::{Axes, Sense, Word};
 use super::wire_parts::WireParts;
 use super::{Align, Arm, Components, Mode};
-use crate::env::Env;
-use crate::scope::{Axis, Scope};
+use crate::geometry::Axis;
+use crate::geometry::wire::Wire;
+use crate::run::env::Env;
+use crate::shape::scope::Scope;
+use crate::shape::unit::{UnitFace, UnitMesh};
 use crate::shape::{Geometry, Shape};
-use crate::unit::{UnitFace, UnitMesh};
-use crate::wire::Wire;
 
 /// A shape's components of one kind, by number.
 #[derive(Debug)]

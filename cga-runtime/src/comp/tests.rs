@@ -4,11 +4,11 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::select::Word;
 use super::{Align, Arm, Components, Mode, Parts, Select, comp_values, never};
-use crate::env::Env;
-use crate::mesh::{Extrude, Mesh, MeshBuilder, extrude, primitive};
+use crate::geometry::mesh::{Extrude, Mesh, MeshBuilder, extrude, primitive};
+use crate::run::env::Env;
+use crate::run::sink::Flow;
+use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Shape};
-use crate::sink::Flow;
-use crate::unit::UnitMesh;
 
 mod kept;
 
@@ -94,7 +94,7 @@ fn tree() -> Mesh {
         let points: Vec<u32> = cube.points().iter().map(|p| builder.point(*p + DVec3::X * at)).collect();
         for face in cube.faces() {
             let ring: Vec<u32> = face.outer().iter().map(|&c| points[c as usize]).collect();
-            builder.face(&ring, &[], crate::mesh::FaceTag { group, material: group, ..Default::default() });
+            builder.face(&ring, &[], crate::geometry::mesh::FaceTag { group, material: group, ..Default::default() });
         }
     }
     builder.build().unwrap()
@@ -375,7 +375,7 @@ fn streets_decide_what_is_front() {
     // The street runs along the right side of the lot, which has no front otherwise.
     let lot = Shape::rectangle(6.0, 4.0).streets([0.0, 8.0, 0.0, 0.0]);
     let words = [Word::StreetFront, Word::StreetBack, Word::StreetLeft, Word::StreetRight];
-    let env_of = |lot: &Shape| Env::new(&crate::settings::Settings::default(), &["Lot"], lot, "Lot");
+    let env_of = |lot: &Shape| Env::new(&crate::run::settings::Settings::default(), &["Lot"], lot, "Lot");
     let numbers = |lot: &Shape| {
         let arms = words.map(|word| arm(word, Mode::Each));
         let mut own = lot.clone();

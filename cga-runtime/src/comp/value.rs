@@ -3,10 +3,10 @@
 use std::ops::ControlFlow;
 
 use super::{Align, Arm, Candidate, Components, Parts};
-use crate::array::{Array, Element};
-use crate::env::Env;
+use crate::run::env::Env;
+use crate::run::sink::Flow;
 use crate::shape::Shape;
-use crate::sink::Flow;
+use crate::value::array::{Array, Element};
 
 /// `comp(…) { selector : value | … }`: an element for each component by number; those that no arm takes have the default,
 /// those that are put together the same value (*comp function*). `value` gets the number of the arm and the shape.

@@ -5,12 +5,12 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::Components;
-use super::frame::{along, beside, upright};
 use super::looks::Looks;
 use super::select::{Sense, Word};
-use crate::mesh::{point_normals, unit};
-use crate::scope::Frame;
-use crate::wire::Wire;
+use crate::geometry::Frame;
+use crate::geometry::face_frame::{along, beside, upright};
+use crate::geometry::mesh::{point_normals, unit};
+use crate::geometry::wire::Wire;
 
 /// A wire in scope coordinates, seen as components of one kind.
 #[derive(Debug)]

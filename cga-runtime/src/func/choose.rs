@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 
 use super::array::{each_pair, same_form};
-use super::compare::Compare;
-use crate::array::{Array, Element};
-use crate::env::Env;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::array::{Array, Element};
+use crate::value::compare::Compare;
+use crate::value::text::Text;
 
 /// Whether `a` certainly is less: what is no number never is.
 fn before<T: Compare>(a: &T, b: &T) -> bool {

@@ -1,8 +1,8 @@
 //! Colours as text, such as "#ff8000", and as numbers. Channels are in 0..=1, hues in degrees.
 
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::text::Text;
 
 /// Red, green and blue.
 type Rgb = [f64; 3];

@@ -1,69 +1,8 @@
-//! Comparisons: one order for all operators, and for values of every type.
+//! The relational operators.
 
 use std::cmp::Ordering;
 
-use crate::array::{Array, Element};
-use crate::text::Text;
-
-/// Values that the relational operators can compare.
-pub trait Compare {
-    /// The order of two values. The operators follow from it: `a <= b` is "not greater".
-    fn compare(&self, other: &Self) -> Ordering;
-
-    /// Whether it has no place in an order.
-    fn unordered(&self) -> bool {
-        false
-    }
-}
-
-impl Compare for f64 {
-    /// With something that is no number on either side the answer is "less": compiled rules of the original compare in
-    /// three ways and treat it so. So `<`, `<=` and `!=` are true and `==`, `>` and `>=` are false. Inferred, not
-    /// documented.
-    #[inline]
-    fn compare(&self, other: &Self) -> Ordering {
-        self.partial_cmp(other).unwrap_or(Ordering::Less)
-    }
-
-    fn unordered(&self) -> bool {
-        self.is_nan()
-    }
-}
-
-impl Compare for bool {
-    fn compare(&self, other: &Self) -> Ordering {
-        self.cmp(other)
-    }
-}
-
-impl Compare for Text {
-    /// Character by character, by their numbers in Unicode.
-    fn compare(&self, other: &Self) -> Ordering {
-        // Copies share their characters, and long ones are not gone through.
-        if std::ptr::eq(self.as_str(), other.as_str()) { Ordering::Equal } else { self.cmp(other) }
-    }
-}
-
-impl<T: Element> Compare for Array<T> {
-    /// Element by element, row by row. When the first rows are equal as far as both go, the array with fewer columns is
-    /// less; when all rows that both have are equal, the one with fewer rows (*Array types operators*).
-    fn compare(&self, other: &Self) -> Ordering {
-        for (row, other_row) in self.iter_rows().zip(other.iter_rows()) {
-            let elements = row.iter().zip(other_row).map(|(a, b)| a.compare(b));
-            let order = elements.fold(Ordering::Equal, Ordering::then).then(row.len().cmp(&other_row.len()));
-            if order.is_ne() {
-                return order;
-            }
-        }
-        self.rows().cmp(&other.rows())
-    }
-}
-
-/// The order of two values, from which all relational operators follow.
-#[inline]
-pub fn compare<T: Compare>(a: T, b: T) -> Ordering {
-    a.compare(&b)
-}
+use crate::value::compare::Compare;
 
 /// `a == b`. Arrays are equal if they have the same form and equal elements.
 #[inline]
@@ -104,6 +43,8 @@ pub fn greater_equal<T: Compare>(a: T, b: T) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::value::array::Array;
+    use crate::value::text::Text;
 
     fn column(values: &[&'static str]) -> Array<Text> {
         Array::from(values.iter().map(|&value| vec![Text::fixed(value)]).collect::<Vec<_>>())

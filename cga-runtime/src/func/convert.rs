@@ -1,41 +1,12 @@
 //! Values of one type as values of another.
 
-use std::fmt;
-
-use crate::array::{Array, Element, Print};
-use crate::env::Env;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::array::{Array, Element, Print};
+use crate::value::number::Number;
+use crate::value::text::Text;
 
 /// What stands for "no value" in text (*isNull function*); among numbers it is "not a number".
 const NULL: &str = "\u{e000}";
-
-/// A number as rules print it: without exponent and trailing zeros, at most 15 digits so that rounding noise stays out
-/// of sight (*str function*: `1.69 - 0.69` is 1; *CGA changelog 2024.1*: one digit less than before, and pages of before
-/// have 16).
-pub(crate) struct Number(pub(crate) f64);
-
-impl fmt::Display for Number {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let number = self.0;
-        if number.is_nan() {
-            return f.write_str("nan");
-        }
-        if number.is_infinite() {
-            return f.write_str(if 0.0 < number { "inf" } else { "-inf" });
-        }
-        if number == 0.0 {
-            return f.write_str("0");
-        }
-        // Small whole numbers, which are most, need no rounding.
-        if number.abs() < 1e15 && number == number.trunc() {
-            return write!(f, "{}", number as i64);
-        }
-        // Round in decimal, then print the shortest form of what that is. Beyond the largest number there is nothing to
-        // round to.
-        let rounded = format!("{number:.14e}").parse().ok().filter(|rounded: &f64| rounded.is_finite());
-        write!(f, "{}", rounded.unwrap_or(number))
-    }
-}
 
 /// A number as text, as in `str(1.5)` (*str function*).
 pub fn float_to_text(x: f64) -> Text {
@@ -62,11 +33,6 @@ pub fn array_to_text<T: Element>(env: &mut Env, array: Array<T>) -> Text {
 /// 1 or 0 (*float function*).
 pub fn bool_to_float(x: bool) -> f64 {
     if x { 1.0 } else { 0.0 }
-}
-
-/// Numbers stay as they are.
-pub fn float_to_float(x: f64) -> f64 {
-    x
 }
 
 /// The number that the text begins with, behind spaces; not a number when there is none (*float function*, *floatArray
@@ -108,11 +74,6 @@ pub fn float_to_bool(x: f64) -> bool {
     x != 0.0
 }
 
-/// Truth values stay as they are.
-pub fn bool_to_bool(x: bool) -> bool {
-    x
-}
-
 /// `f`, `false` and zeros are false, every other text is true (*bool function*).
 pub fn text_to_bool(x: Text) -> bool {
     truth(&x)
@@ -136,11 +97,6 @@ pub fn no_bools() -> Array<bool> {
 /// `stringArray()` (*stringArray function*).
 pub fn no_texts() -> Array<Text> {
     Array::default()
-}
-
-/// An array of the type asked for stays as it is.
-pub fn array_itself<T: Element>(array: Array<T>) -> Array<T> {
-    array
 }
 
 /// [`bool_to_float`] of each element (*floatArray function*).
@@ -292,7 +248,6 @@ mod tests {
         assert_eq!(bools_from_texts(truths), Array::from([true, true, false, false, false, true]));
         assert_eq!(texts_from_floats(env, Array::from([1.0, 1.777, 20.0])).to_string(), "(3)[1,1.777,20]");
         assert_eq!(texts_from_bools(Array::from([true, false])), Array::from(["true", "false"].map(text)));
-        assert_eq!(array_itself(Array::from([1.0])), Array::from([1.0]));
         assert!(no_floats().is_empty() && no_bools().is_empty() && no_texts().is_empty());
         texts_from_floats(&mut small_env(10, 4), Array::from([1.25]));
         let env = &mut small_env(10, 3);

@@ -2,10 +2,10 @@
 
 use std::fmt::{self, Write};
 
-use crate::env::Env;
 use crate::fault::LimitKind;
-use crate::sink::Flow;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::run::sink::Flow;
+use crate::value::text::Text;
 
 impl Env {
     /// Whether an array may have so many elements. If not, the run ends.

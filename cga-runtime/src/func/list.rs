@@ -5,10 +5,10 @@
 //! for anything.
 
 use super::whole;
-use crate::array::{Array, Element};
-use crate::env::Env;
+use crate::run::env::Env;
 use crate::shape::view::View;
-use crate::text::Text;
+use crate::value::array::{Array, Element};
+use crate::value::text::Text;
 
 fn items(list: &str) -> impl Iterator<Item = &str> + Clone {
     list.split(';').filter(|item| !item.is_empty())

@@ -1,8 +1,8 @@
 //! Arithmetic and trigonometry. Angles are in degrees.
 
-use crate::array::Array;
-use crate::env::Env;
-use crate::op::sin_cos;
+use crate::geometry::rotation::sin_cos;
+use crate::run::env::Env;
+use crate::value::array::Array;
 
 macro_rules! functions {
     ($($(#[$doc:meta])* $name:ident = |$x:ident| $value:expr;)*) => {$(

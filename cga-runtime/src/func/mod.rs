@@ -1,6 +1,6 @@
 //! Functions of the language, as its table names them. Angles are in degrees; results are the same on every platform.
 //!
-//! Functions that can meet a number they cannot use, or make something large, take the run's [`Env`](crate::env::Env)
+//! Functions that can meet a number they cannot use, or make something large, take the run's [`Env`](crate::run::env::Env)
 //! first. Numbers that are not finite count as 0 and leave a fault (*CGA changelog 2013.1*: "replace with zero", for all
 //! float parameters); elements of arrays are left as they are, because there "not a number" stands for a missing value
 //! (*isNull function*). Numbers that count or number something lose their fraction.
@@ -10,33 +10,28 @@ mod choose;
 mod colour;
 mod compare;
 mod convert;
+pub mod host;
+pub mod later;
 mod limit;
 mod list;
 mod math;
 mod path;
-mod pattern;
 mod ramp;
 mod random;
 mod split;
 mod string;
 
-pub use crate::comp::{Subcomponent, is_tagged, is_tagged_at};
-pub use crate::query::*;
 pub use array::*;
 pub use choose::{clamp, clamp_each, clamp_text, max, max_each, max_text, min, min_each, min_text};
 pub use colour::{
     color_hex_to_b, color_hex_to_g, color_hex_to_h, color_hex_to_o, color_hex_to_r, color_hex_to_s, color_hex_to_v,
     color_hsv_to_hex, color_hsvo_to_hex, color_rgb_to_hex, color_rgbo_to_hex,
 };
-pub(crate) use compare::Compare;
-pub use compare::{compare, equal, greater, greater_equal, less, less_equal, unequal};
-pub(crate) use convert::Number;
+pub use compare::{equal, greater, greater_equal, less, less_equal, unequal};
 pub use convert::{
-    array_itself, array_to_text, array_to_text as floats_to_text, array_to_text as bools_to_text,
-    array_to_text as texts_to_text, bool_to_bool, bool_to_float, bool_to_text, bools_from_floats, bools_from_texts,
-    float_to_bool, float_to_float, float_to_text, floats_from_bools, floats_from_texts, isnull_float,
-    isnull_float_each, isnull_text, isnull_text_each, no_bools, no_floats, no_texts, text_to_bool, text_to_float,
-    text_to_text, texts_from_bools, texts_from_floats,
+    array_to_text, bool_to_float, bool_to_text, bools_from_floats, bools_from_texts, float_to_bool, float_to_text,
+    floats_from_bools, floats_from_texts, isnull_float, isnull_float_each, isnull_text, isnull_text_each, no_bools,
+    no_floats, no_texts, text_to_bool, text_to_float, text_to_text, texts_from_bools, texts_from_floats,
 };
 pub use list::{
     list_add, list_clean, list_count, list_first, list_from_array, list_index, list_item, list_last, list_random,
@@ -47,7 +42,6 @@ pub use math::{
     isnan_each, ln, log10, pow, rint, rint_each, sin, sqrt, tan,
 };
 pub use path::{file_basename, file_directory, file_extension, file_name};
-pub(crate) use pattern::Whole;
 pub use ramp::color_ramp;
 pub(crate) use random::drawn_below;
 pub use random::{chance, rand, rand_between, rand_to};
@@ -65,12 +59,12 @@ fn whole(number: f64) -> Option<usize> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
-    use crate::env::Env;
     use crate::fault::{Error, LimitKind};
-    use crate::settings::Settings;
-    use crate::text::Text;
+    use crate::run::env::Env;
+    use crate::run::settings::Settings;
+    use crate::value::text::Text;
 
     /// A run with the default settings.
     pub(super) fn env() -> Env {
@@ -102,10 +96,10 @@ mod tests {
     }
 
     /// splitmix64: the same numbers on every machine.
-    pub(super) struct Random(pub(super) u64);
+    pub(crate) struct Random(pub(crate) u64);
 
     impl Random {
-        pub(super) fn below(&mut self, bound: usize) -> usize {
+        pub(crate) fn below(&mut self, bound: usize) -> usize {
             self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
             let mut z = self.0;
             z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

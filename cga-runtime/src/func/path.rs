@@ -1,6 +1,6 @@
 //! The parts of a file's path.
 
-use crate::text::Text;
+use crate::value::text::Text;
 
 /// Directory with the last `/`, and name.
 fn parts(path: &str) -> (&str, &str) {

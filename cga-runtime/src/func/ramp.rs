@@ -4,9 +4,9 @@
 //! of `spectrum` are read off the pictures of the *splitArea operation*, as far as they show them.
 
 use super::colour::print;
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::text::Text;
 
 /// Colours of a ramp.
 const STEPS: f64 = 36.0;

@@ -1,6 +1,6 @@
 //! Random numbers, from the shape's own stream.
 
-use crate::env::Env;
+use crate::run::env::Env;
 use crate::shape::view::View;
 
 /// `rand()`: evenly in 0..1 (*rand function*).

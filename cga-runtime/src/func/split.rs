@@ -1,10 +1,10 @@
 //! `splitString`.
 
-use super::pattern::{Pattern, Search, TooLong};
-use crate::array::Array;
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::text::{Text, shortened};
+use crate::run::env::Env;
+use crate::value::array::Array;
+use crate::value::pattern::{Pattern, Search, TooLong};
+use crate::value::text::{Text, shortened};
 
 /// The parts of a text between delimiters, in one row; a delimiter that begins with `$` is a regular expression
 /// (*splitString function*).

@@ -1,9 +1,9 @@
 //! Text. Lengths and places count characters, from 0.
 
 use super::whole;
-use crate::array::Element;
-use crate::env::Env;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::array::Element;
+use crate::value::text::Text;
 
 /// One text after the other.
 pub fn concat(env: &mut Env, a: Text, b: Text) -> Text {

@@ -1,8 +1,8 @@
 //! Attributes as fields of the generated struct.
 
-use crate::array::Array;
-use crate::text::Text;
 use crate::value::Value;
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 /// A field that holds an attribute. Used by generated code.
 pub trait Field {

@@ -1,22 +1,25 @@
 //! What every grammar is: a set of attributes and rules that can be run on a shape.
 
+pub mod attribute;
 mod field;
-mod start;
+pub(crate) mod lazy;
+pub mod parallel;
+pub mod session;
+pub(crate) mod support;
 mod unrunnable;
 
 pub use field::Field;
-pub use start::StartRule;
 pub use unrunnable::Unrunnable;
 
-use crate::attribute::{self, Attribute, AttributeError};
-use crate::derive::{Cx, Report};
-use crate::env::Env;
+use self::attribute::{Attribute, AttributeError};
+use self::session::DynSession;
 use crate::fault::Error;
-use crate::model::Model;
-use crate::session::{self, DynSession};
-use crate::settings::Settings;
-use crate::shape::{Shape, ShapeRef};
-use crate::sink::{Flow, Sink};
+use crate::output::model::Model;
+use crate::run::report::Report;
+use crate::run::settings::Settings;
+use crate::run::sink::Sink;
+use crate::run::start_rule::StartRule;
+use crate::shape::Shape;
 use crate::value::Value;
 
 /// A grammar, for programs that choose among several at run time. `cga!` implements it for the struct it makes.
@@ -56,7 +59,7 @@ pub trait Grammar {
     /// Opens a session: several runs with the same settings, which share what is made once. The grammars that `cga!` makes check
     /// attributes and start rule here; others when a run begins.
     ///
-    /// A concrete grammar has a method `session` of its own, whose [`Session`](crate::session::Session) calls no sink through a
+    /// A concrete grammar has a method `session` of its own, whose [`Session`](crate::grammar::session::Session) calls no sink through a
     /// pointer.
     ///
     /// # Errors
@@ -113,39 +116,6 @@ pub trait Grammar {
         let report = self.derive(shape, settings, &mut model)?;
         Ok(model.with_report(report).with_assets(settings.assets.clone()))
     }
-}
-
-/// What generated code provides. Not for writing by hand.
-pub trait Rules {
-    /// Attributes and constants, evaluated for one initial shape.
-    type Values;
-    /// Calls that may wait on the work list: rules in cycles with their arguments.
-    type Call: Clone;
-    /// Rule names by number, for trails.
-    const NAMES: &'static [&'static str];
-    /// The names of leaves by number.
-    const LEAVES: &'static [&'static str];
-    /// Rules a run can start with; the default first.
-    const STARTS: &'static [StartRule];
-    /// Their numbers.
-    const START_RULES: &'static [u32];
-    /// The styles they put in force, by number.
-    const START_STYLES: &'static [u32];
-
-    /// True if attributes and constants do not depend on the initial shape.
-    const SETTLED: bool;
-
-    /// Checks the attributes against their ranges.
-    ///
-    /// # Errors
-    /// [`Error::Attribute`].
-    fn check(&self) -> Result<(), Error>;
-    /// Evaluates attributes and constants, as the style in force has them.
-    fn values(&self, env: &mut Env, shape: &Shape, style: u32) -> Self::Values;
-    /// Runs a start rule.
-    fn start(values: &Self::Values, cx: &mut Cx<'_, Self::Call>, rule: u32, shape: &ShapeRef<'_>) -> Flow;
-    /// Runs a call that waited.
-    fn resume(values: &Self::Values, cx: &mut Cx<'_, Self::Call>, shape: &ShapeRef<'_>, call: Self::Call) -> Flow;
 }
 
 #[cfg(test)]

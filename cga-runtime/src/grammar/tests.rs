@@ -1,9 +1,9 @@
 //! Attributes by name.
 
 use super::*;
-use crate::array::Array;
-use crate::attribute::{AttributeDefault, ChoiceValues, Choices, Range};
-use crate::text::Text;
+use crate::grammar::attribute::{AttributeDefault, ChoiceValues, Choices, Range};
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 /// What `cga!` writes for a grammar, by hand.
 struct Tower {

@@ -1,11 +1,12 @@
 //! Grammars whose rules have errors.
 
-use super::{Rules, StartRule};
-use crate::derive::Cx;
-use crate::env::Env;
 use crate::fault::Error;
+use crate::run::context::Cx;
+use crate::run::env::Env;
+use crate::run::rules::Rules;
+use crate::run::sink::Flow;
+use crate::run::start_rule::StartRule;
 use crate::shape::{Shape, ShapeRef};
-use crate::sink::Flow;
 
 /// Marks a grammar whose rules have errors: sessions and parallel runs of it compile, so that the errors in the rules are the only
 /// ones that are reported. It never runs, as the program that it belongs to never builds.

@@ -1,16 +1,15 @@
 //! Materials and colours.
 
 pub(crate) mod attribute;
-pub(crate) mod ids;
+pub(crate) mod layer;
 pub(crate) mod list;
-pub(crate) mod look;
 
 use std::sync::Arc;
 
 pub use attribute::{Channel, ColorOf, Layer, LayerPart, MaterialNumber, MaterialText};
 pub(crate) use attribute::{MATERIAL_NUMBERS, MATERIAL_TEXTS, Named};
 
-use crate::text::Text;
+use crate::value::text::Text;
 
 /// An sRGB colour, each channel in 0..=1.
 #[derive(Clone, Copy, Debug, PartialEq)]

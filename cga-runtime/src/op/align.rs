@@ -3,9 +3,9 @@
 use glam::{DMat3, DVec3};
 
 use super::refit::refit;
-use super::turn;
-use crate::env::Env;
-use crate::mesh::unit;
+use crate::geometry::mesh::unit;
+use crate::geometry::rotation::turn;
+use crate::run::env::Env;
 use crate::shape::Shape;
 
 /// Axes that a scope is aligned to: one of them or all three, of the world or of the object.
@@ -46,7 +46,7 @@ pub fn align_to_axes(env: &mut Env, shape: &mut Shape, to: AlignAxes) {
 pub(super) fn upright(old: &DMat3, to: DVec3, axis: usize) -> DMat3 {
     let across = |other: usize| unit(old.col(other) - to * to.dot(old.col(other)));
     // Too short to have a direction.
-    let short = |other: usize| 1.0 - old.col(other).dot(to).abs() < crate::tol::ANGLE_EPSILON;
+    let short = |other: usize| 1.0 - old.col(other).dot(to).abs() < crate::geometry::tol::ANGLE_EPSILON;
     match axis {
         0 if short(2) => from_xy(to, across(1)),
         0 => from_zx(across(2), to),

@@ -3,10 +3,10 @@
 use glam::{DVec2, DVec3};
 
 use super::refit::{CORNERS, refit};
-use crate::env::Env;
-use crate::hull::hull;
+use crate::geometry::hull::hull;
+use crate::geometry::tol::{ANGLE_EPSILON, AREA_EPSILON};
+use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
-use crate::tol::{ANGLE_EPSILON, AREA_EPSILON};
 
 /// The two axes that are aligned; the first takes the longer side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,14 +4,15 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::UpAxis;
 use super::refit::refit;
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::mesh::{Mesh, unit};
-use crate::place;
-use crate::scope::{Frame, Scope};
+use crate::geometry::Frame;
+use crate::geometry::mesh::{Mesh, unit};
+use crate::geometry::tol::TIE_EPSILON;
+use crate::run::env::Env;
+use crate::run::sink::{Cuboid, Quad};
+use crate::shape::place;
+use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Shape};
-use crate::sink::{Cuboid, Quad};
-use crate::tol::TIE_EPSILON;
 
 /// Which face is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,12 +3,10 @@
 use std::sync::Arc;
 
 use crate::asset::{CUBES, File};
-use crate::env::Env;
 use crate::fault::{FaultKind, LimitKind};
-use crate::mesh::{AlongUv, HeightAlignment, HeightDirection, Mesh, insert_along_uv as bend, primitive};
+use crate::geometry::mesh::{AlongUv, HeightAlignment, HeightDirection, Mesh, insert_along_uv as bend, primitive};
+use crate::run::env::Env;
 use crate::shape::Shape;
-
-use super::texture::uv_set;
 
 /// `insertAlongUV(uvSet, filePath, height)`: copies of an asset, bent along texture coordinates, take the place of the triangles and
 /// quads of the geometry (*insertAlongUV operation*). A missing asset, and geometry without coordinates in the set, leave a fault.
@@ -26,7 +24,7 @@ pub fn insert_along_uv_with(
     direction: HeightDirection,
     alignment: HeightAlignment,
 ) {
-    let Some(set) = uv_set(env, set, "insertAlongUV") else { return };
+    let Some(set) = env.uv_set(set, "insertAlongUV") else { return };
     let height = env.finite(height, "the height of `insertAlongUV`");
     let asset = match asset(env, &file) {
         Ok(asset) => asset,

@@ -2,12 +2,13 @@
 
 use glam::DVec3;
 
-use super::{settle, turn};
-use crate::env::Env;
+use super::settle;
+use crate::geometry::rotation::turn;
+use crate::run::env::Env;
 use crate::shape::Shape;
 
 /// A coordinate system.
-pub use crate::query::System as CoordSystem;
+pub use crate::query::System;
 
 /// Whether numbers say where to or how far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,15 +21,7 @@ pub enum TransformMode {
 
 /// `translate(abs | rel, system, x, y, z)`: puts the scope's origin to a position of the system, or moves it along the
 /// system's axes (*translate operation*). In the scope's own system both are the same.
-pub fn translate_in(
-    env: &mut Env,
-    shape: &mut Shape,
-    mode: TransformMode,
-    system: CoordSystem,
-    x: f64,
-    y: f64,
-    z: f64,
-) {
+pub fn translate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: System, x: f64, y: f64, z: f64) {
     let by = finite(env, "`translate`", [x, y, z]);
     let frame = system.frame(env, shape);
     let before = shape.scope;
@@ -43,7 +36,7 @@ pub fn translate_in(
 /// `rotate(abs | rel, system, x, y, z)`: turns the scope about its origin, to angles in the system or by angles about the
 /// system's axes, x then y then z, in degrees (*rotate operation*; *r operation*: `r` is `rotate(rel, pivot, …)`). In the
 /// scope's own system both are the same.
-pub fn rotate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: CoordSystem, x: f64, y: f64, z: f64) {
+pub fn rotate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: System, x: f64, y: f64, z: f64) {
     let angles = finite(env, "`rotate`", [x, y, z]);
     let frame = system.frame(env, shape).axes;
     let (before, turned) = (shape.scope, frame * turn(angles.x, angles.y, angles.z));
@@ -67,16 +60,17 @@ mod tests {
     use glam::DMat3;
 
     use super::*;
-    use crate::op::{Length, angles, rotate, size, translate};
+    use crate::geometry::rotation::angles;
+    use crate::op::{Length, rotate, size, translate};
     use crate::shape::Shape;
 
-    const ALL: [CoordSystem; 4] = [CoordSystem::Scope, CoordSystem::Pivot, CoordSystem::Object, CoordSystem::World];
+    const ALL: [System; 4] = [System::Scope, System::Pivot, System::Object, System::World];
 
     /// A shape whose scope, pivot, object and world are four different systems.
     fn setting() -> (Env, Shape) {
         let mut start = Shape::rectangle(4.0, 3.0).at([10.0, 20.0, 30.0]);
         start.pivot.axes = turn(10.0, 20.0, 30.0);
-        let mut env = Env::new(&crate::settings::Settings::default(), &["Lot"], &start, "Lot");
+        let mut env = Env::new(&crate::run::settings::Settings::default(), &["Lot"], &start, "Lot");
         let mut shape = start.clone();
         shape.pivot.axes = turn(0.0, 45.0, 5.0);
         shape.pivot.origin = DVec3::new(-1.0, 2.0, 3.0);
@@ -88,11 +82,11 @@ mod tests {
     fn fact_72_moving_in_the_world() {
         let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
         rotate(env, shape, 0.0, 90.0, 0.0);
-        translate_in(env, shape, TransformMode::Rel, CoordSystem::World, 2.0, 0.0, 0.0);
+        translate_in(env, shape, TransformMode::Rel, System::World, 2.0, 0.0, 0.0);
         assert_eq!(shape.scope.origin, DVec3::new(2.0, 0.0, 0.0));
-        translate_in(env, shape, TransformMode::Rel, CoordSystem::Scope, 2.0, 0.0, 0.0);
+        translate_in(env, shape, TransformMode::Rel, System::Scope, 2.0, 0.0, 0.0);
         assert_eq!(shape.scope.origin, DVec3::new(2.0, 0.0, -2.0));
-        translate_in(env, shape, TransformMode::Abs, CoordSystem::World, 7.0, 8.0, 9.0);
+        translate_in(env, shape, TransformMode::Abs, System::World, 7.0, 8.0, 9.0);
         assert_eq!(shape.scope.origin, DVec3::new(7.0, 8.0, 9.0));
     }
 
@@ -105,14 +99,14 @@ mod tests {
             let by = frame.axes * DVec3::new(1.0, 2.0, 3.0);
             assert!((shape.scope.origin - before.origin - by).length() < 1e-12);
             translate_in(&mut env, &mut shape, TransformMode::Abs, system, 1.0, 2.0, 3.0);
-            let at = if system == CoordSystem::Scope { before.origin + by } else { frame.origin };
+            let at = if system == System::Scope { before.origin + by } else { frame.origin };
             assert!((shape.scope.origin - at - by).length() < 1e-12, "{system:?}");
             assert_eq!((shape.scope.axes, shape.scope.size), (before.axes, before.size));
         }
         // *t operation*: the same as `translate(rel, scope, …)`.
         let ((mut env, mut a), (_, mut b)) = (setting(), setting());
         translate(&mut env, &mut a, Length::Absolute(1.0), Length::Absolute(2.0), Length::Absolute(3.0));
-        translate_in(&mut env, &mut b, TransformMode::Rel, CoordSystem::Scope, 1.0, 2.0, 3.0);
+        translate_in(&mut env, &mut b, TransformMode::Rel, System::Scope, 1.0, 2.0, 3.0);
         assert_eq!(a.scope, b.scope);
     }
 
@@ -134,11 +128,11 @@ mod tests {
         }
         // *rotate operation*, its example; *r operation*: the same as `rotate(rel, pivot, …)`.
         let (mut env, mut a) = setting();
-        rotate_in(&mut env, &mut a, TransformMode::Abs, CoordSystem::World, 0.0, 90.0, 0.0);
+        rotate_in(&mut env, &mut a, TransformMode::Abs, System::World, 0.0, 90.0, 0.0);
         assert_eq!(a.scope.axes, DMat3::from_cols(DVec3::NEG_Z, DVec3::Y, DVec3::X));
         let ((mut env, mut a), (_, mut b)) = (setting(), setting());
         rotate(&mut env, &mut a, 15.0, 25.0, 35.0);
-        rotate_in(&mut env, &mut b, TransformMode::Rel, CoordSystem::Pivot, 15.0, 25.0, 35.0);
+        rotate_in(&mut env, &mut b, TransformMode::Rel, System::Pivot, 15.0, 25.0, 35.0);
         assert!(a.scope.axes.abs_diff_eq(b.scope.axes, 1e-12));
     }
 
@@ -146,12 +140,12 @@ mod tests {
     fn numbers_that_are_none_leave_a_fault() {
         let (mut env, mut shape) = setting();
         let before = shape.scope;
-        translate_in(&mut env, &mut shape, TransformMode::Rel, CoordSystem::World, f64::NAN, f64::INFINITY, 0.0);
-        rotate_in(&mut env, &mut shape, TransformMode::Rel, CoordSystem::Scope, f64::NAN, 0.0, 0.0);
+        translate_in(&mut env, &mut shape, TransformMode::Rel, System::World, f64::NAN, f64::INFINITY, 0.0);
+        rotate_in(&mut env, &mut shape, TransformMode::Rel, System::Scope, f64::NAN, 0.0, 0.0);
         assert!(shape.scope.axes.abs_diff_eq(before.axes, 1e-12) && shape.scope.origin == before.origin);
         size(&mut env, &mut shape, Length::Absolute(1.0), Length::Absolute(1.0), Length::Absolute(1.0));
         for _ in 0..3 {
-            translate_in(&mut env, &mut shape, TransformMode::Rel, CoordSystem::World, 1e308, 0.0, 0.0);
+            translate_in(&mut env, &mut shape, TransformMode::Rel, System::World, 1e308, 0.0, 0.0);
         }
         assert!(shape.scope.origin.is_finite());
         assert!(4 <= env.take_faults().0.len());

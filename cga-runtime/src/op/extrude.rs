@@ -6,13 +6,14 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::Length;
 use super::align::upright;
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
-use crate::mesh::{Mesh, extrude_wire, point_normals};
-use crate::scope::{Axis, Scope};
+use crate::geometry::Axis;
+use crate::geometry::mesh::extrude::{Extrude, extrude as extrude_mesh, vertex_normals};
+use crate::geometry::mesh::{Mesh, extrude_wire, point_normals};
+use crate::geometry::wire::Wire;
+use crate::run::env::Env;
+use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Placed, Shape};
-use crate::wire::Wire;
 
 /// The direction of an extrusion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -331,7 +332,7 @@ mod tests {
             normals: vec![DVec3::Y, DVec3::X],
         };
         let mut shape = Shape::cuboid(1.0, 1.0, 1.0);
-        let placed = crate::wire::PlacedWire::fitted(wire);
+        let placed = crate::shape::PlacedWire::fitted(wire);
         (shape.scope.size, shape.geometry) = (placed.size, Geometry::Wire(Arc::new(placed)));
         shape.scope.origin.z = -2.0;
         for (along, points, area) in [

@@ -7,12 +7,12 @@ use glam::{DMat3, DVec3};
 use super::primitive::fill_with_cube;
 use super::settle;
 use crate::asset::{AssetError, CUBES, File};
-use crate::env::Env;
+use crate::geometry::mesh::Mesh;
 use crate::material::Layer;
-use crate::mesh::Mesh;
-use crate::place::Cuboid;
+use crate::material::layer;
+use crate::run::env::Env;
+use crate::shape::place::Cuboid;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
-use crate::texture::layer;
 
 /// Which axis of an asset, or of an aligned scope, is its height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,11 +88,6 @@ fn check_images(env: &mut Env, mesh: &Mesh) {
             super::image(env, name.clone());
         }
     }
-}
-
-/// The mesh with its z axis up and its y axis to the back.
-pub(crate) fn z_up(mesh: &Mesh) -> Mesh {
-    mesh.map(&glam::DAffine3 { matrix3: DMat3::from_cols(DVec3::X, DVec3::NEG_Z, DVec3::Y), translation: DVec3::ZERO })
 }
 
 fn insert_box(env: &mut Env, shape: &mut Shape, mode: InsertMode, is_textured: bool) {
@@ -189,8 +184,8 @@ type Vec3Mask = [bool; 3];
 mod tests {
     use super::*;
     use crate::asset::Assets;
-    use crate::mesh::primitive::cone;
-    use crate::settings::Settings;
+    use crate::geometry::mesh::primitive::cone;
+    use crate::run::settings::Settings;
     use crate::shape::Shape;
 
     /// The asset of *i operation*, example 2: 2 by 4 by 6, away from the origin. Its tip shows which way is up.

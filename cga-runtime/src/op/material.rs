@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use crate::array::Array;
+use super::set;
 use crate::asset::{AssetError, UNKNOWN_TEXTURE};
-use crate::env::Env;
 use crate::fault::FaultKind;
+use crate::func;
 use crate::material::{Color, Layer, Material, MaterialText, Named};
+use crate::run::env::Env;
 use crate::shape::{Geometry, Placed, Shape};
-use crate::text::Text;
-use crate::{func, set};
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 /// `color("#rrggbb")` or `color("#rrggbboo")` (*color operation*). The short form leaves the opacity alone.
 pub fn color_hex(env: &mut Env, shape: &mut Shape, hex: Text) {
@@ -137,8 +138,8 @@ fn parse_hex(hex: &str) -> Option<(Color, Option<f64>)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::get;
-    use crate::mesh::{FaceTag, Mesh, MeshBuilder};
+    use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+    use crate::query::get;
     use crate::shape::Shape;
 
     fn texts(list: &[&'static str]) -> Array<Text> {

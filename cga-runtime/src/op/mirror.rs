@@ -6,9 +6,9 @@ use glam::DVec3;
 
 use super::pivot::rearranged;
 use super::refit::as_placed;
-use crate::env::Env;
+use crate::run::env::Env;
+use crate::shape::PlacedWire;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
-use crate::wire::PlacedWire;
 
 /// `mirror(x, y, z)`: mirrors the geometry about the middle of its scope, which stays (*mirror operation*). What looked
 /// outwards does so afterwards; texture coordinates stay with their corners.

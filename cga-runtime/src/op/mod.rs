@@ -19,12 +19,13 @@ mod refit;
 mod report;
 #[cfg(test)]
 mod scope_tests;
+pub mod set;
 pub mod slim;
 pub(crate) mod texture;
 mod transform;
 mod trim;
 
-pub use crate::mesh::{HeightAlignment, HeightDirection, OffsetFaces};
+pub use crate::geometry::mesh::{HeightAlignment, HeightDirection, OffsetFaces};
 pub use align::{AlignAxes, align_to_axes, rotate_scope};
 pub use align_box::{BoxAxes, align_to_box};
 pub use align_geometry::{
@@ -32,9 +33,8 @@ pub use align_geometry::{
     align_to_indices, align_to_selected,
 };
 pub use along_uv::{insert_along_uv, insert_along_uv_with};
-pub use coordinates::{CoordSystem, TransformMode, rotate_in, translate_in};
+pub use coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use extrude::{ExtrudeAlong, ExtrudeAxis, extrude, extrude_along, extrude_axis};
-pub(crate) use insert::z_up;
 pub use insert::{CleanupMode, InsertMode, UpAxis, insert, insert_with};
 pub(crate) use material::image;
 pub use material::{MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture};
@@ -51,15 +51,14 @@ pub use texture::{
     setup_projection, setup_projection_at, setup_projection_uw, setup_uv, tile_uv, translate_uv,
 };
 pub use transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
-pub(crate) use transform::{angles, sin_cos, turn};
 pub use trim::trim;
 
 use glam::DVec3;
 
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::scope::Scope;
+use crate::run::env::Env;
 use crate::shape::Shape;
+use crate::shape::scope::Scope;
 
 /// Goes back to the scope before an operation when numbers that are finite one by one have led out of what a number holds.
 pub(crate) fn settle(env: &mut Env, shape: &mut Shape, before: &Scope, what: &str) {

@@ -1,12 +1,12 @@
 //! `offset`: outlines of faces moved in or out.
 
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::mesh::OffsetFaces;
-use crate::mesh::offset::{OffsetError, offset as offset_mesh};
-use crate::scope::Scope;
+use crate::geometry::mesh::OffsetFaces;
+use crate::geometry::mesh::offset::{OffsetError, offset as offset_mesh};
+use crate::run::env::Env;
+use crate::shape::scope::Scope;
+use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Shape};
-use crate::unit::UnitMesh;
 
 /// `offset(distance, all | inside | border)`: each face becomes what is inside its outline moved inwards (a negative
 /// distance) or outwards, with mitred corners, and border faces for the difference, one an edge (*offset operation*). The

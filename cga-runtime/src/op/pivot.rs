@@ -6,11 +6,13 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::refit::{as_placed, rectangle};
 use super::settle;
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::scope::{Frame, Scope};
+use crate::geometry::Frame;
+use crate::geometry::wire::Wire;
+use crate::run::env::Env;
+use crate::shape::PlacedWire;
+use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Placed, Shape};
-use crate::wire::{PlacedWire, Wire};
 
 /// Which old axes the new ones are, at corner 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,14 +10,14 @@ use glam::DVec3;
 
 use super::insert::fit;
 use super::settle;
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::mesh::Mesh;
-use crate::mesh::primitive::Made;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::primitive::Made;
+use crate::run::env::Env;
+use crate::shape::texture::Source;
+use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
-use crate::texture::Source;
-use crate::unit::UnitMesh;
 
 /// Sides and divisions when none are given.
 const USUAL: u32 = 16;

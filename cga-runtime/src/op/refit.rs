@@ -4,15 +4,17 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::mesh::Bounds;
-use crate::place;
-use crate::scope::{Axis, Frame, Scope};
+use crate::geometry::mesh::Bounds;
+use crate::geometry::tol::ANGLE_EPSILON;
+use crate::geometry::wire::Wire;
+use crate::geometry::{Axis, Frame};
+use crate::run::env::Env;
+use crate::shape::PlacedWire;
+use crate::shape::place;
+use crate::shape::scope::Scope;
+use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Placed, Shape};
-use crate::tol::ANGLE_EPSILON;
-use crate::unit::UnitMesh;
-use crate::wire::{PlacedWire, Wire};
 
 /// Gives the scope other axes and makes it the box of the geometry along these. Says whether it did: not so with a fault,
 /// or at a limit. A box whose axes stay is a box still, and a rectangle whose edges follow the new axes as they would have

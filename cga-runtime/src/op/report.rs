@@ -1,11 +1,11 @@
 //! `report`, `print` and `label`.
 
-use crate::env::Env;
 use crate::fault::FaultKind;
+use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::view::View;
-use crate::text::Text;
 use crate::value::Value;
+use crate::value::text::Text;
 
 /// `report(key, value)`: adds a number, a truth value or text to the collection of that key and type (*report
 /// operation*). Numbers need not be finite: those that are none are counted.
@@ -29,10 +29,10 @@ pub fn label(env: &mut Env, _: &mut Shape, name: Text) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::get;
     use crate::op::{Length, extrude};
-    use crate::report::Print;
-    use crate::settings::{Limits, Settings};
+    use crate::query::get;
+    use crate::run::report::Print;
+    use crate::run::settings::{Limits, Settings};
     use crate::shape::Shape;
     use crate::value::ValueType;
 

@@ -5,10 +5,11 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use super::*;
-use crate::mesh::Mesh;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::rotation::turn;
+use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Placed, Shape};
-use crate::unit::UnitMesh;
 
 type Step = dyn Fn(&mut Env, &mut Shape);
 
@@ -232,7 +233,7 @@ fn the_axes_at_the_corners_are_those_of_the_pictures() {
             let size = DVec3::new(2.0, 3.0, 4.0);
             assert_eq!(shape.scope.origin, DVec3::new(5.0, 6.0, 7.0) + size * DVec3::from_array(place));
             assert_eq!(shape.scope.size, DVec3::from_array(axes.map(|axis| axis.abs().dot(size))));
-            assert_eq!((crate::get::scope_tx(shape), crate::get::scope_rx(shape)), (0.0, 0.0));
+            assert_eq!((crate::query::get::scope_tx(shape), crate::query::get::scope_rx(shape)), (0.0, 0.0));
         }
     }
     let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(2.0, 3.0, 4.0));
@@ -283,7 +284,7 @@ fn the_scope_of_a_turned_box_is_upright_again() {
         align_to_axes(env, shape, axes);
         let x = if expected.is_some() { x.with_y(0.0).normalize() } else { DVec3::X };
         assert!(shape.scope.axes.abs_diff_eq(DMat3::from_cols(x, DVec3::Y, x.cross(DVec3::Y)), 1e-12));
-        assert_eq!(crate::get::scope_ty(shape), 0.0);
+        assert_eq!(crate::query::get::scope_ty(shape), 0.0);
     }
     // Nothing to project: the old x stands along the axis.
     for (axes, angles) in [

@@ -6,10 +6,11 @@
 use glam::DVec3;
 
 use super::{Length, settle_origin};
-use crate::env::Env;
-use crate::material::ids::MaterialId;
-use crate::scope::{Axis, Scope};
+use crate::geometry::Axis;
+use crate::run::env::Env;
 use crate::shape::base::{Base, Form};
+use crate::shape::look_ids::MaterialId;
+use crate::shape::scope::Scope;
 use crate::shape::{Shape, ShapeRef};
 
 /// The shape after an operation: the slim one, or the shape of the base that takes its place.

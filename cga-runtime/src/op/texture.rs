@@ -1,20 +1,20 @@
 //! Texture coordinates: projections, and operations on whole sets.
 //!
 //! A set is a number from 0 to 9. All of these leave geometry alone: what they make is a function of the place
-//! ([`crate::texture`]), so a rectangle or a box stays one.
+//! ([`crate::shape::texture`]), so a rectangle or a box stays one.
 
 use cga_split::{Prefix, Size};
 use glam::{DAffine2, DVec2, DVec3, DVec4};
 
 use super::Length;
-use super::transform::sin_cos;
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::mesh::uv::{range, spread};
+use crate::geometry::mesh::uv::{range, spread};
+use crate::geometry::rotation::sin_cos;
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::uv_map::UvMap;
+use crate::run::env::Env;
 use crate::shape::Shape;
-use crate::texture::map::UvMap;
-use crate::texture::{SETS, Source};
-use crate::tol::PLANAR_EPSILON;
+use crate::shape::texture::Source;
 
 /// The coordinate system of a projection, and its axes for u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,7 +99,7 @@ pub fn setup_projection_at(
     height_offset: Length,
     uw_factor: f64,
 ) {
-    let Some(set) = uv_set(env, set, "setupProjection") else { return };
+    let Some(set) = env.uv_set(set, "setupProjection") else { return };
     let (a, b) = axes.axes();
     // A size that is rounding alone is none, so that its shares are none.
     let (size, least) = (shape.scope.size, PLANAR_EPSILON * shape.scope.size.abs().max_element());
@@ -137,19 +137,19 @@ pub fn setup_projection_at(
 /// `projectUV(uvSet)`: gives the geometry the coordinates of the projection that was set up (*projectUV operation*). Without
 /// one the set has none.
 pub fn project_uv(env: &mut Env, shape: &mut Shape, set: f64) {
-    let Some(set) = uv_set(env, set, "projectUV") else { return };
+    let Some(set) = env.uv_set(set, "projectUV") else { return };
     shape.state.change_look().coordinates.set(set, Source::Stored(set));
 }
 
 /// `deleteUV(uvSet)` (*deleteUV operation*).
 pub fn delete_uv(env: &mut Env, shape: &mut Shape, set: f64) {
-    let Some(set) = uv_set(env, set, "deleteUV") else { return };
+    let Some(set) = env.uv_set(set, "deleteUV") else { return };
     shape.state.change_look().coordinates.set(set, Source::Deleted);
 }
 
 /// `copyUV(uvSetSource, uvSetDest)` (*copyUV operation*).
 pub fn copy_uv(env: &mut Env, shape: &mut Shape, from: f64, to: f64) {
-    let (Some(from), Some(to)) = (uv_set(env, from, "copyUV"), uv_set(env, to, "copyUV")) else { return };
+    let (Some(from), Some(to)) = (env.uv_set(from, "copyUV"), env.uv_set(to, "copyUV")) else { return };
     shape.state.change_look().coordinates.copy(from, to);
 }
 
@@ -173,7 +173,7 @@ pub fn rotate_uv(env: &mut Env, shape: &mut Shape, set: f64, angle: f64) {
 }
 
 fn change(env: &mut Env, shape: &mut Shape, set: f64, what: &str, change: DAffine2) {
-    if let Some(set) = uv_set(env, set, what) {
+    if let Some(set) = env.uv_set(set, what) {
         change_set(env, shape, set, what, &change);
     }
 }
@@ -210,7 +210,7 @@ pub enum NormalizeType {
 /// `normalizeUV(uvSet, normalizeMode, normalizeType)`: moves and scales coordinates to 0 to 1; a coordinate without a range becomes
 /// 0 (*normalizeUV operation*).
 pub fn normalize_uv(env: &mut Env, shape: &mut Shape, set: f64, mode: NormalizeMode, faces: NormalizeType) {
-    let Some(set) = uv_set(env, set, "normalizeUV") else { return };
+    let Some(set) = env.uv_set(set, "normalizeUV") else { return };
     let mesh = shape.to_mesh();
     if faces == NormalizeType::SeparatePerFace && 1 < mesh.face_count() {
         shape.bake();
@@ -248,7 +248,7 @@ fn normalized(mode: NormalizeMode, [low, high]: [DVec2; 2]) -> DAffine2 {
 /// surface (*tileUV operation*). A relative width is a share of the surface's extent in u; with a floating one a whole number of
 /// tiles fills it. 0 leaves the coordinate as it is, and a negative size mirrors.
 pub fn tile_uv(env: &mut Env, shape: &mut Shape, set: f64, width: Size, height: Size) {
-    let Some(set) = uv_set(env, set, "tileUV") else { return };
+    let Some(set) = env.uv_set(set, "tileUV") else { return };
     let Some(extent) = shape.to_mesh().uv_extent(usize::from(set), DVec3::ONE) else { return };
     let (range, metres) = (spread([extent.low, extent.high]), extent.metres);
     let mut factor = |tile: Size, range: f64, metres: f64, what: &str| {
@@ -260,15 +260,6 @@ pub fn tile_uv(env: &mut Env, shape: &mut Shape, set: f64, width: Size, height: 
         factor(height, range.y, metres.y, "the texture height"),
     );
     change_set(env, shape, set, "tileUV", &DAffine2::from_scale(factors));
-}
-
-/// The number of a set; a fault for any other number.
-pub(crate) fn uv_set(env: &mut Env, set: f64, what: &str) -> Option<u8> {
-    let known = (0..SETS as u8).find(|&known| f64::from(known) == set);
-    if known.is_none() {
-        env.fault(FaultKind::Value, format!("`{what}`: there is no uv set {set}, only 0 to 9; it does nothing"));
-    }
-    known
 }
 
 /// The size of a texture in metres, on an extent of the scope or of a surface.

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::refit::as_placed;
-use crate::cut::{self, Plane};
-use crate::env::Env;
+use crate::geometry::cut::{self, Plane};
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::run::env::Env;
+use crate::shape::trim::{TrimPlane, Trims};
 use crate::shape::{Geometry, Inserted, Placed, Shape};
-use crate::tol::PLANAR_EPSILON;
-use crate::trim::{TrimPlane, Trims};
 
 /// `trim()`: cuts the geometry at the shape's trim planes, those that `trim.vertical` and `trim.horizontal` have switched on
 /// (*trim operation*). It stays open where it is cut, and the scope stays as it is.
@@ -60,11 +60,11 @@ mod tests {
     use super::*;
     use crate::comp::select::Word;
     use crate::comp::{Align, Arm, Components, Mode, Select, comp_values, never};
-    use crate::mesh::{Extrude, Mesh, MeshBuilder, extrude};
+    use crate::geometry::mesh::{Extrude, Mesh, MeshBuilder, extrude};
     use crate::op;
     use crate::query::{geometry_area, geometry_is_closed_surface};
     use crate::shape::Shape;
-    use crate::unit::UnitMesh;
+    use crate::shape::unit::UnitMesh;
 
     /// What some work makes of each face, by number.
     fn on_faces(shape: &Shape, mut work: impl FnMut(&mut Env, &mut Shape) -> f64) -> Vec<f64> {
@@ -87,7 +87,7 @@ mod tests {
     }
 
     fn cuboid_mesh(size: DVec3) -> Shape {
-        let cube = crate::place::cuboid(&crate::scope::Scope::new(size), UnitMesh::cuboid()).to_mesh();
+        let cube = crate::shape::place::cuboid(&crate::shape::scope::Scope::new(size), UnitMesh::cuboid()).to_mesh();
         Shape::mesh_axis_aligned(cube)
     }
 
@@ -141,8 +141,8 @@ mod tests {
     fn switches_say_what_cuts() {
         let both = |vertical, horizontal| {
             on_faces(&Shape::cuboid(10.0, 8.0, 6.0), |env, part| {
-                crate::set::trim_vertical(env, part, vertical);
-                crate::set::trim_horizontal(env, part, horizontal);
+                crate::op::set::trim_vertical(env, part, vertical);
+                crate::op::set::trim_horizontal(env, part, horizontal);
                 let size = part.scope.size;
                 part.scope.origin -= part.scope.axes * DVec3::new(2.0, 2.0, 0.0);
                 part.scope.size += DVec3::new(4.0, 4.0, 1.0);
@@ -206,7 +206,8 @@ mod tests {
     #[test]
     fn planes_bisect_whatever_the_turn() {
         let turn = DMat3::from_quat(glam::DQuat::from_axis_angle(DVec3::new(1.0, 1.0, 0.2).normalize(), 0.9));
-        let cube = crate::mesh::primitive::cylinder(9).map(&DAffine3 { matrix3: turn, translation: DVec3::ONE });
+        let cube =
+            crate::geometry::mesh::primitive::cylinder(9).map(&DAffine3 { matrix3: turn, translation: DVec3::ONE });
         on_faces(&Shape::mesh_axis_aligned(cube.clone()), |_, part| {
             let planes = part.trims.planes(&part.pivot);
             assert!(!planes.is_empty());
@@ -234,7 +235,7 @@ mod tests {
         for lot in [lot, Mesh::from_polygon(&l, &[]).unwrap()] {
             let shape = Shape::mesh_axis_aligned(extrude(&lot, Extrude::FaceNormal, 4.0));
             on_faces(&shape, |env, part| {
-                crate::set::trim_horizontal(env, part, true);
+                crate::op::set::trim_horizontal(env, part, true);
                 let area = geometry_area(env, part, Word::All);
                 op::trim(env, part);
                 assert!((geometry_area(env, part, Word::All) - area).abs() < 1e-9);
@@ -254,7 +255,7 @@ mod tests {
                 assert_eq!(part.trims.planes(&part.pivot).len(), 8);
                 0.0
             });
-            inner.geometry = Geometry::Rect(crate::scope::Axis::Z, UnitMesh::rectangle(crate::scope::Axis::Z));
+            inner.geometry = Geometry::Rect(crate::geometry::Axis::Z, UnitMesh::rectangle(crate::geometry::Axis::Z));
             on_faces(&inner, |_, again| {
                 assert_eq!(*again.trims.planes(&again.pivot), *inner.trims.planes(&inner.pivot));
                 0.0

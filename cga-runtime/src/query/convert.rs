@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 
-use crate::array::Array;
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::op::{angles, turn};
-use crate::scope::{Axis, Frame};
+use crate::geometry::rotation::{angles, turn};
+use crate::geometry::{Axis, Frame};
+use crate::run::env::Env;
 use crate::shape::Shape;
+use crate::value::array::Array;
 
 /// A coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,10 +1,10 @@
 //! How many vertices, edges, faces and holes; the names of groups and materials.
 
-use crate::array::Array;
-use crate::env::Env;
-use crate::mesh::{FaceTag, Mesh};
+use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
-use crate::text::Text;
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 /// `geometry.nVertices()` (*geometry.nVertices function*): those that faces share count once.
 pub fn geometry_n_vertices(shape: &Shape) -> f64 {

@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use crate::comp::looks::Looks;
 use crate::comp::select::{Sense, Word};
-use crate::env::Env;
-use crate::place;
+use crate::run::env::Env;
+use crate::shape::place;
 use crate::shape::{Geometry, Shape};
 
 /// Calls with the area, in square metres, of every face that looks where a word says (*geometry.area function*,
@@ -26,7 +26,7 @@ pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMu
 
 /// Calls with the area of every face along its normal, and a point of it, in scope coordinates.
 pub(super) fn area_vectors(shape: &Shape, mut each: impl FnMut(DVec3, DVec3)) {
-    let local = crate::scope::Scope::new(shape.scope.size);
+    let local = crate::shape::scope::Scope::new(shape.scope.size);
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => {}
         Geometry::Rect(axis, unit) => {

@@ -1,10 +1,11 @@
 //! Files: `fileExists`, `fileSearch`, `fileRandom`, `assetInfo`, `imageInfo` and `readTextFile`.
 
-use crate::array::Array;
-use crate::asset::{AssetError, BUILTINS, File, image};
-use crate::env::Env;
+use crate::asset::image::header;
+use crate::asset::{AssetError, BUILTINS, File};
+use crate::run::env::Env;
 use crate::shape::view::View;
-use crate::text::Text;
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 /// The longest text that is read, in bytes.
 const LONGEST_TEXT: u64 = 4 << 20;
@@ -127,8 +128,8 @@ pub fn image_info(env: &mut Env, file: File, dimension: ImageDimension) -> f64 {
     let size = if BUILTINS.contains(&file.name.as_str()) {
         assets.image_header(&file.name).map(|header| (header.width, header.height))
     } else {
-        let read = assets.bytes(&file, image::LOOKED_AT);
-        read.and_then(|(bytes, _)| image::size(&bytes).ok_or(AssetError::Format("it is no PNG or JPEG file")))
+        let read = assets.bytes(&file, header::LOOKED_AT);
+        read.and_then(|(bytes, _)| header::size(&bytes).ok_or(AssetError::Format("it is no PNG or JPEG file")))
     };
     match (size, dimension) {
         (Ok((width, _)), ImageDimension::Sx) => width.into(),
@@ -185,10 +186,10 @@ mod tests {
 
     use super::*;
     use crate::asset::Assets;
-    use crate::mesh::Mesh;
-    use crate::scope::Scope;
-    use crate::settings::Settings;
+    use crate::geometry::mesh::Mesh;
+    use crate::run::settings::Settings;
     use crate::shape::Shape;
+    use crate::shape::scope::Scope;
     use glam::DVec3;
 
     fn env(assets: Assets) -> Env {
@@ -198,7 +199,7 @@ mod tests {
 
     fn block() -> Mesh {
         let scope = Scope { origin: DVec3::new(0.5, 0.55, 0.6), ..Scope::new(DVec3::new(0.2, 0.3, 0.4)) };
-        crate::place::cuboid(&scope, crate::unit::UnitMesh::cube()).to_mesh()
+        crate::shape::place::cuboid(&scope, crate::shape::unit::UnitMesh::cube()).to_mesh()
     }
 
     #[test]
@@ -219,9 +220,13 @@ mod tests {
 
     #[test]
     fn an_asset_names_its_groups_and_materials() {
-        let mut builder = crate::mesh::MeshBuilder::new();
+        let mut builder = crate::geometry::mesh::MeshBuilder::new();
         let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|p| builder.point(p));
-        builder.face(&points, &[], crate::mesh::FaceTag { group: 1, ..crate::mesh::FaceTag::PLAIN });
+        builder.face(
+            &points,
+            &[],
+            crate::geometry::mesh::FaceTag { group: 1, ..crate::geometry::mesh::FaceTag::PLAIN },
+        );
         builder.groups(["a", "b"].map(str::to_owned).to_vec());
         builder.materials([crate::material::Material::with(|look| look.name = Some("bark".into()))]);
         let env = &mut env(Assets::new().with("tree.obj", builder.build().expect("a triangle")));

@@ -4,10 +4,10 @@ use glam::DVec3;
 
 use super::faces::selected;
 use crate::comp::select::Word;
-use crate::env::Env;
-use crate::mesh::{FaceRef, unit};
+use crate::geometry::mesh::{FaceRef, unit};
+use crate::geometry::tol::{ANGLE_EPSILON, STRAIGHT_EPSILON};
+use crate::run::env::Env;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
-use crate::tol::{ANGLE_EPSILON, STRAIGHT_EPSILON};
 
 /// `geometry.isConcave()`: whether a face turns inwards somewhere (*geometry.isConcave function*). Corners that go straight
 /// on do not; a face with a hole does.

@@ -1,11 +1,11 @@
 //! `getMaterial`.
 
-use crate::array::Array;
-use crate::env::Env;
 use crate::func::{bool_to_text, float_to_text};
 use crate::material::{MATERIAL_NUMBERS, MATERIAL_TEXTS, Material};
+use crate::run::env::Env;
 use crate::shape::Shape;
-use crate::text::Text;
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 /// Which material `getMaterial` reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,10 +4,10 @@ use glam::DVec3;
 
 use super::faces::{area_vectors, selected};
 use crate::comp::select::Word;
-use crate::env::Env;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
+use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
-use crate::tol::{ANGLE_EPSILON, TIE_EPSILON};
 
 /// `geometry.area(selector)`: the sum of the areas of the faces, holes taken off, in square metres (*geometry.area
 /// function*).
@@ -113,7 +113,7 @@ pub enum AngleType {
 pub fn geometry_angle(shape: &Shape, angle: AngleType) -> f64 {
     let mut steepest = (0.0, 0.0);
     area_vectors(shape, |vector, _| {
-        let normal = shape.scope.axes * crate::mesh::unit(vector);
+        let normal = shape.scope.axes * crate::geometry::mesh::unit(vector);
         let level = (normal.x * normal.x + normal.z * normal.z).sqrt();
         let slope = libm::atan2(level, normal.y.abs()).to_degrees();
         // Opposite faces are equally steep but for rounding.

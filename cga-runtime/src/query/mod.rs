@@ -8,6 +8,7 @@ mod count;
 mod faces;
 mod file;
 mod form;
+pub mod get;
 mod material;
 mod measure;
 mod print;
@@ -15,7 +16,7 @@ mod table;
 mod texture;
 
 pub use crate::comp::select::Word;
-pub use crate::split::texture::TextureSpace;
+pub use crate::geometry::mesh::TextureSpace;
 pub use convert::{ConvertWhat, System, convert, convert_array};
 pub use count::{
     geometry_groups, geometry_materials, geometry_n_edges, geometry_n_faces, geometry_n_holes, geometry_n_vertices,
@@ -40,7 +41,7 @@ pub use texture::{
 };
 
 /// The coordinate that `convert` gives.
-pub use crate::scope::Axis;
+pub use crate::geometry::Axis;
 
 #[cfg(test)]
 mod tests;

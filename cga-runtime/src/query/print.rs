@@ -1,6 +1,6 @@
 //! `print` as a function.
 
-use crate::env::Env;
+use crate::run::env::Env;
 use crate::value::Value;
 
 /// `print(value)`: keeps a line with the model and gives the value back (*print function*).

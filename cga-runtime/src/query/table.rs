@@ -1,11 +1,11 @@
 //! `readStringTable` and `readFloatTable`.
 
 use super::file::read_text;
-use crate::array::Array;
 use crate::asset::File;
-use crate::env::Env;
 use crate::func::floats_from_texts;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::array::Array;
+use crate::value::text::Text;
 
 /// `readStringTable(file)`: the cells of a table, a line a row (*readTable functions*). What stands between cells is found out:
 /// whichever of comma, semicolon and tab is most frequent in the first line, else space. Cells may stand between double quotes,
@@ -103,7 +103,7 @@ mod tests {
         // *readTable functions*, the beginning of its example.
         std::fs::write(folder.join("floors.csv"), "Floor,Height\n0,10,Pomp\r\n1,7\n").expect("a file");
         let assets = std::sync::Arc::new(crate::asset::Assets::below(&folder));
-        let settings = crate::settings::Settings { assets, ..crate::settings::Settings::default() };
+        let settings = crate::run::settings::Settings { assets, ..crate::run::settings::Settings::default() };
         let env = &mut Env::new(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "");
         let table = read_string_table(env, "floors.csv".into());
         assert_eq!((table.rows(), table.columns()), (3, 3));

@@ -5,15 +5,17 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use super::*;
-use crate::array::Array;
-use crate::env::Env;
-use crate::mesh::{FaceTag, Mesh, MeshBuilder};
-use crate::op::{self, Length::Absolute, rotate, turn};
-use crate::scope::{Axis, Frame, Scope};
-use crate::seed::Seed;
-use crate::settings::Settings;
+use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use crate::geometry::rotation::turn;
+use crate::geometry::{Axis, Frame};
+use crate::op::{self, Length::Absolute, rotate};
+use crate::run::env::Env;
+use crate::run::settings::Settings;
+use crate::shape::scope::Scope;
+use crate::shape::seed::Seed;
+use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
-use crate::unit::UnitMesh;
+use crate::value::array::Array;
 
 const SELECTORS: [Word; 28] = {
     use Word::*;
@@ -114,7 +116,7 @@ fn courtyard() -> Mesh {
     let outer = on(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (4.0, 10.0), (4.0, 6.0), (0.0, 6.0)]);
     let hole = on(&[(6.0, 2.0), (8.0, 2.0), (8.0, 4.0), (6.0, 4.0)]);
     let flat = Mesh::from_polygon(&outer, &[hole]).expect("a polygon");
-    crate::mesh::extrude(&flat, crate::mesh::Extrude::FaceNormal, 10.0)
+    crate::geometry::mesh::extrude(&flat, crate::geometry::mesh::Extrude::FaceNormal, 10.0)
 }
 
 #[test]
@@ -239,7 +241,7 @@ fn selectors_follow_their_axes() {
     assert!(geometry_is_oriented(env, wall, F::Top) && !geometry_is_oriented(env, wall, F::Side));
     // *CGA changelog 2017.0*: front becomes back when the depth is negative.
     let mut builder = MeshBuilder::new();
-    for quad in &crate::place::cuboid(&Scope::new(DVec3::ONE), UnitMesh::cuboid()).faces()[..2] {
+    for quad in &crate::shape::place::cuboid(&Scope::new(DVec3::ONE), UnitMesh::cuboid()).faces()[..2] {
         let ring = quad.corners().map(|p| builder.point(p));
         builder.face(&ring, &[], FaceTag::PLAIN);
     }
@@ -285,7 +287,7 @@ fn an_edge_of_four_faces_closes_nothing() {
     let mut builder = MeshBuilder::new();
     let corner = |low: DVec3| Scope { origin: low, ..Scope::new(DVec3::ONE) };
     for low in [DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0)] {
-        for quad in crate::place::cuboid(&corner(low), UnitMesh::cuboid()).faces() {
+        for quad in crate::shape::place::cuboid(&corner(low), UnitMesh::cuboid()).faces() {
             let ring = quad.corners().map(|p| builder.point(p));
             builder.face(&ring, &[], FaceTag::PLAIN);
         }
@@ -306,7 +308,8 @@ fn names_are_those_that_faces_have() {
     let named = |name: &str| crate::material::Material::with(|look| look.name = Some(name.into()));
     builder.materials([named("brick"), named("tile"), named("unused")]);
     let shape = Shape::mesh_axis_aligned(builder.build().expect("three faces"));
-    let strings = |list: Array<crate::text::Text>| list.as_slice().iter().map(ToString::to_string).collect::<Vec<_>>();
+    let strings =
+        |list: Array<crate::value::text::Text>| list.as_slice().iter().map(ToString::to_string).collect::<Vec<_>>();
     let env = &mut Env::for_tests();
     assert_eq!(strings(geometry_groups(env, &shape)), ["wall", "roof", ""]);
     assert_eq!(strings(geometry_materials(&shape)), ["brick", "tile"]);

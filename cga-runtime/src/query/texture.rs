@@ -2,12 +2,11 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::env::Env;
-use crate::mesh::UvAxis;
-use crate::mesh::uv::spread;
-use crate::op::texture::uv_set;
+use crate::geometry::mesh::TextureSpace;
+use crate::geometry::mesh::UvAxis;
+use crate::geometry::mesh::uv::spread;
+use crate::run::env::Env;
 use crate::shape::Shape;
-use crate::split::texture::TextureSpace;
 
 /// `geometry.du(uvSet, space)`: the largest u minus the smallest, as coordinates or about in metres; 0 without coordinates
 /// (*geometry.du, dv functions*).
@@ -43,21 +42,21 @@ pub fn geometry_v_max(env: &mut Env, shape: &Shape, set: f64) -> f64 {
 /// `geometry.hasUVs()`: true if there are coordinates in any set (*geometry.hasUVs function*).
 pub fn geometry_has_uvs(_: &mut Env, shape: &Shape) -> bool {
     let mesh = shape.to_mesh();
-    (0..crate::texture::SETS).any(|set| !mesh.uv_set(set).is_empty())
+    (0..crate::shape::texture::SETS).any(|set| !mesh.uv_set(set).is_empty())
 }
 
 /// `geometry.hasUVs(uvSet)`: true if there are coordinates in a set.
 pub fn geometry_has_uv_set(env: &mut Env, shape: &Shape, set: f64) -> bool {
-    uv_set(env, set, "geometry.hasUVs").is_some_and(|set| !shape.to_mesh().uv_set(usize::from(set)).is_empty())
+    env.uv_set(set, "geometry.hasUVs").is_some_and(|set| !shape.to_mesh().uv_set(usize::from(set)).is_empty())
 }
 
 fn range(env: &mut Env, shape: &Shape, set: f64, what: &str) -> [DVec2; 2] {
-    let set = uv_set(env, set, what);
+    let set = env.uv_set(set, what);
     set.and_then(|set| shape.to_mesh().uv_range(usize::from(set))).unwrap_or_default()
 }
 
 fn extent(env: &mut Env, shape: &Shape, set: f64, space: TextureSpace, axis: UvAxis, what: &str) -> f64 {
-    let Some(set) = uv_set(env, set, what) else { return 0.0 };
+    let Some(set) = env.uv_set(set, what) else { return 0.0 };
     let extent = shape.to_mesh().uv_extent(usize::from(set), DVec3::ONE);
     extent.map_or(0.0, |extent| {
         let size = spread([extent.low, extent.high])[axis.index()];

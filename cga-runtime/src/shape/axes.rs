@@ -2,8 +2,8 @@
 
 use glam::{DMat3, DVec3, DVec4, Vec4};
 
-use crate::scope::Axis;
-use crate::unit::Side;
+use crate::geometry::Axis;
+use crate::shape::unit::Side;
 
 /// The axes of scopes, orthonormal, and the normals of whatever is aligned to them, rounded.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,14 +4,14 @@ use glam::DVec3;
 
 use super::axes::Axes;
 use super::{Counter, Geometry, Shape, ShapeRef};
-use crate::env::Env;
-use crate::material::ids::MaterialId;
-use crate::material::look::Look;
-use crate::scope::{Axis, Scope};
-use crate::texture::kept::KeptMaps;
-use crate::texture::map::SetMap;
-use crate::trim::Trims;
-use crate::unit::UnitMesh;
+use crate::geometry::Axis;
+use crate::geometry::uv_map::SetMap;
+use crate::shape::look::Look;
+use crate::shape::look_ids::MaterialId;
+use crate::shape::scope::Scope;
+use crate::shape::texture::kept::KeptMaps;
+use crate::shape::trim::Trims;
+use crate::shape::unit::UnitMesh;
 
 /// A whole shape for slim ones to borrow from. It is on the stack of the rule that made it.
 #[derive(Debug)]
@@ -45,6 +45,18 @@ impl Base {
     #[inline]
     pub fn shape(&self) -> ShapeRef<'_> {
         ShapeRef::of(self, self.form(), self.material)
+    }
+
+    /// The base of a shape whose look has that number, inlined. It calls nothing that could unwind, so that the shape need not be in
+    /// memory before it is in its base.
+    #[inline(always)]
+    pub(crate) fn new(shape: Shape, material: MaterialId, number: u64) -> Self {
+        let axes = Axes::new(shape.scope.axes);
+        let constant = match shape.state.has_texture_space() {
+            false => [true; 3],
+            true => constant(&shape),
+        };
+        Base { axes, raised: axes.raised(), shape, material, maps: KeptMaps::default(), constant, number }
     }
 
     /// The base of a shape that is moved to the origin, with the axes of the world.
@@ -130,58 +142,4 @@ fn constant(shape: &Shape) -> [bool; 3] {
         }
     }
     constant
-}
-
-impl Env {
-    /// The whole of a shape.
-    #[cold]
-    #[inline(never)]
-    pub fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
-        let base = &shape.base.shape;
-        let mut state = base.state.clone();
-        if let Some(look) = self.leaf_tables.materials.get(shape.material.get())
-            && !std::sync::Arc::ptr_eq(look, state.look())
-        {
-            state.change().look = look.clone();
-        }
-        Shape {
-            scope: shape.scope(),
-            pivot: base.pivot,
-            geometry: shape.geometry(),
-            seed: shape.seed.get(),
-            split: shape.split.get(),
-            comp: base.comp,
-            selector: base.selector,
-            trims: base.trims.clone(),
-            state,
-        }
-    }
-
-    /// A base for slim shapes.
-    #[inline(never)]
-    pub fn base(&self, shape: Shape) -> Base {
-        let material = self.leaf_tables.materials.id(shape.state.look());
-        self.base_painted(shape, material)
-    }
-
-    /// The same of a shape whose material has that number, inlined. It calls nothing that could unwind, so that the shape need not
-    /// be in memory before it is in its base.
-    #[inline(always)]
-    pub(crate) fn base_painted(&self, shape: Shape, material: MaterialId) -> Base {
-        let axes = Axes::new(shape.scope.axes);
-        let constant = match shape.state.has_texture_space() {
-            false => [true; 3],
-            true => constant(&shape),
-        };
-        self.bases.set(self.bases.get() + 1);
-        Base {
-            axes,
-            raised: axes.raised(),
-            shape,
-            material,
-            maps: KeptMaps::default(),
-            constant,
-            number: self.bases.get(),
-        }
-    }
 }

@@ -5,17 +5,18 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::{Counter, Geometry, Placed, Shape};
-use crate::comp::frame::{self, FaceFrame};
-use crate::comp::street::Streets;
 use crate::fault::Error;
-use crate::mesh::{Bounds, Mesh};
-use crate::scope::{Axis, Frame, Scope};
-use crate::seed::Seed;
-use crate::state::StateRef;
-use crate::text::Text;
-use crate::tol::{ANGLE_EPSILON, ROUNDING_EPSILON};
-use crate::trim::Trims;
-use crate::unit::UnitMesh;
+use crate::geometry::face_frame::{self, FaceFrame};
+use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::tol::{ANGLE_EPSILON, ROUNDING_EPSILON};
+use crate::geometry::{Axis, Frame};
+use crate::shape::scope::Scope;
+use crate::shape::seed::Seed;
+use crate::shape::state::StateRef;
+use crate::shape::street::Streets;
+use crate::shape::trim::Trims;
+use crate::shape::unit::UnitMesh;
+use crate::value::text::Text;
 
 impl Shape {
     /// A lot: a rectangle on the ground, `width` along x and `depth` along z, its corner at the origin, facing up.
@@ -38,13 +39,13 @@ impl Shape {
     /// [`Error::Shape`] when its length is no finite number above 0, or an end is no finite number.
     pub fn line(from: impl Into<[f64; 3]>, to: impl Into<[f64; 3]>) -> Result<Self, Error> {
         let (from, to) = (DVec3::from_array(from.into()), DVec3::from_array(to.into()));
-        let (x, length) = (crate::mesh::unit(to - from), (to - from).length());
+        let (x, length) = (crate::geometry::mesh::unit(to - from), (to - from).length());
         if !(from.is_finite() && length.is_finite() && 0.0 < length) {
             return Err(Error::Shape("a line needs two ends that are finite numbers and not the same".into()));
         }
         // An upright line has no side that faces up; its y axis points away from the viewer in front.
         let up = if x.x == 0.0 && x.z == 0.0 { DVec3::NEG_Z } else { DVec3::Y };
-        let z = crate::mesh::unit(x.cross(up));
+        let z = crate::geometry::mesh::unit(x.cross(up));
         let axes = DMat3::from_cols(x, z.cross(x), z);
         let scope = Scope { origin: from, axes, size: DVec3::new(length, 0.0, 0.0) };
         Ok(Shape::with(scope, Geometry::Edge))
@@ -78,7 +79,7 @@ impl Shape {
         }
         let holes: Vec<Vec<DVec3>> = holes.iter().map(|hole| on_ground(hole)).collect();
         let mesh = Mesh::from_polygon(&outer, &holes).map_err(|error| Error::Shape(error.to_string()))?;
-        Ok(match frame::face_frame(&mesh, 0) {
+        Ok(match face_frame::face_frame(&mesh, 0) {
             Some(found) if found.rectangle => Shape::rectangular_lot(&found),
             _ => Shape::mesh(mesh),
         })
@@ -86,7 +87,7 @@ impl Shape {
 
     /// A lot that is a rectangle.
     fn rectangular_lot(found: &FaceFrame) -> Self {
-        let pivot = frame::object(found);
+        let pivot = face_frame::object(found);
         let size = DVec3::new(found.high.x - found.low.x, 0.0, found.high.y - found.low.y);
         let scope = Scope { origin: pivot.origin - pivot.axes.z_axis * size.z, axes: pivot.axes, size };
         Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y))) }
@@ -125,7 +126,7 @@ impl Shape {
     /// Faces without an area and edges without a length are skipped. A mesh that has no other face is aligned to the world's
     /// axes.
     pub fn mesh(mesh: Mesh) -> Self {
-        let Some(pivot) = frame::object_of(&mesh) else { return Shape::mesh_axis_aligned(mesh) };
+        let Some(pivot) = face_frame::object_of(&mesh) else { return Shape::mesh_axis_aligned(mesh) };
         let to_local = pivot.axes.transpose();
         let local = mesh.map(&DAffine3 { matrix3: to_local, translation: -(to_local * pivot.origin) });
         let placed = Placed::fitted(flat_on_ground(local, mesh.bounds()));

@@ -12,10 +12,11 @@ use glam::{DVec3, DVec4};
 use super::axes::Axes;
 use super::base::{Base, Form};
 use super::{Counter, Geometry, Shape};
-use crate::material::ids::MaterialId;
-use crate::scope::{Axis, Scope};
-use crate::seed::{self, Seed, Tag};
-use crate::unit::UnitMesh;
+use crate::geometry::Axis;
+use crate::shape::look_ids::MaterialId;
+use crate::shape::scope::Scope;
+use crate::shape::seed::{self, Seed, Tag};
+use crate::shape::unit::UnitMesh;
 
 /// A shape while rules run: the fields that splits change, and a reference to the rest.
 ///

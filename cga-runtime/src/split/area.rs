@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use crate::mesh::FaceRef;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::mesh::FaceRef;
+use crate::geometry::tol::{ACROSS_EPSILON, AREA_EPSILON, EDGE_EPSILON};
 use crate::shape::{Geometry, Placed, Shape};
-use crate::tol::{ACROSS_EPSILON, AREA_EPSILON, EDGE_EPSILON};
 
 /// The area up to a distance from the scope's low end, as a function of the distance.
 #[derive(Debug)]

@@ -4,10 +4,10 @@ use cga_split::{Item, Piece, Prefix, Size, Solution, solve};
 
 use super::area::Profile;
 use super::parts::within_limit;
-use crate::env::Env;
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::run::env::Env;
+use crate::run::sink::Flow;
 use crate::shape::ShapeRef;
-use crate::sink::Flow;
 
 /// Sizes of a split: NaN and infinite ones become zero, with a fault.
 #[inline]

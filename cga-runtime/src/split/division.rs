@@ -7,16 +7,16 @@ use glam::DVec4;
 use super::parts::{Parts, within_limit};
 use super::row::{Row, Slots};
 use super::{Adjust, Piece};
-use crate::derive::{Cx, filled};
-use crate::env::Env;
-use crate::material::ids::MaterialId;
-use crate::scope::Axis;
-use crate::seed::{self, Seed, Tag};
+use crate::geometry::Axis;
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::run::context::{Cx, filled};
+use crate::run::env::Env;
+use crate::run::sink::Flow;
 use crate::shape::base::{Base, Form};
+use crate::shape::look_ids::MaterialId;
+use crate::shape::seed::{self, Seed, Tag};
+use crate::shape::unit::{Band, UnitMesh};
 use crate::shape::{Counter, ShapeRef};
-use crate::sink::Flow;
-use crate::tol::PLANAR_EPSILON;
-use crate::unit::{Band, UnitMesh};
 
 /// A shape that is divided along an axis. Generated code asks for the shape of each piece, or hands a leaf on.
 ///

@@ -7,16 +7,18 @@ use glam::DVec3;
 
 use super::row::Row;
 use super::{Adjust, Piece};
-use crate::cut;
-use crate::env::Env;
 use crate::fault::{FaultKind, LimitKind};
-use crate::mesh::Mesh;
-use crate::scope::{Axis, Scope};
+use crate::geometry::Axis;
+use crate::geometry::cut;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::wire::Wire;
+use crate::run::env::Env;
+use crate::run::sink::Flow;
+use crate::shape::PlacedWire;
+use crate::shape::scope::Scope;
+use crate::shape::unit::Band;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
-use crate::sink::Flow;
-use crate::tol::PLANAR_EPSILON;
-use crate::unit::Band;
-use crate::wire::{PlacedWire, Wire};
 
 /// The parts of a shape, in order.
 #[derive(Debug)]

@@ -8,23 +8,13 @@ use cga_split::{Item, Piece, Size, solve};
 use super::divide::{check, listed};
 use super::division::Made;
 use super::parts::Borders;
-use crate::cut;
-use crate::env::Env;
 use crate::fault::{FaultKind, LimitKind};
-use crate::mesh::uv::spread;
-use crate::mesh::{Mesh, UvAxis, UvExtent};
-use crate::op::texture::uv_set;
+use crate::geometry::cut;
+use crate::geometry::mesh::uv::spread;
+use crate::geometry::mesh::{Mesh, TextureSpace, UvAxis, UvExtent};
+use crate::run::env::Env;
 use crate::shape::base::Base;
 use crate::shape::{Geometry, Inserted, Placed, Shape, ShapeRef};
-
-/// The unit of the sizes of a split in texture space.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TextureSpace {
-    /// Texture coordinates: `uvSpace`.
-    Uv,
-    /// Metres on the surface: `unitSpace`.
-    Unit,
-}
 
 /// The coordinate, the unit and the uv set of a split in texture space.
 pub type TextureAxis = (UvAxis, TextureSpace, f64);
@@ -41,7 +31,7 @@ pub fn texture<const N: usize>(
     let mut lengths = [0.0; N];
     check(env, &mut sizes, "a size of `split`");
     let none = ControlFlow::Continue((Vec::new(), Made::nothing()));
-    let Some(set) = uv_set(env, set, "split") else { return none };
+    let Some(set) = env.uv_set(set, "split") else { return none };
     let mut whole = env.whole(shape);
     whole.bake();
     let Geometry::Mesh(placed) = &whole.geometry else {

@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::grid::{Map, Point};
-use crate::mesh::{FaceTag, Mesh, MeshBuilder};
-use crate::triangulate::Triangulator;
+use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
+use crate::geometry::triangulate::Triangulator;
 
 /// A face: its outline and holes, and three sets of coordinates at each of their points.
 pub(super) struct Face {
@@ -86,8 +86,8 @@ fn is_flat(outer: usize, count: usize, place: impl Fn(usize) -> DVec3) -> bool {
         return true;
     }
     let normal: DVec3 = (2..outer).map(|at| (place(at - 1) - from).cross(place(at) - from)).sum();
-    let normal = crate::mesh::unit(normal);
+    let normal = crate::geometry::mesh::unit(normal);
     let extent = (1..count).map(|at| (place(at) - from).abs().max_element()).fold(0.0, f64::max);
     // With a margin: the mesh computes its normal in another way.
-    (1..count).all(|at| normal.dot(place(at) - from).abs() <= 0.5 * crate::tol::PLANAR_EPSILON * extent)
+    (1..count).all(|at| normal.dot(place(at) - from).abs() <= 0.5 * crate::geometry::tol::PLANAR_EPSILON * extent)
 }

@@ -52,7 +52,7 @@ pub use input::{Centerline, NetworkOptions};
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::mesh::Mesh;
+use crate::geometry::mesh::Mesh;
 use crate::shape::Shape;
 
 /// How often borders of streets may cross, so that memory and time are bounded.
@@ -167,7 +167,7 @@ impl Network {
 
 /// The loops of edges of a mesh that one face uses.
 fn outlines(mesh: &Mesh) -> Vec<Vec<[f64; 3]>> {
-    let edge = |face: crate::mesh::FaceRef<'_>| {
+    let edge = |face: crate::geometry::mesh::FaceRef<'_>| {
         let loops: Vec<Vec<u32>> = face.loops().map(<[u32]>::to_vec).collect();
         loops
             .into_iter()

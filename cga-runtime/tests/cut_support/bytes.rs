@@ -1,6 +1,6 @@
 //! Any bytes → a case for the cutter: what a fuzzer and its stable twin try.
 
-use cga_runtime::mesh::{FaceTag, MeshBuilder};
+use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder};
 
 use super::corpus::{Case, Quality};
 use super::{cells, prism, ring, together, turned};

@@ -3,12 +3,12 @@
 use std::fmt::{self, Write as _};
 use std::sync::Arc;
 
-use cga_runtime::mesh::{FaceTag, Flaw, Mesh, MeshBuilder};
-use cga_runtime::scope::Axis;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::mesh::{FaceTag, Flaw, Mesh, MeshBuilder};
 use glam::DVec3;
 
 use super::{AXES, check_closed_cut, closed_by_position};
-use cga_runtime::cut::slabs;
+use cga_runtime::geometry::cut::slabs;
 
 /// A mesh and where it is cut.
 #[derive(Clone, Debug, Default)]

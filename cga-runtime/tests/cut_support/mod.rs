@@ -9,10 +9,10 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use cga_runtime::cut::{Slabs, slabs};
-use cga_runtime::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, extrude};
-use cga_runtime::scope::Axis;
-use cga_runtime::triangulate::Triangulator;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::{Slabs, slabs};
+use cga_runtime::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, extrude};
+use cga_runtime::geometry::triangulate::Triangulator;
 use glam::{DAffine3, DMat3, DVec3};
 
 pub const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];

@@ -1,8 +1,8 @@
 //! How large sections are, without following a loop. Also for `benches/cutting.rs`.
 
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::mesh::Mesh;
 use cga_runtime::glam::{DVec2, DVec3};
-use cga_runtime::mesh::Mesh;
-use cga_runtime::scope::Axis;
 
 /// The area in which a plane meets a closed mesh of faces without holes, by Green's formula over the lines in which it meets
 /// the faces: no loop is followed. Points in the plane count as above it.

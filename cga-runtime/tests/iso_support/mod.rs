@@ -1,8 +1,8 @@
 //! Meshes with texture coordinates, and a slow way to cut them.
 #![allow(dead_code, unreachable_pub)]
 
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder, UvAxis};
-use cga_runtime::triangulate::Triangulator;
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, UvAxis};
+use cga_runtime::geometry::triangulate::Triangulator;
 use glam::{DVec2, DVec3};
 
 use crate::cut_support::Rng;

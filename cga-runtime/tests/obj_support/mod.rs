@@ -4,9 +4,9 @@
 use std::sync::Arc;
 
 use cga_runtime::asset::obj::read_obj;
-use cga_runtime::cut::slabs;
-use cga_runtime::mesh::Flaw;
-use cga_runtime::scope::Axis;
+use cga_runtime::geometry::Axis;
+use cga_runtime::geometry::cut::slabs;
+use cga_runtime::geometry::mesh::Flaw;
 
 /// Reads a file whose material libraries hold the same bytes. It may be refused; what is read has no flaw but those that any
 /// file may have, holds finite numbers, and can be cut.

@@ -3,11 +3,11 @@
 
 use std::sync::Arc;
 
+use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use cga_runtime::material::{Color, Material};
-use cga_runtime::mesh::{FaceTag, Mesh, MeshBuilder};
-use cga_runtime::model::Model;
-use cga_runtime::scope::Scope;
-use cga_runtime::sink::{Cuboid, Leaf, Quad, Sink};
+use cga_runtime::output::model::Model;
+use cga_runtime::run::sink::{Cuboid, Leaf, Quad, Sink};
+use cga_runtime::shape::scope::Scope;
 use glam::{DAffine3, DMat3, DVec3, dvec2, dvec3};
 
 pub fn color(r: f64, g: f64, b: f64) -> Arc<Material> {

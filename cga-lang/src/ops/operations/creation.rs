@@ -1,53 +1,39 @@
 //! Geometry creation: extrusion, assets, primitives, envelopes.
 
 use super::super::{
-    Bounds, Default, Effect, FILE, FS, Operation, Param, ParamKind, Uses, Values, bounds, float, length, of, or,
-    uv_set, within, word,
+    Bounds, Default, Effect, FILE, FS, FileUse, Operation, Param, Uses, UvEffect, Values, bounds, file, float, length,
+    of, or, outdated, renamed, uv_set, within, word, words,
 };
-use super::{later, moves, old, op, using, with};
-use crate::code::Code;
+use super::{later, moves, old, op, using, uvs, with};
 
-const EXTRUDE_ALONG: ParamKind = ParamKind::Word {
-    rust: "ExtrudeAlong",
-    words: &[
-        ("face.normal", "FaceNormal"),
-        ("vertex.normal", "VertexNormal"),
-        ("world.up", "WorldUp"),
-        ("world.y", "WorldUp"),
-        ("world.up.flatTop", "WorldUpFlatTop"),
-    ],
-    old: &[("world.y", "world.up")],
-    unknown: Code::UnknownWord,
-};
-
-const EXTRUDE_AXIS: Param =
-    word("axis", "ExtrudeAxis", &[("x", "X"), ("y", "Y"), ("z", "Z"), ("world.x", "WorldX"), ("world.z", "WorldZ")]);
-
-const UP_AXIS: Param = word("upAxisOfGeometry", "UpAxis", &[("yUp", "YUp"), ("zUp", "ZUp")]);
-
-const INSERT_MODE: Param = word(
-    "insertMode",
-    "InsertMode",
-    &[
-        ("alignSizeAndPosition", "AlignSizeAndPosition"),
-        ("keepSizeAndPosition", "KeepSizeAndPosition"),
-        ("keepSizeAlignPosition", "KeepSizeAlignPosition"),
-    ],
+const EXTRUDE_ALONG: Param = outdated(
+    &[("world.y", "world.up")],
+    renamed(
+        &[("world.y", "WorldUp")],
+        word(
+            "extrusionType",
+            "ExtrudeAlong",
+            &["face.normal", "vertex.normal", "world.up", "world.y", "world.up.flatTop"],
+        ),
+    ),
 );
 
-const CLEANUP_MODE: Param =
-    word("cleanupMode", "CleanupMode", &[("numericalCleanup", "NumericalCleanup"), ("noCleanup", "NoCleanup")]);
+const EXTRUDE_AXIS: Param = word("axis", "ExtrudeAxis", &["x", "y", "z", "world.x", "world.z"]);
 
-const HEIGHT_DIRECTION: Param =
-    word("heightDirection", "HeightDirection", &[("scope.y", "ScopeY"), ("vertex.normal", "VertexNormal")]);
+const UP_AXIS: Param = word("upAxisOfGeometry", "UpAxis", &["yUp", "zUp"]);
 
-const HEIGHT_ALIGNMENT: Param =
-    word("heightAlignment", "HeightAlignment", &[("alignPosition", "AlignPosition"), ("keepPosition", "KeepPosition")]);
+const INSERT_MODE: Param =
+    word("insertMode", "InsertMode", &["alignSizeAndPosition", "keepSizeAndPosition", "keepSizeAlignPosition"]);
 
-const DIRECTION: Param = word("direction", "EnvelopeDirection", &[("normal", "Normal"), ("world.up", "WorldUp")]);
+const CLEANUP_MODE: Param = word("cleanupMode", "CleanupMode", &["numericalCleanup", "noCleanup"]);
 
-const KEEP_FACES: Param =
-    word("keepFaces", "OffsetFaces", &[("all", "All"), ("inside", "Inside"), ("border", "Border")]);
+const HEIGHT_DIRECTION: Param = word("heightDirection", "HeightDirection", &["scope.y", "vertex.normal"]);
+
+const HEIGHT_ALIGNMENT: Param = word("heightAlignment", "HeightAlignment", &["alignPosition", "keepPosition"]);
+
+const DIRECTION: Param = words("direction", &["normal", "world.up"]);
+
+const KEEP_FACES: Param = word("keepFaces", "OffsetFaces", &["all", "inside", "border"]);
 
 /// *primitiveDisk*, *primitiveSphere*, *primitiveCylinder* and *primitiveCone operation*.
 static CORNERS: Bounds = bounds(Values::AtLeast(3.0), "there are at least 3");
@@ -66,21 +52,36 @@ const FROM_FILE: Uses = Uses::WHOLE.and(Uses::SAYS);
 
 const NO_DIRECTION: &str = "say which way is up: `envelope(normal, …)`";
 
+const INSERTED: Param = file("filePath", FileUse::Inserted);
+
+/// The same row, of an operation whose new faces have no texture coordinates.
+const fn keeps_uvs(row: Operation) -> Operation {
+    uvs(UvEffect::Keeps, row)
+}
+
+/// A primitive. It has the first uv set only (*primitiveCube operation*).
+const fn primitive(name: &'static str, call: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+    uvs(UvEffect::First, op(name, call, params, about))
+}
+
 pub(super) static ROWS: &[Operation] = &[
-    moves(op("extrude", "extrude", &[length("distance")], "extrudes each face along its normal")),
-    op(
+    keeps_uvs(with(
+        Effect::Extrudes,
+        moves(op("extrude", "extrude", &[length("distance")], "extrudes each face along its normal")),
+    )),
+    keeps_uvs(op(
         "extrude",
         "extrude_along",
-        &[super::super::param("extrusionType", EXTRUDE_ALONG), length("distance")],
+        &[EXTRUDE_ALONG, length("distance")],
         "extrudes faces along normals or upwards",
-    ),
+    )),
     old(
-        op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis"),
+        keeps_uvs(op("extrude", "extrude_axis", &[EXTRUDE_AXIS, length("distance")], "extrudes along an axis")),
         "write `extrude(world.up, …)` to extrude upwards",
     ),
     with(
         Effect::Fills,
-        using(FROM_FILE, op("i", "insert", &[FILE], "replaces the geometry by an asset that fills the scope")),
+        using(FROM_FILE, op("i", "insert", &[INSERTED], "replaces the geometry by an asset that fills the scope")),
     ),
     using(
         FROM_FILE,
@@ -88,7 +89,7 @@ pub(super) static ROWS: &[Operation] = &[
             "i",
             "insert_with",
             &[
-                FILE,
+                INSERTED,
                 UP_AXIS,
                 or(INSERT_MODE, Default::Word("alignSizeAndPosition")),
                 or(CLEANUP_MODE, Default::Word("numericalCleanup")),
@@ -96,45 +97,67 @@ pub(super) static ROWS: &[Operation] = &[
             "replaces the geometry by an asset, which may lie down or keep its size and place",
         ),
     ),
-    op(
-        "insertAlongUV",
-        "insert_along_uv",
-        &[uv_set("uvSet"), FILE, float("height")],
-        "bends copies of an asset along texture coordinates",
+    uvs(
+        UvEffect::Follows,
+        op(
+            "insertAlongUV",
+            "insert_along_uv",
+            &[uv_set("uvSet"), FILE, float("height")],
+            "bends copies of an asset along texture coordinates",
+        ),
     ),
-    op(
-        "insertAlongUV",
-        "insert_along_uv_with",
-        &[uv_set("uvSet"), FILE, float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT],
-        "bends copies of an asset along texture coordinates",
+    uvs(
+        UvEffect::Follows,
+        op(
+            "insertAlongUV",
+            "insert_along_uv_with",
+            &[uv_set("uvSet"), FILE, float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT],
+            "bends copies of an asset along texture coordinates",
+        ),
     ),
-    op("primitiveQuad", "quad", &[], "replaces the geometry by a rectangle that fills the scope"),
-    op(
+    primitive("primitiveQuad", "quad", &[], "replaces the geometry by a rectangle that fills the scope"),
+    primitive(
         "primitiveQuad",
         "quad_sized",
         &[float("width"), float("length")],
         "replaces the geometry by a rectangle of that size",
     ),
-    op("primitiveDisk", "disk", &[or(N_VERTICES, SIXTEEN)], "replaces the geometry by a disk that fills the scope"),
-    op("primitiveDisk", "disk_sized", &[N_VERTICES, float("radius")], "replaces the geometry by a disk of that size"),
-    with(Effect::FillsWithBox, op("primitiveCube", "cube", &[], "replaces the geometry by a box that fills the scope")),
-    op(
+    primitive(
+        "primitiveDisk",
+        "disk",
+        &[or(N_VERTICES, SIXTEEN)],
+        "replaces the geometry by a disk that fills the scope",
+    ),
+    primitive(
+        "primitiveDisk",
+        "disk_sized",
+        &[N_VERTICES, float("radius")],
+        "replaces the geometry by a disk of that size",
+    ),
+    with(
+        Effect::FillsWithBox,
+        primitive("primitiveCube", "cube", &[], "replaces the geometry by a box that fills the scope"),
+    ),
+    primitive(
         "primitiveCube",
         "cube_sized",
         &[float("width"), float("height"), float("depth")],
         "replaces the geometry by a box of that size",
     ),
-    with(Effect::Fills, op("primitiveSphere", "sphere", &[], "replaces the geometry by a sphere that fills the scope")),
     with(
         Effect::Fills,
-        op(
+        primitive("primitiveSphere", "sphere", &[], "replaces the geometry by a sphere that fills the scope"),
+    ),
+    with(
+        Effect::Fills,
+        primitive(
             "primitiveSphere",
             "sphere_sides",
             &[SIDES, N_DIVISIONS],
             "replaces the geometry by a sphere that fills the scope",
         ),
     ),
-    op(
+    primitive(
         "primitiveSphere",
         "sphere_sized",
         &[SIDES, N_DIVISIONS, float("radius")],
@@ -142,18 +165,18 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     with(
         Effect::Fills,
-        op("primitiveCylinder", "cylinder", &[], "replaces the geometry by a cylinder that fills the scope"),
+        primitive("primitiveCylinder", "cylinder", &[], "replaces the geometry by a cylinder that fills the scope"),
     ),
     with(
         Effect::Fills,
-        op(
+        primitive(
             "primitiveCylinder",
             "cylinder_sides",
             &[SIDES],
             "replaces the geometry by a cylinder that fills the scope, with so many sides",
         ),
     ),
-    op(
+    primitive(
         "primitiveCylinder",
         "cylinder_sized",
         &[SIDES, float("radius"), float("height")],
@@ -161,21 +184,26 @@ pub(super) static ROWS: &[Operation] = &[
     ),
     with(
         Effect::Fills,
-        op("primitiveCone", "cone", &[or(SIDES, SIXTEEN)], "replaces the geometry by a cone that fills the scope"),
+        primitive(
+            "primitiveCone",
+            "cone",
+            &[or(SIDES, SIXTEEN)],
+            "replaces the geometry by a cone that fills the scope",
+        ),
     ),
-    op(
+    primitive(
         "primitiveCone",
         "cone_sized",
         &[SIDES, float("radius"), float("height")],
         "replaces the geometry by a cone of that size",
     ),
-    later("taper", &[float("height")], "makes a pyramid over the first face"),
-    op(
+    keeps_uvs(later("taper", &[float("height")], "makes a pyramid over the first face")),
+    keeps_uvs(op(
         "offset",
         "offset",
         &[float("distance"), or(KEEP_FACES, Default::Word("all"))],
         "moves the outline of each face in or out, with faces for the difference",
-    ),
+    )),
     later("footprint", &[], "replaces the geometry by its outline seen from above"),
     later(
         "envelope",

@@ -1,13 +1,10 @@
 //! Colours and materials, labels, reports. `set` has a syntax of its own.
 
-use super::super::{B, Bounds, Default, F, Operation, Param, ParamKind, T, TS, Uses, Values};
-use super::super::{bounds, float, of, or, param, text, within, word};
+use super::super::{B, Bounds, Default, F, HEX, Operation, Param, ParamKind, T, TS, Uses, Values};
+use super::super::{bounds, channel, of, or, param, text, within, word};
 use super::{keeps, old, op, paints, says, using};
 
-const TARGET: Param = or(
-    word("target", "MaterialTarget", &[("shape", "Shape"), ("geometry", "Geometry"), ("all", "All")]),
-    Default::Word("shape"),
-);
+const TARGET: Param = or(word("target", "MaterialTarget", &["shape", "geometry", "all"]), Default::Word("shape"));
 
 /// *label operation*.
 static LABELS: Bounds = bounds(Values::NotEmpty, "a label is not empty");
@@ -15,22 +12,22 @@ static LABELS: Bounds = bounds(Values::NotEmpty, "a label is not empty");
 const REPORT: &str = "adds a value to a collection of the run";
 
 pub(super) static ROWS: &[Operation] = &[
-    paints(op("color", "color_hex", &[text("hexValue")], "sets the colour, as in \"#ff8000\"")),
+    paints(op("color", "color_hex", &[HEX], "sets the colour, as in \"#ff8000\"")),
     paints(op(
         "color",
         "color_rgb",
-        &[float("red"), float("green"), float("blue")],
+        &[channel("red"), channel("green"), channel("blue")],
         "sets the colour, each from 0 to 1",
     )),
     paints(op(
         "color",
         "color_rgba",
-        &[float("red"), float("green"), float("blue"), float("opacity")],
+        &[channel("red"), channel("green"), channel("blue"), channel("opacity")],
         "sets colour and opacity, each from 0 to 1",
     )),
     // Its page is gone since 2020.0: it was short for `set` (*opacity operation*, 2019.1).
     old(
-        paints(op("opacity", "opacity", &[float("opacity")], "sets the opacity, from 0 to 1")),
+        paints(op("opacity", "opacity", &[channel("opacity")], "sets the opacity, from 0 to 1")),
         "write `set(material.opacity, …)`",
     ),
     keeps(op(

@@ -1,7 +1,7 @@
 //! Geometry manipulation, tags, inlined rules and boolean operations.
 
 use super::super::{
-    Bounds, Braces, Default, Effect, Operation, Param, Values, boolean, bounds, float, or, text, within, word,
+    Bounds, Braces, Default, Effect, Operation, Param, Values, boolean, bounds, float, or, text, within, words,
 };
 use super::{block, later, old, op, with};
 
@@ -13,44 +13,18 @@ static DEVIATIONS: Bounds = bounds(Values::Between(0.0, 45.0), "it goes from 0 t
 
 const TOLERANCE: Param = within(float("tolerance"), &TOLERANCES);
 
-const CLEANUP: Param = word(
-    "components",
-    "CleanupParts",
-    &[("vertices", "Vertices"), ("edges", "Edges"), ("faces", "Faces"), ("all", "All")],
-);
+const CLEANUP: Param = words("components", &["vertices", "edges", "faces", "all"]);
 
-const NORMALS: Param =
-    word("normalsMode", "NormalsMode", &[("hard", "Hard"), ("conform", "Conform"), ("soft", "Soft"), ("auto", "Auto")]);
+const NORMALS: Param = words("normalsMode", &["hard", "conform", "soft", "auto"]);
 
-const TAGGED: Param = or(
-    word(
-        "components",
-        "TagParts",
-        &[("auto", "Auto"), ("faces", "Faces"), ("edges", "Edges"), ("vertices", "Vertices")],
-    ),
-    Default::Word("auto"),
-);
+const TAGGED: Param = or(words("components", &["auto", "faces", "edges", "vertices"]), Default::Word("auto"));
 
-const UNTAGGED: Param = or(
-    word(
-        "components",
-        "TaggedParts",
-        &[("all", "All"), ("faces", "Faces"), ("edges", "Edges"), ("vertices", "Vertices")],
-    ),
-    Default::Word("all"),
-);
+const UNTAGGED: Param = or(words("components", &["all", "faces", "edges", "vertices"]), Default::Word("all"));
 
-const STRATEGY: Param = or(
-    word(
-        "geometryMergeStrategy",
-        "MergeStrategy",
-        &[("append", "Append"), ("unify", "Unify"), ("recompose", "Recompose")],
-    ),
-    Default::Word("append"),
-);
+const STRATEGY: Param = or(words("geometryMergeStrategy", &["append", "unify", "recompose"]), Default::Word("append"));
 
 /// *Boolean 3D operations*, 2024.1.
-const SWAP: Param = word("swapMode", "BooleanMode", &[("noSwap", "NoSwap"), ("swap", "Swap")]);
+const SWAP: Param = words("swapMode", &["noSwap", "swap"]);
 
 const UNION: &str = "joins what both sides make of the shape";
 const SUBTRACT: &str = "takes what the right side makes of the shape away from what the left side makes";

@@ -10,7 +10,7 @@ mod subdivision;
 mod texturing;
 mod transform;
 
-use super::{Braces, Changes, Effect, Operation, Param, Run, Uses};
+use super::{Braces, Changes, Effect, Operation, Param, Run, Uses, UvEffect};
 
 /// Every operation.
 pub static OPERATIONS: &[&[Operation]] = &[
@@ -37,6 +37,7 @@ const fn later(name: &'static str, params: &'static [Param], about: &'static str
         params,
         braces: Braces::None,
         scope: Effect::Any,
+        uvs: UvEffect::Any,
         uses_base: false,
         uses: Uses::WHOLE,
         changes: Changes::Whole,
@@ -46,9 +47,15 @@ const fn later(name: &'static str, params: &'static [Param], about: &'static str
     }
 }
 
-/// The same row, of an operation with that effect.
+/// The same row, of an operation with that effect. Sets of texture coordinates stay with their geometry.
 const fn with(scope: Effect, row: Operation) -> Operation {
-    Operation { scope, ..row }
+    let uvs = if scope.keeps_geometry() { UvEffect::Keeps } else { row.uvs };
+    Operation { scope, uvs, ..row }
+}
+
+/// The same row, of an operation with that effect on the sets of texture coordinates.
+const fn uvs(uvs: UvEffect, row: Operation) -> Operation {
+    Operation { uvs, ..row }
 }
 
 /// The same row, of an operation that leaves the scope's size and what is in it alone.

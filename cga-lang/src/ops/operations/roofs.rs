@@ -1,9 +1,9 @@
 //! Roofs. Each is by angle in degrees, or by angle or height as a word says.
 
-use super::super::{Default, Operation, Param, boolean, float, or, word};
-use super::later;
+use super::super::{Default, Operation, Param, UvEffect, boolean, float, or, words};
+use super::{later, uvs};
 
-const VALUE_TYPE: Param = word("valueType", "RoofValue", &[("byAngle", "ByAngle"), ("byHeight", "ByHeight")]);
+const VALUE_TYPE: Param = words("valueType", &["byAngle", "byHeight"]);
 
 const ANGLE: Param = float("angle");
 const VALUE: Param = float("value");
@@ -13,19 +13,24 @@ const OVERHANG_Y: Param = or(float("overhangY"), Default::Float(0.0));
 const EVEN: Param = or(boolean("even"), Default::Bool(false));
 const INDEX: Param = or(float("index"), Default::Float(0.0));
 
+/// A roof, which does not run yet. Its faces have no texture coordinates.
+const fn roof(name: &'static str, params: &'static [Param], about: &'static str) -> Operation {
+    uvs(UvEffect::Keeps, later(name, params, about))
+}
+
 pub(super) static ROWS: &[Operation] = &[
-    later("roofGable", &[ANGLE, OVERHANG_X, OVERHANG_Y, EVEN], "builds a gable roof over each face"),
-    later(
+    roof("roofGable", &[ANGLE, OVERHANG_X, OVERHANG_Y, EVEN], "builds a gable roof over each face"),
+    roof(
         "roofGable",
         &[ANGLE, float("overhangX"), float("overhangY"), boolean("even"), float("index")],
         "builds a gable roof with its ridge along an edge",
     ),
-    later("roofGable", &[VALUE_TYPE, VALUE, OVERHANG_X, OVERHANG_Y, EVEN], "builds a gable roof over each face"),
-    later("roofHip", &[ANGLE, OVERHANG, EVEN], "builds a hip roof over each face"),
-    later("roofHip", &[VALUE_TYPE, VALUE, OVERHANG, EVEN], "builds a hip roof over each face"),
-    later("roofPyramid", &[ANGLE], "builds a pyramid over each face"),
-    later("roofPyramid", &[VALUE_TYPE, VALUE], "builds a pyramid over each face"),
-    later("roofRidge", &[VALUE_TYPE, VALUE], "builds a roof with one ridge along the scope's x axis"),
-    later("roofShed", &[ANGLE, INDEX], "builds a shed roof that rises from an edge"),
-    later("roofShed", &[VALUE_TYPE, VALUE, INDEX], "builds a shed roof that rises from an edge"),
+    roof("roofGable", &[VALUE_TYPE, VALUE, OVERHANG_X, OVERHANG_Y, EVEN], "builds a gable roof over each face"),
+    roof("roofHip", &[ANGLE, OVERHANG, EVEN], "builds a hip roof over each face"),
+    roof("roofHip", &[VALUE_TYPE, VALUE, OVERHANG, EVEN], "builds a hip roof over each face"),
+    roof("roofPyramid", &[ANGLE], "builds a pyramid over each face"),
+    roof("roofPyramid", &[VALUE_TYPE, VALUE], "builds a pyramid over each face"),
+    roof("roofRidge", &[VALUE_TYPE, VALUE], "builds a roof with one ridge along the scope's x axis"),
+    roof("roofShed", &[ANGLE, INDEX], "builds a shed roof that rises from an edge"),
+    roof("roofShed", &[VALUE_TYPE, VALUE, INDEX], "builds a shed roof that rises from an edge"),
 ];

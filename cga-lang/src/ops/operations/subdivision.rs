@@ -1,15 +1,14 @@
 //! Geometry subdivision.
 
+use super::super::queries::SPACE;
 use super::super::{
     BS, Bounds, Braces, Default, FS, Measure, Operation, Param, ParamKind, Places, Uses, Values, bounds, float, length,
-    of, or, param, uv_set, within, word,
+    of, or, param, renamed, unknown, uv_set, within, word, words,
 };
 use super::{block, divides, later, old};
 use crate::code::Code;
 
-pub(super) const COMPONENT: Param = word(
-    "component",
-    "Components",
+pub(super) const COMPONENT: Param = renamed(
     &[
         ("f", "Faces"),
         ("e", "Edges"),
@@ -20,51 +19,27 @@ pub(super) const COMPONENT: Param = word(
         ("m", "Materials"),
         ("h", "Holes"),
     ],
+    word("component", "Components", &["f", "e", "fe", "v", "fv", "g", "m", "h"]),
 );
 
-const AXIS: Param = param(
-    "splitAxis",
-    ParamKind::Word {
-        rust: "Axis",
-        words: &[("x", "X"), ("y", "Y"), ("z", "Z")],
-        old: &[],
-        unknown: Code::UnknownAxis,
-    },
-);
+const AXIS: Param = unknown(Code::UnknownAxis, word("splitAxis", "Axis", &["x", "y", "z"]));
 
-const UV_AXIS: Param = word("splitAxis", "UvAxis", &[("u", "U"), ("v", "V")]);
+const UV_AXIS: Param = word("splitAxis", "UvAxis", &["u", "v"]);
 
-const SPACE: Param = word("surfaceParameterization", "TextureSpace", &[("uvSpace", "Uv"), ("unitSpace", "Unit")]);
-
-const ADJUST: Param =
-    or(word("adjustSelector", "Adjust", &[("adjust", "Adjust"), ("noAdjust", "NoAdjust")]), Default::Word("adjust"));
+const ADJUST: Param = or(word("adjustSelector", "Adjust", &["adjust", "noAdjust"]), Default::Word("adjust"));
 
 const SCOPE_ALIGNMENT: Param =
-    or(word("scopeAlignment", "Align", &[("zUp", "ZUp"), ("noAlign", "Keep")]), Default::Word("zUp"));
+    or(renamed(&[("noAlign", "Keep")], word("scopeAlignment", "Align", &["zUp", "noAlign"])), Default::Word("zUp"));
 
-const ALIGNMENT: Param = word("alignment", "RectangleAlign", &[("scope", "Scope"), ("edge", "Edge")]);
+const ALIGNMENT: Param = words("alignment", &["scope", "edge"]);
 
-const DOMAIN: Param =
-    word("domain", "ScatterDomain", &[("surface", "Surface"), ("volume", "Volume"), ("scope", "Scope")]);
+const DOMAIN: Param = words("domain", &["surface", "volume", "scope"]);
 
-const DISTRIBUTION: Param =
-    word("distributionType", "Distribution", &[("uniform", "Uniform"), ("gaussian", "Gaussian")]);
+const DISTRIBUTION: Param = words("distributionType", &["uniform", "gaussian"]);
 
-const GAUSSIAN: Param = word("distributionType", "Distribution", &[("gaussian", "Gaussian")]);
+const GAUSSIAN: Param = words("distributionType", &["gaussian"]);
 
-const MEAN: Param = word(
-    "scatterMean",
-    "ScatterMean",
-    &[
-        ("center", "Center"),
-        ("front", "Front"),
-        ("back", "Back"),
-        ("left", "Left"),
-        ("right", "Right"),
-        ("top", "Top"),
-        ("bottom", "Bottom"),
-    ],
-);
+const MEAN: Param = words("scatterMean", &["center", "front", "back", "left", "right", "top", "bottom"]);
 
 /// *setbackToArea operation*.
 static AREAS: Bounds = bounds(Values::Above(0.0), "an area is above 0");

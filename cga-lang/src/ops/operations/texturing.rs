@@ -1,7 +1,9 @@
 //! Textures and texture coordinates. A uv set is a number from 0 to 9.
 
-use super::super::{Default, Operation, Param, ParamKind, Uses, float, length, or, param, size, uv_set, word};
-use super::{alone, keeps, old, op, paints, using};
+use super::super::{
+    Default, Operation, Param, ParamKind, Uses, UvEffect, float, length, or, param, size, uv_set, word,
+};
+use super::{alone, keeps, old, op, paints, using, uvs};
 
 const UV_SET: Param = uv_set("uvSet");
 
@@ -9,29 +11,14 @@ const AXES: Param = word(
     "axes",
     "ProjectionAxes",
     &[
-        ("scope.xy", "ScopeXy"),
-        ("scope.xz", "ScopeXz"),
-        ("scope.yx", "ScopeYx"),
-        ("scope.yz", "ScopeYz"),
-        ("scope.zx", "ScopeZx"),
-        ("scope.zy", "ScopeZy"),
-        ("world.xy", "WorldXy"),
-        ("world.xz", "WorldXz"),
-        ("world.yx", "WorldYx"),
-        ("world.yz", "WorldYz"),
-        ("world.zx", "WorldZx"),
-        ("world.zy", "WorldZy"),
+        "scope.xy", "scope.xz", "scope.yx", "scope.yz", "scope.zx", "scope.zy", "world.xy", "world.xz", "world.yx",
+        "world.yz", "world.zx", "world.zy",
     ],
 );
 
-const NORMALIZE_MODE: Param =
-    word("normalizeMode", "NormalizeMode", &[("uv", "Uv"), ("uvUniform", "UvUniform"), ("u", "U"), ("v", "V")]);
+const NORMALIZE_MODE: Param = word("normalizeMode", "NormalizeMode", &["uv", "uvUniform", "u", "v"]);
 
-const NORMALIZE_TYPE: Param = word(
-    "normalizeType",
-    "NormalizeType",
-    &[("separatePerFace", "SeparatePerFace"), ("collectiveAllFaces", "CollectiveAllFaces")],
-);
+const NORMALIZE_TYPE: Param = word("normalizeType", "NormalizeType", &["separatePerFace", "collectiveAllFaces"]);
 
 const WIDTH: Param = size("textureWidth");
 const HEIGHT: Param = size("textureHeight");
@@ -42,10 +29,20 @@ const fn reads_place(row: Operation) -> Operation {
     keeps(using(Uses::WHOLE.and(Uses::PLACE), row))
 }
 
+/// The same row, of an operation that sets up a projection.
+const fn sets_up(row: Operation) -> Operation {
+    uvs(UvEffect::SetsUp, keeps(row))
+}
+
+/// The same row, of an operation that changes a set of texture coordinates.
+const fn changes(row: Operation) -> Operation {
+    uvs(UvEffect::Changes, row)
+}
+
 pub(super) static ROWS: &[Operation] = &[
-    paints(op("texture", "texture", &[param("filePath", ParamKind::Image)], "sets the colour map")),
-    alone(keeps(op("setupProjection", "setup_projection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION))),
-    alone(keeps(op(
+    paints(op("texture", "texture", &[param("filePath", ParamKind::Image(0))], "sets the colour map")),
+    sets_up(alone(op("setupProjection", "setup_projection", &[UV_SET, AXES, WIDTH, HEIGHT], PROJECTION))),
+    sets_up(alone(op(
         "setupProjection",
         "setup_projection_at",
         &[
@@ -60,7 +57,7 @@ pub(super) static ROWS: &[Operation] = &[
         PROJECTION,
     ))),
     old(
-        alone(keeps(op(
+        sets_up(alone(op(
             "setupProjection",
             "setup_projection_uw",
             &[UV_SET, AXES, WIDTH, HEIGHT, float("uwFactor")],
@@ -68,47 +65,58 @@ pub(super) static ROWS: &[Operation] = &[
         ))),
         "write the offsets before the factor: `setupProjection(0, scope.xy, 1, 1, 0, 0, factor)`",
     ),
-    paints(op(
-        "projectUV",
-        "project_uv",
-        &[UV_SET],
-        "writes the texture coordinates of the projection that was set up",
-    )),
-    paints(op(
+    uvs(
+        UvEffect::Projects,
+        paints(op(
+            "projectUV",
+            "project_uv",
+            &[UV_SET],
+            "writes the texture coordinates of the projection that was set up",
+        )),
+    ),
+    changes(paints(op(
         "translateUV",
         "translate_uv",
         &[UV_SET, float("uOffset"), float("vOffset")],
         "moves texture coordinates",
-    )),
-    paints(op("scaleUV", "scale_uv", &[UV_SET, float("uFactor"), float("vFactor")], "multiplies texture coordinates")),
-    paints(op(
+    ))),
+    changes(paints(op(
+        "scaleUV",
+        "scale_uv",
+        &[UV_SET, float("uFactor"), float("vFactor")],
+        "multiplies texture coordinates",
+    ))),
+    changes(paints(op(
         "rotateUV",
         "rotate_uv",
         &[UV_SET, float("angle")],
         "turns texture coordinates about their origin, in degrees",
-    )),
-    reads_place(op(
+    ))),
+    changes(reads_place(op(
         "normalizeUV",
         "normalize_uv",
         &[UV_SET, NORMALIZE_MODE, NORMALIZE_TYPE],
         "fits texture coordinates between 0 and 1",
-    )),
-    alone(reads_place(op(
+    ))),
+    changes(alone(reads_place(op(
         "tileUV",
         "tile_uv",
         &[UV_SET, WIDTH, HEIGHT],
         "scales texture coordinates to tiles of a size",
-    ))),
-    paints(op("deleteUV", "delete_uv", &[UV_SET], "removes texture coordinates")),
-    paints(op(
-        "copyUV",
-        "copy_uv",
-        &[uv_set("uvSetSource"), uv_set("uvSetDest")],
-        "copies texture coordinates to another set",
-    )),
+    )))),
+    uvs(UvEffect::Deletes, paints(op("deleteUV", "delete_uv", &[UV_SET], "removes texture coordinates"))),
+    uvs(
+        UvEffect::Copies,
+        paints(op(
+            "copyUV",
+            "copy_uv",
+            &[uv_set("uvSetSource"), uv_set("uvSetDest")],
+            "copies texture coordinates to another set",
+        )),
+    ),
     // No reference page has these any more; the parameters are those that old rule files give them.
     old(
-        keeps(op(
+        sets_up(op(
             "setupUV",
             "setup_uv",
             &[UV_SET, float("textureWidth"), float("textureHeight"), float("uwFactor")],
@@ -117,16 +125,19 @@ pub(super) static ROWS: &[Operation] = &[
         "write `setupProjection(…)` and `projectUV(…)`",
     ),
     old(
-        paints(op("bakeUV", "project_uv", &[UV_SET], "writes the texture coordinates that were set up")),
+        uvs(
+            UvEffect::Projects,
+            paints(op("bakeUV", "project_uv", &[UV_SET], "writes the texture coordinates that were set up")),
+        ),
         "write `projectUV(…)`, and `setupProjection(…)` before it",
     ),
     old(
-        paints(op(
+        changes(paints(op(
             "offsetUV",
             "translate_uv",
             &[UV_SET, float("uOffset"), float("vOffset")],
             "moves texture coordinates",
-        )),
+        ))),
         "write `translateUV(…)`",
     ),
 ];

@@ -1,23 +1,16 @@
 //! Moving, turning and sizing.
 
+use super::super::queries::SYSTEMS;
 use super::super::{Effect, Operation, Param, float, length, word};
 use super::{alone, keeps, moves, op, slim, with};
 
-const CENTER_AXES: Param = word(
-    "axes",
-    "CenterAxes",
-    &[("x", "X"), ("y", "Y"), ("z", "Z"), ("xy", "Xy"), ("xz", "Xz"), ("yz", "Yz"), ("xyz", "Xyz")],
-);
+const CENTER_AXES: Param = word("axes", "CenterAxes", &["x", "y", "z", "xy", "xz", "yz", "xyz"]);
 
-const CENTER: Param = word("center", "RotateAbout", &[("scopeOrigin", "ScopeOrigin"), ("scopeCenter", "ScopeCenter")]);
+const CENTER: Param = word("center", "RotateAbout", &["scopeOrigin", "scopeCenter"]);
 
-const MODE: Param = word("mode", "TransformMode", &[("abs", "Abs"), ("rel", "Rel")]);
+const MODE: Param = word("mode", "TransformMode", &["abs", "rel"]);
 
-const SYSTEM: Param = word(
-    "coordSystem",
-    "CoordSystem",
-    &[("scope", "Scope"), ("pivot", "Pivot"), ("object", "Object"), ("world", "World")],
-);
+const SYSTEM: Param = word("coordSystem", "System", SYSTEMS);
 
 const X_ANGLE: Param = float("xAngle");
 const Y_ANGLE: Param = float("yAngle");

@@ -2,12 +2,7 @@
 impl cga_rt::Rules for Tower {
     type Values = CgaValues;
     type Call = CgaCall;
-    const NAMES: &'static [&'static ::core::primitive::str] = &[
-        "Lot",
-        "Roof",
-        "Tall$Lot",
-        "Lot/1",
-    ];
+    const NAMES: &'static [&'static ::core::primitive::str] = &["Lot", "Roof", "Lot/1"];
     const LEAVES: &'static [&'static ::core::primitive::str] = &["Y", "X"];
     const SETTLED: ::core::primitive::bool = true;
     const STARTS: &'static [cga_rt::StartRule] = &[
@@ -16,7 +11,7 @@ impl cga_rt::Rules for Tower {
         cga_rt::StartRule::new("Tall$Lot"),
         cga_rt::StartRule::new("Tall$Roof"),
     ];
-    const START_RULES: &'static [::core::primitive::u32] = &[0u32, 1u32, 2u32, 1u32];
+    const START_RULES: &'static [::core::primitive::u32] = &[0u32, 1u32, 0u32, 1u32];
     const START_STYLES: &'static [::core::primitive::u32] = &[0u32, 0u32, 1u32, 1u32];
     fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
         ::core::result::Result::Ok(())
@@ -28,23 +23,16 @@ impl cga_rt::Rules for Tower {
         style: ::core::primitive::u32,
     ) -> CgaValues {
         let mut g = <CgaValues as ::core::default::Default>::default();
-        match style {
-            0u32 => {
-                g.attr_0 = match self.h {
-                    ::core::option::Option::Some(value) => value,
-                    ::core::option::Option::None => 1f64,
-                };
-                g.attr_1 = cga_rt::text(&self.label);
+        g.style = style;
+        g.attr_0 = match self.h {
+            ::core::option::Option::Some(value) => value,
+            ::core::option::Option::None => {
+                let shape = &mut cga_rt::global(initial, 3977000791u32);
+                let g = &g;
+                (if ::core::matches!(g.style, 1u32) { 5f64 } else { 1f64 })
             }
-            1u32 => {
-                g.attr_1 = cga_rt::text(&self.label);
-                g.attr_2 = match self.h {
-                    ::core::option::Option::Some(value) => value,
-                    ::core::option::Option::None => 5f64,
-                };
-            }
-            _ => {}
-        }
+        };
+        g.attr_1 = cga_rt::text(&self.label);
         g
     }
     fn start(
@@ -56,7 +44,6 @@ impl cga_rt::Rules for Tower {
         match rule {
             0u32 => CgaRules::Lot(g, cx, shape),
             1u32 => CgaRules::Roof(g, cx, shape),
-            2u32 => CgaRules::Tall_Lot(g, cx, shape),
             _ => cga_rt::Flow::Continue(()),
         }
     }

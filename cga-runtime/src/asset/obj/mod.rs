@@ -19,9 +19,9 @@ use std::fmt;
 
 use glam::{DVec2, DVec3};
 
+use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
 use crate::material::Material;
-use crate::mesh::{FaceTag, Mesh, MeshBuilder, MeshError};
-use crate::text::Text;
+use crate::value::text::Text;
 use lines::{is_utf16, lines};
 use warnings::{Warnings, short};
 

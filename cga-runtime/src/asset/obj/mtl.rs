@@ -7,7 +7,7 @@ use std::fmt;
 
 use super::lines::lines;
 use crate::material::{Channel, Color, ColorOf, Layer, Material, MaterialNumber, MaterialText};
-use crate::text::Text;
+use crate::value::text::Text;
 
 /// A material library.
 pub(super) struct Library {

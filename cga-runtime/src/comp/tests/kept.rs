@@ -7,12 +7,12 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 use super::{arm, ball, hip_roofs, parts};
 use crate::comp::select::Word;
 use crate::comp::{Align, Arm, Components, Mode, Parts, Select};
-use crate::env::Env;
-use crate::mesh::{Mesh, primitive};
+use crate::geometry::Axis;
+use crate::geometry::mesh::{Mesh, primitive};
 use crate::op::{self, Length};
-use crate::scope::Axis;
+use crate::run::env::Env;
+use crate::run::sink::Flow;
 use crate::shape::{Geometry, Shape};
-use crate::sink::Flow;
 
 #[test]
 fn what_looks_outwards_is_selected_by_where_it_looks() {
@@ -154,7 +154,7 @@ fn a_hull_of_many_corners_decides_as_all_corners_do() {
         for (.., mut face) in parts(&shape, Components::Faces, Align::ZUp, &[arm(Word::All, Mode::Each)]) {
             let edges = face.to_mesh().corners().len();
             assert_eq!(face.trims.planes(&face.pivot).len(), edges);
-            crate::set::trim_horizontal(env, &mut face, true);
+            crate::op::set::trim_horizontal(env, &mut face, true);
             let area = face.to_mesh().area();
             op::trim(env, &mut face);
             assert!((face.to_mesh().area() - area).abs() < 1e-9);

@@ -1,8 +1,8 @@
 //! Arrays from values: `[1, a; 2:4]` and `base : increment : limit`.
 
-use crate::array::{Array, Element};
-use crate::env::Env;
 use crate::fault::FaultKind;
+use crate::run::env::Env;
+use crate::value::array::{Array, Element};
 
 /// What stands between commas in `[…]`.
 #[derive(Clone, Debug)]
@@ -85,7 +85,8 @@ pub fn array<T: Element>(env: &mut Env, rows: &[&[Part<T>]]) -> Array<T> {
 }
 
 /// `[base : limit]`: in steps of 1 (*colon operator*).
-pub fn range(env: &mut Env, base: f64, limit: f64) -> Array<f64> {
+#[cfg(test)]
+pub(crate) fn range(env: &mut Env, base: f64, limit: f64) -> Array<f64> {
     range_by(env, base, 1.0, limit)
 }
 

@@ -3,11 +3,11 @@
 //! One side may be a single value, which then meets every element of the other. Two arrays must have the same form; if
 //! they do not, the result has no elements and there is a fault.
 
-use super::super::compare::Compare;
-use crate::array::{Array, Element, Print};
-use crate::env::Env;
 use crate::fault::FaultKind;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::array::{Array, Element, Print};
+use crate::value::compare::Compare;
+use crate::value::text::Text;
 
 /// A side of such an operator: a value or an array.
 pub trait Operand {
@@ -139,11 +139,6 @@ comparisons! {
     each_greater_equal = ".>=" is_ge;
 }
 
-/// `.+ a`: the array itself.
-pub fn each_plus(a: Array<f64>) -> Array<f64> {
-    a
-}
-
 /// `.- a`.
 pub fn each_minus(a: Array<f64>) -> Array<f64> {
     a.map(|value| -value)
@@ -197,7 +192,6 @@ mod tests {
         assert_eq!(each_add(env, row([1.0, 2.0]), 1.0), row([2.0, 3.0]));
         assert_eq!(each_add(env, 1.0, down([1.0, 2.0])), down([2.0, 3.0]));
         assert_eq!(each_add(env, row([1.0, 2.0]), row([2.0, 1.0])), row([3.0, 3.0]));
-        assert_eq!(each_plus(row([1.0, 2.0])), row([1.0, 2.0]));
         assert_eq!(each_subtract(env, square([1.0, 2.0, 3.0, 4.0]), 1.0), square([0.0, 1.0, 2.0, 3.0]));
         assert_eq!(each_subtract(env, 3.0, row([1.0, 2.0])), row([2.0, 1.0]));
         assert_eq!(each_subtract(env, down([3.0, 2.0]), down([2.0, 1.0])), down([1.0, 1.0]));

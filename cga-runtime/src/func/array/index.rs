@@ -4,8 +4,8 @@
 
 use super::super::whole;
 use super::each::Operand;
-use crate::array::{Array, Element};
-use crate::env::Env;
+use crate::run::env::Env;
+use crate::value::array::{Array, Element};
 
 /// What may number elements, rows or columns: a number, numbers, or truth values that say which are meant.
 pub trait Indices: Operand {

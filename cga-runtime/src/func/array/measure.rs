@@ -1,8 +1,8 @@
 //! What an array is as a whole: its size, its sum, where a value stands.
 
-use crate::array::{Array, Element};
-use crate::env::Env;
-use crate::text::Text;
+use crate::run::env::Env;
+use crate::value::array::{Array, Element};
+use crate::value::text::Text;
 
 /// How many elements (*size function*).
 pub fn size<T: Element>(array: Array<T>) -> f64 {

@@ -2,9 +2,9 @@
 
 use super::each::Operand;
 use super::index::Indices;
-use crate::array::{Array, Element};
-use crate::env::Env;
 use crate::fault::FaultKind;
+use crate::run::env::Env;
+use crate::value::array::{Array, Element};
 
 /// `setElems(array, indices, values)`: elements counted row by row (*setElems function*).
 ///

@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::super::compare::Compare;
-use crate::array::{Array, Element};
+use crate::value::array::{Array, Element};
+use crate::value::compare::Compare;
 
 /// An order without contradictions, which sorting needs: what is no number comes last.
 fn order<T: Compare>(a: &T, b: &T) -> Ordering {

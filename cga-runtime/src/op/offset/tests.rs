@@ -1,10 +1,10 @@
 use glam::DVec3;
 
 use super::*;
-use crate::mesh::{FaceTag, Mesh, MeshBuilder};
-use crate::scope::Axis;
+use crate::geometry::Axis;
+use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::shape::Shape;
-use crate::unit::UnitMesh;
+use crate::shape::unit::UnitMesh;
 
 fn faults(env: &mut Env) -> Vec<String> {
     env.take_faults().0.into_iter().map(|fault| fault.message).collect()

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use glam::DVec2;
 
 use super::*;
-use crate::mesh::FaceRef;
+use crate::geometry::mesh::FaceRef;
 
 /// The ground plan of a ring, counter-clockwise where it is seen from above so.
 fn flat(face: &FaceRef<'_>, mesh: &Mesh) -> Vec<Vec<DVec2>> {

@@ -1,0 +1,28 @@
+//! Numbers as messages show them.
+
+use crate::analysis::interval::Interval;
+
+/// A number as messages show it.
+pub(crate) fn shown(number: f64) -> String {
+    let rounded = (number * 1e6).round() / 1e6;
+    // Not what is small, and no zero with a sign.
+    let is_far = rounded == 0.0 && number != 0.0 || 1e15 < number.abs();
+    if is_far { format!("{number:e}") } else { format!("{}", rounded + 0.0) }
+}
+
+/// A bound as messages show it, without what rounding may add.
+pub(crate) fn about(number: f64) -> String {
+    shown((number * 1e4).round() / 1e4)
+}
+
+/// Numbers as messages show them: "3", "between 3 and 60", "3 or more".
+pub(crate) fn range(of: Interval) -> String {
+    match (of.lo == of.hi, of.lo.is_finite(), of.hi.is_finite()) {
+        (true, ..) => shown(of.lo),
+        (false, true, true) if shown(of.lo) == shown(of.hi) => format!("about {}", shown(of.lo)),
+        (false, true, true) => format!("between {} and {}", shown(of.lo), shown(of.hi)),
+        (false, true, false) => format!("{} or more", shown(of.lo)),
+        (false, false, true) => format!("{} or less", shown(of.hi)),
+        (false, false, false) => "any number".into(),
+    }
+}

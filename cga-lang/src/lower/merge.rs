@@ -1,0 +1,386 @@
+//! Merges the styles of the compiled file: one definition for each declared name.
+//!
+//! Each style is lowered on its own, and the style of a run never changes. So definitions of one name become one definition.
+//! Where they differ, it chooses by style: values are a `case` on the style, and so is the body of a rule.
+//!
+//! Definitions are *one name* if their kind, their name, their types and their number among equal ones of a style are equal.
+//! References are compared by name, so one pass finds all that differs. A block is a part of its rule: blocks of a name are one
+//! only if they are equal.
+
+use std::cmp::Reverse;
+use std::collections::HashMap;
+use std::hash::Hash;
+
+use crate::graph::{components, is_cycle};
+use crate::ir::{
+    Attr, AttrId, ChoiceValues, Const, ConstId, Expr, ExprKind, Function, FunctionId, Global, Grammar, Init, Param,
+    Renewal, RenewalId, Rule, RuleId, Step, Target, Type, Value,
+};
+use crate::{ir_print, ir_walk};
+
+use super::childless;
+
+/// The style that each definition belongs to, by kind. Blocks have none: they follow the rules.
+#[derive(Default)]
+pub(super) struct Owners {
+    pub(super) attrs: Vec<u32>,
+    pub(super) consts: Vec<u32>,
+    pub(super) functions: Vec<u32>,
+    pub(super) rules: Vec<u32>,
+}
+
+/// The number of the merged definition for each definition, by kind.
+struct Merged {
+    attrs: Vec<usize>,
+    consts: Vec<usize>,
+    functions: Vec<usize>,
+    renewals: Vec<usize>,
+    rules: Vec<usize>,
+}
+
+/// A definition that holds in some styles.
+struct Variant<T> {
+    styles: Vec<u32>,
+    own: T,
+}
+
+/// Merges the styles of a grammar. `init` has the attributes and constants of each style.
+pub(super) fn merge(grammar: &mut Grammar, owners: &Owners, init: &[Vec<Global>]) {
+    let mut named = grammar.clone();
+    let attrs = numbers(&grammar.attrs, &owners.attrs, |attr| (attr.name.clone(), attr.ty, attr.public));
+    let consts = numbers(&grammar.consts, &owners.consts, |it| (it.name.clone(), it.ty));
+    let functions = functions(&grammar.functions, &owners.functions);
+    let declared = &grammar.rules[..owners.rules.len()];
+    let rules = numbers(declared, &owners.rules, |it| (it.label.clone(), types(&it.params, &it.locals)));
+    // In texts, references are by number.
+    named.attrs.iter_mut().zip(&attrs).for_each(|(it, number)| it.name = format!("attr {number}"));
+    named.consts.iter_mut().zip(&consts).for_each(|(it, number)| it.name = format!("const {number}"));
+    named.functions.iter_mut().zip(&functions).for_each(|(it, number)| it.name = format!("function {number}"));
+    named.rules.iter_mut().zip(&rules).for_each(|(it, number)| it.name = format!("rule {number}"));
+    let renewals = renewals(grammar, &attrs, &consts);
+    named.renewals.iter_mut().zip(&renewals).for_each(|(it, number)| it.import = format!("renewal {number}"));
+    let (rules, texts) = blocks(&mut named, rules);
+    let merged = Merged { attrs, consts, functions, renewals, rules };
+
+    let text = |value: &Expr| ir_print::expr(&named, value);
+    let attrs = std::mem::take(&mut grammar.attrs);
+    let attr_texts: Vec<String> = attrs.iter().map(|attr| text(&attr.default)).collect();
+    grammar.attrs = variants(attrs, &merged.attrs, &owners.attrs, &attr_texts).into_iter().map(attr).collect();
+    let consts = std::mem::take(&mut grammar.consts);
+    let const_texts: Vec<String> = consts.iter().map(|it| text(&it.value)).collect();
+    grammar.consts = variants(consts, &merged.consts, &owners.consts, &const_texts).into_iter().map(constant).collect();
+    let function_texts: Vec<String> = named.functions.iter().map(|it| ir_print::function(&named, it)).collect();
+    let functions = std::mem::take(&mut grammar.functions);
+    let functions = variants(functions, &merged.functions, &owners.functions, &function_texts);
+    grammar.functions = functions.into_iter().map(function).collect();
+    let mut owners = owners.rules.clone();
+    owners.resize(grammar.rules.len(), 0);
+    let rules = variants(std::mem::take(&mut grammar.rules), &merged.rules, &owners, &texts);
+    grammar.rules = rules.into_iter().map(rule).collect();
+    keep_first(&mut grammar.renewals, &merged.renewals);
+
+    refer(grammar, &merged);
+    order(grammar, &merged, init);
+}
+
+/// The number of the merged function for each function.
+pub(super) fn functions(functions: &[Function], owners: &[u32]) -> Vec<usize> {
+    numbers(functions, owners, |it| (it.name.clone(), it.ty, types(&it.params, &it.locals)))
+}
+
+/// Numbers definitions by key, and by number among those of one key in their style.
+pub(super) fn numbers<T, K: Hash + Eq + Clone>(items: &[T], owners: &[u32], key: impl Fn(&T) -> K) -> Vec<usize> {
+    let mut counts: HashMap<(u32, K), usize> = HashMap::new();
+    let keys = items.iter().zip(owners).map(|(item, &style)| {
+        let count = counts.entry((style, key(item))).or_insert(0);
+        *count += 1;
+        (key(item), *count)
+    });
+    interned(keys)
+}
+
+/// Numbers keys in the order in which they come first.
+fn interned<K: Hash + Eq>(keys: impl Iterator<Item = K>) -> Vec<usize> {
+    let mut known = HashMap::new();
+    keys.map(|key| {
+        let next = known.len();
+        *known.entry(key).or_insert(next)
+    })
+    .collect()
+}
+
+/// The types of the parameters that are given.
+fn types(params: &[Param], locals: &[Expr]) -> Vec<Type> {
+    params[..params.len() - locals.len()].iter().map(|param| param.ty).collect()
+}
+
+/// The same values start anew with renewals of one number.
+fn renewals(grammar: &Grammar, attrs: &[usize], consts: &[usize]) -> Vec<usize> {
+    interned(grammar.renewals.iter().map(|renewal| {
+        let number = |global: &Global| match *global {
+            Global::Attr(id) => attrs[id.0 as usize],
+            Global::Const(id) => attrs.len() + consts[id.0 as usize],
+        };
+        let mut globals: Vec<usize> = renewal.globals.iter().map(number).collect();
+        globals.sort_unstable();
+        (&renewal.import, globals)
+    }))
+}
+
+/// Numbers the blocks behind the declared rules, and gives the texts of all rules.
+fn blocks(named: &mut Grammar, declared: Vec<usize>) -> (Vec<usize>, Vec<String>) {
+    let (first, count) = (declared.len(), named.rules.len());
+    let mut texts = vec![String::new(); count];
+    let mut known: HashMap<(String, String), usize> = HashMap::new();
+    let mut blocks = vec![0; count - first];
+    // Blocks in a block come behind it.
+    for at in (first..count).rev() {
+        let own = &mut named.rules[at];
+        own.name.clear();
+        let label = own.label.clone();
+        let text = ir_print::rule(named, &named.rules[at]);
+        let next = known.len();
+        blocks[at - first] = *known.entry((label, text)).or_insert(next);
+        named.rules[at].name = format!("block {}", blocks[at - first]);
+    }
+    for at in 0..first {
+        texts[at] = ir_print::rule(named, &named.rules[at]);
+    }
+    let numbers = declared.into_iter().map(|rule| (false, rule)).chain(blocks.into_iter().map(|block| (true, block)));
+    (interned(numbers), texts)
+}
+
+/// The definitions of each number: those with one text are one. The last one is that of most styles, and holds otherwise.
+fn variants<T>(items: Vec<T>, numbers: &[usize], owners: &[u32], texts: &[String]) -> Vec<Vec<Variant<T>>> {
+    let mut all: Vec<Vec<(&str, Variant<T>)>> = Vec::new();
+    for (((own, &number), &style), text) in items.into_iter().zip(numbers).zip(owners).zip(texts) {
+        if number == all.len() {
+            all.push(Vec::new());
+        }
+        let list = &mut all[number];
+        match list.iter_mut().find(|(known, _)| *known == text) {
+            Some((_, variant)) => variant.styles.push(style),
+            None => list.push((text, Variant { styles: vec![style], own })),
+        }
+    }
+    let sorted = all.into_iter().map(|list| {
+        let mut list: Vec<Variant<T>> = list.into_iter().map(|(_, variant)| variant).collect();
+        list.sort_by_key(|variant| (variant.styles.len(), Reverse(variant.styles[0])));
+        list
+    });
+    sorted.collect()
+}
+
+/// The definition of the first style, for all that does not depend on the style.
+fn first<T>(variants: &[Variant<T>]) -> &T {
+    let first = variants.iter().min_by_key(|variant| variant.styles[0]);
+    &first.expect("each number has a definition").own
+}
+
+fn attr(mut variants: Vec<Variant<Attr>>) -> Attr {
+    let own = first(&variants).clone();
+    let known = own.known.clone().filter(|_| variants.len() == 1);
+    let is_set = variants.iter().any(|variant| variant.own.is_set);
+    let values = variants.drain(..).map(|it| Variant { styles: it.styles, own: it.own.default });
+    Attr { default: chosen(values.collect()), known, is_set, ..own }
+}
+
+fn constant(mut variants: Vec<Variant<Const>>) -> Const {
+    let own = first(&variants).clone();
+    let known = own.known.clone().filter(|_| variants.len() == 1);
+    let is_set = variants.iter().any(|variant| variant.own.is_set);
+    let values = variants.drain(..).map(|it| Variant { styles: it.styles, own: it.own.value });
+    Const { value: chosen(values.collect()), known, is_set, ..own }
+}
+
+fn function(mut variants: Vec<Variant<Function>>) -> Function {
+    let own = first(&variants).clone();
+    let (params, locals) = locals(&mut variants, |it| (&it.params, &mut it.locals), |it, change| change(&mut it.body));
+    let values = variants.into_iter().map(|it| Variant { styles: it.styles, own: it.own.body });
+    Function { body: chosen(values.collect()), params, locals, ..own }
+}
+
+fn rule(mut variants: Vec<Variant<Rule>>) -> Rule {
+    if variants.len() == 1 {
+        return variants.remove(0).own;
+    }
+    let own = first(&variants).clone();
+    let each = |it: &mut Rule, change: &mut dyn FnMut(&mut Expr)| ir_walk::exprs_mut(&mut it.body, change);
+    let (params, locals) = locals(&mut variants, |it| (&it.params, &mut it.locals), each);
+    let mut bodies: Vec<(Expr, Vec<Step>)> =
+        variants.into_iter().map(|it| (is_style(it.styles, own.span), it.own.body)).collect();
+    let otherwise = bodies.pop().map(|(_, body)| body).unwrap_or_default();
+    let body = vec![Step::Case { arms: bodies, otherwise }];
+    Rule { leaf: childless::of(&body), body, params, locals, ..own }
+}
+
+/// The value of the style in force.
+fn chosen(mut values: Vec<Variant<Expr>>) -> Expr {
+    let otherwise = values.pop().expect("each number has a definition").own;
+    if values.is_empty() {
+        return otherwise;
+    }
+    let (ty, span) = (otherwise.ty, otherwise.span);
+    let arms = values.into_iter().map(|it| (is_style(it.styles, span), it.own)).collect();
+    Expr { kind: ExprKind::Case(arms, Box::new(otherwise)), ty, span }
+}
+
+fn is_style(styles: Vec<u32>, span: crate::span::Span) -> Expr {
+    Expr { kind: ExprKind::Style(styles), ty: Type::Bool, span }
+}
+
+/// The parameters and locals of variants together. Each variant keeps its locals; those of other styles are not computed.
+fn locals<T>(
+    variants: &mut [Variant<T>],
+    parts: impl Fn(&mut T) -> (&Vec<Param>, &mut Vec<Expr>),
+    exprs: impl Fn(&mut T, &mut dyn FnMut(&mut Expr)),
+) -> (Vec<Param>, Vec<Expr>) {
+    if let [only] = variants {
+        let (params, locals) = parts(&mut only.own);
+        return (params.clone(), std::mem::take(locals));
+    }
+    let (mut all_params, mut all) = (Vec::new(), Vec::new());
+    for variant in variants {
+        let (params, locals) = parts(&mut variant.own);
+        let given = (params.len() - locals.len()) as u32;
+        if all_params.is_empty() {
+            all_params.extend_from_slice(&params[..given as usize]);
+        }
+        all_params.extend_from_slice(&params[given as usize..]);
+        let before = all.len() as u32;
+        let mut moved = |expr: &mut Expr| {
+            ir_walk::params_mut(expr, &mut |index| *index += if *index < given { 0 } else { before });
+        };
+        let mut own = std::mem::take(locals);
+        own.iter_mut().for_each(&mut moved);
+        exprs(&mut variant.own, &mut moved);
+        all.extend(own.into_iter().map(|value| {
+            let (ty, span) = (value.ty, value.span);
+            let unused = Expr { kind: ExprKind::Value(unused(ty)), ty, span };
+            let arms = vec![(is_style(variant.styles.clone(), span), value)];
+            Expr { kind: ExprKind::Case(arms, Box::new(unused)), ty, span }
+        }));
+    }
+    (all_params, all)
+}
+
+/// A value that is never read.
+fn unused(ty: Type) -> Value {
+    match ty {
+        Type::Float => Value::Float(0.0),
+        Type::Bool => Value::Bool(false),
+        Type::Text => Value::Text(String::new()),
+        _ => Value::Array(vec![vec![unused(ty.element())]]),
+    }
+}
+
+fn keep_first<T>(items: &mut Vec<T>, numbers: &[usize]) {
+    let (mut numbers, mut next) = (numbers.iter(), 0);
+    items.retain(|_| {
+        let is_first = numbers.next() == Some(&next);
+        next += usize::from(is_first);
+        is_first
+    });
+}
+
+/// Changes all references to the merged definitions.
+fn refer(grammar: &mut Grammar, merged: &Merged) {
+    let attr = |id: &mut AttrId| *id = AttrId(merged.attrs[id.0 as usize] as u32);
+    let constant = |id: &mut ConstId| *id = ConstId(merged.consts[id.0 as usize] as u32);
+    let rule = |id: &mut RuleId| *id = RuleId(merged.rules[id.0 as usize] as u32);
+    ir_walk::all_exprs_mut(grammar, &mut |expr| match &mut expr.kind {
+        ExprKind::Attr(id) => attr(id),
+        ExprKind::Const(id) => constant(id),
+        ExprKind::Call(id, _) => *id = FunctionId(merged.functions[id.0 as usize] as u32),
+        _ => {}
+    });
+    for own in &mut grammar.attrs {
+        if let Some(ChoiceValues::Attr(id)) = own.choices.as_mut().map(|choices| &mut choices.values) {
+            attr(id);
+        }
+    }
+    for global in grammar.renewals.iter_mut().flat_map(|renewal| &mut renewal.globals) {
+        *global = merged.global(*global);
+    }
+    for own in &mut grammar.rules {
+        ir_walk::steps_mut(&mut own.body, &mut |step| {
+            match step {
+                Step::SetAttr(id, ..) => attr(id),
+                Step::Anew(anew) => {
+                    anew.given.iter_mut().for_each(|(id, _)| attr(id));
+                    anew.renewal = RenewalId(merged.renewals[anew.renewal.0 as usize] as u32);
+                }
+                _ => {}
+            }
+            for target in ir_walk::targets_mut(step) {
+                if let Target::Rule { rule: id, .. } = target {
+                    rule(id);
+                }
+            }
+        });
+    }
+    grammar.starts.iter_mut().for_each(|start| rule(&mut start.rule));
+}
+
+impl Merged {
+    fn global(&self, global: Global) -> Global {
+        match global {
+            Global::Attr(id) => Global::Attr(AttrId(self.attrs[id.0 as usize] as u32)),
+            Global::Const(id) => Global::Const(ConstId(self.consts[id.0 as usize] as u32)),
+        }
+    }
+}
+
+/// Finds an order in which each attribute and constant is ready before it is used, in all styles. Where only different styles
+/// close a cycle, its values are lazy.
+fn order(grammar: &mut Grammar, merged: &Merged, init: &[Vec<Global>]) {
+    let mut styles: HashMap<Global, Vec<u32>> = HashMap::new();
+    for (style, list) in init.iter().enumerate() {
+        for global in list {
+            styles.entry(merged.global(*global)).or_default().push(style as u32);
+        }
+    }
+    let (attrs, consts) = (grammar.attrs.len(), grammar.consts.len());
+    let needs = |values: &mut dyn Iterator<Item = &Expr>| {
+        let mut list = Vec::new();
+        for value in values {
+            ir_walk::parts(value, &mut |part| match part.kind {
+                ExprKind::Attr(id) => list.push(id.0 as usize),
+                ExprKind::Const(id) => list.push(attrs + id.0 as usize),
+                ExprKind::Call(id, _) => list.push(attrs + consts + id.0 as usize),
+                _ => {}
+            });
+        }
+        list.sort_unstable();
+        list.dedup();
+        list
+    };
+    let edges: Vec<Vec<usize>> = (grammar.attrs.iter().map(|it| needs(&mut [&it.default].into_iter())))
+        .chain(grammar.consts.iter().map(|it| needs(&mut [&it.value].into_iter())))
+        .chain(grammar.functions.iter().map(|it| needs(&mut it.locals.iter().chain([&it.body]))))
+        .collect();
+    let mut places: HashMap<Global, usize> = HashMap::new();
+    for component in components(&edges) {
+        let is_cycle = is_cycle(&component, &edges);
+        for node in component {
+            let global = if let Some(attr) = grammar.attrs.get_mut(node) {
+                attr.lazy = is_cycle;
+                Global::Attr(AttrId(node as u32))
+            } else if let Some(own) = grammar.consts.get_mut(node - attrs) {
+                own.lazy = is_cycle && own.known.is_none();
+                Global::Const(ConstId((node - attrs) as u32))
+            } else {
+                grammar.functions[node - attrs - consts].recursive = is_cycle;
+                continue;
+            };
+            places.insert(global, places.len());
+            if let Some(styles) = styles.remove(&global) {
+                let styles = Some(styles).filter(|styles| styles.len() < init.len());
+                grammar.init.push(Init { global, styles });
+            }
+        }
+    }
+    for Renewal { globals, .. } in &mut grammar.renewals {
+        globals.sort_by_key(|global| places.get(global).copied());
+    }
+}

@@ -1,0 +1,140 @@
+//! Files that rules import: looked for below the package, like the file behind `in`.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use cga_lang::compile::Door;
+use cga_lang::lex::lex;
+use cga_lang::link::{Asset, Files, Unit, candidates, folder};
+use proc_macro2::{Literal, TokenStream};
+
+use super::file::{text, tracking};
+use super::rules::QuotedText;
+
+/// Larger meshes are there, and no more is known of them.
+const LARGEST_MESH: u64 = 1 << 26;
+
+/// Files in a folder that are looked at for one that may have been meant.
+const MOST_BESIDE: usize = 500;
+
+/// Opens imported files and remembers them: findings quote from them, and the build follows them.
+pub(crate) struct Imports {
+    /// The package's folder.
+    root: PathBuf,
+    /// In the order in which they were opened first.
+    opened: Vec<Imported>,
+    /// What is in the folders that were looked at.
+    listed: HashMap<PathBuf, Vec<String>>,
+}
+
+/// A file that was imported.
+pub(crate) struct Imported {
+    pub(super) text: QuotedText,
+    /// The path behind the `import` of the rules themselves that led to it.
+    pub(super) path: String,
+}
+
+impl Imports {
+    pub(crate) fn new() -> Self {
+        let root = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
+        Imports { root, opened: Vec::new(), listed: HashMap::new() }
+    }
+
+    /// The files.
+    pub(crate) fn opened(self) -> Vec<Imported> {
+        self.opened
+    }
+}
+
+impl Files for Imports {
+    fn open(&mut self, path: &str, from: &str) -> Result<Unit, String> {
+        // A machine's own paths have no place in a package.
+        let inside = |name: &String| !name.starts_with("..") && !name.starts_with('/');
+        let names: Vec<String> = candidates(path, from).into_iter().filter(inside).collect();
+        let found = names.iter().find(|name| self.root.join(name).is_file());
+        let Some(name) = found else {
+            return Err(match names.first() {
+                Some(first) if first != path => format!("there is no file `{first}` in the package"),
+                _ => "there is no such file in the package".into(),
+            });
+        };
+        let text = text(&self.root.join(name)).map_err(|error| error.to_string())?;
+        let lexed = lex(&text);
+        let named = |name: &str| self.opened.iter().find(|file| file.text.name == name);
+        if named(name).is_none() {
+            let path = named(from).map_or(path, |file| &file.path).to_owned();
+            let text = QuotedText { name: name.clone(), written: text, ranges: lexed.ranges };
+            self.opened.push(Imported { text, path });
+        }
+        Ok(Unit { name: name.clone(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags })
+    }
+
+    fn beside(&mut self, path: &str, from: &str) -> Vec<String> {
+        let folder = folder(path, from);
+        if folder.starts_with("..") || folder.starts_with('/') {
+            return Vec::new();
+        }
+        names(&self.root.join(folder)).collect()
+    }
+
+    fn asset(&mut self, place: &str) -> Option<Asset> {
+        let Some(path) = self.inside(place) else {
+            return Some(Asset::Missing(self.beside_place(&self.root.join(place))));
+        };
+        let is_mesh = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
+        let is_small = path.metadata().is_ok_and(|data| data.len() <= LARGEST_MESH);
+        let bytes = (is_mesh && is_small).then(|| std::fs::read(path).ok()).flatten();
+        Some(bytes.map_or(Asset::There, |bytes| Asset::obj(&String::from_utf8_lossy(&bytes))))
+    }
+}
+
+impl Imports {
+    /// The path of a file in the package, without links: one that leads out of it a run does not follow either.
+    fn inside(&self, place: &str) -> Option<PathBuf> {
+        let path = self.root.join(place).canonicalize().ok()?;
+        (path.is_file() && path.starts_with(self.root.canonicalize().ok()?)).then_some(path)
+    }
+
+    /// The names of the files in the folder of one that is not there.
+    fn beside_place(&mut self, path: &Path) -> Vec<String> {
+        let Some(folder) = path.parent() else { return Vec::new() };
+        self.listed.entry(folder.to_owned()).or_insert_with(|| names(folder).take(MOST_BESIDE).collect()).clone()
+    }
+}
+
+/// What is in a folder, in no order.
+fn names(folder: &Path) -> impl Iterator<Item = String> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.filter_map(|entry| entry.file_name().into_string().ok())
+}
+
+/// Makes the build follow the imported files.
+pub(super) fn follow(files: &[Imported]) -> TokenStream {
+    files.iter().map(|file| tracking(&Literal::string(&file.text.name))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn assets_are_those_of_the_package() {
+        let root = std::env::temp_dir().join(format!("cga-assets-{}", std::process::id()));
+        std::fs::create_dir_all(root.join("assets/wood")).unwrap();
+        let write = |name: &str, text: &str| std::fs::write(root.join(name), text).unwrap();
+        write("assets/tree.obj", "g Bark\nf 1 2 3\n");
+        write("assets/wood/oak.png", "");
+        write("table.csv", "1;2");
+        let mut files = Imports { root: root.clone(), opened: Vec::new(), listed: HashMap::new() };
+        let groups = vec!["Bark".to_owned()];
+        let tree = Asset::Mesh { has_faces: true, groups, materials: Vec::new() };
+        assert_eq!(files.asset("assets/tree.obj"), Some(tree));
+        assert_eq!(files.asset("table.csv"), Some(Asset::There));
+        assert_eq!(files.asset("assets/wood/oak.png"), Some(Asset::There));
+        assert_eq!(files.asset("assets/wood/elm.png"), Some(Asset::Missing(vec!["oak.png".to_owned()])));
+        assert!(
+            matches!(files.asset("assets/wood"), Some(Asset::Missing(names)) if names.contains(&"tree.obj".to_owned()))
+        );
+        std::fs::remove_dir_all(&root).unwrap();
+    }
+}

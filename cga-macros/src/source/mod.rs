@@ -1,0 +1,28 @@
+//! The three sources of rules: Rust tokens, string literals and files. A source knows where token n is; nothing else does.
+
+mod content;
+mod file;
+mod import;
+mod literal;
+mod rules;
+pub(crate) mod tokens;
+
+use proc_macro2::{Ident, Span};
+
+pub(crate) use import::Imports;
+pub(crate) use rules::{Host, Source};
+
+use crate::header::{Body, Header};
+use crate::problem::Problem;
+
+/// Opens the source that the header names.
+pub(crate) fn open(header: &Header, body: Body) -> Result<Source, Problem> {
+    match body {
+        Body::Inline(stream) => {
+            let end = header.name.as_ref().map_or_else(Span::call_site, Ident::span);
+            Ok(tokens::read(stream, end))
+        }
+        Body::Text(literals) => literal::read(&literals),
+        Body::File(literal) => file::read(&literal),
+    }
+}

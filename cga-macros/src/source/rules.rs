@@ -1,0 +1,183 @@
+//! The rules of one macro call as tokens, and where each token is.
+
+use super::import::{self, Imported};
+use cga_lang::compile::{Compiled, Door};
+use cga_lang::diag::Diag;
+use cga_lang::link::{Piece, Unit};
+use cga_lang::span;
+use cga_lang::token::{Sym, Tok, Tokens};
+use proc_macro2::{Span, TokenStream};
+
+/// Rules as tokens, and what it takes to speak about them.
+pub(crate) struct Source {
+    pub(super) tokens: Tokens,
+    pub(super) findings: Vec<Diag>,
+    pub(super) hosts: Vec<Host>,
+    pub(super) places: Places,
+    /// Imported files.
+    pub(super) imported: Vec<Imported>,
+    /// Where each file is among the tokens that spans count, with its number in `imported`; `None` for the rules themselves.
+    pub(super) pieces: Vec<(Piece, Option<usize>)>,
+}
+
+/// A Rust value in the rules: `#name` or `#(…)`.
+pub(crate) struct Host {
+    /// The expression.
+    pub(crate) expr: TokenStream,
+    /// Where it stands, without the `#`.
+    pub(crate) span: Span,
+}
+
+/// The places of the tokens.
+pub(super) enum Places {
+    /// Inline: each token begins and ends somewhere, and a path has its own tokens.
+    Inline { spans: Vec<(Span, Span)>, paths: Vec<(u32, TokenStream)>, end: Span },
+    /// In a string or a file: the literal stands for all that is in it, and there is a text to quote from.
+    Text { span: Span, text: QuotedText, tracking: TokenStream },
+}
+
+/// A text that findings quote from.
+pub(crate) struct QuotedText {
+    /// What the user calls it: a path.
+    pub(crate) name: String,
+    /// The text as it is written, escapes and all, in the place where it stands in its file.
+    pub(crate) written: String,
+    /// For each token, its bytes in `written`.
+    pub(crate) ranges: Vec<std::ops::Range<usize>>,
+}
+
+impl Source {
+    #[cfg(test)]
+    pub(crate) fn tokens(&self) -> &Tokens {
+        &self.tokens
+    }
+
+    /// Whether the rules stand among Rust, token by token.
+    pub(crate) fn is_inline(&self) -> bool {
+        matches!(self.places, Places::Inline { .. })
+    }
+
+    /// The rules as a file that others may be imported into.
+    pub(crate) fn unit(&self) -> Unit {
+        // Inline is strict, text is compatible.
+        let door = match self.places {
+            Places::Inline { .. } => Door::Inline,
+            Places::Text { .. } => Door::Text,
+        };
+        // Paths in a string or inline count from the package's folder.
+        let name = match &self.places {
+            Places::Text { text, tracking, .. } if !tracking.is_empty() => text.name.clone(),
+            _ => String::new(),
+        };
+        Unit { name, tokens: self.tokens.clone(), door, found: self.findings.clone() }
+    }
+
+    /// Takes over what was imported.
+    pub(crate) fn import(&mut self, compiled: &Compiled, imported: Vec<Imported>) {
+        let number = |piece: &Piece| {
+            let name = compiled.files.get(piece.file)?;
+            if piece.file == 0 { None } else { imported.iter().position(|file| file.text.name == *name) }
+        };
+        self.pieces = compiled.pieces.iter().map(|piece| (piece.clone(), number(piece))).collect();
+        self.imported = imported;
+    }
+
+    /// The imported file a token belongs to, if any, and the token's number there.
+    fn locate(&self, token: u32) -> (Option<&Imported>, u32) {
+        let at = self.pieces.partition_point(|(piece, _)| piece.tokens.start <= token);
+        match at.checked_sub(1).map(|at| &self.pieces[at]) {
+            Some((piece, file)) => (file.map(|file| &self.imported[file]), token - piece.tokens.start),
+            None => (None, token),
+        }
+    }
+
+    /// The diagnostics of reading the tokens.
+    #[cfg(test)]
+    pub(crate) fn findings(&self) -> &[Diag] {
+        &self.findings
+    }
+
+    /// The Rust values, by handle.
+    pub(crate) fn hosts(&self) -> &[Host] {
+        &self.hosts
+    }
+
+    /// The text a token stands in, and the token's number there; `None` for inline rules.
+    pub(crate) fn text(&self, token: u32) -> Option<(&QuotedText, u32)> {
+        match (self.locate(token), &self.places) {
+            ((Some(Imported { text, .. }), token), _) | ((None, token), Places::Text { text, .. }) => {
+                Some((text, token))
+            }
+            ((None, _), Places::Inline { .. }) => None,
+        }
+    }
+
+    /// Where a run of tokens begins and ends; of an imported file the path that led to it.
+    pub(crate) fn span(&self, span: span::Span) -> (Span, Span) {
+        let path = self.locate(span.first).0.and_then(|file| self.path_of(file));
+        path.unwrap_or_else(|| (self.ends(span.first).0, self.ends(span.last).1))
+    }
+
+    /// Where inline rules name the path that led to a file.
+    fn path_of(&self, file: &Imported) -> Option<(Span, Span)> {
+        let Places::Inline { spans, .. } = &self.places else { return None };
+        let is_import = |tokens: &[Tok]| match tokens {
+            [import, _, Tok::Sym(Sym::Colon), Tok::Str(path)] => import.ident() == Some("import") && *path == file.path,
+            _ => false,
+        };
+        let at = self.tokens.as_slice().windows(4).position(is_import)?;
+        spans.get(at + 3).copied()
+    }
+
+    /// Where a token begins. Past the end: the end.
+    pub(crate) fn token(&self, index: u32) -> Span {
+        self.ends(index).0
+    }
+
+    fn ends(&self, index: u32) -> (Span, Span) {
+        let (imported, index) = self.locate(index);
+        match &self.places {
+            Places::Inline { end, .. } if imported.is_some() => (*end, *end),
+            Places::Inline { spans, end, .. } => {
+                spans.get(index as usize).or(spans.last()).copied().unwrap_or((*end, *end))
+            }
+            Places::Text { span, .. } => (*span, *span),
+        }
+    }
+
+    /// The line of a token, for messages that name a second place: "line 3", "line 3 of lib.cga".
+    pub(crate) fn line(&self, index: u32) -> Option<String> {
+        if let Some((text, token)) = self.text(index) {
+            let range = text.ranges.get(token as usize)?;
+            let line = 1 + text.written.get(..range.start)?.matches('\n').count();
+            let imported = self.locate(index).0.is_some();
+            return Some(if imported { format!("line {line} of {}", text.name) } else { format!("line {line}") });
+        }
+        let Places::Inline { spans, .. } = &self.places else { return None };
+        let index = self.locate(index).1;
+        // Editors' macro servers know no lines and say 1 or 0.
+        let line = spans.get(index as usize).map(|(span, _)| span.start().line).filter(|line| 1 < *line)?;
+        Some(format!("line {line}"))
+    }
+
+    /// A Rust path as the user wrote it.
+    pub(crate) fn path(&self, token: u32, text: &str) -> TokenStream {
+        let (imported, token) = self.locate(token);
+        if let (Places::Inline { paths, .. }, None) = (&self.places, imported)
+            && let Ok(at) = paths.binary_search_by_key(&token, |(index, _)| *index)
+        {
+            return paths[at].1.clone();
+        }
+        // Resolved where the macro is called.
+        text.parse().unwrap_or_default()
+    }
+
+    /// Makes the build depend on the rule file and what it imports.
+    pub(crate) fn tracking(&self) -> TokenStream {
+        let own = match &self.places {
+            Places::Inline { .. } => TokenStream::new(),
+            Places::Text { tracking, .. } => tracking.clone(),
+        };
+        own.into_iter().chain(import::follow(&self.imported)).collect()
+    }
+}

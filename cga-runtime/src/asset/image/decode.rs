@@ -1,0 +1,136 @@
+//! PNG and JPEG files to pixels.
+
+use std::io::Cursor;
+
+use zune_jpeg::JpegDecoder;
+use zune_jpeg::zune_core::bytestream::ZCursor;
+use zune_jpeg::zune_core::colorspace::ColorSpace;
+use zune_jpeg::zune_core::options::DecoderOptions;
+
+use crate::asset::AssetError;
+use crate::asset::image::Image;
+use crate::asset::image::header::{ImageHeader, ImageKind, MOST_PIXELS};
+
+/// The pixels of an image file, as four bytes of sRGB and opacity. Grey, palettes and 16 bits a channel become that.
+///
+/// # Errors
+/// The file is broken.
+pub(crate) fn decode(header: &ImageHeader, bytes: &[u8]) -> Result<Image, AssetError> {
+    let image = match header.kind {
+        ImageKind::Png => png(bytes),
+        ImageKind::Jpeg => jpeg(bytes, header),
+    };
+    image.ok_or_else(|| AssetError::Broken("the image cannot be decoded".to_owned()))
+}
+
+fn png(bytes: &[u8]) -> Option<Image> {
+    let limits = png::Limits { bytes: 16 * MOST_PIXELS as usize };
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info().ok()?;
+    let mut pixels = vec![0; reader.output_buffer_size()?];
+    let info = reader.next_frame(&mut pixels).ok()?;
+    let pixels = &pixels[..info.buffer_size()];
+    let opaque = |&[r, g, b]: &[u8; 3]| [r, g, b, 255];
+    let rgba = match info.color_type {
+        png::ColorType::Grayscale => pixels.iter().flat_map(|&y| [y, y, y, 255]).collect(),
+        png::ColorType::GrayscaleAlpha => pixels.as_chunks::<2>().0.iter().flat_map(|&[y, a]| [y, y, y, a]).collect(),
+        png::ColorType::Rgb => pixels.as_chunks::<3>().0.iter().flat_map(opaque).collect(),
+        png::ColorType::Rgba => pixels.to_vec(),
+        // The decoder expands palettes.
+        png::ColorType::Indexed => return None,
+    };
+    whole(info.width as usize, info.height as usize, rgba)
+}
+
+fn jpeg(bytes: &[u8], header: &ImageHeader) -> Option<Image> {
+    let options = DecoderOptions::default()
+        .set_max_width(header.width as usize)
+        .set_max_height(header.height as usize)
+        .jpeg_set_out_colorspace(ColorSpace::RGB);
+    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
+    let pixels = decoder.decode().ok()?;
+    let (width, height) = decoder.dimensions()?;
+    whole(width, height, pixels.as_chunks::<3>().0.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect())
+}
+
+fn whole(width: usize, height: usize, rgba: Vec<u8>) -> Option<Image> {
+    (rgba.len() == 4 * width * height).then_some(Image { width, height, rgba })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::asset::image::header::header;
+
+    fn encoded(color: png::ColorType, depth: png::BitDepth, size: u32, data: &[u8]) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, size, 1);
+        encoder.set_color(color);
+        encoder.set_depth(depth);
+        if color == png::ColorType::Indexed {
+            encoder.set_palette(vec![10, 20, 30, 40, 50, 60]);
+            encoder.set_trns(vec![255, 128]);
+        }
+        encoder.write_header().and_then(|mut writer| writer.write_image_data(data)).expect("an image");
+        bytes
+    }
+
+    fn pixels(bytes: &[u8]) -> Vec<[u8; 4]> {
+        let image = decode(&header(bytes).expect("a header"), bytes).expect("pixels");
+        image.rgba.as_chunks::<4>().0.to_vec()
+    }
+
+    #[test]
+    fn all_kinds_of_png_become_four_bytes_a_pixel() {
+        use png::{BitDepth, ColorType};
+        assert_eq!(pixels(&encoded(ColorType::Grayscale, BitDepth::Eight, 1, &[7])), [[7, 7, 7, 255]]);
+        assert_eq!(pixels(&encoded(ColorType::Grayscale, BitDepth::One, 2, &[0x40])), [[0, 0, 0, 255], [255; 4]]);
+        assert_eq!(pixels(&encoded(ColorType::GrayscaleAlpha, BitDepth::Eight, 1, &[7, 9])), [[7, 7, 7, 9]]);
+        let wide = [0x12, 0x34, 0x56, 0x78, 0x9a, 0xbc];
+        assert_eq!(pixels(&encoded(ColorType::Rgb, BitDepth::Sixteen, 1, &wide)), [[0x12, 0x56, 0x9a, 255]]);
+        let palette = encoded(ColorType::Indexed, BitDepth::Eight, 2, &[1, 0]);
+        assert!(header(&palette).is_ok_and(|header| header.has_alpha));
+        assert_eq!(pixels(&palette), [[40, 50, 60, 128], [10, 20, 30, 255]]);
+    }
+
+    /// A JPEG file of 8 by 8 pixels of middle grey: each table has one code, and both codes of the only block are a 0.
+    fn grey_jpeg() -> Vec<u8> {
+        let table = |class: u8| [&[0xff, 0xc4, 0, 20, class, 1][..], &[0; 15], &[0]].concat();
+        [
+            &[0xff, 0xd8, 0xff, 0xdb, 0, 67, 0][..],
+            &[1; 64],
+            &[0xff, 0xc0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0],
+            &table(0x00),
+            &table(0x10),
+            &[0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0, 0x3f, 0xff, 0xd9],
+        ]
+        .concat()
+    }
+
+    #[test]
+    fn a_jpeg_is_opaque() {
+        let bytes = grey_jpeg();
+        assert_eq!(header(&bytes).map(|head| (head.width, head.height, head.has_alpha)), Ok((8, 8, false)));
+        assert_eq!(pixels(&bytes), [[128, 128, 128, 255]; 64]);
+        let head = header(&bytes).expect("a header");
+        for end in 0..bytes.len() {
+            // A file that is cut off in its data may still be decoded in part.
+            let _ = decode(&head, &bytes[..end]);
+        }
+    }
+
+    #[test]
+    fn a_broken_image_is_refused() {
+        let mut bytes = encoded(png::ColorType::Rgb, png::BitDepth::Eight, 1, &[1, 2, 3]);
+        let head = header(&bytes).expect("a header");
+        assert!(decode(&head, &bytes[..40]).is_err());
+        let data = bytes.windows(4).position(|name| name == b"IDAT").expect("data");
+        bytes[data + 4] ^= 0xff;
+        assert!(decode(&head, &bytes).is_err());
+        let jpeg = [
+            0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc2, 0, 11, 8, 0x7f, 0xff, 0x03, 0xff, 1, 1, 0x11, 0, 0xff, 0xd9,
+        ];
+        assert!(header(&jpeg).is_ok_and(|head| decode(&head, &jpeg).is_err()));
+    }
+}

@@ -1,0 +1,225 @@
+//! Rust in rules: values (`#name`) and operations (`path::call(…)`).
+
+use crate::fault::{Fault, FaultKind};
+use crate::func;
+use crate::run::env::Env;
+use crate::shape::Shape;
+use crate::value::array::Array;
+use crate::value::text::Text;
+
+/// A Rust value that a rule can use as a number.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no number that a rule can use",
+    label = "the rule needs a number here"
+)]
+pub trait ToFloat {
+    /// As a 64-bit float.
+    fn to_float(&self) -> f64;
+}
+
+macro_rules! floats {
+    ($($ty:ty)*) => {$(
+        impl ToFloat for $ty {
+            fn to_float(&self) -> f64 {
+                *self as f64
+            }
+        }
+
+        impl Show for $ty {
+            fn show(&self) -> Text {
+                func::float_to_text(*self as f64)
+            }
+        }
+    )*};
+}
+
+floats! { f64 f32 i8 i16 i32 i64 isize u8 u16 u32 u64 usize }
+
+#[diagnostic::do_not_recommend]
+impl<T: ToFloat + ?Sized> ToFloat for &T {
+    fn to_float(&self) -> f64 {
+        (**self).to_float()
+    }
+}
+
+/// A Rust value that a rule can use as a truth value.
+#[diagnostic::on_unimplemented(message = "`{Self}` is no `bool`", label = "the rule needs a `bool` here")]
+pub trait ToBool {
+    /// As a bool.
+    fn to_bool(&self) -> bool;
+}
+
+impl ToBool for bool {
+    fn to_bool(&self) -> bool {
+        *self
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<T: ToBool + ?Sized> ToBool for &T {
+    fn to_bool(&self) -> bool {
+        (**self).to_bool()
+    }
+}
+
+/// A Rust value that a rule can use as text.
+#[diagnostic::on_unimplemented(message = "`{Self}` is no text that a rule can use", label = "the rule needs text here")]
+pub trait ToText {
+    /// As text.
+    fn to_text(&self) -> Text;
+}
+
+impl ToText for str {
+    fn to_text(&self) -> Text {
+        Text::from(self)
+    }
+}
+
+impl ToText for String {
+    fn to_text(&self) -> Text {
+        Text::from(self.as_str())
+    }
+}
+
+impl ToText for Text {
+    fn to_text(&self) -> Text {
+        self.clone()
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<T: ToText + ?Sized> ToText for &T {
+    fn to_text(&self) -> Text {
+        (**self).to_text()
+    }
+}
+
+macro_rules! to_arrays {
+    ($($(#[$doc:meta])* $name:ident, $method:ident, $item:ty, $one:ident, $convert:ident;)*) => {$(
+        $(#[$doc])*
+        #[diagnostic::on_unimplemented(
+            message = "`{Self}` is no array that a rule can use",
+            label = "the rule needs an array here"
+        )]
+        pub trait $name {
+            /// As an array.
+            fn $method(&self) -> Array<$item>;
+        }
+
+        impl $name for Array<$item> {
+            fn $method(&self) -> Array<$item> {
+                self.clone()
+            }
+        }
+
+        impl<T: $one> $name for [T] {
+            fn $method(&self) -> Array<$item> {
+                self.iter().map(|value| value.$convert()).collect()
+            }
+        }
+
+        impl<T: $one> $name for Vec<T> {
+            fn $method(&self) -> Array<$item> {
+                self.as_slice().$method()
+            }
+        }
+
+        impl<T: $one, const N: usize> $name for [T; N] {
+            fn $method(&self) -> Array<$item> {
+                self.as_slice().$method()
+            }
+        }
+
+        #[diagnostic::do_not_recommend]
+        impl<T: $name + ?Sized> $name for &T {
+            fn $method(&self) -> Array<$item> {
+                (**self).$method()
+            }
+        }
+    )*};
+}
+
+to_arrays! {
+    /// A Rust value that a rule can use as an array of numbers.
+    ToFloats, to_floats, f64, ToFloat, to_float;
+    /// A Rust value that a rule can use as an array of truth values.
+    ToBools, to_bools, bool, ToBool, to_bool;
+    /// A Rust value that a rule can use as an array of texts.
+    ToTexts, to_texts, Text, ToText, to_text;
+}
+
+/// A Rust value beside text in a rule: text, or a number or truth value that becomes text.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot become text in a rule",
+    label = "the rule needs text, a number or a `bool` here"
+)]
+pub trait Show {
+    /// As text.
+    fn show(&self) -> Text;
+}
+
+impl Show for bool {
+    fn show(&self) -> Text {
+        func::bool_to_text(*self)
+    }
+}
+
+macro_rules! texts {
+    ($($ty:ty)*) => {$(
+        impl Show for $ty {
+            fn show(&self) -> Text {
+                self.to_text()
+            }
+        }
+    )*};
+}
+
+texts! { str String Text }
+
+#[diagnostic::do_not_recommend]
+impl<T: Show + ?Sized> Show for &T {
+    fn show(&self) -> Text {
+        (**self).show()
+    }
+}
+
+/// What an operation written in Rust may return.
+#[diagnostic::on_unimplemented(
+    message = "an operation cannot return `{Self}`",
+    label = "this operation must return `()` or `Result<(), cga::Fault>`"
+)]
+pub trait Outcome {
+    /// As a result.
+    fn outcome(self) -> Result<(), Fault>;
+}
+
+impl Outcome for () {
+    fn outcome(self) -> Result<(), Fault> {
+        Ok(())
+    }
+}
+
+impl Outcome for Result<(), Fault> {
+    fn outcome(self) -> Result<(), Fault> {
+        self
+    }
+}
+
+/// Runs an operation written in Rust on the current shape. After a fault the shape is what the operation left, unless
+/// that is no shape.
+pub fn operate<R: Outcome>(env: &mut Env, shape: &mut Shape, operation: impl FnOnce(&mut Shape) -> R) {
+    let mut own = shape.clone();
+    if let Err(fault) = operation(&mut own).outcome() {
+        env.host_fault(fault);
+    }
+    match own.check() {
+        Ok(()) => *shape = own,
+        Err(_) => env
+            .fault(FaultKind::Value, "the operation made a size or position that is no finite number; it is left out"),
+    }
+}
+
+/// Text for an argument of a Rust function.
+pub fn as_str(text: &Text) -> &str {
+    text.as_str()
+}

@@ -1,0 +1,192 @@
+//! The mesh of one band while it is made.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+
+use super::crossings::Crossings;
+use crate::geometry::cut::first::first_node;
+use crate::geometry::cut::points::{NONE, Node};
+use crate::geometry::mesh::{FaceTag, Mesh};
+
+/// The coordinate that is cut.
+#[derive(Clone, Copy)]
+pub(super) struct Coordinate {
+    pub(super) set: usize,
+    /// 0 for u, 1 for v.
+    pub(super) axis: usize,
+}
+
+/// The source of pieces.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'c> {
+    pub(super) mesh: &'c Mesh,
+    pub(super) crossings: &'c Crossings,
+    pub(super) coordinate: Coordinate,
+}
+
+/// A band. Its corners are points of the source, and crossings numbered after these, until it is finished.
+pub(super) struct Band {
+    mesh: Mesh,
+    /// The faces that it has from the source as they were.
+    whole: usize,
+}
+
+impl Band {
+    /// With room for an even share of the source among some bands.
+    pub(super) fn new(source: &Mesh, bands: usize) -> Self {
+        let room = source.corners.len() / bands;
+        let mut mesh = source.alike(room);
+        mesh.corners.reserve(room);
+        mesh.loop_ends.reserve(source.loop_ends.len() / bands);
+        Band { mesh, whole: 0 }
+    }
+
+    /// Adds a face as it is.
+    pub(super) fn keep(&mut self, source: &Mesh, face: usize, tag: FaceTag) {
+        self.whole += 1;
+        let loops = source.face_loops(face);
+        let corners = source.loop_range(loops.start).start..source.loop_range(loops.end - 1).end;
+        let (from, to) = (corners.start as u32, self.mesh.corners.len() as u32);
+        self.mesh.corners.extend_from_slice(&source.corners[corners.clone()]);
+        self.mesh.loop_ends.extend(source.loop_ends[loops].iter().map(|end| end - from + to));
+        self.mesh.uvs.copy_from(&source.uvs, corners.clone());
+        if !source.normals.is_empty() {
+            self.mesh.normals.extend_from_slice(&source.normals[corners]);
+        }
+        self.end_face(tag);
+    }
+
+    /// Adds a piece of one loop, which is the way up and the way down between two lines. Pieces without area are left out.
+    pub(super) fn piece(
+        &mut self,
+        source: Source<'_>,
+        ahead: &[Node],
+        mut back: &[Node],
+        outline: &Range<usize>,
+        tag: FaceTag,
+    ) {
+        // A loop that meets itself on a line: no corner twice in a row.
+        let same =
+            |a: Option<&Node>, b: Option<&Node>| a.is_some_and(|a| b.is_some_and(|b| a.place.number == b.place.number));
+        if same(ahead.last(), back.first()) {
+            back = &back[1..];
+        }
+        if same(back.last(), ahead.first()) {
+            back = &back[..back.len() - 1];
+        }
+        if ahead.len() + back.len() < 3 {
+            return;
+        }
+        let first = first_node(ahead.iter().chain(back), outline);
+        let runs = match first.checked_sub(ahead.len()) {
+            None => [&ahead[first..], back, &ahead[..first]],
+            Some(first) => [&back[first..], ahead, &back[..first]],
+        };
+        for run in runs {
+            self.corners(source, run);
+        }
+        self.end_loop();
+        self.end_face(tag);
+    }
+
+    /// Adds corners with what they carry.
+    pub(super) fn corners(&mut self, source: Source<'_>, nodes: &[Node]) {
+        let Source { mesh: source, crossings, coordinate } = source;
+        for node in nodes {
+            self.mesh.corners.push(node.place.number);
+            let [from, to] = [node.from as usize, node.to as usize];
+            if node.is_corner() {
+                self.mesh.uvs.push_from(&source.uvs, |list| list[from]);
+                if !source.normals.is_empty() {
+                    self.mesh.normals.push(source.normals[from]);
+                }
+                continue;
+            }
+            let share = crossings.share(node.place);
+            let cut = source.uv_set(coordinate.set);
+            self.mesh.uvs.push_from(&source.uvs, |list| {
+                let mut uv = between(list[from], list[to], share);
+                // Also in copies of the set that is cut.
+                if [from, to].iter().all(|&end| list[end][coordinate.axis] == cut[end][coordinate.axis]) {
+                    uv[coordinate.axis] = crossings.lines[node.class().plane() as usize];
+                }
+                uv
+            });
+            if !source.normals.is_empty() {
+                let normal = source.normals[from];
+                self.mesh.normals.push(normal.lerp(source.normals[to], share).normalize_or(normal));
+            }
+        }
+    }
+
+    pub(super) fn end_loop(&mut self) {
+        self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
+    }
+
+    pub(super) fn end_face(&mut self, tag: FaceTag) {
+        self.mesh.face_ends.push(self.mesh.loop_ends.len());
+        self.mesh.tags.push(tag);
+    }
+
+    /// The finished mesh; the source itself when all of it is here, nothing when nothing is.
+    pub(super) fn finish(mut self, source: &Arc<Mesh>, numbers: &mut Numbers<'_>) -> Option<Arc<Mesh>> {
+        let faces = self.mesh.face_count();
+        if faces == 0 {
+            return None;
+        }
+        if self.whole == source.face_count() && faces == self.whole {
+            return Some(source.clone());
+        }
+        self.mesh.points = numbers.renumber(&mut self.mesh.corners);
+        self.mesh.give_back_room();
+        Some(Arc::new(self.mesh))
+    }
+}
+
+/// Coordinates between those of two corners, never outside of their range.
+fn between(a: DVec2, b: DVec2, share: f64) -> DVec2 {
+    let uv = a.lerp(b, share);
+    uv.clamp(a.min(b), a.max(b))
+}
+
+/// Gives the points of each band numbers of their own: those of the source in their order, then crossings.
+pub(super) struct Numbers<'c> {
+    source: &'c Mesh,
+    crossings: &'c Crossings,
+    new: Vec<u32>,
+    used: Vec<u32>,
+}
+
+impl<'c> Numbers<'c> {
+    pub(super) fn new(source: &'c Mesh, crossings: &'c Crossings) -> Self {
+        let new = vec![NONE; source.points.len() + crossings.points.len()];
+        Numbers { source, crossings, new, used: Vec::new() }
+    }
+
+    fn renumber(&mut self, corners: &mut [u32]) -> Vec<DVec3> {
+        /// A band with more than this part of all points finds its own among all, which takes less than sorting them.
+        const MANY: usize = 16;
+        self.used.clear();
+        for &corner in corners.iter() {
+            let new = &mut self.new[corner as usize];
+            if *new == NONE {
+                *new = 0;
+                self.used.push(corner);
+            }
+        }
+        if self.used.len() < self.new.len() / MANY {
+            self.used.sort_unstable();
+        } else {
+            self.used.clear();
+            self.used.extend((0..self.new.len() as u32).filter(|&point| self.new[point as usize] != NONE));
+        }
+        for (number, &point) in self.used.iter().enumerate() {
+            self.new[point as usize] = number as u32;
+        }
+        corners.iter_mut().for_each(|corner| *corner = self.new[*corner as usize]);
+        self.used.iter().for_each(|&point| self.new[point as usize] = NONE);
+        self.used.iter().map(|&point| self.crossings.position(self.source, point)).collect()
+    }
+}

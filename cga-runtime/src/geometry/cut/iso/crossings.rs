@@ -1,0 +1,84 @@
+//! Where edges meet lines. An edge owns its crossings: the first face that asks makes them, the others find them.
+
+use glam::DVec3;
+
+use super::sites::Sites;
+use crate::geometry::cut::class::{Class, Span};
+use crate::geometry::cut::edges::Edges;
+use crate::geometry::cut::points::{Node, Place, Segment, comes_first};
+use crate::geometry::mesh::Mesh;
+
+/// All crossings of a cut. They are numbered after the points of the mesh.
+pub(super) struct Crossings {
+    /// The lines that reach into the mesh.
+    pub(super) lines: Vec<f64>,
+    /// Where crossings are in space.
+    pub(super) points: Vec<DVec3>,
+    /// How far along their edges they are, from the end that comes first.
+    shares: Vec<f64>,
+    /// Edges between sites → their first crossing, that with the lowest line.
+    edges: Edges,
+    /// The number of the first crossing.
+    base: u32,
+}
+
+impl Crossings {
+    pub(super) fn new(lines: Vec<f64>, sites: usize, points: usize) -> Self {
+        let mut edges = Edges::default();
+        edges.reset(sites);
+        Crossings { lines, points: Vec::new(), shares: Vec::new(), edges, base: points as u32 }
+    }
+
+    /// Appends the crossings of the edge from one corner to another, in the order they are met.
+    pub(super) fn cross(
+        &mut self,
+        mesh: &Mesh,
+        sites: &Sites,
+        from: (usize, Class),
+        to: (usize, Class),
+        nodes: &mut impl Extend<Node>,
+    ) {
+        let span = Span { low: from.1.min(to.1), high: from.1.max(to.1) };
+        let lines = span.planes();
+        if lines.is_empty() {
+            return;
+        }
+        let (from, to, rises) = (from.0, to.0, from.1 < to.1);
+        let (number, new) = self.edges.entry(sites.site(from), sites.site(to), self.points.len() as u32);
+        let at = |corner: usize| mesh.points[mesh.corners[corner] as usize];
+        if new {
+            let ends = [from, to].map(|corner| (at(corner), sites.value(corner)));
+            let segment = Segment::between(ends[0], ends[1]);
+            for line in lines.clone() {
+                let (point, share) = segment.meet(self.lines[line as usize]);
+                self.points.push(point + 0.0);
+                self.shares.push(share);
+            }
+        }
+        // The values of corners are interpolated from the same end as the position.
+        let [first, last] = if comes_first(at(from), at(to)) { [from, to] } else { [to, from] };
+        let (first_line, first_crossing) = (lines.start, self.base + number);
+        let node = |line: u32| {
+            let place = Place::on(line, first_crossing + (line - first_line));
+            Node { place, from: first as u32, to: last as u32 }
+        };
+        if rises {
+            nodes.extend(lines.map(node));
+        } else {
+            nodes.extend(lines.rev().map(node));
+        }
+    }
+
+    /// How far along its edge a crossing is.
+    pub(super) fn share(&self, place: Place) -> f64 {
+        self.shares[(place.number - self.base) as usize]
+    }
+
+    /// Where a corner of a piece is in space.
+    pub(super) fn position(&self, mesh: &Mesh, number: u32) -> DVec3 {
+        match number.checked_sub(self.base) {
+            Some(crossing) => self.points[crossing as usize],
+            None => mesh.points[number as usize],
+        }
+    }
+}

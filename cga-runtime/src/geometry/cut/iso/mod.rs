@@ -1,0 +1,201 @@
+//! Cutting a mesh along lines of constant texture coordinate.
+//!
+//! One pass for all lines. The side of a corner is one comparison of its coordinate with the line: exact, and nothing moves.
+//! Along an edge the coordinate is linear. Where an edge meets a line the crossing is made once, from the end that comes
+//! first in lexicographic order, for all faces that have the same coordinates at both ends of the edge (`crossings.rs`). At
+//! a seam the faces differ, and each has crossings of its own. Only faces are cut: nothing is closed.
+//!
+//! A triangle, and a face of one loop on which the coordinate rises once and falls once, is cut from crossing to crossing
+//! (`chain.rs`), if it is convex or the coordinate is affine over it. Any other face is cut as it is triangulated, and the
+//! pieces of its triangles are joined again by index (`patch.rs`).
+
+mod affine;
+mod band;
+mod chain;
+mod crossings;
+mod patch;
+mod sites;
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::class::Span;
+use super::points::Place;
+use super::rising;
+use crate::geometry::mesh::{FaceTag, Mesh, TooManyCorners, UvAxis};
+use affine::is_affine;
+use band::{Band, Coordinate, Numbers, Source};
+use chain::Chain;
+use crossings::Crossings;
+use patch::Patch;
+use sites::Sites;
+
+/// Cuts the faces of a mesh along the lines where a coordinate of a texture set equals a value; values rise strictly.
+///
+/// There is one band more than lines, from low to high. A band without a face is `None`. A band holds
+/// the coordinates from its lower line up to its upper line. A face that has one coordinate everywhere, and lies on a line,
+/// is in the band above it. A band that holds all of the mesh gets the same mesh, not a copy.
+///
+/// - Faces keep their order, tags, groups and materials. The values of corners are interpolated; the cut coordinate is that of
+///   the line. A piece begins with what is left of the face's first edge, as in [`slabs`](super::slabs()).
+/// - Faces that agree in the coordinate at both ends of their edge share the crossings of the edge: they stay connected. At
+///   a seam each face has crossings of its own. Mirrored faces need no rule of their own.
+/// - The coordinate is linear along edges. A convex face on which it rises once and falls once is cut straight from edge to
+///   edge, also where the coordinate is not affine, as in a trapezoid of a street. A face that is not convex, and over
+///   which the coordinate is not affine, is cut as it is triangulated. In both cases the areas of the pieces add up.
+/// - A mesh without the set, and one without a line in its range, is not cut. Without the set it is in the first band.
+/// - Values that do not rise or are NaN cut nothing: the band below them stays empty.
+///
+/// # Errors
+/// When the bands would have more than `most` corners together, where a corner of the mesh on a line counts once.
+///
+/// ```
+/// use std::sync::Arc;
+/// use cga_runtime::{cut, glam::DVec2, mesh::{FaceTag, MeshBuilder, UvAxis}};
+///
+/// let mut builder = MeshBuilder::new();
+/// let corners = [[0.0, 0.0], [8.0, 0.0], [8.0, -2.0], [0.0, -2.0]].map(|[x, z]| builder.point([x, 0.0, z]));
+/// builder.face(&corners, &[], FaceTag::PLAIN).uvs(&[DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y]);
+/// let street = Arc::new(builder.build()?);
+/// let bands = cut::iso_bands(&street, 0, UvAxis::U, &[0.25, 0.75], 1000)?;
+/// let areas: Vec<f64> = bands.iter().flatten().map(|band| band.area()).collect();
+/// assert_eq!(areas, [4.0, 8.0, 4.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn iso_bands(
+    mesh: &Arc<Mesh>,
+    set: usize,
+    axis: UvAxis,
+    lines: &[f64],
+    most: usize,
+) -> Result<Vec<Option<Arc<Mesh>>>, TooManyCorners> {
+    let mut bands = vec![None; lines.len() + 1];
+    let uvs = mesh.uv_set(set);
+    if uvs.is_empty() {
+        bands[0] = (!mesh.is_empty()).then(|| mesh.clone());
+        return Ok(bands);
+    }
+    let kept = rising(lines);
+    let values = uvs.iter().map(|uv| uv[axis.index()]);
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), value| (l.min(value), h.max(value)));
+    // All is above a line at the lowest value, but only faces on the line are above one at the highest.
+    let first = kept.partition_point(|&line| lines[line] <= low);
+    let end = kept.partition_point(|&line| lines[line] <= high);
+    let number = |band: usize| kept.get(band + first).copied().unwrap_or(lines.len());
+    if first == end {
+        bands[number(0)] = Some(mesh.clone());
+        return Ok(bands);
+    }
+    let lines = kept[first..end].iter().map(|&line| lines[line] + 0.0).collect();
+    let mut cutter = Cutter::new(mesh, Coordinate { set, axis: axis.index() }, lines, most);
+    cutter.cut_faces()?;
+    let mut numbers = Numbers::new(mesh, &cutter.crossings);
+    for (band, made) in cutter.bands.into_iter().enumerate() {
+        bands[number(band)] = made.finish(mesh, &mut numbers);
+    }
+    Ok(bands)
+}
+
+/// A cut in progress.
+struct Cutter<'m> {
+    mesh: &'m Mesh,
+    most: usize,
+    coordinate: Coordinate,
+    sites: Sites,
+    crossings: Crossings,
+    bands: Vec<Band>,
+    /// Places of the corners of the face at hand.
+    places: Vec<Place>,
+    chain: Chain,
+    patch: Patch,
+    /// The corners made so far.
+    made: usize,
+}
+
+impl<'m> Cutter<'m> {
+    fn new(mesh: &'m Mesh, coordinate: Coordinate, lines: Vec<f64>, most: usize) -> Self {
+        let sites = Sites::of(mesh, coordinate, &lines);
+        let crossings = Crossings::new(lines, sites.len(), mesh.points.len());
+        let count = crossings.lines.len() + 1;
+        let bands = (0..count).map(|_| Band::new(mesh, count)).collect();
+        let (chain, patch) = Default::default();
+        // Numbers of points and crossings have 32 bits.
+        let most = most.min(u32::MAX as usize / 16);
+        Cutter { mesh, most, coordinate, sites, crossings, bands, places: Vec::new(), chain, patch, made: 0 }
+    }
+
+    fn cut_faces(&mut self) -> Result<(), TooManyCorners> {
+        let mut start = 0;
+        for face in 0..self.mesh.face_count() {
+            let corners = start..self.mesh.loop_ends[self.mesh.face_loops(face).end - 1] as usize;
+            start = corners.end;
+            let span = Span::of(corners.clone().map(|corner| self.sites.class(corner)));
+            self.cut_face(face, corners, span)?;
+        }
+        Ok(())
+    }
+
+    fn cut_face(&mut self, face: usize, corners: Range<usize>, span: Span) -> Result<(), TooManyCorners> {
+        let (mesh, tag) = (self.mesh, self.mesh.tags[face]);
+        if span.bottom() == span.top() || span.is_flat() {
+            // A face on a line is in the band above it.
+            let band = span.bottom();
+            self.count(corners.len())?;
+            self.bands[band as usize].keep(mesh, face, tag);
+            return Ok(());
+        }
+        let values = mesh.uv_set(self.coordinate.set)[corners.clone()].iter().map(|uv| uv[self.coordinate.axis]);
+        let is_triangle = corners.len() == 3;
+        let is_one_way = mesh.face_loops(face).len() == 1 && (is_triangle || chain::rises_once(values));
+        if is_one_way && (is_triangle || mesh.face(face).is_convex() || is_affine(mesh, face, self.coordinate)) {
+            self.count(self.crossings_of(mesh.face(face).loop_ranges()))?;
+            self.cut_chain(corners, tag, span);
+            return Ok(());
+        }
+        let is_affine = is_affine(mesh, face, self.coordinate);
+        let mut patch = std::mem::take(&mut self.patch);
+        let result = patch.cut(self, face, is_affine);
+        self.patch = patch;
+        result
+    }
+
+    /// Counts corners before they are made.
+    fn count(&mut self, corners: usize) -> Result<(), TooManyCorners> {
+        self.made = self.made.saturating_add(corners);
+        if self.most < self.made { Err(TooManyCorners { most: self.most }) } else { Ok(()) }
+    }
+
+    /// Returns an error for a face whose triangles would need far more than there is room for.
+    fn foresee(&self, corners: usize) -> Result<(), TooManyCorners> {
+        // Where pieces of triangles are joined, a few times fewer remain.
+        let is_too_many = self.most.saturating_sub(self.made).saturating_mul(8) < corners;
+        if is_too_many { Err(TooManyCorners { most: self.most }) } else { Ok(()) }
+    }
+
+    /// The corners of some loops and of all their crossings, which both sides of a line have.
+    fn crossings_of(&self, loops: impl Iterator<Item = Range<usize>>) -> usize {
+        let between = |a: usize, b: usize| {
+            let (a, b) = (self.sites.class(a), self.sites.class(b));
+            2 * Span { low: a.min(b), high: a.max(b) }.planes().len() + 1
+        };
+        loops.map(|ring| ring.clone().map(|c| between(c, next_in(&ring, c))).sum::<usize>()).sum()
+    }
+
+    /// Cuts a face that is one way up and one way down.
+    fn cut_chain(&mut self, corners: Range<usize>, tag: FaceTag, span: Span) {
+        self.places.clear();
+        self.places.extend(corners.clone().map(|corner| self.sites.place(self.mesh, corner)));
+        let Cutter { mesh, sites, crossings, chain, .. } = self;
+        let ring = corners.clone().zip(self.places.iter().copied());
+        chain.walk(ring, span, |from, to, nodes| crossings.cross(mesh, sites, from, to, nodes));
+        let source = Source { mesh, crossings, coordinate: self.coordinate };
+        chain.bands(span, |band, ahead, back, _| {
+            self.bands[band as usize].piece(source, ahead, back, &corners, tag);
+        });
+    }
+}
+
+/// The corner after one in its loop.
+fn next_in(ring: &Range<usize>, corner: usize) -> usize {
+    if corner + 1 == ring.end { ring.start } else { corner + 1 }
+}

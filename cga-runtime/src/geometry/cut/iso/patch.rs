@@ -1,0 +1,378 @@
+//! Faces of any shape: they are cut triangle by triangle, and what the triangles have in one band is joined again.
+//!
+//! All of it is decided by index. The pieces of two triangles at a diagonal have the same edges along it, so each of these
+//! edges has a twin. What has no twin is the rim of a piece of the face: edges of its loops, and what runs along lines.
+//! From an edge of the rim the next one is found by turning around its end, from twin to twin, so pieces that touch in a
+//! point stay apart. Where the coordinate is affine, diagonals meet a line on a straight piece of it, and what they have
+//! there is left out again.
+
+use std::ops::Range;
+
+use glam::DVec2;
+
+use super::band::Source;
+use super::chain::Chain;
+use super::{Cutter, next_in};
+use crate::geometry::cut::class::Span;
+use crate::geometry::cut::contour::Section;
+use crate::geometry::cut::first::first_node;
+use crate::geometry::cut::nest::Nest;
+use crate::geometry::cut::points::{NONE, Node};
+use crate::geometry::mesh::table::PairTable;
+use crate::geometry::mesh::{FaceTag, TooManyCorners};
+use crate::geometry::tol::AFFINE_EPSILON;
+use crate::geometry::triangulate::{Projection, Triangulator};
+
+/// An edge of a piece of a triangle, by the node that it leaves.
+#[derive(Clone, Copy)]
+struct Half {
+    node: Node,
+    band: u32,
+    /// The edge that follows it in its piece.
+    next: u32,
+    /// The same edge of the neighbour in the same band.
+    twin: u32,
+    /// True if the node is where a diagonal meets a line.
+    is_inner: bool,
+    is_traced: bool,
+}
+
+/// The kind of a side of a triangle.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    /// An edge of a loop, or a line.
+    Rim,
+    /// A diagonal between two triangles: twice its number, and 1 more when it is run backwards.
+    Diagonal(u32),
+}
+
+/// A ring of a piece of the face.
+struct Ring {
+    band: u32,
+    /// The first edge of the face that it has something of.
+    edge: u32,
+    nodes: Range<usize>,
+}
+
+/// Buffers.
+#[derive(Default)]
+pub(super) struct Patch {
+    triangulator: Triangulator,
+    flat: Vec<DVec2>,
+    loop_ends: Vec<u32>,
+    triangles: Vec<[u32; 3]>,
+    /// For each corner of the face, the next one of its loop.
+    next: Vec<u32>,
+    diagonals: PairTable,
+    sides: Vec<[Side; 3]>,
+    chain: Chain,
+    halves: Vec<Half>,
+    /// Diagonals and bands → their edges without twins so far.
+    open: PairTable,
+    /// Triangles that are on a line as a whole, and whether they have a band.
+    flats: Vec<(u32, bool)>,
+    /// Their diagonals → their numbers among these.
+    flat_sides: PairTable,
+    /// Nodes of all rings, and whether diagonals meet lines there.
+    nodes: Vec<(Node, bool)>,
+    rings: Vec<Ring>,
+    nest: Nest,
+}
+
+impl Patch {
+    /// Cuts a face into its bands.
+    pub(super) fn cut(&mut self, cutter: &mut Cutter<'_>, face: usize, is_affine: bool) -> Result<(), TooManyCorners> {
+        let view = cutter.mesh.face(face);
+        let outline = view.loop_ranges().next().unwrap_or(0..0);
+        let projection = Projection::along(view.normal());
+        self.triangulate(cutter, face, projection);
+        let start = view.corner_range().start;
+        // Before anything is made: what a face needs is at most what its triangles need.
+        let span_of = |t: &[u32; 3]| Span::of(t.iter().map(|&corner| cutter.sites.class(start + corner as usize)));
+        let pieces: usize = self.triangles.iter().map(|t| 3 + 4 * span_of(t).planes().len()).sum();
+        cutter.foresee(pieces)?;
+        self.halves.clear();
+        self.open.clear();
+        self.flats.clear();
+        self.flat_sides.clear();
+        for triangle in 0..self.triangles.len() {
+            self.cut_triangle(cutter, triangle, start);
+        }
+        self.place_flats(cutter, start, is_affine);
+        self.trace(is_affine);
+        cutter.count(self.nodes.len())?;
+        self.emit(cutter, projection, &outline, view.tag());
+        Ok(())
+    }
+
+    /// Triangles of the face, as corners counted from its first one, and what their sides are.
+    fn triangulate(&mut self, cutter: &Cutter<'_>, face: usize, projection: Projection) {
+        let view = cutter.mesh.face(face);
+        let start = view.corner_range().start;
+        self.flat.clear();
+        self.flat.extend(view.corner_range().map(|corner| projection.apply(view.position(corner))));
+        self.loop_ends.clear();
+        self.next.clear();
+        for ring in view.loop_ranges() {
+            self.loop_ends.push((ring.end - start) as u32);
+            self.next.extend(ring.clone().map(|corner| (next_in(&ring, corner) - start) as u32));
+        }
+        self.triangles.clear();
+        self.triangulator.polygon(&self.flat, &self.loop_ends, &mut self.triangles);
+        // Where loops overlap, a triangle may have a corner twice: its two other sides are the same.
+        self.triangles.retain(|[a, b, c]| a != b && b != c && c != a);
+        self.diagonals.clear();
+        self.sides.clear();
+        let mut count = 0;
+        for triangle in &self.triangles {
+            self.sides.push([(0, 1), (1, 2), (2, 0)].map(|(from, to)| {
+                let (from, to) = (triangle[from], triangle[to]);
+                if self.next[from as usize] == to {
+                    return Side::Rim;
+                }
+                let (number, new) = self.diagonals.entry(from.min(to), from.max(to), count);
+                count += u32::from(new);
+                Side::Diagonal(2 * *number + u32::from(to < from))
+            }));
+        }
+    }
+
+    fn cut_triangle(&mut self, cutter: &mut Cutter<'_>, triangle: usize, start: usize) {
+        let corners = self.triangles[triangle].map(|corner| start + corner as usize);
+        let places = corners.map(|corner| cutter.sites.place(cutter.mesh, corner));
+        let span = Span::of(places.iter().map(|place| place.class));
+        if span.is_flat() {
+            for side in diagonals(self.sides[triangle]) {
+                self.flat_sides.entry(side, 0, self.flats.len() as u32);
+            }
+            self.flats.push((triangle as u32, false));
+            return;
+        }
+        let mut chain = std::mem::take(&mut self.chain);
+        let (mesh, sites, crossings) = (cutter.mesh, &cutter.sites, &mut cutter.crossings);
+        chain.walk(corners.into_iter().zip(places), span, |from, to, nodes| {
+            crossings.cross(mesh, sites, from, to, nodes)
+        });
+        chain.bands(span, |band, ahead, back, borders| {
+            let from = self.halves.len() as u32;
+            let count = (ahead.len() + back.len()) as u32;
+            for (at, node) in ahead.iter().chain(back).enumerate() {
+                let is_on_border = match at + 1 {
+                    at if at == ahead.len() => borders.upper,
+                    at if at == count as usize => borders.lower,
+                    _ => false,
+                };
+                let (side, is_inner) = self.side_after(triangle, &corners, node);
+                let side = if is_on_border { Side::Rim } else { side };
+                let next = from + if at as u32 + 1 == count { 0 } else { at as u32 + 1 };
+                self.half(Half { node: *node, band, next, twin: NONE, is_inner, is_traced: false }, side);
+            }
+        });
+        self.chain = chain;
+    }
+
+    /// The side of a triangle on which the edge after a node runs, and whether the node is on a diagonal.
+    fn side_after(&self, triangle: usize, corners: &[usize; 3], node: &Node) -> (Side, bool) {
+        let sides = &self.sides[triangle];
+        let at = |corner: u32| corners.iter().position(|&own| own == corner as usize).unwrap_or(0);
+        let (a, b) = (at(node.from), at(node.to));
+        // A crossing is on the side that begins with that of its two corners which the other one follows.
+        let side = sides[if (a + 1) % 3 == b || a == b { a } else { b }];
+        (side, a != b && side != Side::Rim)
+    }
+
+    /// Adds an edge, and finds its twin.
+    fn half(&mut self, mut half: Half, side: Side) {
+        let number = self.halves.len() as u32;
+        if let Side::Diagonal(side) = side {
+            let other = self.open.get(side ^ 1, half.band).filter(|&other| self.halves[other as usize].twin == NONE);
+            if let Some(other) = other {
+                half.twin = other;
+                self.halves[other as usize].twin = number;
+            } else {
+                self.open.entry(side, half.band, number);
+            }
+        }
+        self.halves.push(half);
+    }
+
+    /// A triangle on a line goes to the band above, as a face does. One without area goes to the band of a neighbour, so that
+    /// it makes no piece of its own.
+    fn place_flats(&mut self, cutter: &Cutter<'_>, start: usize, is_affine: bool) {
+        let mut stack = Vec::new();
+        for flat in 0..self.flats.len() {
+            if !is_affine && self.has_area(self.flats[flat].0) {
+                self.add_flat_above(cutter, flat as u32, start);
+            }
+        }
+        for seed in 0..self.flats.len() {
+            stack.push(seed as u32);
+            while let Some(flat) = stack.pop() {
+                let (triangle, is_placed) = self.flats[flat as usize];
+                if is_placed {
+                    continue;
+                }
+                let sides = self.sides[triangle as usize];
+                let line = cutter.sites.class(start + self.triangles[triangle as usize][0] as usize).plane();
+                let is_open = |half: u32| self.halves[half as usize].twin == NONE;
+                let meets = |band: u32, side: u32| self.open.get(side ^ 1, band).is_some_and(is_open);
+                let band = [line, line + 1].into_iter().find(|&band| diagonals(sides).any(|side| meets(band, side)));
+                if let Some(band) = band {
+                    self.add_flat(cutter, flat, band, start);
+                    stack.extend(diagonals(sides).filter_map(|side| self.flat_sides.get(side ^ 1, 0)));
+                }
+            }
+        }
+        for flat in 0..self.flats.len() {
+            if !self.flats[flat].1 {
+                self.add_flat_above(cutter, flat as u32, start);
+            }
+        }
+    }
+
+    /// Returns true if a triangle has an area, up to rounding.
+    fn has_area(&self, triangle: u32) -> bool {
+        let [a, b, c] = self.triangles[triangle as usize].map(|corner| self.flat[corner as usize]);
+        let (ab, ac) = (b - a, c - a);
+        AFFINE_EPSILON * ab.length_squared().max(ac.length_squared()) < ab.perp_dot(ac).abs()
+    }
+
+    fn add_flat_above(&mut self, cutter: &Cutter<'_>, flat: u32, start: usize) {
+        let corner = self.triangles[self.flats[flat as usize].0 as usize][0];
+        let line = cutter.sites.class(start + corner as usize).plane();
+        self.add_flat(cutter, flat, line + 1, start);
+    }
+
+    fn add_flat(&mut self, cutter: &Cutter<'_>, flat: u32, band: u32, start: usize) {
+        let (triangle, is_placed) = &mut self.flats[flat as usize];
+        *is_placed = true;
+        let triangle = *triangle as usize;
+        let corners = self.triangles[triangle].map(|corner| start + corner as usize);
+        let from = self.halves.len() as u32;
+        for (at, corner) in (0u32..).zip(corners) {
+            let node = Node::corner(corner, cutter.sites.place(cutter.mesh, corner));
+            let half = Half { node, band, next: from + (at + 1) % 3, twin: NONE, is_inner: false, is_traced: false };
+            self.half(half, self.sides[triangle][at as usize]);
+        }
+    }
+
+    /// Follows the edges without twins into rings.
+    fn trace(&mut self, is_affine: bool) {
+        self.nodes.clear();
+        self.rings.clear();
+        for first in 0..self.halves.len() {
+            let Half { twin, is_traced, band, .. } = self.halves[first];
+            if twin != NONE || is_traced {
+                continue;
+            }
+            let from = self.nodes.len();
+            let mut at = first;
+            loop {
+                let half = &mut self.halves[at];
+                half.is_traced = true;
+                if !(is_affine && half.is_inner) {
+                    self.nodes.push((half.node, half.is_inner));
+                }
+                at = half.next as usize;
+                while self.halves[at].twin != NONE {
+                    at = self.halves[self.halves[at].twin as usize].next as usize;
+                }
+                if at == first {
+                    break;
+                }
+            }
+            self.end_ring(from, band);
+        }
+        self.rings.sort_by_key(|ring| (ring.band, ring.edge));
+    }
+
+    /// No corner repeats the one before it; what is too short for a ring is left out.
+    fn end_ring(&mut self, from: usize, band: u32) {
+        let mut kept = from;
+        for at in from..self.nodes.len() {
+            if kept == from || self.nodes[kept - 1].0.place.number != self.nodes[at].0.place.number {
+                self.nodes[kept] = self.nodes[at];
+                kept += 1;
+            }
+        }
+        if kept > from + 1 && self.nodes[kept - 1].0.place.number == self.nodes[from].0.place.number {
+            kept -= 1;
+        }
+        if kept < from + 3 {
+            kept = from;
+        } else {
+            let nodes = self.nodes[from..kept].iter().filter(|(_, is_inner)| !is_inner);
+            let edge = nodes.map(|(node, _)| edge_of(node)).min().unwrap_or(NONE);
+            self.rings.push(Ring { band, edge, nodes: from..kept });
+        }
+        self.nodes.truncate(kept);
+    }
+
+    /// Adds the rings to their bands as faces.
+    fn emit(&mut self, cutter: &mut Cutter<'_>, projection: Projection, outline: &Range<usize>, tag: FaceTag) {
+        let coordinate = cutter.coordinate;
+        let (mut flat, mut numbers, mut ends) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut nodes, mut marks): (Vec<Node>, Vec<Node>) = (Vec::new(), Vec::new());
+        for rings in self.rings.chunk_by(|a, b| a.band == b.band) {
+            nodes.clear();
+            marks.clear();
+            ends.clear();
+            for ring in rings {
+                for &(node, is_inner) in &self.nodes[ring.nodes.clone()] {
+                    nodes.push(node);
+                    // A node on a diagonal is on no edge of the outline.
+                    marks.push(if is_inner { Node { from: NONE, to: NONE, ..node } } else { node });
+                }
+                ends.push(nodes.len());
+            }
+            if let [end] = ends[..] {
+                self.nest.single(end);
+            } else {
+                flat.clear();
+                let at = |node: &Node| projection.apply(cutter.crossings.position(cutter.mesh, node.place.number));
+                flat.extend(nodes.iter().map(at));
+                numbers.clear();
+                numbers.extend(0..nodes.len() as u32);
+                self.nest.sort(&Section { flat: &flat, corners: &numbers, ends: &ends });
+            }
+            let Cutter { mesh, crossings, bands, .. } = &mut *cutter;
+            let source = Source { mesh, crossings, coordinate };
+            let band = &mut bands[rings[0].band as usize];
+            let mut start = 0;
+            for &end in &self.nest.ends {
+                for ring in &self.nest.order[start..end] {
+                    let first = ring.start + first_of_ring(&marks[ring.clone()], outline);
+                    band.corners(source, &nodes[first..ring.end]);
+                    band.corners(source, &nodes[ring.start..first]);
+                    band.end_loop();
+                }
+                band.end_face(tag);
+                start = end;
+            }
+        }
+    }
+}
+
+/// The edge that a node is on, by the corner that it begins with.
+fn edge_of(node: &Node) -> u32 {
+    let (low, high) = (node.from.min(node.to), node.from.max(node.to));
+    // The last edge of a loop leads back to its first corner.
+    if high - low <= 1 { low } else { high }
+}
+
+/// The node that a ring begins with: by the rule for first edges, or, for a hole, with its first corner.
+fn first_of_ring(marks: &[Node], outline: &Range<usize>) -> usize {
+    if marks.iter().any(|node| outline.contains(&(node.from as usize))) {
+        return first_node(marks.iter(), outline);
+    }
+    let corners = marks.iter().enumerate().filter(|(_, node)| node.is_corner() && node.from != NONE);
+    corners.min_by_key(|(_, node)| node.from).map_or(0, |(at, _)| at)
+}
+
+/// The diagonals among the sides of a triangle.
+fn diagonals(sides: [Side; 3]) -> impl Iterator<Item = u32> {
+    sides.into_iter().filter_map(|side| match side {
+        Side::Rim => None,
+        Side::Diagonal(side) => Some(side),
+    })
+}

@@ -1,0 +1,73 @@
+//! The coordinate of each corner, and its class among the lines.
+//!
+//! A *site* is a point of the mesh with one value of the coordinate. Faces that agree there share the site; at a seam a
+//! point has several.
+
+use std::collections::BTreeMap;
+
+use super::band::Coordinate;
+use crate::geometry::cut::class::Class;
+use crate::geometry::cut::points::{NONE, Place};
+use crate::geometry::mesh::Mesh;
+
+/// The sites of a mesh.
+pub(super) struct Sites {
+    of_corner: Vec<u32>,
+    values: Vec<f64>,
+    classes: Vec<Class>,
+}
+
+impl Sites {
+    pub(super) fn of(mesh: &Mesh, coordinate: Coordinate, lines: &[f64]) -> Self {
+        let mut first = vec![NONE; mesh.points.len()];
+        // The further values of points at seams.
+        let mut others: BTreeMap<(u32, u64), u32> = BTreeMap::new();
+        let mut values: Vec<f64> = Vec::with_capacity(mesh.points.len());
+        let uvs = mesh.uv_set(coordinate.set);
+        let of_corner = mesh.corners.iter().zip(uvs).map(|(&point, uv)| {
+            let value = uv[coordinate.axis] + 0.0;
+            let site = match &mut first[point as usize] {
+                site if *site == NONE => site,
+                site if values[*site as usize] == value => return *site,
+                _ => others.entry((point, value.to_bits())).or_insert(NONE),
+            };
+            if *site == NONE {
+                *site = values.len() as u32;
+                values.push(value);
+            }
+            *site
+        });
+        let of_corner = of_corner.collect();
+        let class = |value: &f64| {
+            let below = lines.partition_point(|line| line < value);
+            let is_on_line = lines.get(below) == Some(value);
+            if is_on_line { Class::on(below as u32) } else { Class::inside(below as u32) }
+        };
+        let classes = values.iter().map(class).collect();
+        Sites { of_corner, values, classes }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    /// The site of a corner.
+    pub(super) fn site(&self, corner: usize) -> u32 {
+        self.of_corner[corner]
+    }
+
+    /// The coordinate of a corner.
+    pub(super) fn value(&self, corner: usize) -> f64 {
+        self.values[self.of_corner[corner] as usize]
+    }
+
+    /// The class of a corner.
+    pub(super) fn class(&self, corner: usize) -> Class {
+        self.classes[self.of_corner[corner] as usize]
+    }
+
+    /// The class and the point of a corner.
+    pub(super) fn place(&self, mesh: &Mesh, corner: usize) -> Place {
+        Place { class: self.class(corner), number: mesh.corners[corner] }
+    }
+}

@@ -1,0 +1,149 @@
+//! Cutting by any plane, with the code that cuts across an axis.
+//!
+//! The mesh is cut in a frame whose x axis is the plane's normal and whose origin lies in the plane. Which side a point is
+//! on is the sign of its height there, computed once. Points of the mesh keep their coordinates to the bit, and crossings are
+//! made anew between the ends of their edges, the same for both sides: the frame's rounding is in none of them.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec2, DVec3};
+
+use super::caps::texture_axes;
+use super::points::NONE;
+use super::{Cutter, OpenChain, Slabs};
+use crate::geometry::mesh::{Mesh, unit};
+
+/// An oriented plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Some point of it.
+    pub point: DVec3,
+    /// Points to what is above it, with any length but zero.
+    pub normal: DVec3,
+}
+
+/// Cuts a mesh by a plane into what is below and what is above it. Points that are no farther from the plane than `tolerance`,
+/// in the mesh's own unit, count as lying in it; nothing moves. Caps are as those of [`slabs`](super::slabs()).
+///
+/// What both ends of an edge have in common, the point where the plane meets it has too, to the bit. In the plane it lies but for
+/// rounding: with a tolerance of 0, cutting again at the same plane may find points on the wrong side and shave something off.
+/// With a tolerance of 1e-15 times the largest coordinate (of the mesh or of the plane's point), or more, it changes nothing.
+///
+/// A plane that is none (a normal of zero length, numbers that are not finite) cuts nothing: all is below it.
+///
+/// ```
+/// use std::sync::Arc;
+/// use cga_runtime::{cut, glam::DVec3, mesh::primitive};
+///
+/// // A cube of 1, cut across a corner.
+/// let cube = Arc::new(primitive::cube());
+/// let plane = cut::Plane { point: DVec3::new(0.5, 0.0, 0.0), normal: DVec3::splat(1.0) };
+/// let halves = cut::halves(&cube, &plane, 0.0);
+/// let [below, above] = [0, 1].map(|side| halves.parts[side].as_ref().unwrap());
+/// assert!((below.volume() - 0.125 / 6.0).abs() < 1e-15);
+/// assert!(below.is_closed() && above.is_closed());
+/// ```
+pub fn halves(mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Slabs {
+    Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance, true))
+}
+
+/// What is above a plane, with nothing where the cut opened it; nothing when all is below.
+pub(crate) fn above(mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Option<Arc<Mesh>> {
+    Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance, false)).parts.pop().flatten()
+}
+
+/// Where the plane is x = 0.
+struct Frame {
+    origin: DVec3,
+    /// Orthonormal, right-handed.
+    axes: DMat3,
+}
+
+impl Frame {
+    fn of(plane: &Plane) -> Option<Self> {
+        let x = unit(plane.normal);
+        if x == DVec3::ZERO || !plane.point.is_finite() {
+            return None;
+        }
+        let (y, z) = x.any_orthonormal_pair();
+        Some(Frame { origin: plane.point, axes: DMat3::from_cols(x, y, z) })
+    }
+
+    fn local(&self, point: DVec3) -> DVec3 {
+        self.axes.transpose() * (point - self.origin)
+    }
+}
+
+impl Cutter {
+    fn halves(&mut self, mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64, close: bool) -> Slabs {
+        let whole = |side: usize| {
+            let mut slabs = Slabs { parts: vec![None, None], open: Vec::new() };
+            slabs.parts[side] = (!mesh.is_empty()).then(|| mesh.clone());
+            slabs
+        };
+        let Some(frame) = Frame::of(plane) else { return whole(0) };
+        let place = |point: &DVec3| {
+            let local = frame.local(*point);
+            if local.x.abs() <= tolerance { local.with_x(0.0) } else { local }
+        };
+        let points: Vec<DVec3> = mesh.points.iter().map(place).collect();
+        let span = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.x), h.max(p.x)));
+        // As across an axis: a plane that the mesh only touches has all of it on one side.
+        let flat = span.0 == span.1 && !mesh.is_closed();
+        if span.1 < 0.0 || (span.1 == 0.0 && !flat) || !points.iter().all(|point| point.is_finite()) {
+            return whole(0);
+        }
+        if 0.0 < span.0 || (span.0 == 0.0 && !flat) {
+            return whole(1);
+        }
+        // What corners carry stays as it is.
+        let local = mesh.with_points(points);
+        self.state.points.axis = 0;
+        self.state.points.planes.clear();
+        self.state.points.planes.push(0.0);
+        self.cut_faces(&local);
+        let without_caps = [0, 1].map(|side: usize| self.state.parts[side].mesh.corners.len());
+        let mut slabs = Slabs { parts: Vec::new(), open: Vec::new() };
+        let mut open = Vec::new();
+        if close {
+            self.caps.close(&mut self.state, &local, |_, _, chain| open.push(chain));
+        }
+        let met = self.state.points.on_plane_of(&mesh.points, &local.points);
+        for chain in open {
+            let points = chain.into_iter().map(|point| met[point as usize]).collect();
+            slabs.open.push(OpenChain { plane: 0, points });
+        }
+        self.restore(mesh, &met, without_caps, frame.axes.x_axis);
+        let closed = close && mesh.derived.closed.get() == Some(&true) && slabs.open.is_empty();
+        slabs.parts = self.state.parts.drain(..).map(|part| part.finish(mesh, closed)).collect();
+        slabs
+    }
+
+    /// Takes the parts back from the frame; the points on the plane are given. Corners from those numbers on are those of caps.
+    fn restore(&mut self, mesh: &Mesh, met: &[DVec3], caps: [usize; 2], normal: DVec3) {
+        let (parts, points) = (&mut self.state.parts, &self.state.points);
+        let inside = points.places.iter().zip(&mesh.points).filter(|(place, _)| !place.class.is_on_plane());
+        for (place, point) in inside {
+            parts[place.class.slab() as usize].mesh.points[place.number as usize] = *point;
+        }
+        for (numbers, point) in points.levels[0].numbers.iter().zip(met) {
+            for (part, number) in parts.iter_mut().zip(numbers) {
+                // Not every part has every point on the plane.
+                if *number != NONE {
+                    part.mesh.points[*number as usize] = *point;
+                }
+            }
+        }
+        for ((part, caps), normal) in parts.iter_mut().zip(caps).zip([normal, -normal]) {
+            let Mesh { points, corners, uvs, normals, .. } = &mut part.mesh;
+            normals.iter_mut().skip(caps).for_each(|own| *own = normal);
+            let (right, up) = texture_axes(normal);
+            uvs.change(caps..corners.len(), |list| {
+                for (uv, corner) in list.iter_mut().zip(&corners[caps..]) {
+                    let point = points[*corner as usize];
+                    *uv = DVec2::new(right.dot(point), up.dot(point));
+                }
+            });
+        }
+    }
+}

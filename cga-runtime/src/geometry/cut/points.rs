@@ -1,0 +1,346 @@
+//! The points of a cut: those of the mesh, and the crossings where its edges meet planes.
+//!
+//! An edge owns its crossings: they are made when the first face asks and found by the others. Points on a plane are kept
+//! with their plane and numbered there, as whatever needs them next (the pieces on both sides, the caps) goes plane by plane.
+
+use std::hint::black_box;
+use std::ops::Range;
+
+use glam::{DVec2, DVec3};
+
+use super::class::{Class, Span};
+use super::edges::Edges;
+use super::part::Part;
+use crate::geometry::mesh::Mesh;
+
+/// Not numbered yet.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// Where a point is among the planes, and which one it is there. Read at random for each corner, so it is kept small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Place {
+    pub(super) class: Class,
+    /// Its number in the slab or on the plane.
+    pub(super) number: u32,
+}
+
+impl Place {
+    /// A point on a plane.
+    pub(super) fn on(plane: u32, number: u32) -> Self {
+        Place { class: Class::on(plane), number }
+    }
+}
+
+/// A corner of a piece: a point of the mesh at one of its corners, or a crossing between two.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    pub(super) place: Place,
+    /// The corner, or that at the lexicographically first end of the edge.
+    pub(super) from: u32,
+    /// The same corner, or that at the other end.
+    pub(super) to: u32,
+}
+
+impl Node {
+    /// A corner of the mesh.
+    #[inline]
+    pub(super) fn corner(corner: usize, place: Place) -> Self {
+        Node { place, from: corner as u32, to: corner as u32 }
+    }
+
+    /// Whether it is a corner, not a crossing.
+    pub(super) fn is_corner(&self) -> bool {
+        self.from == self.to
+    }
+
+    /// Whether both are crossings of one edge of a face.
+    #[inline]
+    pub(super) fn is_on_edge_of(&self, other: &Node) -> bool {
+        !self.is_corner() && (self.from, self.to) == (other.from, other.to)
+    }
+
+    #[inline]
+    pub(super) fn class(&self) -> Class {
+        self.place.class
+    }
+}
+
+/// The points on a plane.
+#[derive(Default)]
+pub(super) struct Level {
+    /// Their other two coordinates, in the order that makes the plane's axis look at us.
+    pub(super) flat: Vec<DVec2>,
+    /// Their numbers in the slabs below and above, as far as they have them.
+    pub(super) numbers: Vec<[u32; 2]>,
+    /// Of crossings, how far along their edges they are, from the lexicographically first end. Only kept when corners carry
+    /// something that is mixed there.
+    shares: Vec<f64>,
+}
+
+impl Level {
+    fn clear(&mut self) {
+        self.flat.clear();
+        self.numbers.clear();
+        self.shares.clear();
+    }
+}
+
+/// All points of a cut.
+#[derive(Default)]
+pub(super) struct Points {
+    pub(super) axis: usize,
+    /// The planes that reach the mesh.
+    pub(super) planes: Vec<f64>,
+    /// Where each point of the mesh is.
+    pub(super) places: Vec<Place>,
+    /// The points on each plane; there may be more of these than planes.
+    pub(super) levels: Vec<Level>,
+    /// Whether corners carry something that is mixed at crossings.
+    pub(super) mixes: bool,
+    /// Edge to its one crossing's number on the plane, or to where its crossings begin in the list.
+    edges: Edges,
+    /// Numbers on their planes of the crossings of edges with several, from low to high.
+    crossings: Vec<u32>,
+    ahead: Vec<Ahead>,
+}
+
+/// An edge that will be looked up.
+struct Ahead {
+    planes: Range<u32>,
+    ends: [u32; 2],
+    /// Where its list starts.
+    head: u32,
+}
+
+impl Points {
+    /// Classifies the points of a mesh; they are not numbered yet.
+    pub(super) fn start(&mut self, mesh: &Mesh) {
+        let Points { axis, planes, places, .. } = self;
+        let axis = *axis;
+        places.clear();
+        if let [plane] = planes[..] {
+            let class = |x: f64| if plane == x { Class::on(0) } else { Class::inside(u32::from(plane < x)) };
+            places.extend(mesh.points.iter().map(|p| Place { class: class(p[axis]), number: 0 }));
+        } else {
+            let class = |x: f64| {
+                let below = planes.partition_point(|&o| o < x);
+                let is_on_plane = planes.get(below) == Some(&x);
+                if is_on_plane { Class::on(below as u32) } else { Class::inside(below as u32) }
+            };
+            places.extend(mesh.points.iter().map(|p| Place { class: class(p[axis]), number: 0 }));
+        }
+        // Lists of cuts with many more planes are not kept.
+        let keep = self.levels.len().min(4 * self.planes.len() + 64).max(self.planes.len());
+        self.levels.resize_with(keep, Level::default);
+        self.levels[..self.planes.len()].iter_mut().for_each(Level::clear);
+        self.edges.reset(mesh.points.len());
+        self.crossings.clear();
+        self.mixes = !mesh.uvs.is_empty() || !mesh.normals.is_empty();
+    }
+
+    /// Reads what the crossings of the loops from one on, up to a corner, will be found by. Faces are cut one by one, and each
+    /// would wait for memory several times; these reads do not wait for each other.
+    #[inline(never)]
+    pub(super) fn read_ahead(&mut self, mesh: &Mesh, first: usize, end: usize) {
+        let Points { places, levels, edges, crossings, ahead, .. } = self;
+        ahead.clear();
+        let whole = mesh.loop_ends[first..].iter().take_while(|&&corner| corner as usize <= end).count();
+        for ring in first..first + whole {
+            let ring = &mesh.corners[mesh.loop_range(ring)];
+            let mut last = ring[ring.len() - 1];
+            let mut last_class = places[last as usize].class;
+            for &here in ring {
+                let class = places[here as usize].class;
+                if class != last_class {
+                    let planes = Span { low: class.min(last_class), high: class.max(last_class) }.planes();
+                    let (low, high) = (here.min(last), here.max(last));
+                    ahead.push(Ahead { planes, ends: [low, high], head: edges.head(low) });
+                }
+                (last, last_class) = (here, class);
+            }
+        }
+        let mut read = 0;
+        let numbers = |plane: u32, number: u32| levels[plane as usize].numbers.get(number as usize);
+        for Ahead { planes, ends: [low, high], head } in ahead.iter() {
+            let Some(number) = edges.near(*head, *high) else {
+                read ^= mesh.points[*low as usize].x.to_bits() ^ mesh.points[*high as usize].x.to_bits();
+                continue;
+            };
+            if planes.len() == 1 {
+                read ^= numbers(planes.start, number).map_or(0, |numbers| u64::from(numbers[0]));
+            } else {
+                let all = crossings.get(number as usize..number as usize + planes.len()).unwrap_or_default();
+                let all = planes.clone().zip(all).filter_map(|(plane, &number)| numbers(plane, number));
+                read ^= all.map(|numbers| u64::from(numbers[0])).sum::<u64>();
+            }
+        }
+        black_box(read);
+    }
+
+    /// Adds a point to a plane, with its numbers in the slabs; gives its number there.
+    #[inline]
+    pub(super) fn add(&mut self, plane: u32, point: DVec3, share: f64, numbers: [u32; 2]) -> u32 {
+        let flat = match self.axis {
+            0 => DVec2::new(point.y, point.z),
+            1 => DVec2::new(point.z, point.x),
+            _ => DVec2::new(point.x, point.y),
+        };
+        let level = &mut self.levels[plane as usize];
+        level.flat.push(flat);
+        level.numbers.push(numbers);
+        if self.mixes {
+            level.shares.push(share);
+        }
+        (level.flat.len() - 1) as u32
+    }
+
+    /// Where a point on a plane is in space.
+    #[inline]
+    pub(super) fn lift(&self, plane: u32, number: u32) -> DVec3 {
+        let at = self.planes[plane as usize];
+        let flat = self.levels[plane as usize].flat[number as usize];
+        match self.axis {
+            0 => DVec3::new(at, flat.x, flat.y),
+            1 => DVec3::new(flat.y, at, flat.x),
+            _ => DVec3::new(flat.x, flat.y, at),
+        }
+    }
+
+    /// Where a corner of a piece is in space.
+    #[inline]
+    pub(super) fn position(&self, mesh: &Mesh, node: &Node) -> DVec3 {
+        if node.is_corner() {
+            return mesh.points[mesh.corners[node.from as usize] as usize];
+        }
+        self.lift(node.class().plane(), node.place.number)
+    }
+
+    /// Of a mesh that was cut by one plane with other points than its own: where the points on the plane are between its own.
+    pub(super) fn on_plane_of(&self, own: &[DVec3], cut: &[DVec3]) -> Vec<DVec3> {
+        let mut list = vec![DVec3::ZERO; self.levels[0].flat.len()];
+        for (place, point) in self.places.iter().zip(own).filter(|(place, _)| place.class == Class::on(0)) {
+            list[place.number as usize] = *point;
+        }
+        for (ends, number) in self.edges.all() {
+            let [a, b] = ends.map(|end| (own[end as usize], cut[end as usize][self.axis]));
+            list[number as usize] = Segment::between(a, b).meet(self.planes[0]).0;
+        }
+        list
+    }
+
+    /// How far along its edge a crossing is.
+    pub(super) fn share(&self, place: Place) -> f64 {
+        self.levels[place.class.plane() as usize].shares[place.number as usize]
+    }
+
+    /// The crossing of the edge from one corner to another with the one plane that is between them.
+    #[inline]
+    pub(super) fn crossing(&mut self, parts: &mut [Part], mesh: &Mesh, plane: u32, from: usize, to: usize) -> Node {
+        let (a, b) = (mesh.corners[from], mesh.corners[to]);
+        let (number, new) = self.edges.entry(a, b, self.levels[plane as usize].flat.len() as u32);
+        if new {
+            self.make(parts, mesh, a, b, plane..plane + 1);
+        }
+        self.node(mesh, Place::on(plane, number), from, to)
+    }
+
+    /// Appends the crossings of the edge from one corner to another, in the order they are met.
+    #[inline]
+    pub(super) fn cross(
+        &mut self,
+        parts: &mut [Part],
+        mesh: &Mesh,
+        from: (usize, Place),
+        to: (usize, Place),
+        nodes: &mut Vec<Node>,
+    ) {
+        let rises = from.1.class < to.1.class;
+        let [low, high] = if rises { [from.1.class, to.1.class] } else { [to.1.class, from.1.class] };
+        let planes = Span { low, high }.planes();
+        if planes.is_empty() {
+            return;
+        }
+        if planes.len() == 1 {
+            nodes.push(self.crossing(parts, mesh, planes.start, from.0, to.0));
+            return;
+        }
+        let (a, b) = (mesh.corners[from.0], mesh.corners[to.0]);
+        let (first, new) = self.edges.entry(a, b, self.crossings.len() as u32);
+        if new {
+            self.make(parts, mesh, a, b, planes.clone());
+        }
+        let node = |plane: u32, number: u32| self.node(mesh, Place::on(plane, number), from.0, to.0);
+        let crossings = planes.clone().zip(&self.crossings[first as usize..first as usize + planes.len()]);
+        if rises {
+            nodes.extend(crossings.map(|(plane, &number)| node(plane, number)));
+        } else {
+            nodes.extend(crossings.rev().map(|(plane, &number)| node(plane, number)));
+        }
+    }
+
+    /// A crossing of the edge from one corner to another.
+    #[inline]
+    fn node(&self, mesh: &Mesh, place: Place, from: usize, to: usize) -> Node {
+        // The values of corners are mixed from the same end as the position.
+        let point = |corner: usize| mesh.points[mesh.corners[corner] as usize];
+        let ordered = !self.mixes || comes_first(point(from), point(to));
+        let (from, to) = if ordered { (from, to) } else { (to, from) };
+        Node { place, from: from as u32, to: to as u32 }
+    }
+
+    /// Makes the crossings of an edge. The face that asks has pieces on both sides, so they are numbered there.
+    fn make(&mut self, parts: &mut [Part], mesh: &Mesh, a: u32, b: u32, planes: Range<u32>) {
+        let single = planes.len() == 1;
+        let axis = self.axis;
+        let (p, q) = (mesh.points[a as usize], mesh.points[b as usize]);
+        let segment = Segment::between((p, p[axis]), (q, q[axis]));
+        for plane in planes {
+            let at = self.planes[plane as usize];
+            let (mut x, share) = segment.meet(at);
+            x[axis] = at;
+            let [below, above] = &mut parts[plane as usize..plane as usize + 2] else { return };
+            let numbers = [below.add_point(x), above.add_point(x)];
+            let number = self.add(plane, x, share, numbers);
+            if !single {
+                self.crossings.push(number);
+            }
+        }
+    }
+}
+
+/// An edge from the end that comes first; ends have heights.
+pub(super) struct Segment {
+    from: (DVec3, f64),
+    to: (DVec3, f64),
+    along: DVec3,
+    low: DVec3,
+    high: DVec3,
+}
+
+impl Segment {
+    #[inline(always)]
+    pub(super) fn between(a: (DVec3, f64), b: (DVec3, f64)) -> Self {
+        let (from, to) = if comes_first(a.0, b.0) { (a, b) } else { (b, a) };
+        Segment { from, to, along: to.0 - from.0, low: from.0.min(to.0), high: from.0.max(to.0) }
+    }
+
+    /// Where it is as high as a plane, and how far along it that is.
+    #[inline(always)]
+    pub(super) fn meet(&self, at: f64) -> (DVec3, f64) {
+        let ((p, from), (q, to)) = (self.from, self.to);
+        let mut share = (at - from) / (to - from);
+        let mut x = p + self.along * share;
+        if !x.is_finite() {
+            // The ends are so far apart that their difference overflows.
+            share = (at * 0.5 - from * 0.5) / (to * 0.5 - from * 0.5);
+            x = p * (1.0 - share) + q * share;
+        }
+        // Rounding does not lead out of the box of the edge.
+        (x.max(self.low).min(self.high), share)
+    }
+}
+
+/// Lexicographic order of coordinates: it survives every renumbering.
+pub(super) fn comes_first(a: DVec3, b: DVec3) -> bool {
+    a.x < b.x || (a.x == b.x && (a.y < b.y || (a.y == b.y && a.z < b.z)))
+}

@@ -1,0 +1,281 @@
+//! What all steps of a cut share, and the faces that stay whole.
+
+use super::class::Span;
+use super::part::Part;
+use super::points::{NONE, Place, Points};
+use super::rim::{Rim, Side};
+use super::sheets::Sheets;
+use crate::geometry::exact::orient;
+use crate::geometry::mesh::{FaceTag, Mesh};
+
+/// A cut in progress.
+#[derive(Default)]
+pub(super) struct State {
+    pub(super) points: Points,
+    pub(super) parts: Vec<Part>,
+    pub(super) rim: Rim,
+    pub(super) sheets: Sheets,
+    room: Vec<Room>,
+    /// Whether crossings are so many that looking for one waits for memory.
+    pub(super) reads_ahead: bool,
+    /// Whether the mesh encloses its volume inside out, once it matters.
+    pub(super) inverted: Option<bool>,
+}
+
+/// From this many slabs on, faces are counted before they are cut.
+const MANY_SLABS: usize = 8;
+
+/// About so many faces are counted, and so many for each slab; of large meshes this is not all.
+const SAMPLE: usize = 1 << 14;
+const SAMPLE_A_SLAB: usize = 1 << 9;
+
+/// From this many faces on, with about half of them cut, edges do not stay in the cache until they are met again.
+const LARGE: usize = 200_000;
+
+/// What a slab will hold.
+#[derive(Clone, Copy, Default)]
+struct Room {
+    points: usize,
+    /// Corners of faces that are inside it or on its upper plane.
+    corners: usize,
+    /// Loops of faces that stay whole.
+    loops: usize,
+    /// How many faces to cut have their lowest part here, and how many had their highest below.
+    begin: usize,
+    end: usize,
+}
+
+impl State {
+    /// Whether its buffers are more than should be kept for the next cut.
+    pub(super) fn is_large(&self) -> bool {
+        const KEPT: usize = 1 << 20;
+        KEPT < self.points.places.capacity() + self.rim.capacity()
+    }
+
+    /// Classifies the points and numbers those inside slabs.
+    pub(super) fn start(&mut self, mesh: &Mesh) {
+        self.points.start(mesh);
+        self.make_room(mesh);
+        let State { points, parts, .. } = self;
+        for (index, &p) in mesh.points.iter().enumerate() {
+            let class = points.places[index].class;
+            points.places[index].number = if class.is_on_plane() {
+                points.add(class.plane(), p, 0.0, [NONE; 2])
+            } else {
+                parts[class.slab() as usize].add_point(p)
+            };
+        }
+        self.rim.reset();
+    }
+
+    /// Makes the slabs, with about the room they will need: growing is much of the work when there are many.
+    fn make_room(&mut self, mesh: &Mesh) {
+        let State { points, parts, room, reads_ahead, .. } = self;
+        let slabs = points.planes.len() + 1;
+        room.clear();
+        room.resize(slabs + 1, Room::default());
+        points.places.iter().for_each(|place| room[place.class.slab() as usize].points += 1);
+        parts.clear();
+        *reads_ahead = false;
+        if slabs < MANY_SLABS {
+            // Few: a share of the faces as their share of the points suggests, and of small meshes enough for any cut.
+            const SMALL: usize = 256;
+            parts.extend(room[..slabs].iter().map(|room| {
+                let share = room.points as f64 / mesh.points.len() as f64 * 1.02;
+                let of = |all: usize| (all as f64 * share) as usize + all.min(SMALL);
+                let points = room.points + room.points / 32 + mesh.points.len().min(SMALL);
+                Part::new(mesh, points, of(mesh.corners.len()), of(mesh.loop_ends.len()))
+            }));
+            return;
+        }
+        let faces = mesh.face_count();
+        // An odd step, as meshes are often made of rows and pairs.
+        let each = (faces / SAMPLE.max(slabs * SAMPLE_A_SLAB) + 1) | 1;
+        let each = if faces / each < slabs { 1 } else { each };
+        let mut cut = 0;
+        for face in (0..faces).step_by(each) {
+            let loops = mesh.face_loops(face);
+            let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
+            let count = corners.len();
+            let classes = mesh.corners[corners].iter().map(|&point| points.places[point as usize].class);
+            let span = Span::of(classes.clone());
+            let (bottom, top) = (span.bottom() as usize, span.top() as usize);
+            if bottom < top {
+                cut += each;
+                // One that reaches far says little of the others.
+                let many = if top - bottom < MANY_SLABS { each } else { 1 };
+                classes.for_each(|class| room[class.slab() as usize].corners += many);
+                room[bottom].begin += many;
+                room[top + 1].end += many;
+            } else {
+                room[top].corners += each * count;
+                room[top].loops += each * loops.len();
+            }
+        }
+        // What was not looked at may be more than its share, and where a mesh is open or faces are not convex, so is the rest.
+        let spare = |count: usize| match count {
+            0 => 0,
+            _ => count + count / if each == 1 { 32 } else { 12 } + 4,
+        };
+        *reads_ahead = LARGE <= faces && faces < 2 * cut;
+        let mut pieces = 0;
+        parts.extend((0..slabs).map(|slab| {
+            let Room { points, corners, loops, begin, end } = room[slab];
+            // Faces cut by the plane below have pieces on both its sides, and so have those cut by the plane above. Each has two
+            // new corners there, and the cap has one; each of these points is shared by two of them.
+            let crossings = pieces - end;
+            pieces = crossings + begin;
+            let crossings = crossings + pieces - room[slab + 1].end;
+            Part::new(mesh, spare(points + crossings), spare(corners + 3 * crossings), spare(loops + pieces))
+        }));
+    }
+
+    /// A face that is all in one slab.
+    pub(super) fn keep(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, slab: u32, touches_plane: bool) {
+        let State { parts, points, .. } = self;
+        let part = &mut parts[slab as usize];
+        part.whole += 1;
+        let loops = mesh.face_loops(face);
+        let corners = mesh.loop_range(loops.start).start..mesh.loop_range(loops.end - 1).end;
+        let shift = part.mesh.corners.len() as u32;
+        let base = corners.start as u32;
+        for &point in &mesh.corners[corners.clone()] {
+            let number = part.number(points, points.places[point as usize], slab);
+            part.mesh.corners.push(number);
+        }
+        part.mesh.loop_ends.extend(mesh.loop_ends[loops].iter().map(|end| end - base + shift));
+        part.end_face(tag);
+        part.copy_carried(mesh, corners);
+        if touches_plane {
+            self.edges_on_planes(mesh, face, slab);
+        }
+    }
+
+    fn edges_on_planes(&mut self, mesh: &Mesh, face: usize, slab: u32) {
+        for ring in mesh.face(face).loops() {
+            let mut last = ring[ring.len() - 1];
+            for &here in ring {
+                let [a, b] = [last, here].map(|point| self.points.places[point as usize]);
+                if b.class.is_on_plane() && a.class == b.class {
+                    let plane = b.class.plane();
+                    self.rim.edge(plane, a.number, b.number, Side::of(slab, plane));
+                }
+                last = here;
+            }
+        }
+    }
+
+    /// A face in a plane goes to the side that its normal points away from, which it closes; of a mesh that is inside out
+    /// to the other. Where that tears a sheet apart, [`Sheets`] decide.
+    pub(super) fn keep_flat(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, plane: u32) {
+        let by_rule = self.is_above_by_rule(mesh, face, plane);
+        let is_above = self.sheets.place(face, plane, by_rule);
+        self.keep(mesh, face, tag, plane + u32::from(is_above), true);
+    }
+
+    /// The slab of a face in a plane.
+    pub(super) fn slab_of_flat(&mut self, mesh: &Mesh, face: usize, plane: u32) -> u32 {
+        let by_rule = self.is_above_by_rule(mesh, face, plane);
+        plane + u32::from(self.sheets.is_above(face, by_rule))
+    }
+
+    fn is_above_by_rule(&mut self, mesh: &Mesh, face: usize, plane: u32) -> bool {
+        let view = mesh.face(face);
+        if let [a, b, c] = mesh.corners[view.corner_range()] {
+            let corners = [a, b, c].map(|point| self.points.places[point as usize]);
+            return self.is_triangle_above(mesh, corners, plane);
+        }
+        self.is_facing_above(mesh, view.normal()[self.points.axis])
+    }
+
+    /// The slab of a triangle in a plane.
+    pub(super) fn slab_of_triangle(&mut self, mesh: &Mesh, corners: [Place; 3], plane: u32) -> u32 {
+        plane + u32::from(self.is_triangle_above(mesh, corners, plane))
+    }
+
+    /// Whether a triangle in a plane goes above it: exactly, as it may be the narrowest piece of a face.
+    fn is_triangle_above(&mut self, mesh: &Mesh, corners: [Place; 3], plane: u32) -> bool {
+        let flat = &self.points.levels[plane as usize].flat;
+        let [a, b, c] = corners.map(|corner| flat[corner.number as usize]);
+        self.is_facing_above(mesh, f64::from(orient(a, b, c)))
+    }
+
+    /// Whether something in a plane goes above it, by how much it looks up.
+    fn is_facing_above(&mut self, mesh: &Mesh, up: f64) -> bool {
+        if self.is_inverted(mesh) { up > 0.0 } else { up < 0.0 }
+    }
+
+    /// Whether the mesh encloses its volume inside out.
+    pub(super) fn is_inverted(&mut self, mesh: &Mesh) -> bool {
+        *self.inverted.get_or_insert_with(|| mesh.is_inside_out())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::DVec2;
+
+    use super::*;
+    use crate::geometry::Axis;
+    use crate::geometry::cut::slabs;
+    use crate::geometry::mesh::MeshBuilder;
+
+    #[test]
+    fn slabs_without_anything_get_no_room() {
+        // More triangles than are counted of a large mesh, and still fewer than slabs.
+        let mut builder = MeshBuilder::new();
+        let triangles = u32::try_from(SAMPLE).unwrap() + 1;
+        for i in 0..triangles {
+            let x = f64::from(i) * 4.0;
+            let corners = [[x, 0.0, 0.0], [x + 1.0, 0.0, 0.0], [x, 1.0, 0.0]].map(|point| builder.point(point));
+            builder.face(&corners, &[], FaceTag::PLAIN);
+        }
+        let mesh = builder.build().unwrap();
+        let mut state = State::default();
+        state.points.planes.extend((0..8 * triangles).map(|i| f64::from(i) * 0.5 + 0.25));
+        state.start(&mesh);
+        let corners: usize = state.parts.iter().map(|part| part.mesh.corners.capacity()).sum();
+        assert!(corners <= 10 * mesh.corners.len(), "{corners}");
+    }
+
+    /// A torus around z in triangles, with coordinates that corners carry.
+    fn torus(around: u32, across: u32) -> Mesh {
+        let mut builder = MeshBuilder::new();
+        for u in 0..around {
+            for v in 0..across {
+                let [a, b] =
+                    [(u, around), (v, across)].map(|(i, of)| f64::from(i) / f64::from(of) * std::f64::consts::TAU);
+                let r = 1.0 + 0.4 * libm::cos(b);
+                builder.point([r * libm::cos(a), r * libm::sin(a), 0.4 * libm::sin(b)]);
+            }
+        }
+        let at = |u: u32, v: u32| u % around * across + v % across;
+        for (u, v) in (0..around).flat_map(|u| (0..across).map(move |v| (u, v))) {
+            let [a, b, c, d] = [at(u, v), at(u + 1, v), at(u + 1, v + 1), at(u, v + 1)];
+            for corners in [[a, b, c], [a, c, d]] {
+                builder.face(&corners, &[], FaceTag::PLAIN).uvs(&[DVec2::ZERO, DVec2::X, DVec2::ONE]);
+            }
+        }
+        builder.build().unwrap()
+    }
+
+    #[test]
+    fn parts_keep_little_more_memory_than_they_need() {
+        for (around, across) in [(256, 128), (64, 500)] {
+            let mesh = Arc::new(torus(around, across));
+            for pieces in [2, 5, 9, 40, 300] {
+                for (axis, reach) in [(Axis::X, 1.4), (Axis::Z, 0.4)] {
+                    let offsets: Vec<f64> =
+                        (1..pieces).map(|i| reach * (2.0 * f64::from(i) / f64::from(pieces) - 1.0)).collect();
+                    let parts = slabs(&mesh, axis, &offsets).parts;
+                    let bytes = parts.iter().flatten().map(|part| part.bytes());
+                    let [used, kept] = bytes.fold([0; 2], |sum, next| [sum[0] + next[0], sum[1] + next[1]]);
+                    let share = kept as f64 / used as f64;
+                    assert!(share <= 1.1, "{around} x {across} in {pieces} across {axis:?}: {share}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! The coordinate system of a face (*comp*, coordinate systems of the children): origin at the first vertex of the first
+//! edge, x along that edge, z along the face normal, y completes.
+
+use glam::{DMat3, DVec2, DVec3};
+
+use crate::geometry::Frame;
+use crate::geometry::mesh::{FaceRef, Mesh};
+use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
+
+/// A face's own coordinate system and its box in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct FaceFrame {
+    /// Origin at the start of the first edge that has a length, x along it, z outwards.
+    pub frame: Frame,
+    /// Smallest coordinates of the face in the frame.
+    pub low: DVec2,
+    /// Largest coordinates.
+    pub high: DVec2,
+    /// Whether the face is exactly its box: four corners from (0, 0) on, right angles, no holes.
+    pub rectangle: bool,
+}
+
+/// The frame of a face; nothing for a face without area.
+pub(crate) fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
+    let face = mesh.face(face);
+    let z = face.normal();
+    let outer = face.outer();
+    let at = |i: usize| mesh.points()[outer[i % outer.len()] as usize];
+    if z == DVec3::ZERO {
+        return None;
+    }
+    let (first, along) = (0..outer.len()).map(|i| (i, at(i + 1) - at(i))).find(|(_, edge)| *edge != DVec3::ZERO)?;
+    // The edge lies in the face but for rounding: take that out, so that the axes are orthonormal.
+    let x =
+        crate::geometry::mesh::unit(crate::geometry::mesh::unit(along) - z * crate::geometry::mesh::unit(along).dot(z));
+    if x == DVec3::ZERO {
+        return None;
+    }
+    let y = z.cross(x);
+    let frame = Frame { origin: at(first), axes: DMat3::from_cols(x, y, z) };
+    let (mut low, mut high) = (DVec2::ZERO, DVec2::ZERO);
+    for &c in outer {
+        let p = frame.to_local(mesh.points()[c as usize]).truncate();
+        (low, high) = (low.min(p), high.max(p));
+    }
+    let size = high - low;
+    let rectangle = first == 0 && is_rectangle(&face, &frame, size);
+    if rectangle {
+        // What is left below zero is rounding.
+        low = DVec2::ZERO;
+        high = size;
+    }
+    Some(FaceFrame { frame, low, high, rectangle })
+}
+
+/// Object coordinates: the frame of the first face with an area, x along its first edge with a length and y along its normal
+/// (*CGA essentials*, object coordinate system). Nothing for a mesh without such a face.
+pub(crate) fn object_of(mesh: &Mesh) -> Option<Frame> {
+    (0..mesh.face_count()).find_map(|face| face_frame(mesh, face)).map(|found| object(&found))
+}
+
+/// Object coordinates that begin with a face: its frame with y outwards.
+pub(crate) fn object(found: &FaceFrame) -> Frame {
+    let [x, out] = [found.frame.axes.x_axis, found.frame.axes.z_axis];
+    // Where the first edge leaves the plane of its face, the two are not at right angles to the last digit.
+    let y = crate::geometry::mesh::unit(out - x * out.dot(x));
+    Frame { origin: found.frame.origin, axes: DMat3::from_cols(x, y, x.cross(y)) }
+}
+
+/// The direction across an axis that is as upright as can be.
+pub(crate) fn upright(x: DVec3) -> DVec3 {
+    let up = crate::geometry::mesh::unit(DVec3::Y - x * x.y);
+    if 1.0 - x.y.abs() < ANGLE_EPSILON || up == DVec3::ZERO {
+        crate::geometry::mesh::unit(DVec3::Z - x * x.z)
+    } else {
+        up
+    }
+}
+
+/// Axes with x given and z as near as can be to where something looks.
+pub(crate) fn along(x: DVec3, looks: DVec3) -> DMat3 {
+    // A mean need not be perpendicular to the edge, and what is left of one along it is rounding.
+    let across = looks - x * looks.dot(x);
+    let z = if across.length() <= COPLANAR_EPSILON { upright(x) } else { crate::geometry::mesh::unit(across) };
+    let z = crate::geometry::mesh::unit(z - x * z.dot(x));
+    DMat3::from_cols(x, z.cross(x), z)
+}
+
+/// The x axis across a z axis: as near to the x axis of the shape as can be, and so it turns with it.
+pub(crate) fn beside(z: DVec3) -> DVec3 {
+    let x = crate::geometry::mesh::unit(DVec3::X - z * z.x);
+    if 1.0 - z.x.abs() < ANGLE_EPSILON || x == DVec3::ZERO {
+        crate::geometry::mesh::unit(DVec3::NEG_Z + z * z.z)
+    } else {
+        x
+    }
+}
+
+fn is_rectangle(face: &FaceRef<'_>, frame: &Frame, size: DVec2) -> bool {
+    let range = face.corner_range();
+    if range.len() != 4 {
+        return false;
+    }
+    let near = ANGLE_EPSILON * size.max_element();
+    let expected = [DVec2::ZERO, DVec2::new(size.x, 0.0), size, DVec2::new(0.0, size.y)];
+    range.zip(expected).all(|(corner, expected)| {
+        let p = frame.to_local(face.position(corner));
+        (p.truncate() - expected).abs().max_element() <= near && p.z.abs() <= near
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::mesh::primitive::cube;
+
+    #[test]
+    fn a_wall_has_x_along_its_first_edge_and_z_outwards() {
+        let mesh = cube();
+        for face in 0..6 {
+            let found = face_frame(&mesh, face).unwrap();
+            assert!(found.rectangle);
+            assert_eq!((found.low, found.high), (DVec2::ZERO, DVec2::ONE));
+            assert_eq!(found.frame.axes.z_axis, mesh.face(face).normal());
+            assert_eq!(found.frame.origin, mesh.points()[mesh.face(face).outer()[0] as usize]);
+        }
+        assert_eq!(face_frame(&mesh, 2).unwrap().frame.axes.y_axis, DVec3::Y);
+    }
+
+    #[test]
+    fn a_face_may_reach_below_its_origin() {
+        let points = [(1.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+        let found = face_frame(&Mesh::from_polygon(&points, &[]).unwrap(), 0).unwrap();
+        assert!(!found.rectangle);
+        assert_eq!(found.low, DVec2::new(-1.0, 0.0));
+        assert_eq!(found.high, DVec2::new(1.0, 2.0));
+    }
+}

@@ -1,0 +1,34 @@
+//! The convex hull of points in a plane.
+
+use glam::DVec2;
+
+use crate::geometry::exact::orient;
+
+/// Leaves the corners of the convex hull, counter-clockwise, of things that are somewhere in a plane. Two or fewer places are
+/// their own hull.
+pub(crate) fn hull<T: Copy>(points: &mut Vec<T>, at: impl Fn(&T) -> DVec2) {
+    points.sort_by(|a, b| at(a).x.total_cmp(&at(b).x).then(at(a).y.total_cmp(&at(b).y)));
+    points.dedup_by(|a, b| at(a) == at(b));
+    if points.len() < 3 {
+        return;
+    }
+    let mut corners: Vec<T> = Vec::new();
+    for pass in 0..2 {
+        let start = corners.len();
+        let mut add = |p: &T| {
+            while start + 2 <= corners.len()
+                && orient(at(&corners[corners.len() - 2]), at(&corners[corners.len() - 1]), at(p)) <= 0
+            {
+                corners.pop();
+            }
+            corners.push(*p);
+        };
+        match pass {
+            0 => points.iter().for_each(&mut add),
+            _ => points.iter().rev().for_each(&mut add),
+        }
+        // The last is the first of the other half.
+        corners.pop();
+    }
+    *points = corners;
+}

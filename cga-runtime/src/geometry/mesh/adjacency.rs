@@ -1,0 +1,201 @@
+//! Which faces meet at each edge and at each point of a mesh. Made once, when first asked for, and shared by copies.
+
+use super::Mesh;
+
+/// Neighbourhood in a mesh. Edges are numbered by the first corner they leave, shared ones once (*comp operation*, e).
+#[derive(Debug)]
+pub(crate) struct Adjacency {
+    /// For each corner its face.
+    faces: Vec<u32>,
+    /// For each corner the corner that follows in its loop, and the one before.
+    next: Vec<u32>,
+    before: Vec<u32>,
+    /// For each corner the edge that leaves it.
+    edges: Vec<u32>,
+    /// For each edge the corners that it leaves.
+    uses: Lists,
+    /// For each point the corners that lie on it.
+    at: Lists,
+}
+
+/// Lists of corners, each in rising order.
+#[derive(Debug)]
+struct Lists {
+    ends: Vec<u32>,
+    corners: Vec<u32>,
+}
+
+impl Lists {
+    /// Puts each corner into the list of its key.
+    fn by(count: usize, keys: &[u32]) -> Lists {
+        let mut ends = vec![0; count + 1];
+        keys.iter().for_each(|&key| ends[key as usize + 1] += 1);
+        (0..count).for_each(|key| ends[key + 1] += ends[key]);
+        let mut corners = vec![0; keys.len()];
+        for (corner, &key) in keys.iter().enumerate() {
+            let fill = &mut ends[key as usize];
+            corners[*fill as usize] = corner as u32;
+            *fill += 1;
+        }
+        ends.truncate(count);
+        Lists { ends, corners }
+    }
+
+    fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    fn of(&self, key: usize) -> &[u32] {
+        let start = if key == 0 { 0 } else { self.ends[key - 1] };
+        &self.corners[start as usize..self.ends[key] as usize]
+    }
+}
+
+impl Adjacency {
+    pub(super) fn of(mesh: &Mesh) -> Self {
+        let corners = mesh.corners.len();
+        let [mut faces, mut next, mut before] = [(); 3].map(|()| Vec::with_capacity(corners));
+        for face in mesh.faces() {
+            for ring in face.loop_ranges() {
+                faces.resize(ring.end, face.index() as u32);
+                next.extend((ring.start + 1..ring.end).chain([ring.start]).map(|corner| corner as u32));
+                before.extend([ring.end - 1].into_iter().chain(ring.start..ring.end - 1).map(|corner| corner as u32));
+            }
+        }
+        let at = Lists::by(mesh.points.len(), &mesh.corners);
+        let edges = number_edges(mesh, &next);
+        let count = edges.iter().max().map_or(0, |&last| last as usize + 1);
+        let uses = Lists::by(count, &edges);
+        Adjacency { faces, next, before, edges, uses, at }
+    }
+
+    /// How many edges there are, shared ones counted once.
+    pub(crate) fn edge_count(&self) -> usize {
+        self.uses.len()
+    }
+
+    /// The face of a corner.
+    pub(crate) fn face(&self, corner: u32) -> u32 {
+        self.faces[corner as usize]
+    }
+
+    /// The corner that follows another in its loop.
+    pub(crate) fn next(&self, corner: u32) -> u32 {
+        self.next[corner as usize]
+    }
+
+    /// The corner before another in its loop.
+    pub(crate) fn before(&self, corner: u32) -> u32 {
+        self.before[corner as usize]
+    }
+
+    /// The corners that an edge leaves, one for each loop that has it; never none.
+    pub(crate) fn uses(&self, edge: usize) -> &[u32] {
+        self.uses.of(edge)
+    }
+
+    /// The corners that lie on a point.
+    pub(crate) fn at(&self, point: usize) -> &[u32] {
+        self.at.of(point)
+    }
+
+    /// The edge that leaves a corner.
+    pub(crate) fn edge(&self, corner: u32) -> usize {
+        self.edges[corner as usize] as usize
+    }
+
+    /// The faces that have an edge, each once.
+    pub(crate) fn faces_at(&self, edge: usize) -> impl Iterator<Item = u32> + '_ {
+        self.distinct(self.uses(edge))
+    }
+
+    /// The faces that have a point, each once.
+    pub(crate) fn faces_around(&self, point: usize) -> impl Iterator<Item = u32> + '_ {
+        self.distinct(self.at(point))
+    }
+
+    /// Corners come in the order of their faces.
+    fn distinct<'a>(&'a self, corners: &'a [u32]) -> impl Iterator<Item = u32> + 'a {
+        let mut last = None;
+        corners.iter().map(|&corner| self.face(corner)).filter(move |&face| last.replace(face) != Some(face))
+    }
+
+    /// Whether just one face has an edge (*comp operation*, border).
+    pub(crate) fn is_border(&self, edge: usize) -> bool {
+        self.faces_at(edge).nth(1).is_none()
+    }
+}
+
+/// For each corner the number of the edge that leaves it: those at the same lower point are told apart by the other.
+fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
+    let ends = |corner: u32| {
+        let [a, b] = [corner, next[corner as usize]].map(|corner| mesh.corners[corner as usize]);
+        (a.min(b), a.max(b))
+    };
+    let lower: Vec<u32> = (0..next.len() as u32).map(|corner| ends(corner).0).collect();
+    let mut around = Lists::by(mesh.points.len(), &lower);
+    // The first corner that leaves along the same edge.
+    let mut first: Vec<u32> = vec![0; next.len()];
+    let mut start = 0;
+    for &end in &around.ends {
+        let here = &mut around.corners[start..end as usize];
+        start = end as usize;
+        // Corners at one point are few, but in a fan they are many.
+        here.sort_unstable_by_key(|&corner| (ends(corner).1, corner));
+        for same in here.chunk_by(|&a, &b| ends(a).1 == ends(b).1) {
+            same.iter().for_each(|&corner| first[corner as usize] = same[0]);
+        }
+    }
+    let mut count = 0;
+    for corner in 0..first.len() {
+        first[corner] = if first[corner] as usize == corner {
+            count += 1;
+            count - 1
+        } else {
+            // Its number is there already.
+            first[first[corner] as usize]
+        };
+    }
+    first
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::geometry::mesh::{Mesh, MeshBuilder, primitive};
+
+    #[test]
+    fn edges_are_numbered_by_their_first_corner() {
+        let cube = primitive::cube();
+        let adjacency = cube.adjacency();
+        assert_eq!(adjacency.edge_count(), 12);
+        let mut seen = 0;
+        for corner in 0..cube.corners().len() as u32 {
+            let edge = adjacency.edge(corner);
+            assert!(edge <= seen);
+            seen = seen.max(edge + 1);
+            assert!(adjacency.uses(edge).contains(&corner));
+            assert_eq!(adjacency.faces_at(edge).count(), 2);
+            assert!(!adjacency.is_border(edge));
+        }
+        assert!((0..8).all(|point| adjacency.faces_around(point).count() == 3));
+    }
+
+    #[test]
+    fn of_a_fold_and_a_fin_all_faces_are_known() {
+        let mut builder = MeshBuilder::new();
+        let hinge = [0.0, 1.0].map(|y| builder.point([0.0, y, 0.0]));
+        for end in [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]] {
+            let tip = builder.point(end);
+            builder.face(&[hinge[0], hinge[1], tip], &[], Default::default());
+        }
+        let mesh = builder.build().unwrap();
+        let adjacency = mesh.adjacency();
+        assert_eq!(adjacency.faces_at(0).collect::<Vec<_>>(), [0, 1, 2]);
+        assert_eq!((1..7).filter(|&edge| adjacency.is_border(edge)).count(), 6);
+    }
+
+    #[test]
+    fn of_nothing_there_is_nothing() {
+        assert_eq!(Mesh::default().adjacency().edge_count(), 0);
+    }
+}

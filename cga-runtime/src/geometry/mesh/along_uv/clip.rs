@@ -1,0 +1,250 @@
+//! A convex polygon of the asset, cut at the edges of a patch.
+
+use glam::{DVec2, DVec3};
+
+use super::patch::{Patch, comes_first};
+use super::unit::UnitAsset;
+use crate::geometry::exact::orient;
+use crate::geometry::mesh::{Mesh, UvSets};
+use crate::geometry::tol::NEXT_EPSILON;
+
+/// A corner of a piece, above a place of texture space.
+#[derive(Clone, Copy)]
+pub(super) struct Node {
+    pub(super) uv: DVec2,
+    pub(super) height: f64,
+    /// The edges of the patch that it is above: those with their bit.
+    above: u8,
+    /// What the edge after it is a part of.
+    edge: Edge,
+    /// Where the coordinates that it carries are.
+    carried: u32,
+}
+
+/// Where in its patch a node is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum On {
+    Inside,
+    Edge(usize),
+    Corner(usize),
+}
+
+impl Node {
+    pub(super) fn on(&self, patch: &Patch) -> On {
+        let mut edges = (0..patch.edge_count()).filter(|edge| self.above >> edge & 1 == 1);
+        match (edges.next(), edges.next()) {
+            (None, _) => On::Inside,
+            (Some(edge), None) => On::Edge(edge),
+            (Some(a), Some(b)) => patch.corner_between(a, b).map_or(On::Edge(a), On::Corner),
+        }
+    }
+
+    /// The edges of the patch that its place is on, as bits.
+    fn above_of(&self, patch: &Patch) -> u8 {
+        (0..patch.edge_count()).map(|edge| u8::from(self.side(edge, patch) == 0) << edge).sum()
+    }
+
+    /// 1 on the left of an edge of the patch, that is, inside, -1 on the right, 0 above it.
+    fn side(&self, edge: usize, patch: &Patch) -> i32 {
+        let [a, b] = patch.edge(edge);
+        if self.above >> edge & 1 == 1 { 0 } else { orient(a, b, self.uv) }
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Edge {
+    /// The edge after a corner of the polygon.
+    Own(u32),
+    /// A cut at an edge of the patch.
+    Cut(usize),
+}
+
+/// Buffers, and the piece that was cut last.
+pub(super) struct Clip<'a> {
+    asset: &'a Mesh,
+    /// The texture sets that the asset has.
+    pub(super) sets: Vec<usize>,
+    pub(super) nodes: Vec<Node>,
+    spare: Vec<Node>,
+    /// The polygon before it is cut.
+    own: Vec<Node>,
+    carried: Vec<DVec2>,
+}
+
+impl<'a> Clip<'a> {
+    pub(super) fn new(asset: &'a Mesh) -> Self {
+        let sets = (0..UvSets::MOST).filter(|&set| !asset.uv_set(set).is_empty()).collect();
+        let [nodes, spare, own] = Default::default();
+        Clip { asset, sets, nodes, spare, own, carried: Vec::new() }
+    }
+
+    /// The coordinates that a node carries, set after set.
+    pub(super) fn carried(&self, node: &Node) -> &[DVec2] {
+        &self.carried[node.carried as usize..][..self.sets.len()]
+    }
+
+    /// Cuts a polygon in a cell at the edges of a patch. Nothing if it is outside; else the edge that all of it is above, if
+    /// there is one.
+    pub(super) fn cut(
+        &mut self,
+        asset: &UnitAsset,
+        polygon: usize,
+        cell: DVec2,
+        patch: &Patch,
+    ) -> Option<Option<usize>> {
+        self.start(asset, polygon, cell, patch);
+        let mut wall = None;
+        for edge in 0..patch.edge_count() {
+            let sides = self.nodes.iter().map(|node| node.side(edge, patch));
+            let (low, high) = sides.fold((1, -1), |(low, high), side| (side.min(low), side.max(high)));
+            match (low, high) {
+                (0, 0) => wall = wall.or(Some(edge)),
+                // It is outside, or touches the edge from there.
+                (_, ..=0) => return None,
+                (-1, _) => self.cut_at(edge, patch),
+                _ => {}
+            }
+            if self.nodes.len() < 3 {
+                return None;
+            }
+        }
+        Some(wall)
+    }
+
+    fn start(&mut self, asset: &UnitAsset, polygon: usize, cell: DVec2, patch: &Patch) {
+        self.carried.clear();
+        self.own.clear();
+        for (number, &corner) in (0u32..).zip(asset.corners(polygon)) {
+            let at = asset.at(corner, cell);
+            let carried = self.carried.len() as u32;
+            self.carried.extend(self.sets.iter().map(|&set| self.asset.uv_set(set)[corner as usize]));
+            let edge = Edge::Own(number);
+            let mut node = Node { uv: at.truncate(), height: at.z, above: 0, edge, carried };
+            node.above = node.above_of(patch);
+            self.own.push(node);
+        }
+        self.nodes.clone_from(&self.own);
+    }
+
+    /// Cuts off what is right of an edge.
+    fn cut_at(&mut self, edge: usize, patch: &Patch) {
+        let mut kept = std::mem::take(&mut self.spare);
+        kept.clear();
+        for at in 0..self.nodes.len() {
+            let (here, next) = (self.nodes[at], self.nodes[if at + 1 == self.nodes.len() { 0 } else { at + 1 }]);
+            match [here, next].map(|node| node.side(edge, patch)) {
+                [1, -1] => {
+                    let crossing = self.crossing(&here, &next, edge, patch);
+                    kept.extend([here, Node { edge: Edge::Cut(edge), ..crossing }]);
+                }
+                [-1, 1] => kept.push(self.crossing(&here, &next, edge, patch)),
+                [0, -1] => kept.push(Node { edge: Edge::Cut(edge), ..here }),
+                [-1, _] => {}
+                _ => kept.push(here),
+            }
+        }
+        self.spare = std::mem::replace(&mut self.nodes, kept);
+    }
+
+    /// Where the way from one node to the next meets an edge of the patch.
+    fn crossing(&mut self, here: &Node, next: &Node, edge: usize, patch: &Patch) -> Node {
+        if let Edge::Cut(other) = here.edge
+            && let Some(corner) = patch.corner_between(other, edge)
+        {
+            let uv = patch.corner(corner);
+            let share = share_at(here, next, uv);
+            let height = self.height_at_corner(uv).unwrap_or(here.height + (next.height - here.height) * share);
+            let carried = self.mix(here.carried, next.carried, share);
+            return Node { uv, height, above: patch.edges_at(corner), edge: here.edge, carried };
+        }
+        // From the ends of the edge of the polygon, the same for both polygons there and all patches around.
+        let (from, to) = match here.edge {
+            Edge::Own(number) => {
+                let next = if number as usize + 1 == self.own.len() { 0 } else { number as usize + 1 };
+                (self.own[number as usize], self.own[next])
+            }
+            Edge::Cut(_) => (*here, *next),
+        };
+        let (from, to) = if is_before(&from, &to) { (from, to) } else { (to, from) };
+        let [a, b] = patch.edge(edge);
+        let (a, b) = if comes_first(a, b) { (a, b) } else { (b, a) };
+        let [off_from, off_to] = [from, to].map(|node| (b - a).perp_dot(node.uv - a));
+        let share = off_from / (off_from - off_to);
+        // Rounding of ends next to the edge.
+        let share = if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) };
+        let uv = from.uv + (to.uv - from.uv) * share;
+        let height = from.height + (to.height - from.height) * share;
+        let carried = self.mix(from.carried, to.carried, share);
+        let mut node = Node { uv, height, above: 1 << edge, edge: here.edge, carried };
+        // Rounding may lead to the end of the edge.
+        node.above |= node.above_of(patch);
+        let is_through = |end: &usize| orient(from.uv, to.uv, patch.corner(*end)) == 0;
+        if let Some(corner) = patch.ends(edge).into_iter().find(is_through) {
+            node.above |= patch.edges_at(corner);
+        }
+        if let On::Corner(corner) = node.on(patch) {
+            node.uv = patch.corner(corner);
+            node.height = height_on_edge(&from, &to, node.uv);
+        }
+        node
+    }
+
+    /// The height of the polygon above a corner of the patch, the same for all patches there. Nothing for an upright polygon.
+    ///
+    /// Next to an edge or a corner of the polygon it is that of the edge or corner, so that the polygons there agree.
+    fn height_at_corner(&self, uv: DVec2) -> Option<f64> {
+        if let Some(node) = self.own.iter().find(|node| is_next_to(node.uv, uv)) {
+            return Some(node.height);
+        }
+        let ends = self.own.iter().zip(self.own[1..].iter().chain(&self.own[..1]));
+        for (from, to) in ends {
+            let (from, to) = if is_before(from, to) { (from, to) } else { (to, from) };
+            if is_next_to(from.uv + (to.uv - from.uv) * share_at(from, to, uv), uv) {
+                return Some(height_on_edge(from, to, uv));
+            }
+        }
+        let from = self.own[0];
+        let mut normal = DVec3::ZERO;
+        let off = |node: &Node| (node.uv - from.uv).extend(node.height - from.height);
+        for pair in self.own[1..].windows(2) {
+            normal += off(&pair[0]).cross(off(&pair[1]));
+        }
+        let height = from.height - normal.truncate().dot(uv - from.uv) / normal.z;
+        let heights = || self.own.iter().map(|node| node.height);
+        let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
+        height.is_finite().then(|| height.clamp(low, high))
+    }
+
+    /// What is carried between two nodes.
+    fn mix(&mut self, from: u32, to: u32, share: f64) -> u32 {
+        let start = self.carried.len() as u32;
+        for set in 0..self.sets.len() {
+            let (a, b) = (self.carried[from as usize + set], self.carried[to as usize + set]);
+            self.carried.push(a.lerp(b, share));
+        }
+        start
+    }
+}
+
+/// How far from one node to another a place between them is.
+fn share_at(from: &Node, to: &Node, uv: DVec2) -> f64 {
+    let along = to.uv - from.uv;
+    let share = (uv - from.uv).dot(along) / along.length_squared();
+    if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) }
+}
+
+/// The height of an edge of the polygon above a place on it.
+fn height_on_edge(from: &Node, to: &Node, uv: DVec2) -> f64 {
+    match [from, to].into_iter().find(|end| is_next_to(end.uv, uv)) {
+        Some(end) => end.height,
+        None => from.height + (to.height - from.height) * share_at(from, to, uv),
+    }
+}
+
+fn is_next_to(a: DVec2, b: DVec2) -> bool {
+    (a - b).abs().max_element() <= b.abs().max_element().max(1.0) * NEXT_EPSILON
+}
+
+fn is_before(a: &Node, b: &Node) -> bool {
+    comes_first(a.uv, b.uv) || (a.uv == b.uv && a.height < b.height)
+}

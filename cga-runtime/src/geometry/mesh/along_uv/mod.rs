@@ -1,0 +1,159 @@
+//! An asset bent along the texture coordinates of a surface (*insertAlongUV operation*).
+//!
+//! The asset is stretched to a cell of texture space: its x runs along u in [0, 1], its z against v, its y is the height. It is
+//! repeated in each cell that a face of the carrier covers, cut at the edges of the face, and taken to the surface by the
+//! inverse of the face's coordinates. A triangle has an affine inverse. A quad whose coordinates are a parallelogram has a
+//! bilinear one, so edges along u and v stay straight; any other quad is two triangles.
+//!
+//! Faces that share an edge and agree in coordinates there make the same points on it, to the bit: crossings are made from
+//! ends in lexicographic order, and taken to the surface by the edge alone. What is above a common edge belongs to one of
+//! the faces. Nothing is closed: what the border of the carrier cuts off leaves the asset open.
+
+mod clip;
+mod patch;
+mod unit;
+
+use glam::DVec3;
+
+use super::{FaceTag, Mesh, MeshBuilder, TooManyCorners};
+use crate::geometry::tol::PLANAR_EPSILON;
+use clip::{Clip, Node};
+use patch::{Patch, Patches};
+use unit::UnitAsset;
+
+/// The direction in which an asset on a surface is high.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HeightDirection {
+    /// The y axis of the carrier's coordinates, for `scope.y`.
+    ScopeY,
+    /// The normals of the points of the carrier, which its faces interpolate, for `vertex.normal`.
+    VertexNormal,
+}
+
+/// The place of an asset in the direction of the height.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum HeightAlignment {
+    /// The lowest point of the asset is on the surface.
+    AlignPosition,
+    /// The origin of the asset is on the surface.
+    KeepPosition,
+}
+
+/// The parameters of [`insert_along_uv`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AlongUv {
+    /// The texture set of the carrier.
+    pub set: usize,
+    /// The height of the asset in metres; inwards if it is negative, and flat if it is 0.
+    pub height: f64,
+    /// Which way is up.
+    pub direction: HeightDirection,
+    /// Where height 0 is.
+    pub alignment: HeightAlignment,
+}
+
+/// The asset on the triangles and quads of a carrier, both in metres. Faces with more corners, with holes, or without an area
+/// in texture space carry nothing; so does a carrier without the set.
+///
+/// Faces keep the groups, the materials and the texture coordinates of the asset; normals and tags are dropped. Faces that
+/// would look inwards, because the height is negative or the coordinates are mirrored, are turned over. Faces of the asset
+/// that are not convex are divided into triangles, and so are pieces that are not planar any more. An asset without extent in
+/// x or z is in the middle of its cell. An asset without extent in y keeps its own height above the surface with
+/// [`HeightAlignment::KeepPosition`].
+///
+/// # Errors
+/// When the result would have more than `most` corners, or very many more are to be cut. A result that leads beyond the
+/// largest number is empty.
+pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: usize) -> Result<Mesh, TooManyCorners> {
+    let too_many = TooManyCorners { most };
+    let mut made = Made { builder: MeshBuilder::new(), asset, corners: 0 };
+    made.builder.groups(asset.groups.clone()).materials(asset.materials.clone());
+    let unit = UnitAsset::of(asset, options);
+    let patches = if unit.is_empty() { Patches::default() } else { Patches::of(carrier, options) };
+    let (mut clip, mut looked_at) = (Clip::new(asset), 0usize);
+    for (number, patch) in patches.list.iter().enumerate() {
+        let turns_over = patch.is_mirrored != (options.height < 0.0);
+        for row in patch.rows(most)? {
+            for cell in patch.cells(row, most)? {
+                looked_at = looked_at.saturating_add(unit.corner_count());
+                if most.saturating_mul(LOOKS) < looked_at {
+                    return Err(too_many);
+                }
+                for polygon in unit.polygons().filter(|&polygon| patch.may_meet(unit.range(polygon, cell))) {
+                    let Some(wall) = clip.cut(&unit, polygon, cell, patch) else { continue };
+                    if wall.is_some_and(|edge| !patches.owns_wall(number, edge, cell)) {
+                        continue;
+                    }
+                    made.add(&clip, patch, unit.face(polygon), turns_over);
+                    if most < made.corners {
+                        return Err(too_many);
+                    }
+                }
+            }
+        }
+    }
+    Ok(made.builder.build().unwrap_or_default())
+}
+
+/// The corners of the asset that are looked at for each corner that may be made: small faces of a carrier take little of it.
+const LOOKS: usize = 64;
+
+/// The mesh while it is made.
+struct Made<'a> {
+    builder: MeshBuilder,
+    asset: &'a Mesh,
+    corners: usize,
+}
+
+impl Made<'_> {
+    /// Adds a piece of a face of the asset.
+    fn add(&mut self, clip: &Clip<'_>, patch: &Patch, face: usize, turns_over: bool) {
+        let mut nodes: Vec<(DVec3, &Node)> = clip.nodes.iter().map(|node| (patch.place(node), node)).collect();
+        nodes.dedup_by_key(|node| node.0);
+        while nodes.len() > 1 && nodes[0].0 == nodes[nodes.len() - 1].0 {
+            nodes.pop();
+        }
+        if nodes.len() < 3 {
+            return;
+        }
+        if turns_over {
+            super::flip(&mut nodes);
+        }
+        let tag = FaceTag { tags: FaceTag::NONE, cap: false, ..self.asset.tags[face] };
+        if is_planar(&nodes) {
+            self.face(clip, &nodes, tag);
+        } else {
+            (2..nodes.len()).for_each(|at| self.face(clip, &[nodes[0], nodes[at - 1], nodes[at]], tag));
+        }
+    }
+
+    fn face(&mut self, clip: &Clip<'_>, nodes: &[(DVec3, &Node)], tag: FaceTag) {
+        self.corners += nodes.len();
+        let corners: Vec<u32> = nodes.iter().map(|(point, _)| self.builder.point(*point)).collect();
+        self.builder.face(&corners, &[], tag);
+        for (at, &set) in clip.sets.iter().enumerate() {
+            let uvs: Vec<_> = nodes.iter().map(|(_, node)| clip.carried(node)[at]).collect();
+            self.builder.uv_set(set, &uvs);
+        }
+    }
+}
+
+/// Whether the corners of a piece are in one plane, but for rounding.
+fn is_planar(nodes: &[(DVec3, &Node)]) -> bool {
+    if nodes.len() == 3 {
+        return true;
+    }
+    let from = nodes[0].0;
+    let mut normal = DVec3::ZERO;
+    for pair in nodes[1..].windows(2) {
+        normal += (pair[0].0 - from).cross(pair[1].0 - from);
+    }
+    let normal = super::unit(normal);
+    let (off, size) = nodes.iter().fold((0.0, 0.0), |(off, size): (f64, f64), (point, _)| {
+        (off.max((*point - from).dot(normal).abs()), size.max((*point - from).length()))
+    });
+    off <= PLANAR_EPSILON * size
+}
+
+#[cfg(test)]
+mod tests;

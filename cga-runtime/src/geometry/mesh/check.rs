@@ -1,0 +1,168 @@
+//! Which promises of a mesh are broken. Tests ask after every step.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use super::Mesh;
+use crate::geometry::exact::orient;
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::triangulate::Projection;
+
+/// A promise of [`Mesh`] that does not hold.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Flaw {
+    /// The ends of loops or faces do not rise, or do not cover the corners.
+    Layout,
+    /// A corner names a point that does not exist.
+    OutOfRange {
+        /// Which corner.
+        corner: usize,
+    },
+    /// A coordinate is not a number or infinite.
+    NotFinite {
+        /// Which point.
+        point: usize,
+    },
+    /// A loop has fewer than three corners.
+    ShortLoop {
+        /// Which face.
+        face: usize,
+    },
+    /// A corner repeats the one before it.
+    Repeated {
+        /// Which face.
+        face: usize,
+    },
+    /// No face uses this point.
+    Unused {
+        /// Which point.
+        point: usize,
+    },
+    /// A corner is off the plane of its face by more than rounding.
+    NotPlanar {
+        /// Which face.
+        face: usize,
+        /// By how much.
+        by: f64,
+    },
+    /// A hole runs the same way round as the outline, or has a corner outside of it.
+    Hole {
+        /// Which face.
+        face: usize,
+        /// Which of its loops; 1 is the first hole.
+        ring: usize,
+    },
+    /// The mesh counts as closed but is not, or the other way round.
+    Pairing,
+}
+
+impl fmt::Display for Flaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Flaw::Layout => write!(f, "loops and faces do not cover the corners"),
+            Flaw::OutOfRange { corner } => write!(f, "corner {corner} names no point"),
+            Flaw::NotFinite { point } => write!(f, "point {point} is not finite"),
+            Flaw::ShortLoop { face } => write!(f, "face {face} has a loop of fewer than three corners"),
+            Flaw::Repeated { face } => write!(f, "face {face} repeats a corner"),
+            Flaw::Unused { point } => write!(f, "point {point} is not used"),
+            Flaw::NotPlanar { face, by } => write!(f, "face {face} is not planar by {by:e}"),
+            Flaw::Hole { face, ring } => write!(f, "loop {ring} of face {face} is no hole in its outline"),
+            Flaw::Pairing => write!(f, "edges are not paired as claimed"),
+        }
+    }
+}
+
+impl Mesh {
+    /// Every broken promise; nothing for a sound mesh. An open mesh is sound.
+    pub fn check(&self) -> Vec<Flaw> {
+        if !self.layout_holds() {
+            return vec![Flaw::Layout];
+        }
+        let points = self.points.len();
+        let mut flaws: Vec<Flaw> = (0..self.corners.len())
+            .filter(|&c| self.corners[c] as usize >= points)
+            .map(|corner| Flaw::OutOfRange { corner })
+            .collect();
+        if !flaws.is_empty() {
+            return flaws;
+        }
+        flaws.extend((0..points).filter(|&p| !self.points[p].is_finite()).map(|point| Flaw::NotFinite { point }));
+        let mut used = vec![false; points];
+        self.corners.iter().for_each(|&c| used[c as usize] = true);
+        flaws.extend((0..points).filter(|&p| !used[p]).map(|point| Flaw::Unused { point }));
+        (0..self.face_count()).for_each(|face| self.check_face(face, &mut flaws));
+        if self.derived.closed.get().is_some_and(|&closed| closed != self.count_closed()) {
+            flaws.push(Flaw::Pairing);
+        }
+        flaws
+    }
+
+    fn layout_holds(&self) -> bool {
+        let rises = |ends: &[u32], total: usize| {
+            ends.iter().try_fold(0, |last, &end| (last < end).then_some(end)) == Some(total as u32)
+        };
+        let corners = self.corners.len();
+        rises(&self.loop_ends, corners)
+            && self.face_ends.cover(self.loop_ends.len())
+            && self.tags.len() == self.face_ends.len()
+            && self.uvs.fit(corners)
+            && [0, corners].contains(&self.normals.len())
+    }
+
+    fn check_face(&self, index: usize, flaws: &mut Vec<Flaw>) {
+        let face = self.face(index);
+        for ring in face.loops() {
+            if ring.len() < 3 {
+                flaws.push(Flaw::ShortLoop { face: index });
+            }
+            if (0..ring.len()).any(|i| ring[i] == ring[(i + 1) % ring.len()]) {
+                flaws.push(Flaw::Repeated { face: index });
+            }
+        }
+        let normal = face.normal();
+        if normal == DVec3::ZERO {
+            return;
+        }
+        let at = |c: u32| self.points[c as usize];
+        let from = at(face.outer()[0]);
+        let corners = &self.corners[face.corner_range()];
+        let extent = corners.iter().fold(0.0f64, |m, &c| m.max((at(c) - from).abs().max_element()));
+        let size = corners.iter().fold(extent, |m, &c| m.max(at(c).abs().max_element()));
+        let by = corners.iter().fold(0.0f64, |m, &c| m.max((at(c) - from).dot(normal).abs()));
+        // A thin face has a badly known normal: what its corners may be off grows with how thin it is.
+        let thin = extent * extent / face.area().max(f64::MIN_POSITIVE);
+        if by > PLANAR_EPSILON * extent + 64.0 * f64::EPSILON * size * thin.max(1.0) {
+            flaws.push(Flaw::NotPlanar { face: index, by });
+        }
+        let flat = Projection::along(normal);
+        let outer: Vec<_> = face.outer().iter().map(|&c| flat.apply(at(c))).collect();
+        for (ring, hole) in face.holes().enumerate() {
+            let hole: Vec<_> = hole.iter().map(|&c| flat.apply(at(c))).collect();
+            let area: f64 = hole.windows(2).map(|w| (w[0] - hole[0]).perp_dot(w[1] - hole[0])).sum();
+            if area > 0.0 || hole.iter().any(|&p| winding(&outer, p) == Some(0)) {
+                flaws.push(Flaw::Hole { face: index, ring: ring + 1 });
+            }
+        }
+    }
+}
+
+/// How often a loop goes round a point, counter-clockwise; nothing for a point on it.
+pub(crate) fn winding(ring: &[glam::DVec2], p: glam::DVec2) -> Option<i32> {
+    let mut turns = 0;
+    let mut a = *ring.last()?;
+    for &b in ring {
+        let side = orient(a, b, p);
+        if side == 0 && p.cmpge(a.min(b)).all() && p.cmple(a.max(b)).all() {
+            return None;
+        }
+        if a.y <= p.y && p.y < b.y && side > 0 {
+            turns += 1;
+        } else if b.y <= p.y && p.y < a.y && side < 0 {
+            turns -= 1;
+        }
+        a = b;
+    }
+    Some(turns)
+}

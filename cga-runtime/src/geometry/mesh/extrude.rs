@@ -1,0 +1,421 @@
+//! Faces pulled out into closed volumes (*extrude operation*).
+//!
+//! Each face gives its sides in the order of its edges (outline, then holes), its top, and its bottom, which is the face
+//! itself turned over. The first edge of a side is the edge it stands on, in the direction it has in the face. Faces that
+//! are moved alike have no wall between them: coplanar neighbours along their normals, all neighbours otherwise. What does
+//! not move gives no wall either. A negative distance mirrors: the faces look inwards.
+
+use glam::DVec3;
+
+use super::face::unit;
+use super::map::flip;
+use super::table::PairTable;
+use super::{Bounds, FaceTag, Mesh, TagSet};
+use crate::geometry::provenance::Extruded;
+use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
+
+/// Which way faces are pulled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extrude {
+    /// Each along its own normal.
+    FaceNormal,
+    /// Each point along the average of the normals around it, as far as the distance says.
+    VertexNormal,
+    /// All along one unit vector.
+    Vector(DVec3),
+    /// All along one unit vector to the same height: the distance from the lowest point, or from the highest if it is
+    /// negative, and at least to the other end.
+    FlatTop(DVec3),
+}
+
+/// The volumes above the faces of a mesh. Faces without area have no normal and give nothing along it. A distance that is
+/// not finite leaves the mesh as it is, and so does zero, unless a flat top is to be made.
+pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
+    let up = match along {
+        Extrude::FaceNormal | Extrude::VertexNormal => DVec3::Y,
+        Extrude::Vector(vector) | Extrude::FlatTop(vector) => vector,
+    };
+    if distance == 0.0 && !matches!(along, Extrude::FlatTop(_)) || !(up * distance).is_finite() {
+        return mesh.clone();
+    }
+    let normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
+    let joints = Joints::of(mesh, &normals, along != Extrude::FaceNormal);
+    // How far each point goes, by body or by point.
+    let ways: Vec<DVec3> = match along {
+        Extrude::FaceNormal => normals.iter().map(|normal| *normal * distance).collect(),
+        Extrude::VertexNormal => vertex_normals(mesh).into_iter().map(|normal| normal * distance).collect(),
+        Extrude::Vector(vector) => vec![vector * distance; mesh.points.len()],
+        Extrude::FlatTop(vector) => flat_top(&mesh.points, vector, distance),
+    };
+    let way = |body: u32, point: u32| ways[if along == Extrude::FaceNormal { body } else { point } as usize];
+    let tags = AutoTags::of(mesh);
+    let mut grown = Grown {
+        source: mesh,
+        mesh: Mesh { tag_sets: tags.sets.into(), ..mesh.alike(6 * mesh.corners.len()) },
+        low: vec![u32::MAX; mesh.points.len()],
+        high: PairTable::with_capacity(mesh.points.len()),
+    };
+    for (index, face) in mesh.faces().enumerate() {
+        let body = joints.body[index];
+        if face.corner_range().all(|corner| way(body, mesh.corners[corner]) == DVec3::ZERO) {
+            continue;
+        }
+        let own = face.tag();
+        let tag = |part: usize| FaceTag { cap: false, tags: tags.of[part][own.tags.min(tags.last) as usize], ..own };
+        // Vertices of the bottom come first, then those of the top; faces likewise, the sides after them.
+        face.corner_range().for_each(|corner| _ = grown.low(corner));
+        face.corner_range().for_each(|corner| _ = grown.high(corner, body, way));
+        for top in [false, true] {
+            for ring in face.loop_ranges() {
+                let mut order: Vec<usize> = ring.collect();
+                if !top {
+                    flip(&mut order);
+                }
+                for &corner in &order {
+                    let point = if top { grown.high(corner, body, way) } else { grown.low(corner) };
+                    grown.mesh.corners.push(point);
+                }
+                grown.copy_uvs(&order);
+                grown.end_loop();
+            }
+            grown.end_face(tag(if top { 3 } else { 0 }));
+        }
+        for (number, ring) in face.loop_ranges().enumerate() {
+            let tag = tag(if number == 0 { 1 } else { 2 });
+            for corner in ring.clone() {
+                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
+                if !joints.inner[corner] {
+                    let [a, b] = [corner, next].map(|c| (grown.low(c), grown.high(c, body, way)));
+                    grown.wall([(a.0, corner), (b.0, next), (b.1, next), (a.1, corner)], tag);
+                }
+            }
+        }
+    }
+    grown.mesh
+}
+
+/// Tags that the result's faces get besides those of the faces they come from.
+struct AutoTags {
+    sets: Vec<TagSet>,
+    /// For each tag of [`Extruded::ALL`]: the set that a set becomes, and the last one for faces without.
+    of: [Vec<u32>; 4],
+    last: u32,
+}
+
+impl AutoTags {
+    fn of(mesh: &Mesh) -> Self {
+        let mut sets: Vec<TagSet> = Vec::new();
+        let plain = TagSet::default();
+        let of = Extruded::ALL.map(|extruded| {
+            let all = mesh.tag_sets.iter().chain([&plain]).map(|set| set.renewed("extrude", extruded.tag()));
+            let first = sets.len() as u32;
+            sets.extend(all);
+            (first..sets.len() as u32).collect()
+        });
+        AutoTags { sets, of, last: mesh.tag_sets.len() as u32 }
+    }
+}
+
+/// For each point the average of the normals of the faces around it, faces that look the same way counting once, so that it
+/// does not depend on how a plane is divided. Zero where they cancel out.
+pub(crate) fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
+    /// Of more directions than this at a point, the others count whether they are new or not.
+    const MOST_DIRECTIONS: usize = 64;
+    let adjacency = mesh.adjacency();
+    let face_normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
+    let mut directions: Vec<DVec3> = Vec::new();
+    let at_point = |point: usize| {
+        directions.clear();
+        for face in adjacency.faces_around(point) {
+            let normal = face_normals[face as usize];
+            let known = |other: &DVec3| (*other - normal).length() <= COPLANAR_EPSILON;
+            if MOST_DIRECTIONS <= directions.len() || !directions.iter().any(known) {
+                directions.push(normal);
+            }
+        }
+        let sum: DVec3 = directions.iter().sum();
+        // What is left of normals that cancel out is rounding.
+        if sum.length() <= COPLANAR_EPSILON { DVec3::ZERO } else { unit(sum) }
+    };
+    (0..mesh.points.len()).map(at_point).collect()
+}
+
+/// How far each point goes up to a flat top.
+pub(super) fn flat_top(points: &[DVec3], up: DVec3, distance: f64) -> Vec<DVec3> {
+    let heights: Vec<f64> = points.iter().map(|p| p.dot(up)).collect();
+    let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let top = match distance {
+        d if 0.0 <= d && high - low < d => low + d,
+        d if 0.0 <= d => high,
+        d if high - low < -d => high + d,
+        _ => low,
+    };
+    let near = ANGLE_EPSILON * Bounds::of(points.iter().copied()).size().max_element();
+    heights.iter().map(|height| if (top - height).abs() <= near { DVec3::ZERO } else { up * (top - height) }).collect()
+}
+
+/// Which corners start an edge without a wall, and which faces hang together by such edges.
+struct Joints {
+    inner: Vec<bool>,
+    /// For each face the first face of its body.
+    body: Vec<u32>,
+}
+
+impl Joints {
+    fn of(mesh: &Mesh, normals: &[DVec3], at_all_angles: bool) -> Self {
+        // Each directed edge belongs to the first corner that has it, so that walls are left out in pairs.
+        let mut edges = PairTable::with_capacity(mesh.corners.len());
+        let mut face_of = vec![0u32; mesh.corners.len()];
+        each_edge(mesh, |face, corner, a, b| {
+            face_of[corner] = face as u32;
+            edges.entry(a, b, corner as u32);
+        });
+        let mut joints =
+            Joints { inner: vec![false; mesh.corners.len()], body: (0..mesh.face_count() as u32).collect() };
+        each_edge(mesh, |face, corner, a, b| {
+            if edges.get(a, b) != Some(corner as u32) {
+                return;
+            }
+            let Some(opposite) = edges.get(b, a) else { return };
+            let other = face_of[opposite as usize] as usize;
+            let coplanar =
+                (normals[face] - normals[other]).length() <= COPLANAR_EPSILON && normals[face] != DVec3::ZERO;
+            if other != face && (at_all_angles || coplanar) {
+                joints.inner[corner] = true;
+                let [a, b] = [face, other].map(|f| joints.root(f as u32));
+                joints.body[a.max(b) as usize] = a.min(b);
+            }
+        });
+        for face in 0..joints.body.len() as u32 {
+            // Where points move alike whatever their faces, there is one body.
+            joints.body[face as usize] = if at_all_angles { 0 } else { joints.root(face) };
+        }
+        joints
+    }
+
+    fn root(&self, mut face: u32) -> u32 {
+        while self.body[face as usize] != face {
+            face = self.body[face as usize];
+        }
+        face
+    }
+}
+
+/// Calls back with face, corner and the two points of every edge.
+fn each_edge(mesh: &Mesh, mut visit: impl FnMut(usize, usize, u32, u32)) {
+    for (index, face) in mesh.faces().enumerate() {
+        for ring in face.loop_ranges() {
+            for corner in ring.clone() {
+                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
+                visit(index, corner, mesh.corners[corner], mesh.corners[next]);
+            }
+        }
+    }
+}
+
+/// The mesh being made.
+struct Grown<'a> {
+    source: &'a Mesh,
+    mesh: Mesh,
+    /// New index of a point of the source.
+    low: Vec<u32>,
+    /// Index of its moved copy, one for each body that has it.
+    high: PairTable,
+}
+
+impl Grown<'_> {
+    fn low(&mut self, corner: usize) -> u32 {
+        let point = self.source.corners[corner] as usize;
+        if self.low[point] == u32::MAX {
+            self.low[point] = self.mesh.points.len() as u32;
+            self.mesh.points.push(self.source.points[point]);
+        }
+        self.low[point]
+    }
+
+    /// The moved copy of a point; the point itself if it stays.
+    fn high(&mut self, corner: usize, body: u32, way: impl Fn(u32, u32) -> DVec3) -> u32 {
+        let point = self.source.corners[corner];
+        let by = way(body, point);
+        if by == DVec3::ZERO {
+            return self.low(corner);
+        }
+        let (index, new) = self.high.entry(body, point, self.mesh.points.len() as u32);
+        if new {
+            self.mesh.points.push(self.source.points[point as usize] + by);
+        }
+        *index
+    }
+
+    /// A wall: points and the corners whose texture coordinates they have. Of ends that did not move one corner is left.
+    fn wall(&mut self, corners: [(u32, usize); 4], tag: FaceTag) {
+        let [a, b, c, d] = corners;
+        let left: &[(u32, usize)] = match (a.0 == d.0, b.0 == c.0) {
+            (true, true) => return,
+            (true, false) => &[a, b, c],
+            (false, true) => &[a, b, d],
+            (false, false) => &corners,
+        };
+        for &(point, corner) in left {
+            self.mesh.corners.push(point);
+            self.copy_uvs(&[corner]);
+        }
+        self.end_loop();
+        self.end_face(tag);
+    }
+
+    fn copy_uvs(&mut self, corners: &[usize]) {
+        corners.iter().for_each(|&corner| self.mesh.uvs.push_from(&self.source.uvs, |list| list[corner]));
+    }
+
+    fn end_loop(&mut self) {
+        self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
+    }
+
+    fn end_face(&mut self, tag: FaceTag) {
+        self.mesh.face_ends.push(self.mesh.loop_ends.len());
+        self.mesh.tags.push(tag);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::mesh::MeshBuilder;
+
+    fn square(x: f64) -> Vec<DVec3> {
+        [(x, 0.0), (x + 2.0, 0.0), (x + 2.0, -2.0), (x, -2.0)].map(|(x, z)| DVec3::new(x, 0.0, z)).to_vec()
+    }
+
+    #[test]
+    fn a_rectangle_becomes_four_sides_a_top_and_a_bottom() {
+        let base = Mesh::from_polygon(&square(0.0), &[]).unwrap();
+        let body = extrude(&base, Extrude::FaceNormal, 3.0);
+        assert_eq!(body.face_count(), 6);
+        assert!(body.is_closed() && body.check().is_empty());
+        assert_eq!(body.volume(), 12.0);
+        let normals: Vec<DVec3> = body.faces().map(|f| f.normal()).collect();
+        assert_eq!(normals, [DVec3::NEG_Y, DVec3::Y, DVec3::Z, DVec3::X, DVec3::NEG_Z, DVec3::NEG_X]);
+        // The bottom keeps the first edge, reversed; vertices go around the bottom, then around the top.
+        let faces: Vec<&[u32]> = body.faces().map(|face| face.outer()).collect();
+        assert_eq!(faces[..3], [[1, 0, 3, 2], [4, 5, 6, 7], [0, 1, 5, 4]]);
+        assert_eq!(faces[3..], [[1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]);
+        assert_eq!(body.points()[..4], base.points()[..]);
+        assert_eq!(extrude(&base, Extrude::FaceNormal, -3.0).volume(), -12.0);
+        assert_eq!(extrude(&base, Extrude::Vector(DVec3::Y), 3.0).volume(), 12.0);
+    }
+
+    #[test]
+    fn holes_give_inner_sides() {
+        let hole = [(0.5, -0.5), (1.0, -0.5), (1.0, -1.0)].map(|(x, z)| DVec3::new(x, 0.0, z)).to_vec();
+        let base = Mesh::from_polygon(&square(0.0), &[hole]).unwrap();
+        let body = extrude(&base, Extrude::FaceNormal, 2.0);
+        // *extrude operation*: n + 2 faces and 2n vertices, holes in top and bottom.
+        assert_eq!((body.face_count(), body.points().len()), (9, 14));
+        assert!(body.is_closed() && body.check().is_empty());
+        assert_eq!(body.volume(), 2.0 * (4.0 - 0.125));
+    }
+
+    #[test]
+    fn coplanar_neighbours_have_no_wall_between_them() {
+        let mut b = MeshBuilder::new();
+        for x in [0.0, 2.0] {
+            let p: Vec<u32> = square(x).into_iter().map(|p| b.point(p)).collect();
+            b.face(&p, &[], FaceTag::PLAIN);
+        }
+        let body = extrude(&b.build().unwrap(), Extrude::FaceNormal, 1.0);
+        assert_eq!(body.face_count(), 10);
+        assert_eq!(body.points().len(), 12);
+        assert!(body.is_closed());
+        assert_eq!(body.volume(), 8.0);
+    }
+
+    #[test]
+    fn neighbours_at_an_angle_are_bodies_of_their_own() {
+        let cube = crate::geometry::mesh::primitive::cube();
+        let body = extrude(&cube, Extrude::FaceNormal, 0.5);
+        assert_eq!(body.face_count(), 36);
+        assert!(body.is_closed());
+        assert!((body.volume() - 3.0).abs() < 1e-12);
+    }
+
+    /// Two slopes that meet in a fold along x, at the height of 1; the outer edges are at 0.
+    fn folded() -> Mesh {
+        let mut b = MeshBuilder::new();
+        let at =
+            [[0.0, 0.0, 2.0], [5.0, 0.0, 2.0], [5.0, 1.0, 0.0], [0.0, 1.0, 0.0], [5.0, 0.0, -2.0], [0.0, 0.0, -2.0]];
+        let p = at.map(|p| b.point(p));
+        b.face(&[p[0], p[1], p[2], p[3]], &[], FaceTag::PLAIN).face(&[p[3], p[2], p[4], p[5]], &[], FaceTag::PLAIN);
+        b.build().unwrap()
+    }
+
+    #[test]
+    fn upwards_and_along_vertex_normals_neighbours_stay_together() {
+        // *extrude operation*: no faces inside.
+        for along in [Extrude::Vector(DVec3::Y), Extrude::VertexNormal] {
+            let body = extrude(&folded(), along, 3.0);
+            assert_eq!((body.face_count(), body.points().len()), (10, 12));
+            assert!(body.is_closed());
+            assert_eq!(body.check(), []);
+        }
+        assert!((extrude(&folded(), Extrude::Vector(DVec3::Y), 3.0).volume() - 60.0).abs() < 1e-12);
+        let body = extrude(&folded(), Extrude::VertexNormal, 3.0);
+        // Over the fold along the average, which is upright; beside it along the slopes' normals.
+        let fold = body.points().iter().filter(|p| p.z == 0.0).map(|p| p.y).collect::<Vec<_>>();
+        assert_eq!(fold, [1.0, 1.0, 4.0, 4.0]);
+        assert_eq!(extrude(&folded(), Extrude::FaceNormal, 3.0).face_count(), 12);
+        let inwards = extrude(&folded(), Extrude::VertexNormal, -0.5);
+        assert!(inwards.is_closed() && inwards.volume() < 0.0);
+    }
+
+    #[test]
+    fn vertex_normals_do_not_depend_on_how_planes_are_divided() {
+        let cube = crate::geometry::mesh::primitive::cube();
+        let mut b = MeshBuilder::new();
+        let p: Vec<u32> = cube.points().iter().map(|p| b.point(*p)).collect();
+        for face in cube.faces() {
+            let [i, j, k, l] = [0, 1, 2, 3].map(|at| p[face.outer()[at] as usize]);
+            b.face(&[i, j, k], &[], FaceTag::PLAIN).face(&[i, k, l], &[], FaceTag::PLAIN);
+        }
+        let triangles = b.build().unwrap();
+        for mesh in [&cube, &triangles] {
+            for (point, normal) in mesh.points().iter().zip(vertex_normals(mesh)) {
+                assert!((normal - (*point - 0.5).normalize()).length() < 1e-12);
+            }
+            // A closed mesh grows a shell without walls.
+            let shell = extrude(mesh, Extrude::VertexNormal, libm::sqrt(3.0));
+            assert!(shell.is_closed() && shell.face_count() == 2 * mesh.face_count());
+            assert!((shell.volume() - 26.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn fact_69_a_flat_top_is_at_least_as_high_as_the_highest_point() {
+        let up = Extrude::FlatTop(DVec3::Y);
+        // Distance, top, faces: where nothing moves there is no wall, and one of three corners beside it.
+        for (distance, top, faces) in
+            [(0.0, 1.0, 10), (0.5, 1.0, 10), (1.0, 1.0, 10), (4.0, 4.0, 10), (-0.5, 0.0, 8), (-4.0, -3.0, 10)]
+        {
+            let body = extrude(&folded(), up, distance);
+            assert_eq!(body.face_count(), faces, "{distance}");
+            assert!(body.is_closed() && body.check().is_empty(), "{distance}: {:?}", body.check());
+            let prism = 20.0 * top - 10.0;
+            assert!((body.volume() - prism).abs() < 1e-12, "{distance}: {}", body.volume());
+            let bounds = body.bounds();
+            assert_eq!((bounds.low.y, bounds.high.y), (f64::min(top, 0.0), f64::max(top, 1.0)));
+        }
+        let flat = Mesh::from_polygon(&square(0.0), &[]).unwrap();
+        assert!(extrude(&flat, up, 0.0).is_empty());
+        assert_eq!(extrude(&flat, up, 2.0).volume(), 8.0);
+    }
+
+    #[test]
+    fn faces_back_to_back_have_vertices_without_a_normal() {
+        let mut b = MeshBuilder::new();
+        let p: Vec<u32> = square(0.0).into_iter().map(|p| b.point(p)).collect();
+        b.face(&p, &[], FaceTag::PLAIN).face(&[p[1], p[0], p[3], p[2]], &[], FaceTag::PLAIN);
+        let mesh = b.build().unwrap();
+        assert!(extrude(&mesh, Extrude::VertexNormal, 1.0).is_empty());
+    }
+}

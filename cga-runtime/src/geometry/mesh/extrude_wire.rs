@@ -1,0 +1,52 @@
+//! Edges pulled out into faces (*extrude operation*, extrusion of edges).
+//!
+//! Each edge gives one face, which begins with the edge. Along their own directions edges part where they meet at an angle;
+//! along those of their points, or all along one, they stay together.
+
+use glam::DVec3;
+
+use super::extrude::{Extrude, flat_top};
+use super::face::unit;
+use super::{FaceTag, Mesh, MeshBuilder, MeshError, TagSet};
+use crate::geometry::provenance::Extruded;
+use crate::geometry::wire::Wire;
+use crate::value::text::Text;
+
+/// The faces over the edges of a wire. Those that look nowhere give nothing along their own direction.
+///
+/// # Errors
+/// When a coordinate leads beyond the largest number.
+pub(crate) fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result<Mesh, MeshError> {
+    let at_points: Vec<DVec3> = match along {
+        Extrude::FaceNormal => Vec::new(),
+        Extrude::VertexNormal => point_normals(wire).into_iter().map(|normal| normal * distance).collect(),
+        Extrude::Vector(vector) => vec![vector * distance; wire.points.len()],
+        Extrude::FlatTop(vector) => flat_top(&wire.points, vector, distance),
+    };
+    let mut builder = MeshBuilder::new();
+    builder.tag_sets([TagSet::new([Text::from(Extruded::Outer.tag())])]);
+    let low: Vec<u32> = wire.points.iter().map(|&point| builder.point(point)).collect();
+    for (edge, normal) in wire.edges.iter().zip(&wire.normals) {
+        let way = |point: u32| at_points.get(point as usize).copied().unwrap_or(*normal * distance);
+        if edge.iter().all(|&point| way(point) == DVec3::ZERO) {
+            continue;
+        }
+        let [a, b] = *edge;
+        let [high_a, high_b] = [a, b].map(|point| builder.point(wire.points[point as usize] + way(point)));
+        let face = [low[a as usize], low[b as usize], high_b, high_a];
+        builder.face(&face, &[], FaceTag { tags: 0, ..FaceTag::PLAIN });
+    }
+    builder.build()
+}
+
+/// Where the points of a wire look: the mean of the edges that end there.
+pub(crate) fn point_normals(wire: &Wire) -> Vec<DVec3> {
+    let mut normals = vec![DVec3::ZERO; wire.points.len()];
+    for (edge, normal) in wire.edges.iter().zip(&wire.normals) {
+        edge.iter().for_each(|&end| normals[end as usize] += *normal);
+    }
+    if wire.edges.is_empty() {
+        normals.clone_from(&wire.normals);
+    }
+    normals.into_iter().map(unit).collect()
+}

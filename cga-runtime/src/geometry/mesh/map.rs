@@ -1,0 +1,102 @@
+//! Moving and turning over whole meshes.
+
+use std::sync::{Arc, OnceLock};
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::face::unit;
+use super::{Derived, FaceTag, Mesh, Tags};
+
+/// The map under which normals follow the winding: it takes `a × b` to `(m·a) × (m·b)`, also when `m` mirrors.
+/// Unlike the inverse it exists for flat maps too.
+pub(crate) fn normal_map(m: &DMat3) -> DMat3 {
+    DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
+}
+
+impl Mesh {
+    /// The mesh moved by a map. The order of corners stays: a map that mirrors turns the faces inside out, and the
+    /// corner normals with them.
+    pub fn map(&self, map: &DAffine3) -> Mesh {
+        let normal_map = normal_map(&map.matrix3);
+        Mesh {
+            points: self.points.iter().map(|&p| map.transform_point3(p)).collect(),
+            normals: self.normals.iter().map(|&n| unit(normal_map * n)).collect(),
+            derived: self.derived.of_moved(),
+            ..self.clone_structure()
+        }
+    }
+
+    /// The mesh with its z axis up and its y axis to the back.
+    pub(crate) fn raised(&self) -> Mesh {
+        self.map(&DAffine3 { matrix3: DMat3::from_cols(DVec3::X, DVec3::NEG_Z, DVec3::Y), translation: DVec3::ZERO })
+    }
+
+    /// The same faces with other points, one for each; what corners carry stays as it is. Closed stays closed.
+    pub(crate) fn with_points(&self, points: Vec<DVec3>) -> Mesh {
+        Mesh { points, normals: self.normals.clone(), derived: self.derived.of_moved(), ..self.clone_structure() }
+    }
+
+    /// The mesh with every face looking the other way. The first edge stays: its two corners change places and come
+    /// first again.
+    pub fn reversed(&self) -> Mesh {
+        let mut mesh = self.clone();
+        mesh.derived.adjacency = OnceLock::new();
+        let mut start = 0;
+        for &end in &self.loop_ends {
+            let ring = start..end as usize;
+            start = end as usize;
+            flip(&mut mesh.corners[ring.clone()]);
+            mesh.uvs.change(ring.clone(), flip);
+            if !mesh.normals.is_empty() {
+                flip(&mut mesh.normals[ring.clone()]);
+                mesh.normals[ring].iter_mut().for_each(|n| *n = -*n);
+            }
+        }
+        mesh
+    }
+
+    /// The same mesh with no face having a material.
+    pub(crate) fn without_materials(&self) -> Mesh {
+        let mut tags = Tags::default();
+        (0..self.face_count()).for_each(|face| tags.push(FaceTag { material: FaceTag::NONE, ..self.tags[face] }));
+        Mesh { tags, materials: Arc::default(), ..self.clone() }
+    }
+
+    /// Everything but points, normals and what derives from them.
+    fn clone_structure(&self) -> Mesh {
+        Mesh {
+            points: Vec::new(),
+            corners: self.corners.clone(),
+            loop_ends: self.loop_ends.clone(),
+            face_ends: self.face_ends.clone(),
+            tags: self.tags.clone(),
+            uvs: self.uvs.clone(),
+            normals: Vec::new(),
+            groups: self.groups.clone(),
+            materials: self.materials.clone(),
+            tag_sets: self.tag_sets.clone(),
+            derived: Derived::default(),
+        }
+    }
+}
+
+/// 0 1 2 3 becomes 1 0 3 2.
+pub(crate) fn flip<T>(ring: &mut [T]) {
+    ring.reverse();
+    ring.rotate_right(2);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::flip;
+
+    #[test]
+    fn a_flipped_loop_starts_with_the_same_edge() {
+        let mut ring = [0, 1, 2, 3, 4];
+        flip(&mut ring);
+        assert_eq!(ring, [1, 0, 4, 3, 2]);
+        let mut triangle = [0, 1, 2];
+        flip(&mut triangle);
+        assert_eq!(triangle, [1, 0, 2]);
+    }
+}

@@ -1,0 +1,90 @@
+//! What a whole mesh measures. Bounds and closedness are kept once known.
+
+use glam::DVec3;
+
+use super::table::PairTable;
+use super::{Bounds, Mesh};
+use crate::geometry::tol::VOLUME_EPSILON;
+
+impl Mesh {
+    /// The box around all points.
+    pub fn bounds(&self) -> Bounds {
+        *self.derived.bounds.get_or_init(|| Bounds::of(self.points.iter().copied()))
+    }
+
+    /// Whether the faces enclose a volume: each edge is used as often one way as the other. Not so for a mesh without
+    /// faces.
+    pub fn is_closed(&self) -> bool {
+        *self.derived.closed.get_or_init(|| self.count_closed())
+    }
+
+    pub(super) fn count_closed(&self) -> bool {
+        if self.is_empty() {
+            return false;
+        }
+        let mut net = PairTable::with_capacity(self.corners.len() / 2 + 1);
+        self.directed_edges(|a, b| {
+            let (value, _) = net.entry(a.min(b), a.max(b), 0);
+            *value = if a < b { value.wrapping_add(1) } else { value.wrapping_sub(1) };
+        });
+        net.values().all(|v| v == 0)
+    }
+
+    /// Calls back with every edge of every loop, face after face.
+    pub(crate) fn directed_edges(&self, mut each: impl FnMut(u32, u32)) {
+        let mut start = 0;
+        for &end in &self.loop_ends {
+            let ring = &self.corners[start..end as usize];
+            start = end as usize;
+            let mut last = ring[ring.len() - 1];
+            for &c in ring {
+                each(last, c);
+                last = c;
+            }
+        }
+    }
+
+    /// The area of all faces.
+    pub fn area(&self) -> f64 {
+        self.faces().map(|face| face.area()).sum()
+    }
+
+    /// The volume enclosed, negative when the faces look inwards. Of an open mesh, that of the cone from the middle of
+    /// its bounds.
+    pub fn volume(&self) -> f64 {
+        self.volume_of(|p| p)
+    }
+
+    /// Whether the faces enclose a volume, and look inwards.
+    pub(crate) fn is_inside_out(&self) -> bool {
+        let bounds = self.bounds();
+        let scale = bounds.scale_to_one();
+        let size = (bounds.high * scale - bounds.low * scale).max_element();
+        self.is_closed() && self.volume_of(|p| p * scale) < -VOLUME_EPSILON * size * size * size
+    }
+
+    /// The volume of what points become relative to the middle.
+    #[inline(always)]
+    fn volume_of(&self, place: impl Fn(DVec3) -> DVec3) -> f64 {
+        if self.is_empty() {
+            return 0.0;
+        }
+        let bounds = self.bounds();
+        let centre = bounds.low * 0.5 + bounds.high * 0.5;
+        let mut sum = 0.0;
+        for face in self.faces() {
+            let mut six = 0.0;
+            for ring in face.loops() {
+                let at = |i: usize| place(self.points[ring[i] as usize] - centre);
+                let first = at(0);
+                let mut fan = DVec3::ZERO;
+                for i in 1..ring.len() - 1 {
+                    fan += (at(i) - first).cross(at(i + 1) - first);
+                }
+                six += first.dot(fan);
+            }
+            sum += six;
+        }
+        sum / 6.0
+    }
+}

@@ -1,0 +1,311 @@
+//! Faces with their outlines moved in or out, and strips for the difference (*offset operation*).
+//!
+//! A face is moved in the plane across its normal. Where it is not planar its parts are not either ([`relief`]): old points
+//! stay, and new ones get heights between those of the face.
+//!
+//! Each face gives what is inside its moved outline, in the order of the edges that come first there, then a strip for
+//! each of its edges, outline before holes. Its parts share their points, but not those of other faces: an edge that only one face uses is the
+//! border of what one face became. Moved inwards, strips look the way of the face and begin with the moved edge, where
+//! there is any; moved outwards they look the other way, so that the areas still add up to that of the face, and begin
+//! with the edge itself. What is inside begins with the first edge that has a part in it.
+
+use std::collections::BTreeMap;
+
+use glam::{DVec2, DVec3};
+
+use super::build::in_order_of_use;
+use super::face::unit;
+use super::map::flip;
+use super::spread::Spread;
+use super::{FaceRef, Mesh};
+use crate::geometry::cut::{Nest, Section};
+use crate::geometry::skeleton::{self, Failure, Left, Strip, Swept};
+use crate::geometry::tol::PLANAR_EPSILON;
+
+mod relief;
+
+/// Which faces an offset keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OffsetFaces {
+    /// What is inside the moved outlines, and the strips.
+    All,
+    /// What is inside the moved outlines.
+    Inside,
+    /// The strips.
+    Border,
+}
+
+/// Why a face has no offset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OffsetError {
+    NoNormal,
+    TooMany,
+    Tangled,
+}
+
+/// The faces of a mesh moved inwards (a negative distance) or outwards. Those that cannot be moved are as they were, with
+/// points of their own; they are given, too.
+pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Vec<(usize, OffsetError)>) {
+    let mut made = Mesh {
+        uvs: mesh.uvs.alike(0),
+        groups: mesh.groups.clone(),
+        materials: mesh.materials.clone(),
+        tag_sets: mesh.tag_sets.clone(),
+        ..Mesh::default()
+    };
+    let mut refused = Vec::new();
+    for face in mesh.faces() {
+        if let Err(why) = Plane::of(&face).and_then(|plane| plane.offset(distance, keep, &mut made)) {
+            refused.push((face.index(), why));
+            copy(&face, &mut made);
+        }
+    }
+    // The wavefront numbers its points as it finds them; rules count vertices as faces have them.
+    made.points = in_order_of_use(&made.points, &mut made.corners);
+    (made, refused)
+}
+
+/// A face as it is.
+fn copy(face: &FaceRef<'_>, made: &mut Mesh) {
+    let source = face.mesh;
+    let mut numbers = BTreeMap::new();
+    for ring in face.loop_ranges() {
+        for corner in ring {
+            let point = *numbers.entry(source.corners[corner]).or_insert_with(|| {
+                made.points.push(face.position(corner));
+                made.points.len() as u32 - 1
+            });
+            made.corners.push(point);
+            made.uvs.push_from(&source.uvs, |list| list[corner]);
+            made.normals.extend(source.normals.get(corner));
+        }
+        made.loop_ends.push(made.corners.len() as u32);
+    }
+    made.face_ends.push(made.loop_ends.len());
+    made.tags.push(face.tag());
+}
+
+/// A face laid flat.
+struct Plane<'a> {
+    face: FaceRef<'a>,
+    origin: DVec3,
+    axes: [DVec3; 2],
+    normal: DVec3,
+    /// The points of the face, once each, how high they are above the plane, and their numbers in the mesh.
+    flat: Vec<DVec2>,
+    heights: Vec<f64>,
+    points: Vec<u32>,
+    /// For each corner its point.
+    corners: Vec<u32>,
+}
+
+impl<'a> Plane<'a> {
+    fn of(face: &FaceRef<'a>) -> Result<Self, OffsetError> {
+        let (normal, range) = (face.normal(), face.corner_range());
+        if normal == DVec3::ZERO {
+            return Err(OffsetError::NoNormal);
+        }
+        let origin = face.position(range.start);
+        let ring = face.outer().len();
+        let edge = |i: usize| face.position(range.start + (i + 1) % ring) - face.position(range.start + i);
+        let first = (0..ring).map(|i| unit(edge(i))).find(|edge| *edge != DVec3::ZERO).ok_or(OffsetError::Tangled)?;
+        let x = unit(first - normal * first.dot(normal));
+        let axes = [x, normal.cross(x)];
+        let (flat, heights) = (Vec::new(), Vec::new());
+        let mut plane =
+            Plane { face: *face, origin, axes, normal, flat, heights, points: Vec::new(), corners: Vec::new() };
+        let mut extent = 0.0f64;
+        let mut numbers = BTreeMap::new();
+        for corner in range {
+            let point = face.mesh.corners[corner];
+            let to = face.position(corner) - origin;
+            extent = extent.max(to.abs().max_element());
+            let next = plane.flat.len() as u32;
+            let number = *numbers.entry(point).or_insert(next);
+            if number == next {
+                plane.flat.push(DVec2::new(to.dot(axes[0]), to.dot(axes[1])));
+                plane.heights.push(to.dot(normal));
+                plane.points.push(point);
+            }
+            plane.corners.push(number);
+        }
+        // What is off it by rounding is in the plane.
+        if plane.heights.iter().all(|height| height.abs() <= PLANAR_EPSILON * extent) {
+            plane.heights.fill(0.0);
+        }
+        Ok(plane)
+    }
+
+    fn offset(&self, distance: f64, keep: OffsetFaces, made: &mut Mesh) -> Result<(), OffsetError> {
+        let outwards = 0.0 < distance;
+        let edges = Edges::of(&self.face, outwards);
+        let rings: Vec<Vec<u32>> = edges.loops().map(|ring| ring.map(|c| self.corners[c]).collect()).collect();
+        let swept = skeleton::sweep(&self.flat, &rings, distance.abs()).map_err(|failure| match failure {
+            Failure::TooMany => OffsetError::TooMany,
+            Failure::Tangled => OffsetError::Tangled,
+        })?;
+        let heights = relief::heights(&self.heights, &rings, &swept);
+        let mut part = Part::new(self, &swept, &heights, outwards, made);
+        if keep != OffsetFaces::Border {
+            part.inside(&edges);
+        }
+        if keep != OffsetFaces::Inside {
+            let mut strips: Vec<(usize, &Strip)> =
+                swept.strips.iter().map(|strip| (edges.corner(strip.edge), strip)).collect();
+            strips.sort_by_key(|strip| strip.0);
+            strips.iter().for_each(|(corner, strip)| part.strip(*corner, strip, &edges));
+        }
+        Ok(())
+    }
+}
+
+/// The edges of a face, by the corner they start at, in the order in which they are swept. Outside of a face, loops run the
+/// other way.
+struct Edges {
+    /// First corner and number of corners of each loop.
+    loops: Vec<(usize, usize)>,
+    turned: bool,
+}
+
+impl Edges {
+    fn of(face: &FaceRef<'_>, turned: bool) -> Self {
+        let start = face.corner_range().start;
+        Edges { loops: face.loop_ranges().map(|ring| (ring.start - start, ring.len())).collect(), turned }
+    }
+
+    /// The corners of each loop as they are swept.
+    fn loops(&self) -> impl Iterator<Item = impl Iterator<Item = usize>> {
+        let turned = self.turned;
+        let place = move |k: usize, count: usize| if turned { (count - k) % count } else { k };
+        self.loops.iter().map(move |&(start, count)| (0..count).map(move |k| start + place(k, count)))
+    }
+
+    /// The corner that an edge starts at in the face.
+    fn corner(&self, edge: u32) -> usize {
+        let edge = edge as usize;
+        let ring = self.loops.partition_point(|&(start, _)| start <= edge) - 1;
+        let (start, count) = self.loops[ring];
+        if self.turned { start + count - 1 - (edge - start) } else { edge }
+    }
+
+    /// The corner after one of the face.
+    fn next(&self, corner: usize) -> usize {
+        let ring = self.loops.partition_point(|&(start, _)| start <= corner) - 1;
+        let (start, count) = self.loops[ring];
+        if corner + 1 == start + count { start } else { corner + 1 }
+    }
+}
+
+/// What one face becomes, on its way into the mesh.
+struct Part<'p, 'a> {
+    plane: &'p Plane<'a>,
+    swept: &'p Swept,
+    spread: Spread,
+    outwards: bool,
+    made: &'p mut Mesh,
+    /// Where its points begin in the mesh.
+    base: u32,
+}
+
+impl<'p, 'a> Part<'p, 'a> {
+    /// With its points in the mesh: old ones stay as they are, to the bit.
+    fn new(plane: &'p Plane<'a>, swept: &'p Swept, heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
+        let base = made.points.len() as u32;
+        let old = plane.points.iter().map(|&point| plane.face.mesh.points[point as usize]);
+        let new = swept.points.iter().zip(heights).skip(plane.points.len());
+        let place = |(p, &height): (&DVec2, &f64)| {
+            plane.origin + plane.axes[0] * p.x + plane.axes[1] * p.y + plane.normal * height
+        };
+        made.points.extend(old.chain(new.map(place)));
+        let spread = Spread::of(plane.corners.iter().map(|&point| plane.flat[point as usize]).collect());
+        Part { plane, swept, spread, outwards, made, base }
+    }
+
+    /// What is inside the moved outlines: loops sorted into outlines and holes, each with its first edge in front.
+    fn inside(&mut self, edges: &Edges) {
+        let mut rings: Vec<Vec<(usize, u32)>> = self.swept.left.iter().map(|ring| self.ahead(ring, edges)).collect();
+        rings.sort_unstable_by_key(|ring| ring[0]);
+        let numbers: Vec<u32> = rings.iter().flatten().map(|corner| corner.1).collect();
+        let ends: Vec<usize> = rings
+            .iter()
+            .scan(0, |end, ring| {
+                *end += ring.len();
+                Some(*end)
+            })
+            .collect();
+        let mut nest = Nest::default();
+        nest.sort(&Section { flat: &self.swept.points, corners: &numbers, ends: &ends });
+        let mut start = 0;
+        for &end in &nest.ends {
+            for ring in &nest.order[start..end] {
+                let ring: Vec<(u32, Option<usize>)> =
+                    numbers[ring.clone()].iter().map(|&point| (point, None)).collect();
+                self.ring(&ring, 1.0);
+            }
+            self.face();
+            start = end;
+        }
+    }
+
+    /// A loop of what is left as the face runs: for each corner the face's edge that the side after it is of, and its point.
+    /// It begins with the first edge.
+    fn ahead(&self, ring: &[Left], edges: &Edges) -> Vec<(usize, u32)> {
+        let count = ring.len();
+        let side = |k: usize| {
+            let (edge, from) = if self.outwards { (count - 1 - k, (count - k) % count) } else { (k, k) };
+            (edges.corner(ring[edge].edge), ring[from].point)
+        };
+        let mut sides: Vec<(usize, u32)> = (0..count).map(side).collect();
+        let first = (0..count).min_by_key(|&k| sides[k].0).unwrap_or(0);
+        sides.rotate_left(first);
+        sides
+    }
+
+    /// The strip of the edge from a corner of the face to the next.
+    fn strip(&mut self, corner: usize, strip: &Strip, edges: &Edges) {
+        let own = |point: u32| [corner, edges.next(corner)].into_iter().find(|&c| self.plane.corners[c] == point);
+        let mut ring: Vec<(u32, Option<usize>)> = strip.ring.iter().map(|&point| (point, own(point))).collect();
+        if self.outwards {
+            flip(&mut ring);
+        } else {
+            // Of several sides that have moved the first along the edge.
+            let first = strip.front.iter().rposition(|&front| front);
+            ring.rotate_left(first.unwrap_or(0));
+        }
+        self.ring(&ring, if self.outwards { -1.0 } else { 1.0 });
+        self.face();
+    }
+
+    /// A loop: points of the plane, some of them corners of the face.
+    fn ring(&mut self, ring: &[(u32, Option<usize>)], looking: f64) {
+        let source = self.plane.face.mesh;
+        let range = self.plane.face.corner_range();
+        for &(point, corner) in ring {
+            self.made.corners.push(self.base + point);
+            if source.uvs.is_empty() && source.normals.is_empty() {
+                continue;
+            }
+            let weights = match corner {
+                Some(_) => Vec::new(),
+                None => self.spread.weights(self.swept.points[point as usize]),
+            };
+            let mixed =
+                |list: &[DVec2]| list[range.clone()].iter().zip(&weights).map(|(&uv, &weight)| uv * weight).sum();
+            self.made.uvs.push_from(&source.uvs, |list| corner.map_or_else(|| mixed(list), |c| list[range.start + c]));
+            if !source.normals.is_empty() {
+                let list = &source.normals[range.clone()];
+                let mixed = || unit(list.iter().zip(&weights).map(|(&normal, &weight)| normal * weight).sum());
+                self.made.normals.push(corner.map_or_else(mixed, |c| list[c]) * looking);
+            }
+        }
+        self.made.loop_ends.push(self.made.corners.len() as u32);
+    }
+
+    fn face(&mut self) {
+        self.made.face_ends.push(self.made.loop_ends.len());
+        self.made.tags.push(self.plane.face.tag());
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,212 @@
+//! A mesh of one polygon from its corners: how footprints and facades come in.
+
+use std::ops::Range;
+
+use glam::{DVec2, DVec3};
+
+use super::face::unit;
+use super::map::flip;
+use super::{FaceTag, Mesh, MeshBuilder, MeshError};
+use crate::geometry::exact::orient;
+use crate::geometry::mesh::check::winding;
+use crate::geometry::triangulate::Projection;
+
+impl Mesh {
+    /// One face from an outline, counter-clockwise seen from where it is to face, and holes of either sense. Corners
+    /// that repeat the one before them are left out.
+    ///
+    /// # Errors
+    /// When a coordinate is not finite, a loop has fewer than three different corners, the outline has no area, or edges
+    /// cross, overlap, or touch elsewhere than at corners.
+    pub fn from_polygon(outer: &[DVec3], holes: &[Vec<DVec3>]) -> Result<Mesh, MeshError> {
+        let mut points: Vec<DVec3> = Vec::new();
+        let mut rings: Vec<Range<usize>> = Vec::new();
+        let mut given = 0;
+        for (ring, loop_points) in std::iter::once(outer).chain(holes.iter().map(Vec::as_slice)).enumerate() {
+            if let Some(point) = loop_points.iter().position(|p| !p.is_finite()) {
+                return Err(MeshError::NotFinite { point: given + point });
+            }
+            given += loop_points.len();
+            let start = points.len();
+            for (i, &p) in loop_points.iter().enumerate() {
+                let before = loop_points[if i == 0 { loop_points.len() - 1 } else { i - 1 }];
+                if p != before {
+                    points.push(p + 0.0);
+                }
+            }
+            if points.len() - start < 3 {
+                return Err(MeshError::ShortLoop { face: 0, ring });
+            }
+            rings.push(start..points.len());
+        }
+        let normal = ring_area(&points[rings[0].clone()]);
+        if unit(normal) == DVec3::ZERO || !normal.is_finite() {
+            return Err(MeshError::ZeroArea);
+        }
+        for ring in &rings[1..] {
+            if ring_area(&points[ring.clone()]).dot(normal) > 0.0 {
+                flip(&mut points[ring.clone()]);
+            }
+        }
+        check_crossings(&points, &rings, normal)?;
+        check_holes(&points, &rings, normal)?;
+
+        let mut builder = MeshBuilder::new();
+        let indices: Vec<u32> = points.iter().map(|&p| builder.point(p)).collect();
+        let holes: Vec<&[u32]> = rings[1..].iter().map(|ring| &indices[ring.clone()]).collect();
+        builder.face(&indices[rings[0].clone()], &holes, FaceTag::PLAIN);
+        builder.build()
+    }
+}
+
+/// Twice the area, along the normal.
+fn ring_area(ring: &[DVec3]) -> DVec3 {
+    let from = ring[0];
+    ring.windows(2).map(|w| (w[0] - from).cross(w[1] - from)).sum()
+}
+
+/// One edge of a loop, in the plane.
+struct Edge {
+    a: DVec2,
+    b: DVec2,
+    ring: usize,
+    number: usize,
+}
+
+impl Edge {
+    fn low(&self) -> DVec2 {
+        self.a.min(self.b)
+    }
+
+    fn high(&self) -> DVec2 {
+        self.a.max(self.b)
+    }
+
+    /// Whether they have more in common than corners.
+    fn meets(&self, other: &Edge) -> bool {
+        if self.low().cmpgt(other.high()).any() || other.low().cmpgt(self.high()).any() {
+            return false;
+        }
+        let [c, d] = [other.a, other.b].map(|p| orient(self.a, self.b, p));
+        let [a, b] = [self.a, self.b].map(|p| orient(other.a, other.b, p));
+        if [a, b, c, d] == [0; 4] {
+            // Collinear: they overlap unless they have one point in common at most.
+            let (low, high) = (self.low().max(other.low()), self.high().min(other.high()));
+            return low != high;
+        }
+        if a * b < 0 && c * d < 0 {
+            return true;
+        }
+        // A corner of one inside the other edge.
+        let inside = |side: i32, p: DVec2, edge: &Edge| {
+            side == 0 && p != edge.a && p != edge.b && p.cmpge(edge.low()).all() && p.cmple(edge.high()).all()
+        };
+        inside(a, self.a, other) || inside(b, self.b, other) || inside(c, other.a, self) || inside(d, other.b, self)
+    }
+}
+
+fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> Result<(), MeshError> {
+    let flat = Projection::along(normal);
+    let mut edges = Vec::with_capacity(points.len());
+    for (ring, range) in rings.iter().enumerate() {
+        for number in 0..range.len() {
+            let next = range.start + (number + 1) % range.len();
+            let [a, b] = [range.start + number, next].map(|i| flat.apply(points[i]));
+            edges.push(Edge { a, b, ring, number });
+        }
+    }
+    edges.sort_by(|e, f| e.low().x.total_cmp(&f.low().x));
+    for (i, edge) in edges.iter().enumerate() {
+        let reach = edge.high().x;
+        for other in edges[i + 1..].iter().take_while(|other| other.low().x <= reach) {
+            if edge.meets(other) {
+                let mut pair = [(edge.ring, edge.number), (other.ring, other.number)];
+                pair.sort_unstable();
+                return Err(MeshError::SelfCrossing { first: pair[0], second: pair[1] });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Loops that don't cross lie wholly inside or outside of each other, so one corner tells.
+fn check_holes(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> Result<(), MeshError> {
+    let flat = Projection::along(normal);
+    let flat: Vec<DVec2> = points.iter().map(|&p| flat.apply(p)).collect();
+    let inside = |ring: usize, around: usize| {
+        let around = &flat[rings[around].clone()];
+        flat[rings[ring].clone()].iter().find_map(|&p| winding(around, p)).is_some_and(|turns| turns != 0)
+    };
+    let bounds: Vec<(DVec2, DVec2)> = rings
+        .iter()
+        .map(|ring| {
+            flat[ring.clone()].iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)))
+        })
+        .collect();
+    for hole in 1..rings.len() {
+        if !inside(hole, 0) {
+            return Err(MeshError::HolePlace { hole: hole - 1, within: None });
+        }
+        let (low, high) = bounds[hole];
+        let could_hold =
+            |other: &usize| *other != hole && bounds[*other].0.cmple(low).all() && high.cmple(bounds[*other].1).all();
+        if let Some(other) = (1..rings.len()).filter(could_hold).find(|&other| inside(hole, other)) {
+            return Err(MeshError::HolePlace { hole: hole - 1, within: Some(other - 1) });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flat(points: &[(f64, f64)]) -> Vec<DVec3> {
+        points.iter().map(|&(x, z)| DVec3::new(x, 0.0, -z)).collect()
+    }
+
+    #[test]
+    fn holes_lie_inside_the_outline_and_outside_of_each_other() {
+        let square = |from: f64, to: f64| flat(&[(from, from), (to, from), (to, to), (from, to)]);
+        let outer = square(0.0, 5.0);
+        let place = |holes: &[Vec<DVec3>]| Mesh::from_polygon(&outer, holes).map(|mesh| mesh.area());
+        assert_eq!(place(&[square(1.0, 2.0), square(3.0, 4.0)]), Ok(23.0));
+        assert_eq!(place(&[square(10.0, 11.0)]), Err(MeshError::HolePlace { hole: 0, within: None }));
+        let nested = [square(2.0, 3.0), square(1.0, 4.0)];
+        assert_eq!(place(&nested), Err(MeshError::HolePlace { hole: 0, within: Some(1) }));
+    }
+
+    #[test]
+    fn holes_are_turned_the_right_way() {
+        let outer = flat(&[(0.0, 0.0), (4.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
+        let hole = flat(&[(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)]);
+        let mut turned = hole.clone();
+        turned.reverse();
+        for hole in [hole, turned] {
+            let mesh = Mesh::from_polygon(&outer, &[hole]).unwrap();
+            assert_eq!(mesh.area(), 15.0);
+            assert_eq!(mesh.face(0).normal(), DVec3::Y);
+            assert_eq!(mesh.face(0).outer().len(), 4);
+        }
+    }
+
+    #[test]
+    fn crossing_and_empty_outlines_are_named() {
+        let bow = flat(&[(0.0, 0.0), (4.0, 4.0), (4.0, 0.0), (0.0, 3.0)]);
+        let crossing = MeshError::SelfCrossing { first: (0, 0), second: (0, 2) };
+        assert_eq!(Mesh::from_polygon(&bow, &[]).unwrap_err(), crossing);
+        let line = flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)]);
+        assert_eq!(Mesh::from_polygon(&line, &[]).unwrap_err(), MeshError::ZeroArea);
+        let two = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 0.0)]);
+        assert_eq!(Mesh::from_polygon(&two, &[]).unwrap_err(), MeshError::ShortLoop { face: 0, ring: 0 });
+        let spike = flat(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (4.0, 6.0), (4.0, 4.0), (0.0, 4.0)]);
+        assert!(Mesh::from_polygon(&spike, &[]).is_err());
+    }
+
+    #[test]
+    fn a_pinched_outline_is_allowed() {
+        let pinched =
+            flat(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (4.0, 2.0), (4.0, 4.0), (2.0, 4.0), (2.0, 2.0), (0.0, 2.0)]);
+        assert_eq!(Mesh::from_polygon(&pinched, &[]).unwrap().area(), 8.0);
+    }
+}

@@ -1,0 +1,57 @@
+//! The disk.
+
+use glam::{DVec2, DVec3};
+
+use super::{Faces, circle};
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
+
+/// A disk that looks along an axis, in the plane where that is 0. Fewer than three corners count as three (*primitiveDisk
+/// operation*). Its texture fills the square around it.
+pub fn disk(sides: usize, across: Axis) -> Mesh {
+    let sides = circle::sides(sides);
+    let texture = || circle::corners(sides).map(circle::from_above);
+    let mut faces = Faces::new(texture().map(|uv| lying(uv, across)).collect(), sides);
+    faces.face(texture().enumerate());
+    faces.finish(false)
+}
+
+/// A square that looks along an axis, in the plane where that is 0, with the texture of a disk there (*primitiveQuad
+/// operation*).
+pub(super) fn square(across: Axis) -> Mesh {
+    let texture = || [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].into_iter();
+    let mut faces = Faces::new(texture().map(|uv| lying(uv, across)).collect(), 4);
+    faces.face(texture().enumerate());
+    faces.finish(false)
+}
+
+/// Where a point of the texture is on a primitive that lies across an axis. The pictures of *primitiveQuad* and
+/// *primitiveDisk* have u along x, and along -y where there is no x; v along -z, and along y where there is no z.
+fn lying(uv: DVec2, across: Axis) -> DVec3 {
+    match across {
+        Axis::X => DVec3::new(0.0, 1.0 - uv.x, 1.0 - uv.y),
+        Axis::Y => DVec3::new(uv.x, 0.0, 1.0 - uv.y),
+        Axis::Z => DVec3::new(uv.x, uv.y, 0.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::mesh::primitive::circle::area;
+
+    #[test]
+    fn a_disk_looks_along_its_axis() {
+        for (across, normal) in [(Axis::X, DVec3::X), (Axis::Y, DVec3::Y), (Axis::Z, DVec3::Z)] {
+            for sides in [3, 8, 16] {
+                let disk = disk(sides, across);
+                assert_eq!((disk.face_count(), disk.check()), (1, Vec::new()));
+                assert!((disk.face(0).normal() - normal).length() < 1e-15);
+                assert!((disk.area() - area(sides)).abs() < 1e-15);
+                assert_eq!(disk.bounds().high[across.index()], 0.0);
+                let flat = disk.points().iter().zip(disk.uvs()).all(|(&p, &uv)| p == lying(uv, across));
+                assert!(flat && !disk.count_closed());
+            }
+        }
+    }
+}

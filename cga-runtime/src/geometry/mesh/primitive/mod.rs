@@ -1,0 +1,186 @@
+//! Primitives in the unit box, 0 to 1 along each axis. Whoever inserts one fits it to its scope.
+//!
+//! Round ones have their corners on a circle of diameter 1 about the middle, so that few corners do not reach the sides
+//! of the box. They begin in front (z = 1) with a face that looks along z, and go counter-clockwise seen from above; the
+//! pictures of the reference show it by where their texture begins. Texture coordinates are in set 0.
+
+mod circle;
+mod cone;
+mod cylinder;
+mod disk;
+mod sphere;
+
+use glam::{DVec2, DVec3};
+
+use super::solid::{corner, square, unit_box};
+use super::{Derived, FaceEnds, FaceTag, Mesh, Tags, UvSets};
+use crate::geometry::Axis;
+use crate::geometry::provenance::Provenance;
+
+pub use cone::cone;
+pub use cylinder::cylinder;
+pub use disk::disk;
+pub use sphere::sphere;
+
+/// A closed box: bottom, top, front, right, back, left (*primitiveCube operation*). Vertices go around the floor, then
+/// around the top.
+pub fn cube() -> Mesh {
+    let points = [0, 1, 5, 4, 2, 3, 7, 6].map(corner);
+    unit_box(points, [[0, 1, 2, 3], [7, 6, 5, 4], [3, 2, 6, 7], [2, 1, 5, 6], [1, 0, 4, 5], [0, 3, 7, 4]])
+}
+
+/// A square on the ground that faces up; its first edge runs along x, at z = 1.
+pub fn quad() -> Mesh {
+    square(Axis::Y, Provenance::Unknown)
+}
+
+/// A primitive that is a mesh, by what it is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Made {
+    Cylinder { sides: u32 },
+    Cone { sides: u32 },
+    Disk { sides: u32, across: Axis },
+    Square { across: Axis },
+    Sphere { sides: u32, divisions: u32 },
+}
+
+impl Made {
+    /// How many corners its faces have together.
+    pub(crate) fn corner_count(self) -> u64 {
+        match self {
+            Made::Cylinder { sides } => 6 * u64::from(sides),
+            Made::Cone { sides } => 4 * u64::from(sides),
+            Made::Disk { sides, .. } => u64::from(sides),
+            Made::Square { .. } => 4,
+            Made::Sphere { sides, divisions } => u64::from(sides) * (4 * u64::from(divisions) - 2),
+        }
+    }
+
+    /// Makes it.
+    pub(crate) fn mesh(self) -> Mesh {
+        match self {
+            Made::Cylinder { sides } => cylinder(sides as usize),
+            Made::Cone { sides } => cone(sides as usize),
+            Made::Disk { sides, across } => disk(sides as usize, across),
+            Made::Square { across } => disk::square(across),
+            Made::Sphere { sides, divisions } => sphere(sides as usize, divisions as usize),
+        }
+    }
+}
+
+/// Puts faces of one loop together, each corner with its texture coordinates.
+struct Faces {
+    mesh: Mesh,
+    uvs: Vec<DVec2>,
+}
+
+impl Faces {
+    fn new(points: Vec<DVec3>, corners: usize) -> Self {
+        Faces {
+            mesh: Mesh { points, corners: Vec::with_capacity(corners), ..Mesh::default() },
+            uvs: Vec::with_capacity(corners),
+        }
+    }
+
+    fn face(&mut self, corners: impl IntoIterator<Item = (usize, DVec2)>) {
+        for (point, uv) in corners {
+            self.mesh.corners.push(point as u32);
+            self.uvs.push(uv);
+        }
+        self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
+    }
+
+    fn finish(self, closed: bool) -> Mesh {
+        let count = self.mesh.loop_ends.len();
+        let mut uvs = UvSets::default();
+        uvs.set(0, self.uvs);
+        let derived = Derived::default();
+        let _ = derived.closed.set(closed);
+        Mesh {
+            face_ends: FaceEnds::single(count),
+            tags: Tags::uniform(count, FaceTag::PLAIN),
+            uvs,
+            derived,
+            ..self.mesh
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::circle::area;
+    use super::*;
+
+    #[test]
+    fn primitives_are_closed_and_look_outwards() {
+        let round = [3, 4, 5, 16].into_iter().flat_map(|n| [cylinder(n), cone(n), sphere(n, 2), sphere(n, 7)]);
+        for mesh in round.chain([cube()]) {
+            assert!(mesh.count_closed());
+            assert!(mesh.volume() > 0.0);
+            assert_eq!(mesh.check(), []);
+            assert_eq!((mesh.bounds().low.y, mesh.bounds().high.y), (0.0, 1.0));
+            // Convex about the middle: each face looks away from it.
+            let away = |face: crate::geometry::mesh::FaceRef<'_>| {
+                face.normal().dot(face.position(face.corner_range().start) - 0.5)
+            };
+            assert!(mesh.faces().all(|face| 0.0 < away(face)));
+        }
+        assert_eq!(cube().volume(), 1.0);
+        assert_eq!(quad().face(0).normal(), DVec3::Y);
+    }
+
+    #[test]
+    fn volumes_are_those_of_the_polyhedra() {
+        for sides in [3, 8, 17, 64] {
+            let base = area(sides);
+            let near = |mesh: &Mesh, volume: f64| assert!((mesh.volume() - volume).abs() < 1e-14, "{sides} sides");
+            near(&cylinder(sides), base);
+            near(&cone(sides), base / 3.0);
+            for divisions in [2, 5, 16] {
+                // Frustums between rings; areas go with the square of the radius.
+                let ring = |j: usize| {
+                    let (sin, cos) = libm::sincos(std::f64::consts::PI * j as f64 / divisions as f64);
+                    (sin, -0.5 * cos)
+                };
+                let frustum = |j: usize| {
+                    let ((r, low), (q, high)) = (ring(j), ring(j + 1));
+                    (high - low) / 3.0 * base * (r * r + r * q + q * q)
+                };
+                near(&sphere(sides, divisions), (0..divisions).map(frustum).sum());
+            }
+        }
+    }
+
+    #[test]
+    fn the_first_face_looks_to_the_front_and_starts_at_its_left_end() {
+        for sides in [3, 4, 8, 16, 31] {
+            for mesh in [cylinder(sides), cone(sides)] {
+                let normal = mesh.face(0).normal();
+                assert!(normal.x.abs() < 1e-15 && 0.0 < normal.z, "{normal}");
+                let [a, b] = [0, 1].map(|i| mesh.points()[mesh.face(0).outer()[i] as usize]);
+                assert!(a.x < b.x && a.z == b.z && (a.y, b.y) == (0.0, 0.0));
+                assert_eq!(mesh.uvs()[0], DVec2::ZERO);
+            }
+            let [a, b] = [0, 1].map(|i| disk(sides, Axis::Y).points()[i]);
+            assert!(a.x < b.x && a.z == b.z && 0.5 < a.z);
+        }
+    }
+
+    #[test]
+    fn what_is_said_of_corners_is_so() {
+        let all = [
+            Made::Cylinder { sides: 9 },
+            Made::Cone { sides: 5 },
+            Made::Disk { sides: 7, across: Axis::Z },
+            Made::Square { across: Axis::X },
+            Made::Sphere { sides: 5, divisions: 2 },
+            Made::Sphere { sides: 4, divisions: 9 },
+        ];
+        for made in all {
+            let mesh = made.mesh();
+            assert_eq!(mesh.corners().len() as u64, made.corner_count(), "{made:?}");
+            assert_eq!(mesh.uvs().len(), mesh.corners().len());
+            assert!(mesh.uvs().iter().all(|uv| uv.cmpge(DVec2::ZERO).all() && uv.cmple(DVec2::ONE).all()));
+        }
+    }
+}

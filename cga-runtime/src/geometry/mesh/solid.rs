@@ -1,0 +1,57 @@
+//! Boxes and rectangles with sides of length 1, as meshes.
+
+use glam::DVec3;
+
+use super::{Derived, FaceEnds, FaceTag, Mesh, Tags};
+use crate::geometry::Axis;
+use crate::geometry::provenance::{Provenance, tag_sets};
+
+/// The box that a run can begin with: front, right, back, left (counter-clockwise seen from above), top, bottom. Vertices
+/// are numbered x + 2y + 4z.
+pub(crate) fn cuboid() -> Mesh {
+    let points = [0, 1, 2, 3, 4, 5, 6, 7].map(corner);
+    unit_box(points, [[4, 5, 7, 6], [5, 1, 3, 7], [1, 0, 2, 3], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]])
+}
+
+/// A closed box of those faces.
+pub(super) fn unit_box(points: [DVec3; 8], faces: [[u32; 4]; 6]) -> Mesh {
+    let derived = Derived::default();
+    let _ = derived.closed.set(true);
+    Mesh {
+        points: points.to_vec(),
+        corners: faces.as_flattened().to_vec(),
+        loop_ends: (1..=6).map(|face| 4 * face).collect(),
+        face_ends: FaceEnds::single(6),
+        tags: Tags::uniform(6, FaceTag::PLAIN),
+        derived,
+        ..Mesh::default()
+    }
+}
+
+/// The corner of the unit box with a number x + 2y + 4z.
+pub(crate) fn corner(number: u8) -> DVec3 {
+    DVec3::new(f64::from(number & 1), f64::from(number >> 1 & 1), f64::from(number >> 2 & 1))
+}
+
+/// A square at 0 of the axis across it, looking along that axis. Its first edge is the lowest one; of a square on
+/// the ground the front one.
+pub(crate) fn square(across: Axis, provenance: Provenance) -> Mesh {
+    let derived = Derived::default();
+    let _ = derived.closed.set(false);
+    let corners: [u8; 4] = match across {
+        Axis::X => [4, 0, 2, 6],
+        Axis::Y => [4, 5, 1, 0],
+        Axis::Z => [0, 1, 3, 2],
+    };
+    let sets = if let Provenance::Extruded(_) = provenance { tag_sets() } else { Vec::new() };
+    Mesh {
+        points: corners.map(corner).to_vec(),
+        corners: vec![0, 1, 2, 3],
+        loop_ends: vec![4],
+        face_ends: FaceEnds::single(1),
+        tags: Tags::uniform(1, provenance.face_tag()),
+        tag_sets: sets.into(),
+        derived,
+        ..Mesh::default()
+    }
+}

@@ -1,0 +1,237 @@
+//! Texture coordinates: up to ten sets, each one pair a corner or nothing at all.
+
+mod extent;
+
+use std::ops::Range;
+
+use glam::DVec2;
+
+use super::Mesh;
+use super::layout::to_front;
+use crate::geometry::uv_map::SetMap;
+pub use extent::UvExtent;
+pub(crate) use extent::{range, spread};
+
+/// The unit of the sizes of a split in texture space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TextureSpace {
+    /// Texture coordinates: `uvSpace`.
+    Uv,
+    /// Metres on the surface: `unitSpace`.
+    Unit,
+}
+
+/// One of the two texture coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum UvAxis {
+    /// The first one.
+    U,
+    /// The second one.
+    V,
+}
+
+impl UvAxis {
+    /// 0 for u, 1 for v: the index into a `DVec2`.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// The sets of a mesh. There may be empty lists among them, but a mesh without texture coordinates has none at all.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct UvSets {
+    lists: Vec<Vec<DVec2>>,
+}
+
+impl UvSets {
+    /// How many sets there can be (*Texturing*: 0 to 9).
+    pub(crate) const MOST: usize = 10;
+
+    /// One set; nothing when it has no coordinates.
+    #[inline]
+    pub(crate) fn get(&self, set: usize) -> &[DVec2] {
+        self.lists.get(set).map_or(&[], Vec::as_slice)
+    }
+
+    /// The numbers of the sets that there are.
+    #[inline]
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = usize> + use<'_> {
+        self.lists.iter().enumerate().filter(|(_, list)| !list.is_empty()).map(|(set, _)| set)
+    }
+
+    /// Whether there is no set.
+    #[inline]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.lists.is_empty()
+    }
+
+    /// Whether each set has none or so many.
+    pub(crate) fn fit(&self, corners: usize) -> bool {
+        self.lists.iter().all(|list| [0, corners].contains(&list.len()))
+    }
+
+    /// Puts a set in; an empty one is none.
+    pub(crate) fn set(&mut self, set: usize, list: Vec<DVec2>) {
+        if self.lists.len() <= set && !list.is_empty() {
+            self.lists.resize_with(set + 1, Vec::new);
+        }
+        if let Some(place) = self.lists.get_mut(set) {
+            *place = list;
+        }
+    }
+
+    /// Forgets empty sets after the last one with coordinates.
+    fn forget_empty(&mut self) {
+        let used = self.lists.iter().rposition(|list| !list.is_empty()).map_or(0, |last| last + 1);
+        self.lists.truncate(used);
+    }
+
+    /// As many sets as there are here, still empty, with room for so many corners.
+    pub(crate) fn alike(&self, room: usize) -> UvSets {
+        let room = |list: &Vec<DVec2>| if list.is_empty() { Vec::new() } else { Vec::with_capacity(room) };
+        UvSets { lists: self.lists.iter().map(room).collect() }
+    }
+
+    /// Adds to each set what `value` makes of the source's list.
+    #[inline]
+    pub(crate) fn push_from(&mut self, source: &UvSets, mut value: impl FnMut(&[DVec2]) -> DVec2) {
+        for (to, from) in self.lists.iter_mut().zip(&source.lists) {
+            if !from.is_empty() {
+                to.push(value(from));
+            }
+        }
+    }
+
+    /// Adds some corners of the source to each set.
+    #[inline]
+    pub(crate) fn copy_from(&mut self, source: &UvSets, corners: Range<usize>) {
+        for (to, from) in self.lists.iter_mut().zip(&source.lists) {
+            if !from.is_empty() {
+                to.extend_from_slice(&from[corners.clone()]);
+            }
+        }
+    }
+
+    /// Gives back room that is much more than the sets need.
+    pub(super) fn give_back_room(&mut self) {
+        self.lists.iter_mut().for_each(super::layout::give_back_room);
+    }
+
+    /// The bytes of all sets, and those that they have room for.
+    #[cfg(test)]
+    pub(super) fn bytes(&self) -> [usize; 2] {
+        let sum = |count: fn(&Vec<DVec2>) -> usize| self.lists.iter().map(count).sum::<usize>() * size_of::<DVec2>();
+        [sum(Vec::len), sum(Vec::capacity)]
+    }
+
+    /// Forgets corners from that one on.
+    pub(super) fn truncate(&mut self, corners: usize) {
+        self.lists.iter_mut().for_each(|list| list.truncate(corners));
+    }
+
+    /// Changes corners of each set.
+    pub(crate) fn change(&mut self, corners: Range<usize>, mut change: impl FnMut(&mut [DVec2])) {
+        self.lists.iter_mut().filter(|list| !list.is_empty()).for_each(|list| change(&mut list[corners.clone()]));
+    }
+
+    /// Moves corners to the front of each set.
+    pub(super) fn bring_to_front(&mut self, corners: &Range<usize>) {
+        self.lists.iter_mut().filter(|list| !list.is_empty()).for_each(|list| to_front(list, corners.clone()));
+    }
+}
+
+impl Mesh {
+    /// This mesh, whose points are in the world, with coordinates from maps in place of those sets that have one.
+    pub(crate) fn with_uvs(mut self, maps: &[SetMap]) -> Mesh {
+        for SetMap { set, map } in maps.iter().filter(|known| known.set < UvSets::MOST) {
+            let list = self.corners.iter().map(|&corner| map.at(self.points[corner as usize])).collect();
+            self.uvs.set(*set, list);
+        }
+        self
+    }
+}
+
+impl Mesh {
+    /// The mesh with other coordinates in a set, one pair a corner, or without the set if there are none. Coordinates that
+    /// are infinite become the largest numbers, and NaN becomes 0.
+    ///
+    /// # Panics
+    /// When the number of coordinates is another one, or the set is none of 0 to 9.
+    pub fn with_uv_set(&self, set: usize, uvs: Vec<DVec2>) -> Mesh {
+        let mut mesh = self.clone();
+        mesh.put_uv_set(set, uvs);
+        mesh
+    }
+
+    /// The same in place.
+    pub(crate) fn put_uv_set(&mut self, set: usize, mut uvs: Vec<DVec2>) {
+        assert!(set < UvSets::MOST && [0, self.corners.len()].contains(&uvs.len()), "{} coordinates", uvs.len());
+        uvs.iter_mut().filter(|uv| !uv.is_finite()).for_each(|uv| {
+            let finite = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(-f64::MAX, f64::MAX) };
+            *uv = DVec2::new(finite(uv.x), finite(uv.y));
+        });
+        self.uvs.set(set, uvs);
+        self.uvs.forget_empty();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::{DVec2, DVec3};
+
+    use crate::geometry::Axis;
+    use crate::geometry::cut;
+    use crate::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, MeshError, extrude};
+
+    fn square(sets: &[usize]) -> Result<Mesh, MeshError> {
+        let mut builder = MeshBuilder::new();
+        let points = [[0.0, 0.0], [2.0, 0.0], [2.0, -2.0], [0.0, -2.0]];
+        let corners = points.map(|[x, z]| builder.point([x, 0.0, z]));
+        builder.face(&corners, &[], FaceTag::PLAIN);
+        for &set in sets {
+            builder.uv_set(set, &points.map(|[x, z]| DVec2::new(x, z) * (set + 1) as f64));
+        }
+        builder.build()
+    }
+
+    /// Every corner of every face but caps has in each set what its point says there.
+    fn all_hold(mesh: &Mesh) {
+        assert_eq!(mesh.check(), []);
+        for face in mesh.faces().filter(|face| !face.tag().cap) {
+            for corner in face.corner_range() {
+                let DVec3 { x, z, .. } = mesh.points()[mesh.corners()[corner] as usize];
+                for set in [1, 9] {
+                    assert_eq!(mesh.uv_set(set)[corner], DVec2::new(x, z) * (set + 1) as f64);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn sets_stay_with_their_corners() {
+        let mesh = square(&[9, 1]).unwrap();
+        assert!(mesh.uvs().is_empty() && mesh.uv_set(10).is_empty());
+        all_hold(&mesh);
+        all_hold(&mesh.reversed());
+        let block = Arc::new(extrude(&mesh, Extrude::FaceNormal, 3.0));
+        all_hold(&block);
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let cut = cut::slabs(&block, axis, &[-1.25, -0.5, 0.75, 1.5]);
+            cut.parts.iter().flatten().for_each(|part| all_hold(part));
+            assert!(cut.parts.iter().flatten().count() > 1, "{axis:?}");
+        }
+        assert_eq!(square(&[10]).unwrap_err(), MeshError::UvSet { set: 10 });
+    }
+
+    #[test]
+    fn coordinates_are_replaced_by_finite_ones() {
+        let mesh = square(&[0]).unwrap();
+        let odd = [DVec2::new(f64::INFINITY, 1.0), DVec2::new(f64::NAN, f64::NEG_INFINITY), DVec2::ONE, DVec2::ZERO];
+        let changed = mesh.with_uv_set(3, odd.to_vec());
+        assert_eq!(changed.uv_set(3)[..2], [DVec2::new(f64::MAX, 1.0), DVec2::new(0.0, -f64::MAX)]);
+        assert_eq!((changed.uvs(), changed.check()), (mesh.uvs(), Vec::new()));
+        assert!(changed.with_uv_set(3, Vec::new()).uv_set(3).is_empty());
+    }
+}

@@ -1,0 +1,17 @@
+//! Geometry: meshes and what is computed on them. Nothing here knows shapes, rules or sinks.
+
+pub mod cut;
+mod exact;
+pub(crate) mod face_frame;
+pub(crate) mod frame;
+pub(crate) mod hull;
+pub mod mesh;
+pub(crate) mod provenance;
+pub(crate) mod rotation;
+mod skeleton;
+pub mod tol;
+pub mod triangulate;
+pub mod uv_map;
+pub(crate) mod wire;
+
+pub use frame::{Axis, Frame};

@@ -1,0 +1,92 @@
+//! Where a face comes from, and the tags that `extrude` gives (*Geometry tagging*, auto-tags).
+
+use crate::geometry::mesh::{FaceTag, Mesh, TagSet, tag_matches};
+use crate::value::text::Text;
+
+/// Where `extrude` made a face: the face that was there, what rises from its outline and from its holes, and the face that
+/// moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extruded {
+    Bottom,
+    Outer,
+    Inner,
+    Top,
+}
+
+impl Extruded {
+    pub(crate) const ALL: [Extruded; 4] = [Extruded::Bottom, Extruded::Outer, Extruded::Inner, Extruded::Top];
+
+    /// Its tag.
+    pub(crate) fn tag(self) -> &'static str {
+        match self {
+            Extruded::Bottom => "extrude.bottom",
+            Extruded::Outer => "extrude.side.outer",
+            Extruded::Inner => "extrude.side.inner",
+            Extruded::Top => "extrude.top",
+        }
+    }
+
+    /// The variant whose tag is the only one of a set.
+    pub(crate) fn of(set: &TagSet) -> Option<Self> {
+        let [name] = set.names() else { return None };
+        Extruded::ALL.into_iter().find(|extruded| **name == *extruded.tag())
+    }
+}
+
+/// The origin of a face, where its mesh records it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Provenance {
+    /// Nothing is known.
+    #[default]
+    Unknown,
+    /// A cut, which it closes.
+    Cut,
+    /// An extrusion, and it has no other tag.
+    Extruded(Extruded),
+}
+
+impl Provenance {
+    /// How many there are.
+    pub(crate) const COUNT: usize = 2 + Extruded::ALL.len();
+
+    /// Counts them.
+    #[inline]
+    pub(crate) fn number(self) -> usize {
+        match self {
+            Provenance::Unknown => 0,
+            Provenance::Cut => 1,
+            Provenance::Extruded(extruded) => 2 + extruded as usize,
+        }
+    }
+
+    /// The origin of a face with that tag; `None` when it has other tags, a group or a material.
+    pub(crate) fn of(mesh: &Mesh, tag: FaceTag) -> Option<Self> {
+        let set = mesh.tag_sets().get(tag.tags as usize).filter(|set| !set.names().is_empty());
+        match (set, tag.cap) {
+            _ if tag.group != FaceTag::NONE || tag.material != FaceTag::NONE => None,
+            (Some(set), false) => Extruded::of(set).map(Provenance::Extruded),
+            (Some(_), true) => None,
+            (None, true) => Some(Provenance::Cut),
+            (None, false) => Some(Provenance::Unknown),
+        }
+    }
+
+    /// The tag of such a face, in a mesh with the sets of [`tag_sets`].
+    pub(crate) fn face_tag(self) -> FaceTag {
+        match self {
+            Provenance::Unknown => FaceTag::PLAIN,
+            Provenance::Cut => FaceTag::CAP,
+            Provenance::Extruded(extruded) => FaceTag { tags: extruded as u32, ..FaceTag::PLAIN },
+        }
+    }
+
+    /// Returns true if a query for component tags matches.
+    pub(crate) fn is_tagged(self, query: &str) -> bool {
+        matches!(self, Provenance::Extruded(extruded) if tag_matches(query, extruded.tag()))
+    }
+}
+
+/// The set of each of [`Extruded::ALL`].
+pub(crate) fn tag_sets() -> Vec<TagSet> {
+    Extruded::ALL.iter().map(|extruded| TagSet::new([Text::from(extruded.tag())])).collect()
+}

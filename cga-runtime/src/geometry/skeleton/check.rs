@@ -1,0 +1,116 @@
+//! Whether a result can be true.
+//!
+//! The areas add up however points are moved, so strips could only overlap where something is turned over. A strip of a
+//! straight skeleton is in one piece and monotone along its edge; what is left has no crossings, and its loops lie in each
+//! other as they should.
+
+use glam::DVec2;
+
+use super::wavefront::{Wavefront, twice_area};
+use super::{Left, Strip, Swept};
+use crate::geometry::exact::orient;
+use crate::geometry::mesh::check::winding;
+use crate::geometry::tol::{MEETING_EPSILONS, TOUCH_EPSILON};
+
+/// So many times what touches is rounding.
+const SLACK: f64 = 16.0;
+
+impl Wavefront {
+    /// Whether a result can be this wavefront's.
+    pub(super) fn allows(&self, swept: &Swept) -> bool {
+        let slack = SLACK * self.epsilon;
+        let rounding = MEETING_EPSILONS[0] * self.extent * self.extent;
+        swept.points.iter().all(|p| p.is_finite())
+            && swept.strips.iter().all(|strip| {
+                self.is_monotone(strip, &swept.points, slack) && -rounding <= twice_area(&swept.points, &strip.ring)
+            })
+            && self.in_one_piece(&swept.strips, &swept.points, rounding)
+            && !crosses(&swept.left, &swept.points, slack)
+            && self.nests(swept)
+    }
+
+    /// Whether a strip runs along its edge once and comes back once, in front of it.
+    fn is_monotone(&self, strip: &Strip, points: &[DVec2], slack: f64) -> bool {
+        let line = &self.lines[strip.edge as usize];
+        let count = strip.ring.len();
+        let at = |i: usize| points[strip.ring[i % count] as usize];
+        let along: Vec<f64> = (0..count).map(|i| line.along.dot(at(i))).collect();
+        let height: Vec<f64> = (0..count).map(|i| line.normal().dot(at(i)) - line.at).collect();
+        let by = |a: &usize, b: &usize| along[*a].total_cmp(&along[*b]);
+        let (Some(low), Some(high)) = ((0..count).min_by(by), (0..count).max_by(by)) else { return false };
+        let runs = |from: usize, to: usize, sign: f64| {
+            let steps = (to + count - from) % count;
+            (from..from + steps).map(|i| (i % count, (i + 1) % count)).all(|(i, next)| {
+                let back = sign * (along[i] - along[next]);
+                // What moves nearly along the edge touches it long before it gets there.
+                let is_flat = (height[i] - height[next]).abs() <= self.epsilon;
+                back <= slack || (is_flat && back <= TOUCH_EPSILON * self.extent)
+            })
+        };
+        height.iter().all(|height| (-slack..=self.until + slack).contains(height))
+            && runs(low, high, 1.0)
+            && runs(high, low, -1.0)
+    }
+
+    /// Whether no edge has two strips, but for those that are rounding.
+    fn in_one_piece(&self, strips: &[Strip], points: &[DVec2], rounding: f64) -> bool {
+        let mut found = vec![false; self.lines.len()];
+        let real = |strip: &&Strip| rounding < twice_area(points, &strip.ring);
+        strips.iter().filter(real).all(|strip| !std::mem::replace(&mut found[strip.edge as usize], true))
+    }
+
+    /// Whether the region is on the left of every loop of what is left, and on the right is none. A loop that has passed
+    /// through itself is inside out.
+    fn nests(&self, swept: &Swept) -> bool {
+        let rings: Vec<Vec<DVec2>> = swept.left.iter().map(|ring| positions(ring, &swept.points)).collect();
+        rings.iter().enumerate().all(|(number, ring)| {
+            let turns = |p: DVec2| {
+                let others = rings.iter().enumerate().filter(|(other, _)| *other != number);
+                others.map(|(_, other)| winding(other, p)).sum::<Option<i32>>()
+            };
+            let middles = (0..ring.len()).map(|i| ring[i].midpoint(ring[(i + 1) % ring.len()]));
+            // Seen from a side that touches no other loop.
+            let around = middles.into_iter().find_map(turns);
+            let own = i32::from(0.0 < area(ring));
+            around.is_none_or(|around| around + own == i32::from(!self.unbounded))
+        })
+    }
+}
+
+fn positions(ring: &[Left], points: &[DVec2]) -> Vec<DVec2> {
+    ring.iter().map(|left| points[left.point as usize]).collect()
+}
+
+fn area(ring: &[DVec2]) -> f64 {
+    (1..ring.len() - 1).map(|i| (ring[i] - ring[0]).perp_dot(ring[i + 1] - ring[0])).sum()
+}
+
+/// Whether what is left crosses itself by more than some slack.
+fn crosses(left: &[Vec<Left>], points: &[DVec2], slack: f64) -> bool {
+    let mut edges: Vec<[DVec2; 2]> = Vec::new();
+    for ring in left {
+        let at = |i: usize| points[ring[i % ring.len()].point as usize];
+        edges.extend((0..ring.len()).map(|i| [at(i), at(i + 1)]));
+    }
+    edges.sort_by(|e, f| e[0].x.min(e[1].x).total_cmp(&f[0].x.min(f[1].x)));
+    edges.iter().enumerate().any(|(i, edge)| {
+        let reach = edge[0].x.max(edge[1].x);
+        let near = edges[i + 1..].iter().take_while(|other| other[0].x.min(other[1].x) <= reach);
+        near.into_iter().any(|other| cross(edge, other, slack))
+    })
+}
+
+fn cross(e: &[DVec2; 2], f: &[DVec2; 2], slack: f64) -> bool {
+    let apart = |i: usize| e[0][i].max(e[1][i]) < f[0][i].min(f[1][i]) || f[0][i].max(f[1][i]) < e[0][i].min(e[1][i]);
+    if apart(0) || apart(1) {
+        return false;
+    }
+    let sides = |e: &[DVec2; 2], f: &[DVec2; 2]| f.map(|p| orient(e[0], e[1], p));
+    let ([a, b], [c, d]) = (sides(e, f), sides(f, e));
+    if a * b >= 0 || c * d >= 0 {
+        return false;
+    }
+    // All four ends are far from the other edge.
+    let away = |e: &[DVec2; 2], p: DVec2| (e[1] - e[0]).perp_dot(p - e[0]).abs() > slack * e[0].distance(e[1]);
+    f.iter().all(|&p| away(e, p)) && e.iter().all(|&p| away(f, p))
+}

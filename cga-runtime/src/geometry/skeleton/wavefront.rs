@@ -1,0 +1,235 @@
+//! The state of a wavefront: moving vertices, joined in loops.
+
+use std::ops::RangeInclusive;
+
+use glam::DVec2;
+
+use super::event::Split;
+use super::limits::Limits;
+use super::trace::Arcs;
+use super::{Failure, Left, Swept};
+
+/// No vertex.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// What squares of lengths are sure of.
+const SIZES: RangeInclusive<f64> = 1e-100..=1e100;
+
+/// Sums of unit normals shorter than this belong to edges that turn back on themselves.
+const TURNED_BACK: f64 = 1e-10;
+
+/// The line of an edge. After some time its points are those whose product with the normal is `at` plus that time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    pub(super) along: DVec2,
+    pub(super) at: f64,
+}
+
+impl Line {
+    /// Which way it moves.
+    pub(super) fn normal(&self) -> DVec2 {
+        self.along.perp()
+    }
+}
+
+/// A vertex of the wavefront, and the edge from it to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Vertex {
+    /// Where it started, as a node of the skeleton.
+    pub(super) node: u32,
+    pub(super) from: DVec2,
+    pub(super) born: f64,
+    pub(super) velocity: DVec2,
+    /// The lines of the edge before and the edge after.
+    pub(super) before: u32,
+    pub(super) after: u32,
+    pub(super) last: u32,
+    pub(super) next: u32,
+    pub(super) alive: bool,
+    /// Whether it can reach other edges: it is not convex.
+    pub(super) reflex: bool,
+    /// When the edge after it shrinks to nothing.
+    pub(super) collapse: f64,
+    pub(super) split: Split,
+}
+
+/// Twice the area of a loop, negative when it runs clockwise.
+pub(super) fn twice_area(points: &[DVec2], ring: &[u32]) -> f64 {
+    let at = |i: usize| points[ring[i] as usize] - points[ring[0] as usize];
+    (1..ring.len().saturating_sub(1)).map(|i| at(i).perp_dot(at(i + 1))).sum()
+}
+
+/// Whether two lines run against each other, so that no vertex between them can move.
+pub(super) fn turn_back(a: &Line, b: &Line) -> bool {
+    (a.along + b.along).length() < TURNED_BACK
+}
+
+#[derive(Debug)]
+pub(super) struct Wavefront {
+    pub(super) lines: Vec<Line>,
+    pub(super) vertices: Vec<Vertex>,
+    /// Vertices that are alive, in the order they were made.
+    pub(super) alive: Vec<u32>,
+    /// Where vertices that are alive were at the last event.
+    pub(super) positions: Vec<DVec2>,
+    /// Nodes of the skeleton: first the points that were given.
+    pub(super) nodes: Vec<DVec2>,
+    given: usize,
+    pub(super) arcs: Arcs,
+    /// Whether the region is the outside.
+    pub(super) unbounded: bool,
+    /// How large everything is.
+    pub(super) extent: f64,
+    /// What is nearer than this touches.
+    pub(super) epsilon: f64,
+    pub(super) limits: Limits,
+    pub(super) now: f64,
+    pub(super) until: f64,
+}
+
+impl Wavefront {
+    pub(super) fn new(points: &[DVec2], rings: &[Vec<u32>], epsilon: f64, until: f64) -> Result<Self, Failure> {
+        let low = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
+        let high = points.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
+        let extent = (high - low).max_element();
+        // The outside has no end: there it is the distance that tells what is small.
+        let area: f64 = rings.iter().map(|ring| twice_area(points, ring)).sum();
+        let unbounded = area < 0.0;
+        let extent = if unbounded { extent + until } else { extent };
+        if !(SIZES.contains(&extent) && area.is_finite()) {
+            return Err(Failure::Tangled);
+        }
+        let mut front = Wavefront {
+            lines: Vec::new(),
+            vertices: Vec::new(),
+            alive: Vec::new(),
+            positions: Vec::new(),
+            nodes: points.to_vec(),
+            given: points.len(),
+            arcs: Arcs::default(),
+            unbounded,
+            extent,
+            epsilon: epsilon * extent,
+            limits: Limits::of(rings.iter().map(Vec::len).sum()),
+            now: 0.0,
+            until,
+        };
+        for ring in rings {
+            let start = front.lines.len() as u32;
+            for (i, &a) in ring.iter().enumerate() {
+                let b = ring[(i + 1) % ring.len()];
+                let (p, q) = (points[a as usize], points[b as usize]);
+                // An edge without length is gone at once, whatever its direction.
+                let along = (q - p).normalize_or(DVec2::X);
+                front.lines.push(Line { along, at: along.perp().dot(p) });
+                front.arcs.edge(a, b);
+            }
+            let count = ring.len() as u32;
+            for (i, &node) in (0..count).zip(ring) {
+                let [last, next] = [(i + count - 1) % count, (i + 1) % count].map(|k| start + k);
+                let vertex = front.vertex(node, last, start + i);
+                front.alive.push(start + i);
+                front.push(Vertex { last, next, ..vertex });
+            }
+        }
+        Ok(front)
+    }
+
+    /// Lets it move until its time has come.
+    pub(super) fn run(mut self) -> Result<Swept, Failure> {
+        // What touches from the beginning: pinches, bridges to holes.
+        let everything: Vec<u32> = self.alive.clone();
+        self.handle(&[], &everything)?;
+        self.foresee(&self.alive.clone())?;
+        loop {
+            let next = self.next_event();
+            self.now = next.clamp(self.now, self.until);
+            let due = self.due();
+            if due.is_empty() {
+                return if self.now == self.until { self.finish() } else { Err(Failure::Tangled) };
+            }
+            let made = self.handle(&due, &[])?;
+            self.limits.make(made.len())?;
+            self.foresee(&made)?;
+        }
+    }
+
+    /// Where a vertex is at some time.
+    #[inline]
+    pub(super) fn at(&self, vertex: u32, time: f64) -> DVec2 {
+        let vertex = &self.vertices[vertex as usize];
+        vertex.from + vertex.velocity * (time - vertex.born)
+    }
+
+    /// A vertex between the edges on two lines that starts now at a node, not joined to others yet.
+    pub(super) fn vertex(&self, node: u32, before: u32, after: u32) -> Vertex {
+        let [a, b] = [before, after].map(|line| self.lines[line as usize]);
+        // The sum of the normals lies on the bisector; the nearer it is to nothing, the faster the vertex.
+        let sum = a.normal() + b.normal();
+        let velocity = if turn_back(&a, &b) { DVec2::ZERO } else { sum * (2.0 / sum.length_squared()) };
+        Vertex {
+            node,
+            from: self.nodes[node as usize],
+            born: self.now,
+            velocity,
+            before,
+            after,
+            last: NONE,
+            next: NONE,
+            alive: true,
+            reflex: a.along.perp_dot(b.along) <= crate::geometry::tol::STRAIGHT_EPSILON,
+            collapse: f64::INFINITY,
+            split: Split::NEVER,
+        }
+    }
+
+    pub(super) fn push(&mut self, vertex: Vertex) {
+        self.positions.push(vertex.from);
+        self.vertices.push(vertex);
+    }
+
+    /// Takes down where everything is at the end.
+    fn finish(mut self) -> Result<Swept, Failure> {
+        let mut end = vec![NONE; self.vertices.len()];
+        for &number in &self.alive {
+            let vertex = self.vertices[number as usize];
+            let at = self.at(number, self.now);
+            end[number as usize] = if vertex.born == self.now {
+                vertex.node
+            } else {
+                self.nodes.push(at);
+                self.nodes.len() as u32 - 1
+            };
+            self.arcs.path(vertex.node, end[number as usize], vertex.before, vertex.after);
+        }
+        for &number in &self.alive {
+            let vertex = &self.vertices[number as usize];
+            self.arcs.front(end[number as usize], end[vertex.next as usize], vertex.after);
+        }
+        let same = self.arcs.contracted(&self.nodes, self.given, self.epsilon);
+        end.iter_mut().filter(|end| **end != NONE).for_each(|end| *end = same[*end as usize]);
+        let left = self.loops(&end);
+        let swept = Swept { strips: self.arcs.strips(&same), left, points: std::mem::take(&mut self.nodes) };
+        if self.allows(&swept) { Ok(swept) } else { Err(Failure::Tangled) }
+    }
+
+    fn loops(&self, end: &[u32]) -> Vec<Vec<Left>> {
+        let mut seen = vec![false; self.vertices.len()];
+        let mut loops = Vec::new();
+        for &start in &self.alive {
+            let mut ring = Vec::new();
+            let mut at = start;
+            while !std::mem::replace(&mut seen[at as usize], true) {
+                let vertex = &self.vertices[at as usize];
+                if end[at as usize] != end[vertex.next as usize] {
+                    ring.push(Left { point: end[at as usize], edge: vertex.after });
+                }
+                at = vertex.next;
+            }
+            if 3 <= ring.len() {
+                loops.push(ring);
+            }
+        }
+        loops
+    }
+}

@@ -1,0 +1,78 @@
+//! Caps in an order that is the same on both sides of a cut.
+//!
+//! The cap on one side of a plane is the cap on the other side turned over: the same points, each loop the other way round,
+//! with its first edge first. One of the two is triangulated on both sides, so that both have the same triangles.
+
+use glam::DVec3;
+
+use crate::geometry::mesh::{Bounds, FaceRef};
+
+/// Corners of a cap, turned over on one of the two sides.
+#[derive(Default)]
+pub(super) struct Cap {
+    is_turned: bool,
+    corners: Vec<u32>,
+    pub(super) points: Vec<DVec3>,
+}
+
+impl Cap {
+    pub(super) fn read(&mut self, face: &FaceRef<'_>) {
+        self.is_turned = is_turned(face);
+        self.corners.clear();
+        for corners in face.loop_ranges() {
+            if self.is_turned {
+                // 1 0 n-1 … 2.
+                let second = corners.len().min(2);
+                let turned = (0..second).rev().chain((second..corners.len()).rev());
+                self.corners.extend(turned.map(|i| (corners.start + i) as u32));
+            } else {
+                self.corners.extend(corners.map(|corner| corner as u32));
+            }
+        }
+        self.points.clear();
+        self.points.extend(self.corners.iter().map(|&corner| face.position(corner as usize)));
+    }
+
+    /// The normal in the order of the corners, not of unit length. It is the same on both sides to the bit.
+    pub(super) fn normal(&self, loop_ends: &[u32]) -> DVec3 {
+        // As for other faces: products of very small or very large coordinates are taken at a size of about one.
+        const SMALL: f64 = 1e-250;
+        let sum = self.normal_at(loop_ends, 1.0);
+        let size = sum.abs().max_element();
+        if SMALL < size && size < f64::INFINITY {
+            return sum;
+        }
+        self.normal_at(loop_ends, Bounds::of(self.points.iter().copied()).scale_to_one())
+    }
+
+    fn normal_at(&self, loop_ends: &[u32], scale: f64) -> DVec3 {
+        let from = self.points[0] * scale;
+        let mut sum = DVec3::ZERO;
+        let mut start = 0;
+        for &end in loop_ends {
+            let ring = &self.points[start..end as usize];
+            let mut last = ring[ring.len() - 1] * scale - from;
+            for &point in ring {
+                let here = point * scale - from;
+                sum += last.cross(here);
+                last = here;
+            }
+            start = end as usize;
+        }
+        sum
+    }
+
+    /// A triangle of these corners as one of the mesh's corners.
+    pub(super) fn triangle(&self, [a, b, c]: [u32; 3]) -> [u32; 3] {
+        if self.is_turned { [a, c, b] } else { [a, b, c] }.map(|at| self.corners[at as usize])
+    }
+}
+
+/// Whether this cap is the turned one of the two. The order of the first two points that turning swaps decides.
+fn is_turned(face: &FaceRef<'_>) -> bool {
+    let outline = face.loop_ranges().next().unwrap_or(0..0);
+    let count = outline.len();
+    let at = |i: usize| face.position(outline.start + i % count).to_array();
+    let mut pairs = (1..count).map(|i| (at(i), at(count + 1 - i)));
+    pairs.find(|(a, b)| a != b).is_some_and(|(a, b)| a < b)
+}

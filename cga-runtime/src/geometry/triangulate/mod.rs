@@ -1,0 +1,211 @@
+//! Polygons with holes into triangles.
+//!
+//! Triangles use the corners of the polygon and nothing else, run the same way round, and together have its outline as
+//! their rim: each edge of each loop belongs to exactly one triangle, collinear corners included, so a closed mesh gives
+//! closed triangles. Of `n` corners and `h` holes there are `n + 2h − 2`, unless loops touch.
+//!
+//! Convex polygons are fans, the rest is swept (`sweep.rs`), in time that grows as the corners times their logarithm.
+//! Triangles that the sweep turns over, where loops cross, are repaired where the loops allow it (`unfold.rs`). Where no
+//! triangulation is right, what comes out still has every edge of the loops once, and the signed area. Nothing here panics;
+//! the same input gives the same triangles.
+
+mod cap;
+mod convex;
+mod sweep;
+mod unfold;
+
+use glam::{DVec2, DVec3};
+
+use crate::geometry::mesh::Mesh;
+use crate::geometry::tol::TOUCH_EPSILON;
+use cap::Cap;
+use sweep::Sweep;
+use unfold::Unfold;
+
+/// Which two coordinates to keep to lay a face flat, so that counter-clockwise stays so. Dropping a coordinate moves
+/// nothing, so points that are exactly on a line stay on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Projection {
+    u: usize,
+    v: usize,
+}
+
+impl Projection {
+    /// Drops the coordinate in which the normal is longest.
+    pub(crate) fn along(normal: DVec3) -> Self {
+        let size = normal.abs();
+        let axis = if size.x >= size.y && size.x >= size.z {
+            0
+        } else if size.y >= size.z {
+            1
+        } else {
+            2
+        };
+        Projection::without(axis, normal)
+    }
+
+    /// Keeps a coordinate, unless next to nothing of the face would be left of it: drops that of the other two in which the
+    /// normal is longer.
+    pub(crate) fn keeping(kept: usize, normal: DVec3) -> Self {
+        const LEAST: f64 = 0.25;
+        let (u, v) = ((kept + 1) % 3, (kept + 2) % 3);
+        let axis = if normal[u].abs() >= normal[v].abs() { u } else { v };
+        if normal[axis].abs() < LEAST * normal[kept].abs() {
+            return Projection::along(normal);
+        }
+        Projection::without(axis, normal)
+    }
+
+    fn without(axis: usize, normal: DVec3) -> Self {
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        if normal[axis] < 0.0 { Projection { u: v, v: u } } else { Projection { u, v } }
+    }
+
+    #[inline]
+    pub(crate) fn apply(self, p: DVec3) -> DVec2 {
+        DVec2::new(p[self.u], p[self.v])
+    }
+}
+
+/// Triangulates faces; keeps its buffers from one to the next.
+#[derive(Default)]
+pub struct Triangulator {
+    flat: Vec<DVec2>,
+    ends: Vec<u32>,
+    cap: Cap,
+    sweep: Sweep,
+    unfold: Unfold,
+}
+
+impl std::fmt::Debug for Triangulator {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Triangulator").finish_non_exhaustive()
+    }
+}
+
+impl Triangulator {
+    /// With empty buffers.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Appends the triangles of a face as positions in [`Mesh::corners`] (and so in its texture coordinates and normals).
+    ///
+    /// The caps of both sides of a cut have the same triangles, turned over.
+    pub fn face(&mut self, mesh: &Mesh, face: usize, out: &mut Vec<[u32; 3]>) {
+        let face = mesh.face(face);
+        let range = face.corner_range();
+        let start = range.start as u32;
+        if range.len() == 3 {
+            out.push([start, start + 1, start + 2]);
+            return;
+        }
+        let mut flat = std::mem::take(&mut self.flat);
+        let mut ends = std::mem::take(&mut self.ends);
+        flat.clear();
+        ends.clear();
+        ends.extend(face.loop_ranges().map(|l| (l.end - range.start) as u32));
+        let from = out.len();
+        if face.tag().cap {
+            let mut cap = std::mem::take(&mut self.cap);
+            cap.read(&face);
+            let projection = Projection::along(cap.normal(&ends));
+            flat.extend(cap.points.iter().map(|&point| projection.apply(point)));
+            self.polygon(&flat, &ends, out);
+            out[from..].iter_mut().for_each(|t| *t = cap.triangle(*t));
+            self.cap = cap;
+        } else {
+            let projection = Projection::along(face.normal());
+            flat.extend(range.clone().map(|c| projection.apply(face.position(c))));
+            self.polygon(&flat, &ends, out);
+            out[from..].iter_mut().flatten().for_each(|c| *c += start);
+        }
+        if range.len() > 4 {
+            // Where loops touch, triangles without area join corners that are the same point.
+            let point = |c: u32| mesh.corners[c as usize];
+            let mut kept = from;
+            for i in from..out.len() {
+                let [a, b, c] = out[i].map(point);
+                if a != b && b != c && c != a {
+                    out[kept] = out[i];
+                    kept += 1;
+                }
+            }
+            out.truncate(kept);
+        }
+        (self.flat, self.ends) = (flat, ends);
+    }
+
+    /// Appends the triangles of a polygon as indices of its points: loop after loop, the outline counter-clockwise, holes
+    /// clockwise; `loop_ends` says where each loop ends. Nothing comes out when a coordinate is not finite.
+    pub fn polygon(&mut self, points: &[DVec2], loop_ends: &[u32], out: &mut Vec<[u32; 3]>) {
+        let count = points.len();
+        let rises = loop_ends.windows(2).all(|w| w[0] <= w[1]);
+        if !rises || loop_ends.last().copied() != Some(count as u32) || count < 3 {
+            return;
+        }
+        if !points.iter().all(|p| p.is_finite()) {
+            return;
+        }
+        if loop_ends.len() == 1 && convex::fan(points, out) {
+            return;
+        }
+        let from = out.len();
+        self.sweep.triangulate(points, loop_ends, 0.0, out);
+        let folded = turned_over(points, &out[from..]);
+        if 0.0 < folded {
+            self.repair(points, loop_ends, folded, from, out);
+        }
+    }
+
+    /// Reduces the area of triangles that are turned over.
+    #[cold]
+    fn repair(&mut self, points: &[DVec2], loop_ends: &[u32], folded: f64, from: usize, out: &mut Vec<[u32; 3]>) {
+        let high = points.iter().fold(points[0], |m, &p| m.max(p));
+        let low = points.iter().fold(points[0], |m, &p| m.min(p));
+        let extent = (high - low).max_element();
+        if TOUCH_EPSILON * extent * extent < folded {
+            self.once_more(points, loop_ends, TOUCH_EPSILON * extent, folded, from, out);
+        }
+        self.unfold.repair(points, loop_ends.len(), out, from);
+    }
+
+    /// Loops that cross by rounding were meant to touch: some slack, or another direction, may make less of it.
+    fn once_more(
+        &mut self,
+        points: &[DVec2],
+        loop_ends: &[u32],
+        slack: f64,
+        mut folded: f64,
+        from: usize,
+        out: &mut Vec<[u32; 3]>,
+    ) {
+        let turned: Vec<DVec2> = points.iter().map(|p| p.perp()).collect();
+        let mut found = Vec::new();
+        for (points, slack) in [(points, slack), (&turned, slack), (&turned, 0.0)] {
+            found.clear();
+            self.sweep.triangulate(points, loop_ends, slack, &mut found);
+            let now = turned_over(points, &found);
+            if now < folded {
+                folded = now;
+                out.truncate(from);
+                out.extend_from_slice(&found);
+            }
+            if folded <= slack * slack {
+                return;
+            }
+        }
+    }
+}
+
+/// Twice the area of the triangles that run the wrong way.
+fn turned_over(points: &[DVec2], triangles: &[[u32; 3]]) -> f64 {
+    let area = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|i| points[i as usize]);
+        (b - a).perp_dot(c - a)
+    };
+    triangles.iter().map(area).filter(|area| *area < 0.0).sum::<f64>().abs()
+}
+
+#[cfg(test)]
+mod tests;

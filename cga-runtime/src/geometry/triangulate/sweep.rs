@@ -1,0 +1,291 @@
+//! Polygons with holes into triangles by one sweep from bottom to top.
+//!
+//! The inside of the polygon on the sweep line is a row of *regions*, each between a left edge, which the loop runs down,
+//! and a right edge, which it runs up. Below the line each region is triangulated but for a *chain* of points that leads
+//! from the lower end of its left edge to that of its right edge. A point on one of the two edges cuts off from that end
+//! of the chain all triangles it sees and becomes the new end. A point with both edges above it starts a region or splits
+//! one, at the point of the chain that came last; a point with both edges below it ends a region or merges two.
+//!
+//! Triangles are cut off a chain and nothing else, so whatever the geometry each edge of each loop is in one triangle
+//! (less those that run back and forth): geometry only chooses among the ways to do so. Comparisons are exact. Without
+//! crossings no triangle is turned over; collinear corners are kept and make no triangle without area, unless all is flat.
+
+mod begin;
+mod status;
+
+use std::cmp::Ordering;
+
+use glam::DVec2;
+
+use crate::geometry::exact::orient;
+use status::Status;
+
+const NONE: u32 = u32::MAX;
+
+/// A part of the sweep line that is inside.
+#[derive(Clone, Copy)]
+struct Region {
+    /// Edges are named by the corner they leave: the left edge by its upper, the right one by its lower end.
+    left: u32,
+    right: u32,
+    /// Ends of its chain, and the link that came last.
+    left_end: u32,
+    right_end: u32,
+    latest: u32,
+}
+
+/// A point of a chain.
+#[derive(Clone, Copy)]
+struct Link {
+    corner: u32,
+    prev: u32,
+    next: u32,
+}
+
+/// A corner in the order of the sweep.
+#[derive(Clone, Copy)]
+struct Event {
+    y: f64,
+    x: f64,
+    corner: u32,
+}
+
+/// Buffers, kept from one polygon to the next.
+#[derive(Default)]
+pub(super) struct Sweep {
+    next: Vec<u32>,
+    prev: Vec<u32>,
+    order: Vec<Event>,
+    /// For each corner the region its edge bounds.
+    region: Vec<u32>,
+    regions: Vec<Region>,
+    /// Regions from left to right.
+    status: Status,
+    links: Vec<Link>,
+    /// By how much a triangle may be turned over, and a hole begin outside.
+    slack: f64,
+}
+
+impl Sweep {
+    /// Appends the triangles of a polygon. Where its loops cross by rounding, one that is turned over by less than `slack`
+    /// may have to be cut off before it spoils a large one.
+    pub(super) fn triangulate(&mut self, points: &[DVec2], loop_ends: &[u32], slack: f64, out: &mut Vec<[u32; 3]>) {
+        self.slack = slack;
+        self.start(points, loop_ends, out);
+        let order = std::mem::take(&mut self.order);
+        for event in &order {
+            self.meet(points, event.corner, out);
+        }
+        self.order = order;
+    }
+
+    /// Links the corners of the loops and sorts them.
+    fn start(&mut self, points: &[DVec2], loop_ends: &[u32], out: &mut Vec<[u32; 3]>) {
+        let count = points.len();
+        self.next.clear();
+        self.next.extend(1..=count as u32);
+        self.prev.clear();
+        self.prev.extend((0..count as u32).map(|i| i.wrapping_sub(1)));
+        self.order.clear();
+        self.region.clear();
+        self.region.resize(count, NONE);
+        self.regions.clear();
+        self.status.clear();
+        self.links.clear();
+        let mut first = 0;
+        for &end in loop_ends {
+            if first < end {
+                self.next[end as usize - 1] = first;
+                self.prev[first as usize] = end - 1;
+                self.close_gaps(points, first, end, out);
+            }
+            first = end;
+        }
+        // Loops go up and down in runs, which this sort merges. At one place, points that begin edges come last: edges that end
+        // there are gone by then.
+        let late = |corner: u32| {
+            let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
+            below(points, corner, a) && below(points, corner, b)
+        };
+        self.order.sort_by(|a, b| {
+            let order = if a.y != b.y { a.y < b.y } else { a.x < b.x };
+            if a.y == b.y && a.x == b.x {
+                (late(a.corner), a.corner).cmp(&(late(b.corner), b.corner))
+            } else if order {
+                Ordering::Less
+            } else {
+                Ordering::Greater
+            }
+        });
+    }
+
+    /// Cuts off corners at the same place as the one before them, with triangles without area, and takes the rest of the
+    /// loop into the order.
+    fn close_gaps(&mut self, points: &[DVec2], first: u32, end: u32, out: &mut Vec<[u32; 3]>) {
+        let mut left = end - first;
+        for corner in first..end {
+            let (before, after) = (self.prev[corner as usize], self.next[corner as usize]);
+            if points[before as usize] == points[corner as usize] && left > 2 {
+                out.push([before, corner, after]);
+                self.next[before as usize] = after;
+                self.prev[after as usize] = before;
+                self.next[corner as usize] = NONE;
+                left -= 1;
+            }
+        }
+        if left > 2 {
+            let kept = (first..end).filter(|&corner| self.next[corner as usize] != NONE);
+            self.order.extend(kept.map(|corner| {
+                let DVec2 { x, y } = points[corner as usize];
+                Event { y, x, corner }
+            }));
+        }
+    }
+
+    /// The sweep line reaches a corner.
+    fn meet(&mut self, points: &[DVec2], corner: u32, out: &mut Vec<[u32; 3]>) {
+        let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
+        match (below(points, a, corner), below(points, b, corner)) {
+            (true, false) => {
+                // Up the right edge.
+                let region = self.region[a as usize];
+                self.attach_right(points, region, corner, out);
+                self.set_right(region, corner);
+            }
+            (false, true) => {
+                // Down the left edge, which the sweep climbs.
+                let region = self.region[corner as usize];
+                self.attach_left(points, region, corner, out);
+                self.set_left(region, a);
+                self.status.set_edge(region, [corner, a].map(|c| points[c as usize]));
+            }
+            (false, false) => self.begin(points, corner, out),
+            (true, true) => {
+                let (left, right) = (self.region[a as usize], self.region[corner as usize]);
+                if left == right {
+                    self.end(left, corner, out);
+                    self.status.remove(left);
+                } else {
+                    self.merge(points, left, right, corner, out);
+                }
+            }
+        }
+    }
+
+    fn link(&mut self, corner: u32, prev: u32, next: u32) -> u32 {
+        let link = self.links.len() as u32;
+        self.links.push(Link { corner, prev, next });
+        if prev != NONE {
+            self.links[prev as usize].next = link;
+        }
+        if next != NONE {
+            self.links[next as usize].prev = link;
+        }
+        link
+    }
+
+    fn set_left(&mut self, region: u32, edge: u32) {
+        self.regions[region as usize].left = edge;
+        self.region[edge as usize] = region;
+    }
+
+    fn set_right(&mut self, region: u32, edge: u32) {
+        self.regions[region as usize].right = edge;
+        self.region[edge as usize] = region;
+    }
+
+    /// Cuts off what a corner sees from the left end of a chain, and puts it there.
+    fn attach_left(&mut self, points: &[DVec2], region: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
+        let mut at = self.regions[region as usize].left_end;
+        loop {
+            let Link { corner: here, next, .. } = self.links[at as usize];
+            if next == NONE {
+                break;
+            }
+            let then = self.links[next as usize].corner;
+            if !self.sees(points, [here, then], corner, then) {
+                break;
+            }
+            out.push([here, then, corner]);
+            at = next;
+        }
+        let link = self.link(corner, NONE, at);
+        let region = &mut self.regions[region as usize];
+        region.left_end = link;
+        region.latest = link;
+    }
+
+    /// The same from the right end.
+    fn attach_right(&mut self, points: &[DVec2], region: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
+        let mut at = self.regions[region as usize].right_end;
+        loop {
+            let Link { corner: here, prev, .. } = self.links[at as usize];
+            if prev == NONE {
+                break;
+            }
+            let then = self.links[prev as usize].corner;
+            if !self.sees(points, [then, here], corner, then) {
+                break;
+            }
+            out.push([then, here, corner]);
+            at = prev;
+        }
+        let link = self.link(corner, at, NONE);
+        let region = &mut self.regions[region as usize];
+        region.right_end = link;
+        region.latest = link;
+    }
+
+    /// Whether a corner above sees an edge of a chain, whose end `far` is not at the corner's side. An edge without length
+    /// hides nothing, nor does one that ends where the corner is.
+    #[inline]
+    fn sees(&self, points: &[DVec2], edge: [u32; 2], corner: u32, far: u32) -> bool {
+        let [l, r, p] = [edge[0], edge[1], corner].map(|c| points[c as usize]);
+        if orient(l, r, p) > 0 || l == r || points[far as usize] == p {
+            return true;
+        }
+        let longest = (r - l).length().max((p - l).length()).max((p - r).length());
+        0.0 < self.slack && -(r - l).perp_dot(p - l) <= self.slack * longest
+    }
+
+    /// Both edges of a region end: all that is left of its chain is a fan.
+    fn end(&mut self, region: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
+        let mut at = self.regions[region as usize].left_end;
+        loop {
+            let Link { corner: here, next, .. } = self.links[at as usize];
+            if next == NONE {
+                return;
+            }
+            out.push([here, self.links[next as usize].corner, corner]);
+            at = next;
+        }
+    }
+
+    /// The right edge of one region meets the left edge of another.
+    fn merge(&mut self, points: &[DVec2], left: u32, right: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
+        self.attach_right(points, left, corner, out);
+        self.attach_left(points, right, corner, out);
+        let (l, r) = (self.regions[left as usize], self.regions[right as usize]);
+        // The corner ends one chain and starts the other: one link is enough.
+        let next = self.links[r.left_end as usize].next;
+        self.links[l.right_end as usize].next = next;
+        let right_end = if next == NONE {
+            l.right_end
+        } else {
+            self.links[next as usize].prev = l.right_end;
+            r.right_end
+        };
+        let merged = &mut self.regions[left as usize];
+        merged.right_end = right_end;
+        merged.latest = l.right_end;
+        self.set_right(left, r.right);
+        self.status.remove(right);
+    }
+}
+
+/// The order of the sweep: up, and to the right where that is equal.
+#[inline]
+fn below(points: &[DVec2], a: u32, b: u32) -> bool {
+    let (p, q) = (points[a as usize], points[b as usize]);
+    p.y < q.y || (p.y == q.y && p.x < q.x)
+}

@@ -1,0 +1,110 @@
+//! Edges and points without faces: what comps into edges and vertices make of several at once.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use crate::geometry::Frame;
+use crate::geometry::mesh::unit;
+
+/// Edges between points, or points alone.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Wire {
+    pub(crate) points: Vec<DVec3>,
+    /// Each from point to point.
+    pub(crate) edges: Vec<[u32; 2]>,
+    /// Where each edge looks, or each point when there are no edges; of length 1, or zero where nothing says.
+    pub(crate) normals: Vec<DVec3>,
+}
+
+impl Wire {
+    /// A line along x from the origin, that looks along z.
+    pub(crate) fn edge(length: f64) -> Self {
+        Wire { points: vec![DVec3::ZERO, DVec3::X * length], edges: vec![[0, 1]], normals: vec![DVec3::Z] }
+    }
+
+    /// A point at the origin, that looks along z.
+    pub(crate) fn point() -> Self {
+        Wire { points: vec![DVec3::ZERO], edges: Vec::new(), normals: vec![DVec3::Z] }
+    }
+
+    /// The same, seen from a frame.
+    pub(crate) fn seen_from(mut self, frame: &Frame) -> Self {
+        let turn = frame.axes.transpose();
+        self.points.iter_mut().for_each(|point| *point = frame.to_local(*point));
+        self.normals.iter_mut().for_each(|normal| *normal = turn * *normal);
+        self
+    }
+
+    /// The same, stretched along the axes, negative factors mirroring it, and moved.
+    pub(crate) fn stretched(&self, stretch: DVec3, by: DVec3) -> Self {
+        let mut moved = self.clone();
+        moved.points.iter_mut().for_each(|point| *point = *point * stretch + by);
+        // What is across stays so.
+        let squeeze = DVec3::select(stretch.cmpeq(DVec3::ZERO), DVec3::ONE, stretch.recip());
+        moved.normals.iter_mut().for_each(|normal| *normal = unit(*normal * squeeze));
+        moved
+    }
+
+    /// What is between two places along a direction, edges cut off there. What lies across at a place is below it. Points that
+    /// edges share they share in the part too (*CGA changelog, SDK 3.3.11351*).
+    pub(crate) fn between(&self, along: DVec3, low: f64, high: f64) -> Wire {
+        let mut part = Wire::default();
+        let mut numbers = HashMap::new();
+        for (edge, &normal) in (0..self.edges.len()).zip(&self.normals) {
+            let [a, b] = self.ends(edge);
+            let (from, to) = (a.dot(along), b.dot(along));
+            if from.max(to) <= low || high < from.min(to) || (high == from.min(to) && from != to) {
+                continue;
+            }
+            let [first, last] = self.edges[edge];
+            // Edges between the same points are cut at one point, whichever way they run.
+            let (min, max) = (first.min(last), first.max(last));
+            let [start, end] = [min, max].map(|point| self.points[point as usize]);
+            let own = start.dot(along);
+            let mut number = |point: u32, place: f64| {
+                let inside = place.clamp(low, high);
+                let (key, found) = match inside == place {
+                    true => (End::Point(point), self.points[point as usize]),
+                    false if inside == low => {
+                        (End::Low(min, max), cut_at(start, end, (low - own) / (end.dot(along) - own)))
+                    }
+                    false => (End::High(min, max), cut_at(start, end, (high - own) / (end.dot(along) - own))),
+                };
+                *numbers.entry(key).or_insert_with(|| {
+                    part.points.push(found);
+                    part.points.len() as u32 - 1
+                })
+            };
+            let cut = [number(first, from), number(last, to)];
+            part.edges.push(cut);
+            part.normals.push(normal);
+        }
+        if self.edges.is_empty() {
+            for (&point, &normal) in self.points.iter().zip(&self.normals) {
+                if low < point.dot(along) && point.dot(along) <= high {
+                    part.points.push(point);
+                    part.normals.push(normal);
+                }
+            }
+        }
+        part
+    }
+
+    /// Where an edge starts and ends.
+    pub(crate) fn ends(&self, edge: usize) -> [DVec3; 2] {
+        self.edges[edge].map(|point| self.points[point as usize])
+    }
+}
+
+/// An end of an edge of a part: a point of the wire, or the cut of the edge between two points.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum End {
+    Point(u32),
+    Low(u32, u32),
+    High(u32, u32),
+}
+
+fn cut_at(start: DVec3, end: DVec3, share: f64) -> DVec3 {
+    start + (end - start) * share
+}

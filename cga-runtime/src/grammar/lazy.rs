@@ -1,0 +1,97 @@
+//! Attributes and constants on a cycle of declarations: each is computed when it is first read, so that conditions may keep a
+//! run from closing the cycle (*attribute*, *const*).
+
+use std::cell::{Cell, OnceCell};
+
+use super::support::global;
+use crate::op::set;
+use crate::run::env::Env;
+use crate::shape::Shape;
+
+/// A value that is computed when it is first read.
+#[derive(Clone, Debug)]
+pub struct Lazy<T> {
+    value: OnceCell<T>,
+    /// Whether it is being computed: a read then closes the cycle.
+    is_open: Cell<bool>,
+}
+
+impl<T> Default for Lazy<T> {
+    fn default() -> Self {
+        Lazy { value: OnceCell::new(), is_open: Cell::new(false) }
+    }
+}
+
+impl<T> Lazy<T> {
+    /// A value that is known.
+    pub fn known(value: T) -> Self {
+        Lazy { value: OnceCell::from(value), ..Lazy::default() }
+    }
+
+    /// The value that the host program gave, if it gave one.
+    pub fn given(value: Option<T>) -> Self {
+        value.map_or_else(Lazy::default, Lazy::known)
+    }
+}
+
+impl<T: Clone + Default> Lazy<T> {
+    /// The value. The first read computes it and needs so many bytes of the stack for functions. Where the computation reads
+    /// the value itself the run ends with an error that names the cycle, and where the stack ends with that of a limit.
+    #[inline]
+    pub fn get(&self, env: &mut Env, name: &'static str, stack: u32, compute: impl FnOnce(&mut Env) -> T) -> T {
+        match self.value.get() {
+            Some(value) => value.clone(),
+            None => self.first(env, name, stack, compute),
+        }
+    }
+
+    #[cold]
+    fn first(&self, env: &mut Env, name: &'static str, stack: u32, compute: impl FnOnce(&mut Env) -> T) -> T {
+        if self.is_open.get() {
+            env.close_cycle(name);
+            return T::default();
+        }
+        if !env.call(stack) {
+            return T::default();
+        }
+        self.is_open.set(true);
+        env.open.push(name);
+        let value = compute(env);
+        env.open.pop();
+        self.is_open.set(false);
+        env.called(stack);
+        self.value.get_or_init(|| value).clone()
+    }
+}
+
+/// Marks a place where a value is computed that others read.
+pub fn computed<T>(_value: T) {}
+
+/// The shape on which such values are computed: the initial shape, or the one on which an import starts anew.
+#[derive(Clone, Debug)]
+pub struct Origin(Shape);
+
+impl Default for Origin {
+    fn default() -> Self {
+        Origin(Shape::point([0.0; 3]))
+    }
+}
+
+impl Origin {
+    /// The initial shape.
+    pub fn initial(shape: &Shape) -> Self {
+        Origin(shape.clone())
+    }
+
+    /// A shape on which an import starts anew, without the values that it has of these attributes and constants.
+    pub fn anew(shape: &Shape, numbers: &[u32]) -> Self {
+        let mut own = shape.clone();
+        set::forget(&mut own, numbers);
+        Origin(own)
+    }
+
+    /// The shape with the random stream of one attribute or constant.
+    pub fn global(&self, number: u32) -> Shape {
+        global(&self.0, number)
+    }
+}

@@ -1,0 +1,165 @@
+//! Many initial shapes at once.
+//!
+//! The shapes are divided into *stretches*: neighbours in the list, with a sink of their own. With the feature `rayon` several
+//! threads derive stretches at the same time, each with a session of its own; without it, and where there are no threads, the
+//! same functions derive them one after the other. The number of shapes alone decides where stretches end. So the results
+//! never depend on the number of threads: they are the bytes that a loop over the shapes gives.
+//!
+//! The sinks are kept apart, in order ([`Parts`]): nothing is joined by copying. Reports are merged shape by shape. The first
+//! error in the order of the shapes is the error of the whole, and nothing after it counts. The same holds for a sink that
+//! ends its run: parts up to there are kept, and later ones are dropped, even those that are complete.
+//!
+//! Threads take stretches in order, so a program that streams its parts gets them almost in order.
+
+mod order;
+mod stretch;
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+pub use crate::output::parts::{Part, Parts, ShapeError};
+pub use stretch::Stretch;
+
+use self::order::in_order;
+use self::stretch::{Done, End, derive_stretch};
+use crate::grammar::Grammar;
+use crate::grammar::session::{Session, Setup};
+use crate::output::model::Model;
+use crate::run::derive::{self, Outcome};
+use crate::run::report::Report;
+use crate::run::rules::Rules;
+use crate::run::settings::Settings;
+use crate::run::sink::Sink;
+use crate::shape::Shape;
+
+/// Runs a grammar on all shapes, with a sink for each stretch. Each sink is [finished](Sink::finish) after its last shape.
+///
+/// # Errors
+/// An error that does not depend on a shape, else the first one in the order of the shapes.
+pub fn run_all<G: Rules + Sync, S: Sink + Send>(
+    grammar: &G,
+    shapes: &[Shape],
+    settings: &Settings,
+    sink: impl Fn(&Stretch) -> S + Sync,
+) -> Result<Parts<S>, ShapeError> {
+    let setup = Setup::new(grammar, Cow::Owned(quiet(settings)))?;
+    let run = |session: &mut Session<'_, G>, shape: &Shape, sink: &mut S| session.outcome(shape, sink);
+    Crew { shapes, settings, first: setup.session(), again: || Some(setup.session()) }.run_all(sink, run)
+}
+
+/// The same for a grammar that is chosen at run time.
+///
+/// # Errors
+/// As [`run_all`].
+pub fn derive_all<G: Grammar + Sync + ?Sized, S: Sink + Send>(
+    grammar: &G,
+    shapes: &[Shape],
+    settings: &Settings,
+    sink: impl Fn(&Stretch) -> S + Sync,
+) -> Result<Parts<S>, ShapeError> {
+    let quiet = quiet(settings);
+    let first = grammar.session(&quiet)?;
+    let again = || grammar.session(&quiet).ok();
+    Crew { shapes, settings, first, again }.run_all(sink, |session, shape, sink| match session.run(shape, sink) {
+        Ok(report) => Outcome { report, error: None },
+        Err(error) => Outcome { report: Report::default(), error: Some(error) },
+    })
+}
+
+/// Runs a grammar on all shapes and collects a model of each. A model is the one that the shape gives alone, its
+/// report included.
+///
+/// # Errors
+/// As [`run_all`].
+pub fn generate_all<G: Rules + Sync>(
+    grammar: &G,
+    shapes: &[Shape],
+    settings: &Settings,
+) -> Result<Parts<Model>, ShapeError> {
+    let setup = Setup::new(grammar, Cow::Owned(quiet(settings)))?;
+    let job = |session: &mut Session<'_, G>, stretch: &Stretch, ended: &dyn Fn() -> bool| {
+        let mut models = Vec::with_capacity(stretch.shapes.len());
+        let done = derive_stretch(shapes, stretch, ended, |shape| {
+            let mut model = Model::new();
+            let outcome = session.outcome(shape, &mut model);
+            models.push(model.with_report(outcome.report.clone()).with_assets(settings.assets.clone()));
+            outcome
+        });
+        done.with(models)
+    };
+    let put = |parts: &mut Vec<Part<Model>>, shapes: Range<usize>, models: Vec<Model>| {
+        parts.extend(shapes.zip(models).map(|(at, model)| Part { shapes: at..at + 1, sink: model }));
+    };
+    Crew { shapes, settings, first: setup.session(), again: || Some(setup.session()) }.work(job, put)
+}
+
+/// Settings of the runs: lines are echoed when the shapes before are through.
+fn quiet(settings: &Settings) -> Settings {
+    Settings { echo: false, ..settings.clone() }
+}
+
+/// The workers: sessions of the grammar.
+struct Crew<'a, W, A> {
+    shapes: &'a [Shape],
+    settings: &'a Settings,
+    first: W,
+    again: A,
+}
+
+impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
+    /// With a sink for each stretch.
+    fn run_all<S: Sink + Send>(
+        self,
+        sink: impl Fn(&Stretch) -> S + Sync,
+        run: impl Fn(&mut W, &Shape, &mut S) -> Outcome + Sync,
+    ) -> Result<Parts<S>, ShapeError> {
+        let shapes = self.shapes;
+        let job = |worker: &mut W, stretch: &Stretch, ended: &dyn Fn() -> bool| {
+            let mut sink = sink(stretch);
+            let mut done = derive_stretch(shapes, stretch, ended, |shape| run(worker, shape, &mut sink));
+            let failed = matches!(done.end, Some(End::Failed(..)));
+            if !failed && !ended() && sink.finish().is_break() {
+                done.end.get_or_insert(End::Stopped);
+            }
+            done.with(sink)
+        };
+        self.work(job, |parts, shapes, sink| parts.push(Part { shapes, sink }))
+    }
+
+    /// Derives all stretches; `put` adds the output of one to the parts, in order.
+    fn work<S, T: Send>(
+        self,
+        job: impl Fn(&mut W, &Stretch, &dyn Fn() -> bool) -> Done<T> + Sync,
+        put: impl Fn(&mut Vec<Part<S>>, Range<usize>, T) + Sync,
+    ) -> Result<Parts<S>, ShapeError>
+    where
+        S: Send,
+    {
+        let Crew { shapes, settings, first, again } = self;
+        let count = shapes.len();
+        let mut parts = Parts { parts: Vec::new(), report: Report::default() };
+        let mut failed = None;
+        let job = |worker: &mut W, number: usize, ended: &dyn Fn() -> bool| {
+            let done = job(worker, &Stretch::of(number, count), ended);
+            let ends = done.end.is_some();
+            (done, ends)
+        };
+        in_order(Stretch::count(count), first, again, job, |done: Done<T>| {
+            let Done { output, shapes, reports, counts, end } = done;
+            for report in reports {
+                if settings.echo {
+                    derive::echo(report.prints());
+                }
+                parts.report.merge(report, &settings.limits);
+            }
+            parts.report.merge(counts, &settings.limits);
+            match end {
+                Some(End::Failed(at, error)) => failed = Some(ShapeError { shape: Some(at), error }),
+                Some(End::Stopped) => parts.report.stopped = true,
+                None => {}
+            }
+            put(&mut parts.parts, shapes, output);
+        });
+        failed.map_or(Ok(parts), Err)
+    }
+}

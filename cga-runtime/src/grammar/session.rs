@@ -1,0 +1,156 @@
+//! Several runs of one grammar with the same settings.
+//!
+//! A [`Session`] checks the attributes and finds the start rule once, and keeps what runs can share. Runs of one session make
+//! the same as runs of their own. A session belongs to one thread; runs in parallel have one each, see
+//! [`parallel`](crate::grammar::parallel).
+
+use std::borrow::Cow;
+use std::fmt;
+
+use crate::fault::Error;
+use crate::grammar::Grammar;
+use crate::output::model::Model;
+use crate::run::derive::{self, Kept, Outcome, Start};
+use crate::run::report::Report;
+use crate::run::rules::Rules;
+use crate::run::settings::Settings;
+use crate::run::sink::Sink;
+use crate::shape::Shape;
+
+/// Several runs of one grammar with the same settings. Made by `grammar.session(&settings)`.
+pub struct Session<'g, G: Rules> {
+    setup: Setup<'g, G>,
+    kept: Kept<G::Call>,
+}
+
+impl<G: Rules> fmt::Debug for Session<'_, G> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Session").field("settings", self.settings()).finish_non_exhaustive()
+    }
+}
+
+/// The decisions before the first run. Unlike a session it can be shared by threads.
+#[derive(Debug)]
+pub(crate) struct Setup<'g, G> {
+    grammar: &'g G,
+    /// Borrowed by sessions that end before their caller does.
+    settings: Cow<'g, Settings>,
+    start: Start,
+}
+
+impl<'g, G: Rules> Setup<'g, G> {
+    /// Checks the attributes and finds the start rule.
+    pub(crate) fn new(grammar: &'g G, settings: Cow<'g, Settings>) -> Result<Self, Error> {
+        grammar.check()?;
+        let start = derive::start_rule::<G>(settings.start.as_deref())?;
+        Ok(Setup { grammar, settings, start })
+    }
+
+    /// Opens a session.
+    pub(crate) fn session(&self) -> Session<'g, G> {
+        let Setup { grammar, start, ref settings } = *self;
+        Session { setup: Setup { grammar, settings: settings.clone(), start }, kept: Kept::default() }
+    }
+}
+
+impl<'g, G: Rules> Session<'g, G> {
+    /// Opens a session. Generated grammars have the method `session`, which is the same.
+    ///
+    /// # Errors
+    /// [`Error::Attribute`] and [`Error::StartRule`]: what does not depend on the initial shape is found here.
+    pub fn new(grammar: &'g G, settings: &Settings) -> Result<Self, Error> {
+        Ok(Session { setup: Setup::new(grammar, Cow::Owned(settings.clone()))?, kept: Kept::default() })
+    }
+
+    /// The settings of all runs.
+    pub fn settings(&self) -> &Settings {
+        &self.setup.settings
+    }
+
+    /// Runs on a shape and hands the leaves to a sink. The sink is not [finished](Sink::finish): more runs may follow.
+    ///
+    /// # Errors
+    /// [`Error::Shape`], [`Error::Limit`], [`Error::Cycle`]. The session can be used again after an error.
+    pub fn run<S: Sink + ?Sized>(&mut self, shape: &Shape, sink: &mut S) -> Result<Report, Error> {
+        let outcome = self.outcome(shape, &mut { sink });
+        if self.setup.settings.echo {
+            derive::echo(&outcome.report.prints);
+        }
+        outcome.error.map_or(Ok(outcome.report), Err)
+    }
+
+    /// Runs on a shape and collects a model.
+    ///
+    /// # Errors
+    /// As [`run`](Session::run).
+    pub fn generate(&mut self, shape: &Shape) -> Result<Model, Error> {
+        let mut model = Model::new();
+        let report = self.run(shape, &mut model)?;
+        Ok(model.with_report(report).with_assets(self.setup.settings.assets.clone()))
+    }
+
+    /// Runs on a shape, without echo.
+    pub(crate) fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Outcome {
+        let Setup { grammar, settings, start } = &self.setup;
+        if settings.watch.as_ref().is_some_and(|watch| watch.is_stopped()) {
+            return Outcome { report: Report { stopped: true, ..Report::default() }, error: None };
+        }
+        if let Err(error) = shape.check_initial() {
+            return Outcome { error: Some(error), ..Outcome::default() };
+        }
+        derive::run(*grammar, *start, shape, settings, &mut self.kept, sink)
+    }
+}
+
+/// A session of a grammar that is chosen at run time. Made by [`Grammar::session`].
+pub trait DynSession {
+    /// Runs on a shape and hands the leaves to a sink; see [`Session::run`].
+    ///
+    /// # Errors
+    /// See [`Error`].
+    fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error>;
+}
+
+impl<G: Rules> DynSession for Session<'_, G> {
+    fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
+        Session::run(self, shape, sink)
+    }
+}
+
+/// A session of a grammar that only has `derive`.
+pub(crate) struct Plain<'g, G: ?Sized> {
+    pub(crate) grammar: &'g G,
+    pub(crate) settings: Settings,
+}
+
+impl<G: Grammar + ?Sized> DynSession for Plain<'_, G> {
+    fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
+        self.grammar.derive(shape, &self.settings, sink)
+    }
+}
+
+/// Runs a grammar on a shape: a session of one run. Used by generated code.
+///
+/// # Errors
+/// See [`Error`]: a limit, an attribute out of its range, a shape that is no shape.
+pub fn run<G: Rules, S: Sink + ?Sized>(
+    grammar: &G,
+    shape: &Shape,
+    settings: &Settings,
+    sink: &mut S,
+) -> Result<Report, Error> {
+    once(grammar, settings)?.run(shape, sink)
+}
+
+/// Runs a grammar and collects a model. Used by generated code.
+///
+/// # Errors
+/// See [`Error`].
+pub fn generate<G: Rules>(grammar: &G, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
+    once(grammar, settings)?.generate(shape)
+}
+
+/// A session for one run.
+fn once<'g, G: Rules>(grammar: &'g G, settings: &'g Settings) -> Result<Session<'g, G>, Error> {
+    Ok(Session { setup: Setup::new(grammar, Cow::Borrowed(settings))?, kept: Kept::default() })
+}

@@ -1,0 +1,340 @@
+//! `set(attribute, value)` (*set operation*).
+
+use glam::DVec3;
+
+use crate::fault::FaultKind;
+use crate::geometry::Frame;
+use crate::geometry::rotation::turn;
+use crate::material::list::{each_material_number, each_material_text};
+use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
+use crate::query::get;
+use crate::run::env::Env;
+use crate::shape::Shape;
+use crate::shape::scope::Scope;
+use crate::shape::seed::Seed;
+use crate::value::Value;
+use crate::value::text::Text;
+
+macro_rules! sizes {
+    ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
+        $(#[$doc])*
+        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
+            let mut size = shape.scope.size;
+            size.$axis = env.finite(value, "the size");
+            shape.resize(size);
+        }
+    )*};
+}
+
+macro_rules! offsets {
+    ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
+        $(#[$doc])*
+        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
+            let mut offset = shape.pivot.to_local(shape.scope.origin);
+            offset.$axis = env.finite(value, "the offset");
+            let before = shape.scope;
+            shape.scope.origin = shape.pivot.to_world(offset);
+            shape.carry(&before);
+        }
+    )*};
+}
+
+macro_rules! rotations {
+    ($($(#[$doc:meta])* $name:ident = $axis:ident;)*) => {$(
+        $(#[$doc])*
+        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
+            let mut angles = DVec3::new(get::scope_rx(shape), get::scope_ry(shape), get::scope_rz(shape));
+            angles.$axis = env.finite(value, "the angle");
+            let before = shape.scope;
+            shape.scope.axes = shape.pivot.axes * turn(angles.x, angles.y, angles.z);
+            shape.carry(&before);
+        }
+    )*};
+}
+
+sizes! {
+    /// Width.
+    scope_sx = x;
+    /// Height.
+    scope_sy = y;
+    /// Depth.
+    scope_sz = z;
+}
+
+offsets! {
+    /// Offset from the pivot, along its x axis.
+    scope_tx = x;
+    /// Offset from the pivot, along its y axis.
+    scope_ty = y;
+    /// Offset from the pivot, along its z axis.
+    scope_tz = z;
+}
+
+rotations! {
+    /// Rotation about the pivot's x axis, in degrees.
+    scope_rx = x;
+    /// Rotation about the pivot's y axis, in degrees.
+    scope_ry = y;
+    /// Rotation about the pivot's z axis, in degrees.
+    scope_rz = z;
+}
+
+macro_rules! material_numbers {
+    ($($function:ident $name:literal $which:expr;)*) => {$(
+        #[doc = concat!("`material.", $name, "`; moved into its range (*material attribute*).")]
+        pub fn $function(env: &mut Env, shape: &mut Shape, value: f64) {
+            material_number(env, shape, $which, value);
+        }
+    )*};
+}
+
+macro_rules! material_texts {
+    ($($function:ident $name:literal $which:expr;)*) => {$(
+        #[doc = concat!("`material.", $name, "` (*material attribute*).")]
+        pub fn $function(env: &mut Env, shape: &mut Shape, value: Text) {
+            material_text(env, shape, $which, value);
+        }
+    )*};
+}
+
+each_material_number!(material_numbers);
+each_material_text!(material_texts);
+
+pub(crate) fn material_number(env: &mut Env, shape: &mut Shape, which: MaterialNumber, value: f64) {
+    let value = env.finite(value, "the material's value");
+    // One channel leaves the other two as they are seen.
+    let seen = matches!(which, MaterialNumber::Color(_)) && shape.material().color.is_none();
+    let own = if seen { shape.own_material().and_then(|own| own.color) } else { None };
+    shape.change_material(|material| {
+        material.color = material.color.or(own);
+        material.set_number(which, value);
+    });
+}
+
+pub(crate) fn material_text(env: &mut Env, shape: &mut Shape, which: MaterialText, value: Text) {
+    if which.accepts(&value) {
+        let value = if matches!(which, MaterialText::Map(_)) { crate::op::image(env, value).0 } else { value };
+        shape.change_material(|material| material.set_text(which, value));
+    } else {
+        env.fault(FaultKind::Value, format!("`{value}` is no mode of an opacity map; it stays as it is"));
+    }
+}
+
+/// `material.color.rgb`, as `color` reads it (*material.color attribute*).
+pub fn material_color_rgb(env: &mut Env, shape: &mut Shape, value: Text) {
+    crate::op::color_hex(env, shape, value);
+}
+
+/// `material.doubleSided` (*material attribute*).
+pub fn material_double_sided(_: &mut Env, shape: &mut Shape, value: bool) {
+    shape.change_material(|material| material.double_sided = Some(value));
+}
+
+/// `trim.vertical`, for this shape and its descendants (*trim attribute*). There are no trim planes yet.
+pub fn trim_vertical(_: &mut Env, shape: &mut Shape, value: bool) {
+    shape.state.change().trim.vertical = value;
+}
+
+/// `trim.horizontal`, for this shape and its descendants (*trim attribute*). There are no trim planes yet.
+pub fn trim_horizontal(_: &mut Env, shape: &mut Shape, value: bool) {
+    shape.state.change().trim.horizontal = value;
+}
+
+/// `seedian`: random numbers begin anew, for this shape and for what is derived from it afterwards (*seedian attribute*). Equal
+/// seeds give equal numbers. A number that is not whole makes a seed of its own, which reads as another number.
+pub fn seedian(env: &mut Env, shape: &mut Shape, value: f64) {
+    let value = env.finite(value, "the seed");
+    let whole = value.fract() == 0.0 && value.abs() <= get::SEED_MAX as f64;
+    shape.seed = Seed::new(if whole { value as i64 as u64 } else { Seed::new(value.to_bits()).scattered() });
+}
+
+macro_rules! pivots {
+    ($($(#[$doc:meta])* $name:ident = |$position:ident, $rotation:ident| $part:expr;)*) => {$(
+        $(#[$doc])*
+        pub fn $name(env: &mut Env, shape: &mut Shape, value: f64) {
+            let value = env.finite(value, "the pivot");
+            let (mut position, mut rotation) = (get::pivot_position(env, shape), get::pivot_rotation(env, shape));
+            let ($position, $rotation) = (&mut position, &mut rotation);
+            *$part = value;
+            move_pivot(env, shape, position, rotation);
+        }
+    )*};
+}
+
+// *pivot attribute*: in object coordinates. The scope is relative to the pivot and keeps its translation and rotation, so
+// the shape goes with it.
+pivots! {
+    /// Where the pivot is: x.
+    pivot_px = |position, _rotation| &mut position.x;
+    /// Where the pivot is: y.
+    pivot_py = |position, _rotation| &mut position.y;
+    /// Where the pivot is: z.
+    pivot_pz = |position, _rotation| &mut position.z;
+    /// How the pivot is turned, in degrees: about x.
+    pivot_ox = |_position, rotation| &mut rotation.x;
+    /// How the pivot is turned, in degrees: about y.
+    pivot_oy = |_position, rotation| &mut rotation.y;
+    /// How the pivot is turned, in degrees: about z.
+    pivot_oz = |_position, rotation| &mut rotation.z;
+}
+
+fn move_pivot(env: &mut Env, shape: &mut Shape, position: DVec3, rotation: DVec3) {
+    let object = &env.initial.object;
+    let offset = shape.pivot.to_local(shape.scope.origin);
+    let turned = shape.pivot.axes.transpose() * shape.scope.axes;
+    let pivot =
+        Frame { origin: object.to_world(position), axes: object.axes * turn(rotation.x, rotation.y, rotation.z) };
+    let scope = Scope { origin: pivot.to_world(offset), axes: pivot.axes * turned, size: shape.scope.size };
+    if !(pivot.origin.is_finite() && scope.is_bounded()) {
+        return env.fault(FaultKind::Value, "the pivot leads beyond the largest number; the shape stays as it is");
+    }
+    let before = shape.scope;
+    shape.set_pivot(pivot);
+    shape.scope = scope;
+    shape.carry(&before);
+}
+
+/// An attribute of the grammar, for this shape and its descendants.
+pub fn attribute(shape: &mut Shape, number: u32, value: Value) {
+    let attributes = &mut shape.state.change().attributes;
+    // Mostly they come in order.
+    if attributes.last().is_none_or(|(last, _)| *last < number) {
+        return attributes.push((number, value));
+    }
+    match attributes.binary_search_by_key(&number, |(id, _)| *id) {
+        Ok(at) => attributes[at].1 = value,
+        Err(at) => attributes.insert(at, (number, value)),
+    }
+}
+
+/// Removes values of attributes and constants. The numbers are sorted.
+pub(crate) fn forget(shape: &mut Shape, numbers: &[u32]) {
+    shape.state.change().attributes.retain(|(number, _)| numbers.binary_search(number).is_err());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::op::Length::Absolute;
+    use crate::op::{rotate, translate};
+    use crate::run::settings::Settings;
+    use crate::shape::Shape;
+
+    #[test]
+    fn every_material_attribute_reads_its_default_then_what_was_set() {
+        let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
+        macro_rules! numbers {
+            ($($function:ident $name:literal $which:expr;)*) => {$(
+                if $name != "opacity" {
+                    assert_eq!(get::$function(shape), $which.default_value(), $name);
+                    for (value, expected) in [(0.25, 0.25), (1e9, $which.clamp(1e9)), (f64::NAN, 0.0)] {
+                        $function(env, shape, value);
+                        assert_eq!(get::$function(shape), expected, $name);
+                    }
+                    assert_eq!(env.take_faults().0.len(), 1, $name);
+                }
+            )*};
+        }
+        macro_rules! texts {
+            ($($function:ident $name:literal $which:expr;)*) => {$(
+                assert_eq!(get::$function(shape).as_str(), $which.default_value(), $name);
+                $function(env, shape, "opaque".into());
+                assert_eq!(get::$function(shape).as_str(), "opaque", $name);
+            )*};
+        }
+        each_material_number!(numbers);
+        each_material_text!(texts);
+        assert_eq!((get::material_opacity(shape), get::material_double_sided(shape)), (0.0, true));
+        assert_eq!(get::material_color_rgb(shape).as_str(), "#000000");
+        material_color_rgb(env, shape, "#0a5fff".into());
+        assert_eq!(get::material_color_rgb(shape).as_str(), "#0a5fff");
+        material_color_rgb(env, shape, "red".into());
+        assert_eq!((get::material_color_rgb(shape).as_str(), env.take_faults().0.len()), ("#0a5fff", 1));
+    }
+
+    #[test]
+    fn a_seed_that_is_set_is_read_and_repeats_its_numbers() {
+        let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0).seed(7));
+        assert_eq!(get::seedian(shape), 7.0);
+        let mut drawn = |env: &mut Env, value: f64| {
+            seedian(env, shape, value);
+            (get::seedian(shape), shape.seed.draw(), shape.seed.child(crate::shape::seed::Tag::Push, 0).value())
+        };
+        for value in [0.0, -3.0, 9_007_199_254_740_992.0] {
+            let first = drawn(env, value);
+            assert_eq!((first.0, first), (value, drawn(env, value)));
+        }
+        assert_ne!(drawn(env, 1.0).1, drawn(env, 2.0).1);
+        // Not whole: a seed of its own, which stays itself.
+        let odd = drawn(env, 0.5);
+        assert_eq!((odd.0.fract(), odd), (0.0, drawn(env, odd.0)));
+        assert_ne!(odd.1, drawn(env, 0.25).1);
+        assert_eq!(drawn(env, f64::NAN).0, 0.0);
+        assert_eq!(env.take_faults().0.len(), 1);
+    }
+
+    #[test]
+    fn attributes_are_found_in_whatever_order_they_were_set() {
+        let shape = &mut Shape::cuboid(1.0, 1.0, 1.0);
+        for number in [5, 2, 9, 0, 7, 2, 5] {
+            attribute(shape, number, Value::Float(f64::from(number) + 0.5));
+            attribute(shape, number, Value::Float(f64::from(number)));
+        }
+        let read: Vec<f64> = (0..11).map(|number| get::float_attribute(shape, number, -1.0)).collect();
+        assert_eq!(read, [0.0, -1.0, 2.0, -1.0, -1.0, 5.0, -1.0, 7.0, -1.0, 9.0, -1.0]);
+    }
+
+    #[test]
+    fn trim_switches_are_inherited() {
+        let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
+        assert!(get::trim_vertical(shape) && !get::trim_horizontal(shape));
+        trim_vertical(env, shape, false);
+        trim_horizontal(env, shape, true);
+        let child = &mut shape.clone();
+        assert!(!get::trim_vertical(child) && get::trim_horizontal(child));
+        trim_horizontal(env, child, false);
+        assert!(get::trim_horizontal(shape));
+    }
+
+    /// A lot somewhere, and a run that starts with it.
+    fn moved() -> (Env, Shape) {
+        let outline = [[10.0, 5.0], [14.0, 8.0], [12.0, 1.0]];
+        let shape = Shape::footprint(&outline, &[]).expect("a triangle").at([0.0, 3.0, 0.0]).named("Lot 7");
+        (Env::new(&Settings::default(), &[], &shape, "Start"), shape)
+    }
+
+    #[test]
+    fn a_fresh_shape_has_its_pivot_at_the_origin_of_object_coordinates() {
+        let (env, shape) = &mut moved();
+        assert_eq!(get::pivot_position(env, shape), DVec3::ZERO);
+        assert_eq!(get::pivot_rotation(env, shape), DVec3::ZERO);
+        assert_eq!((get::initial_shape_origin_px(env, shape), get::initial_shape_origin_py(env, shape)), (10.0, 3.0));
+        let turned = get::initial_shape_origin_oy(env, shape);
+        assert!((turned - libm::atan2(-3.0, 4.0).to_degrees()).abs() < 1e-9, "{turned}");
+        assert_eq!(get::initial_shape_name(env, shape).as_str(), "Lot 7");
+        assert_eq!(get::initial_shape_start_rule(env, shape).as_str(), "Start");
+    }
+
+    #[test]
+    fn the_shape_goes_with_its_pivot() {
+        let (env, shape) = &mut moved();
+        translate(env, shape, Absolute(1.0), Absolute(2.0), Absolute(3.0));
+        rotate(env, shape, 10.0, 20.0, 30.0);
+        let state = |shape: &Shape| {
+            let rotation = [get::scope_rx(shape), get::scope_ry(shape), get::scope_rz(shape)];
+            [[get::scope_tx(shape), get::scope_ty(shape), get::scope_tz(shape)], rotation].concat()
+        };
+        let before = state(shape);
+        pivot_py(env, shape, 5.0);
+        pivot_oy(env, shape, 90.0);
+        pivot_px(env, shape, -1.0);
+        assert!((get::pivot_position(env, shape) - DVec3::new(-1.0, 5.0, 0.0)).length() < 1e-9);
+        assert!((get::pivot_rotation(env, shape) - DVec3::new(0.0, 90.0, 0.0)).length() < 1e-9);
+        assert!(state(shape).iter().zip(&before).all(|(a, b)| (a - b).abs() < 1e-9));
+        assert!(shape.check().is_ok());
+        pivot_pz(env, shape, f64::MAX);
+        assert!(shape.check().is_ok() && shape.pivot.origin.is_finite());
+        pivot_pz(env, shape, f64::INFINITY);
+        assert!(get::pivot_position(env, shape).z.abs() < 1e-6);
+    }
+}

@@ -1,0 +1,446 @@
+//! Vertex and index buffers for a graphics card.
+//!
+//! A vertex is six `f32`: position, then unit normal. Vertices are not shared between faces: a quad takes 4 and two
+//! triangles, a box 24 and twelve. Coordinates are computed as `f64` and rounded last. Front faces are counter-clockwise.
+//! Texture coordinates are lists beside the vertices, one a set.
+
+mod chunks;
+mod part;
+mod replayed;
+mod uvs;
+pub(super) mod write;
+
+pub use chunks::Chunks;
+pub use part::Part;
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3, DVec4, Vec4};
+
+use self::part::Run;
+use self::replayed::{Marks, Replayed};
+use self::uvs::UvLists;
+use self::write::{marked, short, vertex, write_box, write_quad, write_quad_indices};
+use super::error::WriteError;
+use super::flatten::{FlatFace, Flattener, corner_point, unit};
+use super::normals;
+use super::numbers::Numbers;
+use super::room::Room;
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::map::normal_map;
+use crate::material::Material;
+use crate::run::sink::corners::{Placed, four};
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
+use crate::shape::base::Form;
+use crate::shape::unit::UnitMesh;
+
+/// Position x, y, z and normal x, y, z.
+pub type Vertex = [f32; 6];
+
+/// Collects leaves as triangles. Can be cleared and used again without giving memory back.
+#[derive(Debug)]
+pub struct Buffers {
+    vertices: Room<Vertex>,
+    indices: Room<u32>,
+    uvs: UvLists,
+    runs: Vec<Run>,
+    numbers: Numbers,
+    replayed: Replayed,
+    /// Rule and material of the last leaf that fills its scope, unless another leaf came after it.
+    last: Option<(u32, u32)>,
+    /// With a fourth coordinate of 0.
+    origin: DVec4,
+    limit: usize,
+    full: bool,
+    flattener: Flattener,
+}
+
+impl Default for Buffers {
+    fn default() -> Self {
+        Buffers::with_capacity(0, 0)
+    }
+}
+
+impl Buffers {
+    /// Empty buffers.
+    pub fn new() -> Self {
+        Buffers::default()
+    }
+
+    /// Empty buffers with room for this many vertices and indices.
+    pub fn with_capacity(vertices: usize, indices: usize) -> Self {
+        Buffers {
+            vertices: Room::with_capacity(vertices),
+            indices: Room::with_capacity(indices),
+            uvs: UvLists::default(),
+            runs: Vec::new(),
+            numbers: Numbers::default(),
+            replayed: Replayed::default(),
+            last: None,
+            origin: DVec4::ZERO,
+            limit: u32::MAX as usize,
+            full: false,
+            flattener: Flattener::default(),
+        }
+    }
+
+    /// Subtracts a point of the world, in metres, from every position before it is rounded. Far from the world's
+    /// origin (map coordinates) `f32` alone is not fine enough.
+    pub fn with_origin(mut self, origin: DVec3) -> Self {
+        self.origin = four(origin);
+        self
+    }
+
+    /// Ends the run once there would be more than this many vertices. Never more than a `u32` can count.
+    pub fn with_limit(mut self, vertices: usize) -> Self {
+        self.limit = vertices.min(u32::MAX as usize);
+        self
+    }
+
+    /// Forgets the contents, keeps memory, origin and limit.
+    pub fn clear(&mut self) {
+        self.vertices.clear();
+        self.indices.clear();
+        self.uvs.clear();
+        self.runs.clear();
+        self.numbers.clear();
+        self.replayed = Replayed::default();
+        self.last = None;
+        self.full = false;
+    }
+
+    /// The vertices.
+    pub fn vertices(&self) -> &[Vertex] {
+        self.vertices.items()
+    }
+
+    /// Three a triangle.
+    pub fn indices(&self) -> &[u32] {
+        self.indices.items()
+    }
+
+    /// Texture coordinates of set 0, one pair a vertex, v upwards; empty when no geometry has any, (0, 0) where it has none.
+    pub fn uvs(&self) -> &[[f32; 2]] {
+        self.uv_set(0)
+    }
+
+    /// Texture coordinates of a set, 0 to 9, as [`Buffers::uvs`]. A material shows each of its maps in the set with the number of
+    /// the [`Layer`](crate::material::Layer), or in set 0 where that is empty.
+    pub fn uv_set(&self, set: usize) -> &[[f32; 2]] {
+        self.uvs.get(set)
+    }
+
+    /// The point that was subtracted from all positions.
+    pub fn origin(&self) -> DVec3 {
+        self.origin.truncate()
+    }
+
+    /// The parts, in order; together they are everything.
+    pub fn parts(&self) -> impl ExactSizeIterator<Item = Part> + '_ {
+        self.runs.iter().enumerate().map(|(i, run)| {
+            let (index, vertex) = match self.runs.get(i + 1) {
+                Some(next) => (next.index(), next.vertex as usize),
+                None => (self.indices.len(), self.vertices.len()),
+            };
+            Part {
+                rule: run.rule,
+                material: run.material,
+                indices: run.index()..index,
+                vertices: run.vertex as usize..vertex,
+            }
+        })
+    }
+
+    /// Rule names by number.
+    pub fn rules(&self) -> &[&'static str] {
+        self.numbers.table.rules()
+    }
+
+    /// Materials by number.
+    pub fn materials(&self) -> &[Arc<Material>] {
+        self.numbers.table.materials()
+    }
+
+    /// How many triangles there are.
+    pub fn triangle_count(&self) -> usize {
+        self.indices.len() / 3
+    }
+
+    /// Whether everything that was handed over is in here.
+    pub fn check(&self) -> Result<(), WriteError> {
+        match self.full {
+            true => Err(WriteError::TooLarge { what: "vertices", limit: self.limit as u64 }),
+            false => Ok(()),
+        }
+    }
+
+    /// Starts a new part unless the last one goes on.
+    #[inline]
+    fn run(&mut self, rule: u32, material: u32) {
+        self.run_at((rule, material), self.indices.len() / 3, self.vertices.len() as u32);
+    }
+
+    #[inline]
+    fn run_at(&mut self, (rule, material): (u32, u32), triangle: usize, vertex: u32) {
+        match self.runs.last() {
+            Some(last) if last.rule == rule && last.material == material => {}
+            _ => {
+                self.runs.push(Run { rule, material, triangle: triangle as u32, vertex });
+            }
+        }
+    }
+
+    fn leaf(&mut self, leaf: &Leaf<'_>) {
+        self.last = None;
+        let (rule, material) = self.numbers.leaf(leaf);
+        self.run(rule, material);
+    }
+
+    /// Returns true if a leaf with that many vertices has the rule and the material of the last one, and there is room for it.
+    #[inline(always)]
+    fn goes_on(&self, leaf: &Filled<'_>, vertices: usize) -> bool {
+        self.last == Some((leaf.rule, leaf.shape.material.get().0))
+            && vertices <= self.limit - self.vertices.len()
+            && self.vertices.has(vertices)
+            && self.indices.has(vertices / 4 * 6)
+            && self.uvs.is_empty()
+    }
+
+    /// Writes a leaf with that many vertices that does not go on. Not a part of the way on which the others go, so that it needs
+    /// no more registers than there are.
+    #[inline(never)]
+    fn other(&mut self, leaf: &Filled<'_>, vertices: usize) -> Flow {
+        self.room(vertices)?;
+        self.vertices.reserve(vertices);
+        self.indices.reserve(vertices / 4 * 6);
+        let (rule, material) = self.numbers.filled(leaf);
+        let (uvs, start) = (leaf.uvs(), self.vertices.len());
+        // A leaf that goes on has the same number, and so it has no coordinates either.
+        self.last = if uvs.is_empty() { leaf.material_number().map(|material| (leaf.rule, material)) } else { None };
+        self.run(rule, material);
+        let block = (leaf.shape.form == Form::Box).then(|| leaf.shape.unit.get());
+        match block {
+            Some(_) => self.write_block(leaf),
+            None => self.write_rectangle(leaf),
+        }
+        if !uvs.is_empty() {
+            self.uvs.place(uvs, &Placed::of(leaf.shape), block, start);
+        }
+        self.pad_uvs();
+        ControlFlow::Continue(())
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn pass(&mut self, leaf: &Filled<'_>) -> Flow {
+        leaf.pass_to(self)
+    }
+
+    #[inline(never)]
+    fn rectangle(&mut self, leaf: &Filled<'_>) -> Flow {
+        if !self.goes_on(leaf, 4) {
+            return self.other(leaf, 4);
+        }
+        self.write_rectangle(leaf);
+        ControlFlow::Continue(())
+    }
+
+    #[inline(never)]
+    fn block(&mut self, leaf: &Filled<'_>) -> Flow {
+        if !self.goes_on(leaf, 24) {
+            return self.other(leaf, 24);
+        }
+        self.write_block(leaf);
+        ControlFlow::Continue(())
+    }
+
+    #[inline(always)]
+    fn write_rectangle(&mut self, leaf: &Filled<'_>) {
+        self.write_quad(Placed::of(leaf.shape), leaf.shape.axes.normals[0]);
+    }
+
+    #[inline(always)]
+    fn write_block(&mut self, leaf: &Filled<'_>) {
+        self.write_box(Placed::of(leaf.shape), leaf.shape.unit.get(), &leaf.shape.axes.normals);
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn each(&mut self, replay: &Replay<'_>) -> Flow {
+        replay.each(self)
+    }
+
+    /// Writes leaves of a part that repeats, for which there is room.
+    #[inline(never)]
+    fn repeat(&mut self, replay: &Replay<'_>, count: usize) -> Flow {
+        let start = self.vertices.len() as u32;
+        self.mark_all(replay, start, self.indices.len() / 3);
+        write_quad_indices(self.indices.take(count / 4 * 6), start);
+        let (place, origin) = (replay.origin(), self.origin);
+        let (mut faces, _) = self.vertices.take(count).as_chunks_mut::<4>();
+        for (row, axes, placed, records) in replay.rows() {
+            let each = if row.is_box { 6 } else { 1 };
+            let (own, rest) = faces.split_at_mut(each * placed.len());
+            faces = rest;
+            if row.is_box {
+                for ((to, placed), record) in own.as_chunks_mut::<6>().0.iter_mut().zip(placed).zip(records) {
+                    write_box(to, &placed.moved(place).moved(-origin), record.unit, &axes.normals);
+                }
+            } else {
+                let normal = axes.normals[0];
+                let place = marked(place, normal);
+                for (to, placed) in own.iter_mut().zip(placed) {
+                    write_quad(to, &placed.moved(place).moved(-origin), normal);
+                }
+            }
+        }
+        if replay.has_uvs() {
+            self.uvs.replay(replay, start as usize, count);
+        }
+        self.pad_uvs();
+        ControlFlow::Continue(())
+    }
+
+    /// Notes rules and materials of leaves that repeat.
+    #[inline]
+    fn mark_all(&mut self, replay: &Replay<'_>, start: u32, triangle: usize) {
+        self.last = None;
+        let Marks { is_distinct, runs: marks, .. } = self.replayed.of(replay, &mut self.numbers);
+        let runs = &mut self.runs;
+        let moved = |run: &Run| run.moved(triangle as u32, start);
+        if *is_distinct {
+            let goes_on = marks.first().zip(runs.last()).is_some_and(|(first, last)| first.is_like(last));
+            runs.extend(marks[usize::from(goes_on)..].iter().map(moved));
+        } else {
+            for next in marks {
+                if !runs.last().is_some_and(|last| last.is_like(next)) {
+                    runs.push(moved(next));
+                }
+            }
+        }
+    }
+
+    /// Writes a rectangle.
+    #[inline(always)]
+    fn write_quad(&mut self, placed: Placed, normal: Vec4) {
+        let (origin, start) = (self.origin, self.vertices.len() as u32);
+        if let Some(to) = self.vertices.take(4).first_chunk_mut::<4>() {
+            let placed = Placed { origin: marked(placed.origin, normal), ..placed };
+            write_quad(to, &placed.moved(-origin), normal);
+        }
+        if let Some(to) = self.indices.take(6).first_chunk_mut::<6>() {
+            *to = [start, start + 1, start + 2, start, start + 2, start + 3];
+        }
+    }
+
+    /// Writes a box; `normals` are those of its sides.
+    #[inline(always)]
+    fn write_box(&mut self, placed: Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
+        let (origin, start) = (self.origin, self.vertices.len() as u32);
+        let (faces, _) = self.vertices.take(24).as_chunks_mut::<4>();
+        if let Some(to) = faces.first_chunk_mut::<6>() {
+            write_box(to, &placed.moved(-origin), unit, normals);
+        }
+        write_quad_indices(self.indices.take(36), start);
+    }
+
+    /// `Break` if so many vertices more do not fit.
+    #[inline]
+    fn room(&mut self, more: usize) -> Flow {
+        if self.limit - self.vertices.len() < more {
+            self.full = true;
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Adds a vertex for a corner of a face.
+    #[inline]
+    fn corner(&mut self, mesh: &Mesh, placement: &DAffine3, turn: &DMat3, face: &FlatFace<'_>, corner: usize) {
+        let point = placement.transform_point3(corner_point(mesh, corner)) - self.origin();
+        let normal = mesh.normals.get(corner).map_or(face.normal, |&n| unit(*turn * n));
+        self.vertices.push(vertex(short(point), short(normal)));
+        self.uvs.corner(mesh, corner, self.vertices.len() - 1);
+    }
+
+    #[inline]
+    fn pad_uvs(&mut self) {
+        if !self.uvs.is_empty() {
+            self.uvs.pad(self.vertices.len());
+        }
+    }
+}
+
+impl Sink for Buffers {
+    fn begin(&mut self) {
+        self.numbers.begin();
+        self.last = None;
+    }
+
+    #[inline]
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        match leaf.shape.form {
+            Form::Rect(Axis::Z) => self.rectangle(leaf),
+            Form::Box => self.block(leaf),
+            Form::Rect(_) | Form::Empty | Form::Other => self.pass(leaf),
+        }
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        let count = replay.corner_count();
+        if !replay.is_plain() || self.limit - self.vertices.len() < count {
+            return self.each(replay);
+        }
+        self.repeat(replay, count)
+    }
+
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        self.room(4)?;
+        self.leaf(leaf);
+        let (normal, start) = (normals::of_quad(leaf, quad), self.vertices.len());
+        self.write_quad(Placed::from(quad), normal);
+        self.uvs.place(leaf.uvs(), &Placed::from(quad), None, start);
+        self.pad_uvs();
+        ControlFlow::Continue(())
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        self.room(24)?;
+        self.leaf(leaf);
+        let (normals, start) = (normals::of_cuboid(leaf, cuboid), self.vertices.len());
+        self.write_box(Placed::from(cuboid), cuboid.unit, &normals);
+        self.uvs.place(leaf.uvs(), &Placed::from(cuboid), Some(cuboid.unit), start);
+        self.pad_uvs();
+        ControlFlow::Continue(())
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        // A face with holes may have more triangles than vertices, but less than twice as many.
+        let corners = mesh.corners.len();
+        self.full |= u32::MAX as usize - self.triangle_count() < 2 * corners;
+        self.room(corners)?;
+        if self.full {
+            return ControlFlow::Break(());
+        }
+        self.last = None;
+        let (rule, material) = self.numbers.leaf(leaf);
+        let turn = normal_map(&placement.matrix3);
+        let mut flattener = std::mem::take(&mut self.flattener);
+        flattener.faces(mesh, placement, |face| {
+            let shown = self.numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            self.run(rule, shown);
+            let start = self.vertices.len() as u32;
+            face.corners.clone().for_each(|corner| self.corner(mesh, placement, &turn, &face, corner));
+            let triangles = face.triangles.as_flattened();
+            for (index, corner) in self.indices.take(triangles.len()).iter_mut().zip(triangles) {
+                *index = start + corner;
+            }
+            true
+        });
+        self.flattener = flattener;
+        self.pad_uvs();
+        ControlFlow::Continue(())
+    }
+}

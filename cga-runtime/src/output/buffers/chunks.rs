@@ -1,0 +1,216 @@
+//! Buffers of bounded size, handed out as they fill.
+
+use std::fmt;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+
+use super::part::Run;
+use super::{Buffers, Vertex};
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::map::normal_map;
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
+
+/// The vertices of a box, which is never divided.
+const LEAST: usize = 24;
+
+/// The most vertices of a chunk. A face with holes may have more triangles than vertices, and both are counted in `u32`.
+const MOST: usize = u32::MAX as usize / 2;
+
+/// Streams leaves as chunks of triangles in constant memory.
+///
+/// Each chunk is complete in itself: indices count from 0, and rules and materials have numbers of their own. All chunks together
+/// have the triangles of [`Buffers`], in the same order. A chunk is handed out when the next leaf does not fit, and at
+/// [`finish`](Sink::finish). A run does not end a chunk: one chunk may have leaves of many initial shapes.
+///
+/// A mesh with more vertices than a chunk is divided between faces, and a face with more vertices than a chunk between its
+/// triangles, which share no vertices then.
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use cga_runtime::run::sink::Sink;
+/// use cga_runtime::output::buffers::{Buffers, Chunks};
+///
+/// let mut triangles = 0;
+/// let mut chunks = Chunks::new(10_000, |chunk: &Buffers| {
+///     triangles += chunk.triangle_count();
+///     // `Break` ends the run.
+///     ControlFlow::Continue(())
+/// });
+/// // … `grammar.generate_into(&shape, &settings, &mut chunks)?` for each shape, then:
+/// let _ = chunks.finish();
+/// drop(chunks);
+/// assert_eq!(triangles, 0);
+/// ```
+pub struct Chunks<F> {
+    buffers: Buffers,
+    capacity: usize,
+    /// The capacity; 0 before there is memory and after the end, so that adding a leaf makes one comparison.
+    full: usize,
+    each: F,
+    chunks: u64,
+    ended: bool,
+}
+
+impl<F> fmt::Debug for Chunks<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Chunks").field("capacity", &self.capacity).field("chunks", &self.chunks).finish_non_exhaustive()
+    }
+}
+
+impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
+    /// Chunks of at most that many vertices, and never less than 24. `each` gets them in order; `Break` ends the run.
+    pub fn new(max_vertices: usize, each: F) -> Self {
+        let capacity = max_vertices.clamp(LEAST, MOST);
+        Chunks { buffers: Buffers::new(), capacity, full: 0, each, chunks: 0, ended: false }
+    }
+
+    /// Subtracts a point of the world from every position; see [`Buffers::with_origin`].
+    pub fn with_origin(mut self, origin: DVec3) -> Self {
+        self.buffers = self.buffers.with_origin(origin);
+        self
+    }
+
+    /// The number of chunks handed out so far.
+    pub fn handed_out(&self) -> u64 {
+        self.chunks
+    }
+
+    /// Makes room for that many vertices.
+    #[inline]
+    fn room(&mut self, vertices: usize) -> Flow {
+        if self.full < self.buffers.vertices.len() + vertices { self.make_room() } else { Flow::Continue(()) }
+    }
+
+    #[cold]
+    fn make_room(&mut self) -> Flow {
+        self.hand_out()?;
+        if self.full == 0 {
+            // All at once, so that a chunk does not grow beyond its size by doubling. Four vertices of a rectangle have six
+            // indices.
+            self.buffers.vertices.reserve_exact(self.capacity);
+            self.buffers.indices.reserve_exact(self.capacity / 4 * 6);
+            self.full = self.capacity;
+        }
+        Flow::Continue(())
+    }
+
+    /// Hands out the chunk, unless it is empty, and begins another.
+    #[cold]
+    fn hand_out(&mut self) -> Flow {
+        if !self.ended && self.buffers.vertices.len() != 0 {
+            self.chunks += 1;
+            self.ended = (self.each)(&self.buffers).is_break();
+            self.buffers.clear();
+        }
+        if self.ended {
+            self.full = 0;
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Adds a mesh with more vertices than a chunk, face by face.
+    #[cold]
+    fn large_mesh(&mut self, leaf: &Leaf<'_>, mesh: &Mesh, placement: &DAffine3) -> Flow {
+        let turn = normal_map(&placement.matrix3);
+        let mut flattener = std::mem::take(&mut self.buffers.flattener);
+        let mut flow = Flow::Continue(());
+        flattener.faces(mesh, placement, |face| {
+            let (count, first) = (face.corners.len(), face.corners.start);
+            if count <= self.capacity {
+                flow = self.room(count);
+                if flow.is_continue() {
+                    let start = self.open_face(leaf, mesh, face.index);
+                    face.corners.clone().for_each(|corner| self.buffers.corner(mesh, placement, &turn, &face, corner));
+                    self.buffers.indices.extend(face.triangles.as_flattened().iter().map(|i| start + i));
+                    self.buffers.pad_uvs();
+                }
+                return flow.is_continue();
+            }
+            for triangle in face.triangles {
+                flow = self.room(3);
+                if flow.is_break() {
+                    return false;
+                }
+                let start = self.open_face(leaf, mesh, face.index);
+                triangle.iter().for_each(|&i| self.buffers.corner(mesh, placement, &turn, &face, first + i as usize));
+                self.buffers.indices.extend([start, start + 1, start + 2].into_iter());
+                self.buffers.pad_uvs();
+            }
+            true
+        });
+        self.buffers.flattener = flattener;
+        flow
+    }
+
+    /// Continues or begins the part of a face; gives the number of its first vertex.
+    fn open_face(&mut self, leaf: &Leaf<'_>, mesh: &Mesh, face: usize) -> u32 {
+        let buffers = &mut self.buffers;
+        let (rule, material) = buffers.numbers.leaf(leaf);
+        let shown = buffers.numbers.table.face_material(material, &mesh.materials, mesh.tags[face].material);
+        buffers.run(rule, shown);
+        buffers.vertices.len() as u32
+    }
+}
+
+impl Buffers {
+    /// The bytes that are reserved for vertices, indices, texture coordinates and parts.
+    pub fn memory(&self) -> usize {
+        size_of::<Vertex>() * self.vertices.capacity()
+            + size_of::<u32>() * self.indices.capacity()
+            + self.uvs.memory()
+            + size_of::<Run>() * self.runs.capacity()
+    }
+}
+
+impl<F: FnMut(&Buffers) -> Flow> Sink for Chunks<F> {
+    fn begin(&mut self) {
+        self.buffers.begin();
+    }
+
+    #[inline]
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        self.room(leaf.corner_count())?;
+        self.buffers.filled(leaf)
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        // Leaves go one by one where a chunk ends between them.
+        if self.full < self.buffers.vertices.len() + replay.corner_count() {
+            return replay.each(self);
+        }
+        self.buffers.replay(replay)
+    }
+
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        self.room(4)?;
+        self.buffers.quad(leaf, quad)
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        self.room(LEAST)?;
+        self.buffers.cuboid(leaf, cuboid)
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        match mesh.corners.len() {
+            // Its material would stay in the table, and nothing ends a chunk of such meshes.
+            0 => Flow::Continue(()),
+            count if count <= self.capacity => {
+                self.room(count)?;
+                self.buffers.mesh(leaf, mesh, placement)
+            }
+            _ => self.large_mesh(leaf, mesh, placement),
+        }
+    }
+
+    /// Hands out the last chunk and gives its memory back.
+    fn finish(&mut self) -> Flow {
+        let flow = self.hand_out();
+        self.buffers = Buffers::new().with_origin(self.buffers.origin());
+        self.full = 0;
+        flow
+    }
+}

@@ -1,0 +1,52 @@
+//! The rules and materials of parts that repeat, as numbers of the buffers' table.
+
+use super::part::Run;
+use crate::output::numbers::Numbers;
+use crate::run::sink::Replay;
+use crate::shape::look_ids::MaterialId;
+
+/// Parts whose marks are known.
+const KNOWN: usize = 32;
+
+/// Parts that were replayed, each at the place that its number gives.
+#[derive(Debug, Default)]
+pub(super) struct Replayed([Marks; KNOWN]);
+
+/// The marks of a part that repeats.
+#[derive(Debug, Default)]
+pub(super) struct Marks {
+    part: (u64, usize),
+    /// True if no two after each other are equal.
+    pub(super) is_distinct: bool,
+    /// As if the part began the buffers.
+    pub(super) runs: Vec<Run>,
+}
+
+impl Replayed {
+    /// The marks of a part.
+    #[inline]
+    pub(super) fn of(&mut self, replay: &Replay<'_>, numbers: &mut Numbers) -> &Marks {
+        let part = replay.number();
+        let known = &mut self.0[(part.0 as usize ^ part.1) % KNOWN];
+        if known.part != part {
+            known.find(replay, numbers);
+        }
+        known
+    }
+}
+
+impl Marks {
+    #[cold]
+    #[inline(never)]
+    fn find(&mut self, replay: &Replay<'_>, numbers: &mut Numbers) {
+        self.runs.clear();
+        self.runs.extend(replay.marks().map(|(leaf, mark)| {
+            let (rule, material) = numbers.with_material(&leaf, mark.material);
+            Run { rule, material, triangle: mark.before / 2, vertex: mark.before }
+        }));
+        self.is_distinct = self.runs.windows(2).all(|pair| !pair[0].is_like(&pair[1]));
+        // The material of a base is another one for the next base.
+        let is_known = replay.mark_list().iter().all(|mark| mark.material != MaterialId::OF_BASE);
+        self.part = if is_known { replay.number() } else { (0, 0) };
+    }
+}

@@ -1,0 +1,166 @@
+//! Texture coordinates of vertices, set by set.
+
+use glam::{DVec2, DVec4};
+
+use crate::geometry::mesh::Mesh;
+use crate::geometry::uv_map::{SetMap, UvMap};
+use crate::run::sink::Replay;
+use crate::run::sink::corners::Placed;
+use crate::shape::base::Form;
+use crate::shape::texture::SETS;
+use crate::shape::unit::UnitMesh;
+
+/// Sets of coordinates: one pair a vertex in each that some geometry has, and nothing in the others.
+#[derive(Debug, Default)]
+pub(super) struct UvLists(Vec<Vec<[f32; 2]>>);
+
+impl UvLists {
+    /// Returns true as long as nothing had any.
+    #[inline]
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    pub(super) fn get(&self, set: usize) -> &[[f32; 2]] {
+        self.0.get(set).map_or(&[], Vec::as_slice)
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.0.clear();
+    }
+
+    /// The bytes that are reserved.
+    pub(super) fn memory(&self) -> usize {
+        self.0.iter().map(|list| size_of::<[f32; 2]>() * list.capacity()).sum()
+    }
+
+    /// The list of a set, with (0, 0) for vertices before `end` that have none.
+    fn list(&mut self, set: usize, end: usize) -> Option<&mut Vec<[f32; 2]>> {
+        if SETS <= set {
+            return None;
+        }
+        if self.0.len() <= set {
+            self.0.resize_with(set + 1, Vec::new);
+        }
+        let list = &mut self.0[set];
+        if list.len() < end {
+            list.resize(end, [0.0; 2]);
+        }
+        Some(list)
+    }
+
+    /// Gives all lists as many pairs as there are vertices.
+    #[inline]
+    pub(super) fn pad(&mut self, vertices: usize) {
+        for list in &mut self.0 {
+            if !list.is_empty() {
+                list.resize(vertices, [0.0; 2]);
+            }
+        }
+    }
+
+    /// Adds the corner of a mesh that became a vertex.
+    #[inline]
+    pub(super) fn corner(&mut self, mesh: &Mesh, corner: usize, vertex: usize) {
+        for set in mesh.uv_numbers() {
+            if let Some((list, uv)) = self.list(set, vertex).zip(mesh.uv_set(set).get(corner)) {
+                list.push([uv.x as f32, uv.y as f32]);
+            }
+        }
+    }
+
+    /// Adds the corners of a rectangle, or of all faces of a box, whose vertices begin at one.
+    pub(super) fn place(&mut self, maps: &[SetMap], placed: &Placed, block: Option<UnitMesh>, vertex: usize) {
+        let end = vertex + 4 * block.map_or(1, |unit| unit.face_count());
+        for SetMap { set, map } in maps {
+            if let Some(list) = self.list(*set, end) {
+                let (faces, _) = list[vertex..end].as_chunks_mut::<4>();
+                Corners::of(&Columns::from(map), placed).write(faces, block);
+            }
+        }
+    }
+
+    /// Adds those of leaves that repeat, whose `count` vertices begin at one.
+    pub(super) fn replay(&mut self, replay: &Replay<'_>, vertex: usize, count: usize) {
+        let (place, mut first) = (replay.origin(), 0);
+        for (leaf, mark) in replay.marks() {
+            let (range, vertex_of_mark) = (first..first + mark.leaves, vertex + mark.before as usize);
+            first = range.end;
+            for SetMap { set, map } in leaf.uvs_of(mark.material) {
+                let Some(list) = self.list(*set, vertex + count) else { continue };
+                let map = Columns::from(map);
+                let (mut faces, _) = list[vertex_of_mark..][..mark.corners].as_chunks_mut::<4>();
+                for (placed, record, _) in replay.leaves(range.clone()) {
+                    let (own, rest) = faces.split_at_mut(record.unit.face_count());
+                    faces = rest;
+                    let block = (record.form == Form::Box).then_some(record.unit);
+                    Corners::of(&map, &placed.moved(place)).write(own, block);
+                }
+            }
+        }
+    }
+}
+
+/// A map by columns: the growth of both coordinates along each axis of the world, and their values at its origin.
+struct Columns {
+    axes: [DVec2; 3],
+    origin: DVec2,
+}
+
+impl From<&UvMap> for Columns {
+    fn from(map: &UvMap) -> Self {
+        let UvMap { u, v } = map;
+        let axes = [DVec2::new(u.x, v.x), DVec2::new(u.y, v.y), DVec2::new(u.z, v.z)];
+        Columns { axes, origin: DVec2::new(u.w, v.w) }
+    }
+}
+
+/// The coordinates at the first corner of a rectangle or a box, and along its sides.
+struct Corners {
+    first: DVec2,
+    sides: [DVec2; 3],
+}
+
+impl Corners {
+    #[inline]
+    fn of(map: &Columns, placed: &Placed) -> Self {
+        let [x, y, z] = map.axes;
+        let along = |side: DVec4| x * side.x + y * side.y + z * side.z;
+        Corners { first: along(placed.origin) + map.origin, sides: placed.sides.map(along) }
+    }
+
+    /// Writes those of a rectangle, or of the faces of a box.
+    #[inline]
+    fn write(&self, faces: &mut [[[f32; 2]; 4]], block: Option<UnitMesh>) {
+        if let Some(unit) = block {
+            let points = self.block();
+            for (to, face) in faces.iter_mut().zip(unit.sides()) {
+                *to = face.corners.map(|corner| points[usize::from(corner & 7)]);
+            }
+        } else if let [to] = faces {
+            *to = self.quad();
+        }
+    }
+
+    /// In the order of vertices.
+    #[inline]
+    fn quad(&self) -> [[f32; 2]; 4] {
+        let (a, [u, v, _]) = (self.first, self.sides);
+        let b = a + u;
+        [a, b, b + v, a + v].map(short)
+    }
+
+    /// As numbers x + 2y + 4z count them.
+    #[inline]
+    fn block(&self) -> [[f32; 2]; 8] {
+        let (o, [x, y, z]) = (self.first, self.sides);
+        let (p, q) = (o + y, o + z);
+        let r = p + z;
+        [o, o + x, p, p + x, q, q + x, r, r + x].map(short)
+    }
+}
+
+#[inline]
+fn short(uv: DVec2) -> [f32; 2] {
+    uv.as_vec2().to_array()
+}

@@ -1,0 +1,92 @@
+//! Vertices and indices of quads, written in place.
+
+use glam::{DVec3, DVec4, Vec4};
+
+use super::Vertex;
+use crate::run::sink::corners::Placed;
+use crate::shape::unit::UnitMesh;
+
+/// Writes the faces of a box; `normals` are those of its sides, each after a 0.
+#[inline(always)]
+pub(super) fn write_box(to: &mut [[Vertex; 4]; 6], placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
+    let corners = placed.box_corners();
+    for (face, to) in unit.sides().iter().zip(to) {
+        let n = normals[face.side as usize];
+        let [a, b, c, d] = face.corners.map(|corner| corners[usize::from(corner & 7)]);
+        // Sums put numbers beside each other: the fourth coordinate of corners is 0, and so is the first of normals.
+        let first = Vec4::new(n.x, n.x, n.x, n.y);
+        let vectors = [
+            a + first,
+            Vec4::new(n.z, n.w, b.x, b.y),
+            Vec4::new(b.z, b.w, b.w, b.w) + n,
+            c + first,
+            Vec4::new(n.z, n.w, d.x, d.y),
+            Vec4::new(d.z, d.w, d.w, d.w) + n,
+        ];
+        write(to, vectors);
+    }
+}
+
+/// An origin with the first number of a normal as its fourth coordinate: so a corner is the vector that is written.
+#[inline(always)]
+pub(super) fn marked(origin: DVec4, normal: Vec4) -> DVec4 {
+    origin.with_w(f64::from(normal.y))
+}
+
+/// Writes the vertices of a face.
+#[inline(always)]
+fn write(to: &mut [Vertex; 4], vectors: [Vec4; 6]) {
+    let (chunks, _) = to.as_flattened_mut().as_chunks_mut::<4>();
+    for (to, vector) in chunks.iter_mut().zip(vectors) {
+        *to = vector.to_array();
+    }
+}
+
+/// Writes the four vertices of a rectangle as six vectors. The origin is [`marked`] with the normal.
+#[inline(always)]
+pub(super) fn write_quad(to: &mut [Vertex; 4], placed: &Placed, n: Vec4) {
+    let [a, b, c, d] = placed.quad_corners();
+    let vectors = [
+        a,
+        Vec4::new(n.z, n.w, b.x, b.y),
+        Vec4::new(b.z, b.w, n.z, n.w),
+        c,
+        Vec4::new(n.z, n.w, d.x, d.y),
+        Vec4::new(d.z, d.w, n.z, n.w),
+    ];
+    write(to, vectors);
+}
+
+/// Writes the indices of quads whose vertices follow each other.
+#[inline(always)]
+pub(in crate::output) fn write_quad_indices(to: &mut [u32], start: u32) {
+    // Two indices are one number, so that no sum is one with 0: the compiler writes two such numbers at once.
+    const PAIR: [u64; 6] = [two(0, 1), two(2, 0), two(2, 3), two(4, 5), two(6, 4), two(6, 7)];
+    let split = |two: u64| [two as u32, (two >> 32) as u32];
+    let mut first = two(start, start);
+    let (pairs, rest) = to.as_chunks_mut::<12>();
+    for pair in pairs {
+        for (to, corners) in pair.as_chunks_mut::<2>().0.iter_mut().zip(PAIR) {
+            *to = split(first.wrapping_add(corners));
+        }
+        first = first.wrapping_add(two(8, 8));
+    }
+    for (to, corners) in rest.as_chunks_mut::<2>().0.iter_mut().zip(PAIR) {
+        *to = split(first.wrapping_add(corners));
+    }
+}
+
+/// Two indices in the order in which they are written.
+const fn two(first: u32, second: u32) -> u64 {
+    first as u64 | (second as u64) << 32
+}
+
+#[inline]
+pub(super) fn vertex(p: [f32; 3], n: [f32; 3]) -> Vertex {
+    [p[0], p[1], p[2], n[0], n[1], n[2]]
+}
+
+#[inline]
+pub(super) fn short(v: DVec3) -> [f32; 3] {
+    [v.x as f32, v.y as f32, v.z as f32]
+}

@@ -1,0 +1,115 @@
+//! GLB from buffers: chunks of a stream, or parts that were made in parallel.
+
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use glam::DVec3;
+
+use super::Glb;
+use super::primitive::Primitive;
+use crate::material::layer::SetMask;
+use crate::output::buffers::{Buffers, Part};
+use crate::output::error::WriteError;
+use crate::output::parts::Parts;
+use crate::run::sink::Flow;
+
+impl Glb {
+    /// Adds all triangles of buffers. Several buffers make one file, without being joined first. Where a part of the buffers has
+    /// texture coordinates the others have (0, 0).
+    ///
+    /// ```
+    /// use cga_runtime::output::buffers::Buffers;
+    /// use cga_runtime::output::gltf::Glb;
+    ///
+    /// let parts = [Buffers::new(), Buffers::new()];
+    /// let mut glb = Glb::new();
+    /// let _ = parts.iter().try_for_each(|part| glb.buffers(part));
+    /// assert!(glb.finish().unwrap().starts_with(b"glTF"));
+    /// ```
+    pub fn buffers(&mut self, buffers: &Buffers) -> Flow {
+        let sets = SetMask::of(|set| !buffers.uv_set(set).is_empty());
+        let moved = buffers.origin() - self.origin;
+        for part in buffers.parts() {
+            let table = &mut self.numbers.table;
+            let rule = table.rule(buffers.rules()[part.rule as usize]);
+            let material = table.material(&buffers.materials()[part.material as usize]);
+            self.add(part.vertices.len(), part.indices.len())?;
+            let primitive = self.primitives.of(&mut self.looks, &self.numbers.table, material, sets);
+            primitive.part(buffers, &part, rule, moved);
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+impl Primitive {
+    /// Adds the triangles of one part of buffers.
+    fn part(&mut self, buffers: &Buffers, part: &Part, rule: u32, moved: DVec3) {
+        let vertices = &buffers.vertices()[part.vertices.clone()];
+        self.begin(rule, false);
+        let start = self.positions.len() as u32;
+        let first = part.vertices.start as u32;
+        let position = |&[x, y, z, ..]: &[f32; 6]| match moved == DVec3::ZERO {
+            true => [x, y, z],
+            false => (DVec3::from_array([x, y, z].map(f64::from)) + moved).to_array().map(|c| c as f32),
+        };
+        self.positions.extend(vertices.iter().map(position));
+        self.normals.extend(vertices.iter().map(|&[.., x, y, z]| [x, y, z]));
+        for (set, list) in self.sets.sets().zip(&mut self.uvs) {
+            // glTF counts v downwards.
+            list.extend(buffers.uv_set(set)[part.vertices.clone()].iter().map(|&[u, v]| [u, 1.0 - v]));
+        }
+        self.indices.extend(buffers.indices()[part.indices.clone()].iter().map(|index| index - first + start));
+    }
+}
+
+impl Buffers {
+    /// The buffers as a GLB file; see [`Glb`]. Positions stay relative to the origin of the buffers. Images are referenced:
+    /// [`Glb::with_assets`] and [`Glb::buffers`] embed them.
+    ///
+    /// # Errors
+    /// As [`Glb::finish`].
+    pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
+        let mut glb = Glb::new().with_origin(self.origin());
+        // It stops when it is full; finishing tells.
+        let _ = glb.buffers(self);
+        glb.finish()
+    }
+
+    /// Writes the buffers as a GLB file: a chunk of a stream, for example.
+    ///
+    /// ```no_run
+    /// use std::ops::ControlFlow;
+    /// use cga_runtime::output::buffers::{Buffers, Chunks};
+    ///
+    /// let (mut number, mut failed) = (0, None);
+    /// let chunks = Chunks::new(1_000_000, |chunk: &Buffers| {
+    ///     number += 1;
+    ///     match chunk.write_glb(format!("city-{number:05}.glb")) {
+    ///         Ok(()) => ControlFlow::Continue(()),
+    ///         Err(error) => {
+    ///             failed = Some(error);
+    ///             ControlFlow::Break(())
+    ///         }
+    ///     }
+    /// });
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Glb::finish`], and what the file system says.
+    pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
+        Ok(std::fs::write(path, self.to_glb()?)?)
+    }
+}
+
+impl Parts<Buffers> {
+    /// All parts as one GLB file, with positions relative to the origin of the first.
+    ///
+    /// # Errors
+    /// As [`Glb::finish`].
+    pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
+        let origin = self.sinks().next().map_or(DVec3::ZERO, Buffers::origin);
+        let mut glb = Glb::new().with_origin(origin);
+        let _ = self.sinks().try_for_each(|buffers| glb.buffers(buffers));
+        glb.finish()
+    }
+}

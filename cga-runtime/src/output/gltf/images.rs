@@ -1,0 +1,127 @@
+//! The images of a file: embedded, or referenced by relative address, each once.
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
+
+use super::binary::{Binary, text};
+use super::combine;
+use super::json::quoted;
+use super::look::Looks;
+use super::textures::ImageKey;
+use crate::asset::Assets;
+use crate::asset::image::header::ImageKind;
+use crate::output::texture::source::{self, Source};
+
+/// Images in the order in which looks need them first. Every image has one texture with the same number.
+#[derive(Debug, Default)]
+pub(super) struct Images<'a> {
+    assets: Option<&'a Assets>,
+    is_referenced: bool,
+    list: Vec<Image>,
+    /// Only ever asked, never walked.
+    by_key: HashMap<ImageKey, Option<usize>>,
+    /// Embedded images by a hash of their bytes. Only ever asked, never walked.
+    by_hash: HashMap<u64, Vec<usize>>,
+}
+
+#[derive(Debug, PartialEq)]
+enum Image {
+    Referenced(String),
+    Embedded { kind: ImageKind, bytes: Vec<u8> },
+}
+
+impl<'a> Images<'a> {
+    /// The images of all looks.
+    pub(super) fn of(looks: &Looks, assets: Option<&'a Assets>, is_referenced: bool) -> Self {
+        let mut images = Images { assets, is_referenced, ..Images::default() };
+        for texture in looks.textures() {
+            images.add(&texture.image);
+        }
+        images
+    }
+
+    /// The number of an image, if there is such an image.
+    pub(super) fn number(&self, key: &ImageKey) -> Option<usize> {
+        self.by_key.get(key).copied().flatten()
+    }
+
+    fn add(&mut self, key: &ImageKey) -> Option<usize> {
+        if let Some(known) = self.by_key.get(key) {
+            return *known;
+        }
+        let number = match key {
+            ImageKey::File(name) => self.file(name).and_then(|image| self.put(image)),
+            key => match combine::combined(self.assets, key) {
+                Some(combine::Combined::Png(bytes)) => self.put(Image::Embedded { kind: ImageKind::Png, bytes }),
+                Some(combine::Combined::File(name)) => self.add(&ImageKey::File(name)),
+                None => None,
+            },
+        };
+        self.by_key.insert(key.clone(), number);
+        number
+    }
+
+    fn file(&self, name: &str) -> Option<Image> {
+        if self.is_referenced && !name.starts_with("builtin:") {
+            return Some(Image::Referenced(uri(name)));
+        }
+        match source::find(self.assets, name) {
+            Source::File(header, bytes) => Some(Image::Embedded { kind: header.kind, bytes }),
+            Source::Drawn(image) => {
+                combine::encoded(&image).map(|bytes| Image::Embedded { kind: ImageKind::Png, bytes })
+            }
+            Source::Absent => Some(Image::Referenced(uri(name))),
+        }
+    }
+
+    /// The number of an image; an equal one has it already.
+    fn put(&mut self, image: Image) -> Option<usize> {
+        let hash = match &image {
+            Image::Embedded { bytes, .. } => BuildHasherDefault::<DefaultHasher>::default().hash_one(bytes),
+            Image::Referenced(address) => BuildHasherDefault::<DefaultHasher>::default().hash_one(address),
+        };
+        let alike = self.by_hash.entry(hash).or_default();
+        if let Some(known) = alike.iter().find(|&&number| self.list[number] == image) {
+            return Some(*known);
+        }
+        alike.push(self.list.len());
+        self.list.push(image);
+        Some(self.list.len() - 1)
+    }
+
+    /// The members `textures` and `images`, each followed by a comma, and the views of embedded images.
+    pub(super) fn write(self, json: &mut String, binary: &mut Binary<'_>) {
+        if self.list.is_empty() {
+            return;
+        }
+        let sources: Vec<String> = (0..self.list.len()).map(|number| format!("{{\"source\":{number}}}")).collect();
+        let images = self.list.into_iter().map(|image| match image {
+            Image::Referenced(address) => format!("{{\"uri\":{}}}", quoted(&address)),
+            Image::Embedded { kind, bytes } => {
+                let kind = match kind {
+                    ImageKind::Png => "image/png",
+                    ImageKind::Jpeg => "image/jpeg",
+                };
+                let view = binary.view(bytes.len(), "", move |to| text(to, &bytes, 0));
+                format!("{{\"bufferView\":{view},\"mimeType\":\"{kind}\"}}")
+            }
+        });
+        let images: Vec<String> = images.collect();
+        let _ = write!(json, "\"textures\":[{}],\"images\":[{}],", sources.join(","), images.join(","));
+    }
+}
+
+/// A path as a relative reference: forward slashes, everything but the unreserved characters escaped.
+fn uri(path: &str) -> String {
+    let mut text = String::new();
+    // A slash at the beginning means the asset folder, which a reader does not know.
+    for byte in path.strip_prefix('/').unwrap_or(path).bytes() {
+        match byte {
+            b'\\' => text.push('/'),
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => text.push(byte.into()),
+            _ => text += &format!("%{byte:02X}"),
+        }
+    }
+    text
+}

@@ -1,0 +1,139 @@
+//! Materials as glTF has them: what a face looks like, each look once.
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+
+use super::images::Images;
+use super::json::quoted;
+use super::tangents::NormalSpace;
+use super::textures::{LookTexture, opacity, textures};
+use crate::material::layer::SetMask;
+use crate::material::{Channel, Material, MaterialNumber, MaterialText};
+use crate::output::number::{Short, linear};
+
+/// The numbers of a look, see [`Look`], as bits; its alpha mode, its sides and its textures.
+type Key = ([u32; 9], Alpha, bool, Vec<LookTexture>);
+
+/// glTF's alpha modes. The cutoff as bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Alpha {
+    Opaque,
+    Blend,
+    Mask(u32),
+}
+
+/// Looks in the order in which they are first asked for.
+#[derive(Debug, Default)]
+pub(super) struct Looks {
+    list: Vec<Look>,
+    /// Only ever asked, never walked.
+    by_key: HashMap<Key, u32>,
+    /// Looks by number of the material and sets of texture coordinates, with the sets that are needed. Only ever asked, never
+    /// walked.
+    by_material: HashMap<(u32, SetMask), (u32, SetMask)>,
+}
+
+#[derive(Debug)]
+struct Look {
+    name: String,
+    /// Linear red, green, blue, opacity, metallic, roughness, emitted red, green, blue.
+    numbers: [f32; 9],
+    alpha: Alpha,
+    double_sided: bool,
+    textures: Vec<LookTexture>,
+}
+
+impl Looks {
+    /// The look of a material, known by its number, on a mesh with some sets of texture coordinates, and the sets that a file needs
+    /// of those. A map without coordinates is left out.
+    pub(super) fn of(&mut self, id: u32, material: &Material, sets: SetMask) -> (u32, SetMask) {
+        if let Some(&known) = self.by_material.get(&(id, sets)) {
+            return known;
+        }
+        let color = material.color();
+        let unit = |value: Option<f64>, default: f64| value.filter(|v| !v.is_nan()).unwrap_or(default).clamp(0.0, 1.0);
+        let light = |channel| linear(unit(material.number(MaterialNumber::Emissive(channel)), 0.0));
+        let numbers = [
+            linear(color.r),
+            linear(color.g),
+            linear(color.b),
+            unit(material.opacity, 1.0),
+            unit(material.metallic, 0.0),
+            unit(material.roughness, 1.0),
+            light(Channel::R),
+            light(Channel::G),
+            light(Channel::B),
+        ]
+        // Adding 0 takes the sign off −0, which would be a look of its own.
+        .map(|value| value as f32 + 0.0);
+        let alpha = match material.text(MaterialText::OpacityMode).map(|mode| mode.as_str()) {
+            Some("opaque") => Alpha::Opaque,
+            Some("mask") => Alpha::Mask((unit(material.number(MaterialNumber::Cutoff), 0.5) as f32).to_bits()),
+            _ if numbers[3] < 1.0 || opacity(material, sets).is_some() => Alpha::Blend,
+            _ => Alpha::Opaque,
+        };
+        let (textures, written) = textures(material, sets, alpha == Alpha::Opaque, numbers[4]);
+        let double_sided = material.double_sided.unwrap_or(true);
+        let list = &mut self.list;
+        let key = (numbers.map(f32::to_bits), alpha, double_sided, textures.clone());
+        let look = *self.by_key.entry(key).or_insert_with(|| {
+            let byte = |channel: f64| libm::round(channel * 255.0) as u8;
+            let hex = || format!("#{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b));
+            let name = material.name.as_ref().map_or_else(hex, |name| name.to_string());
+            list.push(Look { name, numbers, alpha, double_sided, textures });
+            (list.len() - 1) as u32
+        });
+        self.by_material.insert((id, sets), (look, written));
+        (look, written)
+    }
+
+    /// The textures of all looks.
+    pub(super) fn textures(&self) -> impl Iterator<Item = &LookTexture> {
+        self.list.iter().flat_map(|look| &look.textures)
+    }
+
+    /// The coordinates of the normal map of a look, if it shows one.
+    pub(super) fn normal_space(&self, look: u32, images: &Images<'_>) -> Option<NormalSpace> {
+        let textures = &self.list.get(look as usize)?.textures;
+        let shown = textures.iter().filter(|texture| images.number(&texture.image).is_some());
+        shown.filter_map(LookTexture::normal_space).next()
+    }
+
+    /// The member `materials` of the file, followed by a comma.
+    pub(super) fn write(&self, json: &mut String, images: &Images<'_>) {
+        if self.list.is_empty() {
+            return;
+        }
+        json.push_str("\"materials\":[");
+        for (i, look) in self.list.iter().enumerate() {
+            let comma = if i == 0 { "" } else { "," };
+            let [r, g, b, opacity, metallic, roughness, light @ ..] = look.numbers.map(Short);
+            let textures = |json: &mut String, is_pbr: bool| {
+                for texture in look.textures.iter().filter(|texture| texture.role.is_pbr() == is_pbr) {
+                    if let Some(index) = images.number(&texture.image) {
+                        texture.write(json, index);
+                    }
+                }
+            };
+            let _ = write!(json, "{comma}{{\"name\":{},\"pbrMetallicRoughness\":{{", quoted(&look.name));
+            let _ = write!(json, "\"baseColorFactor\":[{r},{g},{b},{opacity}],");
+            textures(json, true);
+            let _ = write!(json, "\"metallicFactor\":{metallic},\"roughnessFactor\":{roughness}}},");
+            textures(json, false);
+            if light.iter().any(|channel| channel.0 != 0.0) {
+                let [r, g, b] = light;
+                let _ = write!(json, "\"emissiveFactor\":[{r},{g},{b}],");
+            }
+            match look.alpha {
+                Alpha::Opaque => {}
+                Alpha::Blend => json.push_str("\"alphaMode\":\"BLEND\","),
+                Alpha::Mask(bits) => {
+                    let cutoff = Short(f32::from_bits(bits));
+                    let _ = write!(json, "\"alphaMode\":\"MASK\",\"alphaCutoff\":{cutoff},");
+                }
+            }
+            let _ = write!(json, "\"doubleSided\":{}}}", look.double_sided);
+        }
+        json.push_str("],");
+    }
+}

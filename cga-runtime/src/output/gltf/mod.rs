@@ -1,0 +1,327 @@
+//! GLB 2.0: one binary file with geometry, materials and rule names.
+//!
+//! Triangles are grouped into one primitive a material. Each vertex carries the number of its rule (`_FEATURE_ID_0`,
+//! `EXT_mesh_features`), and a property table (`EXT_structural_metadata`) has the names. Assets inserted more than once
+//! are stored once and placed by nodes; on request, parts that rules repeat are stored once with a list of their places
+//! (`EXT_mesh_gpu_instancing`). Colours are turned from sRGB to linear light; materials are double sided, as
+//! CGA's are. The same leaves and images give the same bytes.
+//!
+//! Images are embedded if the assets are known ([`Glb::with_assets`]; a model of a run knows them), else they are referenced by
+//! relative address. Colour, opacity, normal, emissive, occlusion, roughness and metallic maps become those of glTF, each with the
+//! set of texture coordinates that it uses and its placement (`KHR_texture_transform`). glTF keeps opacity beside colour and
+//! roughness beside metal: where CGA has two images, one is made of them, as large as the larger. An opacity map without an
+//! alpha channel counts by its brightness. Two maps in one image share the set and the placement of the first.
+//! Bump, dirt and specular maps are left out: glTF has no such maps.
+
+mod assets;
+mod binary;
+mod buffers;
+mod combine;
+mod images;
+mod json;
+mod look;
+mod pack;
+mod parts;
+mod primitive;
+mod streams;
+mod tangents;
+mod textures;
+
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+
+use self::assets::AssetList;
+use self::look::Looks;
+use self::parts::{Parts, Place};
+use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
+use super::error::WriteError;
+use super::flatten::Flattener;
+use super::normals;
+use super::numbers::Numbers;
+use crate::asset::Assets;
+use crate::geometry::Axis;
+use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::uv_map::{self, SetMap};
+use crate::material::layer::SetMask;
+use crate::output::model::Model;
+use crate::output::texture::files::Files;
+use crate::run::sink::corners::{Placed, four};
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
+use crate::shape::base::Form;
+
+/// Collects leaves for a GLB file.
+#[derive(Debug, Default)]
+pub struct Glb {
+    origin: DVec3,
+    numbers: Numbers,
+    looks: Looks,
+    primitives: Primitives,
+    assets: AssetList,
+    /// Repeated parts, if they are to be instances.
+    parts: Option<Parts>,
+    flattener: Flattener,
+    bytes: u64,
+    files: Files,
+    references_images: bool,
+}
+
+/// A glTF mesh that is shown at several places.
+struct Shared {
+    primitives: Vec<Primitive>,
+    places: Places,
+}
+
+enum Places {
+    /// A node each.
+    Nodes(Vec<DAffine3>),
+    /// One node for all.
+    Instances(Vec<Place>),
+}
+
+/// What the 32-bit lengths of the format allow, less room for the description.
+const MAX_BYTES: u64 = u32::MAX as u64 - (1 << 24);
+
+impl Glb {
+    /// Without leaves.
+    pub fn new() -> Self {
+        Glb::default()
+    }
+
+    /// Stores positions relative to a point of the world, in metres; a node moves them back. Far from the world's
+    /// origin 32-bit floats alone are not fine enough.
+    pub fn with_origin(mut self, origin: DVec3) -> Self {
+        self.origin = origin;
+        self
+    }
+
+    /// Embeds images, found in an asset folder. A file that is missing or broken becomes a checker pattern.
+    pub fn with_assets(mut self, assets: Arc<Assets>) -> Self {
+        self.files = Files::of(assets);
+        self
+    }
+
+    /// References image files by their names, relative to the file, and does not embed them. Only images that are in no file are
+    /// embedded: built-in textures, and those made of two images.
+    pub fn with_referenced_images(mut self) -> Self {
+        self.references_images = true;
+        self
+    }
+
+    /// Stores each repeated part once, with the list of its places (`EXT_mesh_gpu_instancing`). The file is smaller and shows
+    /// the same triangles; a reader must know the extension.
+    ///
+    /// Parts are known while a run goes on: the sink must take the leaves of the run itself. A [`Model`] keeps single leaves.
+    ///
+    /// ```
+    /// use cga_runtime::output::gltf::Glb;
+    ///
+    /// let glb = Glb::new().with_instances();
+    /// // … `grammar.generate_into(&shape, &settings, &mut glb)?`, then:
+    /// assert!(glb.finish().unwrap().starts_with(b"glTF"));
+    /// ```
+    pub fn with_instances(mut self) -> Self {
+        self.parts = Some(Parts::default());
+        self
+    }
+
+    /// The file.
+    ///
+    /// # Errors
+    /// [`WriteError::TooLarge`] for more than 4 GiB, [`WriteError::NotFinite`] for coordinates that are no `f32`.
+    pub fn finish(mut self) -> Result<Vec<u8>, WriteError> {
+        let mut shared = self.place_assets();
+        if let Some(parts) = self.parts.take() {
+            shared.extend(self.place_parts(parts));
+        }
+        shared.retain(|mesh| !mesh.primitives.is_empty());
+        if MAX_BYTES < self.bytes {
+            return Err(WriteError::TooLarge { what: "bytes", limit: u64::from(u32::MAX) });
+        }
+        let main = std::mem::take(&mut self.primitives).into_list();
+        pack::pack(&self, &main, &shared)
+    }
+
+    fn add(&mut self, vertices: usize, indices: usize) -> Flow {
+        self.add_bytes(vertices as u64 * VERTEX_BYTES + indices as u64 * INDEX_BYTES)
+    }
+
+    fn add_bytes(&mut self, bytes: u64) -> Flow {
+        self.bytes += bytes;
+        if MAX_BYTES < self.bytes { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// The primitive for a material without texture coordinates.
+    #[inline]
+    fn plain(&mut self, material: u32) -> &mut Primitive {
+        self.primitives.plain(&mut self.looks, &self.numbers.table, material)
+    }
+
+    /// The primitive for a material on a rectangle or a box with texture coordinates.
+    fn mapped(&mut self, material: u32, uvs: &[SetMap]) -> &mut Primitive {
+        let sets = SetMask::of(|set| uv_map::find(uvs, set).is_some());
+        self.primitives.of(&mut self.looks, &self.numbers.table, material, sets)
+    }
+
+    fn add_mapped(&mut self, vertices: usize, indices: usize, sets: usize) -> Flow {
+        self.add_bytes((vertices * sets) as u64 * UV_BYTES)?;
+        self.add(vertices, indices)
+    }
+
+    fn add_mesh(&mut self, rule: u32, material: u32, mesh: &Mesh, placement: &DAffine3) {
+        let Glb { origin, numbers, looks, primitives, flattener, .. } = self;
+        let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
+        flattener.faces(mesh, placement, |face| {
+            let shown = numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            let primitive = primitives.of(looks, &numbers.table, shown, sets);
+            primitive.face(mesh, placement, &face, rule, *origin);
+            true
+        });
+    }
+}
+
+impl Sink for Glb {
+    fn begin(&mut self) {
+        self.numbers.begin();
+        self.parts.iter_mut().for_each(Parts::begin);
+    }
+
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return leaf.pass_to(self);
+        }
+        let shape = leaf.shape;
+        let placed = Placed::of(shape).moved(-four(self.origin));
+        match shape.form {
+            Form::Rect(Axis::Z) => {
+                let (rule, material) = self.numbers.filled(leaf);
+                self.plain(material).quad(rule, &placed, shape.axes.normals[0]);
+                self.add(4, 6)
+            }
+            Form::Box => {
+                let (rule, material) = self.numbers.filled(leaf);
+                self.plain(material).cuboid(rule, &placed, shape.unit.get(), &shape.axes.normals);
+                self.add(24, 36)
+            }
+            Form::Rect(_) | Form::Empty | Form::Other => leaf.pass_to(self),
+        }
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        if replay.has_uvs() {
+            return replay.each(self);
+        }
+        if let Some(mut parts) = self.parts.take() {
+            let flow = self.place_part(&mut parts, replay);
+            self.parts = Some(parts);
+            return flow;
+        }
+        if !replay.is_plain() {
+            return replay.each(self);
+        }
+        let (mut leaf, origin) = (0, four(self.origin));
+        for (filled, mark) in replay.marks() {
+            let (rule, material) = self.numbers.with_material(&filled, mark.material);
+            let leaves = leaf..leaf + mark.leaves;
+            leaf = leaves.end;
+            self.plain(material).repeat(rule, replay, leaves, mark.corners / 4, origin);
+        }
+        self.add(replay.corner_count(), replay.corner_count() / 4 * 6)
+    }
+
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        let (rule, material) = self.numbers.leaf(leaf);
+        let placed = Placed::from(quad).moved(-four(self.origin));
+        if !leaf.uvs().is_empty() {
+            let primitive = self.mapped(material, leaf.uvs());
+            primitive.quad(rule, &placed, normals::of_quad(leaf, quad));
+            primitive.uvs(leaf.uvs(), quad.corners().into_iter());
+            return self.add_mapped(4, 6, leaf.uvs().len());
+        }
+        self.plain(material).quad(rule, &placed, normals::of_quad(leaf, quad));
+        self.add(4, 6)
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        let (rule, material) = self.numbers.leaf(leaf);
+        let placed = Placed::from(cuboid).moved(-four(self.origin));
+        if !leaf.uvs().is_empty() {
+            let primitive = self.mapped(material, leaf.uvs());
+            primitive.cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
+            primitive.uvs(leaf.uvs(), cuboid.face_corners());
+            return self.add_mapped(24, 36, leaf.uvs().len());
+        }
+        self.plain(material).cuboid(rule, &placed, cuboid.unit, &normals::of_cuboid(leaf, cuboid));
+        self.add(24, 36)
+    }
+
+    fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        let (rule, material) = self.numbers.leaf(leaf);
+        self.assets.add(mesh, rule, material, placement);
+        ControlFlow::Continue(())
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        let (rule, material) = self.numbers.leaf(leaf);
+        self.add_mesh(rule, material, mesh, placement);
+        self.add_mapped(mesh.corners.len(), 3 * mesh.corners.len(), mesh.uv_numbers().count())
+    }
+}
+
+impl Model {
+    /// The model as a GLB file; see [`Glb`]. A model far from the origin of the world is stored about its own middle.
+    ///
+    /// # Errors
+    /// As [`Glb::finish`].
+    pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
+        let glb = Glb::new().with_origin(near_origin(self.bounds()));
+        let mut glb = Glb { files: self.files().clone(), ..glb };
+        // It stops when it is full; finishing tells.
+        let _ = self.replay(&mut glb);
+        glb.finish()
+    }
+
+    /// Writes the model as a GLB file; see [`Model::to_glb`].
+    ///
+    /// # Errors
+    /// As [`Glb::finish`], and what the file system says.
+    pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
+        Ok(std::fs::write(path, self.to_glb()?)?)
+    }
+}
+
+impl super::parts::Parts<Model> {
+    /// All models as one GLB file, the same as that of one model with all leaves.
+    ///
+    /// # Errors
+    /// As [`Glb::finish`].
+    pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
+        let glb = Glb::new().with_origin(near_origin(self.bounds()));
+        let mut glb =
+            Glb { files: self.sinks().next().map_or_else(Files::default, |model| model.files().clone()), ..glb };
+        let _ = self.replay(&mut glb);
+        glb.finish()
+    }
+
+    /// Writes all models as one GLB file.
+    ///
+    /// # Errors
+    /// As [`Glb::finish`], and what the file system says.
+    pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
+        Ok(std::fs::write(path, self.to_glb()?)?)
+    }
+}
+
+/// The origin of the world, or a point in whole metres near geometry of those bounds if 32-bit floats about the former would
+/// be off by more than a millimetre.
+fn near_origin(bounds: Bounds) -> DVec3 {
+    const FINE: f64 = 8192.0;
+    let reach = bounds.low.abs().max(bounds.high.abs()).max_element();
+    if !bounds.low.is_finite() || !bounds.high.is_finite() || reach <= FINE {
+        return DVec3::ZERO;
+    }
+    let middle = (bounds.low + bounds.high) * 0.5;
+    DVec3::new(middle.x, bounds.low.y, middle.z).round()
+}

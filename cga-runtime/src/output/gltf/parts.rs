@@ -1,0 +1,124 @@
+//! Repeated parts as instances: each is a mesh, and its places are a list (`EXT_mesh_gpu_instancing`).
+//!
+//! Parts are equal when their triangles, looks and rules are, so the file does not depend on the templates that a session has
+//! kept. The identity of a part only saves making it again.
+
+use std::collections::HashMap;
+use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
+
+use glam::{DAffine3, DQuat, DVec3};
+
+use super::primitive::Primitive;
+use super::{Glb, Places, Shared};
+use crate::material::layer::SetMask;
+use crate::run::sink::{Flow, PartId, Replay};
+
+/// Parts in the order in which they come first.
+#[derive(Debug, Default)]
+pub(super) struct Parts {
+    list: Vec<Part>,
+    /// The parts of the run under way. Only ever asked, never walked.
+    by_id: HashMap<PartId, usize>,
+    /// Parts by a hash of their triangles. Only ever asked, never walked.
+    by_hash: HashMap<u64, Vec<usize>>,
+}
+
+/// A part and its places.
+#[derive(Debug)]
+struct Part {
+    primitives: Vec<Primitive>,
+    /// The first place.
+    first: DAffine3,
+    places: Vec<Place>,
+}
+
+/// A place of an instance, relative to the origin of the file.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub(super) translation: [f32; 3],
+    /// A unit quaternion.
+    pub(super) rotation: [f32; 4],
+}
+
+/// The bytes of a place.
+const PLACE_BYTES: u64 = size_of::<Place>() as u64;
+
+impl Place {
+    fn new(placement: &DAffine3, origin: DVec3) -> Self {
+        Place {
+            translation: (placement.translation - origin).to_array().map(|c| c as f32),
+            rotation: DQuat::from_mat3(&placement.matrix3).normalize().to_array().map(|c| c as f32),
+        }
+    }
+}
+
+impl Parts {
+    /// Another run begins: identities are those of a run.
+    pub(super) fn begin(&mut self) {
+        self.by_id.clear();
+    }
+
+    /// The number of a part, and whether it is new.
+    fn number(&mut self, primitives: Vec<Primitive>, first: &DAffine3) -> (usize, bool) {
+        // The same in every run of a program.
+        let hash = BuildHasherDefault::<DefaultHasher>::default().hash_one(&primitives);
+        let equal = self.by_hash.entry(hash).or_default();
+        if let Some(&known) = equal.iter().find(|&&at| self.list[at].primitives == primitives) {
+            return (known, false);
+        }
+        equal.push(self.list.len());
+        self.list.push(Part { primitives, first: *first, places: Vec::new() });
+        (self.list.len() - 1, true)
+    }
+}
+
+impl Glb {
+    /// Notes a place of a part that repeats.
+    pub(super) fn place_part(&mut self, parts: &mut Parts, replay: &Replay<'_>) -> Flow {
+        let placement = replay.placement();
+        // A host program may set axes that are no rotation, which a list of places cannot express.
+        if 1e-6 < (placement.matrix3.determinant() - 1.0).abs() {
+            return replay.each(self);
+        }
+        let number = match parts.by_id.get(&replay.part()) {
+            Some(&known) => known,
+            None => {
+                let primitives = self.local(replay);
+                let (number, is_new) = parts.number(primitives, &placement);
+                if is_new {
+                    self.add(replay.corner_count(), replay.corner_count() / 4 * 6)?;
+                }
+                parts.by_id.insert(replay.part(), number);
+                number
+            }
+        };
+        parts.list[number].places.push(Place::new(&placement, self.origin));
+        self.add_bytes(PLACE_BYTES)
+    }
+
+    /// The triangles of a part in its own coordinates.
+    fn local(&mut self, replay: &Replay<'_>) -> Vec<Primitive> {
+        let main = std::mem::take(&mut self.primitives);
+        let (origin, bytes) = (std::mem::take(&mut self.origin), self.bytes);
+        // A part is far smaller than a file may be.
+        let _ = replay.each_local(self);
+        (self.origin, self.bytes) = (origin, bytes);
+        std::mem::replace(&mut self.primitives, main).into_list()
+    }
+
+    /// Parts at several places become meshes of their own; the others join the rest.
+    pub(super) fn place_parts(&mut self, parts: Parts) -> Vec<Shared> {
+        let mut shared = Vec::new();
+        for Part { primitives, first, places } in parts.list {
+            if 2 <= places.len() {
+                shared.push(Shared { primitives, places: Places::Instances(places) });
+                continue;
+            }
+            for primitive in &primitives {
+                let index = self.primitives.with_look(primitive.look, SetMask::default());
+                self.primitives.list[index].add_quads(primitive, &first, self.origin);
+            }
+        }
+        shared
+    }
+}

@@ -1,0 +1,91 @@
+//! Tangents of vertices, for materials with a normal map: without them every reader makes its own.
+
+use glam::{Vec2, Vec3};
+
+use super::binary::Word;
+use super::primitive::Primitive;
+
+/// The coordinates that a normal map uses: a list of the primitive, and the linear part of the placement with v upwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct NormalSpace {
+    pub(super) list: usize,
+    pub(super) rows: [Vec2; 2],
+}
+
+impl Primitive {
+    /// Writes the direction in which u grows on the surface at each vertex, and the side to which v grows. Vertices belong to one
+    /// face, so the triangles around a vertex are nearly always in one plane.
+    pub(super) fn write_tangents(&self, space: &NormalSpace, to: &mut Vec<Word>) {
+        let words = |write: fn(&Primitive, &mut Vec<Word>)| {
+            let mut words = Vec::new();
+            write(self, &mut words);
+            words
+        };
+        let indices: Vec<usize> =
+            words(Primitive::write_indices).into_iter().map(|word| u32::from_le_bytes(word) as usize).collect();
+        let normals: Vec<f32> = words(Primitive::write_normals).into_iter().map(f32::from_le_bytes).collect();
+        let positions = self.positions.items();
+        let Some(uvs) = self.uvs.get(space.list) else { return };
+        let mut sums = vec![[Vec3::ZERO; 2]; positions.len()];
+        for triangle in indices.as_chunks::<3>().0 {
+            let [a, b, c] = triangle.map(|at| Vec3::from_array(positions[at]));
+            let [p, q, r] = triangle.map(|at| {
+                let uv = Vec2::new(uvs[at][0], 1.0 - uvs[at][1]);
+                Vec2::new(space.rows[0].dot(uv), space.rows[1].dot(uv))
+            });
+            let ([e, f], [s, t]) = ([b - a, c - a], [q - p, r - p]);
+            // Only directions count, and these change their sign with the area in texture space.
+            let turn = (s.x * t.y - t.x * s.y).signum();
+            let along = [(e * t.y - f * s.y) * turn, (f * s.x - e * t.x) * turn];
+            for &at in triangle {
+                sums[at] = [sums[at][0] + unit(along[0]), sums[at][1] + unit(along[1])];
+            }
+        }
+        for ([u, v], normal) in sums.into_iter().zip(normals.as_chunks::<3>().0) {
+            let normal = Vec3::from_array(*normal);
+            let flat = unit(u - normal * normal.dot(u));
+            let tangent = if flat == Vec3::ZERO { across(normal) } else { flat };
+            let side = if normal.cross(tangent).dot(v) < 0.0 { -1.0 } else { 1.0 };
+            to.extend([tangent.x, tangent.y, tangent.z, side].map(f32::to_le_bytes));
+        }
+    }
+}
+
+/// The vector made one long; zero for one that has no direction.
+fn unit(v: Vec3) -> Vec3 {
+    let scale = v.abs().max_element();
+    if 0.0 < scale && scale.is_finite() { (v / scale).normalize() } else { Vec3::ZERO }
+}
+
+/// Any unit vector across a normal.
+fn across(normal: Vec3) -> Vec3 {
+    let axis = if normal.x.abs() < 0.9 { Vec3::X } else { Vec3::Y };
+    unit(axis - normal * normal.dot(axis))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::gltf::primitive::Stretch;
+
+    #[test]
+    fn tangents_follow_the_coordinates() {
+        let mut primitive =
+            Primitive { indices: vec![0, 1, 2], normals: vec![[0.0, 0.0, 1.0]; 3], ..Primitive::default() };
+        primitive.stretches.push(Stretch { rule: 0, is_quads: false, vertex: 0, index: 0 });
+        primitive.positions.extend([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]].into_iter());
+        // Coordinates as the file has them, with v downwards.
+        for (uvs, wanted) in [
+            ([[0.0, 1.0], [1.0, 1.0], [0.0, 0.0]], [1.0, 0.0, 0.0, 1.0]),
+            ([[0.0, 1.0], [-1.0, 1.0], [0.0, 0.0]], [-1.0, 0.0, 0.0, -1.0]),
+            ([[0.0, 1.0], [0.0, 0.0], [-1.0, 1.0]], [0.0, -1.0, 0.0, 1.0]),
+            ([[0.5; 2]; 3], [1.0, 0.0, 0.0, 1.0]),
+        ] {
+            primitive.uvs = vec![uvs.to_vec()];
+            let mut words = Vec::new();
+            primitive.write_tangents(&NormalSpace { list: 0, rows: [Vec2::X, Vec2::Y] }, &mut words);
+            let tangents: Vec<f32> = words.into_iter().map(f32::from_le_bytes).collect();
+            assert!(tangents.as_chunks::<4>().0.iter().all(|tangent| *tangent == wanted), "{tangents:?}");
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Areas and volumes of leaves.
+//!
+//! Volumes are signed: positive for a closed surface whose faces look outwards. Of an open surface they mean nothing.
+
+use glam::DAffine3;
+
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::map::normal_map;
+use crate::run::sink::{Cuboid, Quad};
+
+/// In square metres.
+pub(crate) fn quad_area(quad: &Quad) -> f64 {
+    quad.u.cross(quad.v).length()
+}
+
+/// In square metres.
+pub(crate) fn cuboid_area(cuboid: &Cuboid) -> f64 {
+    let [x, y, z] = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
+    2.0 * (x.cross(y).length() + y.cross(z).length() + z.cross(x).length())
+}
+
+/// In cubic metres.
+pub(crate) fn cuboid_volume(cuboid: &Cuboid) -> f64 {
+    cuboid.sides.determinant()
+}
+
+/// In square metres, as placed. Holes do not count.
+pub(crate) fn mesh_area(mesh: &Mesh, placement: &DAffine3) -> f64 {
+    let turn = normal_map(&placement.matrix3);
+    mesh.faces().map(|face| (turn * face.area_vector()).length()).sum::<f64>() * 0.5
+}
+
+/// In cubic metres, as placed.
+pub(crate) fn mesh_volume(mesh: &Mesh, placement: &DAffine3) -> f64 {
+    mesh.volume() * placement.matrix3.determinant()
+}

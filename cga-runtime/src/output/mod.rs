@@ -1,0 +1,21 @@
+//! The results of runs: models, and sinks that write buffers, files and pictures.
+
+pub mod buffers;
+pub mod error;
+pub(crate) mod flatten;
+#[cfg(feature = "gltf")]
+pub mod gltf;
+pub(crate) mod measure;
+pub mod model;
+mod normals;
+pub(crate) mod number;
+pub(crate) mod numbers;
+pub mod obj;
+pub(crate) mod order;
+pub mod parts;
+pub mod picture;
+mod room;
+pub mod stats;
+pub mod svg;
+pub mod table;
+mod texture;

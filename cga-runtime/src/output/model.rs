@@ -1,0 +1,437 @@
+//! What a run returns: all leaves, in memory.
+//!
+//! A model is a sink as well, and it can be played into any other sink, in the order in which it was filled. A leaf
+//! takes about 140 bytes while its geometry follows from its scope, as it does for most; otherwise the geometry is
+//! stored beside it.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+
+use crate::asset::Assets;
+use crate::fault::Fault;
+use crate::geometry::Axis;
+use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::uv_map::SetMap;
+use crate::material::Material;
+use crate::output::measure::{cuboid_area, cuboid_volume, mesh_area, mesh_volume, quad_area};
+use crate::output::numbers::Numbers;
+use crate::output::stats::Stats;
+use crate::output::texture::files::Files;
+use crate::output::texture::leaf_uvs::LeafUvs;
+use crate::run::report::Report;
+use crate::run::report::{Collection, Print, Reports};
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink, cuboid_mesh, quad_mesh};
+use crate::shape::base::Form;
+use crate::shape::place;
+use crate::shape::scope::Scope;
+use crate::shape::unit::UnitMesh;
+
+/// The leaves of a run.
+#[derive(Clone, Debug, Default)]
+pub struct Model {
+    records: Vec<Record>,
+    quads: Vec<Quad>,
+    cuboids: Vec<Cuboid>,
+    meshes: Vec<(Arc<Mesh>, DAffine3)>,
+    /// The texture coordinates of rectangles and boxes that have some.
+    uvs: LeafUvs,
+    numbers: Numbers,
+    report: Report,
+    files: Files,
+}
+
+#[derive(Clone, Debug)]
+struct Record {
+    scope: Scope,
+    rule: u32,
+    material: u32,
+    stored: Stored,
+}
+
+/// Where the geometry of a leaf is: implied by its scope, or a place in one of the model's lists.
+#[derive(Clone, Copy, Debug)]
+enum Stored {
+    /// The rectangle in the scope's low plane across an axis.
+    Rect(Axis, UnitMesh),
+    /// The whole scope.
+    Full(UnitMesh),
+    Quad(u32),
+    Cuboid(u32),
+    Mesh(u32),
+    Instance(u32),
+}
+
+impl Stored {
+    /// The geometry of a leaf that fills its scope.
+    #[inline]
+    fn filled(form: Form, unit: UnitMesh) -> Option<Self> {
+        match form {
+            Form::Rect(axis) => Some(Stored::Rect(axis, unit)),
+            Form::Box => Some(Stored::Full(unit)),
+            Form::Empty | Form::Other => None,
+        }
+    }
+}
+
+/// The geometry of a leaf, in the world.
+#[derive(Clone, Copy, Debug)]
+pub enum Geometry<'a> {
+    /// A rectangle.
+    Quad(Quad),
+    /// A closed box.
+    Cuboid(Cuboid),
+    /// A mesh of its own.
+    Mesh {
+        /// In local coordinates.
+        mesh: &'a Arc<Mesh>,
+        /// From local coordinates to the world.
+        placement: &'a DAffine3,
+    },
+    /// An inserted asset that nothing has cut, possibly shared by many leaves.
+    Instance {
+        /// In local coordinates.
+        mesh: &'a Arc<Mesh>,
+        /// From local coordinates to the world.
+        placement: &'a DAffine3,
+    },
+}
+
+/// A look at one leaf of a model.
+#[derive(Clone, Copy, Debug)]
+pub struct LeafView<'a> {
+    model: &'a Model,
+    record: &'a Record,
+    number: usize,
+}
+
+impl<'a> LeafView<'a> {
+    /// The name of the rule or leaf symbol, without the dot.
+    pub fn rule(&self) -> &'static str {
+        self.model.numbers.table.rules()[self.record.rule as usize]
+    }
+
+    /// What the rules set.
+    pub fn material(&self) -> &'a Arc<Material> {
+        &self.model.numbers.table.materials()[self.record.material as usize]
+    }
+
+    /// Counts in [`Model::materials`].
+    pub fn material_index(&self) -> usize {
+        self.record.material as usize
+    }
+
+    /// Where it is and how large, in the world.
+    pub fn scope(&self) -> &'a Scope {
+        &self.record.scope
+    }
+
+    /// The size of its scope, in metres; negative where it is mirrored.
+    pub fn size(&self) -> DVec3 {
+        self.record.scope.size
+    }
+
+    /// Its geometry.
+    pub fn geometry(&self) -> Geometry<'a> {
+        let model = self.model;
+        let placed = |index: u32| {
+            let (mesh, placement) = &model.meshes[index as usize];
+            (mesh, placement)
+        };
+        match self.record.stored {
+            Stored::Rect(axis, unit) => Geometry::Quad(place::rectangle(&self.record.scope, axis, unit)),
+            Stored::Full(unit) => Geometry::Cuboid(place::cuboid(&self.record.scope, unit)),
+            Stored::Quad(index) => Geometry::Quad(model.quads[index as usize]),
+            Stored::Cuboid(index) => Geometry::Cuboid(model.cuboids[index as usize]),
+            Stored::Mesh(index) => {
+                let (mesh, placement) = placed(index);
+                Geometry::Mesh { mesh, placement }
+            }
+            Stored::Instance(index) => {
+                let (mesh, placement) = placed(index);
+                Geometry::Instance { mesh, placement }
+            }
+        }
+    }
+
+    /// The maps of the sets that it has as a rectangle or a box, sorted by set. A mesh has its sets itself.
+    pub fn uvs(&self) -> &'a [SetMap] {
+        self.model.uvs.of(self.number)
+    }
+
+    /// The signed volume it encloses, in cubic metres: 0 for a rectangle, negative for what is turned inside out,
+    /// without meaning for a mesh that is not closed.
+    pub fn volume(&self) -> f64 {
+        match self.geometry() {
+            Geometry::Quad(_) => 0.0,
+            Geometry::Cuboid(cuboid) => cuboid_volume(&cuboid),
+            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => mesh_volume(mesh, placement),
+        }
+    }
+
+    /// Its surface in square metres; of a closed box all six faces.
+    pub fn area(&self) -> f64 {
+        match self.geometry() {
+            Geometry::Quad(quad) => quad_area(&quad),
+            Geometry::Cuboid(cuboid) => cuboid_area(&cuboid),
+            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => mesh_area(mesh, placement),
+        }
+    }
+
+    fn leaf(&self) -> Leaf<'a> {
+        Leaf::new(self.rule(), self.material(), self.scope()).with_uvs(self.uvs())
+    }
+
+    /// Its geometry as a mesh with its texture coordinates, and the map from the mesh's coordinates to the world. Made on the
+    /// spot for a rectangle or a box, shared otherwise.
+    pub fn mesh(&self) -> (Arc<Mesh>, DAffine3) {
+        match self.geometry() {
+            Geometry::Quad(quad) => (quad_mesh(&self.leaf(), &quad), DAffine3::IDENTITY),
+            Geometry::Cuboid(cuboid) => (cuboid_mesh(&self.leaf(), &cuboid), DAffine3::IDENTITY),
+            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => (mesh.clone(), *placement),
+        }
+    }
+
+    /// The axis-aligned box around its geometry, in the world.
+    pub fn bounds(&self) -> Bounds {
+        match self.geometry() {
+            Geometry::Quad(quad) => Bounds::of(quad.corners()),
+            Geometry::Cuboid(cuboid) => Bounds::of(cuboid.corners()),
+            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => {
+                Bounds::of(mesh.points.iter().map(|&point| placement.transform_point3(point)))
+            }
+        }
+    }
+
+    /// Hands it to a sink.
+    pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
+        let leaf = self.leaf();
+        match self.geometry() {
+            Geometry::Quad(quad) => sink.quad(&leaf, &quad),
+            Geometry::Cuboid(cuboid) => sink.cuboid(&leaf, &cuboid),
+            Geometry::Mesh { mesh, placement } => sink.mesh(&leaf, mesh, placement),
+            Geometry::Instance { mesh, placement } => sink.instance(&leaf, mesh, placement),
+        }
+    }
+}
+
+impl Model {
+    /// What went wrong with single shapes while the model was made, each with the rules that led there.
+    pub fn faults(&self) -> &[Fault] {
+        &self.report.faults
+    }
+
+    /// What rules reported, sorted by key (*report operation*). `to_string` makes a table of it.
+    pub fn reports(&self) -> &Reports {
+        self.report.reports()
+    }
+
+    /// What rules reported under one key; of several types the first, see [`Reports::of_type`].
+    pub fn reported(&self, key: &str) -> Option<&Collection> {
+        self.report.reported(key)
+    }
+
+    /// The lines that rules printed, breadth first; see [`Report::prints`].
+    pub fn prints(&self) -> &[Print] {
+        self.report.prints()
+    }
+
+    /// What the run said besides its leaves: counts, faults, reports.
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    pub(crate) fn with_report(self, report: Report) -> Self {
+        Model { report, ..self }
+    }
+
+    /// The same model with its images in an asset folder. The model of a run has the assets of its settings; without assets, or
+    /// without a folder, files and pictures do not contain images.
+    #[must_use]
+    pub fn with_assets(self, assets: Arc<Assets>) -> Self {
+        Model { files: Files::of(assets), ..self }
+    }
+
+    #[cfg(feature = "gltf")]
+    pub(crate) fn files(&self) -> &Files {
+        &self.files
+    }
+
+    /// The assets in which its images are found.
+    pub fn assets(&self) -> Option<&Arc<Assets>> {
+        self.files.get()
+    }
+
+    /// Without leaves.
+    pub fn new() -> Self {
+        Model::default()
+    }
+
+    /// How many leaves there are.
+    pub fn len(&self) -> usize {
+        self.records.len()
+    }
+
+    /// Whether there is no leaf.
+    pub fn is_empty(&self) -> bool {
+        self.records.is_empty()
+    }
+
+    /// The leaves, in the order of the run.
+    pub fn leaves(&self) -> impl ExactSizeIterator<Item = LeafView<'_>> + DoubleEndedIterator + Clone + '_ {
+        self.records.iter().enumerate().map(|(number, record)| LeafView { model: self, record, number })
+    }
+
+    /// The leaves of one rule, in the order of the run.
+    pub fn leaves_of<'a>(&'a self, rule: &'a str) -> impl Iterator<Item = LeafView<'a>> + Clone + 'a {
+        self.leaves().filter(move |leaf| leaf.rule() == rule)
+    }
+
+    /// The names of the rules that made leaves, in the order in which they first did.
+    pub fn rules(&self) -> &[&'static str] {
+        self.numbers.table.rules()
+    }
+
+    /// The materials of the leaves, each once.
+    pub fn materials(&self) -> &[Arc<Material>] {
+        self.numbers.table.materials()
+    }
+
+    /// How many leaves each rule made, in the order of [`Model::rules`].
+    pub fn counts(&self) -> Vec<(&'static str, usize)> {
+        let mut counts: Vec<_> = self.rules().iter().map(|&rule| (rule, 0)).collect();
+        for record in &self.records {
+            counts[record.rule as usize].1 += 1;
+        }
+        counts
+    }
+
+    /// How many leaves one rule made.
+    pub fn count(&self, rule: &str) -> usize {
+        match self.rules().iter().position(|&name| name == rule) {
+            Some(id) => self.records.iter().filter(|record| record.rule as usize == id).count(),
+            None => 0,
+        }
+    }
+
+    /// The axis-aligned box around all geometry, in the world.
+    pub fn bounds(&self) -> Bounds {
+        self.leaves().fold(Bounds::EMPTY, |sum, leaf| {
+            let bounds = leaf.bounds();
+            Bounds { low: sum.low.min(bounds.low), high: sum.high.max(bounds.high) }
+        })
+    }
+
+    /// The sum of the leaves' surfaces, in square metres.
+    pub fn area(&self) -> f64 {
+        self.leaves().map(|leaf| leaf.area()).sum()
+    }
+
+    /// The sum of the leaves' volumes, in cubic metres. Leaves that overlap count twice.
+    pub fn volume(&self) -> f64 {
+        self.leaves().map(|leaf| leaf.volume()).sum()
+    }
+
+    /// How many triangles a writer makes of it.
+    pub fn triangle_count(&self) -> usize {
+        self.stats().total().triangles as usize
+    }
+
+    /// All counts and measures.
+    pub fn stats(&self) -> Stats {
+        let mut stats = Stats::new();
+        // `Stats` never ends a run.
+        let _ = self.replay(&mut stats);
+        stats
+    }
+
+    /// Hands every leaf to a sink, in order, until it ends the run.
+    pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
+        self.leaves().try_for_each(|leaf| leaf.replay(sink))
+    }
+
+    fn push(&mut self, leaf: &Leaf<'_>, stored: Stored) -> Flow {
+        let (rule, material) = self.numbers.leaf(leaf);
+        if matches!(stored, Stored::Rect(..) | Stored::Full(_) | Stored::Quad(_) | Stored::Cuboid(_)) {
+            self.uvs.add(self.records.len(), leaf.uvs());
+        }
+        self.records.push(Record { scope: leaf.scope(), rule, material, stored });
+        ControlFlow::Continue(())
+    }
+
+    fn push_mesh(&mut self, mesh: &Arc<Mesh>, placement: &DAffine3) -> u32 {
+        self.meshes.push((mesh.clone(), *placement));
+        (self.meshes.len() - 1) as u32
+    }
+}
+
+impl Sink for Model {
+    fn begin(&mut self) {
+        self.numbers.begin();
+    }
+
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        if let Some(stored) = Stored::filled(leaf.shape.form, leaf.shape.unit.get()) {
+            let (rule, material) = self.numbers.filled(leaf);
+            self.uvs.add(self.records.len(), leaf.uvs());
+            self.records.push(Record { scope: leaf.scope(), rule, material, stored });
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        if replay.has_uvs() {
+            return replay.each(self);
+        }
+        self.records.reserve(replay.leaf_count());
+        let mut leaf = 0;
+        for (filled, mark) in replay.marks() {
+            let (rule, material) = self.numbers.with_material(&filled, mark.material);
+            let leaves = replay.leaves(leaf..leaf + mark.leaves);
+            leaf += mark.leaves;
+            self.records.extend(leaves.filter_map(|(placed, record, axes)| {
+                let scope = Scope {
+                    origin: (replay.origin() + placed.origin).truncate(),
+                    axes: *axes.matrix(),
+                    size: record.size,
+                };
+                Some(Record { scope, rule, material, stored: Stored::filled(record.form, record.unit)? })
+            }));
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        let scope = leaf.scope();
+        let implied =
+            [Axis::Z, Axis::Y, Axis::X].into_iter().find(|&axis| *quad == place::rectangle(&scope, axis, quad.unit));
+        let stored = implied.map_or_else(
+            || {
+                self.quads.push(*quad);
+                Stored::Quad((self.quads.len() - 1) as u32)
+            },
+            |axis| Stored::Rect(axis, quad.unit),
+        );
+        self.push(leaf, stored)
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        if *cuboid == place::cuboid(&leaf.scope(), cuboid.unit) {
+            return self.push(leaf, Stored::Full(cuboid.unit));
+        }
+        self.cuboids.push(*cuboid);
+        let index = (self.cuboids.len() - 1) as u32;
+        self.push(leaf, Stored::Cuboid(index))
+    }
+
+    fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        let index = self.push_mesh(mesh, placement);
+        self.push(leaf, Stored::Instance(index))
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        let index = self.push_mesh(mesh, placement);
+        self.push(leaf, Stored::Mesh(index))
+    }
+}

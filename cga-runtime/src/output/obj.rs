@@ -1,0 +1,322 @@
+//! OBJ and MTL text.
+//!
+//! Polygons stay polygons; faces with holes, which the format does not know, become triangles. Every run of leaves with
+//! one rule and one material starts a `g` and a `usemtl`. Coordinates are in the world, with as many digits as it takes
+//! to read the same values back. Colours are written as they are set, in sRGB.
+//!
+//! A corner has one pair of texture coordinates in this format: those of set 0, or of the first set that a mesh has. The library
+//! refers to images by the paths that rules use, from the asset folder, with scale and offset (`-s`, `-o`); it has no word for a
+//! turn (`rw`) and for other sets. Built-in textures are written as files beside the library.
+
+mod mtl;
+
+use std::collections::{BTreeSet, HashSet};
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+
+use super::error::WriteError;
+use super::flatten::{Flattener, unit};
+use super::number::{Texts, push_whole};
+use super::numbers::Numbers;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::map::normal_map;
+use crate::material::Material;
+use crate::output::model::Model;
+use crate::output::parts::Parts;
+use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
+use crate::value::text::Text;
+
+/// The bytes of text that are handed over at once, or somewhat more.
+const MUCH: usize = 1 << 15;
+
+/// Writes leaves as they come, in constant memory; materials are kept for the end.
+#[derive(Debug)]
+pub struct Obj<W: Write> {
+    out: W,
+    /// Text for `out`, handed over in pieces of some size.
+    text: Vec<u8>,
+    texts: Texts,
+    numbers: Numbers,
+    names: Names,
+    /// Rule and material of what was written last.
+    run: Option<(u32, u32)>,
+    points: u64,
+    uvs: u64,
+    normals: u64,
+    failed: Option<io::Error>,
+    flattener: Flattener,
+}
+
+impl<W: Write> Obj<W> {
+    /// Starts a file whose materials will be found in `library`, a file name.
+    pub fn new(mut out: W, library: &str) -> Self {
+        // Smoothing off: without normals of their own faces are flat.
+        let failed = write!(out, "mtllib {library}\ns off\n").err();
+        Obj {
+            out,
+            text: Vec::new(),
+            texts: Texts::default(),
+            numbers: Numbers::default(),
+            names: Names::default(),
+            run: None,
+            points: 0,
+            uvs: 0,
+            normals: 0,
+            failed,
+            flattener: Flattener::default(),
+        }
+    }
+
+    /// Ends the file and gives the text of the material library.
+    ///
+    /// # Errors
+    /// What `out` said, if anything, at any time.
+    pub fn finish(mut self) -> Result<String, WriteError> {
+        let _ = self.hand_over();
+        if let Some(error) = self.failed.take() {
+            return Err(error.into());
+        }
+        self.out.flush()?;
+        let mut library = String::new();
+        for (material, name) in self.numbers.table.materials().iter().zip(&self.names.list) {
+            // Some materials only served to make others.
+            if let Some(name) = name {
+                mtl::write(&mut library, name, material);
+            }
+        }
+        Ok(library)
+    }
+
+    /// Starts a group unless the last one goes on.
+    fn run(&mut self, rule: u32, material: u32) {
+        if self.run == Some((rule, material)) {
+            return;
+        }
+        self.run = Some((rule, material));
+        let group = self.numbers.table.rules()[rule as usize];
+        let name = self.names.of(material, &self.numbers.table.materials()[material as usize]);
+        for text in ["g ", group, "\nusemtl ", name, "\n"] {
+            self.text.extend_from_slice(text.as_bytes());
+        }
+    }
+
+    fn point(&mut self, p: DVec3) {
+        self.line("v", &p.to_array());
+        self.points += 1;
+    }
+
+    /// A line of a key and numbers.
+    fn line(&mut self, key: &str, numbers: &[f64]) {
+        self.text.extend_from_slice(key.as_bytes());
+        for &number in numbers {
+            self.text.push(b' ');
+            self.texts.push(&mut self.text, number);
+        }
+        self.text.push(b'\n');
+    }
+
+    fn polygon(&mut self, corners: impl IntoIterator<Item = u64>) {
+        self.text.push(b'f');
+        for corner in corners {
+            self.text.push(b' ');
+            push_whole(&mut self.text, corner);
+        }
+        self.text.push(b'\n');
+    }
+
+    /// Hands over what leaves have come to, once it is much.
+    fn flush(&mut self) -> Flow {
+        if self.text.len() < MUCH && self.failed.is_none() { ControlFlow::Continue(()) } else { self.hand_over() }
+    }
+
+    fn hand_over(&mut self) -> Flow {
+        if self.failed.is_none() {
+            self.failed = self.out.write_all(&self.text).err();
+        }
+        self.text.clear();
+        if self.failed.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+impl<W: Write> Sink for Obj<W> {
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY);
+        }
+        let (rule, material) = self.numbers.leaf(leaf);
+        self.run(rule, material);
+        let start = self.points;
+        quad.points().into_iter().for_each(|point| self.point(point));
+        self.polygon(quad.unit.mesh().corners().iter().map(|&corner| start + 1 + u64::from(corner)));
+        self.flush()
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        if !leaf.uvs().is_empty() {
+            return self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY);
+        }
+        let (rule, material) = self.numbers.leaf(leaf);
+        self.run(rule, material);
+        let start = self.points;
+        let (corners, unit) = (cuboid.corners(), cuboid.unit);
+        unit.numbers().for_each(|number| self.point(corners[usize::from(number)]));
+        for face in unit.mesh().faces() {
+            self.polygon(face.outer().iter().map(|&corner| start + 1 + u64::from(corner)));
+        }
+        self.flush()
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        let (rule, material) = self.numbers.leaf(leaf);
+        let turn = normal_map(&placement.matrix3);
+        let (points, uvs, normals) = (self.points + 1, self.uvs + 1, self.normals + 1);
+        mesh.points.iter().for_each(|&point| self.point(placement.transform_point3(point)));
+        let coordinates = mesh.uv_numbers().next().map_or(&[][..], |set| mesh.uv_set(set));
+        for uv in coordinates {
+            self.line("vt", &uv.to_array());
+        }
+        for &normal in &mesh.normals {
+            self.line("vn", &unit(turn * normal).to_array());
+        }
+        self.uvs += coordinates.len() as u64;
+        self.normals += mesh.normals.len() as u64;
+        let corner = |text: &mut Vec<u8>, corner: usize| {
+            text.push(b' ');
+            push_whole(text, points + u64::from(mesh.corners[corner]));
+            if !coordinates.is_empty() {
+                text.push(b'/');
+                push_whole(text, uvs + corner as u64);
+            }
+            if !mesh.normals.is_empty() {
+                text.extend_from_slice(if coordinates.is_empty() { b"//" } else { b"/" });
+                push_whole(text, normals + corner as u64);
+            }
+        };
+        let mut flattener = std::mem::take(&mut self.flattener);
+        flattener.faces(mesh, placement, |face| {
+            let shown = self.numbers.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            self.run(rule, shown);
+            if mesh.face(face.index).holes().len() == 0 {
+                self.text.push(b'f');
+                face.corners.clone().for_each(|c| corner(&mut self.text, c));
+                self.text.push(b'\n');
+                return true;
+            }
+            for triangle in face.triangles {
+                self.text.push(b'f');
+                triangle.iter().for_each(|&i| corner(&mut self.text, face.corners.start + i as usize));
+                self.text.push(b'\n');
+            }
+            true
+        });
+        self.flattener = flattener;
+        self.flush()
+    }
+}
+
+/// Names of materials: what the format can carry, each once.
+#[derive(Debug, Default)]
+struct Names {
+    list: Vec<Option<String>>,
+    taken: HashSet<String>,
+}
+
+impl Names {
+    fn of(&mut self, id: u32, material: &Material) -> &str {
+        let id = id as usize;
+        if self.list.len() <= id {
+            self.list.resize(id + 1, None);
+        }
+        let taken = &mut self.taken;
+        self.list[id].get_or_insert_with(|| {
+            let plain = plain_name(material);
+            let name = match taken.contains(&plain) {
+                // The number makes it unique unless somebody chose that name himself.
+                true => (id..).map(|n| format!("{plain}_{n}")).find(|name| !taken.contains(name)).unwrap_or_default(),
+                false => plain,
+            };
+            taken.insert(name.clone());
+            name
+        })
+    }
+}
+
+/// The material's own name without spaces and signs, or one after its colour.
+fn plain_name(material: &Material) -> String {
+    let allowed = |c: char| if c.is_alphanumeric() || "_.-".contains(c) { c } else { '_' };
+    let name: String = material.name.as_ref().map_or("", |name| name.as_str()).chars().map(allowed).collect();
+    if !name.is_empty() {
+        return name;
+    }
+    let color = material.color();
+    let byte = |channel: f64| libm::round(channel * 255.0) as u8;
+    format!("color_{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b))
+}
+
+impl Model {
+    /// The model as OBJ text that refers to `library`, and the text of that library.
+    pub fn to_obj(&self, library: &str) -> (String, String) {
+        to_text(library, |obj| self.replay(obj))
+    }
+
+    /// Writes an OBJ file and beside it, with the ending `.mtl`, its materials.
+    ///
+    /// # Errors
+    /// What the file system says.
+    pub fn write_obj(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
+        to_files(path.as_ref(), |obj| self.replay(obj))
+    }
+}
+
+impl Parts<Model> {
+    /// All models as one OBJ text that refers to `library`, and the text of that library.
+    pub fn to_obj(&self, library: &str) -> (String, String) {
+        to_text(library, |obj| self.replay(obj))
+    }
+
+    /// Writes all models as one OBJ file and beside it, with the ending `.mtl`, their materials.
+    ///
+    /// # Errors
+    /// What the file system says.
+    pub fn write_obj(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
+        to_files(path.as_ref(), |obj| self.replay(obj))
+    }
+}
+
+fn to_text(library: &str, replay: impl FnOnce(&mut Obj<&mut Vec<u8>>) -> Flow) -> (String, String) {
+    let mut bytes = Vec::new();
+    let mut obj = Obj::new(&mut bytes, library);
+    let _ = replay(&mut obj);
+    // Writing into memory does not fail, and what was written is text.
+    let materials = obj.finish().unwrap_or_default();
+    (String::from_utf8(bytes).unwrap_or_default(), materials)
+}
+
+fn to_files(path: &Path, replay: impl FnOnce(&mut Obj<BufWriter<File>>) -> Flow) -> Result<(), WriteError> {
+    let library = path.with_extension("mtl");
+    let name = library.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let mut obj = Obj::new(BufWriter::new(File::create(path)?), &name);
+    let _ = replay(&mut obj);
+    let images = mtl::builtins(obj.numbers.table.materials());
+    std::fs::write(&library, obj.finish()?)?;
+    write_images(path, &images)
+}
+
+/// Writes built-in textures beside an OBJ file.
+#[cfg(feature = "png")]
+fn write_images(path: &Path, names: &BTreeSet<Text>) -> Result<(), WriteError> {
+    names.iter().try_for_each(|name| match crate::asset::image::builtin::image(name) {
+        Some(image) => image.write_png(path.with_file_name(mtl::file_name(name))),
+        None => Ok(()),
+    })
+}
+
+#[cfg(not(feature = "png"))]
+fn write_images(_: &Path, _: &BTreeSet<Text>) -> Result<(), WriteError> {
+    Ok(())
+}

@@ -1,0 +1,210 @@
+//! Where a picture is taken from.
+
+use glam::DVec3;
+
+use crate::geometry::mesh::Bounds;
+
+/// A camera that looks from a direction and stands as far away as it takes to see everything.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where the camera stands, in degrees around the model: 0 in front (on the side of +z), 90 to the right (+x).
+    pub azimuth: f64,
+    /// How high it stands, in degrees: 0 level with the model, 90 straight above.
+    pub elevation: f64,
+    /// How space becomes flat.
+    pub projection: Projection,
+    /// What must be in the picture, in the world.
+    pub bounds: Bounds,
+    /// Free space around it, as a fraction of the picture's smaller side.
+    pub margin: f64,
+}
+
+/// Where a picture is taken from.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Viewpoint {
+    /// The usual three-quarter view of all of the model: [`Camera::auto`].
+    #[default]
+    Auto,
+    /// All of the model, from a direction in degrees; see [`Camera::azimuth`] and [`Camera::elevation`].
+    Around {
+        /// Around the model.
+        azimuth: f64,
+        /// Above it.
+        elevation: f64,
+    },
+    /// A camera that does not depend on the model.
+    Camera(Camera),
+}
+
+impl Viewpoint {
+    /// The camera for a model with those bounds.
+    pub fn camera(&self, bounds: Bounds) -> Camera {
+        match *self {
+            Viewpoint::Auto => Camera::auto(bounds),
+            Viewpoint::Around { azimuth, elevation } => Camera::auto(bounds).looking_from(azimuth, elevation),
+            Viewpoint::Camera(camera) => camera,
+        }
+    }
+}
+
+/// How space becomes flat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// Far things are smaller. The vertical field of view in degrees, above 0 and below 180.
+    Perspective(f64),
+    /// Parallels stay parallel.
+    Orthographic,
+}
+
+impl Camera {
+    /// A three-quarter view from the front right and above that shows all of `bounds`.
+    ///
+    /// What is flat and wide, a district, is seen from higher up than a tower.
+    pub fn auto(bounds: Bounds) -> Self {
+        let size = bounds.size();
+        let flat = size.y < 0.25 * size.x.min(size.z);
+        let elevation = if flat { 34.0 } else { 17.0 };
+        Camera { azimuth: 34.0, elevation, projection: Projection::Perspective(28.0), bounds, margin: 0.06 }
+    }
+
+    /// The same camera from another direction, in degrees; see the fields.
+    pub fn looking_from(self, azimuth: f64, elevation: f64) -> Self {
+        Camera { azimuth, elevation, ..self }
+    }
+
+    /// The same camera with parallel projection.
+    pub fn orthographic(self) -> Self {
+        Camera { projection: Projection::Orthographic, ..self }
+    }
+
+    /// The same camera with another vertical field of view, in degrees.
+    pub fn field_of_view(self, degrees: f64) -> Self {
+        Camera { projection: Projection::Perspective(degrees), ..self }
+    }
+}
+
+/// The unit vector towards a place in the sky.
+pub(crate) fn direction(azimuth: f64, elevation: f64) -> DVec3 {
+    let (a, e) = (azimuth.to_radians(), elevation.to_radians());
+    DVec3::new(libm::sin(a) * libm::cos(e), libm::sin(e), libm::cos(a) * libm::cos(e))
+}
+
+/// A camera for a picture of a certain size: maps between the world and pixels. The third coordinate of a projected
+/// point is larger the nearer it is, and linear in the picture over any plane.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View {
+    pub(crate) eye: DVec3,
+    pub(crate) right: DVec3,
+    pub(crate) up: DVec3,
+    pub(crate) forward: DVec3,
+    perspective: bool,
+    /// Pixels a unit: of tangent, or of length.
+    pub(crate) scale: f64,
+    centre: (f64, f64),
+}
+
+/// Nearer things are not seen, in units of the distance to the middle of the model.
+const NEAR: f64 = 1e-3;
+
+impl View {
+    /// A view that shows all of the camera's bounds.
+    pub(crate) fn new(camera: &Camera, width: usize, height: usize) -> View {
+        let Bounds { low, high } = camera.bounds;
+        let corner = |i: usize| {
+            let pick = |bit: usize, low: f64, high: f64| if i >> bit & 1 == 0 { low } else { high };
+            DVec3::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z))
+        };
+        View::around(camera, (0..8).map(corner), width, height)
+    }
+
+    /// A view that shows all of some points within the camera's bounds: closer than the bounds where they leave room.
+    pub(crate) fn around(camera: &Camera, points: impl Iterator<Item = DVec3>, width: usize, height: usize) -> View {
+        let bounds = match camera.bounds.low.cmple(camera.bounds.high).all() && camera.bounds.size().is_finite() {
+            true => camera.bounds,
+            false => Bounds { low: DVec3::splat(-1.0), high: DVec3::ONE },
+        };
+        let elevation = camera.elevation.clamp(-90.0, 90.0);
+        let forward = -direction(camera.azimuth, elevation);
+        let right = direction(camera.azimuth + 90.0, 0.0);
+        let up = right.cross(forward);
+        let local = |p: DVec3| DVec3::new(p.dot(right), p.dot(up), p.dot(forward));
+        let mut local: Vec<DVec3> = points.filter(|p| p.is_finite()).map(local).collect();
+        if local.is_empty() {
+            local = vec![DVec3::splat(-1.0), DVec3::ONE];
+        }
+        let (w, h) = (width as f64, height as f64);
+        let room = 1.0 - 2.0 * camera.margin.clamp(0.0, 0.4);
+        // Half the free extent in pixels, the margin being the same on all sides.
+        let border = 0.5 * (1.0 - room) * w.min(h);
+        let (half_w, half_h) = ((0.5 * w - border).max(1.0), (0.5 * h - border).max(1.0));
+        let most = |of: &dyn Fn(&DVec3) -> f64| local.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+        let (at, scale) = match camera.projection {
+            Projection::Perspective(degrees) => {
+                let scale = 0.5 * h / libm::tan(degrees.clamp(1.0, 170.0).to_radians() * 0.5);
+                let (tx, ty) = (half_w / scale, half_h / scale);
+                // The camera stands where the tightest pair of opposite sides of its pyramid touches the box.
+                let (r, l) = (most(&|p| p.x - tx * p.z), most(&|p| -p.x - tx * p.z));
+                let (t, b) = (most(&|p| p.y - ty * p.z), most(&|p| -p.y - ty * p.z));
+                let depth = (-(r + l) / (2.0 * tx)).min(-(t + b) / (2.0 * ty));
+                (DVec3::new(0.5 * (r - l), 0.5 * (t - b), depth), scale)
+            }
+            Projection::Orthographic => {
+                let (r, l) = (most(&|p| p.x), most(&|p| -p.x));
+                let (t, b) = (most(&|p| p.y), most(&|p| -p.y));
+                let tiny = 1e-9;
+                let scale = (2.0 * half_w / (r + l).max(tiny)).min(2.0 * half_h / (t + b).max(tiny));
+                let back = bounds.size().length().max(tiny);
+                (DVec3::new(0.5 * (r - l), 0.5 * (t - b), -most(&|p| -p.z) - back), scale)
+            }
+        };
+        let eye = right * at.x + up * at.y + forward * at.z;
+        let perspective = matches!(camera.projection, Projection::Perspective(_));
+        View { eye, right, up, forward, perspective, scale, centre: (0.5 * w, 0.5 * h) }
+    }
+
+    /// Distance along the view.
+    pub(crate) fn depth(&self, point: DVec3) -> f64 {
+        (point - self.eye).dot(self.forward)
+    }
+
+    /// What is nearer than this cannot be projected.
+    pub(crate) fn near(&self, middle: DVec3) -> f64 {
+        if self.perspective { NEAR * self.depth(middle).abs().max(1e-9) } else { f64::NEG_INFINITY }
+    }
+
+    /// To pixels from the upper left corner, and nearness.
+    #[inline]
+    pub(crate) fn project(&self, point: DVec3) -> [f64; 3] {
+        let d = point - self.eye;
+        let z = d.dot(self.forward);
+        let (k, q) = if self.perspective { (self.scale / z, 1.0 / z) } else { (self.scale, -z) };
+        [self.centre.0 + k * d.dot(self.right), self.centre.1 - k * d.dot(self.up), q]
+    }
+
+    /// From pixels and nearness back to the world.
+    #[inline]
+    pub(crate) fn unproject(&self, x: f64, y: f64, q: f64) -> DVec3 {
+        let (x, y) = ((x - self.centre.0) / self.scale, (self.centre.1 - y) / self.scale);
+        match self.perspective {
+            true => self.eye + (self.forward + self.right * x + self.up * y) / q,
+            false => self.eye + self.right * x + self.up * y - self.forward * q,
+        }
+    }
+
+    /// Whether a surface with that normal is seen from its front.
+    #[inline]
+    pub(crate) fn faces(&self, point: DVec3, normal: DVec3) -> bool {
+        let look = if self.perspective { point - self.eye } else { self.forward };
+        look.dot(normal) <= 0.0
+    }
+
+    /// Start and unnormalised direction of the ray through a pixel.
+    pub(crate) fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
+        let (x, y) = ((x - self.centre.0) / self.scale, (self.centre.1 - y) / self.scale);
+        let aside = self.right * x + self.up * y;
+        match self.perspective {
+            true => (self.eye, self.forward + aside),
+            false => (self.eye + aside, self.forward),
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! Pictures of models, drawn without a graphics card.
+//!
+//! ```no_run
+//! # use cga_runtime::output::model::Model;
+//! use cga_runtime::output::picture::Picture;
+//! # let model = Model::new();
+//! let image = Picture::new(1200, 900).looking_from(40.0, 15.0).render(&model);
+//! println!("{} pixels", image.rgba.len() / 4);
+//! ```
+//!
+//! Sun, a soft sky and light from the ground; a ground that catches shadows; thin lines along edges. The same model
+//! gives the same bytes on every machine.
+//!
+//! Faces with texture coordinates show the colour map of their material, and are as transparent as its opacity map: by degrees, or
+//! all or nothing where the mode is `mask`. Files are found in the assets of the model ([`Model::with_assets`]); without an asset
+//! folder faces have the colour of their material. Of several transparent
+//! surfaces behind each other the nearest is seen. Other maps are not drawn.
+
+pub(crate) mod camera;
+mod light;
+mod lines;
+#[cfg(feature = "png")]
+mod png;
+mod raster;
+mod scene;
+mod shade;
+mod texel;
+mod texture;
+mod visible;
+
+pub use crate::asset::image::Image;
+pub use camera::{Camera, Projection, Viewpoint};
+
+use glam::DVec3;
+
+use self::camera::{View, direction};
+use self::scene::Scene;
+use self::shade::{Gamma, Shader, display};
+use crate::geometry::mesh::Bounds;
+use crate::output::model::Model;
+
+/// How a picture is taken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// In pixels.
+    pub width: usize,
+    /// In pixels.
+    pub height: usize,
+    /// Where from.
+    pub view: Viewpoint,
+    /// Whether there is a ground that catches shadows, at the model's lowest point.
+    pub ground: bool,
+    /// Which lines are drawn.
+    pub lines: Lines,
+    /// Samples along a side of each pixel, 1 to 4.
+    pub samples: usize,
+    /// Where the sun is, in degrees around the model, counted from the camera: −60 is to the left of the viewer.
+    pub sun_azimuth: f64,
+    /// How high the sun is, in degrees.
+    pub sun_elevation: f64,
+    /// Colours of light and surroundings.
+    pub style: Style,
+}
+
+impl Model {
+    /// Writes a picture of 1200 by 900 pixels as a PNG file; see [`Picture`] for others.
+    ///
+    /// # Errors
+    /// What the file system says.
+    #[cfg(feature = "png")]
+    pub fn write_png(&self, path: impl AsRef<std::path::Path>) -> Result<(), crate::output::error::WriteError> {
+        Picture::new(1200, 900).render(self).write_png(path)
+    }
+}
+
+/// Which lines are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lines {
+    /// None.
+    None,
+    /// Silhouettes and creases.
+    Edges,
+    /// Those and the borders between leaves that lie in one plane.
+    Leaves,
+}
+
+/// Colours of light and surroundings, in linear light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Style {
+    /// Sunlight on a surface that faces it.
+    pub sun: [f32; 3],
+    /// Skylight on a roof that sees all of the sky.
+    pub sky: [f32; 3],
+    /// Light from the ground on a surface that looks down.
+    pub bounce: [f32; 3],
+    /// The backdrop at the top and near the bottom.
+    pub backdrop: [[f32; 3]; 2],
+    /// The ground near the model.
+    pub ground: [f32; 3],
+    /// The lines.
+    pub line: [f32; 3],
+    /// How opaque the lines are, 0 to 1.
+    pub line_opacity: f32,
+    /// What white surfaces give back of the light, 0 to 1.
+    pub albedo: f32,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Style {
+            sun: [1.12, 0.99, 0.80],
+            sky: [0.47, 0.55, 0.68],
+            bounce: [0.42, 0.38, 0.33],
+            backdrop: [[0.36, 0.54, 0.76], [0.84, 0.89, 0.93]],
+            ground: [0.78, 0.76, 0.72],
+            line: [0.02, 0.025, 0.035],
+            line_opacity: 0.5,
+            albedo: 0.9,
+        }
+    }
+}
+
+impl Picture {
+    /// A picture of that many pixels with everything else as it usually is.
+    pub fn new(width: usize, height: usize) -> Self {
+        Picture {
+            width,
+            height,
+            view: Viewpoint::default(),
+            ground: true,
+            lines: Lines::Edges,
+            samples: 2,
+            sun_azimuth: -62.0,
+            sun_elevation: 42.0,
+            style: Style::default(),
+        }
+    }
+
+    /// Takes the picture from a camera that does not depend on the model.
+    pub fn camera(self, camera: Camera) -> Self {
+        Picture { view: Viewpoint::Camera(camera), ..self }
+    }
+
+    /// Takes the picture from a direction, in degrees (see [`Camera`]), with all of the model in it.
+    pub fn looking_from(self, azimuth: f64, elevation: f64) -> Self {
+        Picture { view: Viewpoint::Around { azimuth, elevation }, ..self }
+    }
+
+    /// Draws a model.
+    pub fn render(&self, model: &Model) -> Image {
+        let bounds = model.bounds();
+        let mut scene = Scene::new(&bounds, model.assets().cloned());
+        let _ = model.replay(&mut scene);
+        let camera = self.view.camera(bounds);
+        let samples = self.samples.clamp(1, 4);
+        let (width, height) = (self.width * samples, self.height * samples);
+        // The scene is drawn about its centre; the camera goes along.
+        let moved = |point: DVec3| point - scene.centre;
+        let local = Bounds { low: moved(camera.bounds.low), high: moved(camera.bounds.high) };
+        let camera = Camera { bounds: local, ..camera };
+        let view = match self.view {
+            Viewpoint::Camera(_) => View::new(&camera, width, height),
+            _ => View::around(&camera, scene.triangles.iter().flat_map(|t| t.corners()), width, height),
+        };
+        let sun = direction(camera.azimuth + self.sun_azimuth, self.sun_elevation);
+
+        let (mut layer, clear) = visible::layers(&scene, &view, width, height);
+        let half = bounds.size() * 0.5;
+        if self.ground {
+            visible::ground(&mut layer, &view, -half.y);
+        }
+        let light = light::light(&scene, &layer, &view, half, sun);
+        let radius = DVec3::new(half.x, 0.0, half.z).length().max(0.3 * half.y);
+        let shader = Shader { scene: &scene, view: &view, style: &self.style, sun, radius, ground: -half.y };
+        let dark = match self.lines {
+            Lines::None => Vec::new(),
+            lines => lines::lines(&scene, &layer, lines == Lines::Leaves),
+        };
+        let color = |sample: usize| {
+            let mut color = shader.opaque(&layer, &light, sample);
+            if let Some(&dark) = dark.get(sample) {
+                color = shade::mix(color, self.style.line, dark * self.style.line_opacity);
+            }
+            if let Some(clear) = &clear {
+                color = shader.clear(clear, &light, sample, color);
+            }
+            display(color)
+        };
+        self.filtered(width, samples, color)
+    }
+
+    /// Samples averaged to pixels, in linear light.
+    fn filtered(&self, width: usize, samples: usize, color: impl Fn(usize) -> [f32; 3]) -> Image {
+        let mut image = Image::filled(self.width, self.height, [0, 0, 0, 255]);
+        let gamma = Gamma::new();
+        let share = 1.0 / (samples * samples) as f32;
+        for (at, pixel) in image.rgba.chunks_exact_mut(4).enumerate() {
+            let (x, y) = (at % self.width * samples, at / self.width * samples);
+            let mut sum = [0.0; 3];
+            for row in 0..samples {
+                for column in 0..samples {
+                    let color = color((y + row) * width + x + column);
+                    (0..3).for_each(|i| sum[i] += color[i]);
+                }
+            }
+            (0..3).for_each(|i| pixel[i] = gamma.byte(sum[i] * share));
+        }
+        image
+    }
+}

@@ -1,0 +1,241 @@
+//! The leaves of a model as triangles with colours, ready to be drawn.
+
+use std::collections::HashMap;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec2, DVec3};
+
+use super::texel::{Maps, PLAIN, Textures};
+use crate::asset::Assets;
+use crate::geometry::mesh::map::normal_map;
+use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::uv_map::{self, SetMap};
+use crate::material::Material;
+use crate::material::layer::SetMask;
+use crate::output::flatten::{Flattener, corner_point, unit};
+use crate::output::number::linear;
+use crate::output::table::Table;
+use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+
+/// A triangle, its coordinates relative to [`Scene::centre`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Triangle {
+    corners: [[f32; 3]; 3],
+    normal: [f32; 3],
+    /// Counts in [`Scene::paints`].
+    pub(super) paint: u32,
+    /// The same for all triangles in one plane.
+    pub(super) plane: u32,
+    pub(super) leaf: u32,
+    /// Counts in the scene's smooth normals; [`FLAT`] for flat ones.
+    smooth: u32,
+    /// Counts in the places of corners in images; [`PLAIN`] without texture coordinates.
+    pub(super) uvs: u32,
+}
+
+const FLAT: u32 = u32::MAX;
+
+/// A material in numbers; colours are linear light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Paint {
+    pub(super) color: [f32; 3],
+    pub(super) opacity: f32,
+    pub(super) metallic: f32,
+    pub(super) gloss: f32,
+    pub(super) maps: Maps,
+}
+
+#[derive(Debug)]
+pub(super) struct Scene {
+    pub(super) centre: DVec3,
+    pub(super) triangles: Vec<Triangle>,
+    pub(super) paints: Vec<Paint>,
+    pub(super) textures: Textures,
+    /// Whether there may be facets that stand for something round.
+    pub(super) round: bool,
+    smooth: Vec<[[f32; 3]; 3]>,
+    table: Table,
+    /// Only ever asked, never walked.
+    planes: HashMap<[i64; 4], u32>,
+    /// Coordinates closer than this are one plane's.
+    grain: f64,
+    leaves: u32,
+    flattener: Flattener,
+}
+
+fn short(v: DVec3) -> [f32; 3] {
+    v.to_array().map(|c| c as f32)
+}
+
+fn long(v: [f32; 3]) -> DVec3 {
+    DVec3::from_array(v.map(f64::from))
+}
+
+impl Triangle {
+    pub(super) fn corners(&self) -> [DVec3; 3] {
+        self.corners.map(long)
+    }
+
+    pub(super) fn normal(&self) -> DVec3 {
+        long(self.normal)
+    }
+}
+
+impl Scene {
+    pub(super) fn new(bounds: &Bounds, assets: Option<Arc<Assets>>) -> Scene {
+        let finite = bounds.low.is_finite() && bounds.high.is_finite();
+        Scene {
+            centre: if finite { (bounds.low + bounds.high) * 0.5 } else { DVec3::ZERO },
+            triangles: Vec::new(),
+            paints: Vec::new(),
+            textures: Textures::new(assets),
+            round: false,
+            smooth: Vec::new(),
+            table: Table::new(),
+            planes: HashMap::new(),
+            grain: if finite { (bounds.size().length() * 1e-5).max(1e-9) } else { 1e-3 },
+            leaves: 0,
+            flattener: Flattener::default(),
+        }
+    }
+
+    /// The normal at a point of a triangle, in the scene's coordinates; smooth ones are interpolated.
+    pub(super) fn normal_at(&self, triangle: &Triangle, point: DVec3) -> DVec3 {
+        if triangle.smooth == FLAT {
+            return triangle.normal();
+        }
+        let [a, b, c] = triangle.corners();
+        let n = triangle.normal();
+        let area = (b - a).cross(c - a).dot(n);
+        let u = (c - b).cross(point - b).dot(n) / area;
+        let v = (a - c).cross(point - c).dot(n) / area;
+        let [na, nb, nc] = self.smooth[triangle.smooth as usize].map(long);
+        (na * u + nb * v + nc * (1.0 - u - v)).normalize_or(n)
+    }
+
+    fn paint(&mut self, id: u32) -> u32 {
+        // Materials are numbered as they come, and so are paints.
+        for known in self.paints.len()..self.table.materials().len() {
+            let material = &self.table.materials()[known];
+            self.paints.push(paint(material, self.textures.maps(material)));
+        }
+        id
+    }
+
+    fn plane(&mut self, point: DVec3, normal: DVec3) -> u32 {
+        let key = normal * 512.0;
+        let at = point.dot(normal) / self.grain;
+        let key = [key.x, key.y, key.z, at].map(|c| libm::floor(c + 0.5) as i64);
+        let next = self.planes.len() as u32;
+        *self.planes.entry(key).or_insert(next)
+    }
+
+    fn flat(&mut self, corners: &[DVec3], triangles: &[[u32; 3]], normal: DVec3, paint: u32) {
+        let Some(&first) = corners.first() else { return };
+        let plane = self.plane(first, normal);
+        for triangle in triangles {
+            let corners = triangle.map(|i| short(corners[i as usize]));
+            // What is not finite cannot be drawn.
+            if corners.as_flattened().iter().all(|c| c.is_finite()) {
+                let leaf = self.leaves;
+                self.triangles.push(Triangle {
+                    corners,
+                    normal: short(normal),
+                    paint,
+                    plane,
+                    leaf,
+                    smooth: FLAT,
+                    uvs: PLAIN,
+                });
+            }
+        }
+    }
+
+    fn rectangle(&mut self, quad: &Quad, paint: u32, uvs: &[SetMap]) {
+        const TRIANGLES: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+        let (points, first) = (quad.corners(), self.triangles.len());
+        let corners = points.map(|corner| corner - self.centre);
+        self.flat(&corners, &TRIANGLES, unit(quad.u.cross(quad.v)), paint);
+        let maps = self.paints[paint as usize].maps;
+        if uvs.is_empty() || maps == Maps::default() || self.triangles.len() - first != TRIANGLES.len() {
+            return;
+        }
+        let sets = SetMask::of(|set| uv_map::find(uvs, set).is_some());
+        let uv = |set, corner: usize| uv_map::find(uvs, set).map_or(DVec2::ZERO, |map| map.at(points[corner]));
+        for (triangle, corners) in self.triangles[first..].iter_mut().zip(TRIANGLES) {
+            triangle.uvs = self.textures.add(&maps, sets, corners.map(|i| i as usize), uv);
+        }
+    }
+
+    fn leaf(&mut self, leaf: &Leaf<'_>) -> u32 {
+        self.leaves += 1;
+        let id = self.table.material(leaf.material);
+        self.paint(id)
+    }
+}
+
+fn paint(material: &Material, maps: Maps) -> Paint {
+    let color = material.color();
+    let share = |value: Option<f64>, default: f64| value.filter(|v| !v.is_nan()).unwrap_or(default).clamp(0.0, 1.0);
+    Paint {
+        color: [color.r, color.g, color.b].map(|c| linear(c) as f32),
+        opacity: share(material.opacity, 1.0) as f32,
+        metallic: share(material.metallic, 0.0) as f32,
+        gloss: 1.0 - share(material.roughness, 1.0) as f32,
+        maps,
+    }
+}
+
+impl Sink for Scene {
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        let paint = self.leaf(leaf);
+        self.rectangle(quad, paint, leaf.uvs());
+        ControlFlow::Continue(())
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        let paint = self.leaf(leaf);
+        cuboid.faces().iter().for_each(|face| self.rectangle(face, paint, leaf.uvs()));
+        ControlFlow::Continue(())
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        let material = self.leaf(leaf);
+        self.round = true;
+        let turn = normal_map(&placement.matrix3);
+        let mut flattener = std::mem::take(&mut self.flattener);
+        let mut corners = Vec::new();
+        let sets = SetMask::of(|set| !mesh.uv_set(set).is_empty());
+        flattener.faces(mesh, placement, |face| {
+            let shown = self.table.face_material(material, &mesh.materials, mesh.tags[face.index].material);
+            let paint = self.paint(shown);
+            corners.clear();
+            let place = |corner| placement.transform_point3(corner_point(mesh, corner)) - self.centre;
+            corners.extend(face.corners.clone().map(place));
+            let first = self.triangles.len();
+            self.flat(&corners, face.triangles, face.normal, paint);
+            // As many as there are triangles unless some were not finite; those have no normals and no coordinates either.
+            if self.triangles.len() - first != face.triangles.len() {
+                return true;
+            }
+            let maps = self.paints[paint as usize].maps;
+            if maps != Maps::default() && sets != SetMask::default() {
+                for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
+                    let corners = corners.map(|i| face.corners.start + i as usize);
+                    triangle.uvs = self.textures.add(&maps, sets, corners, |set, corner| mesh.uv_set(set)[corner]);
+                }
+            }
+            if !mesh.normals.is_empty() {
+                for (triangle, corners) in self.triangles[first..].iter_mut().zip(face.triangles) {
+                    triangle.smooth = self.smooth.len() as u32;
+                    let normal = |i| short(unit(turn * mesh.normals[face.corners.start + i as usize]));
+                    self.smooth.push(corners.map(normal));
+                }
+            }
+            true
+        });
+        self.flattener = flattener;
+        ControlFlow::Continue(())
+    }
+}

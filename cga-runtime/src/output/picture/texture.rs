@@ -1,0 +1,171 @@
+//! Images on surfaces: smaller copies of each, and colours between their pixels.
+
+use glam::DVec2;
+
+use super::Image;
+use super::shade::Gamma;
+use crate::output::number::linear;
+
+/// An image and its smaller copies, each half as wide and high as the one before, down to one pixel.
+#[derive(Debug)]
+pub(super) struct Texture {
+    levels: Vec<Image>,
+}
+
+/// A texel: linear red, green and blue, and opacity.
+pub(super) type Texel = [f32; 4];
+
+/// Places that are averaged along the longer side of what a sample shows of an image, at most.
+const MOST_TAPS: f64 = 16.0;
+
+/// Linear channels of sRGB bytes.
+fn table() -> &'static [f32; 256] {
+    static TABLE: std::sync::OnceLock<[f32; 256]> = std::sync::OnceLock::new();
+    TABLE.get_or_init(|| std::array::from_fn(|byte| linear(byte as f64 / 255.0) as f32))
+}
+
+fn texel(pixel: [u8; 4]) -> Texel {
+    let [r, g, b, a] = pixel;
+    let table = table();
+    [table[r as usize], table[g as usize], table[b as usize], f32::from(a) / 255.0]
+}
+
+impl Texture {
+    /// Makes the smaller copies of an image.
+    pub(super) fn new(image: Image) -> Self {
+        let gamma = Gamma::new();
+        let mut levels = vec![image];
+        while let Some(last) = levels.last()
+            && 1 < last.width.max(last.height)
+        {
+            let half = halved(last, &gamma);
+            levels.push(half);
+        }
+        Texture { levels }
+    }
+
+    /// The colour and opacity of the whole image.
+    pub(super) fn mean(&self) -> Texel {
+        self.levels.last().and_then(|last| last.pixel(0, 0)).map_or([1.0; 4], texel)
+    }
+
+    /// The colour of a part of the image that repeats without end: a parallelogram about a place, with two sides. v runs upwards.
+    ///
+    /// Smaller copies are used for its shorter side, and several places are averaged along the longer one, so that surfaces seen at
+    /// an angle are neither blurred nor grainy.
+    pub(super) fn sample(&self, at: DVec2, sides: [DVec2; 2]) -> Texel {
+        let own = &self.levels[0];
+        let size = DVec2::new(own.width as f64, own.height as f64);
+        let [a, b] = sides.map(|side| (side * size).length());
+        let (long, long_side, short) = if b < a { (a, sides[0], b) } else { (b, sides[1], a) };
+        if !at.is_finite() || !(long + short).is_finite() {
+            return self.mean();
+        }
+        let taps = (long / short.max(1.0)).ceil().clamp(1.0, MOST_TAPS);
+        let level = (long / taps).max(short).max(1.0);
+        let level = libm::log2(level);
+        let mut sum = [0.0; 4];
+        for tap in 0..taps as usize {
+            let place = at + long_side * ((tap as f64 + 0.5) / taps - 0.5);
+            let texel = self.between_levels(place, level);
+            (0..4).for_each(|i| sum[i] += texel[i]);
+        }
+        sum.map(|channel| channel / taps as f32)
+    }
+
+    fn between_levels(&self, at: DVec2, level: f64) -> Texel {
+        let last = self.levels.len() - 1;
+        let level = level.min(last as f64);
+        let (low, share) = (level as usize, level.fract() as f32);
+        let near = between_pixels(&self.levels[low], at);
+        if share == 0.0 {
+            return near;
+        }
+        let far = between_pixels(&self.levels[(low + 1).min(last)], at);
+        [0, 1, 2, 3].map(|i| near[i] + (far[i] - near[i]) * share)
+    }
+}
+
+/// The colour between four pixels.
+fn between_pixels(image: &Image, at: DVec2) -> Texel {
+    let place = |coordinate: f64, size: usize| {
+        let place = (coordinate - libm::floor(coordinate)) * size as f64 - 0.5;
+        let low = libm::floor(place);
+        let first = if low < 0.0 { size - 1 } else { (low as usize).min(size - 1) };
+        (first, (first + 1) % size, (place - low) as f32)
+    };
+    let (x0, x1, fx) = place(at.x, image.width);
+    let (y0, y1, fy) = place(1.0 - at.y, image.height);
+    let corner = |x, y| texel(image.pixel(x, y).unwrap_or([255; 4]));
+    let (a, b, c, d) = (corner(x0, y0), corner(x1, y0), corner(x0, y1), corner(x1, y1));
+    [0, 1, 2, 3].map(|i| {
+        let (top, bottom) = (a[i] + (b[i] - a[i]) * fx, c[i] + (d[i] - c[i]) * fx);
+        top + (bottom - top) * fy
+    })
+}
+
+/// The image at half its size: of an odd row or column the last pixel counts with the one before.
+fn halved(image: &Image, gamma: &Gamma) -> Image {
+    let (width, height) = (image.width.div_ceil(2), image.height.div_ceil(2));
+    let mut rgba = Vec::with_capacity(4 * width * height);
+    for y in 0..height {
+        for x in 0..width {
+            let mut sum = [0.0f32; 4];
+            for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+                let (x, y) = ((2 * x + dx).min(image.width - 1), (2 * y + dy).min(image.height - 1));
+                let texel = texel(image.pixel(x, y).unwrap_or([255; 4]));
+                (0..4).for_each(|i| sum[i] += 0.25 * texel[i]);
+            }
+            rgba.extend([gamma.byte(sum[0]), gamma.byte(sum[1]), gamma.byte(sum[2]), (sum[3] * 255.0 + 0.5) as u8]);
+        }
+    }
+    Image { width, height, rgba }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn checker() -> Texture {
+        let mut image = Image::filled(8, 8, [255; 4]);
+        for at in (0..64).filter(|at| (at % 8 + at / 8) % 2 == 1) {
+            image.rgba[4 * at..4 * at + 3].fill(0);
+        }
+        Texture::new(image)
+    }
+
+    #[test]
+    fn a_pixel_is_itself_and_far_away_all_are_one() {
+        let texture = checker();
+        assert_eq!(texture.levels.len(), 4);
+        let centre = |x: f64, y: f64| DVec2::new((x + 0.5) / 8.0, 1.0 - (y + 0.5) / 8.0);
+        let none = [DVec2::ZERO; 2];
+        assert_eq!(texture.sample(centre(0.0, 0.0), none), [1.0; 4]);
+        assert_eq!(texture.sample(centre(1.0, 0.0), none), [0.0, 0.0, 0.0, 1.0]);
+        // It repeats.
+        assert_eq!(texture.sample(centre(-7.0, 24.0), none), [0.0, 0.0, 0.0, 1.0]);
+        let far = texture.sample(DVec2::new(0.3, 0.4), [DVec2::X * 5.0, DVec2::Y * 5.0]);
+        assert!((far[0] - 0.5).abs() < 0.01, "{far:?}");
+        let aslant = texture.sample(DVec2::new(0.3, 0.4), [DVec2::X * 5.0, DVec2::Y / 64.0]);
+        assert!((aslant[0] - 0.5).abs() < 0.1, "{aslant:?}");
+    }
+
+    #[test]
+    fn no_coordinates_are_too_large() {
+        let texture = Texture::new(Image::filled(1, 1, [255, 0, 0, 128]));
+        for huge in [1e9, -1e9, 1e300, f64::MAX, f64::INFINITY, f64::NAN] {
+            for sides in [[DVec2::ZERO; 2], [DVec2::splat(huge); 2], [DVec2::X, DVec2::Y * huge]] {
+                let [r, g, b, a] = texture.sample(DVec2::new(huge, 0.5), sides);
+                assert!(r == 1.0 && g == 0.0 && b == 0.0 && (a - 0.5).abs() < 0.01);
+                checker().sample(DVec2::new(0.5, huge), sides);
+            }
+        }
+    }
+
+    #[test]
+    fn long_images_have_levels_of_one_pixel_width() {
+        let texture = Texture::new(Image::filled(5, 1, [9; 4]));
+        let sizes: Vec<_> = texture.levels.iter().map(|level| (level.width, level.height)).collect();
+        assert_eq!(sizes, [(5, 1), (3, 1), (2, 1), (1, 1)]);
+    }
+}

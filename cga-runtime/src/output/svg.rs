@@ -1,0 +1,214 @@
+//! Flat vector pictures, for documents.
+//!
+//! Parallel projection, faces as polygons filled by how they face the light, farther ones first. Nothing is cut where
+//! faces pass through each other. The same model gives the same text. Textures are not drawn: faces have their material's colour.
+
+use std::fmt::Write as _;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+
+use super::error::WriteError;
+use super::flatten::{corner_point, unit};
+use super::number::Short;
+use super::order;
+use super::picture::Viewpoint;
+use super::picture::camera::{View, direction};
+use super::table::Table;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::map::normal_map;
+use crate::material::Material;
+use crate::output::model::Model;
+use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+
+/// How a vector picture is made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Svg {
+    /// In user units, which most programs take as pixels.
+    pub width: usize,
+    /// In user units.
+    pub height: usize,
+    /// Where from; of a camera with perspective only the direction counts.
+    pub view: Viewpoint,
+    /// Where the light is, in degrees around the model, counted from the camera.
+    pub light_azimuth: f64,
+    /// How high the light is, in degrees.
+    pub light_elevation: f64,
+    /// Width of the lines, in user units; none for 0.
+    pub line_width: f64,
+    /// Colour of the lines, as SVG has it.
+    pub line_color: String,
+    /// Colour of the background, as SVG has it; empty for none.
+    pub background: String,
+}
+
+/// A face on the picture.
+struct Shown {
+    face: order::Face,
+    /// Outline and holes, in user units.
+    rings: Vec<Vec<[f64; 2]>>,
+    material: u32,
+    /// How much light it gives back, 0 to 1.
+    light: f64,
+}
+
+impl Svg {
+    /// A picture of that size with everything else as it usually is.
+    pub fn new(width: usize, height: usize) -> Self {
+        Svg {
+            width,
+            height,
+            view: Viewpoint::default(),
+            light_azimuth: -55.0,
+            light_elevation: 50.0,
+            line_width: 0.6,
+            line_color: String::from("#2b3038"),
+            background: String::new(),
+        }
+    }
+
+    /// The picture of a model as SVG text.
+    pub fn render(&self, model: &Model) -> String {
+        let camera = self.view.camera(model.bounds()).orthographic();
+        let mut faces = Faces {
+            view: View::new(&camera, self.width, self.height),
+            light: direction(camera.azimuth + self.light_azimuth, self.light_elevation),
+            table: Table::new(),
+            shown: Vec::new(),
+        };
+        let _ = model.replay(&mut faces);
+        let order = order::back_to_front(faces.shown.iter().map(|shown| &shown.face).collect());
+        let (w, h) = (self.width, self.height);
+        let mut svg = format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\">\n");
+        if !self.background.is_empty() {
+            let _ = writeln!(svg, "<rect width=\"{w}\" height=\"{h}\" fill=\"{}\"/>", self.background);
+        }
+        let _ = match 0.0 < self.line_width {
+            true => writeln!(
+                svg,
+                "<g stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" fill-rule=\"evenodd\">",
+                self.line_color, self.line_width
+            ),
+            false => writeln!(svg, "<g fill-rule=\"evenodd\">"),
+        };
+        for index in order {
+            let shown = &faces.shown[index];
+            write_face(&mut svg, shown, &faces.table.materials()[shown.material as usize]);
+        }
+        svg.push_str("</g>\n</svg>\n");
+        svg
+    }
+}
+
+fn write_face(svg: &mut String, shown: &Shown, material: &Material) {
+    let color = material.color();
+    let byte = |channel: f64| libm::round(channel * shown.light * 255.0).clamp(0.0, 255.0) as u8;
+    svg.push_str("<path d=\"");
+    for ring in &shown.rings {
+        for (i, point) in ring.iter().enumerate() {
+            svg.push(if i == 0 { 'M' } else { 'L' });
+            let _ = write!(svg, "{} {}", tenths(point[0]), tenths(point[1]));
+        }
+        svg.push('Z');
+    }
+    let _ = write!(svg, "\" fill=\"#{:02x}{:02x}{:02x}\"", byte(color.r), byte(color.g), byte(color.b));
+    let opacity = material.opacity();
+    if opacity < 1.0 {
+        let _ = write!(svg, " fill-opacity=\"{}\"", Short(libm::round(opacity.max(0.0) * 100.0) / 100.0));
+    }
+    svg.push_str("/>\n");
+}
+
+/// A number with one digit after the point at most.
+struct Tenths(i64);
+
+fn tenths(value: f64) -> Tenths {
+    Tenths(libm::round(value * 10.0) as i64)
+}
+
+impl std::fmt::Display for Tenths {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let sign = if self.0 < 0 { "-" } else { "" };
+        let all = self.0.unsigned_abs();
+        match all % 10 {
+            0 => write!(f, "{sign}{}", all / 10),
+            digit => write!(f, "{sign}{}.{digit}", all / 10),
+        }
+    }
+}
+
+/// Collects the faces that are to be seen.
+struct Faces {
+    view: View,
+    light: DVec3,
+    table: Table,
+    shown: Vec<Shown>,
+}
+
+impl Faces {
+    /// `solid`: only the outside can be seen.
+    fn add(&mut self, rings: Vec<Vec<DVec3>>, normal: DVec3, material: u32, solid: bool) {
+        let finite = rings.iter().flatten().all(|p| p.is_finite());
+        let Some(&first) = rings.first().and_then(|ring| ring.first()) else { return };
+        let front = self.view.faces(first, normal);
+        let edge_on = self.view.forward.dot(normal).abs() < 1e-6;
+        if !finite || edge_on || (solid && !front) {
+            return;
+        }
+        let normal = if front { normal } else { -normal };
+        let light = 0.64 + 0.08 * normal.y + 0.34 * normal.dot(self.light).max(0.0);
+        let outline: Vec<[f64; 3]> = rings[0].iter().map(|&p| self.view.project(p)).collect();
+        let flat = |ring: &Vec<DVec3>| ring.iter().map(|&p| self.view.project(p)).map(|[x, y, _]| [x, y]).collect();
+        let rings = rings.iter().map(flat).collect();
+        self.shown.push(Shown { face: order::Face::new(outline), rings, material, light });
+    }
+
+    fn rectangle(&mut self, quad: &Quad, material: u32, solid: bool) {
+        self.add(vec![quad.corners().to_vec()], unit(quad.u.cross(quad.v)), material, solid);
+    }
+}
+
+impl Sink for Faces {
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        let material = self.table.material(leaf.material);
+        self.rectangle(quad, material, false);
+        ControlFlow::Continue(())
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        let material = self.table.material(leaf.material);
+        // One turned inside out shows its far sides, from within.
+        cuboid.faces().iter().for_each(|face| self.rectangle(face, material, 0.0 < cuboid.sides.determinant()));
+        ControlFlow::Continue(())
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        let material = self.table.material(leaf.material);
+        let turn = normal_map(&placement.matrix3);
+        let solid = mesh.is_closed() && 0.0 < placement.matrix3.determinant();
+        for face in mesh.faces() {
+            let place = |corner| placement.transform_point3(corner_point(mesh, corner));
+            let rings = face.loop_ranges().map(|range| range.map(place).collect()).collect();
+            let shown = self.table.face_material(material, &mesh.materials, face.tag().material);
+            self.add(rings, unit(turn * face.area_vector()), shown, solid);
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+impl Model {
+    /// The model as SVG text, in the usual view.
+    pub fn to_svg(&self, width: usize, height: usize) -> String {
+        Svg::new(width, height).render(self)
+    }
+
+    /// Writes the model as an SVG file of 800 by 600 in the usual view; see [`Svg`] for others.
+    ///
+    /// # Errors
+    /// What the file system says.
+    pub fn write_svg(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
+        Ok(std::fs::write(path, self.to_svg(800, 600))?)
+    }
+}

@@ -1,0 +1,81 @@
+//! The image that a name of a material leads to, for sinks that show or embed it.
+
+use crate::asset::image::Image;
+use crate::asset::image::header::ImageHeader;
+use crate::asset::{AssetError, Assets};
+
+use crate::asset::image::builtin;
+
+/// The image of a name.
+pub(crate) enum Source {
+    /// A file as it is.
+    File(ImageHeader, Vec<u8>),
+    /// A built-in texture, or the one in place of a file that is missing or broken.
+    Drawn(Image),
+    /// Nothing: without an asset folder no file is looked for.
+    Absent,
+}
+
+/// Finds an image.
+pub(crate) fn find(assets: Option<&Assets>, name: &str) -> Source {
+    if name.starts_with("builtin:") {
+        return Source::Drawn(builtin::image(name).unwrap_or_else(builtin::unknown));
+    }
+    match assets.map_or(Err(AssetError::NoFolder), |assets| assets.image_file(name)) {
+        Ok((header, bytes)) => Source::File(header, bytes),
+        Err(AssetError::NoFolder) => Source::Absent,
+        Err(_) => Source::Drawn(builtin::unknown()),
+    }
+}
+
+/// The pixels of an image.
+pub(crate) struct Pixels {
+    pub(crate) image: Image,
+    /// True for an image with an alpha channel, opaque or not.
+    pub(crate) has_alpha: bool,
+}
+
+impl Pixels {
+    /// The opacity of a pixel, 0 to 255: the alpha channel of an image that has one, else the brightness (CCIR 601).
+    pub(crate) fn opacity(&self, [r, g, b, a]: [u8; 4]) -> u8 {
+        if self.has_alpha {
+            return a;
+        }
+        ((299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b) + 500) / 1000) as u8
+    }
+}
+
+/// The pixels of the image of a name, if there is one. Without the feature `png` files cannot be read.
+pub(crate) fn pixels(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
+    match find(assets, name) {
+        Source::File(header, bytes) => {
+            let image = decoded(&header, &bytes)?;
+            let has_alpha = header.has_alpha && image.is_some();
+            Some(Pixels { image: image.unwrap_or_else(builtin::unknown), has_alpha })
+        }
+        Source::Drawn(image) => Some(Pixels { image, has_alpha: false }),
+        Source::Absent => None,
+    }
+}
+
+/// The pixels of a file, if it is not broken; nothing at all if it cannot be read here.
+#[cfg(feature = "png")]
+fn decoded(header: &ImageHeader, bytes: &[u8]) -> Option<Option<Image>> {
+    Some(crate::asset::image::decode::decode(header, bytes).ok())
+}
+
+#[cfg(not(feature = "png"))]
+fn decoded(_: &ImageHeader, _: &[u8]) -> Option<Option<Image>> {
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn opacity_is_the_alpha_channel_or_the_brightness() {
+        let opacity = |has_alpha| Pixels { image: builtin::unknown(), has_alpha }.opacity([255, 0, 0, 7]);
+        assert_eq!([opacity(true), opacity(false)], [7, 76]);
+    }
+}

@@ -1,0 +1,168 @@
+//! A run as rules see it: rules call each other directly, leaves go to the sink as they appear.
+//!
+//! Order of leaves: depth first, in writing order. Only where rules go so deep that [`STACK`] is used up, calls wait on
+//! a list and run, first in first out, when the direct ones are through. What a call takes of the stack is an estimate
+//! of the code generator that follows from the rules alone, so the order is the same in every run and every build.
+
+use std::collections::VecDeque;
+use std::rc::Rc;
+
+use crate::fault::LimitKind;
+use crate::run::env::{Env, Trail};
+use crate::run::sink::{Filled, Flow, Leaf, Sink};
+use crate::run::template::{Tape, Templates};
+use crate::shape::base::Form;
+use crate::shape::{Geometry, Inserted, Shape, ShapeRef, place};
+
+/// How much of the stack direct calls may use, in the units of generated code: about a kilobyte each in a build without
+/// optimisation, much less with it. Threads have two megabytes, of which functions (`FUNCTIONS` in
+/// `run/env`), sinks and Rust operations need their share.
+pub(crate) const STACK: u32 = 640;
+
+/// A run under way: what generated code hands from rule to rule.
+#[expect(missing_debug_implementations, reason = "sinks need not be printable")]
+pub struct Cx<'r, C> {
+    /// The part that does not depend on the sink.
+    pub env: &'r mut Env,
+    pub(crate) sink: &'r mut dyn Sink,
+    pub(crate) waiting: VecDeque<Waiting<C>>,
+    /// What direct calls take of [`STACK`] at the moment.
+    pub(crate) stack: u32,
+    /// Nesting of rules that can reach themselves.
+    pub(crate) depth: u32,
+    /// Parts that repeat.
+    pub(crate) templates: &'r mut Templates<C>,
+    /// The template that is made, if one is.
+    pub(crate) tape: Option<Tape<'r, C>>,
+}
+
+/// A rule without parameters, as generated code has it.
+pub(crate) type RuleFn<G, C> = fn(&G, &mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
+
+/// A call that waited, or that a template left out.
+pub(crate) type ResumeFn<G, C> = fn(&G, &mut Cx<'_, C>, &ShapeRef<'_>, C) -> Flow;
+
+/// The run inside an operation that changes a material: expressions get at it as in a rule.
+#[derive(Debug)]
+pub struct Painting<'r> {
+    /// The run.
+    pub env: &'r mut Env,
+}
+
+#[derive(Debug)]
+pub(crate) struct Waiting<C> {
+    pub(super) shape: Shape,
+    pub(super) call: C,
+    pub(super) depth: u32,
+    pub(super) trail: Rc<Trail>,
+}
+
+impl<C> Cx<'_, C> {
+    /// Enters a rule. Every rule that was entered is left again unless the run ends in it.
+    #[inline]
+    pub fn enter(&mut self, rule: u32) -> Flow {
+        self.env.enter(rule);
+        self.env.count_shapes(1)
+    }
+
+    /// Leaves a rule.
+    #[inline]
+    pub fn leave(&mut self) -> Flow {
+        self.env.leave();
+        Flow::Continue(())
+    }
+
+    /// Returns true if a call may use the stack: one that goes down `levels` of recursion, 0 or 1, and takes so much of [`STACK`].
+    /// If so, [`Cx::ascend`] follows the call, else [`Cx::defer`].
+    #[inline]
+    pub fn descend(&mut self, levels: u32, stack: u32) -> bool {
+        let may = self.stack + stack <= STACK && self.depth + levels <= self.env.settings.limits.depth;
+        if may {
+            self.stack += stack;
+            self.depth += levels;
+        }
+        may
+    }
+
+    /// Comes back from a direct call.
+    #[inline]
+    pub fn ascend(&mut self, levels: u32, stack: u32) {
+        self.stack -= stack;
+        self.depth -= levels;
+    }
+
+    /// Puts a call on the list.
+    #[cold]
+    pub fn defer(&mut self, shape: &ShapeRef<'_>, levels: u32, call: C) -> Flow {
+        let depth = self.depth + levels;
+        if self.env.settings.limits.depth < depth {
+            return self.env.limit(LimitKind::Depth, u64::from(self.env.settings.limits.depth));
+        }
+        if self.env.settings.limits.waiting <= self.waiting.len() as u64 {
+            return self.env.limit(LimitKind::Waiting, self.env.settings.limits.waiting);
+        }
+        let trail = self.env.keep_trail();
+        self.waiting.push_back(Waiting { shape: self.env.whole(shape), call, depth, trail });
+        Flow::Continue(())
+    }
+
+    /// Hands the shape of a rule to the sink as a leaf. A shape without faces leaves nothing.
+    #[inline]
+    pub fn leaf(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+        if self.env.ended() {
+            return Flow::Break(());
+        }
+        // It was counted when its rule was entered.
+        self.env.shapes -= 1;
+        filled(self.env, self.sink, shape, rule)
+    }
+
+    /// A leaf symbol: counts as a shape of its own.
+    #[inline]
+    pub fn symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+        if !self.env.has_room(1) {
+            self.env.make_room(1)?;
+        }
+        filled(self.env, self.sink, shape, rule)
+    }
+}
+
+/// Hands a leaf symbol, for which there is room, to the sink.
+#[inline]
+pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    let is_filled = match shape.form {
+        Form::Rect(_) => true,
+        Form::Box => !shape.has_sides(),
+        Form::Empty | Form::Other => false,
+    };
+    if !is_filled {
+        return other_leaf(env, sink, shape, rule);
+    }
+    env.filled += 1;
+    sink.filled(&Filled { shape, tables: &env.leaf_tables, rule })
+}
+
+/// A leaf that does not simply fill its scope, or a box whose sides have texture coordinates of their own.
+#[cold]
+#[inline(never)]
+fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    env.shapes += 1;
+    let mut shape = env.whole(shape);
+    shape.bake();
+    env.leaves += u64::from(shape.geometry.has_surface());
+    let rule = env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
+    let leaf = Leaf::new(rule, shape.state.material(), &shape.scope);
+    match &shape.geometry {
+        Geometry::Rect(axis, unit) => sink.quad(&leaf, &place::rectangle(&shape.scope, *axis, *unit)),
+        Geometry::Box(unit) => sink.cuboid(&leaf, &place::cuboid(&shape.scope, *unit)),
+        Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Flow::Continue(()),
+        Geometry::Mesh(placed) => {
+            let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);
+            if placed.inserted == Inserted::Asset {
+                sink.instance(&leaf, &placed.mesh, &placement)
+            } else {
+                sink.mesh(&leaf, &placed.mesh, &placement)
+            }
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! A run: rules call each other directly, leaves go to the sink as they appear.
+
+use std::collections::VecDeque;
+use std::io::Write as _;
+
+use crate::fault::Error;
+use crate::run::context::Cx;
+use crate::run::env::Env;
+use crate::run::report::{Print, Report};
+use crate::run::rules::Rules;
+use crate::run::settings::Settings;
+use crate::run::sink::{Flow, Sink};
+use crate::run::template::Templates;
+use crate::shape::Shape;
+use crate::shape::look_ids::MaterialIds;
+
+/// The start rule of a run: its number, its style and its name.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start {
+    rule: u32,
+    style: u32,
+    name: &'static str,
+}
+
+/// The part of a run that the next run of the session can use. No result depends on it.
+pub(crate) struct Kept<C> {
+    templates: Templates<C>,
+    materials: MaterialIds,
+}
+
+impl<C> Default for Kept<C> {
+    fn default() -> Self {
+        Kept { templates: Templates::default(), materials: MaterialIds::default() }
+    }
+}
+
+impl<C> Kept<C> {
+    /// A run begins. Templates and painted materials of attributes that are computed for each initial shape are of no use to it.
+    fn begin(&mut self, is_settled: bool) {
+        if !is_settled || self.materials.is_full() {
+            *self = Kept::default();
+        }
+    }
+}
+
+/// The result of a run, with or without an error.
+#[derive(Debug, Default)]
+pub(crate) struct Outcome {
+    pub(crate) report: Report,
+    pub(crate) error: Option<Error>,
+}
+
+/// Runs a grammar on a shape that was checked.
+pub(crate) fn run<R: Rules>(
+    rules: &R,
+    Start { rule, style, name }: Start,
+    shape: &Shape,
+    settings: &Settings,
+    kept: &mut Kept<R::Call>,
+    sink: &mut dyn Sink,
+) -> Outcome {
+    let mut env = Env::new(settings, R::NAMES, shape, name);
+    env.leaf_tables.names = R::LEAVES;
+    sink.begin();
+    kept.begin(R::SETTLED);
+    // Both at once: templates have numbers of these materials. A sink that panics leaves neither in the session.
+    std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
+    let mut templates = std::mem::take(&mut kept.templates);
+    let mut cx =
+        Cx { env: &mut env, sink, waiting: VecDeque::new(), stack: 0, depth: 0, templates: &mut templates, tape: None };
+    let values = rules.values(cx.env, shape, style);
+    // A break with no error is the sink's or the watch's.
+    let mut flow = if cx.env.ended() { Flow::Break(()) } else { Flow::Continue(()) };
+    if flow.is_continue() {
+        let base = cx.env.base(shape.without_trim_planes());
+        flow = R::start(&values, &mut cx, rule, &base.shape());
+    }
+    while flow.is_continue() {
+        let Some(next) = cx.waiting.pop_front() else { break };
+        (cx.depth, cx.stack) = (next.depth, 0);
+        cx.env.resume_trail(next.trail);
+        let base = cx.env.base(next.shape);
+        flow = R::resume(&values, &mut cx, &base.shape(), next.call);
+    }
+    std::mem::swap(&mut env.leaf_tables.materials, &mut kept.materials);
+    kept.templates = templates;
+    env.tell_watch(flow.is_continue());
+    let (faults, faults_left_out) = env.take_faults();
+    let prints = std::mem::take(&mut env.prints);
+    let (prints_left_out, prints_bytes) = (prints.left_out, prints.bytes);
+    let report = Report {
+        shapes: env.shapes_made(),
+        leaves: env.leaf_count(),
+        faults,
+        faults_left_out,
+        stopped: flow.is_break() && env.error.is_none(),
+        reports: std::mem::take(&mut env.reports),
+        prints: prints.in_order(),
+        prints_left_out,
+        prints_bytes,
+    };
+    Outcome { report, error: env.error.take() }
+}
+
+/// Writes lines to standard output. A closed output does not end the run.
+pub(crate) fn echo(prints: &[Print]) {
+    let mut out = std::io::stdout().lock();
+    let _ = prints.iter().try_for_each(|print| writeln!(out, "{print}"));
+}
+
+/// The start rule of a name, or the default one. `Default$Lot` is `Lot`.
+pub(crate) fn start_rule<R: Rules>(name: Option<&str>) -> Result<Start, Error> {
+    let at = match name {
+        None => Some(0),
+        Some(name) => {
+            let plain = name.strip_prefix("Default$").unwrap_or(name);
+            R::STARTS.iter().position(|start| start.name == name || start.name == plain)
+        }
+    };
+    let start = at.and_then(|at| {
+        let (rule, style) = (*R::START_RULES.get(at)?, *R::START_STYLES.get(at)?);
+        Some(Start { rule, style, name: R::STARTS.get(at)?.name })
+    });
+    start.ok_or_else(|| {
+        let known = R::STARTS.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
+        Error::StartRule { name: name.unwrap_or_default().to_owned(), known }
+    })
+}

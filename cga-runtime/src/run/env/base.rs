@@ -1,0 +1,48 @@
+//! The ways between a slim shape and a whole one.
+
+use std::sync::Arc;
+
+use super::Env;
+use crate::shape::base::Base;
+use crate::shape::look_ids::MaterialId;
+use crate::shape::{Shape, ShapeRef};
+
+impl Env {
+    /// The whole of a shape.
+    #[cold]
+    #[inline(never)]
+    pub fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
+        let base = &shape.base.shape;
+        let mut state = base.state.clone();
+        if let Some(look) = self.leaf_tables.materials.get(shape.material.get())
+            && !Arc::ptr_eq(look, state.look())
+        {
+            state.change().look = look.clone();
+        }
+        Shape {
+            scope: shape.scope(),
+            pivot: base.pivot,
+            geometry: shape.geometry(),
+            seed: shape.seed.get(),
+            split: shape.split.get(),
+            comp: base.comp,
+            selector: base.selector,
+            trims: base.trims.clone(),
+            state,
+        }
+    }
+
+    /// A base for slim shapes.
+    #[inline(never)]
+    pub fn base(&self, shape: Shape) -> Base {
+        let material = self.leaf_tables.materials.id(shape.state.look());
+        self.base_painted(shape, material)
+    }
+
+    /// The same of a shape whose material has that number, inlined.
+    #[inline(always)]
+    pub(crate) fn base_painted(&self, shape: Shape, material: MaterialId) -> Base {
+        self.bases.set(self.bases.get() + 1);
+        Base::new(shape, material, self.bases.get())
+    }
+}

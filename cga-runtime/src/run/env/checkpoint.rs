@@ -1,0 +1,177 @@
+//! The checkpoint of a run: where counting leaves the fast path, because a limit is reached or the watch is asked.
+
+use std::ops::ControlFlow;
+
+use super::{ENDED, Env, MOST_SHAPES};
+use crate::fault::LimitKind;
+use crate::run::settings::Settings;
+use crate::run::sink::Flow;
+use crate::run::watch::{Progress, STRIDE, Watch};
+
+/// Where counting leaves the fast path, and what was told to the watch.
+#[derive(Debug)]
+pub(crate) struct Checkpoint {
+    pub(crate) shapes: u64,
+    pub(crate) calls: u64,
+    /// The number of shapes at which the watch ended the run.
+    pub(crate) stopped_at: Option<u64>,
+    /// The most shapes that were asked for while a template is made. The checkpoint is 0 then, so that all questions come here.
+    recorded: Option<u64>,
+    told: Progress,
+}
+
+impl Checkpoint {
+    /// The first checkpoint of a run.
+    pub(crate) fn first(settings: &Settings) -> Self {
+        let stride = if settings.watch.is_some() { STRIDE } else { u64::MAX };
+        Checkpoint {
+            // Larger numbers mark a run that has ended.
+            shapes: settings.limits.shapes.min(stride).min(MOST_SHAPES),
+            calls: settings.limits.calls.min(stride),
+            stopped_at: None,
+            recorded: None,
+            told: Progress::default(),
+        }
+    }
+}
+
+impl Env {
+    /// That many shapes more pass the checkpoint.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn make_room(&mut self, more: u64) -> Flow {
+        let (limit, wanted) = (self.settings.limits.shapes, self.shape_count().saturating_add(more));
+        if limit < wanted {
+            return self.limit(LimitKind::Shapes, limit);
+        }
+        if let Some(most) = &mut self.checkpoint.recorded {
+            *most = wanted.max(*most);
+            return ControlFlow::Continue(());
+        }
+        self.checkpoint.shapes = limit.min(wanted.saturating_add(STRIDE));
+        self.ask_watch()
+    }
+
+    /// Returns true if that many shapes more do not pass the limit.
+    pub(crate) fn is_within_limit(&self, more: u64) -> bool {
+        self.shape_count().saturating_add(more) <= self.settings.limits.shapes
+    }
+
+    /// Begins to measure the room that a derivation asks for; gives the checkpoint to go back to.
+    pub(crate) fn measure_room(&mut self) -> u64 {
+        self.checkpoint.recorded = Some(self.shape_count());
+        std::mem::take(&mut self.checkpoint.shapes)
+    }
+
+    /// Returns true between the two.
+    pub(crate) fn measures_room(&self) -> bool {
+        self.checkpoint.recorded.is_some()
+    }
+
+    /// Ends it: the most shapes that it asked for.
+    pub(crate) fn measured_room(&mut self, checkpoint: u64) -> u64 {
+        self.checkpoint.shapes = checkpoint;
+        self.checkpoint.recorded.take().unwrap_or_default()
+    }
+
+    /// The counter of calls has passed its checkpoint.
+    #[cold]
+    pub(crate) fn at_calls(&mut self) -> Flow {
+        let limit = self.settings.limits.calls;
+        if limit < self.calls_made {
+            return self.limit(LimitKind::Calls, limit);
+        }
+        self.checkpoint.calls = limit.min(self.calls_made.saturating_add(STRIDE));
+        self.ask_watch()
+    }
+
+    /// Tells the watch how far the run is, and ends the run if the watch is stopped.
+    fn ask_watch(&mut self) -> Flow {
+        if !self.ended() {
+            self.tell_watch(false);
+        }
+        if !self.settings.watch.as_ref().is_some_and(Watch::is_stopped) {
+            return ControlFlow::Continue(());
+        }
+        if !self.ended() {
+            self.checkpoint.stopped_at = Some(self.shape_count());
+            // As in `limit`: everything that counts stops.
+            self.shapes = ENDED;
+        }
+        ControlFlow::Break(())
+    }
+
+    /// Tells the watch what has been made since it was last told; `complete` at the end of a run that made everything.
+    pub(crate) fn tell_watch(&mut self, complete: bool) {
+        let Some(watch) = &self.settings.watch else { return };
+        let now =
+            Progress { initial_shapes: u64::from(complete), shapes: self.shapes_made(), leaves: self.leaf_count() };
+        let told = std::mem::replace(&mut self.checkpoint.told, now);
+        watch.advance(Progress {
+            shapes: now.shapes.saturating_sub(told.shapes),
+            leaves: now.leaves.saturating_sub(told.leaves),
+            ..now
+        });
+    }
+
+    /// Shapes derived so far. The counter itself is a mark once the run has ended.
+    pub(crate) fn shapes_made(&self) -> u64 {
+        match self.checkpoint.stopped_at {
+            Some(shapes) => shapes,
+            // A limit was reached; the run has no report.
+            None if self.ended() => self.checkpoint.told.shapes,
+            None => self.shape_count(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::settings::Limits;
+    use crate::shape::Shape;
+
+    fn env(limits: Limits, watch: Option<Watch>) -> Env {
+        let settings = Settings { limits, watch, ..Settings::default() };
+        Env::new(&settings, &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
+    }
+
+    #[test]
+    fn what_ended_goes_on_counting_nothing() {
+        let limits = Limits { shapes: u64::MAX, calls: u64::MAX, ..Limits::default() };
+        for watch in [None, Some(Watch::new())] {
+            let mut env = env(limits, watch);
+            assert!(env.limit::<()>(LimitKind::Vertices, 1).is_break());
+            assert!(env.count_shapes(1).is_break() && env.error.is_some() && !env.call(1));
+        }
+    }
+
+    #[test]
+    fn a_stopped_run_keeps_its_count_and_gets_no_error() {
+        let watch = Watch::new();
+        let mut env = env(Limits::default(), Some(watch.clone()));
+        assert!(env.count_shapes(STRIDE).is_continue());
+        watch.stop();
+        assert!(env.count_shapes(1).is_break() && env.count_shapes(1).is_break());
+        assert!(env.limit::<()>(LimitKind::Shapes, 1).is_break() && env.error.is_none() && !env.call(1));
+        env.tell_watch(false);
+        assert_eq!((env.shapes_made(), watch.progress().shapes), (STRIDE + 1, STRIDE + 1));
+    }
+
+    #[test]
+    fn the_callback_comes_in_its_steps() {
+        let (steps, seen) = std::sync::mpsc::channel();
+        let watch = Watch::every(100_000, move |progress| {
+            let _ = steps.send(progress.shapes);
+            ControlFlow::Continue(())
+        });
+        let mut env = env(Limits::default(), Some(watch.clone()));
+        for _ in 0..400_000 {
+            assert!(env.count_shapes(1).is_continue());
+        }
+        env.tell_watch(true);
+        let steps: Vec<u64> = seen.try_iter().collect();
+        assert_eq!(steps.iter().map(|shapes| shapes / 100_000).collect::<Vec<_>>(), [1, 2, 3, 4]);
+        assert_eq!((watch.progress().initial_shapes, watch.progress().shapes), (1, 400_000));
+    }
+}

@@ -1,0 +1,453 @@
+//! What a run keeps besides its sink: limits, faults, the trail of rules, assets.
+
+mod base;
+mod checkpoint;
+mod counters;
+mod trail;
+mod uv_set;
+
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use crate::asset::{File, Query};
+use crate::fault::{Error, Fault, FaultKind, LimitKind};
+use crate::geometry::Frame;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::primitive::Made;
+use crate::run::report::{FAULTS_KEPT, Prints, Reports};
+use crate::run::settings::{Limits, Settings};
+use crate::run::sink::{Flow, LeafTables};
+use crate::shape::Shape;
+use crate::shape::look_ids::MaterialIds;
+use crate::shape::street::Streets;
+use crate::value::Value;
+use crate::value::array::Array;
+use crate::value::text::Text;
+
+use checkpoint::Checkpoint;
+pub(crate) use trail::Trail;
+
+/// How deep functions that ask may nest, as CGA documents (*CGA changelog 2014.1*).
+const DEEPEST_CALLS: u32 = 1024;
+
+/// How much of the stack functions may use, in bytes of a build without optimisation, by the estimate of the code
+/// generator. A function that takes more than that runs where no other does. Threads have two megabytes, and rules have
+/// their share: see `STACK` in `run/context.rs`.
+const FUNCTIONS: u32 = 640 * 1024;
+
+/// Queries for files whose answers are kept: rules ask the same ones for every shape.
+const SEARCHES_KEPT: usize = 32;
+
+/// Files whose tables are kept: functions read the same ones again and again.
+const TABLES_KEPT: usize = 16;
+
+/// Primitives that are kept: rules insert the same few again and again.
+const PRIMITIVES_KEPT: usize = 32;
+
+/// Assets that are kept as they stand when their z axis is up.
+const ASSETS_RAISED: usize = 256;
+
+/// A share of the initial shape's largest extent below which a shape is not split any further, and the most that this
+/// may be, in metres: on a large site small things are as good as elsewhere, and a run may start from a point.
+pub(crate) const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
+
+/// A run can count this many shapes; a count of [`ENDED`] marks a run that has ended.
+pub(crate) const MOST_SHAPES: u64 = u64::MAX / 8;
+pub(crate) const ENDED: u64 = u64::MAX / 4;
+
+/// The run's state that does not depend on the sink.
+#[derive(Debug)]
+pub struct Env {
+    pub(crate) settings: Settings,
+    /// Extents below this are not split any further, so that recursive splits end (*Subdivision split*: "the recursion
+    /// stops when the geometry gets too small"). Relative to the initial shape.
+    pub(crate) too_small: f64,
+    pub(crate) initial: Initial,
+    names: &'static [&'static str],
+    /// The names and materials of leaves, by number.
+    pub(crate) leaf_tables: LeafTables,
+    /// Rules entered and not yet left since the work list was last asked.
+    trail: Vec<u32>,
+    /// Rules that led to the work item under way.
+    before: Option<Rc<Trail>>,
+    /// Shapes and leaves, without those of `filled`.
+    pub(crate) shapes: u64,
+    pub(crate) leaves: u64,
+    /// Leaf symbols that fill their scope: a shape and a leaf each.
+    pub(crate) filled: u64,
+    /// Where counting leaves the fast path: at a limit, or where a watch is asked.
+    pub(crate) checkpoint: Checkpoint,
+    /// Bases made so far.
+    pub(crate) bases: Cell<u64>,
+    /// The least extent that was to be split.
+    pub(crate) least_split: f64,
+    vertices: u64,
+    /// Functions under way that asked.
+    calls: u32,
+    /// What they take of [`FUNCTIONS`].
+    call_stack: u32,
+    pub(crate) calls_made: u64,
+    /// Lazy attributes and constants that are being computed, from the first on.
+    pub(crate) open: Vec<&'static str>,
+    faults: Vec<Fault>,
+    faults_left_out: u64,
+    /// The faults of files by their messages, as numbers of those that are kept.
+    asset_faults: BTreeMap<String, usize>,
+    pub(crate) error: Option<Error>,
+    /// Primitives that were made.
+    primitives: Vec<(Made, Arc<Mesh>)>,
+    /// Assets whose z axis is up, each with what it is when it stands.
+    raised: Vec<[Arc<Mesh>; 2]>,
+    pub(crate) reports: Reports,
+    pub(crate) prints: Prints,
+    /// What file searches found; see [`Env::files`].
+    searches: BTreeMap<File, Rc<[Text]>>,
+    /// Tables that were read, by file.
+    pub(crate) tables: BTreeMap<File, Array<Text>>,
+    /// Texts that are said once a run, and were, in order: names that are not implemented, messages.
+    said_once: Vec<&'static str>,
+    /// How often they were to be said, and how often a fault happened again that is counted.
+    said_again: u64,
+}
+
+/// What a run knows of the shape it started with.
+#[derive(Clone, Debug)]
+pub(crate) struct Initial {
+    /// Object coordinates: they begin at the initial shape's pivot (*initialShape attribute*).
+    pub(crate) object: Frame,
+    pub(crate) name: Text,
+    pub(crate) start_rule: &'static str,
+    /// The streets at its edges, if any.
+    pub(crate) streets: Option<Arc<Streets>>,
+    /// True if boxes and rectangles are held as meshes.
+    pub(crate) as_meshes: bool,
+}
+
+impl Env {
+    /// For a run from that shape, with a start rule of that name; `names` are those of all rules.
+    pub(crate) fn new(
+        settings: &Settings,
+        names: &'static [&'static str],
+        shape: &Shape,
+        start_rule: &'static str,
+    ) -> Self {
+        let extent = shape.scope.size.abs().max_element();
+        let name = shape.state.get().map_or_else(Text::default, |state| state.name.clone());
+        Env {
+            initial: Initial {
+                object: shape.pivot,
+                name,
+                start_rule,
+                streets: shape.find_streets(),
+                as_meshes: shape.state.get().is_some_and(|state| state.as_meshes),
+            },
+            // The largest number marks a run that has ended; see `limit`.
+            settings: Settings {
+                limits: Limits { shapes: settings.limits.shapes.min(MOST_SHAPES), ..settings.limits },
+                ..settings.clone()
+            },
+            too_small: if extent == 0.0 { TOO_SMALL.1 } else { (extent * TOO_SMALL.0).min(TOO_SMALL.1) },
+            names,
+            leaf_tables: LeafTables { names: &[], materials: MaterialIds::default() },
+            trail: Vec::new(),
+            before: None,
+            shapes: 0,
+            leaves: 0,
+            filled: 0,
+            checkpoint: Checkpoint::first(settings),
+            bases: Cell::new(0),
+            least_split: f64::INFINITY,
+            vertices: 0,
+            calls: 0,
+            call_stack: 0,
+            calls_made: 0,
+            open: Vec::new(),
+            faults: Vec::new(),
+            faults_left_out: 0,
+            asset_faults: BTreeMap::new(),
+            error: None,
+            primitives: Vec::new(),
+            raised: Vec::new(),
+            reports: Reports::default(),
+            prints: Prints::default(),
+            searches: BTreeMap::new(),
+            tables: BTreeMap::new(),
+            said_once: Vec::new(),
+            said_again: 0,
+        }
+    }
+
+    /// Of a run that starts with a box of 1 m.
+    #[cfg(test)]
+    pub(crate) fn for_tests() -> Self {
+        Env::new(&Settings::default(), &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
+    }
+
+    /// Counts shapes before they are made.
+    #[inline]
+    pub(crate) fn count_shapes(&mut self, count: u64) -> Flow {
+        self.shapes += count;
+        if self.has_room(0) { Flow::Continue(()) } else { self.make_room(0) }
+    }
+
+    /// Returns true if that many shapes more do not pass the checkpoint.
+    #[inline]
+    pub(crate) fn has_room(&self, more: u64) -> bool {
+        (self.shapes + self.filled).saturating_add(more) <= self.checkpoint.shapes
+    }
+
+    /// All leaves so far.
+    pub(crate) fn leaf_count(&self) -> u64 {
+        self.leaves + self.filled
+    }
+
+    /// All shapes so far.
+    pub(crate) fn shape_count(&self) -> u64 {
+        self.shapes + self.filled
+    }
+
+    /// Counts the vertices of a mesh that an operation made, as sinks do: those that faces share count for each.
+    pub(crate) fn count_vertices(&mut self, mesh: &Mesh) -> Flow {
+        self.count_corners(mesh.corners().len() as u64)
+    }
+
+    /// Counts vertices before they are made.
+    pub(crate) fn count_corners(&mut self, count: u64) -> Flow {
+        self.vertices = self.vertices.saturating_add(count);
+        if self.settings.limits.vertices < self.vertices {
+            return self.limit(LimitKind::Vertices, self.settings.limits.vertices);
+        }
+        Flow::Continue(())
+    }
+
+    /// Ends the run.
+    #[cold]
+    pub(crate) fn limit<T>(&mut self, what: LimitKind, limit: u64) -> ControlFlow<(), T> {
+        // A run that was stopped has no error.
+        if self.checkpoint.stopped_at.is_none() {
+            let trail = self.trail();
+            self.error.get_or_insert(Error::Limit { what, limit, trail });
+        }
+        // Whoever counts next stops too: operations and functions cannot break off by themselves.
+        self.shapes = ENDED;
+        ControlFlow::Break(())
+    }
+
+    /// Returns true if a limit was reached, or a watch ended the run.
+    #[inline]
+    pub fn ended(&self) -> bool {
+        ENDED <= self.shapes
+    }
+
+    #[inline]
+    pub(crate) fn enter(&mut self, rule: u32) {
+        self.trail.push(rule);
+    }
+
+    #[inline]
+    pub(crate) fn leave(&mut self) {
+        self.trail.pop();
+    }
+
+    /// Enters a function that asks, for so many bytes of `FUNCTIONS`. The answer is no at the depth of calls that CGA has
+    /// (*CGA changelog 2014.1*: function call depth), and where the stack ends before that. If it is yes,
+    /// [`Env::called`] follows.
+    #[inline]
+    pub fn call(&mut self, stack: u32) -> bool {
+        self.calls_made += 1;
+        let stack = self.call_stack + stack.min(FUNCTIONS);
+        if FUNCTIONS < stack || self.calls == DEEPEST_CALLS {
+            let _: Flow = self.limit(LimitKind::Nesting, u64::from(self.calls));
+        } else if self.checkpoint.calls < self.calls_made {
+            let _: Flow = self.at_calls();
+        }
+        let may = !self.ended();
+        if may {
+            (self.calls, self.call_stack) = (self.calls + 1, stack);
+        }
+        may
+    }
+
+    /// Ends the run because a lazy attribute or constant needs its own value.
+    #[cold]
+    pub(crate) fn close_cycle(&mut self, name: &'static str) {
+        let first = self.open.iter().rposition(|open| *open == name).unwrap_or(0);
+        let names = self.open[first..].to_vec();
+        self.error.get_or_insert(Error::Cycle { names });
+        self.shapes = ENDED;
+    }
+
+    /// Leaves a function that asked for so many bytes.
+    #[inline]
+    pub fn called(&mut self, stack: u32) {
+        self.calls -= 1;
+        self.call_stack -= stack.min(FUNCTIONS);
+    }
+
+    /// The files that a query finds, sorted.
+    pub(crate) fn files(&mut self, query: &File) -> Rc<[Text]> {
+        if let Some(known) = self.searches.get(query) {
+            return known.clone();
+        }
+        let asked = Query::new(&query.name);
+        let (found, cut_short) = self.settings.assets.search(&asked, query.folder);
+        let found: Rc<[Text]> = found.into();
+        if let Some(why) = asked.trouble() {
+            self.fault(FaultKind::Value, format!("a search for files finds less than there is: {why}"));
+        }
+        if cut_short {
+            self.fault_once(FaultKind::Limit, "the asset folder is too large to be searched; some files are left out");
+        }
+        if self.searches.len() < SEARCHES_KEPT {
+            self.searches.insert(query.clone(), found.clone());
+        }
+        found
+    }
+
+    /// Keeps a table that was read, as one of a few.
+    pub(crate) fn keep_table(&mut self, file: File, table: &Array<Text>) {
+        if self.tables.len() < TABLES_KEPT {
+            self.tables.insert(file, table.clone());
+        }
+    }
+
+    /// Adds a value to a collection.
+    pub(crate) fn report(&mut self, key: Text, value: Value) {
+        let limit = self.settings.limits.reports;
+        if !self.reports.add(key, value, limit) && self.reports.left_out() == 1 {
+            self.fault(
+                FaultKind::Limit,
+                format!("there is no room for more than {limit} reports; others are left out"),
+            );
+        }
+    }
+
+    /// Keeps a printed line.
+    pub(crate) fn print(&mut self, value: Value) {
+        let before = self.before.as_deref().map_or(&[][..], |before| &before.rules);
+        let rule = self.trail.last().or(before.last()).map_or("", |&rule| self.rule_name(rule));
+        let (depth, limit) = (self.depth(), self.settings.limits.prints);
+        if !self.prints.add(depth, rule, value, limit) && self.prints.left_out == 1 {
+            self.fault(FaultKind::Limit, format!("there is no room for more than {limit} lines; others are left out"));
+        }
+    }
+
+    /// Notes a fault unless the same was noted before.
+    pub(crate) fn fault_once(&mut self, kind: FaultKind, message: &'static str) {
+        if self.is_new(message) {
+            self.fault(kind, message);
+        }
+    }
+
+    /// Notes that something is not implemented, once a run.
+    pub(crate) fn not_implemented(&mut self, name: &'static str, instead: &str) {
+        if self.is_new(name) {
+            self.fault(FaultKind::NotImplemented, format!("`{name}` is not implemented yet; {instead}"));
+        }
+    }
+
+    /// Returns true if a text that is said once a run was not said yet.
+    fn is_new(&mut self, text: &'static str) -> bool {
+        self.said_again += 1;
+        let is_new = !self.said_once.contains(&text);
+        if is_new {
+            self.said_once.push(text);
+        }
+        is_new
+    }
+
+    /// The number of faults so far, those that were counted again included.
+    pub(crate) fn fault_count(&self) -> u64 {
+        self.faults.len() as u64 + self.faults_left_out + self.said_again
+    }
+
+    fn rule_name(&self, rule: u32) -> &'static str {
+        self.names.get(rule as usize).copied().unwrap_or("?")
+    }
+
+    /// Notes a fault with the trail that led to it.
+    #[cold]
+    pub fn fault(&mut self, kind: FaultKind, message: impl Into<String>) {
+        self.add_fault(kind, message.into());
+    }
+
+    /// Notes a fault of a file. One that happens again is counted: rules insert the same file thousands of times.
+    #[cold]
+    pub(crate) fn asset_fault(&mut self, message: String) {
+        if let Some(&at) = self.asset_faults.get(&message) {
+            self.faults[at].count = self.faults[at].count.saturating_add(1);
+            self.said_again += 1;
+            return;
+        }
+        if let Some(at) = self.add_fault(FaultKind::Asset, message.clone()) {
+            self.asset_faults.insert(message, at);
+        }
+    }
+
+    /// Adds a fault, if there is room for it; gives its number.
+    fn add_fault(&mut self, kind: FaultKind, message: String) -> Option<usize> {
+        if FAULTS_KEPT <= self.faults.len() {
+            self.faults_left_out += 1;
+            return None;
+        }
+        let trail = self.trail();
+        self.faults.push(Fault { kind, message, count: 1, trail });
+        Some(self.faults.len() - 1)
+    }
+
+    /// Notes a fault that an operation written in Rust returned.
+    #[cold]
+    pub(crate) fn host_fault(&mut self, fault: Fault) {
+        self.fault(fault.kind, fault.message);
+    }
+
+    /// A number that can be used: what is not finite counts as 0, with a fault (*CGA changelog 2013.1*: the default
+    /// policy for such arguments).
+    #[inline]
+    pub(crate) fn finite(&mut self, value: f64, what: &str) -> f64 {
+        if value.is_finite() {
+            return value;
+        }
+        self.fault(FaultKind::Value, format!("{what} is {value}; 0 is used instead"));
+        0.0
+    }
+
+    /// A primitive in the unit box, made once a run as long as there are few kinds; nothing when the limit of vertices is
+    /// reached.
+    pub(crate) fn primitive(&mut self, what: Made) -> Option<Arc<Mesh>> {
+        if let Some((_, mesh)) = self.primitives.iter().find(|(made, _)| *made == what) {
+            return Some(mesh.clone());
+        }
+        if self.count_corners(what.corner_count()).is_break() {
+            return None;
+        }
+        let mesh = Arc::new(what.mesh());
+        if self.primitives.len() < PRIMITIVES_KEPT {
+            self.primitives.push((what, mesh.clone()));
+        }
+        Some(mesh)
+    }
+
+    /// An asset with its z axis up, made once a run as long as there are few; nothing when the limit of vertices is reached.
+    pub(crate) fn raised(&mut self, mesh: Arc<Mesh>) -> Option<Arc<Mesh>> {
+        if let Some([_, known]) = self.raised.iter().find(|[lying, _]| Arc::ptr_eq(lying, &mesh)) {
+            return Some(known.clone());
+        }
+        if self.count_vertices(&mesh).is_break() {
+            return None;
+        }
+        let raised = Arc::new(mesh.raised());
+        if self.raised.len() < ASSETS_RAISED {
+            self.raised.push([mesh, raised.clone()]);
+        }
+        Some(raised)
+    }
+
+    pub(crate) fn take_faults(&mut self) -> (Vec<Fault>, u64) {
+        self.asset_faults.clear();
+        (std::mem::take(&mut self.faults), self.faults_left_out)
+    }
+}

@@ -1,0 +1,12 @@
+//! A run: rules are called one after the other, and leaves go to a sink.
+
+pub(crate) mod context;
+pub(crate) mod derive;
+pub mod env;
+pub mod report;
+pub mod rules;
+pub mod settings;
+pub mod sink;
+pub mod start_rule;
+pub(crate) mod template;
+pub mod watch;

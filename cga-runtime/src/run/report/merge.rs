@@ -1,0 +1,140 @@
+//! The reports of several runs as one, in the order of the runs.
+
+use super::FAULTS_KEPT;
+use super::{Collection, MOST_BYTES, Reports, Summary};
+use crate::fault::{Fault, FaultKind};
+use crate::run::report::Report;
+use crate::run::settings::Limits;
+
+impl Report {
+    /// Adds the report of the next run. Counts add up, faults and lines are appended, collections are joined. The same reports
+    /// in the same order give the same sum, bit for bit.
+    ///
+    /// The limits of one run hold for the sum as well: what has no room is counted. A fault that a run reports once, such as a
+    /// missing file, is kept once for all runs, with a count.
+    ///
+    /// ```
+    /// use cga_runtime::run::report::Report;
+    /// use cga_runtime::run::settings::Limits;
+    ///
+    /// let (mut sum, mut next) = (Report::default(), Report::default());
+    /// (sum.leaves, next.leaves) = (3, 4);
+    /// sum.merge(next, &Limits::default());
+    /// assert_eq!(sum.leaves, 7);
+    /// ```
+    pub fn merge(&mut self, next: Report, limits: &Limits) {
+        self.shapes = self.shapes.saturating_add(next.shapes);
+        self.leaves = self.leaves.saturating_add(next.leaves);
+        self.stopped |= next.stopped;
+        next.faults.into_iter().for_each(|fault| self.merge_fault(fault));
+        self.faults_left_out += next.faults_left_out;
+        self.reports.merge(next.reports, limits.reports);
+        let room = usize::try_from(limits.prints).unwrap_or(usize::MAX).saturating_sub(self.prints.len());
+        let room = if MOST_BYTES < self.prints_bytes.saturating_add(next.prints_bytes) { 0 } else { room };
+        let kept = next.prints.len().min(room);
+        self.prints_left_out += next.prints_left_out + (next.prints.len() - kept) as u64;
+        if kept != 0 {
+            self.prints_bytes += next.prints_bytes;
+            self.prints.extend(next.prints.into_iter().take(kept));
+        }
+    }
+
+    fn merge_fault(&mut self, fault: Fault) {
+        let once = matches!(fault.kind, FaultKind::Asset | FaultKind::Limit | FaultKind::NotImplemented);
+        let known = |kept: &&mut Fault| kept.kind == fault.kind && kept.message == fault.message;
+        if let Some(kept) = self.faults.iter_mut().filter(|_| once).find(known) {
+            kept.count = kept.count.saturating_add(fault.count);
+        } else if self.faults.len() < FAULTS_KEPT {
+            self.faults.push(fault);
+        } else {
+            self.faults_left_out += fault.count;
+        }
+    }
+
+    /// True if merging it needs no more than its counts.
+    pub(crate) fn is_only_counts(&self) -> bool {
+        self.faults.is_empty()
+            && self.faults_left_out == 0
+            && self.reports.is_empty()
+            && self.reports.left_out == 0
+            && self.prints.is_empty()
+            && self.prints_left_out == 0
+    }
+}
+
+impl Reports {
+    /// Joins the collections of the next run to these.
+    fn merge(&mut self, next: Reports, limit: u64) {
+        self.left_out += next.left_out;
+        for (id, collection) in next.collections {
+            if !self.collections.contains_key(&id) {
+                if !self.has_room(id.0.len(), limit) {
+                    // One value was counted as left out.
+                    self.left_out += collection.summary.count.saturating_sub(1);
+                    continue;
+                }
+                let empty =
+                    Collection { key: id.0.clone(), ty: id.1, summary: Summary::default(), texts: Default::default() };
+                self.collections.insert(id.clone(), empty);
+            }
+            let Some(mut own) = self.collections.remove(&id) else { continue };
+            own.summary.merge(&collection.summary);
+            for (text, count) in collection.texts {
+                if let Some(known) = own.texts.get_mut(&text) {
+                    *known += count;
+                } else if self.has_room(text.len(), limit) {
+                    own.texts.insert(text, count);
+                } else {
+                    self.left_out += count.saturating_sub(1);
+                }
+            }
+            self.collections.insert(id, own);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::value::text::Text;
+
+    fn report(add: &[(&'static str, crate::value::Value)]) -> Report {
+        let mut reports = Reports::default();
+        for (key, value) in add {
+            assert!(reports.add(Text::fixed(key), value.clone(), 100));
+        }
+        Report { reports, ..Report::default() }
+    }
+
+    #[test]
+    fn merged_collections_are_those_of_one_run() {
+        let parts = [("a", 1.0.into()), ("b", "x".into()), ("a", 2.5.into()), ("b", "y".into()), ("b", "x".into())];
+        let mut sum = report(&parts[..2]);
+        sum.merge(report(&parts[2..]), &Limits::default());
+        assert_eq!(sum.reports, report(&parts).reports);
+    }
+
+    #[test]
+    fn what_has_no_room_is_counted() {
+        let mut sum = report(&[("a", "x".into())]);
+        let limits = Limits { reports: 3, ..Limits::default() };
+        sum.merge(report(&[("a", "y".into()), ("a", "z".into()), ("a", "z".into()), ("b", 1.0.into())]), &limits);
+        assert_eq!(sum.reports.left_out(), 3);
+        assert_eq!(sum.reports.get("a").map(|a| (a.summary().count, a.texts().len())), Some((4, 2)));
+        assert!(sum.reports.get("b").is_none());
+    }
+
+    #[test]
+    fn faults_of_files_are_kept_once_and_others_in_order() {
+        let fault = |kind, message: &str| Fault { kind, ..Fault::new(message) };
+        let with = |faults: Vec<Fault>| Report { faults, ..Report::default() };
+        let mut sum = with(vec![fault(FaultKind::Asset, "tree"), fault(FaultKind::Value, "nan")]);
+        sum.merge(with(vec![fault(FaultKind::Value, "nan"), fault(FaultKind::Asset, "tree")]), &Limits::default());
+        assert_eq!(sum.faults.iter().map(|fault| fault.count).collect::<Vec<_>>(), [2, 1, 1]);
+        for _ in 0..2 {
+            let many = (0..600).map(|at| fault(FaultKind::Value, &at.to_string())).collect();
+            sum.merge(with(many), &Limits::default());
+        }
+        assert_eq!((sum.faults.len(), sum.faults_left_out), (FAULTS_KEPT, 203));
+    }
+}

@@ -1,0 +1,203 @@
+//! What rules report and print: data that a run collects beside its geometry (*report operation*, *print operation*).
+
+mod merge;
+mod print;
+mod run;
+mod table;
+
+use std::collections::BTreeMap;
+
+pub use print::Print;
+pub(crate) use print::Prints;
+pub use run::Report;
+
+use crate::value::text::Text;
+use crate::value::{Value, ValueType};
+
+/// Faults that are kept; later ones are only counted, so that memory stays bounded.
+pub(crate) const FAULTS_KEPT: usize = 1000;
+
+/// Bytes of keys and texts that are kept in all; the limits count entries, not their length.
+const MOST_BYTES: usize = 64 << 20;
+
+/// All collections of a run, sorted by key. `to_string` makes a table of them.
+///
+/// A key and the type of the value name a collection. Dots in keys make groups: `windows.open` and `windows.closed`
+/// belong to the group `windows`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reports {
+    collections: BTreeMap<(Text, ValueType), Collection>,
+    /// Collections and different texts.
+    entries: u64,
+    bytes: usize,
+    left_out: u64,
+}
+
+/// The values reported under one key with one type.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Collection {
+    key: Text,
+    ty: ValueType,
+    summary: Summary,
+    texts: BTreeMap<Text, u64>,
+}
+
+/// The statistics of a collection. Of numbers those that are not a number count and take no part in the rest; truth
+/// values are 1 and 0; of text only the count means anything.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Summary {
+    /// How many values were reported, `nans` included.
+    pub count: u64,
+    /// How many of them were not a number.
+    pub nans: u64,
+    /// How many took part in `sum` and the extremes.
+    pub numbers: u64,
+    /// The sum, added up in the order of the run.
+    pub sum: f64,
+    /// Smallest and largest.
+    extremes: Option<(f64, f64)>,
+}
+
+impl Summary {
+    fn add(&mut self, value: &Value) {
+        self.count += 1;
+        match *value {
+            Value::Float(number) if number.is_nan() => self.nans += 1,
+            Value::Float(number) => self.add_number(number),
+            Value::Bool(truth) => self.add_number(f64::from(u8::from(truth))),
+            _ => {}
+        }
+    }
+
+    fn add_number(&mut self, number: f64) {
+        self.numbers += 1;
+        self.sum += number;
+        let (low, high) = self.extremes.unwrap_or((number, number));
+        self.extremes = Some((low.min(number), high.max(number)));
+    }
+
+    fn merge(&mut self, other: &Summary) {
+        self.count += other.count;
+        self.nans += other.nans;
+        self.numbers += other.numbers;
+        self.sum += other.sum;
+        self.extremes = match (self.extremes, other.extremes) {
+            (Some((low, high)), Some((l, h))) => Some((low.min(l), high.max(h))),
+            (mine, theirs) => mine.or(theirs),
+        };
+    }
+
+    /// The mean of the numbers, if there are any.
+    pub fn average(&self) -> Option<f64> {
+        (self.numbers != 0).then(|| self.sum / self.numbers as f64)
+    }
+
+    /// The smallest number, if there are any.
+    pub fn min(&self) -> Option<f64> {
+        self.extremes.map(|(low, _)| low)
+    }
+
+    /// The largest number, if there are any.
+    pub fn max(&self) -> Option<f64> {
+        self.extremes.map(|(_, high)| high)
+    }
+}
+
+impl Collection {
+    /// What it was reported as.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// The type of its values.
+    pub fn ty(&self) -> ValueType {
+        self.ty
+    }
+
+    /// Count, sum, extremes.
+    pub fn summary(&self) -> &Summary {
+        &self.summary
+    }
+
+    /// The different texts, sorted, with how often each was reported. Nothing unless the values are text.
+    pub fn texts(&self) -> impl ExactSizeIterator<Item = (&str, u64)> + '_ {
+        self.texts.iter().map(|(text, count)| (text.as_str(), *count))
+    }
+}
+
+impl Reports {
+    /// The collections, sorted by key; of one key numbers come before truth values before text.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &Collection> + Clone + '_ {
+        self.collections.values()
+    }
+
+    /// The collection of a key; where values of several types were reported under it, the first of them.
+    pub fn get(&self, key: &str) -> Option<&Collection> {
+        let from = (Text::from(key), ValueType::Float);
+        self.collections.range(from..).next().map(|(_, found)| found).filter(|found| found.key() == key)
+    }
+
+    /// The collection of a key and a type.
+    pub fn of_type(&self, key: &str, ty: ValueType) -> Option<&Collection> {
+        self.collections.get(&(Text::from(key), ty))
+    }
+
+    /// All collections of a group taken together: those whose key is `name` or begins with `name` and a dot.
+    pub fn group(&self, name: &str) -> Summary {
+        let mut sum = Summary::default();
+        let is_in = |key: &str| key.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+        self.iter().filter(|collection| is_in(collection.key())).for_each(|it| sum.merge(&it.summary));
+        sum
+    }
+
+    /// Whether nothing was reported.
+    pub fn is_empty(&self) -> bool {
+        self.collections.is_empty()
+    }
+
+    /// Values that found no room, a new key or a new text; see [`Limits::reports`](crate::run::settings::Limits::reports). A fault
+    /// tells of the first.
+    pub fn left_out(&self) -> u64 {
+        self.left_out
+    }
+
+    /// Adds a value. `false` when there was no room for all of it.
+    pub(crate) fn add(&mut self, key: Text, value: Value, limit: u64) -> bool {
+        let id = (key, value.ty());
+        if !self.collections.contains_key(&id) {
+            if !self.has_room(id.0.len(), limit) {
+                return false;
+            }
+            let collection =
+                Collection { key: id.0.clone(), ty: id.1, summary: Summary::default(), texts: BTreeMap::new() };
+            self.collections.insert(id.clone(), collection);
+        }
+        let Some(collection) = self.collections.get_mut(&id) else { return false };
+        collection.summary.add(&value);
+        let Value::Text(text) = value else { return true };
+        if let Some(count) = collection.texts.get_mut(&text) {
+            *count += 1;
+            return true;
+        }
+        if !self.has_room(text.len(), limit) {
+            return false;
+        }
+        if let Some(collection) = self.collections.get_mut(&id) {
+            collection.texts.insert(text, 1);
+        }
+        true
+    }
+
+    /// Takes room for one more entry of so many bytes, or counts what is left out.
+    fn has_room(&mut self, bytes: usize, limit: u64) -> bool {
+        let room = self.entries < limit && self.bytes + bytes <= MOST_BYTES;
+        if room {
+            self.entries += 1;
+            self.bytes += bytes;
+        } else {
+            self.left_out += 1;
+        }
+        room
+    }
+}

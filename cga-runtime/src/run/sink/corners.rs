@@ -1,0 +1,70 @@
+//! Places of rectangles and boxes, and their corners, rounded.
+
+use glam::{DVec3, DVec4, Vec4};
+
+use super::{Cuboid, Quad};
+use crate::geometry::Axis;
+use crate::shape::ShapeRef;
+
+/// The place of a rectangle or a box: its first corner and its sides from there. A rectangle has the first two sides.
+///
+/// Everything has a fourth coordinate of 0: a processor computes with two halves, and writes and reads them as such.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Placed {
+    pub(crate) origin: DVec4,
+    pub(crate) sides: [DVec4; 3],
+}
+
+impl Placed {
+    /// The place of a shape that fills its scope.
+    #[inline(always)]
+    pub(crate) fn of(shape: &ShapeRef<'_>) -> Self {
+        let side = |axis| shape.axes.along(axis) * shape.size.along(axis);
+        Placed { origin: shape.origin.get(), sides: [Axis::X, Axis::Y, Axis::Z].map(side) }
+    }
+
+    /// The same moved.
+    #[inline(always)]
+    pub(crate) fn moved(self, by: DVec4) -> Self {
+        Placed { origin: self.origin + by, ..self }
+    }
+
+    /// The eight corners of a box, as numbers x + 2y + 4z count them. Each is rounded once, so the three faces that meet there
+    /// agree.
+    #[inline(always)]
+    pub(crate) fn box_corners(&self) -> [Vec4; 8] {
+        let (o, [x, y, z]) = (self.origin, self.sides);
+        let (p, q) = (o + y, o + z);
+        let r = p + z;
+        [o, o + x, p, p + x, q, q + x, r, r + x].map(|corner| corner.as_vec4())
+    }
+
+    /// The four corners of a rectangle, counter-clockwise. The fourth coordinate of all is that of the origin.
+    #[inline(always)]
+    pub(crate) fn quad_corners(&self) -> [Vec4; 4] {
+        let (a, [u, v, _]) = (self.origin, self.sides);
+        let b = a + u;
+        [a, b, b + v, a + v].map(|corner| corner.as_vec4())
+    }
+}
+
+impl From<&Quad> for Placed {
+    #[inline]
+    fn from(quad: &Quad) -> Self {
+        Placed { origin: four(quad.origin), sides: [quad.u, quad.v, DVec3::ZERO].map(four) }
+    }
+}
+
+impl From<&Cuboid> for Placed {
+    #[inline]
+    fn from(cuboid: &Cuboid) -> Self {
+        let sides = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
+        Placed { origin: four(cuboid.origin), sides: sides.map(four) }
+    }
+}
+
+/// The same with a fourth coordinate of 0.
+#[inline(always)]
+pub(crate) fn four(v: DVec3) -> DVec4 {
+    v.extend(0.0)
+}

@@ -1,0 +1,10 @@
+//! The names and looks of leaves, by number.
+
+use crate::shape::look_ids::MaterialIds;
+
+/// The names and materials of a run's leaves, by number.
+#[derive(Clone, Debug)]
+pub(crate) struct LeafTables {
+    pub(crate) names: &'static [&'static str],
+    pub(crate) materials: MaterialIds,
+}

@@ -1,0 +1,283 @@
+//! Where leaves go.
+//!
+//! A run hands every leaf shape to a [`Sink`] as soon as it is known, in an order that depends on the rules alone.
+//! A sink may end the run by returning `ControlFlow::Break(())`.
+
+pub(crate) mod corners;
+mod leaf_tables;
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3, DVec4};
+
+use self::corners::Placed;
+
+use crate::geometry::mesh::Mesh;
+use crate::geometry::uv_map::{self, SetMap, UvMap};
+use crate::material::Material;
+use crate::shape::ShapeRef;
+use crate::shape::axes::Axes;
+use crate::shape::base::Form;
+use crate::shape::look_ids::MaterialId;
+use crate::shape::place;
+use crate::shape::scope::Scope;
+
+pub use crate::run::template::{PartId, Replay};
+pub use crate::shape::place::{Cuboid, Quad};
+pub(crate) use leaf_tables::LeafTables;
+
+/// Go on, or stop the run.
+pub type Flow = ControlFlow<()>;
+
+/// A leaf without its geometry: its rule, its material and its scope.
+#[derive(Clone, Copy, Debug)]
+pub struct Leaf<'a> {
+    /// The name of the rule or leaf symbol, without the dot. One address a name within a grammar.
+    pub rule: &'static str,
+    /// What the rules set; what it leaves unset comes from the mesh's own material or is the default.
+    pub material: &'a Arc<Material>,
+    source: LeafSource<'a>,
+}
+
+/// Where the scope and the texture coordinates of a leaf are: most sinks do not ask for them, so that they are not made before.
+#[derive(Clone, Copy, Debug)]
+enum LeafSource<'a> {
+    Known(&'a Scope, &'a [SetMap]),
+    Filled(&'a Filled<'a>),
+}
+
+impl<'a> Leaf<'a> {
+    /// A leaf of that rule with that scope, in the world, for sinks that are filled by hand.
+    pub fn new(rule: &'static str, material: &'a Arc<Material>, scope: &'a Scope) -> Self {
+        Leaf { rule, material, source: LeafSource::Known(scope, &[]) }
+    }
+
+    /// The same leaf with texture coordinates for a rectangle or a box, sorted by set, each set once. A mesh has its own.
+    #[must_use]
+    pub fn with_uvs(self, uvs: &'a [SetMap]) -> Self {
+        match self.source {
+            LeafSource::Known(scope, _) => Leaf { source: LeafSource::Known(scope, uvs), ..self },
+            LeafSource::Filled(_) => self,
+        }
+    }
+
+    /// The leaf's scope, in the world.
+    pub fn scope(&self) -> Scope {
+        match self.source {
+            LeafSource::Known(scope, _) => *scope,
+            LeafSource::Filled(leaf) => leaf.scope(),
+        }
+    }
+
+    /// The texture coordinates of a set, for a leaf that is a rectangle or a box; nothing for a set that it does not have. A
+    /// mesh has its sets itself.
+    pub fn uv(&self, set: usize) -> Option<UvMap> {
+        uv_map::find(self.uvs(), set)
+    }
+
+    /// The maps of all sets that a rectangle or a box has, sorted by set. A mesh has its sets itself.
+    #[inline]
+    pub fn uvs(&self) -> &'a [SetMap] {
+        match self.source {
+            LeafSource::Known(_, uvs) => uvs,
+            LeafSource::Filled(leaf) => leaf.uvs(),
+        }
+    }
+}
+
+/// A leaf that fills its scope: a rectangle in the low plane across an axis, or the box itself. Rule and material are numbers
+/// of the run, and normals are known, so that a sink need not compute or look them up.
+#[derive(Clone, Copy, Debug)]
+pub struct Filled<'a> {
+    /// A rectangle or a box.
+    pub(crate) shape: &'a ShapeRef<'a>,
+    pub(crate) tables: &'a LeafTables,
+    pub(crate) rule: u32,
+}
+
+impl<'a> Filled<'a> {
+    /// The name of the rule or leaf symbol, without the dot.
+    #[inline]
+    pub fn rule(&self) -> &'static str {
+        self.tables.names.get(self.rule as usize).copied().unwrap_or_default()
+    }
+
+    /// The number of the name: equal names of a run have equal numbers, counted from 0.
+    #[inline]
+    pub fn rule_number(&self) -> u32 {
+        self.rule
+    }
+
+    /// The material that the rules set.
+    #[inline]
+    pub fn material(&self) -> &'a Arc<Material> {
+        self.of_id(self.shape.material.get())
+    }
+
+    /// The material with a number; the leaf's own base has the one without.
+    #[inline]
+    pub(crate) fn of_id(&self, id: MaterialId) -> &'a Arc<Material> {
+        let own = self.shape.base.shape.state.material();
+        self.tables.materials.get(id).map_or(own, |look| &look.material)
+    }
+
+    /// The number of the material: equal numbers of a run are equal materials. Nothing for a material that few leaves have, such
+    /// as a random colour.
+    #[inline]
+    pub fn material_number(&self) -> Option<u32> {
+        Some(self.shape.material.get()).filter(|id| *id != MaterialId::OF_BASE).map(MaterialId::index)
+    }
+
+    /// The texture coordinates of a set; nothing for a set that the leaf does not have. Leaves of a run with equal material
+    /// numbers have the same sets.
+    pub fn uv(&self, set: usize) -> Option<UvMap> {
+        uv_map::find(self.uvs(), set)
+    }
+
+    /// The maps of all sets that the leaf has, sorted by set.
+    #[inline]
+    pub fn uvs(&self) -> &'a [SetMap] {
+        self.uvs_of(self.shape.material.get())
+    }
+
+    /// The maps of a leaf with another material of the run.
+    #[inline]
+    pub(crate) fn uvs_of(&self, material: MaterialId) -> &'a [SetMap] {
+        if !material.may_have_coordinates() {
+            return &[];
+        }
+        let normal = match self.shape.form {
+            Form::Rect(axis) => self.shape.axes.along(axis).truncate(),
+            Form::Box | Form::Empty | Form::Other => DVec3::ZERO,
+        };
+        self.shape.base.maps(material, self.tables.materials.get(material).map(|look| &**look), normal)
+    }
+
+    /// The scope, in the world.
+    #[inline]
+    pub fn scope(&self) -> Scope {
+        self.shape.scope()
+    }
+
+    /// The axes of the scope with normals as sinks need them.
+    #[inline]
+    pub fn axes(&self) -> &'a Axes {
+        self.shape.axes
+    }
+
+    /// The number of its vertices when faces share none.
+    #[inline]
+    pub fn corner_count(&self) -> usize {
+        4 * self.shape.unit.get().face_count()
+    }
+
+    /// Hands the leaf to the method of a sink for rectangles or for boxes.
+    #[inline]
+    pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
+        let leaf = Leaf { rule: self.rule(), material: self.material(), source: LeafSource::Filled(self) };
+        // Both forms have a place.
+        let (placed, unit) = (Placed::of(self.shape), self.shape.unit.get());
+        let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.map(DVec4::truncate));
+        match self.shape.form {
+            Form::Rect(axis) => sink.quad(&leaf, &place::low_side(origin, [x, y, z], axis, unit)),
+            Form::Box => sink.cuboid(&leaf, &Cuboid { origin, sides: DMat3::from_cols(x, y, z), unit }),
+            Form::Empty | Form::Other => Flow::Continue(()),
+        }
+    }
+}
+
+/// Takes the leaves of a run. Only [`Sink::mesh`] must be written; the others turn their geometry into a mesh by default.
+pub trait Sink {
+    /// A run begins: the numbers of rules and materials are those of this run. A sink that hands [`Filled`] or [`Replay`] on to
+    /// another sink hands this on as well, else the other takes the numbers for those of the run before.
+    fn begin(&mut self) {}
+
+    /// A rectangle or a box that fills its scope. It becomes a [`Sink::quad`] or a [`Sink::cuboid`] by default; a sink that writes
+    /// many of them saves time with the axes and numbers that are known here.
+    #[inline]
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        leaf.pass_to(self)
+    }
+
+    /// Leaves of a part that repeats. They go one by one to [`Sink::filled`] by default; a sink that writes many of them saves time
+    /// with all of them at once.
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        replay.each(self)
+    }
+
+    /// A rectangle, with the texture coordinates of [`Leaf::uvs`].
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        self.mesh(leaf, &quad_mesh(leaf, quad), &DAffine3::IDENTITY)
+    }
+
+    /// A box, with the texture coordinates of [`Leaf::uvs`].
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY)
+    }
+
+    /// An inserted asset that nothing has cut since: the same mesh many times, each with a placement of its own.
+    fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        self.mesh(leaf, mesh, placement)
+    }
+
+    /// Any mesh, in local coordinates; `placement` takes them to the world.
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow;
+
+    /// Hands on what the sink still holds. There are no more leaves after it.
+    ///
+    /// The owner of a sink calls it, once, after the last run: the same sink may take the leaves of many runs, so a run never
+    /// calls it. [`parallel`](crate::grammar::parallel) owns the sinks of its stretches and finishes each, unless a run ended with an
+    /// error. `Break` ends what the owner would do next.
+    fn finish(&mut self) -> Flow {
+        Flow::Continue(())
+    }
+}
+
+/// A rectangle as a mesh in the world, with the texture coordinates of the leaf.
+#[cold]
+#[inline(never)]
+pub(crate) fn quad_mesh(leaf: &Leaf<'_>, quad: &Quad) -> Arc<Mesh> {
+    Arc::new(quad.to_mesh().with_uvs(leaf.uvs()))
+}
+
+/// A box as a mesh in the world, with the texture coordinates of the leaf.
+#[cold]
+#[inline(never)]
+pub(crate) fn cuboid_mesh(leaf: &Leaf<'_>, cuboid: &Cuboid) -> Arc<Mesh> {
+    Arc::new(cuboid.to_mesh().with_uvs(leaf.uvs()))
+}
+
+impl<S: Sink + ?Sized> Sink for &mut S {
+    fn finish(&mut self) -> Flow {
+        (**self).finish()
+    }
+
+    fn begin(&mut self) {
+        (**self).begin();
+    }
+
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        (**self).filled(leaf)
+    }
+
+    fn replay(&mut self, replay: &Replay<'_>) -> Flow {
+        (**self).replay(replay)
+    }
+
+    fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
+        (**self).quad(leaf, quad)
+    }
+
+    fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
+        (**self).cuboid(leaf, cuboid)
+    }
+
+    fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        (**self).instance(leaf, mesh, placement)
+    }
+
+    fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
+        (**self).mesh(leaf, mesh, placement)
+    }
+}

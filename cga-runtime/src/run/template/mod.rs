@@ -1,0 +1,291 @@
+//! Repeated parts are derived once and replayed.
+//!
+//! A rule in a group that repeats is *rigid* when its result depends on the size of its shape alone, not on place, seed or
+//! counters; code generation knows which are. Such a rule is derived once at the origin, along the axes of the world, and its
+//! leaves are kept: a *template*. A template is turned once for each base (a façade), and a repetition is the template moved
+//! there. Positions below a repeat are defined in this way, whether a template was kept or is made again.
+//!
+//! A rule that it calls and that is not rigid itself is a *hole*: a repetition calls it as any rule, with its place, and with
+//! a seed that is affine in the seed of the repetition. A derivation that leaves a fault or a mesh makes no template, and is
+//! run as any other.
+
+mod record;
+mod replay;
+
+use std::ops::Range;
+use std::rc::Rc;
+
+use glam::{DMat3, DVec3};
+
+use crate::geometry::Axis;
+use crate::run::sink::corners::{Placed, four};
+use crate::shape::axes::Axes;
+use crate::shape::base::Form;
+use crate::shape::look_ids::MaterialId;
+use crate::shape::unit::UnitMesh;
+use crate::shape::{Counter, ShapeRef};
+
+pub(crate) use record::Tape;
+pub use replay::{Last, PartId, Replay};
+
+/// The templates of a place in the rules that are kept, the last ones used.
+const KEPT: usize = 16;
+
+/// The axes that a template is kept along, the last ones that were new: four for buildings along the axes of the world.
+const KEPT_AXES: usize = 4;
+
+/// The leaves, and the holes, that a template has at most. The leaves of small ones stay in the nearest cache
+/// while they are written again and again.
+const MOST: usize = 64;
+
+/// The templates of a session, by place in the rules.
+#[derive(Debug)]
+pub(crate) struct Templates<C> {
+    places: Vec<Vec<Entry<C>>>,
+}
+
+/// A template, or the knowledge that there is none.
+#[derive(Debug)]
+struct Entry<C> {
+    key: Key,
+    template: Option<Rc<Template<C>>>,
+    /// The template along the axes of bases.
+    turned: Vec<Rc<Turned>>,
+}
+
+/// The properties of a shape that its template depends on.
+#[derive(Clone, Copy, Debug)]
+struct Key {
+    size: DVec3,
+    form: Form,
+    unit: UnitMesh,
+    material: MaterialId,
+    /// A look without a number may have texture coordinates or not.
+    has_coordinates: bool,
+    /// The axes along which coordinates are constant: moves along others make a shape with another base.
+    constant: [bool; 3],
+    /// Boxes whose sides have coordinates of their own are meshes in a sink.
+    has_sides: bool,
+    /// Extents up to this were not split any further; NaN if that made no difference.
+    too_small: f64,
+}
+
+/// The result of a rigid rule on a shape at the origin.
+#[derive(Debug)]
+struct Template<C> {
+    /// Shapes derived, without leaves.
+    shapes: u64,
+    /// The most shapes that the derivation asked room for.
+    room: u64,
+    body: Body,
+    holes: Vec<Hole<C>>,
+}
+
+/// The leaves of a template.
+#[derive(Debug)]
+struct Body {
+    /// The number of the template among all of the process.
+    number: u64,
+    leaves: Vec<Record>,
+    /// The axes of leaves.
+    frames: Vec<Axes>,
+    /// The stretches of leaves before, between and after the holes.
+    segments: Vec<Segment>,
+    marks: Vec<Mark>,
+    rows: Vec<Row>,
+}
+
+/// A leaf at its place in a template.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Record {
+    origin: DVec3,
+    pub(crate) size: DVec3,
+    pub(crate) unit: UnitMesh,
+    /// A rectangle or a box.
+    pub(crate) form: Form,
+    /// Counts in the frames.
+    frame: u32,
+    rule: u32,
+    material: MaterialId,
+}
+
+/// Leaves without a hole between them.
+#[derive(Clone, Debug)]
+struct Segment {
+    leaves: Range<usize>,
+    marks: Range<usize>,
+    rows: Range<usize>,
+    /// The number of vertices when faces share none.
+    corners: usize,
+    /// True if all leaves are boxes or rectangles across z.
+    is_plain: bool,
+    /// True if some leaves may have texture coordinates.
+    may_have_coordinates: bool,
+}
+
+/// Leaves after each other with equal rule and material.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mark {
+    pub(crate) rule: u32,
+    pub(crate) material: MaterialId,
+    /// The number of leaves, and that of their vertices when faces share none.
+    pub(crate) leaves: usize,
+    pub(crate) corners: usize,
+    /// Vertices of the segment before these leaves.
+    pub(crate) before: u32,
+}
+
+/// Leaves after each other that are rectangles, or boxes, along the same axes.
+#[derive(Clone, Debug)]
+pub(crate) struct Row {
+    pub(crate) is_box: bool,
+    frame: u32,
+    leaves: Range<usize>,
+}
+
+/// A call of a rule that each repetition makes itself.
+#[derive(Clone, Debug)]
+struct Hole<C> {
+    /// The number of leaves before it.
+    at: usize,
+    origin: DVec3,
+    size: DVec3,
+    unit: UnitMesh,
+    form: Form,
+    /// True if its axes are those of the base after it has grown.
+    is_raised: bool,
+    material: MaterialId,
+    /// The factor and the sum that lead from the seed of the repetition to its own.
+    seed: [u64; 2],
+    split: Counter,
+    /// The stack that the call asks for.
+    levels: u32,
+    stack: u32,
+    call: C,
+    /// The rules between the repetition and the call.
+    trail: Box<[u32]>,
+}
+
+/// A template along the axes of bases.
+#[derive(Debug)]
+struct Turned {
+    axes: Vec<Axes>,
+    /// Relative to the origin of the repetition, along the axes of the world.
+    leaves: Vec<Placed>,
+    holes: Vec<DVec3>,
+}
+
+/// The counters of a shape that is recorded: holes with these get those of the repetition.
+const INHERITED: Counter = Counter::of(i32::MIN, 0);
+
+impl Key {
+    fn of(part: &ShapeRef<'_>, too_small: f64) -> Self {
+        Key {
+            size: part.size.get(),
+            form: part.form,
+            unit: part.unit.get(),
+            material: part.material.get(),
+            has_coordinates: part.has_coordinates(),
+            constant: part.base.constant(),
+            has_sides: part.has_sides(),
+            too_small,
+        }
+    }
+
+    #[inline]
+    fn fits(&self, part: &ShapeRef<'_>, too_small: f64) -> bool {
+        self.size == part.size.get()
+            && self.material == part.material.get()
+            && self.has_coordinates == part.has_coordinates()
+            && self.constant == part.base.constant()
+            && self.has_sides == part.has_sides()
+            && self.form == part.form
+            && self.unit.is(part.unit.get())
+            && (self.too_small == too_small || self.too_small.is_nan())
+    }
+}
+
+impl<C> Default for Templates<C> {
+    fn default() -> Self {
+        Templates { places: Vec::new() }
+    }
+}
+
+impl<C> Templates<C> {
+    /// The entry for a shape, if there is one.
+    #[inline]
+    fn find(&mut self, place: u32, part: &ShapeRef<'_>, too_small: f64) -> Option<&mut Entry<C>> {
+        let list = self.places.get_mut(place as usize)?;
+        if let Some(last) = list.last()
+            && last.key.fits(part, too_small)
+        {
+            return list.last_mut();
+        }
+        let at = list.iter().position(|entry| entry.key.fits(part, too_small))?;
+        // The last one used is the last in the list.
+        let last = list.len() - 1;
+        list.swap(at, last);
+        list.last_mut()
+    }
+
+    fn keep(&mut self, place: u32, entry: Entry<C>) -> Option<&mut Entry<C>> {
+        let place = place as usize;
+        if self.places.len() <= place {
+            self.places.resize_with(place + 1, Vec::new);
+        }
+        let list = &mut self.places[place];
+        if list.len() == KEPT {
+            list.remove(0);
+        }
+        list.push(entry);
+        list.last_mut()
+    }
+}
+
+impl<C> Entry<C> {
+    /// The template along axes, if there is a template.
+    #[inline]
+    fn turned(&mut self, axes: &Axes) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
+        let template = self.template.clone()?;
+        let turned = match self.turned.iter().find(|turned| turned.axes[0].is(&axes.matrix)) {
+            Some(known) => known.clone(),
+            None => self.turn(&template, axes),
+        };
+        Some((template, turned))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn turn(&mut self, template: &Template<C>, axes: &Axes) -> Rc<Turned> {
+        let turned = Rc::new(template.turned(axes));
+        if self.turned.len() == KEPT_AXES {
+            self.turned.remove(0);
+        }
+        self.turned.push(turned.clone());
+        turned
+    }
+}
+
+impl<C> Template<C> {
+    /// Turns it to axes.
+    fn turned(&self, axes: &Axes) -> Turned {
+        let turn = |frame: &Axes| match frame.matrix == DMat3::IDENTITY {
+            true => *axes,
+            false => Axes::new(axes.matrix * frame.matrix),
+        };
+        let frames: Vec<Axes> = self.body.frames.iter().map(turn).collect();
+        let leaves = self.body.leaves.iter().map(|leaf| {
+            let (frame, size) = (&frames[leaf.frame as usize], leaf.size);
+            let sides = [(Axis::X, size.x), (Axis::Y, size.y), (Axis::Z, size.z)];
+            Placed {
+                origin: four(axes.matrix * leaf.origin),
+                sides: sides.map(|(axis, size)| frame.along(axis) * size),
+            }
+        });
+        Turned {
+            leaves: leaves.collect(),
+            holes: self.holes.iter().map(|hole| axes.matrix * hole.origin).collect(),
+            axes: frames,
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! Making a template: a rule runs at the origin, into a sink that keeps the leaves.
+
+use std::collections::VecDeque;
+use std::ops::ControlFlow;
+use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::{DAffine3, DMat3};
+
+use super::{Body, Entry, Hole, INHERITED, Key, MOST, Mark, Record, Row, Segment, Template, Templates, Turned};
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
+use crate::run::context::{Cx, RuleFn};
+use crate::run::settings::Repeats;
+use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
+use crate::shape::ShapeRef;
+use crate::shape::axes::Axes;
+use crate::shape::base::{Base, Form};
+use crate::shape::seed::Seed;
+
+/// The number of the next template. Numbers are in no output: they tell templates of all sessions apart.
+static NUMBER: AtomicU64 = AtomicU64::new(1);
+
+/// The holes of a template that is made.
+pub(crate) struct Tape<'r, C> {
+    /// The base of the shape at the origin.
+    base: &'r Base,
+    /// Leaves of the run, and rules on its trail, before the template.
+    leaves: u64,
+    trail: usize,
+    holes: Vec<Hole<C>>,
+    has_failed: bool,
+}
+
+/// The reason that there is no template.
+enum Lost {
+    /// The rule makes something that templates do not hold.
+    Never,
+    /// A limit or a watch ended the derivation.
+    Ended,
+}
+
+/// Keeps leaves.
+struct Recorder<'r> {
+    base: &'r Base,
+    leaves: Vec<Record>,
+    frames: Vec<DMat3>,
+    has_failed: bool,
+}
+
+impl Recorder<'_> {
+    fn fail(&mut self) -> Flow {
+        self.has_failed = true;
+        ControlFlow::Break(())
+    }
+}
+
+impl Sink for Recorder<'_> {
+    fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
+        let shape = leaf.shape;
+        // What has no number is the base's, and so are the projections that coordinates follow from.
+        let is_known = !shape.material.get().may_have_coordinates() || std::ptr::eq(shape.base, self.base);
+        if !is_known || MOST <= self.leaves.len() {
+            return self.fail();
+        }
+        let matrix = shape.axes.matrix;
+        let frame = self.frames.iter().position(|frame| *frame == matrix).unwrap_or_else(|| {
+            self.frames.push(matrix);
+            self.frames.len() - 1
+        });
+        self.leaves.push(Record {
+            origin: shape.origin(),
+            size: shape.size.get(),
+            unit: shape.unit.get(),
+            form: shape.form,
+            frame: frame as u32,
+            rule: leaf.rule,
+            material: shape.material.get(),
+        });
+        ControlFlow::Continue(())
+    }
+
+    fn quad(&mut self, _: &Leaf<'_>, _: &Quad) -> Flow {
+        self.fail()
+    }
+
+    fn cuboid(&mut self, _: &Leaf<'_>, _: &Cuboid) -> Flow {
+        self.fail()
+    }
+
+    fn mesh(&mut self, _: &Leaf<'_>, _: &Arc<Mesh>, _: &DAffine3) -> Flow {
+        self.fail()
+    }
+}
+
+impl<C: Clone> Cx<'_, C> {
+    /// Returns true while a template is made: calls that are not rigid become holes.
+    #[inline]
+    pub fn records(&self) -> bool {
+        self.tape.is_some()
+    }
+
+    /// Keeps a call as a hole of the template that is made. The call asks for levels of recursion and for so much of the stack.
+    #[cold]
+    #[inline(never)]
+    pub fn hole(&mut self, shape: &ShapeRef<'_>, levels: u32, stack: u32, call: C) -> Flow {
+        let Some(tape) = &mut self.tape else { return ControlFlow::Break(()) };
+        let is_raised = std::ptr::eq(shape.axes, tape.base.raised());
+        let has_base = std::ptr::eq(shape.base, tape.base);
+        if !has_base || !(is_raised || std::ptr::eq(shape.axes, tape.base.axes())) || MOST <= tape.holes.len() {
+            tape.has_failed = true;
+            return ControlFlow::Break(());
+        }
+        tape.holes.push(Hole {
+            at: (self.env.filled - tape.leaves) as usize,
+            origin: shape.origin(),
+            size: shape.size.get(),
+            unit: shape.unit.get(),
+            form: shape.form,
+            is_raised,
+            material: shape.material.get(),
+            seed: [0, shape.seed.get().value()],
+            split: shape.split.get(),
+            levels,
+            stack,
+            call,
+            trail: self.env.trail_from(tape.trail),
+        });
+        ControlFlow::Continue(())
+    }
+
+    /// Makes the template for a shape and keeps it, or keeps that there is none.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn prepare<G>(
+        &mut self,
+        place: u32,
+        g: &G,
+        part: &ShapeRef<'_>,
+        rule: RuleFn<G, C>,
+    ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
+        let (least, too_small, repeats) = (self.env.least_split, self.env.too_small, self.env.settings.repeats);
+        if repeats == Repeats::Direct {
+            let key = Key::of(part, too_small);
+            self.templates.keep(place, Entry { key, template: None, turned: Vec::new() });
+            return None;
+        }
+        self.env.least_split = f64::INFINITY;
+        let template = self.record(g, part, rule, 0).and_then(|mut template| {
+            if template.holes.is_empty() {
+                return Ok(template);
+            }
+            // A seed is affine in the seed of the repetition: two points give the line.
+            let other = self.record(g, part, rule, 1)?;
+            for (hole, other) in template.holes.iter_mut().zip(&other.holes) {
+                let [_, at_zero] = hole.seed;
+                hole.seed = [other.seed[1].wrapping_sub(at_zero), at_zero];
+            }
+            if template.holes.len() == other.holes.len() { Ok(template) } else { Err(Lost::Never) }
+        });
+        // Of two runs whose limits differ, both make the same of extents above the largest limit.
+        let no_matter = crate::run::env::TOO_SMALL.1 < self.env.least_split;
+        self.env.least_split = least.min(self.env.least_split);
+        let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
+        // Another run of the session may have room for it.
+        let is_ended = matches!(template, Err(Lost::Ended));
+        let mut entry = Entry { key, template: template.ok().map(Rc::new), turned: Vec::new() };
+        if repeats == Repeats::Kept && !is_ended {
+            return self.templates.keep(place, entry)?.turned(part.axes);
+        }
+        entry.turned(part.axes)
+    }
+
+    /// Derives a rule at the origin. Nothing where it leaves more than leaves that fill their scopes and holes.
+    fn record<G>(&mut self, g: &G, part: &ShapeRef<'_>, rule: RuleFn<G, C>, seed: u64) -> Result<Template<C>, Lost> {
+        let (before, count) = (self.env.state(), self.env.shape_count());
+        let checkpoint = self.env.measure_room();
+        let base = Base::at_origin(part);
+        let mut recorder =
+            Recorder { base: &base, leaves: Vec::new(), frames: vec![DMat3::IDENTITY], has_failed: false };
+        let tape = Tape {
+            base: &base,
+            leaves: self.env.filled,
+            trail: self.env.trail_len(),
+            holes: Vec::new(),
+            has_failed: false,
+        };
+        let mut templates = Templates::default();
+        let mut cx = Cx {
+            env: self.env,
+            sink: &mut recorder,
+            waiting: VecDeque::new(),
+            stack: self.stack,
+            depth: self.depth,
+            templates: &mut templates,
+            tape: Some(tape),
+        };
+        let shape = base.shape();
+        shape.seed.set(Seed::new(seed));
+        shape.split.set(INHERITED);
+        let flow = rule(g, &mut cx, &shape);
+        let is_complete = flow.is_continue() && cx.waiting.is_empty();
+        let (holes, is_lost) = cx.tape.take().map_or((Vec::new(), true), |tape| (tape.holes, tape.has_failed));
+        let Recorder { leaves, frames, has_failed, .. } = recorder;
+        let shapes = self.env.shapes.saturating_sub(before.shapes);
+        let room = self.env.measured_room(checkpoint).saturating_sub(count);
+        let is_ended = self.env.ended();
+        let is_quiet = self.env.restore(before);
+        if is_ended {
+            return Err(Lost::Ended);
+        }
+        if !is_complete || !is_quiet || has_failed || is_lost {
+            return Err(Lost::Never);
+        }
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let body = Body {
+            number,
+            leaves,
+            frames: frames.into_iter().map(Axes::new).collect(),
+            segments: Vec::new(),
+            marks: Vec::new(),
+            rows: Vec::new(),
+        };
+        Ok(Template { shapes, room, body: body.divided(holes.iter().map(|hole| hole.at)), holes })
+    }
+}
+
+impl Body {
+    /// Divides the leaves at the holes, and finds those after each other that are alike.
+    fn divided(mut self, holes: impl Iterator<Item = usize>) -> Self {
+        let ends = holes.chain([self.leaves.len()]);
+        let mut start = 0;
+        for end in ends {
+            let (first_mark, first_row) = (self.marks.len(), self.rows.len());
+            let (mut corners, mut is_plain, mut may_have_coordinates) = (0, true, false);
+            for (at, leaf) in self.leaves[..end].iter().enumerate().skip(start) {
+                is_plain &= matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box);
+                may_have_coordinates |= leaf.material.may_have_coordinates();
+                let own = 4 * leaf.unit.face_count();
+                match self.marks[first_mark..].last_mut() {
+                    Some(mark) if mark.rule == leaf.rule && mark.material == leaf.material => {
+                        mark.leaves += 1;
+                        mark.corners += own;
+                    }
+                    _ => {
+                        let Record { rule, material, .. } = *leaf;
+                        self.marks.push(Mark { rule, material, leaves: 1, corners: own, before: corners as u32 });
+                    }
+                }
+                let is_box = leaf.form == Form::Box;
+                match self.rows[first_row..].last_mut() {
+                    Some(row) if row.is_box == is_box && row.frame == leaf.frame => row.leaves.end += 1,
+                    _ => self.rows.push(Row { is_box, frame: leaf.frame, leaves: at..at + 1 }),
+                }
+                corners += own;
+            }
+            self.segments.push(Segment {
+                leaves: start..end,
+                marks: first_mark..self.marks.len(),
+                rows: first_row..self.rows.len(),
+                corners,
+                is_plain,
+                may_have_coordinates,
+            });
+            start = end;
+        }
+        self
+    }
+}

@@ -1,0 +1,173 @@
+//! The numbers of a run's materials.
+//!
+//! Slim shapes and sinks have numbers in place of materials: a colour that is a constant is one comparison, and a sink looks
+//! a material up only where the number changes. Random colours must not let the table grow without limit, so few materials
+//! have a number; others are those of their base.
+//!
+//! Templates are kept for numbers, so the materials that have one follow from the rules alone, whatever a session did before.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::look::Look;
+use crate::shape::state::UNSET;
+
+/// The number of a material among those of the run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct MaterialId(pub(crate) u32);
+
+impl MaterialId {
+    /// A material without a number: that of the base.
+    pub(crate) const OF_BASE: MaterialId = MaterialId(u32::MAX);
+
+    /// The bit of looks with implicit texture coordinates.
+    const COORDINATES: u32 = 1 << 31;
+
+    /// The number in the list.
+    #[inline]
+    pub(crate) fn index(self) -> u32 {
+        self.0 & !MaterialId::COORDINATES
+    }
+
+    /// Returns true if there may be implicit texture coordinates. Without a number there may be.
+    #[inline]
+    pub(crate) fn may_have_coordinates(self) -> bool {
+        self.0 & MaterialId::COORDINATES != 0
+    }
+}
+
+/// Materials that have a number in a run. More than rules can make with constant colours, in any sensible use.
+const MOST: usize = 1 << 16;
+
+/// Materials that a session keeps for its next run.
+const MANY: usize = 1024;
+
+/// Materials added last that are compared with one that has no number yet. An equal one further back costs a second number.
+const COMPARED: usize = 64;
+
+/// The materials of a run by number, and the results of the material operations with constant arguments.
+#[derive(Clone, Debug)]
+pub(crate) struct MaterialIds {
+    list: Vec<Arc<Look>>,
+    /// The numbers of the list by address.
+    by_address: BTreeMap<usize, u32>,
+    /// By place in the rules: the material before the operation and the one after it, as it was found last.
+    paints: Vec<Option<(MaterialId, MaterialId)>>,
+    /// All of these: the material after an operation, by its place and by the number of the material before.
+    painted: BTreeMap<(u32, u32), MaterialId>,
+}
+
+impl Default for MaterialIds {
+    fn default() -> Self {
+        MaterialIds {
+            list: vec![UNSET.clone()],
+            by_address: BTreeMap::new(),
+            paints: Vec::new(),
+            painted: BTreeMap::new(),
+        }
+    }
+}
+
+impl MaterialIds {
+    /// Returns true if the table is so large that another run should begin with an empty one.
+    pub(crate) fn is_full(&self) -> bool {
+        MANY <= self.list.len()
+    }
+
+    /// The material with a number; nothing for that of the base.
+    #[inline]
+    pub(crate) fn get(&self, id: MaterialId) -> Option<&Arc<Look>> {
+        self.list.get(id.index() as usize)
+    }
+
+    /// The number of a material, if it has one.
+    #[inline]
+    pub(crate) fn id(&self, look: &Arc<Look>) -> MaterialId {
+        if Arc::ptr_eq(&self.list[0], look) {
+            return MaterialId(0);
+        }
+        let address = Arc::as_ptr(look).addr();
+        self.by_address.get(&address).map_or(MaterialId::OF_BASE, |number| MaterialId(*number))
+    }
+
+    /// The number of a look, which gets one if there is room. One with coordinates of its own place gets none.
+    pub(crate) fn intern(&mut self, look: &Arc<Look>) -> MaterialId {
+        let bit = if look.coordinates.is_empty() { 0 } else { MaterialId::COORDINATES };
+        let recent = self.list.iter().enumerate().rev().take(COMPARED);
+        if let Some((at, _)) = recent.into_iter().find(|(_, known)| *known == look) {
+            return MaterialId(at as u32 | bit);
+        }
+        if self.list.len() == MOST || look.coordinates.is_placed() {
+            return MaterialId::OF_BASE;
+        }
+        let number = self.list.len() as u32 | bit;
+        self.list.push(look.clone());
+        self.by_address.insert(Arc::as_ptr(look).addr(), number);
+        MaterialId(number)
+    }
+
+    /// The result of the material operation at a place in the rules, if it is known for that material.
+    #[inline]
+    pub(crate) fn painted(&self, place: u32, before: MaterialId) -> Option<MaterialId> {
+        match self.paints.get(place as usize) {
+            Some(&Some((known, after))) if known == before => Some(after),
+            _ => None,
+        }
+    }
+
+    /// The same where another material was painted there last.
+    pub(crate) fn painted_before(&mut self, place: u32, before: MaterialId) -> Option<MaterialId> {
+        let after = *self.painted.get(&(place, before.0))?;
+        self.paints[place as usize] = Some((before, after));
+        Some(after)
+    }
+
+    /// Keeps such a result, if both materials have a number.
+    pub(crate) fn keep_paint(&mut self, place: u32, before: MaterialId, after: MaterialId) -> bool {
+        let has_numbers = before != MaterialId::OF_BASE && after != MaterialId::OF_BASE;
+        if has_numbers {
+            self.painted.insert((place, before.0), after);
+            let place = place as usize;
+            self.paints.resize(self.paints.len().max(place + 1), None);
+            self.paints[place] = Some((before, after));
+        }
+        has_numbers
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::Material;
+
+    fn named(number: usize) -> Arc<Look> {
+        let name = Some(number.to_string().as_str().into());
+        Arc::new(Look { material: Arc::new(Material { name, ..Material::default() }), ..Look::default() })
+    }
+
+    #[test]
+    fn a_number_is_found_however_many_materials_come_after() {
+        let mut ids = MaterialIds::default();
+        let materials: Vec<_> = (0..300).map(named).collect();
+        let numbers: Vec<_> = materials.iter().map(|material| ids.intern(material)).collect();
+        let found: Vec<_> = materials.iter().map(|material| ids.id(material)).collect();
+        assert_eq!(found, numbers);
+        assert_eq!(ids.id(&named(7)), MaterialId::OF_BASE);
+    }
+
+    #[test]
+    fn a_place_that_paints_many_materials_in_turn_adds_each_once() {
+        let mut ids = MaterialIds::default();
+        let before: Vec<_> = (0..200).map(|number| ids.intern(&named(number))).collect();
+        for _ in 0..3 {
+            for &before in &before {
+                if ids.painted(0, before).or_else(|| ids.painted_before(0, before)).is_none() {
+                    let after = ids.intern(&named(1000 + before.0 as usize));
+                    assert!(ids.keep_paint(0, before, after));
+                }
+            }
+        }
+        assert_eq!(ids.list.len(), 1 + 2 * 200);
+        assert_eq!(ids.painted_before(1, before[0]), None);
+    }
+}

@@ -1,0 +1,267 @@
+//! The current shape: scope, pivot, geometry and what it inherits.
+//!
+//! A shape is a value. Its geometry fills its scope: rectangles and boxes are nothing but the scope, and a mesh is shared
+//! and stretched lazily, so handing a copy to a rule costs a few machine words.
+
+pub(crate) mod axes;
+pub(crate) mod base;
+pub(crate) mod direction;
+mod initial;
+pub(crate) mod look;
+pub(crate) mod look_ids;
+pub(crate) mod place;
+mod placed;
+pub mod scope;
+pub(crate) mod seed;
+pub(crate) mod slim;
+pub(crate) mod state;
+pub(crate) mod street;
+pub(crate) mod texture;
+pub(crate) mod trim;
+pub(crate) mod unit;
+pub(crate) mod view;
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::geometry::mesh::Mesh;
+use crate::geometry::{Axis, Frame};
+use crate::material::{Color, Material};
+use crate::shape::scope::Scope;
+use crate::shape::seed::Seed;
+use crate::shape::state::StateRef;
+use crate::shape::texture::Coordinates;
+use crate::shape::trim::Trims;
+use crate::shape::unit::UnitMesh;
+
+pub(crate) use placed::{Inserted, Placed, PlacedWire};
+pub use slim::ShapeRef;
+
+/// A shape with all it has: the shape that a run starts with, and the shape that operations change.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    pub(crate) scope: Scope,
+    pub(crate) pivot: Frame,
+    pub(crate) geometry: Geometry,
+    pub(crate) seed: Seed,
+    pub(crate) split: Counter,
+    pub(crate) comp: Counter,
+    /// `comp.sel`.
+    pub(crate) selector: &'static str,
+    pub(crate) trims: Trims,
+    pub(crate) state: StateRef,
+}
+
+/// `split.index` and `split.total`, or those of comp.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Counter {
+    /// Index and total in one word: it is written and read as such.
+    word: u64,
+}
+
+impl Counter {
+    /// *split attribute*, *comp attribute*: before the first operation the index is -1 and the total 0.
+    pub(crate) const NONE: Counter = Counter::of(-1, 0);
+
+    #[inline]
+    pub(crate) fn new(index: usize, total: usize) -> Self {
+        let cap = |n: usize| n.min(i32::MAX as usize);
+        Counter::of(cap(index) as i32, cap(total) as u32)
+    }
+
+    /// With these numbers.
+    #[inline]
+    pub(crate) const fn of(index: i32, total: u32) -> Self {
+        Counter { word: index as u32 as u64 | (total as u64) << 32 }
+    }
+
+    #[inline]
+    pub(crate) fn index(self) -> i32 {
+        self.word as u32 as i32
+    }
+
+    #[inline]
+    pub(crate) fn total(self) -> u32 {
+        (self.word >> 32) as u32
+    }
+}
+
+/// What fills a scope.
+#[derive(Clone, Debug)]
+pub(crate) enum Geometry {
+    /// Nothing: empty slots, what could not be made.
+    Empty,
+    /// A point, at the scope's origin.
+    Vertex,
+    /// A line from the scope's origin to the end of its x axis.
+    Edge,
+    /// Edges, or points alone.
+    Wire(Arc<PlacedWire>),
+    /// A rectangle in the scope's low plane across an axis, looking along that axis.
+    Rect(Axis, UnitMesh),
+    /// The scope itself, closed.
+    Box(UnitMesh),
+    /// Any mesh.
+    Mesh(Arc<Placed>),
+}
+
+impl Geometry {
+    /// The unit mesh of a box or a rectangle that a scope of that size presses flat.
+    pub(crate) fn unit_pressed_flat(&self, size: DVec3) -> Option<UnitMesh> {
+        match *self {
+            Geometry::Rect(across, unit) => {
+                (0..3).any(|axis| axis != across.index() && size[axis] == 0.0).then_some(unit)
+            }
+            Geometry::Box(unit) => size.cmpeq(DVec3::ZERO).any().then_some(unit),
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Mesh(_) => None,
+        }
+    }
+
+    /// Whether there are faces, or may be.
+    pub(crate) fn has_surface(&self) -> bool {
+        matches!(self, Geometry::Rect(..) | Geometry::Box(_) | Geometry::Mesh(_))
+    }
+
+    /// The state of the geometry since its insertion.
+    pub(crate) fn inserted(&self) -> Inserted {
+        match self {
+            Geometry::Rect(_, unit) | Geometry::Box(unit) if unit.is_inserted() => Inserted::Plain,
+            Geometry::Mesh(placed) => placed.inserted,
+            _ => Inserted::No,
+        }
+    }
+}
+
+impl Shape {
+    /// Where the shape is and how large, in the world.
+    pub fn scope(&self) -> &Scope {
+        &self.scope
+    }
+
+    /// Moves, turns or resizes the scope; the geometry goes with it.
+    pub fn set_scope(&mut self, scope: Scope) {
+        self.resize(scope.size);
+        let before = self.scope;
+        self.scope = scope;
+        self.carry(&before);
+    }
+
+    /// The pivot, in the world.
+    pub fn pivot(&self) -> &Frame {
+        &self.pivot
+    }
+
+    /// Puts the pivot elsewhere; scope, geometry and trim planes stay.
+    pub(crate) fn set_pivot(&mut self, pivot: Frame) {
+        self.trims = self.trims.with(&self.pivot, Trims::None, &pivot);
+        self.pivot = pivot;
+    }
+
+    /// The seed that random choices of this shape follow from.
+    pub fn seed_value(&self) -> u64 {
+        self.seed.value()
+    }
+
+    /// The material, as far as rules have set it.
+    pub fn material(&self) -> &Material {
+        self.state.material()
+    }
+
+    /// The geometry's own material; of several the first that a face has.
+    pub(crate) fn own_material(&self) -> Option<&Material> {
+        let Geometry::Mesh(placed) = &self.geometry else { return None };
+        let mesh = &placed.mesh;
+        mesh.tags.runs().iter().find_map(|(_, tag)| mesh.materials.get(tag.material as usize))
+    }
+
+    /// Changes the material of this shape and of what is derived from it.
+    pub fn change_material(&mut self, change: impl FnOnce(&mut Material)) {
+        change(Arc::make_mut(&mut self.state.change_look().material));
+    }
+
+    /// Sets the diffuse colour.
+    pub fn set_color(&mut self, color: Color) {
+        self.change_material(|material| material.color = Some(color));
+    }
+
+    /// Whether the faces look inwards because a negative size mirrors them. What selectors mean is where faces are (*CGA changelog
+    /// 2010.3*).
+    pub(crate) fn looks_inwards(&self) -> bool {
+        let (mut stretch, mut mirrored) = (self.scope.size, false);
+        match &self.geometry {
+            Geometry::Rect(axis, _) => stretch[axis.index()] = 1.0,
+            Geometry::Mesh(placed) => (stretch, mirrored) = (placed.stretch(stretch), placed.mirrored),
+            _ => {}
+        }
+        let odd = stretch.cmplt(DVec3::ZERO).bitmask().count_ones() % 2 == 1;
+        odd != mirrored
+    }
+
+    /// The geometry as a mesh in scope coordinates: metres from the scope's origin corner, along its axes. It has all texture
+    /// coordinates.
+    pub fn to_mesh(&self) -> Arc<Mesh> {
+        match &self.geometry {
+            Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Arc::default(),
+            Geometry::Rect(_, unit) | Geometry::Box(unit) => {
+                self.baked(&place::mesh(*unit, self.scope.size), &DAffine3::IDENTITY)
+            }
+            Geometry::Mesh(placed) => {
+                let place = placed.to_scope(self.scope.size);
+                let mesh = self.baked(&placed.mesh, &place);
+                if place == DAffine3::IDENTITY { mesh } else { Arc::new(mesh.map(&place)) }
+            }
+        }
+    }
+
+    /// Makes a box or a rectangle a mesh.
+    pub(crate) fn hold_as_mesh(&mut self) {
+        if let Geometry::Rect(_, unit) | Geometry::Box(unit) = self.geometry {
+            self.geometry = Geometry::Mesh(Arc::new(Placed::unit(unit)));
+            // A size of zero flattens it.
+            self.resize(self.scope.size);
+        }
+    }
+
+    /// Replaces the geometry: a mesh in scope coordinates, with the texture coordinates that it brings along. The scope becomes its bounding box.
+    pub fn set_mesh(&mut self, mesh: Mesh) {
+        let placed = Placed::fitted(mesh);
+        self.scope.origin += self.scope.axes * placed.low;
+        self.scope.size = placed.size;
+        self.geometry = Geometry::Mesh(Arc::new(placed));
+        if !self.state.coordinates().is_empty() {
+            self.state.change_look().coordinates = Coordinates::default();
+        }
+    }
+
+    /// Sets the size. A size of zero flattens the geometry for good.
+    pub(crate) fn resize(&mut self, size: DVec3) {
+        let flattens = self.scope.size.cmpne(DVec3::ZERO) & size.cmpeq(DVec3::ZERO);
+        if flattens.any() {
+            // Points that fall together may have different coordinates.
+            self.bake();
+        }
+        let before = self.scope;
+        if let Some(unit) = self.geometry.unit_pressed_flat(size) {
+            // What fills its scope would come back with it; a mesh does not.
+            self.geometry = Geometry::Mesh(Arc::new(Placed::unit(unit)));
+        }
+        if let Geometry::Mesh(placed) = &self.geometry {
+            let flat = |axis: usize| size[axis] == 0.0 && placed.size[axis] != 0.0;
+            if flat(0) || flat(1) || flat(2) {
+                let keep = DVec3::select(size.cmpeq(DVec3::ZERO), DVec3::ZERO, DVec3::ONE);
+                let move_low = DAffine3 { matrix3: DMat3::from_diagonal(keep), translation: -placed.low * keep };
+                let mesh = Arc::new(placed.mesh.map(&move_low));
+                let flattened = Placed { mesh, low: DVec3::ZERO, size: placed.size * keep, ..Placed::clone(placed) };
+                self.geometry = Geometry::Mesh(Arc::new(flattened));
+            }
+        }
+        self.scope.size = size;
+        self.carry(&before);
+    }
+
+    /// The same shape as one that a run begins with: trim planes are where earlier operations put them.
+    pub(crate) fn without_trim_planes(&self) -> Shape {
+        Shape { trims: Trims::None, ..self.clone() }
+    }
+}

@@ -1,0 +1,59 @@
+//! Scopes: an origin, three axes and a size.
+//!
+//! Right-handed, y up. All lengths in metres, all coordinates in the world. A scope spans
+//! `origin + x·axes.x + y·axes.y + z·axes.z` with `0 ≤ x ≤ size.x` and so on; a negative size mirrors.
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::geometry::{Axis, Frame};
+
+/// An oriented box: where a shape is and how large.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scope {
+    /// The corner at (0, 0, 0), in the world.
+    pub origin: DVec3,
+    /// Orthonormal axes, as columns.
+    pub axes: DMat3,
+    /// Extent along each axis; a negative one mirrors.
+    pub size: DVec3,
+}
+
+impl Scope {
+    /// A scope at the origin of the world with the world's axes.
+    pub const fn new(size: DVec3) -> Self {
+        Scope { origin: DVec3::ZERO, axes: DMat3::IDENTITY, size }
+    }
+
+    /// Its frame, without the size.
+    pub fn frame(&self) -> Frame {
+        Frame { origin: self.origin, axes: self.axes }
+    }
+
+    /// The centre, in the world.
+    pub fn centre(&self) -> DVec3 {
+        self.origin + self.axes * (self.size * 0.5)
+    }
+
+    /// Sizes that a scope may have: squares of lengths must be numbers too. The macro counts on it (`lower/extent.rs`).
+    pub(crate) const MOST_SIZE: f64 = 1e149;
+
+    /// Distances from the origin of the world that a scope may have, summed over the axes.
+    pub(crate) const MOST_DISTANCE: f64 = 1e150;
+
+    /// Whether what is in it, turned any way, is far from where numbers end.
+    pub(crate) fn is_bounded(&self) -> bool {
+        // Maxima skip NaN, sums and comparisons do not.
+        self.origin.abs().element_sum() <= Scope::MOST_DISTANCE
+            && self.size.abs().cmple(DVec3::splat(Scope::MOST_SIZE)).all()
+    }
+
+    /// The extent along an axis.
+    pub fn extent(&self, axis: Axis) -> f64 {
+        self.size[axis.index()]
+    }
+
+    /// The map from scope coordinates (metres from the origin corner, along the axes) to the world.
+    pub fn placement(&self) -> DAffine3 {
+        DAffine3 { matrix3: self.axes, translation: self.origin }
+    }
+}

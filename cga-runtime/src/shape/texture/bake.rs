@@ -1,0 +1,141 @@
+//! From implicit coordinates to the explicit sets of a mesh.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+
+use super::coordinates::Resolved;
+use super::{Coordinates, Projections};
+use crate::geometry::Axis;
+use crate::geometry::mesh::Mesh;
+use crate::shape::scope::Scope;
+use crate::shape::{Geometry, Inserted, Placed, Shape};
+
+impl Shape {
+    /// Writes implicit coordinates into the sets of the mesh, which a box or a rectangle becomes.
+    #[inline]
+    pub(crate) fn bake(&mut self) {
+        if !self.state.coordinates().is_empty() {
+            self.write_sets();
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn write_sets(&mut self) {
+        self.hold_as_mesh();
+        if let Geometry::Mesh(placed) = &self.geometry {
+            let mesh = self.baked(&placed.mesh, &placed.to_scope(self.scope.size));
+            self.geometry = Geometry::Mesh(Arc::new(Placed { mesh, ..Placed::clone(placed) }));
+        }
+        self.state.change_look().coordinates = Coordinates::default();
+    }
+
+    /// A mesh of this shape with explicit sets only; `to_scope` leads from its coordinates to those of the scope.
+    pub(crate) fn baked(&self, mesh: &Arc<Mesh>, to_scope: &DAffine3) -> Arc<Mesh> {
+        let coordinates = self.state.coordinates();
+        if coordinates.is_empty() {
+            return mesh.clone();
+        }
+        let place = self.scope.placement() * *to_scope;
+        Arc::new(with_sets(mesh, &place, coordinates, self.state.projections()))
+    }
+
+    /// Replaces the mesh by one of the same points; nothing for geometry without faces.
+    pub(crate) fn change_mesh(&mut self, change: impl FnOnce(&Mesh) -> Mesh) {
+        if let Geometry::Mesh(placed) = &self.geometry {
+            let mesh = Arc::new(change(&placed.mesh));
+            self.geometry = Geometry::Mesh(Arc::new(Placed { mesh, inserted: Inserted::No, ..Placed::clone(placed) }));
+        }
+    }
+
+    /// Takes implicit coordinates along to where the geometry is now, that has moved with the scope.
+    pub(crate) fn carry(&mut self, before: &Scope) {
+        if self.state.coordinates().is_empty() || self.scope == *before {
+            return;
+        }
+        let ratio = |was: f64, is: f64| if is == 0.0 { 1.0 } else { was / is };
+        let (was, is) = (before.size, self.scope.size);
+        let resize = DMat3::from_diagonal(DVec3::new(ratio(was.x, is.x), ratio(was.y, is.y), ratio(was.z, is.z)));
+        let now = self.scope.placement();
+        let back = before.placement() * DAffine3::from_mat3(resize) * rigid_inverse(&now);
+        let mut carried = self.state.coordinates().clone();
+        carried.carry(&back, self.state.projections());
+        if carried.is_bounded() {
+            self.state.change_look().coordinates = carried;
+        } else {
+            // A size that is nearly zero.
+            let now = std::mem::replace(&mut self.scope, *before);
+            self.write_sets();
+            self.scope = now;
+        }
+    }
+}
+
+/// Implicit coordinates of what grows.
+impl Shape {
+    /// Gives everything above a plane of the scope, across an axis, the coordinates of the point below it.
+    #[inline]
+    pub(crate) fn raise_coordinates(&mut self, axis: Axis) {
+        if !self.state.coordinates().is_empty() {
+            let (up, origin) = (self.scope.axes.col(axis.index()), self.scope.origin);
+            if self.state.coordinates().has_cube() {
+                let Some(normal) = self.flat_normal(axis) else { return self.bake() };
+                self.state.change_look().coordinates.choose_side(normal);
+            }
+            let flat = DMat3::IDENTITY - DMat3::from_cols(up * up.x, up * up.y, up * up.z);
+            let back = DAffine3 { matrix3: flat, translation: up * up.dot(origin) };
+            let projections = self.state.projections().clone();
+            self.state.change_look().coordinates.carry(&back, &projections);
+        }
+    }
+
+    /// The normal of all faces of geometry that is flat across an axis; nothing if some look up and some down.
+    fn flat_normal(&self, axis: Axis) -> Option<DVec3> {
+        let up = self.scope.axes.col(axis.index());
+        let Geometry::Mesh(placed) = &self.geometry else { return Some(up) };
+        let turn = crate::geometry::mesh::map::normal_map(&placed.to_scope(self.scope.size).matrix3);
+        let mut sides = placed.mesh.faces().map(|face| 0.0 < (turn * face.normal())[axis.index()]);
+        let is_up = sides.next()?;
+        sides.all(|side| side == is_up).then_some(if is_up { up } else { -up })
+    }
+}
+
+/// The inverse of a rotation and a translation.
+fn rigid_inverse(place: &DAffine3) -> DAffine3 {
+    let turned = place.matrix3.transpose();
+    DAffine3 { matrix3: turned, translation: -(turned * place.translation) }
+}
+
+/// The mesh with all sets explicit. `place` leads to the world.
+fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projections: &Projections) -> Mesh {
+    let mut baked = mesh.clone();
+    for set in coordinates.sets() {
+        let list = match coordinates.resolve(set, projections) {
+            None => continue,
+            Some(Resolved::Missing) => Vec::new(),
+            Some(Resolved::Own(own, change)) => {
+                let list = mesh.uv_set(usize::from(own));
+                list.iter().map(|&uv| change.transform_point2(uv)).collect()
+            }
+            Some(Resolved::Map(map)) => {
+                let local = map.after(place);
+                mesh.corners().iter().map(|&corner| local.at(mesh.points()[corner as usize])).collect()
+            }
+            Some(resolved @ Resolved::Cube(..)) => {
+                let mut list = vec![DVec2::ZERO; mesh.corners().len()];
+                let turn = crate::geometry::mesh::map::normal_map(&place.matrix3);
+                for face in mesh.faces() {
+                    let Some(map) = resolved.map(turn * face.normal()) else { continue };
+                    let local = map.after(place);
+                    for corner in face.corner_range() {
+                        list[corner] = local.at(mesh.points()[mesh.corners()[corner] as usize]);
+                    }
+                }
+                list
+            }
+        };
+        baked.put_uv_set(usize::from(set), list);
+    }
+    baked
+}

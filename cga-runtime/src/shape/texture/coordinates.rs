@@ -1,0 +1,246 @@
+//! The implicit texture coordinates of a shape.
+
+use glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
+
+use super::Projections;
+use crate::geometry::Axis;
+use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::uv_map::UvMap;
+use crate::shape::scope::Scope;
+
+/// The sets that rules have changed on a shape, sorted by number. Other sets are those of its mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Coordinates {
+    sets: Vec<Entry>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Entry {
+    set: u8,
+    source: Source,
+    /// Of the coordinates of the source.
+    change: DAffine2,
+}
+
+/// Where the coordinates of a set come from.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Source {
+    /// The set was deleted.
+    Deleted,
+    /// An explicit set of the mesh.
+    Own(u8),
+    /// The projection that the shape has stored for a set.
+    Stored(u8),
+    /// A function of the place in the world.
+    Fixed(UvMap),
+    /// Those of an inserted cube: from the world to the cube of size 1 at the origin.
+    Cube(DAffine3),
+}
+
+/// The coordinates of a set, as far as they follow from the place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Resolved {
+    /// There are none.
+    Missing,
+    /// Those of an explicit set, changed.
+    Own(u8, DAffine2),
+    /// A function of the place in the world.
+    Map(UvMap),
+    /// A function of the place for each of the six directions of a face.
+    Cube(DAffine3, DAffine2),
+}
+
+impl Source {
+    /// The coordinates of a cube that fills a scope: 0 to 1 on each side (*primitiveCube operation*).
+    pub(crate) fn of_cube(scope: &Scope) -> Self {
+        Source::Cube(to_unit(scope))
+    }
+
+    /// The coordinates of a rectangle across an axis that fills a scope: 0 to 1, u to the right and v away from the front
+    /// (*primitiveQuad operation*).
+    pub(crate) fn of_quad(scope: &Scope, across: Axis) -> Self {
+        let normal = scope.axes.col(across.index());
+        Source::Fixed(cube_side(&to_unit(scope), normal))
+    }
+}
+
+/// From the world to the place in a scope, 0 to 1 along each axis.
+fn to_unit(scope: &Scope) -> DAffine3 {
+    // Along an axis without a size, but for rounding, all points are at 0.
+    let least = (PLANAR_EPSILON * scope.size.abs().max_element()).max(1.0 / UvMap::MOST);
+    let share = |size: f64| if size.abs() <= least { 1.0 } else { 1.0 / size };
+    let matrix = DMat3::from_diagonal(DVec3::from_array(scope.size.to_array().map(share))) * scope.axes.transpose();
+    DAffine3 { matrix3: matrix, translation: -(matrix * scope.origin) }
+}
+
+impl Coordinates {
+    /// Returns true if all sets are those of the mesh.
+    #[inline]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.sets.is_empty()
+    }
+
+    /// Returns true if some are functions of the place in the world: they are those of one shape.
+    pub(crate) fn is_placed(&self) -> bool {
+        self.sets.iter().any(|entry| matches!(entry.source, Source::Fixed(_) | Source::Cube(_)))
+    }
+
+    /// Returns true if a box has other coordinates on each side.
+    pub(crate) fn has_cube(&self) -> bool {
+        self.sets.iter().any(|entry| matches!(entry.source, Source::Cube(_)))
+    }
+
+    /// Returns true if some follow from the projection that the shape has stored for a set.
+    pub(crate) fn is_projected(&self, set: u8) -> bool {
+        self.sets.iter().any(|entry| entry.source == Source::Stored(set))
+    }
+
+    /// The functions of the place.
+    pub(crate) fn maps(&self) -> impl Iterator<Item = &UvMap> {
+        self.sets.iter().filter_map(|entry| match &entry.source {
+            Source::Fixed(map) => Some(map),
+            Source::Deleted | Source::Own(_) | Source::Stored(_) | Source::Cube(_) => None,
+        })
+    }
+
+    /// The sets that rules have changed.
+    pub(crate) fn sets(&self) -> impl Iterator<Item = u8> {
+        self.sets.iter().map(|entry| entry.set)
+    }
+
+    /// Gives a set other coordinates.
+    pub(crate) fn set(&mut self, set: u8, source: Source) {
+        self.put(Entry { set, source, change: DAffine2::IDENTITY });
+    }
+
+    /// Gives a set those of another one.
+    pub(crate) fn copy(&mut self, from: u8, to: u8) {
+        let entry = self.entry(from);
+        self.put(Entry { set: to, ..entry });
+    }
+
+    /// Changes the coordinates of a set; returns false if the result is too large, and changes nothing.
+    #[must_use]
+    pub(crate) fn change(&mut self, set: u8, change: &DAffine2) -> bool {
+        let entry = self.entry(set);
+        let change = *change * entry.change;
+        let is_bounded = change.to_cols_array().iter().all(|number| number.abs() <= UvMap::MOST);
+        if is_bounded {
+            self.put(Entry { change, ..entry });
+        }
+        is_bounded
+    }
+
+    /// Returns true if no function of the place is too large.
+    pub(crate) fn is_bounded(&self) -> bool {
+        self.sets.iter().all(|entry| match &entry.source {
+            Source::Fixed(map) => map.is_bounded(),
+            Source::Cube(place) => place.to_cols_array().iter().all(|number| number.abs() <= UvMap::MOST),
+            Source::Deleted | Source::Own(_) | Source::Stored(_) => true,
+        })
+    }
+
+    /// Makes the coordinates of a cube those of its side with that normal.
+    pub(crate) fn choose_side(&mut self, normal: DVec3) {
+        for entry in &mut self.sets {
+            if let Source::Cube(place) = &entry.source {
+                entry.source = Source::Fixed(cube_side(place, normal));
+            }
+        }
+    }
+
+    /// Makes the coordinates from a stored projection a function of the place, as another one will be stored.
+    pub(crate) fn fix(&mut self, stored: u8, projections: &Projections) {
+        for entry in &mut self.sets {
+            if entry.source == Source::Stored(stored) {
+                entry.source = fixed(stored, projections);
+            }
+        }
+    }
+
+    /// The coordinates of geometry that has moved; `back` leads from where a point is to where it was.
+    pub(crate) fn carry(&mut self, back: &DAffine3, projections: &Projections) {
+        for entry in &mut self.sets {
+            entry.source = match entry.source {
+                Source::Stored(set) => match fixed(set, projections) {
+                    Source::Fixed(map) => Source::Fixed(map.after(back)),
+                    other => other,
+                },
+                Source::Fixed(map) => Source::Fixed(map.after(back)),
+                Source::Cube(place) => Source::Cube(place * *back),
+                Source::Own(set) => Source::Own(set),
+                Source::Deleted => Source::Deleted,
+            };
+        }
+    }
+
+    /// The coordinates of a set; nothing for one that is the mesh's.
+    pub(crate) fn resolve(&self, set: u8, projections: &Projections) -> Option<Resolved> {
+        let entry = self.sets.iter().find(|entry| entry.set == set)?;
+        let change = &entry.change;
+        Some(match &entry.source {
+            Source::Deleted => Resolved::Missing,
+            Source::Own(own) => Resolved::Own(*own, *change),
+            Source::Stored(stored) => {
+                projections.get(*stored).map_or(Resolved::Missing, |map| Resolved::Map(map.then(change)))
+            }
+            Source::Fixed(map) => Resolved::Map(map.then(change)),
+            Source::Cube(place) => Resolved::Cube(*place, *change),
+        })
+    }
+
+    /// The entry of a set; for one that is the mesh's, one that says so.
+    fn entry(&self, set: u8) -> Entry {
+        let own = || Entry { set, source: Source::Own(set), change: DAffine2::IDENTITY };
+        self.sets.iter().find(|entry| entry.set == set).cloned().unwrap_or_else(own)
+    }
+
+    fn put(&mut self, entry: Entry) {
+        match self.sets.binary_search_by_key(&entry.set, |entry| entry.set) {
+            Ok(at) => self.sets[at] = entry,
+            Err(at) => self.sets.insert(at, entry),
+        }
+    }
+}
+
+fn fixed(stored: u8, projections: &Projections) -> Source {
+    projections.get(stored).map_or(Source::Deleted, |map| Source::Fixed(*map))
+}
+
+impl Resolved {
+    /// The function of the place on a face with that normal, if it is one.
+    pub(crate) fn map(&self, normal: DVec3) -> Option<UvMap> {
+        match self {
+            Resolved::Missing | Resolved::Own(..) => None,
+            Resolved::Map(map) => Some(*map),
+            Resolved::Cube(place, change) => Some(cube_side(place, normal).then(change)),
+        }
+    }
+}
+
+/// The coordinates of the side of a cube that a face with that normal lies in: u to the right as seen from outside, v upwards
+/// (*primitiveCube operation*). On top and bottom v = 0 is at the front.
+fn cube_side(place: &DAffine3, normal: DVec3) -> UvMap {
+    // The direction in the cube whose row has the largest part along the normal; lengths of sides make no difference.
+    let rows = place.matrix3.transpose();
+    let along = |row: DVec3| row.try_normalize().map_or(0.0, |row| row.dot(normal));
+    let n = DVec3::new(along(rows.x_axis), along(rows.y_axis), along(rows.z_axis));
+    let a = n.abs();
+    let (u, v, from) = if a.y >= a.x && a.y >= a.z {
+        match n.y < 0.0 {
+            false => (DVec3::X, -DVec3::Z, DVec2::Y),
+            true => (DVec3::X, DVec3::Z, DVec2::ZERO),
+        }
+    } else if a.x > a.z {
+        match n.x < 0.0 {
+            false => (-DVec3::Z, DVec3::Y, DVec2::X),
+            true => (DVec3::Z, DVec3::Y, DVec2::ZERO),
+        }
+    } else {
+        match n.z < 0.0 {
+            false => (DVec3::X, DVec3::Y, DVec2::ZERO),
+            true => (-DVec3::X, DVec3::Y, DVec2::X),
+        }
+    };
+    UvMap { u: u.extend(from.x), v: v.extend(from.y) }.after(place)
+}

@@ -1,0 +1,17 @@
+//! Texture space: how points of the world become texture coordinates, and which images materials show there.
+//!
+//! A mesh may have explicit sets, a pair of coordinates for each corner. Rules add *implicit* ones: a set is a function of the
+//! point in the world, as `projectUV` makes it, or an explicit set that is moved, scaled or turned. So a rectangle or a box
+//! stays one, a cut has nothing to do, and a sink computes coordinates where it writes vertices. Operations that move geometry
+//! carry the functions along; what changes geometry in any other way writes the explicit sets first.
+
+mod bake;
+mod coordinates;
+pub(crate) mod kept;
+mod projections;
+
+pub(crate) use coordinates::{Coordinates, Source};
+pub(crate) use projections::Projections;
+
+/// The number of sets (*Texturing*: 0 to 9).
+pub(crate) const SETS: usize = crate::geometry::mesh::UvSets::MOST;

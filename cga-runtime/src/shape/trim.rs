@@ -1,0 +1,190 @@
+//! Trim planes: where the geometry that is put at a face ends, so that it meets that of the neighbours in a clean mitre
+//! (*comp operation*, trim planes; *trim attribute*).
+//!
+//! Each edge that a face shares with another has one. It contains the edge and bisects the angle between the two faces.
+//! Only planes with all of the face on their near side count: those at reflex corners and at holes would cut off what
+//! stands on the face itself. (The reference makes its planes of limited extent instead, and says no more.)
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::sync::{Arc, OnceLock};
+
+use glam::{DVec2, DVec3};
+
+use crate::geometry::Frame;
+use crate::geometry::face_frame::face_frame;
+use crate::geometry::hull::hull;
+use crate::geometry::mesh::{Mesh, unit};
+use crate::geometry::tol::{ANGLE_EPSILON, PLANAR_EPSILON};
+use crate::geometry::triangulate::Projection;
+
+/// A trim plane in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TrimPlane {
+    /// Some point of it.
+    pub(crate) point: DVec3,
+    /// Towards what is kept, of length 1.
+    pub(crate) normal: DVec3,
+    /// Whether `trim.horizontal` switches it; else `trim.vertical` does.
+    pub(crate) horizontal: bool,
+}
+
+/// Edges less steep than this, in degrees above the pivot's xz plane, make horizontal planes (*trim attribute*).
+const HORIZONTAL: f64 = 40.0;
+
+/// The trim planes of a shape, made when they are needed.
+#[derive(Clone, Debug, Default)]
+pub(crate) enum Trims {
+    #[default]
+    None,
+    /// Of the side of a box: a rectangle of that size at the pivot, with neighbours at right angles behind it.
+    Side(DVec2),
+    /// Of a face of a mesh.
+    Face(Arc<Surface>, u32),
+    /// Any.
+    Planes(Arc<[TrimPlane]>),
+}
+
+impl Trims {
+    /// The planes, of a shape with that pivot.
+    pub(crate) fn planes(&self, pivot: &Frame) -> Arc<[TrimPlane]> {
+        match self {
+            Trims::None => Arc::default(),
+            Trims::Side(size) => side(*size, pivot).into(),
+            Trims::Face(surface, face) => surface.planes(*face),
+            Trims::Planes(planes) => planes.clone(),
+        }
+    }
+
+    /// These, of a shape with one pivot, and others, for a shape with another.
+    #[inline]
+    pub(crate) fn with(&self, pivot: &Frame, other: Trims, other_pivot: &Frame) -> Trims {
+        // A copy, so that the pivot of those without planes need not be in memory.
+        if matches!(self, Trims::None) { other } else { self.joined(pivot, other, *other_pivot) }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn joined(&self, pivot: &Frame, other: Trims, other_pivot: Frame) -> Trims {
+        match other {
+            Trims::None if *pivot == other_pivot => self.clone(),
+            Trims::None => self.settled(pivot),
+            _ => Trims::Planes(self.planes(pivot).iter().chain(&*other.planes(&other_pivot)).copied().collect()),
+        }
+    }
+
+    /// The same where the pivot no longer says where they are.
+    fn settled(&self, pivot: &Frame) -> Trims {
+        match self {
+            Trims::Side(_) => Trims::Planes(self.planes(pivot)),
+            _ => self.clone(),
+        }
+    }
+}
+
+/// Two level planes and two upright ones, all leaning out at 45 degrees.
+fn side(size: DVec2, pivot: &Frame) -> [TrimPlane; 4] {
+    let [x, y, z] = [pivot.axes.x_axis, pivot.axes.y_axis, pivot.axes.z_axis];
+    let far = pivot.origin + x * size.x + y * size.y;
+    let plane = |point, inwards: DVec3, horizontal| {
+        // What is kept lies inwards of the edge, and the more so the farther behind the face.
+        TrimPlane { point, normal: (inwards + z).normalize(), horizontal }
+    };
+    // Round the face from its first edge on.
+    [plane(pivot.origin, y, true), plane(far, -x, false), plane(far, -y, true), plane(pivot.origin, x, false)]
+}
+
+/// A surface whose faces were handed out.
+#[derive(Debug)]
+pub(crate) struct Surface {
+    mesh: Arc<Mesh>,
+    /// The mesh's coordinates.
+    frame: Frame,
+    /// The y axis of the pivots, in these; nothing where each face has its own.
+    up: Option<DVec3>,
+    /// Planes of each face, once they were asked for.
+    planes: OnceLock<Vec<OnceLock<Arc<[TrimPlane]>>>>,
+}
+
+impl Surface {
+    pub(crate) fn new(mesh: Arc<Mesh>, frame: Frame, up: Option<DVec3>) -> Self {
+        Surface { mesh, frame, up, planes: OnceLock::new() }
+    }
+
+    fn planes(&self, face: u32) -> Arc<[TrimPlane]> {
+        let all = self.planes.get_or_init(|| vec![OnceLock::new(); self.mesh.face_count()]);
+        all[face as usize].get_or_init(|| self.find(face as usize)).clone()
+    }
+
+    fn find(&self, index: usize) -> Arc<[TrimPlane]> {
+        let (mesh, adjacency) = (&self.mesh, self.mesh.adjacency());
+        let face = mesh.face(index);
+        let normal = face.normal();
+        let Some(own) = face_frame(mesh, index) else { return Arc::default() };
+        let up = self.up.unwrap_or(own.frame.axes.y_axis);
+        let outline: Vec<DVec3> = face.outline().collect();
+        let size = outline.iter().map(|p| (*p - outline[0]).abs().max_element()).fold(0.0, f64::max);
+        let hull = Hull::of(outline.clone(), normal);
+        let mut planes = Vec::new();
+        for corner in face.corner_range() {
+            let edge = adjacency.edge(corner as u32);
+            let Some(other) = adjacency.faces_at(edge).find(|&other| other as usize != index) else { continue };
+            let a = face.position(corner);
+            let along = unit(face_end(mesh, corner) - a);
+            let (out, inwards) = (normal + mesh.face(other as usize).normal(), normal.cross(along));
+            let across = unit(along.cross(out));
+            // A fold of no angle has no bisector.
+            if along == DVec3::ZERO || out.length() <= ANGLE_EPSILON || across == DVec3::ZERO {
+                continue;
+            }
+            let across = if across.dot(inwards) < 0.0 { -across } else { across };
+            let flat = unit(inwards);
+            if hull.right_of(along).any(|p| flat.dot(p - a) < -PLANAR_EPSILON * size) {
+                continue;
+            }
+            let rise = libm::asin(along.dot(up).abs().min(1.0)).to_degrees();
+            planes.push(TrimPlane {
+                point: self.frame.to_world(a),
+                normal: self.frame.axes * across,
+                horizontal: rise < HORIZONTAL - ANGLE_EPSILON,
+            });
+        }
+        planes.into()
+    }
+}
+
+fn face_end(mesh: &Mesh, corner: usize) -> DVec3 {
+    let next = mesh.adjacency().next(corner as u32);
+    mesh.points()[mesh.corners()[next as usize] as usize]
+}
+
+/// The convex hull of a polygon: its corners decide on which side of a line all of it is.
+struct Hull {
+    projection: Projection,
+    /// Counter-clockwise from the one that is leftmost.
+    corners: Vec<DVec3>,
+    /// Where the edges after them run; rising.
+    angles: Vec<f64>,
+}
+
+impl Hull {
+    fn of(mut corners: Vec<DVec3>, normal: DVec3) -> Self {
+        let projection = Projection::along(normal);
+        hull(&mut corners, |&point| projection.apply(point));
+        let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+        let angles = ends.map(|(a, b)| angle(projection.apply(*b) - projection.apply(*a))).collect();
+        Hull { projection, corners, angles }
+    }
+
+    /// The corner that is farthest to the right of a direction, and those beside it, lest rounding decides.
+    fn right_of(&self, along: DVec3) -> impl Iterator<Item = DVec3> {
+        let count = self.corners.len();
+        let at = self.angles.partition_point(|&own| own < angle(self.projection.apply(along)));
+        [at + count - 1, at, at + 1].into_iter().map(move |at| self.corners[at % count])
+    }
+}
+
+/// Of a direction, from downwards, left out, to downwards.
+fn angle(along: DVec2) -> f64 {
+    let angle = libm::atan2(along.y, along.x);
+    if angle <= -FRAC_PI_2 { angle + TAU } else { angle }
+}

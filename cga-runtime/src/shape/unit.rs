@@ -1,0 +1,353 @@
+//! The meshes of boxes and rectangles, with sides of length 1.
+//!
+//! A box or a rectangle needs no mesh of its own: its scope says where its corners are. The rest of its mesh (the order of
+//! faces and vertices, the first edge of each face, tags) is one of few unit meshes. They are shared by all boxes of a
+//! program, and equal ones are one, so a box carries no more than a reference. What a cut or an extrusion makes of a unit
+//! mesh is found once, by cutting or extruding that mesh: a box is numbered as the equal mesh is, by construction.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::geometry::Axis;
+use crate::geometry::cut;
+use crate::geometry::mesh::{Extrude, Mesh, extrude, primitive, solid};
+use crate::geometry::provenance::Provenance;
+
+/// The mesh of a box or a rectangle that is 1 long along each of its axes. The rectangle lies at 0 on the axis across it.
+#[derive(Clone, Copy)]
+pub(crate) struct UnitMesh(&'static Unit);
+
+struct Unit {
+    mesh: Arc<Mesh>,
+    /// The faces in order; six equal ones for a rectangle.
+    faces: [UnitFace; 6],
+    face_count: usize,
+    /// The parts that a split makes, by axis and [`Band`].
+    parts: [OnceLock<UnitMesh>; 9],
+    /// By axis: true if a split makes parts with other unit meshes.
+    has_bands: [OnceLock<bool>; 3],
+    grown: OnceLock<UnitMesh>,
+    /// The same mesh as an operation inserts it.
+    inserted: OnceLock<UnitMesh>,
+    /// The unit that an inserted one was made from.
+    plain: Option<UnitMesh>,
+}
+
+/// A face of a unit mesh.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct UnitFace {
+    pub(crate) side: Side,
+    /// Its corners from the first edge on, as numbers x + 2y + 4z.
+    pub(crate) corners: [u8; 4],
+    /// The first corner.
+    pub(crate) origin: DVec3,
+    /// The axes of the box that its own are, each with a sign: x along the first edge, z outwards.
+    pub(crate) along: [(Axis, f64); 3],
+    pub(crate) provenance: Provenance,
+}
+
+/// A side of a box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    Front,
+    Right,
+    Back,
+    Left,
+    Top,
+    Bottom,
+}
+
+impl Side {
+    pub(crate) const ALL: [Side; 6] = [Side::Front, Side::Right, Side::Back, Side::Left, Side::Top, Side::Bottom];
+
+    /// The outward normal.
+    pub(crate) const fn normal(self) -> DVec3 {
+        match self {
+            Side::Front => DVec3::Z,
+            Side::Right => DVec3::X,
+            Side::Back => DVec3::NEG_Z,
+            Side::Left => DVec3::NEG_X,
+            Side::Top => DVec3::Y,
+            Side::Bottom => DVec3::NEG_Y,
+        }
+    }
+}
+
+/// The position of a piece in a box: at the low end of the axis, between two cuts, at the high end, or all of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Band {
+    Low,
+    Middle,
+    High,
+    All,
+}
+
+impl Band {
+    /// The band of a piece that begins at the low end, or ends at the high end, or both.
+    #[inline]
+    pub(crate) fn of(is_first: bool, is_last: bool) -> Self {
+        match (is_first, is_last) {
+            (true, true) => Band::All,
+            (true, false) => Band::Low,
+            (false, true) => Band::High,
+            (false, false) => Band::Middle,
+        }
+    }
+}
+
+impl UnitMesh {
+    /// The box that a run can begin with.
+    pub(crate) fn cuboid() -> Self {
+        static CUBOID: OnceLock<UnitMesh> = OnceLock::new();
+        *CUBOID.get_or_init(|| UnitMesh::shared(solid::cuboid()))
+    }
+
+    /// The box that `primitiveCube` makes.
+    pub(crate) fn cube() -> Self {
+        static CUBE: OnceLock<UnitMesh> = OnceLock::new();
+        *CUBE.get_or_init(|| UnitMesh::shared(primitive::cube()).as_inserted())
+    }
+
+    /// The rectangle that `primitiveQuad` makes across an axis.
+    pub(crate) fn quad(across: Axis) -> Self {
+        UnitMesh::rectangle(across).as_inserted()
+    }
+
+    /// The same mesh as an operation inserts it (*geometry.isInstanced function*). Its parts are not inserted ones.
+    fn as_inserted(self) -> Self {
+        *self.0.inserted.get_or_init(|| {
+            let Unit { mesh, faces, face_count, .. } = self.0;
+            let unit = Unit { plain: Some(self), ..Unit::with(mesh.clone(), *faces, *face_count) };
+            UnitMesh(Box::leak(Box::new(unit)))
+        })
+    }
+
+    /// Returns true if an operation has inserted it and nothing has changed it since.
+    pub(crate) fn is_inserted(self) -> bool {
+        self.0.plain.is_some()
+    }
+
+    /// Returns true for the same unit mesh: equal ones are one.
+    #[inline]
+    pub(crate) fn is(self, other: Self) -> bool {
+        std::ptr::eq(self.0, other.0)
+    }
+
+    /// The same mesh without the mark of an insertion.
+    #[inline]
+    pub(crate) fn plain(self) -> Self {
+        self.0.plain.unwrap_or(self)
+    }
+
+    /// A rectangle across an axis, looking along it.
+    pub(crate) fn rectangle(across: Axis) -> Self {
+        UnitMesh::face(across, Provenance::Unknown)
+    }
+
+    /// A face alone, as a rectangle across an axis that looks along it.
+    #[inline]
+    pub(crate) fn face(across: Axis, provenance: Provenance) -> Self {
+        const COUNT: usize = 3 * Provenance::COUNT;
+        static RECTANGLES: [OnceLock<UnitMesh>; COUNT] = [const { OnceLock::new() }; COUNT];
+        *RECTANGLES[Provenance::COUNT * across.index() + provenance.number()]
+            .get_or_init(|| UnitMesh::shared(solid::square(across, provenance)))
+    }
+
+    /// The shared unit mesh that equals a mesh whose corners are all at 0 or 1.
+    fn shared(mesh: Mesh) -> Self {
+        static ALL: Mutex<BTreeMap<Vec<u32>, UnitMesh>> = Mutex::new(BTreeMap::new());
+        // Nothing can be half done in the map when a thread ends.
+        let mut all = ALL.lock().unwrap_or_else(PoisonError::into_inner);
+        *all.entry(key(&mesh)).or_insert_with(|| UnitMesh(Box::leak(Box::new(Unit::new(mesh)))))
+    }
+
+    pub(crate) fn mesh(self) -> &'static Arc<Mesh> {
+        &self.0.mesh
+    }
+
+    /// Its faces, in order.
+    pub(crate) fn faces(self) -> &'static [UnitFace] {
+        &self.0.faces[..self.face_count()]
+    }
+
+    #[inline]
+    pub(crate) fn face_count(self) -> usize {
+        self.0.face_count
+    }
+
+    /// The faces of a box, in order.
+    #[inline]
+    pub(crate) fn sides(self) -> &'static [UnitFace; 6] {
+        &self.0.faces
+    }
+
+    /// The corners that its vertices are, in order, as numbers x + 2y + 4z.
+    pub(crate) fn numbers(self) -> impl Iterator<Item = u8> {
+        self.0.mesh.points().iter().map(|&point| number_of(point))
+    }
+
+    /// The part that a split across an axis makes, stretched to length 1 again.
+    #[inline]
+    pub(crate) fn part(self, axis: Axis, band: Band) -> Self {
+        if band == Band::All {
+            return self.plain();
+        }
+        match self.0.parts[3 * axis.index() + band as usize].get() {
+            Some(part) => *part,
+            None => self.cut(axis, band),
+        }
+    }
+
+    /// Returns true if the parts of a split across an axis have other unit meshes than this one.
+    #[inline]
+    pub(crate) fn has_bands(self, axis: Axis) -> bool {
+        match self.0.has_bands[axis.index()].get() {
+            Some(known) => *known,
+            None => self.find_bands(axis),
+        }
+    }
+
+    #[cold]
+    fn find_bands(self, axis: Axis) -> bool {
+        let differs = |band| !std::ptr::eq(self.part(axis, band).0, self.0);
+        *self.0.has_bands[axis.index()]
+            .get_or_init(|| self.is_inserted() || [Band::Low, Band::Middle, Band::High].into_iter().any(differs))
+    }
+
+    #[cold]
+    fn cut(self, axis: Axis, band: Band) -> Self {
+        let made = || match cut::slabs(&self.0.mesh, axis, &[0.25, 0.75]).parts.get(band as usize) {
+            Some(Some(part)) => UnitMesh::shared(stretched(part)),
+            _ => self.plain(),
+        };
+        *self.0.parts[3 * axis.index() + band as usize].get_or_init(made)
+    }
+
+    /// The box that `extrude` makes of a rectangle: y is the direction in which it grew, x is as near as can be to the old x.
+    #[inline]
+    pub(crate) fn grown(self, across: Axis) -> Self {
+        *self.0.grown.get_or_init(|| {
+            let axes = match across {
+                Axis::X => DMat3::from_cols(DVec3::NEG_Y, DVec3::X, DVec3::Z),
+                Axis::Y => DMat3::IDENTITY,
+                Axis::Z => DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y),
+            };
+            let turn = DAffine3 { matrix3: axes.transpose(), translation: DVec3::ZERO };
+            UnitMesh::shared(stretched(&extrude(&self.0.mesh, Extrude::FaceNormal, 1.0).map(&turn)))
+        })
+    }
+
+    /// The same mirrored about its middle, its faces looking outwards as before.
+    pub(crate) fn mirrored(self, flips: [bool; 3]) -> Self {
+        let mesh = &self.0.mesh;
+        let far = DVec3::from_array(flips.map(f64::from));
+        let mirrored = mesh.with_points(mesh.points().iter().map(|&point| (far - point).abs()).collect());
+        let is_odd = flips.iter().filter(|flip| **flip).count() % 2 == 1;
+        UnitMesh::shared(if is_odd { mirrored.reversed() } else { mirrored })
+    }
+
+    /// The same rectangle across another axis.
+    pub(crate) fn across(self, axis: Axis) -> Self {
+        let [face, ..] = &self.0.faces;
+        let turned = UnitMesh::face(axis, face.provenance);
+        let (from, to) = (&self.0.mesh, &turned.0.mesh);
+        let mut points = from.points().to_vec();
+        for (here, there) in from.corners().iter().zip(to.corners()) {
+            points[*here as usize] = to.points()[*there as usize];
+        }
+        let turned = UnitMesh::shared(Mesh { corners: from.corners.clone(), ..to.with_points(points) });
+        if self.is_inserted() { turned.as_inserted() } else { turned }
+    }
+}
+
+impl Unit {
+    fn new(mesh: Mesh) -> Self {
+        let face = |number: usize| UnitFace::of(&mesh, number % mesh.face_count());
+        let (faces, face_count) = ([0, 1, 2, 3, 4, 5].map(face), mesh.face_count());
+        Unit::with(Arc::new(mesh), faces, face_count)
+    }
+
+    fn with(mesh: Arc<Mesh>, faces: [UnitFace; 6], face_count: usize) -> Self {
+        Unit {
+            mesh,
+            faces,
+            face_count,
+            parts: [const { OnceLock::new() }; 9],
+            has_bands: [const { OnceLock::new() }; 3],
+            grown: OnceLock::new(),
+            inserted: OnceLock::new(),
+            plain: None,
+        }
+    }
+}
+
+impl UnitFace {
+    fn of(mesh: &Mesh, number: usize) -> Self {
+        let face = mesh.face(number);
+        let mut corners = [0; 4];
+        for (corner, point) in corners.iter_mut().zip(face.outline()) {
+            *corner = number_of(point);
+        }
+        let [origin, next, _, last] = corners.map(solid::corner);
+        let [x, y] = [next - origin, last - origin];
+        let outwards = x.cross(y);
+        let along = |direction: DVec3| {
+            let axis = [Axis::X, Axis::Y, Axis::Z].into_iter().find(|axis| direction[axis.index()] != 0.0);
+            (axis.unwrap_or(Axis::X), direction.element_sum())
+        };
+        let side = Side::ALL.into_iter().find(|side| side.normal() == outwards).unwrap_or(Side::Front);
+        let provenance = Provenance::of(mesh, face.tag()).unwrap_or_default();
+        UnitFace { side, corners, origin, along: [x, y, outwards].map(along), provenance }
+    }
+
+    /// Its own axes in a scope with those: x along the first edge, z outwards.
+    #[inline]
+    pub(crate) fn axes(&self, scope: &DMat3) -> DMat3 {
+        let columns = [scope.x_axis, scope.y_axis, scope.z_axis];
+        let [x, y, z] = self.along.map(|(axis, sign)| columns[axis.index()] * sign);
+        DMat3::from_cols(x, y, z)
+    }
+
+    /// How long it is along its first edge, and across, in a scope of that size.
+    #[inline]
+    pub(crate) fn extent(&self, size: DVec3) -> [f64; 2] {
+        let sizes = [size.x, size.y, size.z];
+        [self.along[0], self.along[1]].map(|(axis, _)| sizes[axis.index()])
+    }
+}
+
+/// The number of a corner of the unit box.
+fn number_of(point: DVec3) -> u8 {
+    point.cmpgt(DVec3::splat(0.5)).bitmask() as u8
+}
+
+/// The mesh with its box stretched to length 1; what is flat is at 0.
+fn stretched(mesh: &Mesh) -> Mesh {
+    let bounds = mesh.bounds();
+    let middle = (bounds.low + bounds.high) * 0.5;
+    let at = |point: &DVec3| DVec3::select(point.cmpgt(middle), DVec3::ONE, DVec3::ZERO);
+    mesh.with_points(mesh.points().iter().map(at).collect())
+}
+
+/// All that tells unit meshes apart.
+fn key(mesh: &Mesh) -> Vec<u32> {
+    let points = mesh.points().iter().map(|&point| u32::from(number_of(point)));
+    let faces = mesh.faces().map(|face| Provenance::of(mesh, face.tag()).unwrap_or_default().number() as u32);
+    points.chain(mesh.corners().iter().copied()).chain(faces).collect()
+}
+
+impl PartialEq for UnitMesh {
+    fn eq(&self, other: &Self) -> bool {
+        // Inserted units share the mesh of the plain one.
+        Arc::ptr_eq(&self.0.mesh, &other.0.mesh)
+    }
+}
+
+impl std::fmt::Debug for UnitMesh {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let faces = self.faces().iter().map(|face| face.corners);
+        f.debug_list().entries(faces).finish()
+    }
+}

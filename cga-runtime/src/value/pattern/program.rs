@@ -1,0 +1,143 @@
+//! Steps made of a pattern.
+
+use super::parse::{Node, Place, parse};
+use super::set::Set;
+
+/// Steps of a pattern, so that `(((a{99}){99}){99})` does not fill the memory.
+const MOST_STEPS: usize = 5000;
+
+/// What to do at a place in the text.
+#[derive(Debug)]
+pub(super) enum Step {
+    /// Goes over one character of the set, forwards or backwards.
+    Over {
+        set: Set,
+        back: bool,
+    },
+    /// Goes on only there.
+    At(Place),
+    /// Goes on at `first`, and if that leads to nothing at `second`. Forks are numbered.
+    Fork {
+        first: usize,
+        second: usize,
+        number: usize,
+    },
+    Jump(usize),
+    /// Runs the steps behind it up to `end` aside and goes on there if they match, or if they do not.
+    Look {
+        end: usize,
+        negated: bool,
+    },
+    /// All has matched.
+    Match,
+}
+
+/// A regular expression.
+#[derive(Debug)]
+pub(crate) struct Pattern {
+    pub(super) steps: Vec<Step>,
+    pub(super) forks: usize,
+}
+
+impl Pattern {
+    /// Reads a pattern; the error says what is wrong with it.
+    pub(crate) fn new(pattern: &str) -> Result<Self, String> {
+        Pattern::of(&parse(pattern)?)
+    }
+
+    /// The same for all of a text: nothing may stand before or behind what it matches.
+    pub(super) fn whole(pattern: &str) -> Result<Self, String> {
+        Pattern::of(&Node::Sequence(vec![Node::At(Place::TextStart), parse(pattern)?, Node::At(Place::TextEnd)]))
+    }
+
+    fn of(node: &Node) -> Result<Self, String> {
+        let mut made = Pattern { steps: Vec::new(), forks: 0 };
+        made.node(node, false)?;
+        made.push(Step::Match)?;
+        Ok(made)
+    }
+
+    fn push(&mut self, step: Step) -> Result<usize, String> {
+        if self.steps.len() == MOST_STEPS {
+            return Err("it is too large".to_owned());
+        }
+        self.steps.push(step);
+        Ok(self.steps.len() - 1)
+    }
+
+    /// A fork whose ends are not known yet.
+    fn fork(&mut self) -> Result<usize, String> {
+        let number = self.forks;
+        self.forks += 1;
+        self.push(Step::Fork { first: 0, second: 0, number })
+    }
+
+    /// A fork between the steps behind it and those that come next.
+    fn close(&mut self, fork: usize, lazy: bool) {
+        let (inside, behind) = (fork + 1, self.steps.len());
+        if let Some(Step::Fork { first, second, .. }) = self.steps.get_mut(fork) {
+            (*first, *second) = if lazy { (behind, inside) } else { (inside, behind) };
+        }
+    }
+
+    /// The steps of a node; `back` if what is before the place is meant, from right to left.
+    fn node(&mut self, node: &Node, back: bool) -> Result<(), String> {
+        match node {
+            Node::Set(set) => _ = self.push(Step::Over { set: set.clone(), back })?,
+            Node::At(place) => _ = self.push(Step::At(*place))?,
+            Node::Sequence(nodes) if back => nodes.iter().rev().try_for_each(|node| self.node(node, back))?,
+            Node::Sequence(nodes) => nodes.iter().try_for_each(|node| self.node(node, back))?,
+            Node::Either(nodes) => self.either(nodes, back)?,
+            Node::Repeat { node, least, most, lazy } => self.repeat(node, *least, *most, *lazy, back)?,
+            Node::Look { node, ahead, negated } => {
+                let look = self.push(Step::Look { end: 0, negated: *negated })?;
+                self.node(node, !ahead)?;
+                self.push(Step::Match)?;
+                self.steps[look] = Step::Look { end: self.steps.len(), negated: *negated };
+            }
+        }
+        Ok(())
+    }
+
+    fn either(&mut self, nodes: &[Node], back: bool) -> Result<(), String> {
+        let mut jumps = Vec::new();
+        for (i, node) in nodes.iter().enumerate() {
+            if i + 1 == nodes.len() {
+                self.node(node, back)?;
+                break;
+            }
+            let fork = self.fork()?;
+            self.node(node, back)?;
+            jumps.push(self.push(Step::Jump(0))?);
+            self.close(fork, false);
+        }
+        for jump in jumps {
+            self.steps[jump] = Step::Jump(self.steps.len());
+        }
+        Ok(())
+    }
+
+    fn repeat(&mut self, node: &Node, least: u32, most: Option<u32>, lazy: bool, back: bool) -> Result<(), String> {
+        for _ in 0..least {
+            let before = self.steps.len();
+            self.node(node, back)?;
+            // Nothing stays nothing, however often.
+            if self.steps.len() == before {
+                break;
+            }
+        }
+        let Some(most) = most else {
+            let fork = self.fork()?;
+            self.node(node, back)?;
+            self.push(Step::Jump(fork))?;
+            self.close(fork, lazy);
+            return Ok(());
+        };
+        let forks = (least..most).map(|_| self.fork().and_then(|fork| self.node(node, back).map(|()| fork)));
+        let forks: Vec<usize> = forks.collect::<Result<_, _>>()?;
+        for fork in forks {
+            self.close(fork, lazy);
+        }
+        Ok(())
+    }
+}

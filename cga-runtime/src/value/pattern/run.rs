@@ -1,0 +1,116 @@
+//! Runs the steps of a pattern over a text.
+
+use super::parse::Place;
+use super::program::{Pattern, Step};
+use super::set::is_word;
+
+/// Places times forks: what is remembered takes a bit for each.
+const MOST_STATES: usize = 1 << 24;
+/// Steps taken in one search, matches of a whole text included.
+const MOST_STEPS: u64 = 50_000_000;
+
+/// A text is too long for a pattern, or a pattern takes too long.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TooLong;
+
+/// A search of a text for matches of a pattern.
+pub(crate) struct Search<'a> {
+    pattern: &'a Pattern,
+    text: &'a [char],
+    /// Forks that are under way or led to nothing, by place and number. What a fork leads to depends on nothing else,
+    /// so it need not be tried again: that keeps patterns such as `(a+)+b` from taking exponential time.
+    tried: Vec<u64>,
+    steps: u64,
+}
+
+impl<'a> Search<'a> {
+    pub(crate) fn new(pattern: &'a Pattern, text: &'a [char]) -> Result<Self, TooLong> {
+        let states = (text.len() + 1).saturating_mul(pattern.forks);
+        if MOST_STATES < states {
+            return Err(TooLong);
+        }
+        Ok(Search { pattern, text, tried: vec![0; states.div_ceil(64)], steps: 0 })
+    }
+
+    /// Start and end of the first match that begins at `from` or later.
+    pub(crate) fn find(&mut self, from: usize) -> Result<Option<(usize, usize)>, TooLong> {
+        for start in from..=self.text.len() {
+            if let Some(end) = self.run(0, start)? {
+                return Ok(Some((start, end)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// How many steps were taken so far.
+    pub(super) fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Where the match of some steps ends that begins at a place.
+    fn run(&mut self, step: usize, place: usize) -> Result<Option<usize>, TooLong> {
+        let mut waiting = vec![(step, place)];
+        let mut marked = Vec::new();
+        'next: while let Some((mut step, mut place)) = waiting.pop() {
+            loop {
+                self.steps += 1;
+                if MOST_STEPS < self.steps {
+                    return Err(TooLong);
+                }
+                match &self.pattern.steps[step] {
+                    Step::Over { set, back } => {
+                        let character = if *back { place.checked_sub(1) } else { Some(place) };
+                        match character.and_then(|at| self.text.get(at)) {
+                            Some(c) if set.has(*c) => place = if *back { place - 1 } else { place + 1 },
+                            _ => continue 'next,
+                        }
+                        step += 1;
+                    }
+                    Step::At(what) if self.at(*what, place) => step += 1,
+                    Step::At(_) => continue 'next,
+                    Step::Fork { first, second, number } => {
+                        let state = place * self.pattern.forks + number;
+                        let (word, bit) = (&mut self.tried[state / 64], 1 << (state % 64));
+                        if *word & bit != 0 {
+                            continue 'next;
+                        }
+                        *word |= bit;
+                        marked.push(state as u32);
+                        waiting.push((*second, place));
+                        step = *first;
+                    }
+                    Step::Jump(to) => step = *to,
+                    Step::Look { end, negated } => {
+                        let (end, negated) = (*end, *negated);
+                        if self.run(step + 1, place)?.is_some() == negated {
+                            continue 'next;
+                        }
+                        step = end;
+                    }
+                    Step::Match => {
+                        // Some of these lead to a match, so they must be tried again.
+                        for state in marked {
+                            self.tried[state as usize / 64] &= !(1 << (state % 64));
+                        }
+                        return Ok(Some(place));
+                    }
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    fn at(&self, what: Place, place: usize) -> bool {
+        let before = place.checked_sub(1).and_then(|at| self.text.get(at));
+        let behind = self.text.get(place);
+        let word = |c: Option<&char>| c.is_some_and(|c| is_word(*c));
+        match what {
+            Place::TextStart => before.is_none(),
+            Place::TextEnd => behind.is_none(),
+            Place::LineStart => before.is_none_or(|c| *c == '\n'),
+            Place::LineEnd => behind.is_none_or(|c| *c == '\n'),
+            Place::WordEdge => word(before) != word(behind),
+            Place::NoWordEdge => word(before) == word(behind),
+        }
+    }
+}
