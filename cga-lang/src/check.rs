@@ -8,14 +8,12 @@ use crate::diag::{Diags, Level};
 use crate::diagnostics::levels;
 use crate::index::{Named, index};
 use crate::ir::Type;
-use crate::link::{Program, Wanted};
+use crate::link::{InstanceId, Program, Wanted};
 use crate::resolve::context::Cx;
 use crate::resolve::globals::{Globals, Item};
 use crate::resolve::tables::Tables;
 use crate::resolve::{cycles, duplicates, names, overrides};
-use crate::span::Span;
 use crate::{annotations, diagnostics, infer};
-use std::collections::HashSet;
 
 /// A program without errors. Only this can be lowered.
 pub struct Checked<'a> {
@@ -36,22 +34,22 @@ pub(crate) struct Outcome<'a> {
     pub(crate) misfit: bool,
     /// Declarations that calls want with other types. When there are some, only that was found out.
     pub(crate) wanted: Vec<Wanted>,
-    /// Places in copies that are wrong there only.
-    pub(crate) unsuited: Vec<Span>,
+    /// Declarations with types of their own that do not suit them.
+    pub(crate) unsuited: Vec<InstanceId>,
 }
 
 /// Runs every pass. `levels` are those of the grammar as a whole; annotations in the tree come on top.
 /// What follows from sizes and calls is looked for when `program` is as it will be: `last` says that no more declarations
-/// are read again, and without misfits none are.
+/// are instantiated, and without misfits none are.
 pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bool, diags: &mut Diags) -> Outcome<'a> {
     let mut cx = Cx { globals: Globals::new(program), tables: Tables::default(), at: 0, diags };
     let levels = levels::collect(&mut cx, levels);
     duplicates::values(&mut cx);
     overrides::check(&mut cx);
     names::uses(&mut cx);
-    let infer::Found { misfit, wanted } = infer::infer(&mut cx);
+    let infer::Found { misfit, wanted, unsuited } = infer::infer(&mut cx);
     if !wanted.is_empty() {
-        return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), misfit, wanted, unsuited: Vec::new() };
+        return Outcome { checked: None, attrs: Vec::new(), index: Vec::new(), misfit, wanted, unsuited };
     }
     annotations::read(&mut cx);
     duplicates::operations(&mut cx);
@@ -62,32 +60,10 @@ pub(crate) fn check<'a>(program: &'a Program, levels: &[(Code, Level)], last: bo
         diagnostics::check(&mut cx);
     }
     let Cx { globals, tables, diags, .. } = cx;
-    let unsuited = copied(program, diags);
     levels::apply(&levels, diags);
-    let ty = |item: &Item| tables.types.get(&item.decl.name.id()).copied();
+    let ty = |item: &Item| item.ty(&tables);
     let attrs = globals.attrs.iter().map(|item| (item.clone(), ty(item))).collect();
     let index = if last || !misfit { index(&globals, &tables) } else { Vec::new() };
     let checked = (!diags.has_errors()).then_some(Checked { globals, tables, _private: () });
     Outcome { checked, attrs, index, misfit, wanted, unsuited }
-}
-
-/// Moves what was found in copies to where it was written; gives the places of types that are wrong in the copy alone.
-fn copied(program: &Program, diags: &mut Diags) -> Vec<Span> {
-    let copies = &program.copies;
-    if !copies.on {
-        return Vec::new();
-    }
-    let (mut written, mut in_copies) = (HashSet::new(), Vec::new());
-    diags.retain_mut(|diag| {
-        if diag.code == Code::TypeMismatch {
-            match copies.is_copied(diag.span) {
-                false => _ = written.insert((diag.span, diag.message.clone())),
-                true => in_copies.push((diag.span, diag.message.clone())),
-            }
-        }
-        *diag = diag.clone().moved(|span| copies.written(span));
-        true
-    });
-    in_copies.retain(|(span, message)| !written.contains(&(copies.written(*span), message.clone())));
-    in_copies.into_iter().map(|(span, _)| span).collect()
 }

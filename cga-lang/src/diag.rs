@@ -123,12 +123,12 @@ impl Diags {
         self.list.retain_mut(keep);
     }
 
-    /// Hands over every finding, in source order.
+    /// Hands over every finding, in source order. Several instances of a file report the same finding: the first is kept.
     pub fn finish(mut self) -> Vec<Diag> {
         self.finished = true;
         let mut list = std::mem::take(&mut self.list);
         list.sort_by(|a, b| (a.span, a.code, &a.message).cmp(&(b.span, b.code, &b.message)));
-        list.dedup();
+        list.dedup_by(|b, a| (a.span, a.code, &a.message) == (b.span, b.code, &b.message));
         list
     }
 }

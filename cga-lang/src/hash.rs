@@ -1,4 +1,4 @@
-//! Hashing for keys that nobody can choose to collide: numbers of tokens, and the words of the language's tables.
+//! Hashing for keys that nobody can choose to collide: numbers of tokens and instances, and the words of the language's tables.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
@@ -34,6 +34,10 @@ impl Hasher for Fast {
 
     fn write_u32(&mut self, value: u32) {
         self.add(u64::from(value) + 1);
+    }
+
+    fn write_usize(&mut self, value: usize) {
+        self.add(value as u64 + 1);
     }
 
     fn write_u8(&mut self, value: u8) {

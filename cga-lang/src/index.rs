@@ -41,15 +41,14 @@ pub struct Named {
 pub(crate) fn index(globals: &Globals, tables: &Tables) -> Vec<Named> {
     let program = globals.program;
     let Some(&root) = program.roots.first() else { return Vec::new() };
-    let own = program.pieces[root].tokens.clone();
     let mut list = Vec::new();
     // By kind and number: the place in the list.
     let mut places: HashMap<(Kind, u32), usize> = HashMap::new();
     let mut add = |kind: Kind, number: u32, name: &Name| {
         // Names with dots are several tokens.
-        if own.contains(&name.id()) && !name.text.contains('.') {
+        if !name.text.contains('.') {
             places.insert((kind, number), list.len());
-            let ty = tables.types.get(&name.id()).copied().filter(|_| kind != Kind::Rule);
+            let ty = tables.at(root).ty(name).filter(|_| kind != Kind::Rule);
             list.push(Named { kind, name: name.text.clone(), ty, token: name.id(), uses: Vec::new() });
         }
     };
@@ -61,19 +60,18 @@ pub(crate) fn index(globals: &Globals, tables: &Tables) -> Vec<Named> {
     ];
     let mut scopes = Vec::new();
     for (kind, items) in globals_of {
-        for (number, item) in (0..).zip(items).filter(|(_, item)| !item.origin) {
+        for (number, item) in (0..).zip(items).filter(|(_, item)| !item.origin && item.own == root) {
             add(kind, number, &item.decl.name);
-            if own.contains(&item.decl.name.id()) {
-                let owner = item.decl.name.id();
-                (0..).zip(item.decl.inner()).for_each(|(number, name)| add(Kind::Param(owner), number, name));
-                scopes.push((item.decl.span.first, item.decl.span.last, owner));
-            }
+            let owner = item.decl.name.id();
+            (0..).zip(item.decl.inner()).for_each(|(number, name)| add(Kind::Param(owner), number, name));
+            scopes.push((item.decl.span.first, item.decl.span.last, owner));
         }
     }
     scopes.sort_unstable();
-    let mut uses: Vec<(u32, Use)> = tables.uses.iter().map(|(token, found)| (*token, *found)).collect();
+    let uses = tables.uses.iter().filter(|((own, _), _)| *own == root);
+    let mut uses: Vec<(u32, Use)> = uses.map(|((_, token), found)| (*token, *found)).collect();
     uses.sort_unstable_by_key(|(token, _)| *token);
-    for (token, found) in uses.into_iter().filter(|(token, _)| own.contains(token)) {
+    for (token, found) in uses {
         let key = match found {
             Use::Attr(index) => (Kind::Attr, index),
             // Of `set(name, …)` the word is noted.

@@ -26,7 +26,6 @@
 mod analysis;
 mod annotations;
 pub mod ast;
-mod ast_moved;
 pub mod ast_walk;
 pub mod check;
 pub mod code;
@@ -48,7 +47,6 @@ pub mod link;
 mod lower;
 pub mod ops;
 pub mod parse;
-pub mod print;
 mod resolve;
 pub mod skeleton;
 pub mod snippet;

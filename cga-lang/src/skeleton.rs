@@ -51,7 +51,7 @@ impl Skeleton {
             };
             let computed = match lowered {
                 Some(_) => known.is_none(),
-                None => own.is_none_or(|value| computed(value, &program.instances[item.home].ast, 0)),
+                None => own.is_none_or(|value| computed(value, &program.instances[item.home].file.ast, 0)),
             };
             list.push(Attr { name: item.name.clone(), ty: *ty, known, computed, span: item.decl.name.span });
         }

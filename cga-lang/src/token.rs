@@ -230,11 +230,6 @@ impl Tokens {
         }
     }
 
-    /// Appends a copy of some of the tokens.
-    pub(crate) fn repeat(&mut self, part: std::ops::Range<u32>) {
-        self.list.extend_from_within(part.start as usize..part.end as usize);
-    }
-
     /// How many there are.
     pub fn len(&self) -> usize {
         self.list.len()

@@ -1,11 +1,12 @@
 //! `tests/data/parse`: tokens to tree, shown with a bracket around every operator.
 
 mod common;
+mod print;
 
 use cga_lang::diag::{Diags, Level};
 use cga_lang::lex::lex;
 use cga_lang::parse::parse;
-use cga_lang::print::{Spelling, print};
+use print::{Spelling, print};
 use std::fs;
 
 #[test]

@@ -1,14 +1,15 @@
 //! Whatever comes in: no panic, always an end, and every finding stands on a token that exists.
 
 mod common;
+mod print;
 
+use crate::print::{Spelling, print as print_tree};
 use cga_lang::code::Code;
 use cga_lang::compile::{Door, compile, compile_text};
 use cga_lang::diag::{Diags, Level};
 use cga_lang::ir_print::print;
 use cga_lang::lex::{decode, lex};
 use cga_lang::parse::parse;
-use cga_lang::print::{Spelling, print as print_tree};
 use cga_lang::snippet::render;
 use cga_lang::token::{Sym, Tok, Tokens};
 use common::random::Random;
@@ -178,13 +179,15 @@ fn try_printed(tokens: &Tokens) {
     if diags.finish().iter().any(|diag| diag.level == Level::Error) || tokens.as_slice().iter().any(odd) {
         return;
     }
-    let text = print_tree(&ast, Spelling::Text);
-    let (mut diags, lexed) = (Diags::new(), lex(&text));
-    diags.append(lexed.diags);
-    let again = parse(&lexed.tokens, &mut diags);
-    assert!(!diags.has_errors(), "{text}\n{:?}", diags.finish());
-    diags.finish();
-    assert!(common::shape(&again) == common::shape(&ast), "{text}\n{}", print_tree(&again, Spelling::Text));
+    for spelling in [Spelling::Text, Spelling::Inline] {
+        let text = print_tree(&ast, spelling);
+        let (mut diags, lexed) = (Diags::new(), lex(&text));
+        diags.append(lexed.diags);
+        let again = parse(&lexed.tokens, &mut diags);
+        assert!(!diags.has_errors(), "{text}\n{:?}", diags.finish());
+        diags.finish();
+        assert!(common::shape(&again) == common::shape(&ast), "{text}\n{}", print_tree(&again, spelling));
+    }
 }
 
 #[test]

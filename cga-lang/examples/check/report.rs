@@ -52,12 +52,12 @@ impl<'o> Report<'o> {
         let compiled = compile_files(root, library, &[]);
         let mut own = Own::default();
         let mut more = 0;
-        let is_imported = self.imported.contains(&compiled.files[0]);
+        let is_imported = self.imported.contains(&compiled.files[0].name);
         for diag in compiled.diags.iter().filter(|diag| !(is_imported && diag.code == Code::NoStartRule)) {
             let (file, first) = compiled.locate(diag.span.first);
             own.add(diag, file == 0);
             let last = compiled.locate(diag.span.last).1;
-            if !self.seen.insert((compiled.files[file].clone(), first, last, diag.code, diag.message.clone())) {
+            if !self.seen.insert((compiled.files[file].name.clone(), first, last, diag.code, diag.message.clone())) {
                 continue;
             }
             *self.codes.entry((diag.level, diag.code)).or_default() += 1;
@@ -72,7 +72,7 @@ impl<'o> Report<'o> {
                 continue;
             }
             own.shown += 1;
-            let quote = |file: usize| library.quote(compiled.files.get(file)?);
+            let quote = |file: usize| library.quote(&compiled.files.get(file)?.name);
             writeln!(out, "{}\n", render_in(&compiled, &quote, diag))?;
         }
         if 0 < more {
@@ -81,7 +81,7 @@ impl<'o> Report<'o> {
         self.files += 1;
         self.failed += usize::from(0 < own.errors + own.imported);
         self.lines += library.text(number).lines().count();
-        let name = &compiled.files[0];
+        let name = &compiled.files[0].name;
         write!(out, "{name}: {} rules, {} splits, {} comps; ", counts.rules, counts.splits, counts.comps)?;
         write!(out, "{} errors, {} warnings", own.errors, own.warnings)?;
         if 0 < own.imported {

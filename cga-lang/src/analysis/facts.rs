@@ -3,6 +3,8 @@
 use super::shape::Shape;
 use super::uvs::UvSets;
 use super::value::Value;
+use crate::link::InstanceId;
+use crate::resolve::globals::Item;
 
 /// A value that stays the same while a shape goes on, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -14,6 +16,8 @@ pub(super) enum Global {
 /// What is known at a place.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Facts {
+    /// The instance whose entries the names have.
+    pub(crate) own: InstanceId,
     pub(crate) shape: Shape,
     /// Parameters, then locals.
     pub(crate) params: Vec<Value>,
@@ -26,8 +30,9 @@ pub(crate) struct Facts {
 
 impl Facts {
     /// Nothing is known.
-    pub(crate) fn any(params: usize) -> Facts {
+    pub(crate) fn any(own: InstanceId, params: usize) -> Facts {
         Facts {
+            own,
             shape: Shape::ANY,
             params: vec![Value::Any; params],
             globals: Vec::new(),
@@ -37,8 +42,8 @@ impl Facts {
     }
 
     /// Nothing but that a run begins there.
-    pub(super) fn initial(params: usize) -> Facts {
-        Facts { shape: Shape::INITIAL, ..Facts::any(params) }
+    pub(super) fn initial(item: &Item) -> Facts {
+        Facts { shape: Shape::INITIAL, ..Facts::any(item.own, item.decl.params.len()) }
     }
 
     /// The same values on another shape.
@@ -51,9 +56,9 @@ impl Facts {
         self.on(Shape::ANY)
     }
 
-    /// The same shape, with other parameters.
-    pub(super) fn with(&self, params: Vec<Value>) -> Facts {
-        Facts { params, ..self.clone() }
+    /// The same shape in another declaration, with its parameters.
+    pub(super) fn with(&self, own: InstanceId, params: Vec<Value>) -> Facts {
+        Facts { own, params, ..self.clone() }
     }
 
     /// What conditions say of an attribute or a constant.
@@ -85,6 +90,6 @@ impl Facts {
         let both = |(which, value): &(Global, Value)| Some((*which, join(*value, other.global(*which)?)));
         let globals = self.globals.iter().filter_map(both).collect();
         let asset = self.asset.filter(|_| self.asset == other.asset);
-        Facts { shape, params, globals, uvs: self.uvs.or(other.uvs), asset }
+        Facts { own: self.own, shape, params, globals, uvs: self.uvs.or(other.uvs), asset }
     }
 }

@@ -4,8 +4,9 @@ use super::facts::{Facts, Global};
 use super::interval::Interval;
 use super::texts::{TextSet, Texts};
 use super::value::Value;
-use crate::ast::{Binary, Decl, Expr, ExprKind, Unary};
+use crate::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
 use crate::ir::{ChoiceValues, Type};
+use crate::link::InstanceId;
 use crate::ops::{AttrValues, Meaning};
 use crate::resolve::globals::{Globals, Init, Item};
 use crate::resolve::info::AttrInfo;
@@ -37,16 +38,27 @@ pub(crate) enum Attrs {
     Defaults,
 }
 
+/// A function that is computed with its arguments.
+#[derive(Clone, Copy)]
+struct Function<'f> {
+    /// The instance whose entries its names have.
+    own: InstanceId,
+    decl: &'f Decl,
+    body: &'f Expr,
+}
+
 /// What is known of the values of a grammar.
 pub(crate) struct Known<'f> {
-    pub(super) tables: &'f Tables,
+    tables: &'f Tables,
     texts: Texts,
     attrs: Vec<Value>,
     consts: Vec<Value>,
     /// With any arguments.
     functions: Vec<Value>,
     /// Functions that do not call themselves, to be computed with their arguments.
-    bodies: Vec<Option<(&'f Decl, &'f Expr)>>,
+    bodies: Vec<Option<Function<'f>>>,
+    /// By rule: the instance whose entries its names have.
+    pub(super) rules: Vec<InstanceId>,
     /// Attributes that rules set.
     changing: HashSet<u32>,
     /// How many steps are left.
@@ -59,8 +71,8 @@ impl<'f> Known<'f> {
     pub(crate) fn new(globals: &Globals<'f>, tables: &'f Tables, mode: Attrs) -> Known<'f> {
         let (attrs, consts) = (globals.attrs.len(), globals.consts.len());
         let body = |(index, item): (usize, &Item<'f>)| {
-            let (value, _) = item.value().filter(|_| item.is_own() && !tables.recursive.contains(&(index as u32)))?;
-            Some((item.decl, value))
+            let (body, own) = item.value().filter(|_| item.is_own() && !tables.recursive.contains(&(index as u32)))?;
+            Some(Function { own, decl: item.decl, body })
         };
         let mut known = Known {
             tables,
@@ -69,6 +81,7 @@ impl<'f> Known<'f> {
             consts: vec![Value::Any; consts],
             functions: vec![Value::Any; globals.functions.len()],
             bodies: globals.functions.iter().enumerate().map(body).collect(),
+            rules: globals.rules.iter().map(|item| item.own).collect(),
             changing: tables.targets.values().copied().collect(),
             steps: Cell::new(MOST_STEPS),
             taken: Cell::new(0),
@@ -96,8 +109,8 @@ impl<'f> Known<'f> {
 
     /// The value of a declaration, on any shape and with any arguments.
     fn alone(&self, item: &Item) -> Value {
-        let Some((value, _)) = item.value() else { return Value::Any };
-        let mut facts = Facts::any(if item.is_own() { item.decl.params.len() } else { 0 });
+        let Some((value, own)) = item.value() else { return Value::Any };
+        let mut facts = Facts::any(own, if item.is_own() { item.decl.params.len() } else { 0 });
         if item.is_own() {
             self.begin();
             self.enter_locals(item.decl, &mut facts, 0);
@@ -116,7 +129,7 @@ impl<'f> Known<'f> {
     /// The value of an attribute; `first` is the number of the first of its name.
     fn attr(&self, globals: &Globals, index: usize, first: usize, mode: Attrs) -> Value {
         let item = &globals.attrs[index];
-        let any = Value::of(self.tables.types.get(&item.decl.name.id()).copied());
+        let any = Value::of(item.ty(&self.tables));
         if self.changing.contains(&(index as u32)) {
             return any;
         }
@@ -150,6 +163,11 @@ impl<'f> Known<'f> {
     /// A set of texts as messages show it.
     pub(crate) fn told(&self, set: TextSet) -> Option<String> {
         self.texts.told(set)
+    }
+
+    /// What a name stands for.
+    pub(super) fn of(&self, name: &Name, facts: &Facts) -> Option<Use> {
+        self.tables.at(facts.own).of(name)
     }
 
     /// Whether an attribute is the same on all shapes of a run.
@@ -191,10 +209,10 @@ impl<'f> Known<'f> {
             ExprKind::Bool(truth) => Value::Truth(Some(*truth)),
             ExprKind::Text(text) => Value::Text(self.texts.set(text)),
             ExprKind::Name(name) => {
-                self.tables.of(name).map_or(Value::Any, |found| self.used(found, Vec::new(), facts, depth))
+                self.of(name, facts).map_or(Value::Any, |found| self.used(found, Vec::new(), facts, depth))
             }
             ExprKind::Call(name, args) => {
-                let Some(found) = self.tables.of(name) else { return Value::Any };
+                let Some(found) = self.of(name, facts) else { return Value::Any };
                 self.used(found, args.iter().map(value).collect(), facts, depth)
             }
             ExprKind::Unary(Unary::Plus, operand) => value(operand),
@@ -252,10 +270,10 @@ impl<'f> Known<'f> {
             Use::Attr(index) => facts.global(Global::Attr(index)).unwrap_or(self.attrs[index as usize]),
             Use::Const(index) => facts.global(Global::Const(index)).unwrap_or(self.consts[index as usize]),
             Use::Function(index) => match self.bodies[index as usize] {
-                Some((decl, body))
+                Some(Function { own, decl, body })
                     if depth < DEEPEST && decl.params.len() == args.len() && decl.locals.len() < MOST_LOCALS =>
                 {
-                    let mut inside = facts.with(args);
+                    let mut inside = facts.with(own, args);
                     self.enter_locals(decl, &mut inside, depth + 1);
                     self.within(body, &inside, depth + 1)
                 }

@@ -58,10 +58,10 @@ pub(crate) struct Calls {
 impl Calls {
     pub(crate) fn new(globals: &Globals, tables: &Tables) -> Calls {
         let edges = globals.rules.iter().map(|item| {
-            let mut list = Vec::new();
+            let (names, mut list) = (tables.at(item.own), Vec::new());
             ops(body(item), &mut |op| {
                 if let OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } = &op.kind
-                    && let Some(Use::Rule(rule)) = tables.of(name)
+                    && let Some(Use::Rule(rule)) = names.of(name)
                 {
                     list.push(rule as usize);
                 }
@@ -73,7 +73,7 @@ impl Calls {
         let edges = edges.collect();
         let marked = globals.rules.iter().enumerate().filter(|(_, item)| {
             let root = globals.program.roots.contains(&item.instance) && item.home == item.instance;
-            root && tables.rules.get(&item.decl.name.id()).is_some_and(|info| info.marked)
+            root && tables.rules.get(&item.key()).is_some_and(|info| info.marked)
         });
         let mut starts: Vec<usize> = marked.map(|(index, _)| index).collect();
         starts.extend(tables.starts.iter().flatten().map(|rule| *rule as usize));
@@ -102,7 +102,7 @@ impl<'f> Flow<'f> {
         };
         let Some(calls) = calls else { return flow };
         for &start in &calls.starts {
-            flow.entries[start] = Some(Facts::initial(globals.rules[start].decl.params.len()));
+            flow.entries[start] = Some(Facts::initial(&globals.rules[start]));
         }
         for (caller, callees) in calls.edges.iter().enumerate() {
             callees.iter().filter(|callee| **callee != caller).for_each(|&callee| flow.called[callee] = true);
@@ -112,7 +112,7 @@ impl<'f> Flow<'f> {
             for &rule in &component {
                 // Nobody knows how a rule that no other calls is used.
                 if !flow.called[rule] && flow.entries[rule].is_none() {
-                    flow.entries[rule] = Some(Facts::initial(globals.rules[rule].decl.params.len()));
+                    flow.entries[rule] = Some(Facts::initial(&globals.rules[rule]));
                 }
             }
             flow.settle(globals, component);
@@ -148,7 +148,7 @@ impl<'f> Flow<'f> {
                             after = after.widen(before);
                         }
                         if MOST_VISITS < visits[at] {
-                            after = Facts::any(after.params.len());
+                            after = Facts::any(after.own, after.params.len());
                         }
                     }
                     if !std::mem::replace(&mut waits[at], true) {
@@ -163,7 +163,7 @@ impl<'f> Flow<'f> {
     /// Goes once through a rule with what is known where it begins.
     fn follow<'a>(&self, globals: &Globals<'a>, rule: usize, visit: &mut dyn Visit<'a>) {
         let item = &globals.rules[rule];
-        let mut facts = self.entries[rule].clone().unwrap_or_else(|| Facts::any(item.decl.params.len()));
+        let mut facts = self.entries[rule].clone().unwrap_or_else(|| Facts::any(item.own, item.decl.params.len()));
         for (_, local) in &item.decl.locals {
             visit.meet(&Site::Value(local), &facts);
             let value = self.known.value(local, &facts);

@@ -29,7 +29,7 @@ impl Known<'_> {
             }
             ExprKind::Binary(op, _, left, right) => {
                 let Some(holds) = Holds::new(*op, truth) else { return Some(facts) };
-                if self.place(left).is_none() && self.place(right).is_none() {
+                if self.place(left, &facts).is_none() && self.place(right, &facts).is_none() {
                     return Some(facts);
                 }
                 let (a, b) = (self.within(left, &facts, depth), self.within(right, &facts, depth));
@@ -41,9 +41,9 @@ impl Known<'_> {
         }
     }
 
-    fn place(&self, expr: &Expr) -> Option<Place> {
+    fn place(&self, expr: &Expr, facts: &Facts) -> Option<Place> {
         let ExprKind::Name(name) = &expr.kind else { return None };
-        match self.tables.of(name)? {
+        match self.of(name, facts)? {
             Use::Param(index) => Some(Place::Param(index as usize)),
             Use::Attr(index) if self.is_constant(index) => Some(Place::Global(Global::Attr(index))),
             Use::Const(index) => Some(Place::Global(Global::Const(index))),
@@ -57,7 +57,7 @@ impl Known<'_> {
 
     /// Cuts off what a comparison with something rules out.
     fn narrow(&self, expr: &Expr, holds: Holds, with: Value, mut facts: Facts) -> Option<Facts> {
-        let Some(place) = self.place(expr) else { return Some(facts) };
+        let Some(place) = self.place(expr, &facts) else { return Some(facts) };
         let narrowed = holds.narrowed(self.within(expr, &facts, 0), with)?;
         match place {
             Place::Size(axis) => {

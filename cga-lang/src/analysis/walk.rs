@@ -66,7 +66,7 @@ impl<'w> Walk<'w> {
         match &op.kind {
             OpKind::Call(name, args) => {
                 self.meet_args(args, &facts, visit);
-                match self.known.tables.of(name) {
+                match self.known.of(name, &facts) {
                     Some(Use::Rule(rule)) => self.hand_on(rule, args, &facts, visit),
                     Some(Use::Operation(row)) => {
                         visit.meet(&Site::Operation(row, args), &facts);
@@ -92,7 +92,7 @@ impl<'w> Walk<'w> {
                         visit.meet(&Site::Value(value), &facts);
                     }
                 }
-                if let Some(Use::Rule(rule)) = self.known.tables.of(rule) {
+                if let Some(Use::Rule(rule)) = self.known.of(rule, &facts) {
                     // Attributes and constants of the import begin anew.
                     let facts = Facts { globals: Vec::new(), ..facts.clone() };
                     self.hand_on(rule, args, &facts, visit);
@@ -135,7 +135,7 @@ impl<'w> Walk<'w> {
 
     fn hand_on<'a>(&self, rule: u32, args: &[Arg], facts: &Facts, visit: &mut dyn Visit<'a>) {
         let params = args.iter().map(|arg| self.value(&arg.value, facts)).collect();
-        visit.hand_on(rule, facts.with(params));
+        visit.hand_on(rule, facts.with(self.known.rules[rule as usize], params));
     }
 
     fn case<'a>(
@@ -175,7 +175,7 @@ impl<'w> Walk<'w> {
     /// An operation with braces. The shape itself goes on as it was.
     fn block<'a>(&self, block: &'a Block, facts: &Facts, visit: &mut dyn Visit<'a>) {
         let any = || Facts { asset: None, ..facts.on_any_shape() };
-        let row = match self.known.tables.of(&block.name) {
+        let row = match self.known.of(&block.name, facts) {
             Some(Use::Operation(row)) => Some(row),
             _ => None,
         };
@@ -268,7 +268,7 @@ impl<'w> Walk<'w> {
         // With the part as current shape.
         visit.meet(&Site::Value(&arm.selector), &facts.on_any_shape());
         let selector = match &arm.selector.kind {
-            ExprKind::Name(name) => match self.known.tables.of(name) {
+            ExprKind::Name(name) => match self.known.of(name, facts) {
                 Some(Use::Selector(word)) => ops::selector(word),
                 _ => None,
             },

@@ -80,7 +80,7 @@ pub(super) fn number(value: &Expr) -> Option<f64> {
 
 pub(super) fn wrong<'d>(cx: &'d mut Cx, span: Span, message: String) -> &'d mut Diag {
     // In text they are as forgiving as CGA: they describe, they do not generate.
-    let door = cx.globals.program.instances[cx.at].door;
+    let door = cx.globals.program.instances[cx.at].file.door;
     let level = if door == Door::Inline { Level::Error } else { Level::Warning };
     cx.diags.report_as(Code::BadAnnotation, level, span, message)
 }

@@ -100,8 +100,8 @@ impl Limits {
                 ChoiceValues::Floats(_) => Some(Type::Float),
                 ChoiceValues::Texts(_) => Some(Type::Text),
                 ChoiceValues::Attr(id) => {
-                    let source = cx.globals.attrs.get(id.0 as usize).map(|item| item.decl.name.id());
-                    source.and_then(|token| cx.tables.types.get(&token)).map(|ty| ty.element())
+                    let source = cx.globals.attrs.get(id.0 as usize);
+                    source.and_then(|item| item.ty(&cx.tables)).map(Type::element)
                 }
             };
             let is_truth = |text: &String| text == "true" || text == "false";

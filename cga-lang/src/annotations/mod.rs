@@ -8,7 +8,7 @@ mod notes;
 
 use crate::ast::{Annotation, Ast, Body, Decl, Import, Role, Style};
 use crate::code::Code;
-use crate::link::{InstanceId, Program};
+use crate::link::{InstanceId, Key, Program};
 use crate::resolve::context::Cx;
 use crate::resolve::globals::Item;
 use crate::resolve::info::{AttrInfo, Group, Hidden, ImportInfo, RuleInfo};
@@ -51,17 +51,17 @@ impl<'a> Place<'a> {
 pub(crate) fn read(cx: &mut Cx) {
     let program = cx.globals.program;
     cx.tables.attrs = vec![AttrInfo::default(); cx.globals.attrs.len()];
-    let by_token: HashMap<u32, usize> =
-        cx.globals.attrs.iter().enumerate().map(|(index, item)| (item.decl.name.id(), index)).collect();
+    let by_name: HashMap<Key, usize> =
+        cx.globals.attrs.iter().enumerate().map(|(index, item)| (item.key(), index)).collect();
     let mut hidden = vec![false; program.instances.len()];
     // Importing files come before the imported ones.
     for (id, instance) in program.instances.iter().enumerate() {
         cx.at = id;
         let import = instance.parent.and_then(|parent| from(program, parent, id));
-        let import = import.and_then(|import| cx.tables.imports.get(&import.id.id()).cloned()).unwrap_or_default();
+        let import = import.and_then(|import| cx.tables.imports.get(&import).cloned()).unwrap_or_default();
         hidden[id] = import.hidden == Hidden::All || instance.parent.is_some_and(|parent| hidden[parent]);
-        let start = file(cx, &instance.ast, import.group, &mut |cx, decl, mut info: AttrInfo| {
-            let Some(&index) = by_token.get(&decl.name.id()) else { return };
+        let start = file(cx, &instance.file.ast, import.group, &mut |cx, decl, mut info: AttrInfo| {
+            let Some(&index) = by_name.get(&(id, decl.name.id())) else { return };
             info.hidden |=
                 hidden[id] || matches!(&import.hidden, Hidden::Names(names) if names.contains(&decl.name.text));
             cx.tables.attrs[index] = info;
@@ -74,9 +74,11 @@ pub(crate) fn read(cx: &mut Cx) {
 }
 
 /// The import that an instance comes from.
-fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<&Import> {
+fn from(program: &Program, parent: InstanceId, id: InstanceId) -> Option<Key> {
     let instance = &program.instances[parent];
-    instance.ast.imports.iter().find(|import| instance.imports.get(&import.id.text) == Some(&Some(id)))
+    let mut imports = instance.file.ast.imports.iter();
+    let import = imports.find(|import| instance.imports.get(&import.id.text) == Some(&Some(id)))?;
+    Some((parent, import.id.id()))
 }
 
 /// Reads the annotations of a file. `group` is the one that counts where it is imported.
@@ -104,7 +106,7 @@ fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&m
         match place {
             Place::Import(import) => {
                 let info = ImportInfo { hidden: notes.hidden, group: group.clone() };
-                cx.tables.imports.insert(import.id.id(), info);
+                cx.tables.imports.insert((cx.at, import.id.id()), info);
             }
             Place::Decl(decl) => match &decl.body {
                 Body::Attr(_) => {
@@ -118,7 +120,7 @@ fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&m
                         marked: notes.start.is_some() || decl.role == Role::Start,
                         hidden: notes.hidden == Hidden::All,
                     };
-                    cx.tables.rules.insert(decl.name.id(), info);
+                    cx.tables.rules.insert((cx.at, decl.name.id()), info);
                 }
                 _ => {}
             },
@@ -131,7 +133,7 @@ fn file<'a>(cx: &mut Cx, ast: &'a Ast, mut group: Group, keep: &mut dyn FnMut(&m
 /// The search for the rule that a run begins with.
 #[derive(Default)]
 struct Starts {
-    /// The first `@StartRule` of each style: the token of the rule's name.
+    /// The first `@StartRule` of each style: the id of the rule's name.
     first: HashMap<u32, u32>,
 }
 
@@ -159,8 +161,8 @@ impl Starts {
         let rules: Vec<(usize, &Item)> = rules.collect();
         let free = || rules.iter().filter(|(_, item)| item.decl.params.is_empty());
         let annotated = |item: &Item| {
-            let token = self.first.get(&item.decl.style)?;
-            (*token == item.decl.name.id()).then(|| styles.rank(item.decl.style)).flatten()
+            let name = self.first.get(&item.decl.style)?;
+            (*name == item.decl.name.id()).then(|| styles.rank(item.decl.style)).flatten()
         };
         let found = free()
             .find(|(_, item)| item.decl.role == Role::Start)

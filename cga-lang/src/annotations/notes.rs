@@ -102,7 +102,7 @@ impl Notes {
         info.group.clone_from(group);
         info.doc = doc;
         info.hidden = hidden == Hidden::All;
-        let ty = cx.tables.types.get(&decl.name.id()).copied();
+        let ty = cx.tables.at(cx.at).ty(&decl.name);
         if let (Some(ty), Some(span)) = (ty, presented) {
             let needs = match info.presentation {
                 Presentation::Plain => ty.element(),

@@ -20,7 +20,7 @@ pub(crate) fn check(expr: &Expr, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
         }
         ExprKind::Case(arms, other) => return case(arms, other, facts, (facts, &mut Vec::new()), flow, cx, diags),
         ExprKind::Call(name, args) => {
-            if let Some(Use::Builtin(row)) = cx.tables.of(name) {
+            if let Some(Use::Builtin(row)) = cx.tables.at(facts.own).of(name) {
                 texture::asked(row, name, args, (facts, flow), diags);
                 let args: Vec<&Expr> = args.iter().collect();
                 bounds::check(row.params, &args, facts, flow, diags);

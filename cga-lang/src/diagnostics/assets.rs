@@ -7,47 +7,49 @@ use crate::diag::Diags;
 use crate::link::Asset;
 use crate::ops::{AssetNames, FileUse, Function, Param, ParamKind};
 use crate::resolve::context::Cx;
-use crate::resolve::tables::Use;
+use crate::resolve::tables::{Entries, Use};
 use crate::suggest::nearest;
 use crate::token::Tok;
 use cga_split::files::places;
 
 /// Looks at what is met on the way through a rule.
 pub(crate) fn check(site: &Site, facts: &Facts, cx: &Cx, diags: &mut Diags) {
+    let names = cx.tables.at(facts.own);
     match site {
         Site::Operation(row, args) => {
             let args: Vec<&Expr> = args.iter().map(|Arg { value, .. }| value).collect();
-            files(row.params, &args, cx, diags);
+            files(row.params, &args, names, cx, diags);
         }
-        Site::Set(row, value) => named(value, row.kind, cx, diags),
+        Site::Set(row, value) => named(value, row.kind, names, cx, diags),
         Site::Value(value) => expression(value, facts, cx, diags),
         _ => {}
     }
 }
 
 /// Looks at the arguments that are files.
-fn files(params: &[Param], args: &[&Expr], cx: &Cx, diags: &mut Diags) {
-    params.iter().zip(args).for_each(|(param, value)| named(value, param.kind, cx, diags));
+fn files(params: &[Param], args: &[&Expr], names: Entries, cx: &Cx, diags: &mut Diags) {
+    params.iter().zip(args).for_each(|(param, value)| named(value, param.kind, names, cx, diags));
 }
 
 /// Looks at an expression and its parts.
 pub(crate) fn expression(expr: &Expr, facts: &Facts, cx: &Cx, diags: &mut Diags) {
+    let names = cx.tables.at(facts.own);
     if let ExprKind::Call(name, args) = &expr.kind
-        && let Some(Use::Builtin(row)) = cx.tables.of(name)
+        && let Some(Use::Builtin(row)) = names.of(name)
     {
-        files(row.params, &args.iter().collect::<Vec<_>>(), cx, diags);
+        files(row.params, &args.iter().collect::<Vec<_>>(), names, cx, diags);
         if let ([list, text], Some(token)) = (args.as_slice(), facts.asset) {
-            within(list, text, token, cx, diags);
+            within(list, text, token, names, cx, diags);
         }
     }
     expr.parts().into_iter().for_each(|part| expression(part, facts, cx, diags));
 }
 
 /// The file that an expression names, and the place where that is written.
-fn text<'c>(expr: &'c Expr, cx: &'c Cx) -> Option<&'c str> {
+fn text<'c>(expr: &'c Expr, names: Entries, cx: &'c Cx) -> Option<&'c str> {
     match &expr.kind {
         ExprKind::Text(text) => Some(text),
-        ExprKind::Name(name) => match cx.tables.of(name)? {
+        ExprKind::Name(name) => match names.of(name)? {
             Use::Const(index) => match &cx.globals.consts[index as usize].value()?.0.kind {
                 ExprKind::Text(text) => Some(text),
                 _ => None,
@@ -59,11 +61,11 @@ fn text<'c>(expr: &'c Expr, cx: &'c Cx) -> Option<&'c str> {
 }
 
 /// Looks at an argument or value that may be the name of a file.
-fn named(value: &Expr, kind: ParamKind, cx: &Cx, diags: &mut Diags) {
+fn named(value: &Expr, kind: ParamKind, names: Entries, cx: &Cx, diags: &mut Diags) {
     if !matches!(kind, ParamKind::Image(_) | ParamKind::File(FileUse::Read | FileUse::Inserted)) {
         return;
     }
-    let Some(name) = text(value, cx) else { return };
+    let Some(name) = text(value, names, cx) else { return };
     let program = cx.globals.program;
     match program.asset(name, value.span.first) {
         Some(Asset::Missing(beside)) => {
@@ -93,7 +95,7 @@ fn named(value: &Expr, kind: ParamKind, cx: &Cx, diags: &mut Diags) {
 }
 
 /// Looks at the name of a group or material that is looked for among those of the geometry.
-fn within(list: &Expr, text: &Expr, token: u32, cx: &Cx, diags: &mut Diags) {
+fn within(list: &Expr, text: &Expr, token: u32, entries: Entries, cx: &Cx, diags: &mut Diags) {
     let (ExprKind::Name(query) | ExprKind::Call(query, _), ExprKind::Text(wanted)) = (&list.kind, &text.kind) else {
         return;
     };
@@ -104,7 +106,7 @@ fn within(list: &Expr, text: &Expr, token: u32, cx: &Cx, diags: &mut Diags) {
     let Some(Asset::Mesh { has_faces: true, groups, materials }) = cx.globals.program.asset(file, token) else {
         return;
     };
-    let Some(Use::Builtin(Function { names: Some(names), .. })) = cx.tables.of(query) else { return };
+    let Some(Use::Builtin(Function { names: Some(names), .. })) = entries.of(query) else { return };
     let (names, what) = match names {
         AssetNames::Groups => (groups, "group"),
         AssetNames::Materials => (materials, "material"),

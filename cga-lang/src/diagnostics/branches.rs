@@ -8,8 +8,9 @@ use crate::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::hash::FastMap;
 use crate::ir::ChoiceValues;
+use crate::link::InstanceId;
 use crate::resolve::context::Cx;
-use crate::resolve::tables::{Tables, Use};
+use crate::resolve::tables::{Entries, Use};
 use crate::suggest::nearest;
 use crate::token::{Sym, Tok};
 use std::collections::HashSet;
@@ -19,12 +20,12 @@ pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
     let condition = turn.condition;
     let Some(truth) = flow.value(condition, facts).truth() else {
         // A part of it may be wrong even so.
-        if let Some(stray) = unlisted(condition, cx)
+        if let Some(stray) = unlisted(condition, facts.own, cx)
             && let Some(truth) = flow.value(stray.part, facts).truth()
         {
             stray.report(always(stray.part, truth, diags));
         }
-        return again(turn, cx, diags);
+        return again(turn, facts.own, cx, diags);
     };
     if is_decided_by_switch(condition, truth, facts, flow, cx) {
         return;
@@ -35,7 +36,7 @@ pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
     }
     let diag = always(condition, truth, diags);
     let mut notes = Vec::new();
-    if let Some(stray) = unlisted(condition, cx).filter(|stray| stray.part.span == bare(condition).span) {
+    if let Some(stray) = unlisted(condition, facts.own, cx).filter(|stray| stray.part.span == bare(condition).span) {
         stray.report(diag);
     } else {
         reasons(condition, truth, facts, flow, "here", &mut notes);
@@ -81,11 +82,11 @@ fn bare(condition: &Expr) -> &Expr {
 }
 
 /// Looks for one in a condition.
-fn unlisted<'e>(condition: &'e Expr, cx: &'e Cx) -> Option<Stray<'e>> {
+fn unlisted<'e>(condition: &'e Expr, own: InstanceId, cx: &'e Cx) -> Option<Stray<'e>> {
     let (name, text) = match &condition.kind {
-        ExprKind::Unary(Unary::Not, operand) => return unlisted(operand, cx),
+        ExprKind::Unary(Unary::Not, operand) => return unlisted(operand, own, cx),
         ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => {
-            return unlisted(left, cx).or_else(|| unlisted(right, cx));
+            return unlisted(left, own, cx).or_else(|| unlisted(right, own, cx));
         }
         ExprKind::Binary(Binary::Eq | Binary::Ne, _, left, right) => match (&left.kind, &right.kind) {
             (ExprKind::Name(name), ExprKind::Text(text)) | (ExprKind::Text(text), ExprKind::Name(name)) => (name, text),
@@ -93,18 +94,18 @@ fn unlisted<'e>(condition: &'e Expr, cx: &'e Cx) -> Option<Stray<'e>> {
         },
         _ => return None,
     };
-    let Some(Use::Attr(attr)) = cx.tables.of(name) else { return None };
+    let Some(Use::Attr(attr)) = cx.tables.at(own).of(name) else { return None };
     let ChoiceValues::Texts(list) = cx.tables.attrs.get(attr as usize)?.held_to_choices()? else { return None };
     let near = nearest(text, list.iter().map(String::as_str));
     (!list.contains(text)).then_some(Stray { part: condition, attr: &name.text, text, near })
 }
 
 /// A condition that has failed before, word for word.
-fn again(turn: &Turn, cx: &Cx, diags: &mut Diags) {
+fn again(turn: &Turn, own: InstanceId, cx: &Cx, diags: &mut Diags) {
     let (condition, tokens) = (turn.condition, cx.globals.program.tokens.as_slice());
     let written = |expr: &Expr| tokens.get(expr.span.first as usize..=expr.span.last as usize);
     let Some(first) = turn.before.iter().find(|first| written(first) == written(condition)) else { return };
-    if !is_settled(condition, &cx.tables) {
+    if !is_settled(condition, cx.tables.at(own)) {
         return;
     }
     let diag = always(condition, false, diags);
@@ -113,9 +114,9 @@ fn again(turn: &Turn, cx: &Cx, diags: &mut Diags) {
 }
 
 /// Returns true if an expression is the same whenever it is computed on one shape: without chance, without Rust.
-fn is_settled(expr: &Expr, tables: &Tables) -> bool {
+fn is_settled(expr: &Expr, names: Entries) -> bool {
     let own = match &expr.kind {
-        ExprKind::Name(name) | ExprKind::Call(name, _) => match tables.of(name) {
+        ExprKind::Name(name) | ExprKind::Call(name, _) => match names.of(name) {
             Some(Use::Builtin(row)) => row.is_settled(),
             Some(Use::Function(_)) | None => false,
             Some(_) => true,
@@ -123,7 +124,7 @@ fn is_settled(expr: &Expr, tables: &Tables) -> bool {
         ExprKind::Path(..) | ExprKind::Host(_) | ExprKind::Chance(..) | ExprKind::Error => false,
         _ => true,
     };
-    own && expr.parts().into_iter().all(|part| is_settled(part, tables))
+    own && expr.parts().into_iter().all(|part| is_settled(part, names))
 }
 
 /// Collects what is known of the values that are compared, where that decides.
@@ -182,21 +183,22 @@ fn is_decided_by_switch(condition: &Expr, truth: bool, facts: &Facts, flow: &Flo
         // One side is enough, or one of the two it takes.
         ExprKind::Binary(Binary::And | Binary::Or, _, left, right) => decides(left, truth) || decides(right, truth),
         ExprKind::Binary(Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge, _, left, right) => {
-            is_level(left, right, cx) || is_level(right, left, cx)
+            is_level(left, right, facts.own, cx) || is_level(right, left, facts.own, cx)
         }
-        _ => is_switch(condition, &cx.tables) || is_literal(condition),
+        _ => is_switch(condition, cx.tables.at(facts.own)) || is_literal(condition),
     }
 }
 
 /// Returns true if an order comparison tests a switch: a constant against zero, which turns a part off (`overhang > 0`), or a constant
 /// that the rules do nothing with but compare it, more than once (`lod > 1`, `lod > 2`).
-fn is_level(constant: &Expr, bound: &Expr, cx: &Cx) -> bool {
+fn is_level(constant: &Expr, bound: &Expr, own: InstanceId, cx: &Cx) -> bool {
     let (ExprKind::Name(name) | ExprKind::Call(name, _), ExprKind::Number(bound)) = (&constant.kind, &bound.kind)
     else {
         return false;
     };
-    match cx.tables.of(name) {
-        Some(Use::Function(_)) => *bound == 0.0 && is_switch(constant, &cx.tables),
+    let names = cx.tables.at(own);
+    match names.of(name) {
+        Some(Use::Function(_)) => *bound == 0.0 && is_switch(constant, names),
         Some(Use::Const(index)) => *bound == 0.0 || cx.tables.levels.contains(&index),
         _ => false,
     }
@@ -212,7 +214,7 @@ pub(crate) fn levels(cx: &Cx) -> HashSet<u32> {
         compared && matches!(at(token, 2 * step), Some(Tok::Number(_)))
     };
     let mut counts: FastMap<u32, Option<u32>> = FastMap::default();
-    for (&token, found) in &cx.tables.uses {
+    for (&(_, token), found) in &cx.tables.uses {
         if let Use::Const(index) = found {
             let is_compared = compares(token, 1) || compares(token, -1);
             let count = counts.entry(*index).or_insert(Some(0));

@@ -1,13 +1,13 @@
 //! What holds for the defaults of attributes only: a host program may set them to anything.
 
-use super::readings::Readings;
+use super::agreed::Agreed;
 use super::{repeat, size};
 use crate::analysis::{Attrs, Calls, Flow, Known, Site, Slots};
 use crate::ast::{Expr, ExprKind};
 use crate::code::Code;
 use crate::diag::{Diag, Diags, Level};
 use crate::resolve::context::Cx;
-use crate::resolve::tables::{Tables, Use};
+use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
 use std::collections::HashSet;
 
@@ -27,7 +27,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
     let program = cx.globals.program;
     let known = Known::new(&cx.globals, &cx.tables, Attrs::Defaults);
     let flow = Flow::new(&cx.globals, &known, Some(calls));
-    let mut readings = Readings::default();
+    let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {
             continue;
@@ -40,13 +40,13 @@ pub(crate) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
             repeat::check(slots, &mut diags);
             list.extend(diags.finish().into_iter().filter(|diag| is_told(diag, slots)).map(|diag| {
                 let mut diag = Diag { level: Level::Warning, ..diag };
-                reason(&mut diag, slots, &cx.tables, cx);
+                reason(&mut diag, slots, cx.tables.at(item.own), cx);
                 diag
             }));
         });
-        readings.add(program, item.decl.name.id(), list);
+        agreed.add(item, list);
     }
-    let mut list = readings.agreed(program);
+    let mut list = agreed.finish();
     let known: HashSet<Span> = certain.iter().map(|diag| diag.span).collect();
     list.retain(|diag| !known.contains(&diag.span));
     list
@@ -58,12 +58,12 @@ fn is_told(diag: &Diag, slots: &Slots) -> bool {
 }
 
 /// Says which defaults it is.
-fn reason(diag: &mut Diag, slots: &Slots, tables: &Tables, cx: &Cx) {
+fn reason(diag: &mut Diag, slots: &Slots, names: Entries, cx: &Cx) {
     let mut attrs = Vec::new();
     // A slot depends on those before it, one that floats on all.
     let at = slots.list.iter().position(|slot| slot.size.span == diag.span && !slot.floats());
     let count = at.map_or(slots.list.len(), |at| at + 1);
-    slots.list[..count].iter().for_each(|slot| read(&slot.size.value, tables, &mut attrs));
+    slots.list[..count].iter().for_each(|slot| read(&slot.size.value, names, &mut attrs));
     attrs.sort_unstable();
     attrs.dedup();
     for &attr in &attrs {
@@ -76,11 +76,11 @@ fn reason(diag: &mut Diag, slots: &Slots, tables: &Tables, cx: &Cx) {
 }
 
 /// The attributes that an expression reads.
-fn read(expr: &Expr, tables: &Tables, list: &mut Vec<u32>) {
+fn read(expr: &Expr, names: Entries, list: &mut Vec<u32>) {
     if let ExprKind::Name(name) = &expr.kind
-        && let Some(Use::Attr(attr)) = tables.of(name)
+        && let Some(Use::Attr(attr)) = names.of(name)
     {
         list.push(attr);
     }
-    expr.parts().into_iter().for_each(|part| read(part, tables, list));
+    expr.parts().into_iter().for_each(|part| read(part, names, list));
 }

@@ -1,6 +1,6 @@
 //! Cycles of rules that never end, or that only chance ends.
 
-use super::readings::Readings;
+use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
 use crate::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
 use crate::ast_walk::ops;
@@ -9,7 +9,8 @@ use crate::diag::{Diag, Diags, Level};
 use crate::graph::{components, is_cycle};
 use crate::ops::Effect;
 use crate::resolve::context::Cx;
-use crate::resolve::tables::{Tables, Use};
+use crate::resolve::globals::Item;
+use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
 
 /// What counts as an end of a cycle.
@@ -24,7 +25,7 @@ enum Ends {
 }
 
 pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
-    let (globals, program) = (&cx.globals, cx.globals.program);
+    let globals = &cx.globals;
     let mut cycle: Vec<Option<usize>> = vec![None; globals.rules.len()];
     let cycles: Vec<Vec<usize>> =
         components(&calls.edges).into_iter().filter(|component| is_cycle(component, &calls.edges)).collect();
@@ -32,15 +33,16 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
         component.iter().for_each(|&rule| cycle[rule] = Some(number));
     }
     let sets = [Ends::All, Ends::ButWholeSplits, Ends::ButChance].map(|ends| (ends, going_on(cx, calls, &cycle, ends)));
-    let mut readings = Readings::default();
+    let mut agreed = Agreed::default();
     for component in &cycles {
         let found =
             sets.iter().find_map(|(ends, set)| Some((*ends, component.iter().copied().find(|rule| set[*rule])?)));
         let Some((ends, rule)) = found else { continue };
-        if ends == Ends::ButWholeSplits && component.iter().any(|rule| sizes(body(&globals.rules[*rule]), &cx.tables)) {
+        if ends == Ends::ButWholeSplits && component.iter().any(|rule| sizes(&globals.rules[*rule], cx)) {
             continue;
         }
-        let name = &globals.rules[rule].decl.name;
+        let item = &globals.rules[rule];
+        let name = &item.decl.name;
         let others = component.iter().filter(|other| **other != rule).map(|other| &globals.rules[*other].decl.name);
         let way = match others.map(|name| format!("`{}`", name.text)).collect::<Vec<_>>() {
             list if list.is_empty() => String::new(),
@@ -64,23 +66,23 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
             }
         };
         let itself = component.len() == 1;
-        if let Some(call) = call_of(body(&globals.rules[rule]), rule, &cx.tables).filter(|_| itself) {
+        if let Some(call) = call_of(body(item), rule, cx.tables.at(item.own)).filter(|_| itself) {
             diag.related("it calls itself", call);
             diag.help(format!("write `{}.` for a leaf", name.text));
         }
         diag.help("write a `case` with a branch that does not call it, as in `case scope.sx < 0.1 : … else : …`");
-        readings.add(program, name.id(), diags.finish());
+        agreed.add(item, diags.finish());
     }
-    readings.agreed(program)
+    agreed.finish()
 }
 
 /// Where some steps name a rule first.
-fn call_of(list: &[Op], wanted: usize, tables: &Tables) -> Option<Span> {
+fn call_of(list: &[Op], wanted: usize, names: Entries) -> Option<Span> {
     let mut found = None;
     ops(list, &mut |op| {
         if let OpKind::Call(name, args) = &op.kind
             && args.is_empty()
-            && tables.of(name) == Some(Use::Rule(wanted as u32))
+            && names.of(name) == Some(Use::Rule(wanted as u32))
         {
             found = found.or(Some(name.span));
         }
@@ -100,7 +102,7 @@ fn going_on(cx: &Cx, calls: &Calls, cycle: &[Option<usize>], ends: Ends) -> Vec<
     let mut open: Vec<usize> = (0..rules.len()).filter(|rule| going[*rule]).collect();
     while let Some(rule) = open.pop() {
         let within = |other: u32| going[other as usize] && cycle[other as usize] == cycle[rule];
-        if going[rule] && !goes_on(body(&rules[rule]), &cx.tables, ends, &within) {
+        if going[rule] && !goes_on(body(&rules[rule]), cx.tables.at(rules[rule].own), ends, &within) {
             going[rule] = false;
             open.extend(callers[rule].iter().filter(|caller| going[**caller]));
         }
@@ -109,12 +111,12 @@ fn going_on(cx: &Cx, calls: &Calls, cycle: &[Option<usize>], ends: Ends) -> Vec<
 }
 
 /// Whether every path through some steps calls one of those rules.
-fn goes_on(list: &[Op], tables: &Tables, ends: Ends, within: &dyn Fn(u32) -> bool) -> bool {
-    let inner = |ops: &[Op]| goes_on(ops, tables, ends, within);
+fn goes_on(list: &[Op], names: Entries, ends: Ends, within: &dyn Fn(u32) -> bool) -> bool {
+    let inner = |ops: &[Op]| goes_on(ops, names, ends, within);
     for op in list {
         let goes = match &op.kind {
             OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } => {
-                matches!(tables.of(name), Some(Use::Rule(rule)) if within(rule))
+                matches!(names.of(name), Some(Use::Rule(rule)) if within(rule))
             }
             OpKind::Error => return false,
             OpKind::Push(ops) => inner(ops),
@@ -126,7 +128,7 @@ fn goes_on(list: &[Op], tables: &Tables, ends: Ends, within: &dyn Fn(u32) -> boo
                 if ends == Ends::ButChance {
                     // What does not go on must not ask either: else a condition may end it.
                     let all = || taken.clone().chain((!rest).then_some(otherwise));
-                    all().any(|ops| inner(ops)) && all().all(|ops| inner(ops) || !calls_one(ops, tables, within))
+                    all().any(|ops| inner(ops)) && all().all(|ops| inner(ops) || !calls_one(ops, names, within))
                 } else {
                     taken.clone().all(|ops| inner(ops)) && (rest || inner(otherwise))
                 }
@@ -155,22 +157,22 @@ fn whole(block: &Block) -> Option<&[Op]> {
 }
 
 /// Whether some step names one of those rules.
-fn calls_one(list: &[Op], tables: &Tables, within: &dyn Fn(u32) -> bool) -> bool {
+fn calls_one(list: &[Op], names: Entries, within: &dyn Fn(u32) -> bool) -> bool {
     let mut found = false;
     ops(list, &mut |op| {
         if let OpKind::Call(name, _) | OpKind::Dynamic { rule: name, .. } = &op.kind {
-            found |= matches!(tables.of(name), Some(Use::Rule(rule)) if within(rule));
+            found |= matches!(names.of(name), Some(Use::Rule(rule)) if within(rule));
         }
     });
     found
 }
 
-/// Whether some step may change the size of the shape.
-fn sizes(list: &[Op], tables: &Tables) -> bool {
-    let mut found = false;
-    ops(list, &mut |op| {
+/// Whether some step of a rule may change the size of the shape.
+fn sizes(item: &Item, cx: &Cx) -> bool {
+    let (names, mut found) = (cx.tables.at(item.own), false);
+    ops(body(item), &mut |op| {
         found |= match &op.kind {
-            OpKind::Call(name, _) => match tables.of(name) {
+            OpKind::Call(name, _) => match names.of(name) {
                 Some(Use::Operation(row)) => !matches!(row.scope, Effect::Keeps | Effect::KeepsSize),
                 Some(Use::Rule(_) | Use::Leaf | Use::SetAttr(_)) => false,
                 _ => true,

@@ -1,6 +1,6 @@
 //! Selectors that find nothing left, as earlier ones take all that they could.
 
-use super::readings::Readings;
+use super::agreed::Agreed;
 use crate::analysis::body;
 use crate::ast::{Arm, BlockPart, Expr, ExprKind, OpKind};
 use crate::ast_walk;
@@ -8,29 +8,28 @@ use crate::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ops::{self, Braces, Directions, Operation, Selector};
 use crate::resolve::context::Cx;
-use crate::resolve::tables::{Tables, Use};
+use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
 
 pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
-    let program = cx.globals.program;
-    let mut readings = Readings::default();
+    let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
-        let mut diags = Diags::new();
+        let (names, mut diags) = (cx.tables.at(item.own), Diags::new());
         ast_walk::ops(body(item), &mut |op| {
             let OpKind::Block(block) = &op.kind else { return };
             // Setbacks leave remainders, which no other selector takes.
-            let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = cx.tables.of(&block.name) else {
+            let Some(Use::Operation(Operation { braces: Braces::Components, .. })) = names.of(&block.name) else {
                 return;
             };
             for part in &block.parts {
                 if let BlockPart::Arms(list) = part {
-                    arms(list, &cx.tables, &mut diags);
+                    arms(list, names, &mut diags);
                 }
             }
         });
-        readings.add(program, item.decl.name.id(), diags.finish());
+        agreed.add(item, diags.finish());
     }
-    readings.agreed(program)
+    agreed.finish()
 }
 
 /// What a selector takes, as far as it is known without the geometry.
@@ -40,9 +39,9 @@ enum Takes {
     Index(f64),
 }
 
-fn takes(selector: &Expr, tables: &Tables) -> Option<Takes> {
+fn takes(selector: &Expr, names: Entries) -> Option<Takes> {
     match &selector.kind {
-        ExprKind::Name(name) => match tables.of(name)? {
+        ExprKind::Name(name) => match names.of(name)? {
             Use::Selector(word) => ops::selector(word).map(Takes::Word),
             _ => None,
         },
@@ -51,11 +50,11 @@ fn takes(selector: &Expr, tables: &Tables) -> Option<Takes> {
     }
 }
 
-fn arms(list: &[Arm], tables: &Tables, diags: &mut Diags) {
+fn arms(list: &[Arm], names: Entries, diags: &mut Diags) {
     let mut before: Vec<(Takes, Span)> = Vec::new();
     let mut taken = Directions::NONE;
     for arm in list {
-        let Some(own) = takes(&arm.selector, tables) else { continue };
+        let Some(own) = takes(&arm.selector, names) else { continue };
         let span = arm.selector.span;
         if let Takes::Index(index) = own
             && index.fract() != 0.0

@@ -17,13 +17,13 @@ pub(crate) struct Setting {
 pub(crate) fn collect(cx: &mut Cx, levels: &[(Code, Level)]) -> Vec<Setting> {
     let mut settings: Vec<Setting> = levels.iter().map(|&(code, level)| Setting { code, level, place: None }).collect();
     let program = cx.globals.program;
-    for (instance, piece) in program.instances.iter().zip(&program.pieces) {
-        // What stands before `version` counts for all of its file.
-        let whole = Span { first: piece.tokens.start, last: piece.tokens.end.saturating_sub(1) };
-        for annotation in &instance.ast.head {
-            read(cx, annotation, Some(whole).filter(|_| piece.file != 0), &mut settings);
+    for (number, file) in program.files.iter().enumerate() {
+        // Annotations before `version` count for all of their file.
+        let whole = Span { first: file.tokens.start, last: file.tokens.end.saturating_sub(1) };
+        for annotation in &file.ast.head {
+            read(cx, annotation, Some(whole).filter(|_| number != 0), &mut settings);
         }
-        for decl in &instance.ast.decls {
+        for decl in &file.ast.decls {
             for annotation in &decl.annotations {
                 read(cx, annotation, Some(decl.span), &mut settings);
             }

@@ -1,5 +1,6 @@
 //! Runs the checks that follow from what is known of shapes and values.
 
+mod agreed;
 mod arithmetic;
 mod assets;
 mod bounds;
@@ -11,7 +12,6 @@ mod hidden;
 pub(crate) mod levels;
 mod numbers;
 mod reach;
-mod readings;
 mod repeat;
 mod size;
 mod switch;
@@ -22,7 +22,7 @@ mod unused;
 use crate::analysis::{Attrs, Calls, Facts, Flow, Known, Site};
 use crate::ast::Expr;
 use crate::diag::{Diag, Diags};
-use crate::diagnostics::readings::Readings;
+use crate::diagnostics::agreed::Agreed;
 use crate::diagnostics::texture::Projected;
 use crate::ops::ParamKind;
 use crate::resolve::context::Cx;
@@ -38,7 +38,7 @@ pub(crate) fn check(cx: &mut Cx) {
     let values = Flow::of_values(&cx.globals, &known);
     let joined = Flow::new(&cx.globals, &known, calls.as_ref());
     let projected = Projected::new(cx, &alone);
-    let mut readings = Readings::default();
+    let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
         let mut diags = Diags::new();
         // A rule may be made for more than what its calls give it today, and rules ask for sizes that they have set: conditions
@@ -77,19 +77,20 @@ pub(crate) fn check(cx: &mut Cx) {
             }
         }
         diags.append(list);
-        readings.add(program, item.decl.name.id(), diags.finish());
+        agreed.add(item, diags.finish());
     }
     for item in cx.globals.values() {
         let mut diags = Diags::new();
-        let facts = Facts::any(item.decl.params.len() + item.decl.locals.len());
+        let own = item.value().map_or(item.own, |(_, own)| own);
+        let facts = Facts::any(own, item.decl.params.len() + item.decl.locals.len());
         let locals = item.decl.locals.iter().map(|(_, value)| value).filter(|_| item.is_own());
         for value in locals.chain(item.value().map(|(value, _)| value)) {
             arithmetic::check(value, &facts, &values, cx, &mut diags);
             assets::expression(value, &facts, cx, &mut diags);
         }
-        readings.add(program, item.decl.name.id(), diags.finish());
+        agreed.add(item, diags.finish());
     }
-    let certain = readings.agreed(program);
+    let certain = agreed.finish();
     let mut found = vec![hidden::check(cx), trailing::check(cx)];
     if let Some(calls) = &calls {
         found.push(defaults::check(cx, calls, &certain));

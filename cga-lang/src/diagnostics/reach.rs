@@ -3,7 +3,7 @@
 //! A host program may begin with any rule without parameters, marked or not. A file may be imported by others, and there
 //! only rules are reported that go on with an import which does not exist.
 
-use super::readings::Readings;
+use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
 use crate::ast::Role;
 use crate::code::Code;
@@ -31,7 +31,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
         callees.iter().filter(|callee| caller < **callee).for_each(|&callee| called[callee] = true);
     }
     let uncalled = uncalled(cx, calls);
-    let mut readings = Readings::default();
+    let mut agreed = Agreed::default();
     for (rule, item) in globals.rules.iter().enumerate() {
         if !program.roots.contains(&item.instance) {
             continue;
@@ -62,9 +62,9 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
                 }
             }
         }
-        readings.add(program, item.decl.name.id(), diags.finish());
+        agreed.add(item, diags.finish());
     }
-    readings.agreed(program)
+    agreed.finish()
 }
 
 /// Rules without parameters that nothing calls and no annotation names, where another rule is marked as the start.
@@ -74,7 +74,7 @@ fn uncalled(cx: &Cx, calls: &Calls) -> HashSet<usize> {
     for (caller, callees) in calls.edges.iter().enumerate() {
         others.extend(callees.iter().filter(|callee| **callee != caller));
     }
-    let info = |item: &Item| cx.tables.rules.get(&item.decl.name.id());
+    let info = |item: &Item| cx.tables.rules.get(&item.key());
     let is_root = |item: &Item| program.roots.contains(&item.instance) && !is_outward(item);
     let is_marked = |item: &Item| is_root(item) && info(item).is_some_and(|info| info.marked);
     if program.may_be_imported() || !cx.globals.rules.iter().any(is_marked) {

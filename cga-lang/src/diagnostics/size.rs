@@ -6,7 +6,7 @@ use crate::analysis::{Face, Facts, Slot, Slots, Sum, called};
 use crate::ast::Arg;
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
-use crate::resolve::tables::Tables;
+use crate::resolve::tables::{Entries, Tables};
 
 /// A rest is worth a word when it is less than that share of the thinnest slot: more looks as if it was meant.
 const HARDLY: f64 = 0.5;
@@ -21,7 +21,7 @@ pub(crate) fn check(slots: &Slots, facts: &Facts, tables: &Tables, diags: &mut D
     for (index, slot) in slots.list.iter().enumerate() {
         // A group without any is reported as such.
         if slot.is_nothing() && !slot.group.is_some_and(|group| slots.makes_nothing(group)) {
-            nothing(slot, tables, diags);
+            nothing(slot, tables.at(facts.own), diags);
         } else if !slot.is_nothing() && slots.is_never(index) {
             starved(slots, index, facts, diags);
         }
@@ -65,8 +65,8 @@ fn flat(slots: &Slots, facts: &Facts, diags: &mut Diags) {
     }
 }
 
-fn nothing(slot: &Slot, tables: &Tables, diags: &mut Diags) {
-    if slot.value.known() == Some(0.0) && is_switch(&slot.size.value, tables) {
+fn nothing(slot: &Slot, names: Entries, diags: &mut Diags) {
+    if slot.value.known() == Some(0.0) && is_switch(&slot.size.value, names) {
         // A part that its author has turned off.
         return;
     }

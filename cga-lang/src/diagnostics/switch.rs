@@ -1,20 +1,20 @@
 //! Conditions that an author sets by hand.
 
 use crate::ast::{Expr, ExprKind};
-use crate::resolve::tables::{Tables, Use};
+use crate::resolve::tables::{Entries, Use};
 
 /// Returns true if an expression is a bare `true` or `false`, or made of constants alone: a switch that its author sets by hand.
-pub(crate) fn is_switch(expr: &Expr, tables: &Tables) -> bool {
-    fn names(expr: &Expr, tables: &Tables, constants: &mut usize, others: &mut usize) {
+pub(crate) fn is_switch(expr: &Expr, names: Entries) -> bool {
+    fn count(expr: &Expr, names: Entries, constants: &mut usize, others: &mut usize) {
         if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
-            match tables.of(name) {
+            match names.of(name) {
                 Some(Use::Const(_) | Use::Function(_)) => *constants += 1,
                 _ => *others += 1,
             }
         }
-        expr.parts().into_iter().for_each(|part| names(part, tables, constants, others));
+        expr.parts().into_iter().for_each(|part| count(part, names, constants, others));
     }
     let (mut constants, mut others) = (0, 0);
-    names(expr, tables, &mut constants, &mut others);
+    count(expr, names, &mut constants, &mut others);
     matches!(expr.kind, ExprKind::Bool(_)) || 0 < constants && others == 0
 }

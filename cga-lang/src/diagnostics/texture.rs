@@ -26,22 +26,23 @@ impl Projected {
         if cx.globals.program.may_be_imported() {
             (made, set_up) = (u16::MAX, u16::MAX);
         }
-        for (index, item) in cx.globals.rules.iter().enumerate() {
+        for item in &cx.globals.rules {
+            let names = cx.tables.at(item.own);
             ops(body(item), &mut |op| {
                 if let OpKind::Call(name, _) | OpKind::Block(Block { name, .. }) = &op.kind
-                    && let Some(Use::Operation(row)) = cx.tables.of(name)
+                    && let Some(Use::Operation(row)) = names.of(name)
                 {
                     made |= UvSets::made_by(row);
                 }
                 match &op.kind {
                     OpKind::Call(name, args) => {
-                        let Some(Use::Operation(row)) = cx.tables.of(name) else { return };
+                        let Some(Use::Operation(row)) = names.of(name) else { return };
                         let list = match row.uvs {
                             UvEffect::Projects => &mut bits,
                             UvEffect::SetsUp => &mut set_up,
                             _ => return,
                         };
-                        let facts = Facts::any(cx.globals.rules[index].decl.params.len());
+                        let facts = Facts::any(item.own, item.decl.params.len());
                         let set = args.first().and_then(|arg| flow.value(&arg.value, &facts).number().known());
                         *list |= set.map_or(u16::MAX, |set| 1u16.checked_shl(set as u32).unwrap_or(0));
                     }

@@ -2,35 +2,34 @@
 //!
 //! A shape with children is no leaf, so what is done to it after its last child nobody ever sees.
 
-use super::readings::Readings;
+use super::agreed::Agreed;
 use crate::analysis::body;
 use crate::ast::{Block, BlockPart, Op, OpKind};
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ops::Run;
 use crate::resolve::context::Cx;
-use crate::resolve::tables::{Tables, Use};
+use crate::resolve::tables::{Entries, Use};
 
 pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
-    let program = cx.globals.program;
-    let mut readings = Readings::default();
+    let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
         let mut diags = Diags::new();
-        sequence(body(item), false, false, &cx.tables, &mut diags);
-        readings.add(program, item.decl.name.id(), diags.finish());
+        sequence(body(item), false, false, cx.tables.at(item.own), &mut diags);
+        agreed.add(item, diags.finish());
     }
-    readings.agreed(program)
+    agreed.finish()
 }
 
 /// Looks through the steps of one shape; says whether it certainly has a child behind them. `made`: it has one before them;
 /// `restored`: the state it had is back behind them.
-fn sequence(ops: &[Op], made: bool, restored: bool, tables: &Tables, diags: &mut Diags) -> bool {
+fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut Diags) -> bool {
     let mut made = made;
     // Where what changes the shape alone begins.
     let mut idle = None;
     for (at, op) in ops.iter().enumerate() {
         let changes = match &op.kind {
-            OpKind::Call(name, _) => match tables.of(name) {
+            OpKind::Call(name, _) => match names.of(name) {
                 Some(Use::Operation(row)) => !row.is_for_run(),
                 Some(Use::SetAttr(_) | Use::SetShape(_)) => true,
                 Some(Use::Rule(_) | Use::Leaf) => {
@@ -44,22 +43,22 @@ fn sequence(ops: &[Op], made: bool, restored: bool, tables: &Tables, diags: &mut
                 false
             }
             OpKind::Block(block) => {
-                parts(op, tables, diags);
-                made |= makes_children(block, tables);
+                parts(op, names, diags);
+                made |= makes_children(block, names);
                 false
             }
             OpKind::Push(inner) => {
-                made |= sequence(inner, made, true, tables, diags);
+                made |= sequence(inner, made, true, names, diags);
                 false
             }
             OpKind::Case(arms, otherwise) => {
                 let all = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
-                made = branches(all, made, restored, tables, diags);
+                made = branches(all, made, restored, names, diags);
                 false
             }
             OpKind::Chance(arms, otherwise) => {
                 let all = arms.iter().map(|(_, ops)| ops).chain([otherwise]);
-                made = branches(all, made, restored, tables, diags);
+                made = branches(all, made, restored, names, diags);
                 false
             }
             OpKind::Path(..) | OpKind::Error => false,
@@ -83,17 +82,17 @@ fn branches<'a>(
     all: impl Iterator<Item = &'a Vec<Op>>,
     made: bool,
     restored: bool,
-    tables: &Tables,
+    names: Entries,
     diags: &mut Diags,
 ) -> bool {
     // Each of them is looked at.
-    let ends: Vec<bool> = all.map(|ops| sequence(ops, made, restored, tables, diags)).collect();
+    let ends: Vec<bool> = all.map(|ops| sequence(ops, made, restored, names, diags)).collect();
     ends.into_iter().all(|made| made)
 }
 
 /// Returns true if an operation with braces certainly makes a child. Slots may find nothing to divide.
-fn makes_children(block: &Block, tables: &Tables) -> bool {
-    let runs = matches!(tables.of(&block.name), Some(Use::Operation(row)) if row.run != Run::Later);
+fn makes_children(block: &Block, names: Entries) -> bool {
+    let runs = matches!(names.of(&block.name), Some(Use::Operation(row)) if row.run != Run::Later);
     runs && block.parts.iter().any(|part| match part {
         BlockPart::Arms(_) => true,
         BlockPart::Slots(..) | BlockPart::Sections(..) | BlockPart::Ops(_) => false,
@@ -101,6 +100,6 @@ fn makes_children(block: &Block, tables: &Tables) -> bool {
 }
 
 /// Parts are shapes of their own.
-fn parts(op: &Op, tables: &Tables, diags: &mut Diags) {
-    op.bodies().into_iter().for_each(|ops| _ = sequence(ops, false, false, tables, diags));
+fn parts(op: &Op, names: Entries, diags: &mut Diags) {
+    op.bodies().into_iter().for_each(|ops| _ = sequence(ops, false, false, names, diags));
 }

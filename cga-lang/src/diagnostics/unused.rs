@@ -1,6 +1,6 @@
 //! What is declared and never used, and what hides something of the same name.
 
-use super::readings::Readings;
+use super::agreed::Agreed;
 use crate::ast::{Body, Name, Role};
 use crate::code::Code;
 use crate::diag::{Diag, Diags};
@@ -22,7 +22,7 @@ pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     }
     let used = Used::new(cx);
     let is_root = |item: &&Item| program.roots.contains(&item.instance) && item.home == item.instance && !item.origin;
-    let mut readings = Readings::default();
+    let mut agreed = Agreed::default();
     // What a file declares others may read.
     let styled = styled(cx);
     // A style may redefine a value for rules that only the other style has.
@@ -31,19 +31,19 @@ pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     for (index, item) in globals.attrs.iter().enumerate().filter(|(_, item)| values(item)) {
         let mut diags = Diags::new();
         value(item, "attribute", Code::UnusedAttribute, used.attrs.contains(&(index as u32)), &mut diags);
-        readings.add(program, item.decl.name.id(), diags.finish());
+        agreed.add(item, diags.finish());
     }
     for (index, item) in globals.consts.iter().enumerate().filter(|(_, item)| values(item)) {
         let mut diags = Diags::new();
         value(item, "constant", Code::UnusedConstant, used.consts.contains(&(index as u32)), &mut diags);
-        readings.add(program, item.decl.name.id(), diags.finish());
+        agreed.add(item, diags.finish());
     }
     for item in globals.rules.iter().chain(&globals.functions).filter(is_root) {
         let mut diags = Diags::new();
         inner(cx, item, &styled, &mut diags);
-        readings.add(program, item.decl.name.id(), diags.finish());
+        agreed.add(item, diags.finish());
     }
-    let mut list = readings.agreed(program);
+    let mut list = agreed.finish();
     list.extend(imports(cx));
     list
 }
@@ -100,7 +100,7 @@ fn styled<'a>(cx: &Cx<'a, '_>) -> HashSet<(&'a str, usize)> {
     let program = cx.globals.program;
     let mut styles: HashMap<(&str, usize), u32> = HashMap::new();
     let mut found = HashSet::new();
-    for decl in program.roots.first().map_or(&[][..], |&root| &program.instances[root].ast.decls) {
+    for decl in program.roots.first().map_or(&[][..], |&root| &program.instances[root].file.ast.decls) {
         let key = (decl.name.text.as_str(), decl.params.len());
         if *styles.entry(key).or_insert(decl.style) != decl.style {
             found.insert(key);
@@ -116,7 +116,7 @@ fn inner(cx: &Cx, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diag
     let in_styles = styled.contains(&(decl.name.text.as_str(), decl.params.len()));
     let mut used = vec![false; names.len()];
     for token in decl.span.first..=decl.span.last {
-        if let Some(Use::Param(index)) = cx.tables.uses.get(&token) {
+        if let Some(Use::Param(index)) = cx.tables.uses.get(&(item.own, token)) {
             used.get_mut(*index as usize).into_iter().for_each(|used| *used = true);
         }
     }
@@ -160,13 +160,13 @@ fn inner(cx: &Cx, item: &Item, styled: &HashSet<(&str, usize)>, diags: &mut Diag
 fn doubtful_selector(cx: &Cx, item: &Item, name: &Name, is_used: bool) -> Option<u32> {
     let word = ops::selector(&name.text)?.name;
     let tokens = cx.globals.program.tokens.as_slice();
-    let ty = cx.tables.types.get(&name.id()).copied();
+    let ty = cx.tables.at(item.own).ty(name);
     let is_operator = |at: Option<u32>| {
         let token = at.and_then(|at| tokens.get(at as usize));
         matches!(token, Some(Tok::Sym(Sym::Bang | Sym::AndAnd | Sym::OrOr)))
     };
     let mut words = (item.decl.span.first..=item.decl.span.last)
-        .filter(|token| cx.tables.uses.get(token) == Some(&Use::Selector(word)));
+        .filter(|token| cx.tables.uses.get(&(item.own, *token)) == Some(&Use::Selector(word)));
     match ty {
         Some(Type::Bool) if is_used => {
             words.find(|&word| is_operator(word.checked_sub(1)) || is_operator(word.checked_add(1)))
@@ -182,15 +182,15 @@ fn imports(cx: &Cx) -> Vec<Diag> {
     let Some(&root) = program.roots.first() else { return Vec::new() };
     let instance = &program.instances[root];
     let tokens = program.tokens.as_slice();
-    let piece = &program.pieces[root];
-    let named: HashSet<&str> = (piece.tokens.start as usize..piece.tokens.end as usize)
+    let own = &instance.file.tokens;
+    let named: HashSet<&str> = (own.start as usize..own.end as usize)
         .filter_map(|at| match (tokens.get(at)?, tokens.get(at + 1)?) {
             (Tok::Ident(name), Tok::Sym(Sym::Dot | Sym::LParen) | Tok::Joint) => Some(name.as_str()),
             _ => None,
         })
         .collect();
     let mut diags = Diags::new();
-    for import in &instance.ast.imports {
+    for import in &instance.file.ast.imports {
         let name = import.id.text.as_str();
         let target = instance.imports.get(name).copied().flatten();
         let flows = globals.attrs.iter().any(|item| Some(item.instance) == target && !item.is_own());

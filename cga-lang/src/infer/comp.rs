@@ -4,21 +4,22 @@ use super::open::{Open, Place};
 use super::{Infer, Type, Use, Var};
 use crate::ast::{CompValue, Expr, ExprKind, Name};
 use crate::code::Code;
+use crate::link::InstanceId;
 use crate::ops::{Function, Needs};
 use crate::span::Span;
 
 /// What is looked at when the types are known.
 #[derive(Default)]
 pub(super) struct Comps<'a> {
-    selectors: Vec<(Var, &'a Expr)>,
-    values: Vec<Place>,
+    selectors: Vec<(InstanceId, Var, &'a Expr)>,
+    values: Vec<(InstanceId, Place)>,
 }
 
 impl<'a> Infer<'_, 'a, '_> {
     /// A condition or an index. Which of them, the types say.
     pub(super) fn selector(&mut self, selector: &'a Expr) {
         let var = self.expr(selector);
-        self.comps.selectors.push((var, selector));
+        self.comps.selectors.push((self.own, var, selector));
     }
 
     /// An array with a value for each component.
@@ -28,7 +29,7 @@ impl<'a> Infer<'_, 'a, '_> {
             self.selector(selector);
             entries.push((self.expr(value), value.span));
         }
-        self.comps.values.extend(&entries);
+        self.comps.values.extend(entries.iter().map(|entry| (self.own, *entry)));
         let result = self.free();
         self.wait(Open::Array { entries, result, span })
     }
@@ -36,23 +37,27 @@ impl<'a> Infer<'_, 'a, '_> {
     /// Looks at all of them.
     pub(super) fn comps(&mut self) {
         let Comps { selectors, values } = std::mem::take(&mut self.comps);
-        for (var, selector) in selectors {
-            match self.vars.known(var) {
-                Some(Type::Bool) => {}
-                Some(Type::Float) => self.asked_in_index(selector),
-                Some(ty) => {
-                    let why = self.vars.why(var).filter(|why| *why != selector.span);
-                    let diag = self.mismatch(selector.span, "a selector is a word, a bool or a float, this is", ty);
-                    if let Some(why) = why {
-                        diag.related(format!("found to be a {}", ty.word()), why);
-                    }
-                }
-                None => {}
+        for (own, var, selector) in selectors {
+            self.inside(own, |pass| pass.settled_selector(var, selector));
+        }
+        for (own, (var, span)) in values {
+            if let Some(ty) = self.vars.known(var).filter(|ty| ty.is_array()) {
+                let needs = "a component has one value, a float, bool or string; this is";
+                self.inside(own, |pass| _ = pass.mismatch(span, needs, ty));
             }
         }
-        for (var, span) in values {
-            if let Some(ty) = self.vars.known(var).filter(|ty| ty.is_array()) {
-                self.mismatch(span, "a component has one value, a float, bool or string; this is", ty);
+    }
+
+    fn settled_selector(&mut self, var: Var, selector: &Expr) {
+        match self.vars.known(var) {
+            Some(Type::Float) => self.asked_in_index(selector),
+            Some(Type::Bool) | None => {}
+            Some(ty) => {
+                let why = self.vars.why(var).filter(|why| *why != selector.span);
+                let diag = self.mismatch(selector.span, "a selector is a word, a bool or a float, this is", ty);
+                if let Some(why) = why {
+                    diag.related(format!("found to be a {}", ty.word()), why);
+                }
             }
         }
     }
@@ -74,7 +79,7 @@ impl<'a> Infer<'_, 'a, '_> {
 
     fn is_asked(&self, name: &Name) -> bool {
         matches!(
-            self.cx.tables.of(name),
+            self.cx.tables.at(self.own).of(name),
             Some(Use::Selector(_) | Use::Builtin(Function { needs: Needs::Component, .. }))
         )
     }

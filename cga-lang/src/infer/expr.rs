@@ -14,14 +14,14 @@ impl<'a> Infer<'_, 'a, '_> {
             ExprKind::Number(_) => self.known(Type::Float, span),
             ExprKind::Bool(_) => self.known(Type::Bool, span),
             ExprKind::Text(_) => self.known(Type::Text, span),
-            ExprKind::Host(_) => self.slot(span.first),
+            ExprKind::Host(_) => self.inner_slot(span.first),
             ExprKind::Name(name) => self.used(name, &[]),
             ExprKind::Call(name, args) => self.used(name, args),
             ExprKind::Path(name, args) => {
                 for arg in args {
                     self.expr(arg);
                 }
-                self.slot(name.id())
+                self.inner_slot(name.id())
             }
             ExprKind::Unary(Unary::Not, operand) => {
                 self.need(operand, Type::Bool, "`!`");
@@ -94,16 +94,22 @@ impl<'a> Infer<'_, 'a, '_> {
 
     /// A name or call in an expression.
     fn used(&mut self, name: &'a Name, args: &'a [Expr]) -> Var {
-        let found = self.cx.tables.of(name);
+        let found = self.cx.tables.at(self.own).of(name);
         // Words among the arguments have no entry in the tables: they come out as poison and disturb nobody.
         let args: Vec<(Var, Span)> = args.iter().map(|arg| (self.expr(arg), arg.span)).collect();
         match found {
             Some(Use::Param(index)) => {
                 let token = self.inner[index as usize].id();
-                self.slot(token)
+                self.inner_slot(token)
             }
-            Some(Use::Attr(index)) => self.slot(self.cx.globals.attrs[index as usize].decl.name.id()),
-            Some(Use::Const(index)) => self.slot(self.cx.globals.consts[index as usize].decl.name.id()),
+            Some(Use::Attr(index)) => {
+                let own = self.cx.globals.attrs[index as usize].key();
+                self.slot(own)
+            }
+            Some(Use::Const(index)) => {
+                let own = self.cx.globals.consts[index as usize].key();
+                self.slot(own)
+            }
             Some(own @ Use::Function(_)) if self.is_generic(own) => {
                 let candidates = vec![self.candidate(own)];
                 let result = self.free();
@@ -111,11 +117,9 @@ impl<'a> Infer<'_, 'a, '_> {
                 result
             }
             Some(Use::Function(index)) => {
-                let decl = self.cx.globals.functions[index as usize].decl;
-                for ((arg, span), param) in args.into_iter().zip(&decl.params) {
-                    self.argument(decl, param, arg, span, None);
-                }
-                self.slot(decl.name.id())
+                let item = self.cx.globals.functions[index as usize].clone();
+                self.arguments(&item, args, None);
+                self.slot(item.key())
             }
             Some(Use::Builtin(row)) => {
                 for ((var, span), param) in args.into_iter().zip(row.params) {
@@ -153,13 +157,12 @@ impl<'a> Infer<'_, 'a, '_> {
         };
         let (takes, gives) = match found {
             Use::Function(index) => {
-                let decl = self.cx.globals.functions[index as usize].decl;
-                let takes = decl.params.iter().map(|param| Takes::Var(self.slot(param.id()))).collect();
-                (takes, Takes::Var(self.slot(decl.name.id())))
+                let item = self.cx.globals.functions[index as usize].clone();
+                (self.params(&item).into_iter().map(Takes::Var).collect(), Takes::Var(self.slot(item.key())))
             }
             Use::Rule(index) => {
-                let decl = self.cx.globals.rules[index as usize].decl;
-                (decl.params.iter().map(|param| Takes::Var(self.slot(param.id()))).collect(), Takes::Any)
+                let item = self.cx.globals.rules[index as usize].clone();
+                (self.params(&item).into_iter().map(Takes::Var).collect(), Takes::Any)
             }
             Use::Builtin(row) => (builtin(row.params), Takes::Type(row.ty)),
             Use::Operation(row) => (builtin(row.params), Takes::Any),
@@ -200,7 +203,7 @@ impl<'a> Infer<'_, 'a, '_> {
                         diag.help("write `str(…)` or `float(…)` around one of them");
                     }
                 } else if !matches!(op, Binary::Eq | Binary::Ne) {
-                    self.ordered.push((a, at));
+                    self.ordered.push((self.own, a, at));
                 }
                 self.known(Type::Bool, span)
             }

@@ -1,10 +1,10 @@
 //! Parameters that may be of another type in each call.
 //!
 //! Only in programs in which something does not fit when every parameter has one type. A call then waits for the types of
-//! its arguments, and wants the declaration with these if there is none yet; `link/copies.rs` makes it.
+//! its arguments, and wants the declaration with these if there is none yet; `link/instantiate.rs` makes it.
 
 use super::open::{Candidate, Place, Takes};
-use super::{Argument, Infer, State, Use, Var};
+use super::{Infer, State, Use, Var};
 use crate::ast::{Name, Role};
 use crate::link::{Types, Wanted};
 
@@ -31,30 +31,31 @@ impl Infer<'_, '_, '_> {
     pub(super) fn is_generic(&self, found: Use) -> bool {
         let program = self.cx.globals.program;
         let item = match found {
-            _ if !program.copies.on => return false,
+            _ if !program.typed.on => return false,
             Use::Function(index) => &self.cx.globals.functions[index as usize],
             Use::Rule(index) => &self.cx.globals.rules[index as usize],
             _ => return false,
         };
         // An import can have one form of an extension.
         let is_plain = item.home == item.instance && item.decl.role != Role::Extension;
-        is_plain && !item.decl.params.is_empty() && program.copies.may_copy(item.decl)
+        is_plain && !item.decl.params.is_empty() && program.typed.may_have(item.decl)
     }
 
     pub(super) fn has_generic(&self, candidates: &[Candidate]) -> bool {
-        self.cx.globals.program.copies.on && candidates.iter().any(|candidate| self.is_generic(candidate.found))
+        self.cx.globals.program.typed.on && candidates.iter().any(|candidate| self.is_generic(candidate.found))
     }
 
     /// Which of a candidate's parameters may be of another type: those that nothing but calls has something to say about.
     fn loose(&mut self, candidate: &Candidate) -> Vec<bool> {
-        let decl = match candidate.found {
+        let item = match candidate.found {
             _ if !self.is_generic(candidate.found) => return vec![false; candidate.takes.len()],
-            Use::Function(index) => self.cx.globals.functions[index as usize].decl,
-            Use::Rule(index) => self.cx.globals.rules[index as usize].decl,
+            Use::Function(index) => &self.cx.globals.functions[index as usize],
+            Use::Rule(index) => &self.cx.globals.rules[index as usize],
             _ => return vec![false; candidate.takes.len()],
         };
-        let copies = &self.cx.globals.program.copies;
-        let given: Vec<bool> = decl.params.iter().map(|param| copies.given(param.id()).is_some()).collect();
+        let typed = &self.cx.globals.program.typed;
+        let given = item.decl.params.iter().map(|param| typed.given((item.own, param.id())).is_some());
+        let given: Vec<bool> = given.collect();
         let free = |takes: &Takes| matches!(takes, Takes::Var(var) if self.vars.state(*var) == State::Free);
         candidate.takes.iter().map(free).zip(given).map(|(free, given)| free || given).collect()
     }
@@ -93,11 +94,11 @@ impl Infer<'_, '_, '_> {
         }
         for (candidate, loose) in &all {
             let Some(Wish { wanted, poison }) = self.wish(candidate, loose, args) else { continue };
-            if poison || self.cx.globals.program.copies.may_be(wanted.original, &wanted.types) {
+            if poison || self.cx.globals.program.typed.may_be(wanted.decl, &wanted.types) {
                 if !poison {
                     self.wanted.push(wanted);
                 }
-                // It is known when the copy is there.
+                // It is known when the instance is there.
                 if let Some(result) = result {
                     self.vars.poison(result);
                 }
@@ -159,7 +160,7 @@ impl Infer<'_, '_, '_> {
             Use::Rule(index) => &self.cx.globals.rules[index as usize],
             _ => return None,
         };
-        let (instance, own) = (item.instance, item.decl.name.id());
+        let decl = (item.instance, item.decl.name.id());
         let (mut types, mut poison) = (Types::new(), false);
         for ((takes, loose), &(var, _)) in candidate.takes.iter().zip(loose).zip(args) {
             let got = self.vars.known(var);
@@ -175,29 +176,24 @@ impl Infer<'_, '_, '_> {
                 return None;
             }
         }
-        let original = self.cx.globals.program.copies.original(own);
-        Some(Wish { wanted: Wanted { instance, original, types }, poison })
+        Some(Wish { wanted: Wanted { decl, types }, poison })
     }
 
     /// Where there is one only, what is wrong is the argument.
     fn none_fits(&mut self, name: &Name, candidates: &[Candidate], args: &[Place], result: Option<Var>) {
-        let (decl, rule) = match candidates {
-            [Candidate { found: Use::Function(index), .. }] => (self.cx.globals.functions[*index as usize].decl, None),
-            [Candidate { found: Use::Rule(index), .. }] => {
-                (self.cx.globals.rules[*index as usize].decl, Some(name.span))
-            }
+        let (item, rule) = match candidates {
+            [Candidate { found: Use::Function(index), .. }] => (&self.cx.globals.functions[*index as usize], None),
+            [Candidate { found: Use::Rule(index), .. }] => (&self.cx.globals.rules[*index as usize], Some(name.span)),
             _ => {
                 self.fits_none(name, candidates, args);
                 return result.into_iter().for_each(|result| self.vars.poison(result));
             }
         };
-        self.cx.tables.uses.insert(name.id(), candidates[0].found);
-        for (param, &(arg, span)) in decl.params.iter().zip(args) {
-            let param_var = self.slot(param.id());
-            let (callee, name) = (decl.name.text.clone(), param.text.clone());
-            self.calls.push(Argument { arg, span, param: param_var, callee, name, rule });
-            self.join_argument(self.calls.len() - 1);
-        }
+        let item = item.clone();
+        self.cx.tables.uses.insert((self.own, name.id()), candidates[0].found);
+        let first = self.calls.len();
+        self.arguments(&item, args.to_vec(), rule);
+        (first..self.calls.len()).for_each(|call| self.join_argument(call));
         if let (Some(result), Takes::Var(own)) = (result, candidates[0].gives) {
             _ = self.vars.join(result, own);
         }

@@ -3,7 +3,7 @@
 //! There are no type annotations: every declaration and parameter has one type, found from its uses and from the calls.
 //! Bodies come first and calls last, so that a wrong argument is blamed at the call. What is not clear when it is read
 //! (`+`, overloaded calls, arrays) waits in `open` until more is known. Where one type is not enough, `generic` asks for
-//! declarations with other ones.
+//! instances of declarations with other ones.
 
 mod comp;
 mod expr;
@@ -18,17 +18,17 @@ use crate::diag::Diag;
 use crate::door::Door;
 use crate::hash::FastMap;
 use crate::lex::without_unit;
-use crate::link::Wanted;
+use crate::link::{InstanceId, Key, Wanted};
 use crate::ops::ParamKind;
 use crate::resolve::context::Cx;
-use crate::resolve::globals::Init;
+use crate::resolve::globals::{Init, Item};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::token::Tok;
 use crate::types::Type;
 use generic::Stage;
-use open::Open;
-use std::collections::HashMap;
+use open::{Open, Place};
+use std::collections::{HashMap, HashSet};
 use unify::{State, Var, Vars};
 
 /// What `infer` has found.
@@ -37,6 +37,8 @@ pub(crate) struct Found {
     pub(crate) misfit: bool,
     /// Declarations that calls want with other types. When there are some, the rest is not settled.
     pub(crate) wanted: Vec<Wanted>,
+    /// Declarations with types of their own that do not suit them: something is wrong there and in no other instance.
+    pub(crate) unsuited: Vec<InstanceId>,
 }
 
 pub(crate) fn infer(cx: &mut Cx) -> Found {
@@ -50,57 +52,44 @@ pub(crate) fn infer(cx: &mut Cx) -> Found {
         ordered: Vec::new(),
         comps: comp::Comps::default(),
         inner: Vec::new(),
+        own: 0,
         stage: Stage::Bodies,
         moved: false,
         wanted: Vec::new(),
+        misfits: Vec::new(),
     };
     let values: Vec<_> = pass.cx.globals.values().cloned().collect();
     for item in &values {
-        let own = pass.slot(item.decl.name.id());
-        if let Init::Flows(outer) = item.init {
-            pass.flows(own, item.decl, outer);
-        }
-        let Some((value, _)) = item.value() else { continue };
-        pass.inner.clear();
-        if item.is_own() {
-            pass.enter(item.decl);
-        }
-        let ty = pass.expr(value);
-        if !item.is_own() {
-            // The declaration says what it is, and a wrong override is blamed.
-            let (callee, name) = (String::new(), item.decl.name.text.clone());
-            pass.calls.push(Argument { arg: ty, span: value.span, param: own, callee, name, rule: None });
-            continue;
-        }
-        // Fails only for a recursive function that was used as something else inside its own body.
-        if let Err((own, other)) = pass.vars.join(own, ty) {
-            let name = &item.decl.name.text;
-            let needs = format!("`{name}` is used as a {}, but this is", own.word());
-            pass.mismatch(value.span, &needs, other);
-        }
-        if pass.vars.state(ty) == State::Poison {
-            pass.poison_slot(item.decl.name.id());
-        }
+        let own = item.value().map_or(item.own, |(_, own)| own);
+        pass.inside(own, |pass| pass.declared(item));
     }
     for item in pass.cx.globals.rules.clone() {
         if let Body::Rule(ops) = &item.decl.body {
-            pass.inner.clear();
-            pass.enter(item.decl);
-            pass.ops(ops);
+            pass.inside(item.own, |pass| {
+                pass.inner.clear();
+                pass.enter(item.decl);
+                pass.ops(ops);
+            });
         }
     }
     pass.solve();
     pass.store();
+    let unsuited = if pass.wanted.is_empty() { pass.unsuited() } else { Vec::new() };
     let wanted = pass.wanted;
     let misfit = |diag: &Diag| matches!(diag.code, Code::TypeMismatch | Code::UndefinedRule);
-    Found { misfit: cx.diags.since(before).iter().any(misfit), wanted }
+    Found { misfit: cx.diags.since(before).iter().any(misfit), wanted, unsuited }
 }
 
-/// A declaration in a style: the tokens of its name and parameters.
-type InStyle = (u32, Vec<u32>);
+/// A declaration in a style: its name and parameters.
+type InStyle = (u32, Vec<Key>);
+
+/// A mismatch of types: the instance in which it was found, and what is reported.
+type Misfit = (InstanceId, Span, String);
 
 /// An argument of a rule or function of the grammar: joined with the parameter when all bodies are read.
 struct Argument {
+    /// The instance that has the call.
+    own: InstanceId,
     arg: Var,
     span: Span,
     param: Var,
@@ -113,36 +102,98 @@ struct Argument {
 struct Infer<'p, 'a, 'd> {
     cx: &'p mut Cx<'a, 'd>,
     vars: Vars,
-    /// By the token a declaration, parameter, local, Rust value or Rust call begins with.
-    slots: FastMap<u32, Var>,
-    open: Vec<Open>,
+    /// By declaration, parameter and local; Rust values and Rust calls by their first token.
+    slots: FastMap<Key, Var>,
+    /// With the instances that they are in.
+    open: Vec<(InstanceId, Open)>,
     calls: Vec<Argument>,
     /// Operands of `<` and its like, which bools have not.
-    ordered: Vec<(Var, Span)>,
+    ordered: Vec<(InstanceId, Var, Span)>,
     /// Selectors, and values for components.
     comps: comp::Comps<'a>,
     /// Parameters and locals of the declaration at hand.
     inner: Vec<&'a Name>,
+    /// The instance whose entries its names have.
+    own: InstanceId,
     stage: Stage,
     /// Whether something became known without anything being decided.
     moved: bool,
     wanted: Vec<Wanted>,
+    /// Collected where declarations may have types of their own.
+    misfits: Vec<Misfit>,
 }
 
 impl<'a> Infer<'_, 'a, '_> {
-    fn slot(&mut self, token: u32) -> Var {
-        if let Some(&var) = self.slots.get(&token) {
+    /// Does a part of the work in an instance, and notes the mismatches that it finds there.
+    fn inside<T>(&mut self, own: InstanceId, part: impl FnOnce(&mut Self) -> T) -> T {
+        let outside = std::mem::replace(&mut self.own, own);
+        let before = self.cx.diags.count();
+        let result = part(self);
+        self.own = outside;
+        if self.cx.globals.program.typed.on {
+            let found = self.cx.diags.since(before).iter().filter(|diag| diag.code == Code::TypeMismatch);
+            self.misfits.extend(found.map(|diag| (own, diag.span, diag.message.clone())));
+        }
+        result
+    }
+
+    /// The declarations with types of their own in which something is wrong that is right where it was written.
+    fn unsuited(&self) -> Vec<InstanceId> {
+        let program = self.cx.globals.program;
+        let (typed, written): (Vec<&Misfit>, Vec<&Misfit>) =
+            self.misfits.iter().partition(|(own, ..)| program.is_typed(*own));
+        let written: HashSet<(Span, &str)> =
+            written.into_iter().map(|(_, span, text)| (*span, text.as_str())).collect();
+        let alone = typed.into_iter().filter(|(_, span, text)| !written.contains(&(*span, text)));
+        alone.map(|(own, ..)| *own).collect()
+    }
+
+    /// The value of an attribute, constant or function.
+    fn declared(&mut self, item: &Item<'a>) {
+        let own = self.slot(item.key());
+        if let Init::Flows(outer) = item.init {
+            self.flows(own, item.decl, outer);
+        }
+        let Some((value, _)) = item.value() else { return };
+        self.inner.clear();
+        if item.is_own() {
+            self.enter(item.decl);
+        }
+        let ty = self.expr(value);
+        if !item.is_own() {
+            // The declaration says what it is, and a wrong override is blamed.
+            return self.argument(ty, value.span, own, (String::new(), item.decl.name.text.clone()), None);
+        }
+        // Fails only for a recursive function that was used as something else inside its own body.
+        if let Err((own, other)) = self.vars.join(own, ty) {
+            let name = &item.decl.name.text;
+            let needs = format!("`{name}` is used as a {}, but this is", own.word());
+            self.mismatch(value.span, &needs, other);
+        }
+        if self.vars.state(ty) == State::Poison {
+            let var = self.poison();
+            self.slots.insert(item.key(), var);
+        }
+    }
+
+    fn slot(&mut self, key: Key) -> Var {
+        if let Some(&var) = self.slots.get(&key) {
             return var;
         }
-        let given = self.cx.globals.program.copies.given(token);
+        let given = self.cx.globals.program.typed.given(key);
         let var = self.vars.add(given.map_or(State::Free, State::Is), None);
-        self.slots.insert(token, var);
+        self.slots.insert(key, var);
         var
     }
 
-    fn poison_slot(&mut self, token: u32) {
-        let var = self.vars.add(State::Poison, None);
-        self.slots.insert(token, var);
+    /// The type of a name or Rust value in the declaration at hand.
+    fn inner_slot(&mut self, token: u32) -> Var {
+        self.slot((self.own, token))
+    }
+
+    /// The types of the parameters of a declaration.
+    fn params(&mut self, item: &Item) -> Vec<Var> {
+        item.decl.params.iter().map(|param| self.slot((item.own, param.id()))).collect()
     }
 
     fn free(&mut self) -> Var {
@@ -162,7 +213,7 @@ impl<'a> Infer<'_, 'a, '_> {
         self.inner.extend(&decl.params);
         for (name, value) in &decl.locals {
             let ty = self.expr(value);
-            let slot = self.slot(name.id());
+            let slot = self.inner_slot(name.id());
             _ = self.vars.join(slot, ty);
             self.inner.push(name);
         }
@@ -170,10 +221,9 @@ impl<'a> Infer<'_, 'a, '_> {
 
     /// An attribute that gets its value from the importing file's.
     fn flows(&mut self, own: Var, decl: &Decl, outer: u32) {
-        let from = self.cx.globals.attrs[outer as usize].decl;
-        let var = self.slot(from.name.id());
-        let (callee, name) = (String::new(), decl.name.text.clone());
-        self.calls.push(Argument { arg: var, span: from.name.span, param: own, callee, name, rule: None });
+        let from = self.cx.globals.attrs[outer as usize].clone();
+        let var = self.slot(from.key());
+        self.argument(var, from.decl.name.span, own, (String::new(), decl.name.text.clone()), None);
     }
 
     fn mismatch(&mut self, span: Span, needs: &str, got: Type) -> &mut Diag {
@@ -212,10 +262,16 @@ impl<'a> Infer<'_, 'a, '_> {
         }
     }
 
-    fn argument(&mut self, decl: &Decl, param: &Name, arg: Var, span: Span, rule: Option<Span>) {
-        let param_var = self.slot(param.id());
-        let (callee, name) = (decl.name.text.clone(), param.text.clone());
-        self.calls.push(Argument { arg, span, param: param_var, callee, name, rule });
+    fn argument(&mut self, arg: Var, span: Span, param: Var, (callee, name): (String, String), rule: Option<Span>) {
+        self.calls.push(Argument { own: self.own, arg, span, param, callee, name, rule });
+    }
+
+    /// The arguments of a call of a declaration.
+    fn arguments(&mut self, item: &Item, args: Vec<Place>, rule: Option<Span>) {
+        let params = self.params(item);
+        for (((arg, span), var), param) in args.into_iter().zip(params).zip(&item.decl.params) {
+            self.argument(arg, span, var, (item.decl.name.text.clone(), param.text.clone()), rule);
+        }
     }
 
     /// A call whose arguments are of types that no rule of that name takes. It matches none, then: in text a leaf, like a
@@ -226,7 +282,7 @@ impl<'a> Infer<'_, 'a, '_> {
             return Some(self.cx.diags.report(Code::TypeMismatch, span, message));
         }
         // One finding a call.
-        if self.cx.tables.uses.insert(name.first, Use::Leaf) == Some(Use::Leaf) {
+        if self.cx.tables.uses.insert((self.own, name.first), Use::Leaf) == Some(Use::Leaf) {
             return None;
         }
         let diag = self.cx.diags.report(Code::UndefinedRule, span, message);
@@ -236,7 +292,7 @@ impl<'a> Infer<'_, 'a, '_> {
     fn solve(&mut self) {
         self.propagate();
         self.stage = Stage::Calls;
-        if self.cx.globals.program.copies.on {
+        if self.cx.globals.program.typed.on {
             self.propagate();
         }
         for index in 0..self.calls.len() {
@@ -244,7 +300,7 @@ impl<'a> Infer<'_, 'a, '_> {
         }
         self.join_styles();
         self.propagate();
-        if self.cx.globals.program.copies.on {
+        if self.cx.globals.program.typed.on {
             self.stage = Stage::Wanting;
             self.propagate();
             if !self.wanted.is_empty() {
@@ -252,10 +308,12 @@ impl<'a> Infer<'_, 'a, '_> {
             }
         }
         self.settle();
-        for (var, span) in std::mem::take(&mut self.ordered) {
+        for (own, var, span) in std::mem::take(&mut self.ordered) {
             if let Some(ty @ (Type::Bool | Type::Bools)) = self.vars.known(var) {
                 let message = format!("{} have no order", if ty == Type::Bool { "bools" } else { "arrays of bools" });
-                self.cx.diags.report(Code::TypeMismatch, span, message).help("write `==` or `!=`");
+                self.inside(own, |pass| {
+                    pass.cx.diags.report(Code::TypeMismatch, span, message).help("write `==` or `!=`");
+                });
             }
         }
         self.comps();
@@ -269,8 +327,9 @@ impl<'a> Infer<'_, 'a, '_> {
         let mut groups: HashMap<(String, usize), Vec<InStyle>> = HashMap::new();
         for item in self.cx.globals.values().filter(|item| !item.origin) {
             let style = self.cx.globals.program.instances[item.instance].root_style;
-            let tokens = [&item.decl.name].into_iter().chain(&item.decl.params).map(Name::id).collect();
-            groups.entry((item.name.clone(), item.decl.params.len())).or_default().push((style, tokens));
+            let names =
+                [&item.decl.name].into_iter().chain(&item.decl.params).map(|name| (item.own, name.id())).collect();
+            groups.entry((item.name.clone(), item.decl.params.len())).or_default().push((style, names));
         }
         let mut pairs = Vec::new();
         for group in groups.into_values() {
@@ -289,9 +348,9 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     fn join_argument(&mut self, index: usize) {
-        let Argument { arg, param, .. } = self.calls[index];
+        let Argument { own, arg, param, .. } = self.calls[index];
         if let Err((got, needs)) = self.vars.join(arg, param) {
-            self.wrong_argument(index, got, needs);
+            self.inside(own, |pass| pass.wrong_argument(index, got, needs));
         }
     }
 
@@ -314,18 +373,19 @@ impl<'a> Infer<'_, 'a, '_> {
     }
 
     fn store(&mut self) {
-        let slots: Vec<(u32, Var)> = self.slots.iter().map(|(token, var)| (*token, *var)).collect();
-        for (token, var) in slots {
+        let slots: Vec<(Key, Var)> = self.slots.iter().map(|(key, var)| (*key, *var)).collect();
+        for (key, var) in slots {
             let ty = match self.vars.state(var) {
                 State::Is(ty) => ty,
                 State::Free => Type::Float,
                 State::Poison => continue,
             };
-            self.cx.tables.types.insert(token, ty);
+            self.cx.tables.types.insert(key, ty);
         }
-        let params: Vec<u32> = self.cx.globals.items().flat_map(|item| item.decl.params.iter().map(Name::id)).collect();
-        for param in params {
-            self.cx.tables.types.entry(param).or_insert(Type::Float);
+        for item in self.cx.globals.items() {
+            for param in &item.decl.params {
+                self.cx.tables.types.entry((item.own, param.id())).or_insert(Type::Float);
+            }
         }
     }
 }

@@ -84,7 +84,7 @@ impl Infer<'_, '_, '_> {
 
     pub(super) fn wait_for(&mut self, open: Open) {
         // Most are clear at once, and what follows sees their type.
-        self.open.push(open);
+        self.open.push((self.own, open));
         self.decide(self.open.len() - 1, false);
     }
 
@@ -114,19 +114,26 @@ impl Infer<'_, '_, '_> {
 
     /// True if something became known. `force` decides in any case.
     fn decide(&mut self, index: usize, force: bool) -> bool {
-        let mut open = std::mem::replace(&mut self.open[index], Open::Done);
-        let done = match &mut open {
-            Open::Done => return false,
+        let (own, mut open) = (self.open[index].0, std::mem::replace(&mut self.open[index].1, Open::Done));
+        if matches!(open, Open::Done) {
+            return false;
+        }
+        let done = self.inside(own, |pass| pass.decided(&mut open, force));
+        if !done {
+            self.open[index].1 = open;
+        }
+        done
+    }
+
+    fn decided(&mut self, open: &mut Open, force: bool) -> bool {
+        match open {
+            Open::Done => false,
             Open::Plus { left, right, result, at } => self.plus(*left, *right, *result, *at, force),
             Open::Each { op, at, left, right, result } => self.each(*op, *at, *left, *right, *result, force),
             Open::Array { entries, result, span } => self.array(entries, *result, *span, force),
             Open::Index { array, indices, result, span } => self.index(*array, indices, *result, *span, force),
             Open::Call { name, candidates, args, result } => self.choose(name, candidates, args, *result, force),
-        };
-        if !done {
-            self.open[index] = open;
         }
-        done
     }
 
     fn plus(&mut self, left: Place, right: Place, result: Var, at: Span, force: bool) -> bool {
@@ -344,7 +351,7 @@ impl Infer<'_, '_, '_> {
     }
 
     pub(super) fn choose_this(&mut self, name: &Name, chosen: &Candidate, args: &[Place], result: Option<Var>) {
-        self.cx.tables.uses.insert(name.id(), chosen.found);
+        self.cx.tables.uses.insert((self.own, name.id()), chosen.found);
         for (takes, &(var, span)) in chosen.takes.iter().zip(args) {
             match takes {
                 Takes::Any => {}

@@ -80,24 +80,16 @@ impl<'a> Infer<'_, 'a, '_> {
         for own in overrides {
             let Override::Value(name, value) = own else { continue };
             let arg = self.expr(value);
-            if let Some(attr) = self.cx.tables.targets.get(&name.id()).copied() {
-                let decl = self.cx.globals.attrs[attr as usize].decl;
-                let slot = self.slot(decl.name.id());
-                let callee = import.text.clone();
-                self.calls.push(super::Argument {
-                    arg,
-                    span: value.span,
-                    param: slot,
-                    callee,
-                    name: name.text.clone(),
-                    rule: None,
-                });
+            if let Some(attr) = self.cx.tables.targets.get(&(self.own, name.id())).copied() {
+                let attr = self.cx.globals.attrs[attr as usize].key();
+                let slot = self.slot(attr);
+                self.argument(arg, value.span, slot, (import.text.clone(), name.text.clone()), None);
             }
         }
     }
 
     fn call(&mut self, name: &'a Name, args: &'a [Arg]) {
-        match self.cx.tables.of(name) {
+        match self.cx.tables.at(self.own).of(name) {
             Some(Use::Operation(row)) => self.operation(row, args),
             Some(own @ Use::Rule(_)) if self.is_generic(own) => {
                 let args = args.iter().map(|arg| (self.expr(&arg.value), arg.value.span)).collect();
@@ -105,18 +97,15 @@ impl<'a> Infer<'_, 'a, '_> {
                 self.wait_for(Open::Call { name: name.clone(), candidates, args, result: None });
             }
             Some(Use::Rule(index)) => {
-                let decl = self.cx.globals.rules[index as usize].decl;
+                let item = self.cx.globals.rules[index as usize].clone();
                 let types: Vec<(Var, Span)> = args.iter().map(|arg| (self.expr(&arg.value), arg.value.span)).collect();
-                for ((arg, span), param) in types.into_iter().zip(&decl.params) {
-                    self.argument(decl, param, arg, span, Some(name.span));
-                }
+                self.arguments(&item, types, Some(name.span));
             }
             Some(Use::SetAttr(index)) => {
-                let decl = self.cx.globals.attrs[index as usize].decl;
-                let (own, Some(value)) = (self.slot(decl.name.id()), args.get(1)) else { return };
+                let item = self.cx.globals.attrs[index as usize].clone();
+                let (own, Some(value)) = (self.slot(item.key()), args.get(1)) else { return };
                 let arg = self.expr(&value.value);
-                let (callee, name) = ("set".into(), decl.name.text.clone());
-                self.calls.push(super::Argument { arg, span: value.value.span, param: own, callee, name, rule: None });
+                self.argument(arg, value.value.span, own, ("set".into(), item.decl.name.text.clone()), None);
             }
             Some(Use::SetShape(row)) => {
                 if let Some(value) = args.get(1) {

@@ -80,7 +80,7 @@ impl Assets {
             _ => None,
         });
         let names: Vec<&String> = names.take(MOST).collect();
-        let folders: BTreeSet<&str> = program.files.iter().map(|name| folder_of(name)).collect();
+        let folders: BTreeSet<&str> = program.files.iter().map(|file| folder_of(&file.name)).collect();
         // What is at a place, if anything is known of it.
         let mut known = HashMap::new();
         for folder in folders.into_iter().take(MOST / names.len().max(1)) {

@@ -1,12 +1,11 @@
 //! Files to one program: imports and styles are resolved before anything is checked.
 //!
-//! An *instance* is one file with one style in force, imported in one place. Each instance has tokens and a tree of its
-//! own: the file is read again for it, behind the tokens so far, so that a name is still identified by its token. Two
-//! imports of one file share nothing, as CGA wants it; styles are merged after lowering
-//! (`lower/merge.rs`).
+//! Each file is parsed once. An *instance* is one file with one style in force at one import site. Instances share the
+//! tokens and the tree of their file; side tables are keyed by the instance and the name. Two imports of one file share no
+//! values, as CGA documents; styles are merged after lowering (`lower/merge.rs`).
 
 mod asset;
-mod copies;
+mod instantiate;
 mod overrides;
 mod paths;
 mod style;
@@ -20,27 +19,19 @@ use crate::span::Span;
 use crate::token::Tokens;
 use std::collections::HashMap;
 use std::ops::Range;
+use std::rc::Rc;
 
 pub use asset::Asset;
 pub(crate) use asset::Assets;
-pub(crate) use copies::{Copies, Types, Wanted};
-pub(crate) use overrides::dynamic_calls;
+pub(crate) use instantiate::{Instantiations, Types, Wanted};
 pub use paths::{candidates, folder, stray_character};
 pub(crate) use style::Styles;
 
 /// Most instances a program may have: files that import each other twice, level by level, would become millions.
 const MOST_INSTANCES: usize = 1000;
 
-/// Tokens that all instances together may have in any case, whatever the compiled file itself has.
-const FEW_TOKENS: usize = 1_000_000;
-
-/// How often the tokens of all files may be read, on average, where that makes more than [`FEW_TOKENS`]: a large file has a
-/// dozen styles, and no file is read a thousand times.
-const MOST_READINGS: usize = 32;
-
-/// Most tokens that all instances together may have: a token takes about 300 bytes, with its tree and all that is known
-/// of it.
-const MOST_TOKENS: usize = 8_000_000;
+/// Most declarations that all instances together may have: each is checked and lowered once for each instance.
+const MOST_DECLARATIONS: usize = 250_000;
 
 /// How deep imports may be nested.
 const MOST_NESTED: usize = 64;
@@ -89,64 +80,83 @@ impl Files for NoFiles {
     }
 }
 
-/// Where in a program the tokens of a file are.
+/// A file that was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Piece {
-    /// The file, by number. 0 is the one that was compiled.
-    pub file: usize,
-    /// Its tokens in the program.
+pub struct FileTokens {
+    /// The name of its [`Unit`].
+    pub name: String,
+    /// Its tokens, as spans count them: those of all files, one file after the other.
     pub tokens: Range<u32>,
-    /// Which of the file's tokens is the first of these: 0, but for a declaration that was read again with other types.
-    pub from: u32,
 }
 
-/// Index into [`Program::instances`].
+/// Number of an instance: an index into [`Program::instances`], or beyond these the number of a declaration that is
+/// instantiated for types of its own.
 pub(crate) type InstanceId = usize;
+
+/// Key of the side tables: a name, by [`Name::id`], in an instance.
+pub(crate) type Key = (InstanceId, u32);
 
 /// Everything that was read.
 pub(crate) struct Program {
+    /// The tokens of all files, in the order of `files`.
     pub(crate) tokens: Tokens,
-    pub(crate) pieces: Vec<Piece>,
-    /// Names of the files.
-    pub(crate) files: Vec<String>,
+    /// The file that is compiled first.
+    pub(crate) files: Vec<Rc<File>>,
     /// The root with its style `Default` first.
     pub(crate) instances: Vec<Instance>,
     /// The root's instances by style: `Default`, then the others in source order.
     pub(crate) roots: Vec<InstanceId>,
-    pub(crate) copies: Copies,
+    /// Declarations that are instantiated for several tuples of types.
+    pub(crate) typed: Instantiations,
     pub(crate) assets: Assets,
+}
+
+/// A file of rules.
+pub(crate) struct File {
+    pub(crate) name: String,
+    pub(crate) door: Door,
+    pub(crate) ast: Ast,
+    /// Its tokens in the program.
+    pub(crate) tokens: Range<u32>,
+    /// Whether a comment or string without an end has swallowed declarations.
+    pub(crate) is_torn: bool,
+    number: usize,
+    /// Dynamic calls with rules: the import's name, and the overrides.
+    calls: Vec<(Name, Vec<Override>)>,
 }
 
 /// A file with a style in force, in one place.
 pub(crate) struct Instance {
-    pub(crate) ast: Ast,
-    pub(crate) door: Door,
+    pub(crate) file: Rc<File>,
     /// Its styles, from the one in force to `Default`.
     pub(crate) styles: Styles,
     /// The number of the root's style it belongs to.
     pub(crate) root_style: u32,
-    /// What stands before its names: `imp.`, empty for the root.
+    /// The names of imports that lead to its names: `imp.`, empty for the root.
     pub(crate) prefix: String,
-    /// Who imports it.
+    /// The importing instance.
     pub(crate) parent: Option<InstanceId>,
     /// What it imports. `None` for a file that could not be read.
     pub(crate) imports: HashMap<String, Option<InstanceId>>,
     /// Overrides of its import, then those of a dynamic call.
     pub(crate) layers: Vec<Layer>,
-    /// By the token of the import's name in a dynamic call with rules: the instance made for it.
+    /// By the id of the import's name in a dynamic call with rules: the instance made for it.
     pub(crate) dynamic: HashMap<u32, InstanceId>,
-    /// Whether anything may be declared where it could not be read.
-    pub(crate) is_torn: bool,
-    file: usize,
 }
 
 /// Overrides from one place.
 #[derive(Clone)]
 pub(crate) struct Layer {
-    /// Where they stand, and where their names are looked up.
+    /// The instance that has them, and where their names are looked up.
     pub(crate) home: InstanceId,
-    /// `None`: nothing is written, attributes of the same name flow in.
-    pub(crate) list: Option<Vec<Override>>,
+    source: LayerSource,
+}
+
+/// The place of overrides in the file that has them, by number.
+#[derive(Clone, Copy)]
+enum LayerSource {
+    Import(usize),
+    Call(usize),
 }
 
 /// Reads all that a file needs.
@@ -154,33 +164,29 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
     let mut link = Link {
         files,
         diags,
-        units: Vec::new(),
-        placed: Vec::new(),
         by_name: HashMap::new(),
         under_way: Vec::new(),
-        written: 0,
+        declared: 0,
         full: false,
         program: Program {
             tokens: Tokens::new(),
-            pieces: Vec::new(),
             files: Vec::new(),
             instances: Vec::new(),
             roots: Vec::new(),
-            copies: Copies::default(),
+            typed: Instantiations::default(),
             assets: Assets::default(),
         },
     };
-    let file = link.unit(root);
-    link.under_way.push(file);
+    let file = link.file(root);
+    link.under_way.push(file.number);
     let origin = Origin { prefix: String::new(), parent: None, layers: Vec::new() };
-    let first = link.instance(file, 0, 0, origin.clone());
+    let first = link.instance(&file, 0, 0, origin.clone());
     link.program.roots.push(first);
-    let styles: Vec<Span> = link.program.instances[first].ast.styles.iter().map(|style| style.name.span).collect();
-    for (style, span) in (1..).zip(styles) {
-        if link.full_up(file, span) {
+    for (number, style) in (1..).zip(&file.ast.styles) {
+        if link.full_up(&file, style.name.span) {
             break;
         }
-        let root = link.instance(file, style, style, origin.clone());
+        let root = link.instance(&file, number, number, origin.clone());
         link.program.roots.push(root);
     }
     link.program.assets = Assets::new(&link.program, link.files);
@@ -190,13 +196,26 @@ pub(crate) fn link(root: Unit, files: &mut dyn Files, diags: &mut Diags) -> Prog
 impl Program {
     /// Whether what is compiled is a file, which others may import as well.
     pub(crate) fn may_be_imported(&self) -> bool {
-        self.files.first().is_some_and(|name| !name.is_empty())
+        self.files.first().is_some_and(|file| !file.name.is_empty())
     }
 
-    /// The folder of the file that a token is written in, as the file's name says.
+    /// Number of declarations over all instances.
+    pub(crate) fn declarations(&self) -> usize {
+        self.instances.iter().map(|instance| instance.file.ast.decls.len()).sum()
+    }
+
+    /// Overrides of a layer. `None`: none are written, and attributes of the same name flow in.
+    pub(crate) fn overrides(&self, layer: &Layer) -> Option<&[Override]> {
+        let file = &self.instances[layer.home].file;
+        match layer.source {
+            LayerSource::Import(at) => file.ast.imports[at].overrides.as_deref(),
+            LayerSource::Call(at) => Some(&file.calls[at].1),
+        }
+    }
+
+    /// The folder of the file that a token is written in, by the file's name.
     pub(crate) fn folder(&self, token: u32) -> &str {
-        let file = self.pieces.get(self.piece(token)).and_then(|piece| self.files.get(piece.file));
-        file.map_or("", |name| folder_of(name))
+        self.file(token).map_or("", |file| folder_of(&file.name))
     }
 
     /// What is known of a file that is named in the file of a token. One that rules ask for may be missing.
@@ -204,15 +223,15 @@ impl Program {
         self.assets.of(name, self.folder(token))
     }
 
-    /// The number of the piece that has a token.
-    fn piece(&self, token: u32) -> usize {
-        self.pieces.partition_point(|piece| piece.tokens.start <= token).saturating_sub(1)
+    /// The file of a token.
+    fn file(&self, token: u32) -> Option<&File> {
+        let after = self.files.partition_point(|file| file.tokens.start <= token);
+        after.checked_sub(1).map(|at| &*self.files[at])
     }
 
     /// How strict to be with a token.
     pub(crate) fn door(&self, token: u32) -> Door {
-        let at = self.piece(token);
-        self.instances.get(self.copies.instance(token).unwrap_or(at)).map_or(Door::Text, |instance| instance.door)
+        self.file(token).map_or(Door::Text, |file| file.door)
     }
 }
 
@@ -232,63 +251,45 @@ struct Origin {
 struct Link<'l> {
     files: &'l mut dyn Files,
     diags: &'l mut Diags,
-    units: Vec<Unit>,
-    /// By file: its tokens in the program, if it was read there. Its unit has none any more then.
-    placed: Vec<Option<Range<u32>>>,
     by_name: HashMap<String, usize>,
-    /// Files that are being imported, outermost first.
+    /// Numbers of files that are being imported, outermost first.
     under_way: Vec<usize>,
-    /// How many tokens all files have, each read once.
-    written: usize,
+    /// Number of declarations over all instances.
+    declared: usize,
     /// Whether too many instances were reported.
     full: bool,
     program: Program,
 }
 
 impl Link<'_> {
-    fn unit(&mut self, unit: Unit) -> usize {
-        if let Some(&file) = self.by_name.get(&unit.name) {
-            return file;
+    /// The file of a unit: parsed when it is seen first.
+    fn file(&mut self, unit: Unit) -> Rc<File> {
+        if let Some(&number) = self.by_name.get(&unit.name) {
+            return Rc::clone(&self.program.files[number]);
         }
-        let file = self.units.len();
-        self.by_name.insert(unit.name.clone(), file);
-        self.program.files.push(unit.name.clone());
-        self.written += unit.tokens.len();
-        self.units.push(unit);
-        self.placed.push(None);
+        let Unit { name, tokens, door, found } = unit;
+        let start = self.program.tokens.len() as u32;
+        self.program.tokens.append(tokens);
+        let tokens = start..self.program.tokens.len() as u32;
+        // Such a token has swallowed what follows it.
+        let is_torn = found.iter().any(|diag| matches!(diag.code, Code::UnclosedComment | Code::UnclosedString));
+        self.diags.append(found.into_iter().map(|diag| diag.moved(|span| span.behind(start))).collect());
+        let ast = parse_part(&self.program.tokens, tokens.clone(), self.diags);
+        let (number, calls) = (self.program.files.len(), overrides::dynamic_calls(&ast));
+        self.by_name.insert(name.clone(), number);
+        let file = Rc::new(File { name, door, ast, tokens, is_torn, number, calls });
+        self.program.files.push(Rc::clone(&file));
         file
     }
 
-    /// Puts the tokens of a file behind those so far.
-    fn place(&mut self, file: usize) -> Range<u32> {
-        let start = self.program.tokens.len() as u32;
-        match &self.placed[file] {
-            Some(first) => self.program.tokens.repeat(first.clone()),
-            None => self.program.tokens.append(std::mem::take(&mut self.units[file].tokens)),
-        }
-        let tokens = start..self.program.tokens.len() as u32;
-        self.placed[file].get_or_insert(tokens.clone());
-        tokens
-    }
-
-    /// Reads a file with a style in force, and what it imports.
-    fn instance(&mut self, file: usize, style: u32, root_style: u32, origin: Origin) -> InstanceId {
+    /// Instantiates a file with a style in force, and what it imports.
+    fn instance(&mut self, file: &Rc<File>, style: u32, root_style: u32, origin: Origin) -> InstanceId {
         let id = self.program.instances.len();
-        let tokens = self.place(file);
-        let unit = &self.units[file];
-        let found = unit.found.iter().map(|diag| diag.clone().moved(|span| span.behind(tokens.start)));
-        self.diags.append(found.collect());
-        // It has swallowed what stands behind it.
-        let is_torn = unit.found.iter().any(|diag| matches!(diag.code, Code::UnclosedComment | Code::UnclosedString));
-        let ast = parse_part(&self.program.tokens, tokens.clone(), self.diags);
-        self.program.pieces.push(Piece { file, tokens, from: 0 });
-        let styles = Styles::new(&ast, style, self.diags);
-        let imports = ast.imports.clone();
-        let calls = dynamic_calls(&ast);
+        self.declared += file.ast.decls.len();
+        let styles = Styles::new(&file.ast, style, self.diags);
         let Origin { prefix, parent, layers } = origin;
         self.program.instances.push(Instance {
-            ast,
-            door: unit.door,
+            file: Rc::clone(file),
             styles,
             root_style,
             prefix,
@@ -296,11 +297,9 @@ impl Link<'_> {
             imports: HashMap::new(),
             layers,
             dynamic: HashMap::new(),
-            is_torn,
-            file,
         });
-        for import in &imports {
-            let own = self.import(id, import);
+        for (at, import) in file.ast.imports.iter().enumerate() {
+            let own = self.import(id, at, import);
             let name = import.id.text.clone();
             if self.program.instances[id].imports.contains_key(&name) {
                 let message = format!("import `{name}` is declared twice");
@@ -309,39 +308,37 @@ impl Link<'_> {
             }
             self.program.instances[id].imports.insert(name, own);
         }
-        for (import, overrides) in calls {
+        for (at, (import, _)) in file.calls.iter().enumerate() {
             let Some(&Some(target)) = self.program.instances[id].imports.get(&import.text) else { continue };
-            if self.full_up(self.program.instances[target].file, import.span) {
+            let target = &self.program.instances[target];
+            let (file, style) = (Rc::clone(&target.file), target.styles.in_force());
+            let (mut layers, prefix) = (target.layers.clone(), target.prefix.clone());
+            if self.full_up(&file, import.span) {
                 break;
             }
-            let target = &self.program.instances[target];
-            let (file, style) = (target.file, target.styles.in_force());
-            let mut layers = target.layers.clone();
-            layers.push(Layer { home: id, list: Some(overrides) });
-            let prefix = target.prefix.clone();
-            let own = self.under(file, style, root_style, Origin { prefix, parent: Some(id), layers });
+            layers.push(Layer { home: id, source: LayerSource::Call(at) });
+            let own = self.under(&file, style, root_style, Origin { prefix, parent: Some(id), layers });
             self.program.instances[id].dynamic.insert(import.id(), own);
         }
         id
     }
 
-    fn under(&mut self, file: usize, style: u32, root_style: u32, origin: Origin) -> InstanceId {
-        self.under_way.push(file);
+    fn under(&mut self, file: &Rc<File>, style: u32, root_style: u32, origin: Origin) -> InstanceId {
+        self.under_way.push(file.number);
         let id = self.instance(file, style, root_style, origin);
         self.under_way.pop();
         id
     }
 
     /// Whether there is no room for a file, which is said once.
-    fn full_up(&mut self, file: usize, span: Span) -> bool {
-        let length = self.placed[file].as_ref().map_or(self.units[file].tokens.len(), Range::len);
+    fn full_up(&mut self, file: &File, span: Span) -> bool {
         let full = if MOST_INSTANCES <= self.program.instances.len() {
             format!("more than {MOST_INSTANCES} files")
         } else if MOST_NESTED <= self.under_way.len() {
             self.diags.report(Code::CannotImport, span, format!("imports are nested more than {MOST_NESTED} deep"));
             return true;
-        } else if self.most_tokens() < self.program.tokens.len() + length {
-            format!("styles and imports multiply these rules to more than {} tokens", self.most_tokens())
+        } else if MOST_DECLARATIONS < self.declared + file.ast.decls.len() {
+            format!("styles and imports multiply these rules to more than {MOST_DECLARATIONS} declarations")
         } else {
             return false;
         };
@@ -354,43 +351,26 @@ impl Link<'_> {
         true
     }
 
-    /// How many tokens all instances may have: files that are long may have styles, and short ones that import each other
-    /// twice, level by level, end early.
-    fn most_tokens(&self) -> usize {
-        self.written.saturating_mul(MOST_READINGS).clamp(FEW_TOKENS, MOST_TOKENS)
-    }
-
-    /// The number of a file's style, or else a name like it.
-    fn style(&self, file: usize, name: &str) -> Result<u32, Option<String>> {
-        match self.program.instances.iter().find(|instance| instance.file == file) {
-            Some(instance) => style::position(&instance.ast, name),
-            None => style::number(&self.units[file].tokens, name),
-        }
-    }
-
     /// The number of a style that an import names.
-    fn wanted_style(&mut self, file: usize, name: &Name) -> u32 {
-        // Which number a style has only the tree can tell.
-        match self.style(file, &name.text) {
+    fn wanted_style(&mut self, file: &File, name: &Name) -> u32 {
+        match style::position(&file.ast, &name.text) {
             Ok(style) => style,
             Err(near) => {
-                let message = format!("`{}` has no style `{}`", self.units[file].name, name.text);
+                let message = format!("`{}` has no style `{}`", file.name, name.text);
                 self.diags.report(Code::UnknownStyle, name.span, message).suggest(near);
                 0
             }
         }
     }
 
-    fn import(&mut self, from: InstanceId, import: &Import) -> Option<InstanceId> {
+    fn import(&mut self, from: InstanceId, at: usize, import: &Import) -> Option<InstanceId> {
         // Nobody opens files for nothing.
         if self.full {
             return None;
         }
-        let (root_style, prefix, file) = {
-            let own = &self.program.instances[from];
-            (own.root_style, format!("{}{}.", own.prefix, import.id.text), own.file)
-        };
-        let from_name = self.units[file].name.clone();
+        let own = &self.program.instances[from];
+        let (root_style, prefix) = (own.root_style, format!("{}{}.", own.prefix, import.id.text));
+        let file = Rc::clone(&own.file);
         // *CGA changelog 2023.0*; and nobody reads other files this way.
         if !import.path.ends_with(".cga") {
             let message = format!("cannot import `{}`: only files that end in `.cga` can be imported", import.path);
@@ -405,11 +385,11 @@ impl Link<'_> {
             self.diags.report(Code::CannotImport, import.path_span, message).help("rename the file");
             return None;
         }
-        let opened = match self.files.open(&import.path, &from_name) {
-            Ok(unit) => self.unit(unit),
+        let opened = match self.files.open(&import.path, &file.name) {
+            Ok(unit) => self.file(unit),
             Err(why) => {
                 let message = format!("cannot import `{}`: {why}", import.path);
-                let mut names = self.files.beside(&import.path, &from_name);
+                let mut names = self.files.beside(&import.path, &file.name);
                 // A folder has no order of its own.
                 names.sort();
                 let near = paths::like(&import.path, &names);
@@ -417,20 +397,22 @@ impl Link<'_> {
                 return None;
             }
         };
-        if let Some(at) = self.under_way.iter().position(|&file| file == opened) {
-            let way: Vec<&str> = self.under_way[at..].iter().map(|&file| self.units[file].name.as_str()).collect();
-            let message = format!("`{}` imports itself: {} → {0}", self.units[opened].name, way.join(" → "));
+        if let Some(first) = self.under_way.iter().position(|&file| file == opened.number) {
+            let names = self.under_way[first..].iter().map(|&file| self.program.files[file].name.as_str());
+            let way: Vec<&str> = names.collect();
+            let message = format!("`{}` imports itself: {} → {0}", opened.name, way.join(" → "));
             self.diags.report(Code::CannotImport, import.path_span, message);
             return None;
         }
-        if self.full_up(opened, import.id.span) {
+        if self.full_up(&opened, import.id.span) {
             return None;
         }
-        let layer = Layer { home: from, list: import.overrides.clone() };
+        let layer = Layer { home: from, source: LayerSource::Import(at) };
         let origin = Origin { prefix, parent: Some(from), layers: vec![layer] };
         // The first is in force; the others are for whoever chooses among them.
-        let mut wanted = import.styles.iter().flatten().map(|name| self.wanted_style(opened, name)).collect::<Vec<_>>();
+        let mut wanted =
+            import.styles.iter().flatten().map(|name| self.wanted_style(&opened, name)).collect::<Vec<_>>();
         let style = if wanted.is_empty() { 0 } else { wanted.swap_remove(0) };
-        Some(self.under(opened, style, root_style, origin))
+        Some(self.under(&opened, style, root_style, origin))
     }
 }

@@ -4,7 +4,7 @@ use crate::ast::{Ast, Body, Decl, Name, OpKind, Override};
 use crate::ast_walk;
 
 /// Calls `id( Rule --> … ).Name` in a tree, with the import's name.
-pub(crate) fn dynamic_calls(ast: &Ast) -> Vec<(Name, Vec<Override>)> {
+pub(super) fn dynamic_calls(ast: &Ast) -> Vec<(Name, Vec<Override>)> {
     let mut found = Vec::new();
     ast.decls.iter().for_each(|decl| rule(decl, &mut found));
     ast.imports.iter().flat_map(|import| &import.overrides).for_each(|list| rules(list, &mut found));

@@ -3,9 +3,7 @@
 use crate::ast::Ast;
 use crate::code::Code;
 use crate::diag::Diags;
-use crate::parse::parse_part;
 use crate::suggest::nearest;
-use crate::token::Tokens;
 use std::collections::HashMap;
 
 /// The style that every file has.
@@ -82,12 +80,4 @@ pub(super) fn position(ast: &Ast, name: &str) -> Result<u32, Option<String>> {
         None if name == DEFAULT => Ok(0),
         None => Err(nearest(name, names()).map(str::to_owned)),
     }
-}
-
-/// The same for a file that is not read yet.
-pub(super) fn number(tokens: &Tokens, name: &str) -> Result<u32, Option<String>> {
-    let mut unheard = Diags::new();
-    let ast = parse_part(tokens, 0..tokens.len() as u32, &mut unheard);
-    unheard.finish();
-    position(&ast, name)
 }

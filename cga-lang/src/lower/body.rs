@@ -81,7 +81,7 @@ impl<'c> Lower<'c> {
     }
 
     fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Step> {
-        if self.checked.tables.later.contains(&name.id()) {
+        if self.is_later(name) {
             return Some(Step::Later(name.text.clone(), span));
         }
         Some(match self.used(name)? {

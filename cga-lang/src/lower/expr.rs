@@ -12,7 +12,7 @@ impl Lower<'_> {
             ast::ExprKind::Number(value) => (ExprKind::Value(Value::Float(*value)), Type::Float),
             ast::ExprKind::Bool(value) => (ExprKind::Value(Value::Bool(*value)), Type::Bool),
             ast::ExprKind::Text(text) => (ExprKind::Value(Value::Text(text.clone())), Type::Text),
-            ast::ExprKind::Host(_) => match self.hosts.get(&expr.span.first) {
+            ast::ExprKind::Host(_) => match self.hosts.get(&(self.own, expr.span.first)) {
                 Some(&host) => (ExprKind::Host(host), self.ty(expr.span.first)),
                 None => nothing(),
             },
@@ -23,7 +23,7 @@ impl Lower<'_> {
             ast::ExprKind::Call(name, args) => {
                 let found = self.used(name);
                 let args = match found {
-                    Some(Use::Builtin(row)) if self.checked.tables.later.contains(&name.id()) => {
+                    Some(Use::Builtin(row)) if self.is_later(name) => {
                         let kind = ExprKind::Later(row.name.into());
                         return Expr { kind, ty: row.ty, span: expr.span };
                     }
@@ -136,14 +136,10 @@ impl Lower<'_> {
         let globals = &self.checked.globals;
         match found {
             Some(Use::Param(index)) => (ExprKind::Param(index), self.ty(self.inner[index as usize].id())),
-            Some(Use::Attr(index)) => {
-                (ExprKind::Attr(AttrId(index)), self.ty(globals.attrs[index as usize].decl.name.id()))
-            }
-            Some(Use::Const(index)) => {
-                (ExprKind::Const(ConstId(index)), self.ty(globals.consts[index as usize].decl.name.id()))
-            }
+            Some(Use::Attr(index)) => (ExprKind::Attr(AttrId(index)), self.type_of(&globals.attrs[index as usize])),
+            Some(Use::Const(index)) => (ExprKind::Const(ConstId(index)), self.type_of(&globals.consts[index as usize])),
             Some(Use::Function(index)) => {
-                (ExprKind::Call(FunctionId(index), args), self.ty(globals.functions[index as usize].decl.name.id()))
+                (ExprKind::Call(FunctionId(index), args), self.type_of(&globals.functions[index as usize]))
             }
             Some(Use::Builtin(row)) if row.run == Run::Later => (ExprKind::Later(row.name.into()), row.ty),
             Some(Use::Builtin(row)) => Self::builtin(row, args),

@@ -21,7 +21,7 @@ impl<'c> Lower<'c> {
             let dynamic = 1 < globals.program.instances[item.instance].layers.len();
             self.out.attrs.push(Attr {
                 name: item.name.clone(),
-                ty: self.ty(item.decl.name.id()),
+                ty: self.type_of(item),
                 default,
                 known: None,
                 range: info.range,
@@ -54,7 +54,7 @@ impl<'c> Lower<'c> {
     }
 
     fn function(&mut self, item: &Item<'c>, recursive: bool) -> Function {
-        self.enter(item.decl, item.home);
+        self.enter(item);
         let locals = self.locals(item.decl);
         let body = self.value_itself(item);
         Function {
@@ -71,7 +71,7 @@ impl<'c> Lower<'c> {
     /// The value of an attribute or constant. Locals make a function of it, which is part of the cycle of a lazy one.
     fn value(&mut self, item: &Item<'c>, lazy: bool) -> Expr {
         if let Init::Flows(outer) = item.init {
-            let ty = self.ty(item.decl.name.id());
+            let ty = self.type_of(item);
             return Expr { kind: ExprKind::Attr(AttrId(outer)), ty, span: item.decl.name.span };
         }
         if item.is_own() && !item.decl.locals.is_empty() {
@@ -81,7 +81,7 @@ impl<'c> Lower<'c> {
             return Expr { kind: ExprKind::Call(id, Vec::new()), ty, span: item.decl.name.span };
         }
         self.inner.clear();
-        self.home = item.value().map_or(item.home, |(_, home)| home);
+        self.own = item.value().map_or(item.own, |(_, own)| own);
         self.value_itself(item)
     }
 

@@ -17,12 +17,12 @@ impl<'c> Lower<'c> {
         span: Span,
     ) -> Option<Step> {
         let program = self.checked.globals.program;
-        let own = &program.instances[self.home];
+        let own = &program.instances[program.home(self.own)];
         let target = own.dynamic.get(&import.id()).or(own.imports.get(&import.text)?.as_ref()).copied()?;
         let mut given = Vec::new();
         for own in overrides {
             if let Override::Value(name, value) = own
-                && let Some(&attr) = self.checked.tables.targets.get(&name.id())
+                && let Some(&attr) = self.checked.tables.targets.get(&(self.own, name.id()))
             {
                 given.push((AttrId(attr), self.folded(value)));
                 self.out.attrs[attr as usize].is_set = true;

@@ -6,7 +6,6 @@ mod childless;
 mod expr;
 mod extent;
 mod globals;
-mod hosts;
 mod import;
 mod merge;
 
@@ -16,7 +15,7 @@ use crate::fold::Known;
 use crate::graph::{components, is_cycle};
 use crate::ir::{Childless, Global, Grammar, Host, HostId, Init, Param, RenewalId, Rule, RuleId, Start, Step, Type};
 use crate::ir_walk::called;
-use crate::link::InstanceId;
+use crate::link::{InstanceId, Key};
 use crate::resolve::globals::Item;
 use crate::resolve::info::RuleInfo;
 use crate::resolve::tables::Use;
@@ -34,7 +33,7 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
         checked,
         tokens: &checked.globals.program.tokens,
         inner: Vec::new(),
-        home: 0,
+        own: 0,
         label: String::new(),
         name: String::new(),
         blocks: HashMap::new(),
@@ -49,7 +48,6 @@ pub(crate) fn lower(checked: &Checked) -> Grammar {
     lower.hosts();
     lower.globals();
     lower.rules();
-    hosts::share(&mut lower.out);
     lower.merge();
     extent::solve_known(&mut lower.out);
     lower.cycles();
@@ -61,16 +59,16 @@ struct Lower<'c> {
     tokens: &'c Tokens,
     /// Parameters and locals of the declaration at hand.
     inner: Vec<&'c Name>,
-    /// Where its names are looked up.
-    home: InstanceId,
+    /// The instance whose entries its names have.
+    own: InstanceId,
     /// What the implicit leaves of the rule at hand are called.
     label: String,
     /// Name of the rule at hand, with its style.
     name: String,
     /// Blocks so far, by the name of their rule.
     blocks: HashMap<String, u32>,
-    /// By token.
-    hosts: HashMap<u32, HostId>,
+    /// By instance and token.
+    hosts: HashMap<Key, HostId>,
     /// By instance.
     renewals: HashMap<InstanceId, RenewalId>,
     /// Made when an import starts anew.
@@ -84,12 +82,22 @@ struct Lower<'c> {
 }
 
 impl<'c> Lower<'c> {
+    /// The type of a name or Rust value in the declaration at hand, by its first token.
     fn ty(&self, token: u32) -> Type {
-        self.checked.tables.types.get(&token).copied().unwrap_or(Type::Float)
+        self.checked.tables.types.get(&(self.own, token)).copied().unwrap_or(Type::Float)
+    }
+
+    fn type_of(&self, item: &Item) -> Type {
+        item.ty(&self.checked.tables).unwrap_or(Type::Float)
     }
 
     fn used(&self, name: &Name) -> Option<Use> {
-        self.checked.tables.of(name)
+        self.checked.tables.at(self.own).of(name)
+    }
+
+    /// Returns true if a call cannot run yet though others of its name do.
+    fn is_later(&self, name: &Name) -> bool {
+        self.checked.tables.later.contains(&(self.own, name.id()))
     }
 
     /// The style of the compiled file that a declaration belongs to.
@@ -105,20 +113,28 @@ impl<'c> Lower<'c> {
         }
     }
 
+    /// Rust values. One that is used in several instances is computed once, for each type.
     fn hosts(&mut self) {
-        for (token, tok) in self.tokens.as_slice().iter().enumerate() {
-            let token = token as u32;
-            if let (Tok::Host(handle), Some(&ty)) = (tok, self.checked.tables.types.get(&token)) {
-                self.hosts.insert(token, HostId(self.out.hosts.len() as u32));
+        let tokens = self.tokens.as_slice();
+        let is_host = |(_, token): &&Key| matches!(tokens[*token as usize], Tok::Host(_));
+        let mut keys: Vec<Key> = self.checked.tables.types.keys().filter(is_host).copied().collect();
+        keys.sort_unstable();
+        let mut numbers: HashMap<(u32, Type), HostId> = HashMap::new();
+        for key @ (_, token) in keys {
+            let (Tok::Host(handle), ty) = (&tokens[token as usize], self.checked.tables.types[&key]) else { continue };
+            let next = HostId(self.out.hosts.len() as u32);
+            let id = *numbers.entry((*handle, ty)).or_insert(next);
+            if id == next {
                 self.out.hosts.push(Host { handle: *handle, ty, span: Span::one(token) });
             }
+            self.hosts.insert(key, id);
         }
     }
 
     /// Begins with a declaration.
-    fn enter(&mut self, decl: &'c Decl, home: InstanceId) {
-        self.inner = decl.inner().collect();
-        self.home = home;
+    fn enter(&mut self, item: &Item<'c>) {
+        self.inner = item.decl.inner().collect();
+        self.own = item.own;
     }
 
     /// Parameters and locals of the declaration at hand.
@@ -134,7 +150,7 @@ impl<'c> Lower<'c> {
     fn rules(&mut self) {
         let checked = self.checked;
         for item in &checked.globals.rules {
-            self.enter(item.decl, item.home);
+            self.enter(item);
             let style = self.style(item);
             self.owners.rules.push(style);
             let style = checked.globals.program.roots.get(style as usize);
@@ -154,7 +170,7 @@ impl<'c> Lower<'c> {
         }
         for (index, item) in checked.globals.rules.iter().enumerate() {
             if let Body::Rule(ops) = &item.decl.body {
-                self.enter(item.decl, item.home);
+                self.enter(item);
                 self.label.clone_from(&item.name);
                 self.name.clone_from(&self.out.rules[index].name);
                 self.out.rules[index].locals = self.locals(item.decl);
@@ -181,9 +197,8 @@ impl<'c> Lower<'c> {
             own.sort_by_key(|&index| (Some(index) != default, index));
             for index in own {
                 let name = self.out.rules[index as usize].name.clone();
-                let token = globals.rules[index as usize].decl.name.id();
-                let RuleInfo { doc, marked, hidden } =
-                    self.checked.tables.rules.get(&token).cloned().unwrap_or_default();
+                let info = self.checked.tables.rules.get(&globals.rules[index as usize].key());
+                let RuleInfo { doc, marked, hidden } = info.cloned().unwrap_or_default();
                 self.out.starts.push(Start { name, style: style as u32, rule: RuleId(index), doc, marked, hidden });
             }
         }

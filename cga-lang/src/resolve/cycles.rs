@@ -3,10 +3,11 @@
 
 use super::context::Cx;
 use super::globals::{Init, Item};
-use super::tables::{Tables, Use};
+use super::tables::{Entries, Tables, Use};
 use crate::ast::{Expr, ExprKind};
 use crate::code::Code;
 use crate::graph::{components, is_cycle};
+use crate::link::InstanceId;
 
 /// Of longer cycles not all are named line by line.
 const MOST_TOLD: usize = 4;
@@ -19,8 +20,8 @@ pub(crate) fn find(cx: &mut Cx) {
         .iter()
         .map(|item| {
             let mut list = Vec::new();
-            for value in values(item) {
-                needs(value, &cx.tables, numbering, &mut list);
+            for (value, own) in values(item) {
+                needs(value, cx.tables.at(own), numbering, &mut list);
             }
             if let Init::Flows(outer) = item.init {
                 list.push(outer as usize);
@@ -83,10 +84,11 @@ pub(crate) fn find(cx: &mut Cx) {
     }
 }
 
-/// The expressions an item's value is made of, locals first.
-fn values<'a>(item: &Item<'a>) -> impl Iterator<Item = &'a Expr> {
-    let locals = item.is_own().then(|| item.decl.locals.iter().map(|(_, value)| value));
-    locals.into_iter().flatten().chain(item.value().map(|(value, _)| value))
+/// The expressions an item's value is made of, locals first, and the instance whose entries their names have.
+fn values<'a>(item: &Item<'a>) -> impl Iterator<Item = (&'a Expr, InstanceId)> {
+    let own = item.own;
+    let locals = item.is_own().then(|| item.decl.locals.iter().map(move |(_, value)| (value, own)));
+    locals.into_iter().flatten().chain(item.value())
 }
 
 /// Nodes: attributes, then constants, then functions.
@@ -108,12 +110,12 @@ impl Numbering {
 }
 
 /// Collects what an expression uses.
-fn needs(expr: &Expr, tables: &Tables, numbering: Numbering, list: &mut Vec<usize>) {
+fn needs(expr: &Expr, names: Entries, numbering: Numbering, list: &mut Vec<usize>) {
     for part in expr.parts() {
-        needs(part, tables, numbering, list);
+        needs(part, names, numbering, list);
     }
     if let ExprKind::Name(name) | ExprKind::Call(name, _) = &expr.kind {
-        list.extend(numbering.node(tables.of(name)));
+        list.extend(numbering.node(names.of(name)));
     }
 }
 
@@ -122,7 +124,7 @@ fn settle(component: &[usize], items: &[&Item], tables: &Tables, numbering: Numb
     for _ in component {
         let mut changed = false;
         for &node in component {
-            if !ends[node] && values(items[node]).all(|value| can_end(value, tables, numbering, ends)) {
+            if !ends[node] && values(items[node]).all(|(value, own)| can_end(value, tables.at(own), numbering, ends)) {
                 ends[node] = true;
                 changed = true;
             }
@@ -133,9 +135,9 @@ fn settle(component: &[usize], items: &[&Item], tables: &Tables, numbering: Numb
     }
 }
 
-fn can_end(expr: &Expr, tables: &Tables, numbering: Numbering, ends: &[bool]) -> bool {
-    let can = |part: &Expr| can_end(part, tables, numbering, ends);
-    let used = |name| numbering.node(tables.of(name)).is_none_or(|node| ends[node]);
+fn can_end(expr: &Expr, names: Entries, numbering: Numbering, ends: &[bool]) -> bool {
+    let can = |part: &Expr| can_end(part, names, numbering, ends);
+    let used = |name| numbering.node(names.of(name)).is_none_or(|node| ends[node]);
     match &expr.kind {
         ExprKind::Name(name) => used(name),
         ExprKind::Call(name, args) => used(name) && args.iter().all(can),

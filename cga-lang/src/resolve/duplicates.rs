@@ -56,7 +56,7 @@ pub(crate) fn values(cx: &mut Cx) {
 /// does not run yet is called instead.
 pub(crate) fn operations(cx: &mut Cx) {
     for item in &cx.globals.rules {
-        let types: Vec<_> = item.decl.params.iter().map(|param| cx.tables.types.get(&param.id()).copied()).collect();
+        let types = item.types_of_params(&cx.tables);
         let rows = ops::operations(&item.decl.name.text).filter(|row| row.run != Run::Later);
         if let Some(row) = rows.into_iter().find(|row| hides(row, &types)) {
             let message = format!("`{}` is an operation, so this rule could never be called", arity::usage(row));
@@ -82,7 +82,7 @@ pub(crate) fn overloads(cx: &mut Cx) {
     for (items, what) in [(&cx.globals.rules, "rule"), (&cx.globals.functions, "function")] {
         let mut first: HashMap<Signature<'_>, &Decl> = HashMap::new();
         for item in items.iter().filter(|item| item.home == item.instance) {
-            let types = item.decl.params.iter().map(|param| cx.tables.types.get(&param.id()).copied()).collect();
+            let types = item.types_of_params(&cx.tables);
             match first.entry((item.instance, item.decl.style, &item.decl.name.text, types)) {
                 Entry::Vacant(entry) => _ = entry.insert(item.decl),
                 Entry::Occupied(entry) => duplicate(cx.diags, item.decl, what, entry.get()),
@@ -113,7 +113,7 @@ pub(crate) fn styles(cx: &mut Cx) {
         // Overloads may differ.
         let overloads = group.windows(2).any(|pair| pair[0].0.instance == pair[1].0.instance);
         let Some(((first, kind), others)) = group.split_first().filter(|_| !overloads) else { continue };
-        let ty = |item: &Item| cx.tables.types.get(&item.decl.name.id()).copied();
+        let ty = |item: &Item| item.ty(&cx.tables);
         for (item, what) in others {
             let name = &item.decl.name;
             let message = if kind != what {

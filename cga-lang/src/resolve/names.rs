@@ -19,9 +19,10 @@ use crate::types::Type;
 pub(crate) fn uses(cx: &mut Cx) {
     let values: Vec<_> = cx.globals.values().cloned().collect();
     for (index, item) in values.iter().enumerate() {
-        let Some((value, home)) = item.value() else { continue };
+        let Some((value, own)) = item.value() else { continue };
         let owner = (!item.origin && index < cx.globals.attrs.len()).then_some(index as u32);
-        let mut scope = Scope { cx, at: home, inner: Vec::new(), owner, place: None };
+        let at = cx.globals.program.home(own);
+        let mut scope = Scope { cx, at, own, inner: Vec::new(), owner, place: None };
         if item.is_own() {
             scope.enter(item.decl);
         }
@@ -29,7 +30,7 @@ pub(crate) fn uses(cx: &mut Cx) {
     }
     for item in cx.globals.rules.clone() {
         if let crate::ast::Body::Rule(ops) = &item.decl.body {
-            let mut scope = Scope { cx, at: item.home, inner: Vec::new(), owner: None, place: None };
+            let mut scope = Scope { cx, at: item.home, own: item.own, inner: Vec::new(), owner: None, place: None };
             scope.enter(item.decl);
             scope.ops(ops);
         }
@@ -47,7 +48,17 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     pub(crate) fn note(&mut self, name: &Name, found: Use) {
-        self.cx.tables.uses.insert(name.id(), found);
+        self.cx.tables.uses.insert((self.own, name.id()), found);
+    }
+
+    /// Notes a call that cannot run yet.
+    pub(crate) fn note_later(&mut self, name: &Name) {
+        self.cx.tables.later.insert((self.own, name.id()));
+    }
+
+    /// Notes the attribute of an import that an override gives a value to.
+    pub(crate) fn note_target(&mut self, name: &Name, attr: u32) {
+        self.cx.tables.targets.insert((self.own, name.id()), attr);
     }
 
     /// Notes what a call may stand for; the types decide if there are several.
@@ -65,7 +76,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     pub(crate) fn door(&self) -> Door {
-        self.cx.globals.program.instances[self.at].door
+        self.cx.globals.program.instances[self.at].file.door
     }
 
     pub(crate) fn expr(&mut self, expr: &'a Expr) {
@@ -297,7 +308,7 @@ impl<'a> Scope<'_, 'a, '_> {
             for (param, arg) in row.params.iter().zip(args) {
                 self.computed_word(&param.kind, arg);
             }
-            self.cx.tables.later.insert(name.id());
+            self.note_later(name);
             return self.note(name, Use::Builtin(row));
         }
         let row = rows[0];

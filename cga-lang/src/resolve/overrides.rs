@@ -23,7 +23,7 @@ pub(crate) fn check(cx: &mut Cx) {
 }
 
 fn layer_of(cx: &mut Cx, id: InstanceId, layer: &Layer) {
-    let list = layer.list.as_deref().unwrap_or_default();
+    let list = cx.globals.program.overrides(layer).unwrap_or_default();
     list_of(cx, id, list);
 }
 
@@ -76,7 +76,7 @@ fn attribute(cx: &mut Cx, id: InstanceId, name: &crate::ast::Name) {
 fn extension(cx: &mut Cx, id: InstanceId, own: &Decl) {
     let (name, program) = (&own.name, cx.globals.program);
     // Also where the style in force has one of its own, which stays.
-    let decls = || program.instances[id].ast.decls.iter().filter(|decl| decl.name.text == name.text);
+    let decls = || program.instances[id].file.ast.decls.iter().filter(|decl| decl.name.text == name.text);
     if let Some(extension) = decls().find(|decl| decl.role == Role::Extension) {
         if extension.params.len() != own.params.len() {
             let message = format!(

@@ -9,6 +9,8 @@ use crate::ops::Places;
 pub(crate) struct Scope<'s, 'a, 'd> {
     pub(crate) cx: &'s mut Cx<'a, 'd>,
     pub(crate) at: InstanceId,
+    /// The instance whose entries are written.
+    pub(crate) own: InstanceId,
     pub(crate) inner: Vec<&'a Name>,
     /// The attribute whose value this is.
     pub(crate) owner: Option<u32>,

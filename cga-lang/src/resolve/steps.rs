@@ -190,7 +190,7 @@ impl<'a> Scope<'_, 'a, '_> {
         for (param, value) in row.params.iter().zip(values) {
             self.computed_word(&param.kind, value);
         }
-        self.cx.tables.later.insert(name.id());
+        self.note_later(name);
         self.note(name, Use::Operation(row));
     }
 
@@ -417,7 +417,7 @@ impl<'a> Scope<'_, 'a, '_> {
             if let Override::Value(name, _) = own
                 && let Some(Use::Attr(attr)) = self.cx.globals.value(target, &name.text)
             {
-                self.cx.tables.targets.insert(name.id(), attr);
+                self.note_target(name, attr);
             }
         }
         let here = std::mem::replace(&mut self.at, target);
@@ -445,7 +445,7 @@ impl<'a> Scope<'_, 'a, '_> {
                 _ => {
                     words.iter().for_each(|word| self.expr(word));
                     self.not_implemented(name.span, "`set` of an attribute whose name is computed", None);
-                    self.cx.tables.later.insert(name.id());
+                    self.note_later(name);
                 }
             },
             _ if has_error(args) => {}

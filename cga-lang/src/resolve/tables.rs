@@ -1,7 +1,9 @@
 //! What the passes have found out: side tables by name.
 
 use super::info::{AttrInfo, ImportInfo, RuleInfo};
+use crate::ast::Name;
 use crate::hash::FastMap;
+use crate::link::{InstanceId, Key};
 use crate::ops::{Function, Operation, ShapeAttr};
 use crate::types::Type;
 use std::collections::{HashMap, HashSet};
@@ -29,24 +31,23 @@ pub(crate) enum Use {
     Open(u32),
 }
 
-/// What the passes have found out.
+/// What the passes have found out. Names are keys together with their instance.
 #[derive(Default)]
 pub(crate) struct Tables {
-    /// By [`Name::id`](crate::ast::Name::id).
-    pub(crate) uses: FastMap<u32, Use>,
+    pub(crate) uses: FastMap<Key, Use>,
     /// What calls may stand for until the types are known.
     pub(crate) open: Vec<Vec<Use>>,
-    /// Types of attributes, constants, functions, parameters and locals by [`Name::id`](crate::ast::Name::id) of the
-    /// declaration; of Rust values and Rust calls by their first token. No entry: it could not be told.
-    pub(crate) types: FastMap<u32, Type>,
+    /// Types of attributes, constants, functions, parameters and locals by the name in the declaration; of Rust values and
+    /// Rust calls by their first token. No entry: it could not be told.
+    pub(crate) types: FastMap<Key, Type>,
     /// By index of the attribute.
     pub(crate) attrs: Vec<AttrInfo>,
     /// By style of the root: the index of the rule that a run begins with.
     pub(crate) starts: Vec<Option<u32>>,
-    /// By the token of a rule's name.
-    pub(crate) rules: HashMap<u32, RuleInfo>,
-    /// By the token of an import's name.
-    pub(crate) imports: HashMap<u32, ImportInfo>,
+    /// By the name of a rule.
+    pub(crate) rules: HashMap<Key, RuleInfo>,
+    /// By the name of an import.
+    pub(crate) imports: HashMap<Key, ImportInfo>,
     /// `@RuleFileDescription`.
     pub(crate) about: String,
     /// Attributes, then constants, then functions, as one numbering: each after those it needs, as far as there is such
@@ -56,10 +57,10 @@ pub(crate) struct Tables {
     pub(crate) recursive: HashSet<u32>,
     /// Attributes and constants on a cycle that conditions may keep open, in the numbering of `order`.
     pub(crate) lazy: HashSet<usize>,
-    /// Attributes that a dynamic call gives values to, by the token of the name there.
-    pub(crate) targets: HashMap<u32, u32>,
-    /// Calls that cannot run yet though others of their name do, by the token of their name.
-    pub(crate) later: HashSet<u32>,
+    /// Attributes that a dynamic call gives values to, by the name there.
+    pub(crate) targets: HashMap<Key, u32>,
+    /// Calls that cannot run yet though others of their name do, by their name.
+    pub(crate) later: HashSet<Key>,
     /// Constants that serve as levels, by index: rules only compare them with numbers.
     pub(crate) levels: HashSet<u32>,
     /// Default values of overridden attributes that somebody asks for, by index of the constant.
@@ -67,7 +68,27 @@ pub(crate) struct Tables {
 }
 
 impl Tables {
-    pub(crate) fn of(&self, name: &crate::ast::Name) -> Option<Use> {
-        self.uses.get(&name.id()).copied()
+    /// The entries of an instance.
+    pub(crate) fn at(&self, own: InstanceId) -> Entries<'_> {
+        Entries { tables: self, own }
+    }
+}
+
+/// The entries of the side tables for the names of one instance.
+#[derive(Clone, Copy)]
+pub(crate) struct Entries<'t> {
+    tables: &'t Tables,
+    own: InstanceId,
+}
+
+impl Entries<'_> {
+    /// What a name stands for.
+    pub(crate) fn of(self, name: &Name) -> Option<Use> {
+        self.tables.uses.get(&(self.own, name.id())).copied()
+    }
+
+    /// The type of a name that is declared.
+    pub(crate) fn ty(self, name: &Name) -> Option<Type> {
+        self.tables.types.get(&(self.own, name.id())).copied()
     }
 }

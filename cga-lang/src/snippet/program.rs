@@ -23,7 +23,7 @@ pub struct Quote<'t> {
 pub fn render_in<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<'t>>, diag: &Diag) -> String {
     let (file, first) = compiled.locate(diag.span.first);
     let Some(own) = quote(file) else {
-        let name = compiled.files.get(file).map_or("", String::as_str);
+        let name = compiled.files.get(file).map_or("", |file| &file.name);
         return format!("{}\n --> {name}", headline(diag));
     };
     let span = Span { first, last: compiled.locate(diag.span.last).1.max(first) };

@@ -55,7 +55,7 @@ impl<'t> Parts<'t> {
         let (file, first) = compiled.locate(span.first);
         let (other, last) = compiled.locate(span.last);
         assert_eq!(file, other, "a finding stays inside its file");
-        let name = &compiled.files[file];
+        let name = &compiled.files[file].name;
         let part = self.list.iter().find(|part| part.name == *name).expect("a part of the fixture");
         let own = bytes(&self.text[part.range.clone()], &part.lexed.ranges, Span { first, last });
         own.start + part.range.start..own.end + part.range.start

@@ -1,17 +1,16 @@
 //! `in "rules/tower.cga"`: rules in a file below the package.
 
-use std::fs::File;
-use std::io::{Error, ErrorKind, Read};
+use std::io::ErrorKind;
 use std::path::{Component, Path};
 
-use cga_lang::lex::{decode, lex};
+use cga_lang::lex::lex;
 use cga_lang::link::stray_character;
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::Literal;
 
 use super::content::value;
 use super::literal::source;
-use super::rules::{QuotedText, Source};
+use super::quoted::{QuotedText, text, tracking};
+use super::rules::Source;
 use crate::problem::Problem;
 
 pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
@@ -59,28 +58,4 @@ fn stays_inside(path: &Path) -> bool {
         }
         Component::RootDir | Component::Prefix(_) => false,
     })
-}
-
-/// Most bytes of a rule file. The largest ones people have published have less than a hundredth of it.
-const MOST_BYTES: u64 = 64 << 20;
-
-/// The text of a file, if it is one: a device never ends.
-pub(super) fn text(file: &Path) -> Result<String, Error> {
-    let about = std::fs::metadata(file)?;
-    if !about.is_file() {
-        return Err(Error::other("it is no regular file"));
-    }
-    let mut bytes = Vec::new();
-    File::open(file)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
-    if MOST_BYTES < bytes.len() as u64 {
-        return Err(Error::other("it has more than 64 MB"));
-    }
-    Ok(decode(&bytes).into_owned())
-}
-
-/// Makes the build follow the file, in the error case as well; the user's own literal keeps machine paths out.
-pub(super) fn tracking(literal: &Literal) -> TokenStream {
-    quote! {
-        const _: &[u8] = ::core::include_bytes!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #literal));
-    }
 }

@@ -8,8 +8,7 @@ use cga_lang::lex::lex;
 use cga_lang::link::{Asset, Files, Unit, candidates, folder};
 use proc_macro2::{Literal, TokenStream};
 
-use super::file::{text, tracking};
-use super::rules::QuotedText;
+use super::quoted::{QuotedText, text, tracking};
 
 /// Larger meshes are there, and no more is known of them.
 const LARGEST_MESH: u64 = 1 << 26;

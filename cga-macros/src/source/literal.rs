@@ -8,7 +8,8 @@ use cga_lang::token::Tokens;
 use proc_macro2::{Literal, Span, TokenStream};
 
 use super::content::Content;
-use super::rules::{Places, QuotedText, Source};
+use super::quoted::QuotedText;
+use super::rules::{Places, Source};
 use crate::problem::Problem;
 
 pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
@@ -40,7 +41,7 @@ pub(super) fn source(
     tracking: TokenStream,
 ) -> Source {
     let places = Places::Text { span, text, tracking };
-    Source { tokens, findings, hosts: Vec::new(), places, imported: Vec::new(), pieces: Vec::new() }
+    Source { tokens, findings, hosts: Vec::new(), places, imported: Vec::new(), files: Vec::new() }
 }
 
 /// Literals one after the other.

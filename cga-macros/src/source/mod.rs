@@ -4,6 +4,7 @@ mod content;
 mod file;
 mod import;
 mod literal;
+mod quoted;
 mod rules;
 pub(crate) mod tokens;
 

@@ -1,9 +1,10 @@
 //! The rules of one macro call as tokens, and where each token is.
 
 use super::import::{self, Imported};
+use super::quoted::QuotedText;
 use cga_lang::compile::{Compiled, Door};
 use cga_lang::diag::Diag;
-use cga_lang::link::{Piece, Unit};
+use cga_lang::link::Unit;
 use cga_lang::span;
 use cga_lang::token::{Sym, Tok, Tokens};
 use proc_macro2::{Span, TokenStream};
@@ -16,8 +17,9 @@ pub(crate) struct Source {
     pub(super) places: Places,
     /// Imported files.
     pub(super) imported: Vec<Imported>,
-    /// Where each file is among the tokens that spans count, with its number in `imported`; `None` for the rules themselves.
-    pub(super) pieces: Vec<(Piece, Option<usize>)>,
+    /// The files of the program: the first of the tokens that spans count, and the number in `imported`; `None` for the
+    /// rules themselves.
+    pub(super) files: Vec<(u32, Option<usize>)>,
 }
 
 /// A Rust value in the rules: `#name` or `#(…)`.
@@ -34,16 +36,6 @@ pub(super) enum Places {
     Inline { spans: Vec<(Span, Span)>, paths: Vec<(u32, TokenStream)>, end: Span },
     /// In a string or a file: the literal stands for all that is in it, and there is a text to quote from.
     Text { span: Span, text: QuotedText, tracking: TokenStream },
-}
-
-/// A text that findings quote from.
-pub(crate) struct QuotedText {
-    /// What the user calls it: a path.
-    pub(crate) name: String,
-    /// The text as it is written, escapes and all, in the place where it stands in its file.
-    pub(crate) written: String,
-    /// For each token, its bytes in `written`.
-    pub(crate) ranges: Vec<std::ops::Range<usize>>,
 }
 
 impl Source {
@@ -74,19 +66,18 @@ impl Source {
 
     /// Takes over what was imported.
     pub(crate) fn import(&mut self, compiled: &Compiled, imported: Vec<Imported>) {
-        let number = |piece: &Piece| {
-            let name = compiled.files.get(piece.file)?;
-            if piece.file == 0 { None } else { imported.iter().position(|file| file.text.name == *name) }
-        };
-        self.pieces = compiled.pieces.iter().map(|piece| (piece.clone(), number(piece))).collect();
+        let number = |name: &str| imported.iter().position(|file| file.text.name == name);
+        let files = compiled.files.iter().enumerate();
+        let files = files.map(|(at, file)| (file.tokens.start, number(&file.name).filter(|_| at != 0)));
+        self.files = files.collect();
         self.imported = imported;
     }
 
     /// The imported file a token belongs to, if any, and the token's number there.
     fn locate(&self, token: u32) -> (Option<&Imported>, u32) {
-        let at = self.pieces.partition_point(|(piece, _)| piece.tokens.start <= token);
-        match at.checked_sub(1).map(|at| &self.pieces[at]) {
-            Some((piece, file)) => (file.map(|file| &self.imported[file]), token - piece.tokens.start),
+        let after = self.files.partition_point(|(start, _)| *start <= token);
+        match after.checked_sub(1).map(|at| self.files[at]) {
+            Some((start, file)) => (file.map(|file| &self.imported[file]), token - start),
             None => (None, token),
         }
     }

@@ -22,7 +22,7 @@ pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
     });
     let findings: Vec<Diag> = reader.diags.finish();
     let places = Places::Inline { spans: reader.spans, paths: reader.paths, end };
-    Source { tokens: reader.tokens, findings, hosts: reader.hosts, places, imported: Vec::new(), pieces: Vec::new() }
+    Source { tokens: reader.tokens, findings, hosts: reader.hosts, places, imported: Vec::new(), files: Vec::new() }
 }
 
 #[derive(Default)]

@@ -3,6 +3,8 @@
 mod errors;
 mod expand;
 mod mistakes;
+#[path = "../../../cga-lang/tests/print/mod.rs"]
+mod print;
 mod rows;
 mod sources;
 mod ui;

@@ -3,13 +3,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::print::{Spelling, print};
 use cga_lang::compile::{Door, compile_files};
 use cga_lang::diag::Diags;
 use cga_lang::ir_print;
 use cga_lang::lex::lex;
 use cga_lang::link::{Files, Unit, candidates};
 use cga_lang::parse::parse;
-use cga_lang::print::{Spelling, print};
 use cga_lang::token::Tokens;
 use proc_macro2::{Span, TokenStream};
 

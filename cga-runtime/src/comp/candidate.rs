@@ -1,20 +1,11 @@
 //! What conditions are asked about.
 
-use super::looks::Looks;
-use super::select::{Sense, Word};
+use super::select::{Sense, Subcomponent, Word};
 use super::source::Source;
+use crate::comp::orientation::Looks;
 use crate::shape::seed::Tag;
 use crate::shape::{Counter, Shape};
 use crate::value::text::Text;
-
-/// What `isTagged` looks at instead of the component itself.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Subcomponent {
-    /// Its edges.
-    Edges,
-    /// Its vertices.
-    Vertices,
-}
 
 /// `isTagged(query)` (*comp operation*).
 pub fn is_tagged(candidate: &mut Candidate<'_>, query: Text) -> bool {

@@ -7,11 +7,10 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::Components;
-use super::candidate::Subcomponent;
 use super::faces::extract;
-use super::looks::Looks;
 use super::roof::Roof;
-use super::select::{RoofEdge, Sense, Word};
+use super::select::{RoofEdge, Sense, Subcomponent, Word};
+use crate::comp::orientation::Looks;
 use crate::geometry::Frame;
 use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
 use crate::geometry::mesh::{Adjacency, FaceTag, Mesh, MeshBuilder, flip, unit};

@@ -2,8 +2,8 @@
 
 mod candidate;
 pub mod faces;
-pub(crate) mod looks;
 mod mesh_parts;
+pub(crate) mod orientation;
 mod owners;
 mod part;
 mod roof;
@@ -27,10 +27,11 @@ use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::trim::{Surface, Trims};
 use crate::shape::{Counter, Geometry, Shape, ShapeRef};
 
-pub use candidate::{Candidate, Subcomponent, is_tagged, is_tagged_at};
+pub use candidate::{Candidate, is_tagged, is_tagged_at};
+pub use select::Subcomponent;
 pub use value::comp_values;
 
-use looks::Looks;
+use orientation::Looks;
 use owners::Owners;
 use part::Part;
 use select::Word;

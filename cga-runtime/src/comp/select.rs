@@ -47,6 +47,15 @@ pub enum Word {
     NotStreetFront,
 }
 
+/// The subcomponents that `isTagged` looks at instead of the component itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subcomponent {
+    /// Its edges.
+    Edges,
+    /// Its vertices.
+    Vertices,
+}
+
 /// What a word looks at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sense {

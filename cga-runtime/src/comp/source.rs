@@ -4,12 +4,11 @@ use std::ops::ControlFlow;
 
 use glam::DVec3;
 
-use super::candidate::Subcomponent;
-use super::looks::Looks;
 use super::mesh_parts::MeshParts;
-use super::select::{Axes, Sense, Word};
+use super::select::{Axes, Sense, Subcomponent, Word};
 use super::wire_parts::WireParts;
 use super::{Align, Arm, Components, Mode};
+use crate::comp::orientation::Looks;
 use crate::geometry::Axis;
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;

@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::Components;
-use super::looks::Looks;
 use super::select::{Sense, Word};
+use crate::comp::orientation::Looks;
 use crate::geometry::Frame;
 use crate::geometry::face_frame::{along, beside, upright};
 use crate::geometry::mesh::{point_normals, unit};

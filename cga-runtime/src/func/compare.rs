@@ -1,7 +1,5 @@
 //! The relational operators.
 
-use std::cmp::Ordering;
-
 use crate::value::compare::Compare;
 
 /// `a == b`. Arrays are equal if they have the same form and equal elements.

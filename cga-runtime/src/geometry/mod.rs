@@ -6,6 +6,7 @@ pub(crate) mod face_frame;
 pub(crate) mod frame;
 pub(crate) mod hull;
 pub mod mesh;
+mod nesting;
 pub(crate) mod provenance;
 pub(crate) mod rotation;
 mod skeleton;

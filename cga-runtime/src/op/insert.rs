@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
+use super::fit::fit;
 use super::primitive::fill_with_cube;
 use super::settle;
 use crate::asset::{AssetError, CUBES, File};
@@ -149,36 +150,6 @@ fn arrange(env: &mut Env, shape: &mut Shape, low: DVec3, size: DVec3, mode: Inse
     }
     settle(env, shape, &before, "`i`");
 }
-
-/// Sets the scope for geometry with that low corner and size (*i operation*, zero sizes):
-/// with three sizes the geometry is fitted; the sizes that are zero follow from the others.
-pub(crate) fn fit(shape: &mut Shape, low: DVec3, size: DVec3) {
-    let scope = &mut shape.scope;
-    let zero: Vec3Mask = scope.size.cmpeq(DVec3::ZERO).into();
-    // A flat asset has no scale along its flat axis.
-    let scale = |axis: usize| if size[axis] == 0.0 { 0.0 } else { scope.size[axis] / size[axis] };
-    match zero.iter().filter(|zero| **zero).count() {
-        3 => {
-            scope.size = size;
-            scope.origin += scope.axes * low;
-        }
-        2 => {
-            let kept = zero.iter().position(|zero| !zero).unwrap_or(0);
-            let scale = scale(kept);
-            let open = DVec3::from_array(zero.map(|zero| if zero { 1.0 } else { 0.0 }));
-            scope.size += open * size * scale;
-            scope.origin += scope.axes * (open * low * scale);
-        }
-        1 => {
-            let flat = zero.iter().position(|zero| *zero).unwrap_or(0);
-            let mean = (scale((flat + 1) % 3) + scale((flat + 2) % 3)) * 0.5;
-            scope.size[flat] = mean * size[flat];
-        }
-        _ => {}
-    }
-}
-
-type Vec3Mask = [bool; 3];
 
 #[cfg(test)]
 mod tests {

@@ -9,6 +9,7 @@ mod align_geometry;
 mod along_uv;
 mod coordinates;
 mod extrude;
+mod fit;
 mod insert;
 mod material;
 mod mirror;

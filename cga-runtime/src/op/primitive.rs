@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::insert::fit;
+use super::fit::fit;
 use super::settle;
 use crate::fault::FaultKind;
 use crate::geometry::Axis;

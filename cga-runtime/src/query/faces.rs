@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::comp::looks::Looks;
+use crate::comp::orientation::Looks;
 use crate::comp::select::{Sense, Word};
 use crate::run::env::Env;
 use crate::shape::place;

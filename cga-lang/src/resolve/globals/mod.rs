@@ -3,9 +3,10 @@
 mod overrides;
 
 use crate::ast::{Body, Decl, Expr, Name, OpKind, Role};
-use crate::link::{InstanceId, Program};
-use crate::resolve::tables::Use;
+use crate::link::{InstanceId, Key, Program};
+use crate::resolve::tables::{Tables, Use};
 use crate::suggest::nearest;
+use crate::types::Type;
 use crate::{ast_walk, ops};
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
@@ -35,8 +36,10 @@ pub(crate) struct Item<'a> {
     pub(crate) decl: &'a Decl,
     /// The instance it belongs to.
     pub(crate) instance: InstanceId,
-    /// Where the names in it are looked up: another instance for a rule that an import overrides.
+    /// The instance in which its names are looked up: another one for a rule that an import overrides.
     pub(crate) home: InstanceId,
+    /// The instance whose entries in the side tables are its own: `home`, or the number of its types.
+    pub(crate) own: InstanceId,
     /// With the names of imports before it: `imp.height`.
     pub(crate) name: String,
     /// Where its value comes from.
@@ -84,13 +87,28 @@ pub(crate) enum Way<'n> {
 }
 
 impl<'a> Item<'a> {
-    /// The expressions that make its value, and where their names are looked up; none for a rule.
+    /// The expression that makes its value, and the instance whose entries its names have; none for a rule.
     pub(crate) fn value(&self) -> Option<(&'a Expr, InstanceId)> {
         match self.init {
-            Init::Own => self.decl.value().map(|value| (value, self.home)),
+            Init::Own => self.decl.value().map(|value| (value, self.own)),
             Init::Override(value, home) => Some((value, home)),
             Init::Flows(_) => None,
         }
+    }
+
+    /// What side tables know it by.
+    pub(crate) fn key(&self) -> Key {
+        (self.own, self.decl.name.id())
+    }
+
+    /// The type of its value, as far as it could be told.
+    pub(crate) fn ty(&self, tables: &Tables) -> Option<Type> {
+        tables.at(self.own).ty(&self.decl.name)
+    }
+
+    /// The types of its parameters.
+    pub(crate) fn types_of_params(&self, tables: &Tables) -> Vec<Option<Type>> {
+        self.decl.params.iter().map(|param| tables.at(self.own).ty(param)).collect()
     }
 
     /// Whether its own parameters and locals count in its value.
@@ -112,28 +130,31 @@ impl<'a> Globals<'a> {
             names,
             hints,
         };
+        let mut typed = program.typed_declarations();
         for instance in 0..program.instances.len() {
-            globals.collect(instance);
+            globals.collect(instance, typed.remove(&instance).unwrap_or_default());
         }
         globals.take_overrides();
         globals
     }
 
-    /// The declarations of an instance that count with its style in force.
-    fn collect(&mut self, id: InstanceId) {
+    /// The declarations of an instance that count with its style in force. `typed` are those with types of their own.
+    fn collect(&mut self, id: InstanceId, typed: Vec<(InstanceId, &'a Decl)>) {
         let instance = &self.program.instances[id];
-        self.names[id].lost = instance.ast.lost.iter().map(String::as_str).collect();
+        let ast = &instance.file.ast;
+        self.names[id].lost = ast.lost.iter().map(String::as_str).collect();
+        let decls = || ast.decls.iter().map(|decl| (id, decl)).chain(typed.iter().copied());
         // A declaration takes the place of another that belongs to a style further down.
         let key = |decl: &'a Decl| (decl.name.text.as_str(), decl.params.len());
         let mut nearest: HashMap<(&str, usize), usize> = HashMap::new();
         let mut counts: HashMap<(&str, usize, usize), usize> = HashMap::new();
-        for decl in instance.ast.decls.iter().filter(|_| !instance.ast.styles.is_empty()) {
+        for (_, decl) in decls().filter(|_| !ast.styles.is_empty()) {
             if let Some(rank) = instance.styles.rank(decl.style) {
                 nearest.entry(key(decl)).and_modify(|least| *least = rank.min(*least)).or_insert(rank);
                 *counts.entry((&decl.name.text, decl.params.len(), rank)).or_default() += 1;
             }
         }
-        for decl in &instance.ast.decls {
+        for (own, decl) in decls() {
             let Some(rank) = instance.styles.rank(decl.style) else { continue };
             // Which of several overloads is meant only the types can tell: then all stay, and the nearest is tried first.
             let overloads =
@@ -141,12 +162,12 @@ impl<'a> Globals<'a> {
             if !overloads && nearest.get(&key(decl)).is_some_and(|least| *least < rank) {
                 continue;
             }
-            let own = instance.prefix.as_str();
             let item = Item {
                 decl,
                 instance: id,
                 home: id,
-                name: format!("{own}{}", decl.name.text),
+                own,
+                name: format!("{}{}", instance.prefix, decl.name.text),
                 init: Init::Own,
                 rank,
                 origin: false,
@@ -170,7 +191,7 @@ impl<'a> Globals<'a> {
         enter(&self.attrs, "attribute", Use::Attr);
         enter(&self.consts, "constant", Use::Const);
         enter(&self.functions, "function", Use::Function);
-        found.sort_by_key(|(item, ..)| item.decl.name.span);
+        found.sort_by_key(|(item, ..)| (item.own, item.decl.name.id()));
         for (item, what, own) in found {
             let (name, names) = (item.decl.name.text.as_str(), &mut self.names[item.instance]);
             if let Use::Function(index) = own {
@@ -238,7 +259,7 @@ impl<'a> Globals<'a> {
     pub(crate) fn is_lost(&self, from: InstanceId, name: &str) -> bool {
         match self.way(from, name) {
             Way::Missing => true,
-            Way::To(at, rest) => self.program.instances[at].is_torn || self.names[at].lost.contains(rest),
+            Way::To(at, rest) => self.program.instances[at].file.is_torn || self.names[at].lost.contains(rest),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Globals, Init, Item};
 use crate::ast::{Expr, Override, Role};
-use crate::link::{InstanceId, Layer, Program};
+use crate::link::{InstanceId, Key, Program};
 use std::collections::{HashMap, HashSet};
 
 /// Values of attributes further down than the file that an import names: by instance and name, with where they stand.
@@ -28,7 +28,8 @@ impl<'a> Globals<'a> {
     fn override_attrs(&mut self, id: InstanceId, by_name: &HashMap<(InstanceId, &str), u32>, deep: &Deep<'a>) {
         let instance = &self.program.instances[id];
         let Some(layer) = instance.layers.first() else { return };
-        let written = written(layer);
+        let list = self.program.overrides(layer);
+        let written = written(list);
         // They stand in the order of their instances.
         let first = self.attrs.partition_point(|item| item.instance < id);
         for index in first..self.attrs.partition_point(|item| item.instance <= id) {
@@ -45,7 +46,7 @@ impl<'a> Globals<'a> {
                 }
                 Some(Override::Value(_, value)) => Init::Override(value, layer.home),
                 Some(_) => continue,
-                None if layer.list.as_ref().is_some_and(Vec::is_empty) => continue,
+                None if list.is_some_and(<[_]>::is_empty) => continue,
                 None => match by_name.get(&(layer.home, name)) {
                     Some(outer) => Init::Flows(*outer),
                     None => continue,
@@ -60,14 +61,14 @@ impl<'a> Globals<'a> {
     }
 
     /// Rules that an importing file puts in the place of extensions.
-    fn override_rules(&mut self, id: InstanceId, replacing: &mut HashMap<u32, u32>) {
+    fn override_rules(&mut self, id: InstanceId, replacing: &mut HashMap<Key, u32>) {
         let instance = &self.program.instances[id];
         if instance.layers.is_empty() {
             return;
         }
         // Only what belongs to the style `Default` is overridden (*import*): what the style in force has of its own stays.
         let (mut extensions, mut in_style) = (HashSet::new(), HashSet::new());
-        for decl in &instance.ast.decls {
+        for decl in &instance.file.ast.decls {
             if decl.role == Role::Extension {
                 extensions.insert((decl.name.text.as_str(), decl.params.len()));
             }
@@ -76,16 +77,17 @@ impl<'a> Globals<'a> {
             }
         }
         for layer in &instance.layers {
-            for decl in layer.list.iter().flatten().filter_map(|own| match own {
+            for decl in self.program.overrides(layer).into_iter().flatten().filter_map(|own| match own {
                 Override::Rule(decl) => Some(decl),
                 _ => None,
             }) {
                 let name = decl.name.text.as_str();
-                let index = *replacing.entry(decl.name.id()).or_insert_with(|| {
+                let index = *replacing.entry((layer.home, decl.name.id())).or_insert_with(|| {
                     self.rules.push(Item {
                         decl,
                         instance: id,
                         home: layer.home,
+                        own: layer.home,
                         name: format!("{}{name}", instance.prefix),
                         init: Init::Own,
                         rank: 0,
@@ -102,10 +104,10 @@ impl<'a> Globals<'a> {
     }
 }
 
-/// What a layer says about attributes; of several the first.
-fn written(layer: &Layer) -> HashMap<&str, &Override> {
+/// Overrides of attributes; of several the first.
+fn written(list: Option<&[Override]>) -> HashMap<&str, &Override> {
     let mut found = HashMap::new();
-    for own in layer.list.iter().flatten() {
+    for own in list.into_iter().flatten() {
         if let Override::Keep(name) | Override::Value(name, _) = own {
             found.entry(name.text.as_str()).or_insert(own);
         }
@@ -117,12 +119,13 @@ fn written(layer: &Layer) -> HashMap<&str, &Override> {
 fn deep(program: &Program) -> Deep<'_> {
     let mut found = HashMap::new();
     for (id, instance) in program.instances.iter().enumerate() {
-        for own in instance.layers.first().iter().flat_map(|layer| layer.list.iter().flatten()) {
+        let Some(layer) = instance.layers.first() else { continue };
+        for own in program.overrides(layer).into_iter().flatten() {
             let Override::Value(path, value) = own else { continue };
             let Some((imports, name)) = path.text.rsplit_once('.') else { continue };
             let target = imports.split('.').try_fold(id, |at, import| *program.instances[at].imports.get(import)?);
             if let Some(target) = target {
-                found.entry((target, name)).or_insert((value, instance.layers[0].home));
+                found.entry((target, name)).or_insert((value, layer.home));
             }
         }
     }

@@ -6,37 +6,21 @@
 //! decided by index: which pieces meet, which edges a side lacks a partner for, which loops those make.
 //!
 //! A face in a plane goes to the side its normal points away from, which it closes (of a mesh that is inside out, to the
-//! other). A closed piece without thickness in a plane, a sheet, goes to the side below as a whole (`sheets.rs`). Caps
+//! other). A closed piece without thickness in a plane, a sheet, goes to the side below as a whole (`caps/sheet_search.rs`). Caps
 //! are what is still missing then: polygons with holes whose rim is made of the edges left without a partner in the plane, the same points on both
 //! sides. Where the mesh was open before, it stays open.
 
-mod around;
-mod box_tree;
 mod caps;
-mod chain;
 mod class;
-mod contour;
+mod crossings;
 mod edges;
-mod extent;
-mod first;
-mod general;
+mod faces;
 mod iso;
-mod lead;
-mod nest;
-mod part;
-mod pieces;
 mod plane;
 mod points;
-mod probe;
-mod rim;
-mod rough;
-mod row;
-mod runs;
-mod sheets;
-mod simple;
+mod segment;
+mod slab;
 mod state;
-mod triangle;
-mod twins;
 
 use std::cell::RefCell;
 use std::ops::Range;
@@ -47,19 +31,17 @@ use glam::DVec3;
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 
-pub(crate) use contour::Section;
 pub use iso::iso_bands;
-pub(crate) use nest::Nest;
 pub(crate) use plane::above;
 pub use plane::{Plane, halves};
 
-use caps::Caps;
+use caps::{Caps, sheet_search};
 use class::Span;
-use general::General;
+use faces::general::General;
+use faces::near_coplanar::Rough;
+use faces::simple::Simple;
+use faces::triangle;
 use points::Place;
-use rough::Rough;
-use sheets::Sheets;
-use simple::Simple;
 use state::State;
 
 /// What a cut makes of a mesh.
@@ -205,7 +187,7 @@ impl Cutter {
         self.state.inverted = None;
         self.state.sheets.clear();
         self.cut_faces_once(mesh);
-        if Sheets::find(&mut self.state, mesh) {
+        if sheet_search::find(&mut self.state, mesh) {
             self.cut_faces_once(mesh);
         }
     }

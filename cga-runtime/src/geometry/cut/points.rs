@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 use super::class::{Class, Span};
 use super::edges::Edges;
-use super::part::Part;
+use super::segment::Segment;
 use crate::geometry::mesh::Mesh;
 
 /// Not numbered yet.
@@ -98,9 +98,9 @@ pub(super) struct Points {
     /// Whether corners carry something that is mixed at crossings.
     pub(super) mixes: bool,
     /// Edge to its one crossing's number on the plane, or to where its crossings begin in the list.
-    edges: Edges,
+    pub(super) edges: Edges,
     /// Numbers on their planes of the crossings of edges with several, from low to high.
-    crossings: Vec<u32>,
+    pub(super) crossings: Vec<u32>,
     ahead: Vec<Ahead>,
 }
 
@@ -232,115 +232,4 @@ impl Points {
     pub(super) fn share(&self, place: Place) -> f64 {
         self.levels[place.class.plane() as usize].shares[place.number as usize]
     }
-
-    /// The crossing of the edge from one corner to another with the one plane that is between them.
-    #[inline]
-    pub(super) fn crossing(&mut self, parts: &mut [Part], mesh: &Mesh, plane: u32, from: usize, to: usize) -> Node {
-        let (a, b) = (mesh.corners[from], mesh.corners[to]);
-        let (number, new) = self.edges.entry(a, b, self.levels[plane as usize].flat.len() as u32);
-        if new {
-            self.make(parts, mesh, a, b, plane..plane + 1);
-        }
-        self.node(mesh, Place::on(plane, number), from, to)
-    }
-
-    /// Appends the crossings of the edge from one corner to another, in the order they are met.
-    #[inline]
-    pub(super) fn cross(
-        &mut self,
-        parts: &mut [Part],
-        mesh: &Mesh,
-        from: (usize, Place),
-        to: (usize, Place),
-        nodes: &mut Vec<Node>,
-    ) {
-        let rises = from.1.class < to.1.class;
-        let [low, high] = if rises { [from.1.class, to.1.class] } else { [to.1.class, from.1.class] };
-        let planes = Span { low, high }.planes();
-        if planes.is_empty() {
-            return;
-        }
-        if planes.len() == 1 {
-            nodes.push(self.crossing(parts, mesh, planes.start, from.0, to.0));
-            return;
-        }
-        let (a, b) = (mesh.corners[from.0], mesh.corners[to.0]);
-        let (first, new) = self.edges.entry(a, b, self.crossings.len() as u32);
-        if new {
-            self.make(parts, mesh, a, b, planes.clone());
-        }
-        let node = |plane: u32, number: u32| self.node(mesh, Place::on(plane, number), from.0, to.0);
-        let crossings = planes.clone().zip(&self.crossings[first as usize..first as usize + planes.len()]);
-        if rises {
-            nodes.extend(crossings.map(|(plane, &number)| node(plane, number)));
-        } else {
-            nodes.extend(crossings.rev().map(|(plane, &number)| node(plane, number)));
-        }
-    }
-
-    /// A crossing of the edge from one corner to another.
-    #[inline]
-    fn node(&self, mesh: &Mesh, place: Place, from: usize, to: usize) -> Node {
-        // The values of corners are mixed from the same end as the position.
-        let point = |corner: usize| mesh.points[mesh.corners[corner] as usize];
-        let ordered = !self.mixes || comes_first(point(from), point(to));
-        let (from, to) = if ordered { (from, to) } else { (to, from) };
-        Node { place, from: from as u32, to: to as u32 }
-    }
-
-    /// Makes the crossings of an edge. The face that asks has pieces on both sides, so they are numbered there.
-    fn make(&mut self, parts: &mut [Part], mesh: &Mesh, a: u32, b: u32, planes: Range<u32>) {
-        let single = planes.len() == 1;
-        let axis = self.axis;
-        let (p, q) = (mesh.points[a as usize], mesh.points[b as usize]);
-        let segment = Segment::between((p, p[axis]), (q, q[axis]));
-        for plane in planes {
-            let at = self.planes[plane as usize];
-            let (mut x, share) = segment.meet(at);
-            x[axis] = at;
-            let [below, above] = &mut parts[plane as usize..plane as usize + 2] else { return };
-            let numbers = [below.add_point(x), above.add_point(x)];
-            let number = self.add(plane, x, share, numbers);
-            if !single {
-                self.crossings.push(number);
-            }
-        }
-    }
-}
-
-/// An edge from the end that comes first; ends have heights.
-pub(super) struct Segment {
-    from: (DVec3, f64),
-    to: (DVec3, f64),
-    along: DVec3,
-    low: DVec3,
-    high: DVec3,
-}
-
-impl Segment {
-    #[inline(always)]
-    pub(super) fn between(a: (DVec3, f64), b: (DVec3, f64)) -> Self {
-        let (from, to) = if comes_first(a.0, b.0) { (a, b) } else { (b, a) };
-        Segment { from, to, along: to.0 - from.0, low: from.0.min(to.0), high: from.0.max(to.0) }
-    }
-
-    /// Where it is as high as a plane, and how far along it that is.
-    #[inline(always)]
-    pub(super) fn meet(&self, at: f64) -> (DVec3, f64) {
-        let ((p, from), (q, to)) = (self.from, self.to);
-        let mut share = (at - from) / (to - from);
-        let mut x = p + self.along * share;
-        if !x.is_finite() {
-            // The ends are so far apart that their difference overflows.
-            share = (at * 0.5 - from * 0.5) / (to * 0.5 - from * 0.5);
-            x = p * (1.0 - share) + q * share;
-        }
-        // Rounding does not lead out of the box of the edge.
-        (x.max(self.low).min(self.high), share)
-    }
-}
-
-/// Lexicographic order of coordinates: it survives every renumbering.
-pub(super) fn comes_first(a: DVec3, b: DVec3) -> bool {
-    a.x < b.x || (a.x == b.x && (a.y < b.y || (a.y == b.y && a.z < b.z)))
 }

@@ -1,10 +1,10 @@
 //! What all steps of a cut share, and the faces that stay whole.
 
 use super::class::Span;
-use super::part::Part;
 use super::points::{NONE, Place, Points};
-use super::rim::{Rim, Side};
-use super::sheets::Sheets;
+use crate::geometry::cut::caps::rim::{Rim, Side};
+use crate::geometry::cut::caps::sheets::Sheets;
+use crate::geometry::cut::slab::Part;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::{FaceTag, Mesh};
 

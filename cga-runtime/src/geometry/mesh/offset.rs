@@ -18,7 +18,8 @@ use super::face::unit;
 use super::map::flip;
 use super::spread::Spread;
 use super::{FaceRef, Mesh};
-use crate::geometry::cut::{Nest, Section};
+use crate::geometry::nesting::Nest;
+use crate::geometry::nesting::contour::Section;
 use crate::geometry::skeleton::{self, Failure, Left, Strip, Swept};
 use crate::geometry::tol::PLANAR_EPSILON;
 

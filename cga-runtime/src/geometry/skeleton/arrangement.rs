@@ -1,8 +1,9 @@
 //! The arrangement of a wavefront at the time of an event: clusters of vertices, and the segments into which they divide
 //! edges.
 
+use std::collections::BTreeMap;
+
 use super::contact::Contacts;
-use super::overlap::cancel;
 use super::wavefront::Wavefront;
 
 /// An end of a segment: a vertex that goes on, or a cluster where the wavefront changes, by the first vertex in it.
@@ -125,4 +126,33 @@ fn incidences(clusters: impl Iterator<Item = u32>, segments: &[Segment]) -> Vec<
         }
     }
     incidences
+}
+
+/// Takes out segments between the same clusters that run against each other.
+fn cancel(segments: &mut Vec<Segment>) -> Vec<[Segment; 2]> {
+    // For each pair of clusters the segments from one to the other that have not been cancelled, the last first.
+    let mut between: BTreeMap<[End; 2], Vec<usize>> = BTreeMap::new();
+    for (number, segment) in segments.iter().enumerate().rev() {
+        if let (End::Cluster(_), End::Cluster(_)) = (segment.from, segment.to) {
+            between.entry([segment.from, segment.to]).or_default().push(number);
+        }
+    }
+    let mut gone = vec![false; segments.len()];
+    let mut cancelled = Vec::new();
+    for number in 0..segments.len() {
+        let segment = segments[number];
+        if gone[number] {
+            continue;
+        }
+        if let Some(against) = between.get_mut(&[segment.to, segment.from]).and_then(Vec::pop) {
+            if let Some(own) = between.get_mut(&[segment.from, segment.to]) {
+                own.pop();
+            }
+            (gone[number], gone[against]) = (true, true);
+            cancelled.push([segment, segments[against]]);
+        }
+    }
+    let mut gone = gone.into_iter();
+    segments.retain(|_| gone.next() == Some(false));
+    cancelled
 }

@@ -12,11 +12,8 @@ use std::collections::BTreeSet;
 
 use glam::DVec2;
 
-use super::arrangement::Arrangement;
 use super::disjoint::DisjointSets;
-use super::event::Event;
 use super::wavefront::Wavefront;
-use super::{Failure, rejoin};
 
 /// What is in contact at one time.
 #[derive(Debug)]
@@ -33,7 +30,7 @@ pub(super) struct Contacts {
 }
 
 impl Contacts {
-    fn new(vertices: usize) -> Self {
+    pub(super) fn new(vertices: usize) -> Self {
         Contacts {
             clusters: DisjointSets::new(vertices),
             reached: Vec::new(),
@@ -44,13 +41,13 @@ impl Contacts {
         }
     }
 
-    fn reach(&mut self, vertex: u32) {
+    pub(super) fn reach(&mut self, vertex: u32) {
         if !std::mem::replace(&mut self.is_reached[vertex as usize], true) {
             self.reached.push(vertex);
         }
     }
 
-    fn coincide(&mut self, a: u32, b: u32) {
+    pub(super) fn coincide(&mut self, a: u32, b: u32) {
         self.reach(a);
         self.reach(b);
         self.clusters.unite(a, b);
@@ -86,6 +83,11 @@ impl Contacts {
         self.on_edges.iter().copied()
     }
 
+    /// The number of edges that are touched.
+    pub(super) fn touched(&self) -> usize {
+        self.on_edges.len()
+    }
+
     /// Vertices that are far ends of overlaps.
     pub(super) fn tips(&self) -> impl Iterator<Item = u32> {
         self.tips.iter().copied()
@@ -93,37 +95,8 @@ impl Contacts {
 }
 
 impl Wavefront {
-    /// Lets events happen, at once, with all that is in contact with what takes part in them or with some vertices. Gives the
-    /// vertices that are new.
-    pub(super) fn handle(&mut self, events: &[Event], around: &[u32]) -> Result<Vec<u32>, Failure> {
-        for &vertex in &self.alive {
-            self.positions[vertex as usize] = self.at(vertex, self.now);
-        }
-        let mut contacts = Contacts::new(self.vertices.len());
-        around.iter().for_each(|&vertex| contacts.reach(vertex));
-        for &event in events {
-            match event {
-                Event::Edge(edge) => contacts.coincide(edge, self.vertices[edge as usize].next),
-                Event::Split(vertex, edge) => {
-                    contacts.touch(edge, vertex);
-                }
-            }
-        }
-        let mut before = Vec::new();
-        // Every round finds at least one more contact.
-        loop {
-            self.compare(&mut contacts);
-            self.limits.round(self.alive.len(), contacts.on_edges.len())?;
-            let arrangement = Arrangement::of(self, &contacts);
-            if !arrangement.find_overlaps(self, &mut contacts, &before)? {
-                return Ok(rejoin::rejoin(self, &contacts, &arrangement));
-            }
-            before = arrangement.segments;
-        }
-    }
-
     /// Finds what touches the vertices that are in contact with something.
-    fn compare(&self, contacts: &mut Contacts) {
+    pub(super) fn compare(&self, contacts: &mut Contacts) {
         let near = self.epsilon * self.epsilon;
         let first = contacts.compared;
         while let Some(&vertex) = contacts.reached.get(contacts.compared) {

@@ -3,24 +3,7 @@
 use glam::DVec2;
 
 use super::Failure;
-use super::wavefront::{NONE, Wavefront};
-
-/// The first edge that a reflex vertex reaches, and when.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Split {
-    pub(super) time: f64,
-    /// [`NONE`] when the edge has changed: then no edge is reached before the time.
-    pub(super) edge: u32,
-}
-
-impl Split {
-    pub(super) const NEVER: Split = Split { time: f64::INFINITY, edge: NONE };
-
-    /// Whether it has to be looked for again.
-    fn is_open(&self) -> bool {
-        self.edge == NONE && self.time < f64::INFINITY
-    }
-}
+use super::wavefront::{NONE, Split, Wavefront};
 
 /// What happens now, wherever rounding puts it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -27,6 +27,7 @@ mod event;
 mod limits;
 mod overlap;
 mod rejoin;
+mod step;
 mod trace;
 mod wavefront;
 

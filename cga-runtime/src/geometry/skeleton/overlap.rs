@@ -1,7 +1,4 @@
-//! Segments that lie on each other, against each other: they touch as far as the shorter one reaches, and cancel when they
-//! have the same ends.
-
-use std::collections::BTreeMap;
+//! Segments that lie on each other, against each other: they touch as far as the shorter one reaches.
 
 use super::Failure;
 use super::arrangement::{Arrangement, End, Segment};
@@ -71,33 +68,4 @@ impl Arrangement {
             contacts.touch(edge, vertex)
         }
     }
-}
-
-/// Takes out segments between the same clusters that run against each other.
-pub(super) fn cancel(segments: &mut Vec<Segment>) -> Vec<[Segment; 2]> {
-    // For each pair of clusters the segments from one to the other that have not been cancelled, the last first.
-    let mut between: BTreeMap<[End; 2], Vec<usize>> = BTreeMap::new();
-    for (number, segment) in segments.iter().enumerate().rev() {
-        if let (End::Cluster(_), End::Cluster(_)) = (segment.from, segment.to) {
-            between.entry([segment.from, segment.to]).or_default().push(number);
-        }
-    }
-    let mut gone = vec![false; segments.len()];
-    let mut cancelled = Vec::new();
-    for number in 0..segments.len() {
-        let segment = segments[number];
-        if gone[number] {
-            continue;
-        }
-        if let Some(against) = between.get_mut(&[segment.to, segment.from]).and_then(Vec::pop) {
-            if let Some(own) = between.get_mut(&[segment.from, segment.to]) {
-                own.pop();
-            }
-            (gone[number], gone[against]) = (true, true);
-            cancelled.push([segment, segments[against]]);
-        }
-    }
-    let mut gone = gone.into_iter();
-    segments.retain(|_| gone.next() == Some(false));
-    cancelled
 }

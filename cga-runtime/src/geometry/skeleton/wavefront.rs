@@ -4,7 +4,6 @@ use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-use super::event::Split;
 use super::limits::Limits;
 use super::trace::Arcs;
 use super::{Failure, Left, Swept};
@@ -51,6 +50,23 @@ pub(super) struct Vertex {
     /// When the edge after it shrinks to nothing.
     pub(super) collapse: f64,
     pub(super) split: Split,
+}
+
+/// The first edge that a reflex vertex reaches, and when.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Split {
+    pub(super) time: f64,
+    /// [`NONE`] when the edge has changed: then no edge is reached before the time.
+    pub(super) edge: u32,
+}
+
+impl Split {
+    pub(super) const NEVER: Split = Split { time: f64::INFINITY, edge: NONE };
+
+    /// Whether it has to be looked for again.
+    pub(super) fn is_open(&self) -> bool {
+        self.edge == NONE && self.time < f64::INFINITY
+    }
 }
 
 /// Twice the area of a loop, negative when it runs clockwise.

@@ -7,8 +7,7 @@ use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 use super::binary::{Binary, text};
 use super::combine;
 use super::json::quoted;
-use super::look::Looks;
-use super::textures::ImageKey;
+use super::textures::{ImageKey, LookTexture};
 use crate::asset::Assets;
 use crate::asset::image::header::ImageKind;
 use crate::output::texture::source::{self, Source};
@@ -32,10 +31,14 @@ enum Image {
 }
 
 impl<'a> Images<'a> {
-    /// The images of all looks.
-    pub(super) fn of(looks: &Looks, assets: Option<&'a Assets>, is_referenced: bool) -> Self {
+    /// The images of some textures.
+    pub(super) fn of<'t>(
+        textures: impl Iterator<Item = &'t LookTexture>,
+        assets: Option<&'a Assets>,
+        is_referenced: bool,
+    ) -> Self {
         let mut images = Images { assets, is_referenced, ..Images::default() };
-        for texture in looks.textures() {
+        for texture in textures {
             images.add(&texture.image);
         }
         images

@@ -5,8 +5,7 @@ use std::fmt::Write as _;
 
 use super::images::Images;
 use super::json::quoted;
-use super::tangents::NormalSpace;
-use super::textures::{LookTexture, opacity, textures};
+use super::textures::{LookTexture, NormalSpace, opacity, textures};
 use crate::material::layer::SetMask;
 use crate::material::{Channel, Material, MaterialNumber, MaterialText};
 use crate::output::number::{Short, linear};

@@ -39,7 +39,7 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
     let meshes: Vec<&[Primitive]> = main.into_iter().chain(shared.iter().map(|s| &s.primitives[..])).collect();
     let flat: Vec<&Primitive> = meshes.iter().copied().flatten().collect();
     let mut binary = Binary::default();
-    let images = Images::of(&glb.looks, glb.files.get().map(Arc::as_ref), glb.references_images);
+    let images = Images::of(glb.looks.textures(), glb.files.get().map(Arc::as_ref), glb.references_images);
     let mut accessors = binary.primitives(&flat)?;
     for (primitive, accessors) in flat.iter().copied().zip(&mut accessors) {
         accessors.tangent = glb.looks.normal_space(primitive.look, &images).map(|space| {
@@ -57,7 +57,7 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
         return container(&json, &Binary::default());
     }
     let rules = glb.numbers.table.rules();
-    let images = Images::of(&glb.looks, glb.files.get().map(Arc::as_ref), glb.references_images);
+    let images = Images::of(glb.looks.textures(), glb.files.get().map(Arc::as_ref), glb.references_images);
     let has_transforms = glb.looks.textures().any(LookTexture::is_transformed);
     write_rules(&mut json, &mut binary, rules, has_transforms, !places.is_empty());
     json.push_str("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],");

@@ -4,13 +4,7 @@ use glam::{Vec2, Vec3};
 
 use super::binary::Word;
 use super::primitive::Primitive;
-
-/// The coordinates that a normal map uses: a list of the primitive, and the linear part of the placement with v upwards.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct NormalSpace {
-    pub(super) list: usize,
-    pub(super) rows: [Vec2; 2],
-}
+use super::textures::NormalSpace;
 
 impl Primitive {
     /// Writes the direction in which u grows on the surface at each vertex, and the side to which v grows. Vertices belong to one

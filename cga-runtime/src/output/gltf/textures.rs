@@ -8,7 +8,6 @@ use std::fmt::Write as _;
 
 use glam::Vec2;
 
-use super::tangents::NormalSpace;
 use crate::material::layer::{self, Placement, SetMask};
 use crate::material::{Layer, Material};
 use crate::output::number::Short;
@@ -131,6 +130,13 @@ fn transform(placement: &Placement) -> Option<[u32; 5]> {
     let numbers = [offset[0], offset[1], placement.turn.to_radians(), scale.x, scale.y];
     // Adding 0 takes the sign off −0.
     Some(numbers.map(|number| (number as f32 + 0.0).to_bits()))
+}
+
+/// The coordinates that a normal map uses: a list of the primitive, and the linear part of the placement with v upwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct NormalSpace {
+    pub(super) list: usize,
+    pub(super) rows: [Vec2; 2],
 }
 
 impl LookTexture {

@@ -17,6 +17,8 @@
 //! surfaces behind each other the nearest is seen. Other maps are not drawn.
 
 pub(crate) mod camera;
+mod footprint;
+mod gamma;
 mod light;
 mod lines;
 #[cfg(feature = "png")]
@@ -34,8 +36,9 @@ pub use camera::{Camera, Projection, Viewpoint};
 use glam::DVec3;
 
 use self::camera::{View, direction};
+use self::gamma::Gamma;
 use self::scene::Scene;
-use self::shade::{Gamma, Shader, display};
+use self::shade::{Shader, display};
 use crate::geometry::mesh::Bounds;
 use crate::output::model::Model;
 

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::Image;
-use super::shade::Gamma;
+use super::gamma::Gamma;
 use crate::output::number::linear;
 
 /// An image and its smaller copies, each half as wide and high as the one before, down to one pixel.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::band::Coordinate;
+use super::coordinate::Coordinate;
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::tol::AFFINE_EPSILON;
 

@@ -5,18 +5,11 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
+use super::coordinate::Coordinate;
 use super::crossings::Crossings;
-use crate::geometry::cut::first::first_node;
+use crate::geometry::cut::faces::first_edge::first_node;
 use crate::geometry::cut::points::{NONE, Node};
 use crate::geometry::mesh::{FaceTag, Mesh};
-
-/// The coordinate that is cut.
-#[derive(Clone, Copy)]
-pub(super) struct Coordinate {
-    pub(super) set: usize,
-    /// 0 for u, 1 for v.
-    pub(super) axis: usize,
-}
 
 /// The source of pieces.
 #[derive(Clone, Copy)]

@@ -5,7 +5,8 @@ use glam::DVec3;
 use super::sites::Sites;
 use crate::geometry::cut::class::{Class, Span};
 use crate::geometry::cut::edges::Edges;
-use crate::geometry::cut::points::{Node, Place, Segment, comes_first};
+use crate::geometry::cut::points::{Node, Place};
+use crate::geometry::cut::segment::{Segment, comes_first};
 use crate::geometry::mesh::Mesh;
 
 /// All crossings of a cut. They are numbered after the points of the mesh.

@@ -12,6 +12,7 @@
 mod affine;
 mod band;
 mod chain;
+mod coordinate;
 mod crossings;
 mod patch;
 mod sites;
@@ -24,8 +25,9 @@ use super::points::Place;
 use super::rising;
 use crate::geometry::mesh::{FaceTag, Mesh, TooManyCorners, UvAxis};
 use affine::is_affine;
-use band::{Band, Coordinate, Numbers, Source};
+use band::{Band, Numbers, Source};
 use chain::Chain;
+use coordinate::Coordinate;
 use crossings::Crossings;
 use patch::Patch;
 use sites::Sites;

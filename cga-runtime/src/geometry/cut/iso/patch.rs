@@ -14,12 +14,12 @@ use super::band::Source;
 use super::chain::Chain;
 use super::{Cutter, next_in};
 use crate::geometry::cut::class::Span;
-use crate::geometry::cut::contour::Section;
-use crate::geometry::cut::first::first_node;
-use crate::geometry::cut::nest::Nest;
+use crate::geometry::cut::faces::first_edge::first_node;
 use crate::geometry::cut::points::{NONE, Node};
 use crate::geometry::mesh::table::PairTable;
 use crate::geometry::mesh::{FaceTag, TooManyCorners};
+use crate::geometry::nesting::Nest;
+use crate::geometry::nesting::contour::Section;
 use crate::geometry::tol::AFFINE_EPSILON;
 use crate::geometry::triangulate::{Projection, Triangulator};
 

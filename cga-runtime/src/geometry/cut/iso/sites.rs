@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use super::band::Coordinate;
+use super::coordinate::Coordinate;
 use crate::geometry::cut::class::Class;
 use crate::geometry::cut::points::{NONE, Place};
 use crate::geometry::mesh::Mesh;

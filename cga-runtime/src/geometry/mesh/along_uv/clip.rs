@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::patch::{Patch, comes_first};
+use super::patch::{On, Patch, comes_first};
 use super::unit::UnitAsset;
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::{Mesh, UvSets};
@@ -21,16 +21,13 @@ pub(super) struct Node {
     carried: u32,
 }
 
-/// Where in its patch a node is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum On {
-    Inside,
-    Edge(usize),
-    Corner(usize),
-}
-
 impl Node {
-    pub(super) fn on(&self, patch: &Patch) -> On {
+    /// Its place on the surface.
+    pub(super) fn place(&self, patch: &Patch) -> DVec3 {
+        patch.place(self.uv, self.height, self.on(patch))
+    }
+
+    fn on(&self, patch: &Patch) -> On {
         let mut edges = (0..patch.edge_count()).filter(|edge| self.above >> edge & 1 == 1);
         match (edges.next(), edges.next()) {
             (None, _) => On::Inside,

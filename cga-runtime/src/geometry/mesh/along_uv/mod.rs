@@ -108,7 +108,7 @@ struct Made<'a> {
 impl Made<'_> {
     /// Adds a piece of a face of the asset.
     fn add(&mut self, clip: &Clip<'_>, patch: &Patch, face: usize, turns_over: bool) {
-        let mut nodes: Vec<(DVec3, &Node)> = clip.nodes.iter().map(|node| (patch.place(node), node)).collect();
+        let mut nodes: Vec<(DVec3, &Node)> = clip.nodes.iter().map(|node| (node.place(patch), node)).collect();
         nodes.dedup_by_key(|node| node.0);
         while nodes.len() > 1 && nodes[0].0 == nodes[nodes.len() - 1].0 {
             nodes.pop();

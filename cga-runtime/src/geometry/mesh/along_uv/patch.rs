@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use super::clip::{Node, On};
 use super::{AlongUv, HeightDirection};
 use crate::geometry::exact::orient;
 use crate::geometry::mesh::extrude::vertex_normals;
@@ -20,6 +19,14 @@ pub(super) struct Patch {
     /// The shares along the edges from the first corner to the second and to the last one are these products with what is
     /// from the first corner to a place.
     along: [DVec2; 2],
+}
+
+/// The part of a patch that a place is on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum On {
+    Inside,
+    Edge(usize),
+    Corner(usize),
 }
 
 #[derive(Clone, Copy)]
@@ -139,19 +146,19 @@ impl Patch {
     }
 
     /// Where a node is on or above the surface.
-    pub(super) fn place(&self, node: &Node) -> DVec3 {
-        let (point, up) = match node.on(self) {
+    pub(super) fn place(&self, uv: DVec2, height: f64, on: On) -> DVec3 {
+        let (point, up) = match on {
             On::Corner(corner) => (self.corners[corner].point, self.corners[corner].up),
             On::Edge(edge) => {
                 // The same from both sides of the edge.
                 let (a, b) = (self.corners[edge], self.corners[self.after(edge)]);
                 let (a, b) = if comes_first(a.uv, b.uv) { (a, b) } else { (b, a) };
                 let along = b.uv - a.uv;
-                let share = ((node.uv - a.uv).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                let share = ((uv - a.uv).dot(along) / along.length_squared()).clamp(0.0, 1.0);
                 (a.point + (b.point - a.point) * share, a.up + (b.up - a.up) * share)
             }
             On::Inside => {
-                let off = node.uv - self.corners[0].uv;
+                let off = uv - self.corners[0].uv;
                 let [s, t] = self.along.map(|way| way.dot(off));
                 let mix = |of: fn(&Corner) -> DVec3| match &self.corners[..] {
                     [a, b, c] => of(a) + (of(b) - of(a)) * s + (of(c) - of(a)) * t,
@@ -164,7 +171,7 @@ impl Patch {
                 (mix(|corner| corner.point), mix(|corner| corner.up))
             }
         };
-        point + up * node.height
+        point + up * height
     }
 }
 

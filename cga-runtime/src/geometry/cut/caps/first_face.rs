@@ -1,0 +1,165 @@
+//! The face a part begins with.
+//!
+//! "When the first face is split away the face used to close hollow geometries becomes the new first face" (*CGA changelog
+//! 2025.1*, split operation), so that the first edge survives: of the caps of a part that has nothing of the mesh's first
+//! face, that towards it comes first, and begins with the edge that the wall behind the first edge leaves in it.
+
+use std::ops::Range;
+
+use glam::{DVec2, DVec3};
+
+use crate::geometry::cut::class::Span;
+use crate::geometry::cut::points::Node;
+use crate::geometry::cut::state::State;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::check::winding;
+use crate::geometry::triangulate::Projection;
+
+/// Where the first face of the mesh went, and what there is of the wall at its first edge.
+#[derive(Default)]
+pub(crate) struct Lead {
+    slabs: Range<u32>,
+    /// Edges of that wall in planes: plane and numbers there, the lower first, sorted.
+    wall: Vec<(u32, [u32; 2])>,
+    nodes: Vec<Node>,
+}
+
+impl Lead {
+    /// To be called when all faces have been cut.
+    pub(crate) fn find(&mut self, state: &mut State, mesh: &Mesh) {
+        self.wall.clear();
+        let first = mesh.face(0);
+        let span = Span::of(first.loops().flatten().map(|&point| state.points.places[point as usize].class));
+        self.slabs = if span.is_flat() {
+            let slab = state.slab_of_flat(mesh, 0, span.low.plane());
+            slab..slab + 1
+        } else {
+            span.bottom()..span.top() + 1
+        };
+        let everywhere = self.slabs == (0..state.points.planes.len() as u32 + 1);
+        if everywhere {
+            return;
+        }
+        let Some(wall) = behind_first_edge(mesh) else { return };
+        self.nodes.clear();
+        for ring in mesh.face(wall).loop_ranges() {
+            let mut last = ring.end - 1;
+            for here in ring {
+                let [from, to] = [last, here].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
+                // Those crossings are there: the wall was cut like all faces.
+                state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
+                self.nodes.push(Node::corner(here, to.1));
+                last = here;
+            }
+        }
+        let points = &state.points;
+        let wall = Wall::of(mesh, wall);
+        self.nodes.retain(|node| node.class().is_on_plane());
+        self.nodes.sort_by_key(Node::class);
+        self.nodes.dedup_by_key(|node| node.place);
+        let mut left = QUESTIONS;
+        for met in self.nodes.chunk_by_mut(|a, b| a.class() == b.class()) {
+            let flat = |node: &Node| points.levels[node.class().plane() as usize].flat[node.place.number as usize];
+            let from = flat(&met[0]);
+            let reach = met.iter().fold(DVec2::ZERO, |reach, node| reach.max((flat(node) - from).abs()));
+            let along = usize::from(reach.x < reach.y);
+            met.sort_by(|a, b| flat(a)[along].total_cmp(&flat(b)[along]));
+            // Where a plane meets it several times, some of what is between two points is no wall.
+            let questions = met.len() * wall.corners();
+            let few = questions <= left;
+            if few && met.len() > 2 {
+                left -= questions;
+            }
+            let is_wall = |pair: &&[Node]| {
+                let middle = || pair.iter().map(|node| points.position(mesh, node)).sum::<DVec3>() * 0.5;
+                met.len() == 2 || (few && wall.holds(middle()))
+            };
+            self.wall.extend(met.windows(2).filter(is_wall).map(|pair| {
+                let [a, b] = [pair[0].place.number, pair[1].place.number];
+                (pair[0].class().plane(), [a.min(b), a.max(b)])
+            }));
+        }
+        self.wall.sort_unstable();
+    }
+
+    /// Where in a ring of points on a plane an edge of that wall begins.
+    pub(crate) fn edge_in(&self, plane: u32, ring: &[u32]) -> Option<usize> {
+        let start = self.wall.partition_point(|&(on, _)| on < plane);
+        let end = self.wall.partition_point(|&(on, _)| on <= plane);
+        let wall = &self.wall[start..end];
+        if wall.is_empty() {
+            return None;
+        }
+        let ends = ring[1..].iter().chain(&ring[..1]);
+        ring.iter().zip(ends).position(|(&a, &b)| wall.binary_search(&(plane, [a.min(b), a.max(b)])).is_ok())
+    }
+
+    /// Whether a cap in that plane is to come first in that slab, rather than one in another plane, or at least when there is
+    /// no other.
+    pub(crate) fn wants(&self, slab: u32, plane: u32) -> Option<Wish> {
+        if self.slabs.contains(&slab) {
+            return None;
+        }
+        let first_face_is_above = slab < self.slabs.start;
+        // The upper plane of a slab has its number.
+        let is_upper = plane == slab;
+        Some(if is_upper == first_face_is_above { Wish::First } else { Wish::Second })
+    }
+}
+
+/// Beyond so many questions in a cut, whether a point is on the wall, nobody asks: the caps begin anywhere.
+const QUESTIONS: usize = 1 << 16;
+
+/// A face seen from outside.
+struct Wall {
+    projection: Projection,
+    rings: Vec<Vec<DVec2>>,
+}
+
+impl Wall {
+    fn of(mesh: &Mesh, face: usize) -> Self {
+        let face = mesh.face(face);
+        let projection = Projection::along(face.area_vector());
+        let ring = |ring: &[u32]| ring.iter().map(|&point| projection.apply(mesh.points[point as usize])).collect();
+        Wall { projection, rings: face.loops().map(ring).collect() }
+    }
+
+    fn corners(&self) -> usize {
+        self.rings.iter().map(Vec::len).sum()
+    }
+
+    /// Whether a point in its plane is in it or on its rim.
+    fn holds(&self, point: DVec3) -> bool {
+        let turns = self.rings.iter().map(|ring| winding(ring, self.projection.apply(point)));
+        turns.sum::<Option<i32>>() != Some(0)
+    }
+}
+
+/// How much a cap is wanted as the first face of a part.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Wish {
+    First,
+    Second,
+}
+
+/// The face that has the first edge of the first face the other way round.
+fn behind_first_edge(mesh: &Mesh) -> Option<usize> {
+    /// So many corners are compared without a branch.
+    const BLOCK: usize = 32;
+    let [a, b] = mesh.corners.first_chunk().copied()?;
+    for (number, block) in mesh.corners.chunks(BLOCK).enumerate() {
+        if !block.iter().fold(false, |found, &point| found | (point == a)) {
+            continue;
+        }
+        for (at, _) in block.iter().enumerate().filter(|(_, point)| **point == a) {
+            let corner = number * BLOCK + at;
+            let ring = mesh.loop_ends.partition_point(|&end| end as usize <= corner);
+            let range = mesh.loop_range(ring);
+            let before = if corner == range.start { range.end - 1 } else { corner - 1 };
+            if mesh.corners[before] == b {
+                return Some(mesh.face_ends.face_of(ring)).filter(|&face| face != 0);
+            }
+        }
+    }
+    None
+}

@@ -1,0 +1,104 @@
+//! Edges that pieces have in the cut planes, and which of them lack a partner.
+//!
+//! A side of a plane is closed there when each of its edges in the plane is used as often one way as the other. What is
+//! missing must be bounded by a cap. If both sides together lack the same edge, the mesh itself is open along it, and no
+//! cap is to end there.
+
+/// Which side of a plane a face is on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    Below,
+    Above,
+}
+
+impl Side {
+    /// Of a face in a slab, touching a plane.
+    pub(crate) fn of(slab: u32, plane: u32) -> Self {
+        if slab == plane { Side::Below } else { Side::Above }
+    }
+}
+
+/// An edge in a plane, from point to point in the direction of its face.
+#[derive(Clone, Copy)]
+struct Edge {
+    plane: u32,
+    a: u32,
+    b: u32,
+}
+
+/// All edges in all planes.
+#[derive(Default)]
+pub(crate) struct Rim {
+    /// Edges that a cut made: the face below has them this way, the one above the other way.
+    cuts: Vec<Edge>,
+    /// All others, ends in rising order, with how often the faces below and above have them that way.
+    edges: Vec<(Edge, [i32; 2])>,
+    /// `cuts` in the order of planes, as pairs of points, and where each plane's end.
+    sorted: Vec<[u32; 2]>,
+    ends: Vec<usize>,
+    next_edge: usize,
+}
+
+impl Rim {
+    /// So many edges it has room for.
+    pub(crate) fn capacity(&self) -> usize {
+        self.cuts.capacity() + self.edges.capacity()
+    }
+
+    pub(crate) fn reset(&mut self) {
+        self.cuts.clear();
+        self.edges.clear();
+    }
+
+    #[inline]
+    pub(crate) fn cut(&mut self, plane: u32, a: u32, b: u32) {
+        self.cuts.push(Edge { plane, a, b });
+    }
+
+    pub(crate) fn edge(&mut self, plane: u32, a: u32, b: u32, side: Side) {
+        let by = if a < b { 1 } else { -1 };
+        let count = if side == Side::Below { [by, 0] } else { [0, by] };
+        self.edges.push((Edge { plane, a: a.min(b), b: a.max(b) }, count));
+    }
+
+    /// Gets ready for [`Rim::missing`] of each plane in turn.
+    pub(crate) fn sort(&mut self, planes: usize) {
+        self.next_edge = 0;
+        self.edges.sort_unstable_by_key(|(edge, _)| (edge.plane, edge.a, edge.b));
+        // Counting sort: the edges of a plane keep the order of their faces.
+        self.ends.clear();
+        self.ends.resize(planes + 1, 0);
+        self.cuts.iter().for_each(|cut| self.ends[cut.plane as usize + 1] += 1);
+        (0..planes).for_each(|plane| self.ends[plane + 1] += self.ends[plane]);
+        self.sorted.clear();
+        self.sorted.resize(self.cuts.len(), [0; 2]);
+        for cut in &self.cuts {
+            let at = &mut self.ends[cut.plane as usize];
+            self.sorted[*at] = [cut.a, cut.b];
+            *at += 1;
+        }
+    }
+
+    /// The edges that the cap of the side below a plane must have: those its faces have without a partner, turned round.
+    /// The cap above has the same ones the other way. To be asked for plane after plane.
+    pub(crate) fn missing(&mut self, plane: usize, out: &mut Vec<[u32; 2]>) {
+        let start = if plane == 0 { 0 } else { self.ends[plane - 1] };
+        out.clear();
+        out.extend(self.sorted[start..self.ends[plane]].iter().map(|&[a, b]| [b, a]));
+        while let Some(&(first, _)) = self.edges.get(self.next_edge).filter(|(edge, _)| edge.plane as usize == plane) {
+            let mut net = [0; 2];
+            while let Some((_, count)) =
+                self.edges.get(self.next_edge).filter(|(e, _)| (e.plane, e.a, e.b) == (first.plane, first.a, first.b))
+            {
+                net = [net[0] + count[0], net[1] + count[1]];
+                self.next_edge += 1;
+            }
+            // What both sides lack, each the other way.
+            let [below, above] = net;
+            if below.signum() * above.signum() < 0 {
+                let edge = if below > 0 { [first.b, first.a] } else { [first.a, first.b] };
+                (0..below.abs().min(above.abs())).for_each(|_| out.push(edge));
+            }
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! Faces in a plane that do not go to the side their normal points away from.
+//!
+//! By that rule the two sides of a sheet, a closed piece of no thickness, would come apart, and a cap in each slab would have
+//! to double both. The caps tell: where the rule takes a face away from where it is needed, the edges of the face itself are
+//! left without a partner, on both sides of the plane. So after a first pass
+//!
+//! - a sheet goes to the slab below as a whole. Its faces are found as two groups, one that looks up and one that looks down,
+//!   with the same rim, all of which lacks partners;
+//! - a face or a group changes sides where the caps would have to cover it a negative number of times: the side of a sheet
+//!   that continues another face, or a face of a solid that is inside out among others that are not.
+//!
+//! Then the faces are cut again. Whatever is found here, parts are closed: caps follow from where the faces are.
+
+use super::sheets::Flat;
+use crate::geometry::cut::points::Place;
+use crate::geometry::cut::state::State;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::nesting::Nest;
+use crate::geometry::nesting::contour::Contour;
+use glam::DVec2;
+
+/// Finds the faces that go to the other side, when all faces have been cut by the rule. Whether there are any.
+pub(crate) fn find(state: &mut State, mesh: &Mesh) -> bool {
+    let mut flat = std::mem::take(&mut state.sheets.flat);
+    flat.sort_by_key(|flat| flat.plane);
+    let mut moved = Vec::new();
+    // Without faces in planes nothing is to be done.
+    if !flat.is_empty() {
+        state.rim.sort(state.points.planes.len());
+        let mut missing = Vec::new();
+        let mut next = 0;
+        for together in flat.chunk_by(|a, b| a.plane == b.plane) {
+            let plane = together[0].plane as usize;
+            // Edges are given plane by plane.
+            for plane in std::mem::replace(&mut next, plane + 1)..=plane {
+                state.rim.missing(plane, &mut missing);
+            }
+            if !missing.is_empty() {
+                let places = &state.points.places;
+                let mut search = Search::new(mesh, places, together, &mut missing);
+                search.match_all_sheets();
+                let inverted = state.is_inverted(mesh);
+                search.match_folds(&state.points.levels[plane].flat, inverted);
+                moved.append(&mut search.moved);
+            }
+        }
+    }
+    moved.sort_unstable();
+    state.sheets.moved = moved;
+    !state.sheets.moved.is_empty()
+}
+
+/// An edge of a face in a plane, as the cap below the plane would have it in place of the face.
+#[derive(Clone, Copy)]
+struct Use {
+    edge: [u32; 2],
+    flat: usize,
+}
+
+/// Faces that belong together: they share edges that do not lack a partner.
+struct Group {
+    is_above: bool,
+    /// Numbers in the list of the plane, sorted.
+    faces: Vec<usize>,
+    /// The edges of its rim, sorted.
+    rim: Vec<[u32; 2]>,
+}
+
+/// How often groups are made again: sheets that touch others become groups when those are settled.
+const ROUNDS: usize = 8;
+
+/// The faces and the open edges of one plane.
+struct Search<'f> {
+    flat: &'f [Flat],
+    /// Edges of the faces that are not settled.
+    uses: Vec<Use>,
+    groups: Vec<Group>,
+    moved: Vec<u32>,
+    /// Edges without partners, as the cap below would have them, and how many of each are left.
+    missing: Vec<([u32; 2], usize)>,
+}
+
+impl<'f> Search<'f> {
+    fn new(mesh: &Mesh, places: &[Place], flat: &'f [Flat], missing: &mut [[u32; 2]]) -> Self {
+        missing.sort_unstable();
+        let missing = missing.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect();
+        let mut uses = Vec::new();
+        for (number, flat) in flat.iter().enumerate() {
+            for ring in mesh.face(flat.face as usize).loops() {
+                let mut last = ring[ring.len() - 1];
+                for &here in ring {
+                    let [a, b] = [last, here].map(|point| places[point as usize].number);
+                    uses.push(Use { edge: if flat.is_above { [a, b] } else { [b, a] }, flat: number });
+                    last = here;
+                }
+            }
+        }
+        Search { flat, uses, groups: Vec::new(), moved: Vec::new(), missing }
+    }
+
+    fn left(&self, edge: [u32; 2]) -> usize {
+        self.missing.binary_search_by(|(other, _)| other.cmp(&edge)).map_or(0, |at| self.missing[at].1)
+    }
+
+    fn make_groups(&mut self) {
+        let flat = self.flat;
+        let ends = |edge: [u32; 2]| (edge[0].min(edge[1]), edge[0].max(edge[1]));
+        let is_above = |item: &Use| flat[item.flat].is_above;
+        let mut uses = self.uses.clone();
+        uses.sort_by_key(|item| (ends(item.edge), is_above(item)));
+        let mut leaders = Leaders((0..flat.len()).collect());
+        for same in uses.chunk_by(|a, b| ends(a.edge) == ends(b.edge) && is_above(a) == is_above(b)) {
+            let edge = same[0].edge;
+            if self.left(edge) == 0 && self.left([edge[1], edge[0]]) == 0 {
+                // One by one in the order of the mesh: sheets that lie on each other stay apart.
+                let [forward, backward] = [true, false].map(|way| same.iter().filter(move |a| (a.edge == edge) == way));
+                forward.zip(backward).for_each(|(a, b)| leaders.unite(a.flat, b.flat));
+            }
+        }
+        let mut uses: Vec<(usize, Use)> = uses.into_iter().map(|item| (leaders.of(item.flat), item)).collect();
+        uses.sort_by_key(|&(leader, item)| (leader, ends(item.edge)));
+        self.groups.clear();
+        for group in uses.chunk_by(|a, b| a.0 == b.0) {
+            let mut rim = Vec::new();
+            for same in group.chunk_by(|a, b| ends(a.1.edge) == ends(b.1.edge)) {
+                let edge = same[0].1.edge;
+                let forward = same.iter().filter(|(_, item)| item.edge == edge).count();
+                let backward = same.len() - forward;
+                let net = if backward < forward { edge } else { [edge[1], edge[0]] };
+                rim.extend(std::iter::repeat_n(net, forward.abs_diff(backward)));
+            }
+            rim.sort_unstable();
+            if !rim.is_empty() && self.has(&rim) {
+                let mut faces: Vec<usize> = group.iter().map(|(_, item)| item.flat).collect();
+                faces.sort_unstable();
+                faces.dedup();
+                self.groups.push(Group { is_above: is_above(&group[0].1), faces, rim });
+            }
+        }
+    }
+
+    /// Whether the edges of a rim all lack partners.
+    fn has(&self, rim: &[[u32; 2]]) -> bool {
+        rim.chunk_by(|a, b| a == b).all(|same| same.len() <= self.left(same[0]))
+    }
+
+    /// Takes the edges of a rim out of those that lack partners; `false`, with nothing done, when one does not.
+    fn take(&mut self, rim: &[[u32; 2]]) -> bool {
+        let has = self.has(rim);
+        if has {
+            for edge in rim {
+                if let Ok(at) = self.missing.binary_search_by(|(other, _)| other.cmp(edge)) {
+                    self.missing[at].1 -= 1;
+                }
+            }
+        }
+        has
+    }
+
+    /// Finds sheets, also those that touch each other.
+    fn match_all_sheets(&mut self) {
+        for _ in 0..ROUNDS {
+            self.make_groups();
+            let settled = self.match_sheets();
+            if settled.is_empty() {
+                return;
+            }
+            self.uses.retain(|item| settled.binary_search(&item.flat).is_err());
+        }
+    }
+
+    /// Of groups with the same rim, as many go below as look up and look down. Gives the faces that are settled, sorted.
+    fn match_sheets(&mut self) -> Vec<usize> {
+        let mut groups = std::mem::take(&mut self.groups);
+        groups.sort_by(|a, b| a.rim.cmp(&b.rim).then(a.is_above.cmp(&b.is_above)));
+        let mut settled = Vec::new();
+        for same in groups.chunk_by(|a, b| a.rim == b.rim) {
+            let (below, above) = same.split_at(same.partition_point(|group| !group.is_above));
+            for (below, above) in below.iter().zip(above) {
+                if !self.take(&above.rim) {
+                    break;
+                }
+                self.change_sides(above);
+                settled.extend(below.faces.iter().chain(&above.faces));
+            }
+        }
+        self.groups = groups;
+        settled.sort_unstable();
+        settled
+    }
+
+    fn change_sides(&mut self, group: &Group) {
+        self.moved.extend(group.faces.iter().map(|&number| self.flat[number].face));
+    }
+
+    /// Groups change sides where they fill loops that run the wrong way round and are in no other.
+    fn match_folds(&mut self, flat: &[DVec2], inverted: bool) {
+        if self.groups.is_empty() {
+            return;
+        }
+        let edges: Vec<[u32; 2]> =
+            self.missing.iter().flat_map(|&(edge, count)| std::iter::repeat_n(edge, count)).collect();
+        let (mut contour, mut nest) = (Contour::default(), Nest::default());
+        contour.follow(&edges, flat, |_| {});
+        if contour.ends.is_empty() {
+            return;
+        }
+        nest.sort_as(&contour.section(flat), inverted);
+        let mut wrong: Vec<[u32; 2]> = Vec::new();
+        for range in nest.lone_holes() {
+            let ring = &contour.corners[range.clone()];
+            let ends = ring[1..].iter().chain(&ring[..1]);
+            wrong.extend(ring.iter().zip(ends).map(|(&a, &b)| [a, b]));
+        }
+        wrong.sort_unstable();
+        self.missing = wrong.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect();
+        // What is a sheet in part goes below.
+        let mut groups = std::mem::take(&mut self.groups);
+        groups.sort_by_key(|group| (!group.is_above, group.faces[0]));
+        for group in groups {
+            if self.take(&group.rim) {
+                self.change_sides(&group);
+            }
+        }
+    }
+}
+
+/// Disjoint sets, each with its least member as leader.
+struct Leaders(Vec<usize>);
+
+impl Leaders {
+    fn of(&mut self, mut at: usize) -> usize {
+        while self.0[at] != at {
+            self.0[at] = self.0[self.0[at]];
+            at = self.0[at];
+        }
+        at
+    }
+
+    fn unite(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.of(a), self.of(b));
+        self.0[a.max(b)] = a.min(b);
+    }
+}

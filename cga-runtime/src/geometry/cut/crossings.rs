@@ -1,0 +1,85 @@
+//! The crossings of edges with planes. The first face that asks makes them.
+
+use std::ops::Range;
+
+use super::class::Span;
+use super::points::{Node, Place, Points};
+use super::segment::{Segment, comes_first};
+use super::slab::Part;
+use crate::geometry::mesh::Mesh;
+
+impl Points {
+    /// The crossing of the edge from one corner to another with the one plane that is between them.
+    #[inline]
+    pub(super) fn crossing(&mut self, parts: &mut [Part], mesh: &Mesh, plane: u32, from: usize, to: usize) -> Node {
+        let (a, b) = (mesh.corners[from], mesh.corners[to]);
+        let (number, new) = self.edges.entry(a, b, self.levels[plane as usize].flat.len() as u32);
+        if new {
+            self.make(parts, mesh, a, b, plane..plane + 1);
+        }
+        self.node(mesh, Place::on(plane, number), from, to)
+    }
+
+    /// Appends the crossings of the edge from one corner to another, in the order they are met.
+    #[inline]
+    pub(super) fn cross(
+        &mut self,
+        parts: &mut [Part],
+        mesh: &Mesh,
+        from: (usize, Place),
+        to: (usize, Place),
+        nodes: &mut Vec<Node>,
+    ) {
+        let rises = from.1.class < to.1.class;
+        let [low, high] = if rises { [from.1.class, to.1.class] } else { [to.1.class, from.1.class] };
+        let planes = Span { low, high }.planes();
+        if planes.is_empty() {
+            return;
+        }
+        if planes.len() == 1 {
+            nodes.push(self.crossing(parts, mesh, planes.start, from.0, to.0));
+            return;
+        }
+        let (a, b) = (mesh.corners[from.0], mesh.corners[to.0]);
+        let (first, new) = self.edges.entry(a, b, self.crossings.len() as u32);
+        if new {
+            self.make(parts, mesh, a, b, planes.clone());
+        }
+        let node = |plane: u32, number: u32| self.node(mesh, Place::on(plane, number), from.0, to.0);
+        let crossings = planes.clone().zip(&self.crossings[first as usize..first as usize + planes.len()]);
+        if rises {
+            nodes.extend(crossings.map(|(plane, &number)| node(plane, number)));
+        } else {
+            nodes.extend(crossings.rev().map(|(plane, &number)| node(plane, number)));
+        }
+    }
+
+    /// A crossing of the edge from one corner to another.
+    #[inline]
+    fn node(&self, mesh: &Mesh, place: Place, from: usize, to: usize) -> Node {
+        // The values of corners are mixed from the same end as the position.
+        let point = |corner: usize| mesh.points[mesh.corners[corner] as usize];
+        let ordered = !self.mixes || comes_first(point(from), point(to));
+        let (from, to) = if ordered { (from, to) } else { (to, from) };
+        Node { place, from: from as u32, to: to as u32 }
+    }
+
+    /// Makes the crossings of an edge. The face that asks has pieces on both sides, so they are numbered there.
+    fn make(&mut self, parts: &mut [Part], mesh: &Mesh, a: u32, b: u32, planes: Range<u32>) {
+        let single = planes.len() == 1;
+        let axis = self.axis;
+        let (p, q) = (mesh.points[a as usize], mesh.points[b as usize]);
+        let segment = Segment::between((p, p[axis]), (q, q[axis]));
+        for plane in planes {
+            let at = self.planes[plane as usize];
+            let (mut x, share) = segment.meet(at);
+            x[axis] = at;
+            let [below, above] = &mut parts[plane as usize..plane as usize + 2] else { return };
+            let numbers = [below.add_point(x), above.add_point(x)];
+            let number = self.add(plane, x, share, numbers);
+            if !single {
+                self.crossings.push(number);
+            }
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! The first edge of a piece: component split lays its x axis along it, so it must outlive a cut.
+//!
+//! A piece begins with what is left of the face's first edge; where nothing is left, with the cut edge that stands in for
+//! it: the one between the last node before it and the first node after it (*CGA changelog 2025.1*: cuts preserve the
+//! first edge). So the walls of every storey of a building have their x axis along the ground edge.
+
+use std::ops::Range;
+
+use crate::geometry::cut::points::Node;
+
+/// The place of the node that a piece begins with. `outline` holds the corners of the face's outline; nodes from elsewhere,
+/// such as corners of holes, are passed over.
+#[inline]
+pub(crate) fn first_node<'a>(
+    nodes: impl DoubleEndedIterator<Item = &'a Node> + Clone,
+    outline: &Range<usize>,
+) -> usize {
+    let mut before = nodes.clone().next_back().and_then(|node| step(node, outline));
+    let mut least: Option<(u32, usize)> = None;
+    let mut last = 0;
+    for (place, node) in nodes.enumerate() {
+        last = place;
+        let here = step(node, outline);
+        if let Some(at) = here {
+            // Of several crossings of one edge, the one that comes first on it: the one before it is of another edge.
+            let better = least.is_none_or(|(least, _)| at < least || (at == least && before != Some(at)));
+            if better {
+                least = Some((at, place));
+            }
+        }
+        before = here;
+    }
+    match least {
+        // Corner 0, or a crossing of edge 0.
+        Some((0 | 1, place)) => place,
+        Some((_, 0)) => last,
+        Some((_, place)) => place - 1,
+        None => 0,
+    }
+}
+
+/// The same for a piece whose first two nodes are on one edge and the other two on another.
+#[inline]
+pub(crate) fn first_node_of_band([up, down]: [&Node; 2], outline: &Range<usize>) -> usize {
+    match step(up, outline) < step(down, outline) {
+        true if step(up, outline) == Some(1) => 0,
+        true => 3,
+        false if step(down, outline) == Some(1) => 2,
+        false => 1,
+    }
+}
+
+/// How far along the outline a node is: 2i for corner i, 2i + 1 for a crossing of the edge after it.
+#[inline]
+fn step(node: &Node, outline: &Range<usize>) -> Option<u32> {
+    let (a, b) = (node.from.min(node.to) as usize, node.from.max(node.to) as usize);
+    if a < outline.start || outline.end <= b {
+        return None;
+    }
+    let edge = match b - a {
+        0 => return Some(2 * (a - outline.start) as u32),
+        1 => a,
+        _ => b,
+    };
+    Some(2 * (edge - outline.start) as u32 + 1)
+}

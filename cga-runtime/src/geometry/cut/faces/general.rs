@@ -1,0 +1,322 @@
+//! Faces of any shape: concave ones, and those with holes.
+//!
+//! Every loop is taken apart where it meets a plane. Its fragments, each in one slab, are joined again along the planes:
+//! the ends on a plane are sorted along the line in which the face meets it, and neighbours are paired, as the inside
+//! begins and ends there. Corners of the face that lie on that line between the two are taken along, so that both sides of
+//! the plane and the neighbours of the face have the same edges. Whatever rounding does to the order, each fragment is
+//! followed by exactly one other, so the pieces close. Pairs lie beside each other; where those of a face that crosses
+//! itself lie inside each other only the outermost takes corners along, so that no corner is taken twice.
+
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::ops::Range;
+
+use glam::DVec3;
+
+use super::pieces::Rings;
+use crate::geometry::cut::caps::rim::Side;
+use crate::geometry::cut::class::Class;
+use crate::geometry::cut::points::Node;
+use crate::geometry::cut::state::State;
+use crate::geometry::mesh::{FaceRef, FaceTag, Mesh};
+use crate::geometry::triangulate::Projection;
+
+/// A run of nodes within one slab, from plane to plane.
+#[derive(Clone, Copy)]
+struct Fragment {
+    slab: u32,
+    start: usize,
+    /// The last node, which counts.
+    end: usize,
+    /// The fragment that follows, and where the nodes on the way to it are in the list of ways.
+    next: usize,
+    way_start: usize,
+    way_end: usize,
+}
+
+/// A loop that meets no plane.
+struct Untouched {
+    slab: u32,
+    nodes: Range<usize>,
+}
+
+/// A corner of the face on a plane, and its place along the line.
+struct OnPlane {
+    plane: u32,
+    along: f64,
+    node: usize,
+}
+
+/// An edge along a plane from node to node.
+struct PlaneEdge {
+    plane: u32,
+    nodes: [usize; 2],
+    /// 1 for an edge of the face, -1 for one that a piece got there.
+    count: i32,
+}
+
+/// An end of a fragment on a plane.
+#[derive(Clone, Copy)]
+struct End {
+    along: f64,
+    /// Whether the inside of the face begins here, in the direction of the line.
+    opens: bool,
+    fragment: usize,
+}
+
+/// Buffers.
+#[derive(Default)]
+pub(crate) struct General {
+    nodes: Vec<Node>,
+    fragments: Vec<Fragment>,
+    untouched: Vec<Untouched>,
+    on_planes: Vec<OnPlane>,
+    plane_edges: Vec<PlaneEdge>,
+    /// Of one slab on one plane, from left to right.
+    ends: Vec<End>,
+    /// Where the inside begins, without an end yet.
+    open: Vec<End>,
+    /// Where it ends before it has begun, as happens when rounding swaps the two: paired with what begins next.
+    early: Vec<End>,
+    /// Nodes on the ways between fragments.
+    ways: Vec<usize>,
+    rings: Rings,
+}
+
+/// The line in which a face meets the planes.
+#[derive(Clone, Copy)]
+struct Line {
+    axis: usize,
+    sign: f64,
+}
+
+impl Line {
+    /// Along `axis × normal`, measured by the coordinate that changes most.
+    fn of(face: &FaceRef<'_>, axis: usize) -> Self {
+        let normal = face.normal();
+        let mut cut = DVec3::ZERO;
+        cut[axis] = 1.0;
+        let along = cut.cross(normal);
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        let axis = if along[u].abs() >= along[v].abs() { u } else { v };
+        Line { axis, sign: if along[axis] < 0.0 { -1.0 } else { 1.0 } }
+    }
+}
+
+impl General {
+    pub(crate) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) {
+        let view = mesh.face(face);
+        let line = Line::of(&view, state.points.axis);
+        self.take_apart(state, mesh, &view, line);
+        self.fragments.sort_by_key(|fragment| fragment.slab);
+        let outline = view.loop_ranges().next().unwrap_or(0..0);
+        // In the coordinate that planes are told apart by, pieces are where they are exactly.
+        self.rings.start(Projection::keeping(state.points.axis, view.normal()), tag, outline);
+        self.untouched.sort_by_key(|ring| ring.slab);
+        let (mut next_fragment, mut next_untouched) = (0, 0);
+        let slabs = || self.fragments.iter().map(|f| f.slab).chain(self.untouched.iter().map(|ring| ring.slab));
+        for slab in slabs().min().unwrap_or(0)..=slabs().max().unwrap_or(0) {
+            let count = self.fragments[next_fragment..].iter().take_while(|f| f.slab == slab).count();
+            let group = next_fragment..next_fragment + count;
+            next_fragment = group.end;
+            if slab > 0 {
+                self.join(state, mesh, line, group.clone(), slab - 1, Side::Above);
+            }
+            self.join(state, mesh, line, group.clone(), slab, Side::Below);
+            self.trace(group);
+            while let Some(ring) = self.untouched.get(next_untouched).filter(|ring| ring.slab == slab) {
+                self.rings.nodes.extend_from_slice(&self.nodes[ring.nodes.clone()]);
+                self.rings.end_ring();
+                next_untouched += 1;
+            }
+            self.rings.emit(state, mesh, slab);
+        }
+        self.close_flat(state, mesh);
+    }
+
+    /// Loops into fragments.
+    fn take_apart(&mut self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>, line: Line) {
+        self.nodes.clear();
+        self.fragments.clear();
+        self.untouched.clear();
+        self.on_planes.clear();
+        self.plane_edges.clear();
+        self.ways.clear();
+        for ring in face.loop_ranges() {
+            let start = self.nodes.len();
+            for corner in ring.clone() {
+                let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };
+                let [here, there] = [corner, next].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
+                self.nodes.push(Node::corner(corner, here.1));
+                state.points.cross(&mut state.parts, mesh, here, there, &mut self.nodes);
+            }
+            let Some(first) = self.nodes[start..].iter().position(|node| node.class().is_on_plane()) else {
+                self.untouched
+                    .push(Untouched { slab: self.nodes[start].class().slab(), nodes: start..self.nodes.len() });
+                continue;
+            };
+            self.nodes[start..].rotate_left(first);
+            self.nodes.push(self.nodes[start]);
+            let mut last = start;
+            for here in start + 1..self.nodes.len() {
+                let [a, b] = [last, here].map(|i| self.nodes[i]);
+                if !b.class().is_on_plane() {
+                    continue;
+                }
+                let plane = b.class().plane();
+                if here == last + 1 && a.class() == b.class() {
+                    self.plane_edges.push(PlaneEdge { plane, nodes: [last, here], count: 1 });
+                } else {
+                    // Without a node in between, from one plane to the next: below the upper one.
+                    let inside = if here == last + 1 { a.class().max(b.class()) } else { self.nodes[last + 1].class() };
+                    let (slab, next) = (inside.slab(), usize::MAX);
+                    self.fragments.push(Fragment { slab, start: last, end: here, next, way_start: 0, way_end: 0 });
+                }
+                if b.is_corner() {
+                    self.on_planes.push(OnPlane { plane, along: place(state, mesh, line, b), node: here });
+                }
+                last = here;
+            }
+        }
+        self.on_planes.sort_by(|a, b| a.plane.cmp(&b.plane).then(a.along.total_cmp(&b.along)));
+    }
+
+    /// Pairs the ends that fragments of one slab have on one of its planes.
+    fn join(&mut self, state: &mut State, mesh: &Mesh, line: Line, group: Range<usize>, plane: u32, side: Side) {
+        self.ends.clear();
+        let class = Class::on(plane);
+        for fragment in group {
+            let Fragment { start, end, .. } = self.fragments[fragment];
+            for (node, starts) in [(end, false), (start, true)] {
+                let node = self.nodes[node];
+                if node.class() == class {
+                    // Seen with the normal towards us and the line to the right: below the plane a loop comes up at the
+                    // right end of the inside, above it comes down at the left end.
+                    let opens = starts == (side == Side::Below);
+                    self.ends.push(End { along: place(state, mesh, line, node), opens, fragment });
+                }
+            }
+        }
+        self.ends.sort_by(|a, b| a.along.total_cmp(&b.along));
+        let ends = std::mem::take(&mut self.ends);
+        for tied in ends.chunk_by(|a, b| a.along == b.along) {
+            // Among ends at one place: what is open closes first, then new insides begin, then those close.
+            let closers = || tied.iter().filter(|end| !end.opens);
+            let first = self.open.len();
+            closers().take(first).for_each(|end| self.close(state, *end, plane, side));
+            for end in tied.iter().filter(|end| end.opens) {
+                match self.early.pop() {
+                    Some(early) => self.link(state, *end, early, plane, side),
+                    None => self.open.push(*end),
+                }
+            }
+            closers().skip(first).for_each(|end| self.close(state, *end, plane, side));
+        }
+        self.ends = ends;
+        self.open.clear();
+        self.early.clear();
+    }
+
+    /// Pairs an end with the inside that began last.
+    fn close(&mut self, state: &mut State, end: End, plane: u32, side: Side) {
+        match self.open.pop() {
+            Some(open) => self.link(state, open, end, plane, side),
+            None => self.early.push(end),
+        }
+    }
+
+    /// Makes one fragment follow another along a plane.
+    fn link(&mut self, state: &mut State, open: End, close: End, plane: u32, side: Side) {
+        let (from, to) = if side == Side::Below { (close, open) } else { (open, close) };
+        let [a, b] = [self.fragments[from.fragment].end, self.fragments[to.fragment].start];
+        let low = from.along.min(to.along);
+        let high = from.along.max(to.along);
+        let start = self.on_planes.partition_point(|corner| (corner.plane, corner.along) <= (plane, low));
+        let end = self.on_planes.partition_point(|corner| (corner.plane, corner.along) < (plane, high));
+        let way = self.ways.len();
+        if start < end && self.open.is_empty() && self.early.is_empty() {
+            self.ways.extend(self.on_planes[start..end].iter().map(|corner| corner.node));
+            if to.along < from.along {
+                self.ways[way..].reverse();
+            }
+        }
+        let fragment = &mut self.fragments[from.fragment];
+        (fragment.next, fragment.way_start, fragment.way_end) = (to.fragment, way, self.ways.len());
+        let mut last = a;
+        for here in self.ways[way..].iter().copied().chain([b]) {
+            let [p, q] = [last, here].map(|node| self.nodes[node].place);
+            if p != q {
+                state.rim.edge(plane, p.number, q.number, side);
+                self.plane_edges.push(PlaneEdge { plane, nodes: [last, here], count: -1 });
+            }
+            last = here;
+        }
+    }
+
+    /// Follows the fragments of a slab into rings.
+    fn trace(&mut self, group: Range<usize>) {
+        for first in group {
+            let mut at = first;
+            // A fragment that was followed already leads nowhere.
+            while self.fragments[at].next != usize::MAX {
+                let fragment = self.fragments[at];
+                self.fragments[at].next = usize::MAX;
+                let run = fragment.start..fragment.end + 1;
+                run.chain(self.ways[fragment.way_start..fragment.way_end].iter().copied())
+                    .for_each(|node| self.rings.nodes.push(self.nodes[node]));
+                at = fragment.next;
+            }
+            self.rings.end_ring();
+        }
+    }
+
+    /// Along a plane, the pieces below and above and the face itself use each edge as often one way as the other. Where a
+    /// face is broken (not planar, or crossing itself) they may not: what is missing becomes faces in the plane, so that no
+    /// neighbour lacks its partner.
+    fn close_flat(&mut self, state: &mut State, mesh: &Mesh) {
+        let nodes = &self.nodes;
+        let key = |edge: &PlaneEdge| {
+            let [a, b] = edge.nodes.map(|node| nodes[node].place.number);
+            (edge.plane, a.min(b), a.max(b))
+        };
+        self.plane_edges.sort_by_key(key);
+        // By the point where they start; as many end at each.
+        let mut left: BTreeMap<(u32, u32), Vec<[usize; 2]>> = BTreeMap::new();
+        for same in self.plane_edges.chunk_by(|a, b| key(a) == key(b)) {
+            let PlaneEdge { plane, nodes: [a, b], .. } = same[0];
+            let is_forward = |edge: &PlaneEdge| nodes[edge.nodes[0]].place == nodes[a].place;
+            let net: i32 = same.iter().map(|edge| if is_forward(edge) { edge.count } else { -edge.count }).sum();
+            let missing = if net > 0 { [a, b] } else { [b, a] };
+            if net != 0 {
+                let from = left.entry((plane, nodes[missing[0]].place.number)).or_default();
+                from.extend(std::iter::repeat_n(missing, net.unsigned_abs() as usize));
+            }
+        }
+        while let Some((&(plane, start), _)) = left.first_key_value() {
+            let mut at = start;
+            while let Entry::Occupied(mut entry) = left.entry((plane, at)) {
+                let Some([from, to]) = entry.get_mut().pop() else { break };
+                if entry.get().is_empty() {
+                    entry.remove();
+                }
+                self.rings.nodes.push(nodes[from]);
+                at = nodes[to].place.number;
+                if at == start {
+                    break;
+                }
+            }
+            let ring = &self.rings.nodes;
+            for i in 0..ring.len() {
+                let [a, b] = [i, (i + 1) % ring.len()].map(|at| ring[at].place.number);
+                state.rim.edge(plane, a, b, Side::Below);
+            }
+            self.rings.end_ring();
+            self.rings.emit(state, mesh, plane);
+        }
+    }
+}
+
+/// Where a node is along the line.
+fn place(state: &State, mesh: &Mesh, line: Line, node: Node) -> f64 {
+    line.sign * state.points.position(mesh, &node)[line.axis] + 0.0
+}

@@ -1,0 +1,133 @@
+//! Faces that lie across the axis but for rounding, with a plane inside the rounding.
+//!
+//! The line in which such a face meets the plane is noise, and with it the order of what lies on it: pieces between wrong
+//! neighbours would cover some of the face several times. Triangles have no such order, each meets a plane in one stretch.
+//! So the face is cut triangle by triangle. The edges between them are crossed like all others, so what was closed stays
+//! so, and together the pieces are the face, whatever the heights of its corners are.
+
+use std::ops::Range;
+
+use glam::DVec2;
+
+use super::pieces::Rings;
+use crate::geometry::cut::caps::rim::Side;
+use crate::geometry::cut::class::Span;
+use crate::geometry::cut::points::Node;
+use crate::geometry::cut::state::State;
+use crate::geometry::mesh::{Bounds, FaceRef, FaceTag, Mesh};
+use crate::geometry::tol::{ACROSS_EPSILON, LINE_EPSILON};
+use crate::geometry::triangulate::{Projection, Triangulator};
+
+/// Buffers.
+#[derive(Default)]
+pub(crate) struct Rough {
+    /// A face that rises by more than this lies across the axis nowhere.
+    steep: f64,
+    triangulator: Triangulator,
+    triangles: Vec<[u32; 3]>,
+    /// The rim of a triangle, crossings included.
+    nodes: Vec<Node>,
+    rings: Rings,
+}
+
+impl Rough {
+    /// To be called before a mesh is cut.
+    pub(crate) fn start(&mut self, mesh: &Mesh) {
+        self.steep = ACROSS_EPSILON * mesh.bounds().size().max_element();
+    }
+
+    /// Whether a face may be of this kind, by its corners.
+    #[inline]
+    pub(crate) fn may_be(&self, mesh: &Mesh, corners: Range<usize>, axis: usize) -> bool {
+        let mut heights = mesh.corners[corners].iter().map(|&point| mesh.points[point as usize][axis]);
+        let first = heights.next().unwrap_or(0.0);
+        // Of nearly all faces the second or third corner tells.
+        heights.all(|height| (height - first).abs() <= self.steep)
+    }
+
+    /// Cuts a face into its slabs; `false`, with nothing done, when it is not of this kind.
+    #[cold]
+    pub(crate) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) -> bool {
+        let view = mesh.face(face);
+        let is_rough = has_rough_line(&view, state.points.axis);
+        if is_rough {
+            self.clip_triangles(state, mesh, &view, tag);
+        }
+        is_rough
+    }
+
+    fn clip_triangles(&mut self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>, tag: FaceTag) {
+        let outline = face.loop_ranges().next().unwrap_or(0..0);
+        self.triangles.clear();
+        self.triangulator.face(mesh, face.index(), &mut self.triangles);
+        // The first edge is that of the first piece.
+        let first = [outline.start as u32, outline.start as u32 + 1];
+        let with_first = |triangle: &[u32; 3]| first.iter().all(|corner| triangle.contains(corner));
+        if let Some(at) = self.triangles.iter().position(with_first) {
+            self.triangles[..=at].rotate_right(1);
+        }
+        self.rings.start(Projection::along(face.normal()), tag, outline);
+        for at in 0..self.triangles.len() {
+            self.clip_triangle(state, mesh, self.triangles[at].map(|corner| corner as usize));
+        }
+        self.mark_unused(state, mesh, face);
+    }
+
+    /// A face that turns back on itself has corners that no triangle has: their points may be used by no other face.
+    fn mark_unused(&self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>) {
+        let mut used: Vec<u32> = self.triangles.iter().flatten().map(|&corner| mesh.corners[corner as usize]).collect();
+        used.sort_unstable();
+        for point in &mesh.corners[face.corner_range()] {
+            let place = state.points.places[*point as usize];
+            if !place.class.is_on_plane() && used.binary_search(point).is_err() {
+                state.parts[place.class.slab() as usize].dropped = true;
+            }
+        }
+    }
+
+    fn clip_triangle(&mut self, state: &mut State, mesh: &Mesh, corners: [usize; 3]) {
+        let places = corners.map(|corner| state.points.places[mesh.corners[corner] as usize]);
+        self.nodes.clear();
+        for (at, next) in [(0, 1), (1, 2), (2, 0)] {
+            self.nodes.push(Node::corner(corners[at], places[at]));
+            let [from, to] = [at, next].map(|i| (corners[i], places[i]));
+            state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
+        }
+        let span = Span::of(places.iter().map(|place| place.class));
+        let slabs = if span.is_flat() {
+            let slab = state.slab_of_triangle(mesh, places, span.low.plane());
+            slab..=slab
+        } else {
+            span.slabs()
+        };
+        for slab in slabs {
+            let inside = self.nodes.iter().filter(|node| node.class().touches(slab));
+            for (a, b) in inside.clone().zip(inside.clone().cycle().skip(1)) {
+                if a.class().is_on_plane() && a.class() == b.class() {
+                    let plane = a.class().plane();
+                    state.rim.edge(plane, a.place.number, b.place.number, Side::of(slab, plane));
+                }
+            }
+            self.rings.nodes.extend(inside);
+            self.rings.end_ring();
+            self.rings.emit(state, mesh, slab);
+        }
+    }
+}
+
+/// Whether a face lies across an axis, and the line in which it meets planes there is lost in rounding: in that of its
+/// corners, which are not quite in its plane, or at least in that of any number as large.
+fn has_rough_line(face: &FaceRef<'_>, axis: usize) -> bool {
+    let corners = || face.corner_range().map(|corner| face.position(corner));
+    let bounds = Bounds::of(corners());
+    let width = bounds.size().max_element();
+    if ACROSS_EPSILON * width < bounds.size()[axis] {
+        return false;
+    }
+    let normal = face.normal();
+    let sine = DVec2::new(normal[(axis + 1) % 3], normal[(axis + 2) % 3]).length();
+    let from = face.position(face.corner_range().start);
+    let off = corners().fold(0.0, |off: f64, corner| off.max((corner - from).dot(normal).abs()));
+    let reach = bounds.low.abs().max(bounds.high.abs()).max_element();
+    LINE_EPSILON * width * sine < off.max(f64::EPSILON * reach)
+}

@@ -1,0 +1,148 @@
+//! One slab's mesh while it is made.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::points::{NONE, Node, Place, Points};
+use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
+
+/// The mesh of a slab, and how many faces it has from the source as they were.
+pub(crate) struct Part {
+    pub(crate) mesh: Mesh,
+    pub(crate) whole: usize,
+    /// Whether a piece was left out because it has no extent: points of it may not be used.
+    pub(crate) dropped: bool,
+    /// A face that is to come first.
+    pub(crate) lead: Option<usize>,
+}
+
+impl Part {
+    /// With room for some points, corners and loops.
+    pub(crate) fn new(source: &Mesh, points: usize, corners: usize, loops: usize) -> Self {
+        let mut mesh = source.alike(corners);
+        mesh.points.reserve(points);
+        mesh.corners.reserve(corners);
+        mesh.loop_ends.reserve(loops);
+        if !source.normals.is_empty() {
+            mesh.normals.reserve(corners);
+        }
+        Part { mesh, whole: 0, dropped: false, lead: None }
+    }
+
+    /// Adds a triangle of the source whose corners have these numbers here.
+    #[inline]
+    pub(crate) fn keep_triangle(&mut self, source: &Mesh, tag: FaceTag, corners: Range<usize>, numbers: [u32; 3]) {
+        self.whole += 1;
+        self.piece(tag, numbers);
+        self.copy_carried(source, corners);
+    }
+
+    /// What corners of the source carry besides their points.
+    #[inline]
+    pub(crate) fn copy_carried(&mut self, source: &Mesh, corners: Range<usize>) {
+        self.mesh.uvs.copy_from(&source.uvs, corners.clone());
+        if !source.normals.is_empty() {
+            self.mesh.normals.extend_from_slice(&source.normals[corners]);
+        }
+    }
+
+    /// The number of a point in this slab; on a plane it is given when first asked for.
+    #[inline]
+    pub(crate) fn number(&mut self, points: &mut Points, place: Place, slab: u32) -> u32 {
+        if !place.class.is_on_plane() {
+            return place.number;
+        }
+        let plane = place.class.plane();
+        let numbers = &mut points.levels[plane as usize].numbers[place.number as usize];
+        let number = &mut numbers[usize::from(slab != plane)];
+        if *number != NONE {
+            return *number;
+        }
+        let new = self.mesh.points.len() as u32;
+        *number = new;
+        self.add_point(points.lift(plane, place.number))
+    }
+
+    /// Adds a point; gives its number.
+    #[inline]
+    pub(crate) fn add_point(&mut self, point: DVec3) -> u32 {
+        self.mesh.points.push(point);
+        self.mesh.points.len() as u32 - 1
+    }
+
+    /// Adds corners of a piece with what they carry.
+    #[inline(always)]
+    pub(crate) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[Node], slab: u32) {
+        for node in nodes {
+            let number = self.number(points, node.place, slab);
+            self.mesh.corners.push(number);
+        }
+        self.carry(points, source, nodes);
+    }
+
+    /// Adds what corners of a piece carry besides their points.
+    #[inline(always)]
+    pub(crate) fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
+        if !source.uvs.is_empty() {
+            for node in nodes {
+                let share = if node.is_corner() { 0.0 } else { points.share(node.place) };
+                self.mesh.uvs.push_from(&source.uvs, |list| {
+                    let uv = list[node.from as usize];
+                    if node.is_corner() { uv } else { uv.lerp(list[node.to as usize], share) }
+                });
+            }
+        }
+        if !source.normals.is_empty() {
+            self.mesh.normals.extend(nodes.iter().map(|node| {
+                let normal = source.normals[node.from as usize];
+                if node.is_corner() {
+                    return normal;
+                }
+                normal.lerp(source.normals[node.to as usize], points.share(node.place)).normalize_or(normal)
+            }));
+        }
+    }
+
+    /// Adds a piece that is one loop, without what its corners carry; the numbers of its points here are known.
+    #[inline(always)]
+    pub(crate) fn piece<const N: usize>(&mut self, tag: FaceTag, numbers: [u32; N]) {
+        self.mesh.corners.extend(numbers);
+        self.end_loop();
+        self.end_face(tag);
+    }
+
+    #[inline]
+    pub(crate) fn end_loop(&mut self) {
+        self.mesh.loop_ends.push(self.mesh.corners.len() as u32);
+    }
+
+    #[inline]
+    pub(crate) fn end_face(&mut self, tag: FaceTag) {
+        self.mesh.face_ends.push(self.mesh.loop_ends.len());
+        self.mesh.tags.push(tag);
+    }
+
+    /// The finished mesh; the source itself when all of it is here, nothing when nothing is.
+    pub(crate) fn finish(mut self, source: &Arc<Mesh>, closed: bool) -> Option<Arc<Mesh>> {
+        let faces = self.mesh.face_ends.len();
+        if faces == 0 {
+            return None;
+        }
+        if self.whole == source.face_ends.len() && faces == self.whole {
+            return Some(source.clone());
+        }
+        if self.dropped {
+            self.mesh.points = keep_used(&self.mesh.points, &mut self.mesh.corners);
+        }
+        if let Some(lead) = self.lead {
+            self.mesh.bring_to_front(lead);
+        }
+        self.mesh.give_back_room();
+        if closed {
+            let _ = self.mesh.derived.closed.set(true);
+        }
+        Some(Arc::new(self.mesh))
+    }
+}

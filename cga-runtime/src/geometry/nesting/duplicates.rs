@@ -1,0 +1,145 @@
+//! Loops that are there several times, as where a mesh has its faces twice.
+
+use std::cmp::Ordering;
+use std::collections::HashMap;
+use std::ops::Range;
+
+use glam::DVec2;
+
+use super::contour::Section;
+use super::extent::Extent;
+
+/// Which loops go through the same places in the same order.
+#[derive(Default)]
+pub(crate) struct Twins {
+    /// Of loops that are not the first of their kind, which one is, and how many came before.
+    first: HashMap<usize, (usize, usize)>,
+    /// Of the first ones that are not alone, all of the kind.
+    all: HashMap<usize, Vec<usize>>,
+    order: Vec<(DVec2, DVec2, usize)>,
+}
+
+impl Twins {
+    /// Finds them among loops, each given by its corners and its box.
+    pub(crate) fn find(&mut self, section: &Section<'_>, loops: impl Iterator<Item = (Range<usize>, Extent)> + Clone) {
+        self.first.clear();
+        self.all.clear();
+        self.order.clear();
+        self.order.extend(loops.clone().enumerate().map(|(number, (_, Extent { low, high }))| (low, high, number)));
+        let key = |&(low, high, number): &(DVec2, DVec2, usize)| (low.x, low.y, high.x, high.y, number);
+        self.order.sort_unstable_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(a.2.cmp(&b.2)));
+        if self.order.windows(2).all(|pair| (pair[0].0, pair[0].1) != (pair[1].0, pair[1].1)) {
+            return;
+        }
+        let ranges: Vec<Range<usize>> = loops.map(|(range, _)| range).collect();
+        for same_box in self.order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).filter(|group| group.len() > 1) {
+            let mut rings: Vec<Ring> =
+                same_box.iter().map(|&(.., number)| Ring::of(section, &ranges[number], number)).collect();
+            rings.sort_unstable_by(|a, b| a.order(b).then(a.number.cmp(&b.number)));
+            for kind in rings.chunk_by(|a, b| a.order(b).is_eq()).filter(|kind| kind.len() > 1) {
+                let all: Vec<usize> = kind.iter().map(|ring| ring.number).collect();
+                self.first.extend((1..all.len()).map(|rank| (all[rank], (all[0], rank))));
+                self.all.insert(all[0], all);
+            }
+        }
+    }
+
+    /// The first loop of a loop's kind, and how many of the kind came before it.
+    pub(crate) fn first(&self, number: usize) -> (usize, usize) {
+        self.first.get(&number).copied().unwrap_or((number, 0))
+    }
+
+    /// Loops that are not the first of their kind, each with which one is; in no useful order.
+    pub(crate) fn others(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.first.iter().map(|(&number, &(first, _))| (number, first))
+    }
+
+    /// Of a kind, given by its first loop, the one with a number, from the start again beyond the last.
+    pub(crate) fn nth(&self, first: usize, number: usize) -> usize {
+        self.all.get(&first).map_or(first, |all| all[number % all.len()])
+    }
+}
+
+/// The places a loop goes through, from its least start: for twins they are the same.
+struct Ring {
+    number: usize,
+    places: Vec<DVec2>,
+}
+
+impl Ring {
+    fn of(section: &Section<'_>, range: &Range<usize>, number: usize) -> Self {
+        let mut places: Vec<DVec2> = section.ring(range).iter().map(|&at| section.flat[at as usize]).collect();
+        let start = least_start(&places);
+        places.rotate_left(start);
+        Ring { number, places }
+    }
+
+    fn order(&self, other: &Ring) -> Ordering {
+        let count = self.places.len().cmp(&other.places.len());
+        let pairs = || self.places.iter().zip(&other.places);
+        count
+            .then_with(|| pairs().map(|(&a, &b)| by_place(a, b)).find(|order| order.is_ne()).unwrap_or(Ordering::Equal))
+    }
+}
+
+/// Where a ring must start so that its places in a row come first in lexicographic order. Takes as many steps as there are
+/// places, two or three times, however often a place comes again.
+fn least_start(places: &[DVec2]) -> usize {
+    let count = places.len();
+    let at = |i: usize| places[if i < count { i } else { i - count }];
+    // Two starts are compared; of the worse one, all up to where it falls back are worse than some other.
+    let (mut a, mut b, mut same) = (0, 1, 0);
+    while a < count && b < count && same < count {
+        match by_place(at(a + same), at(b + same)) {
+            Ordering::Equal => {
+                same += 1;
+                continue;
+            }
+            Ordering::Greater => a += same + 1,
+            Ordering::Less => b += same + 1,
+        }
+        if a == b {
+            b += 1;
+        }
+        same = 0;
+    }
+    a.min(b)
+}
+
+fn by_place(a: DVec2, b: DVec2) -> Ordering {
+    a.x.partial_cmp(&b.x).unwrap_or(Ordering::Equal).then(a.y.partial_cmp(&b.y).unwrap_or(Ordering::Equal))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_least_start_is_the_same_wherever_a_ring_starts() {
+        let rings: [&[i32]; 5] =
+            [&[3, 1, 2], &[1, 2, 1, 2], &[1, 1, 2, 1, 1, 1], &[2, 2, 2], &[0, 1, 0, 2, 0, 1, 0, 1]];
+        for ring in rings {
+            let places: Vec<DVec2> = ring.iter().map(|&x| DVec2::new(0.0, f64::from(x))).collect();
+            let turned = |start: usize| -> Vec<f64> {
+                places[start..].iter().chain(&places[..start]).map(|place| place.y).collect()
+            };
+            let least = (0..ring.len()).map(turned).min_by(|a, b| a.partial_cmp(b).unwrap());
+            assert_eq!(Some(turned(least_start(&places))), least);
+        }
+    }
+
+    #[test]
+    fn twins_are_told_from_others_with_their_box() {
+        let at = |x: f64, y: f64| DVec2::new(x, y);
+        let flat = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0), at(1.0, 1.0)];
+        let corners = [0, 1, 2, 3, 3, 2, 1, 0, 4, 3, 0, 1, 0, 2, 3, 2, 3, 0, 1];
+        let ends = [4, 8, 12, 15, 19];
+        let section = Section { flat: &flat, corners: &corners, ends: &ends };
+        let starts = [0].into_iter().chain(ends);
+        let loops = starts.zip(ends).map(|(start, end)| (start..end, Extent { low: DVec2::ZERO, high: DVec2::ONE }));
+        let mut twins = Twins::default();
+        twins.find(&section, loops);
+        assert_eq!([0, 1, 2, 3, 4].map(|number| twins.first(number)), [(0, 0), (1, 0), (0, 1), (3, 0), (0, 2)]);
+        assert_eq!([0, 1, 2, 3].map(|rank| twins.nth(0, rank)), [0, 2, 4, 0]);
+    }
+}

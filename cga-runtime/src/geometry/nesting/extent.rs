@@ -1,0 +1,45 @@
+//! Boxes in a plane.
+
+use glam::DVec2;
+
+use crate::geometry::tol::AROUND_EPSILON;
+
+/// The smallest box around some points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Extent {
+    pub(crate) low: DVec2,
+    pub(crate) high: DVec2,
+}
+
+impl Extent {
+    const EMPTY: Extent = Extent { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
+
+    pub(crate) fn union(all: impl Iterator<Item = Extent>) -> Self {
+        all.fold(Extent::EMPTY, |sum, next| Extent { low: sum.low.min(next.low), high: sum.high.max(next.high) })
+    }
+
+    /// By how much it may be too small for what is in it, with rounded coordinates.
+    pub(crate) fn slack(&self) -> f64 {
+        AROUND_EPSILON * self.low.abs().max(self.high.abs()).max_element()
+    }
+
+    /// Whether it is in another one, except for rounding. Then it is also in every box around that.
+    pub(crate) fn is_in(&self, other: &Extent) -> bool {
+        let slack = other.slack();
+        other.low.cmple(self.low + slack).all() && self.high.cmple(other.high + slack).all()
+    }
+
+    /// Whether a point is in it or on its rim.
+    #[inline]
+    pub(crate) fn holds(&self, point: DVec2) -> bool {
+        self.low.x <= point.x && self.low.y <= point.y && point.x <= self.high.x && point.y <= self.high.y
+    }
+}
+
+/// What makes a section of these corners about as large as 1 when its areas would be beyond what a number holds.
+pub(crate) fn about_one(mut corners: impl Iterator<Item = DVec2>) -> f64 {
+    const RANGE: std::ops::Range<f64> = 1e-100..1e100;
+    let Some(from) = corners.next() else { return 1.0 };
+    let half = corners.fold(0.0, |half: f64, corner| half.max((corner * 0.5 - from * 0.5).abs().max_element()));
+    if half == 0.0 || RANGE.contains(&half) { 1.0 } else { libm::scalbn(1.0, -libm::ilogb(half)) }
+}

@@ -1,0 +1,313 @@
+//! Which loops of a section are outlines, and which are holes of which.
+//!
+//! Outlines run counter-clockwise, holes clockwise (of a section that is inside out as a whole, the other way). A hole
+//! belongs to the smallest outline that winds around it; a hole that no outline winds around stays on its own. Each hole is
+//! asked for at one point just beside it, on the side of the solid, among the outlines whose box holds the point
+//! ([`crate::geometry::nesting::box_tree`]). Where this takes long, because many boxes hold what their outlines do not, a sweep tells
+//! ([`crate::geometry::nesting::sweep`]), unless loops cross. Rounding may press what is between a hole and its outline flat, or turn it over:
+//! a hole for which nothing is found that could hold it is asked for again at a point well inside.
+//!
+//! All queries together look at a limited number of boxes and edges for each corner of the section. Holes that are left then
+//! stay on their own: parts are closed whichever outline a hole belongs to.
+
+mod box_tree;
+pub(crate) mod contour;
+mod duplicates;
+pub(crate) mod extent;
+mod merge_sort;
+mod pairing;
+mod probe;
+mod ring;
+mod status;
+mod sweep;
+mod winding;
+
+use std::ops::Range;
+
+use glam::DVec2;
+
+use crate::geometry::tol::PLANAR_EPSILON;
+use box_tree::BoxTree;
+use contour::Section;
+use duplicates::Twins;
+use extent::{Extent, about_one};
+use probe::Probe;
+use ring::Loop;
+use sweep::Sweep;
+use winding::{Budget, Runs};
+
+/// The number of boxes and edges to look at for each corner of a section, and for any section. Sections whose loops lie about
+/// at random need about ten a corner, and the sweep takes about as long as this many.
+const LIMIT: usize = 64;
+const SMALL: usize = 1 << 16;
+
+/// What the queries of a section may look at.
+fn budget(section: &Section<'_>) -> Budget {
+    Budget(SMALL.max(LIMIT * section.corners.len()))
+}
+
+/// Loops of a section in groups: an outline and its holes. Also buffers.
+#[derive(Default)]
+pub(crate) struct Nest {
+    loops: Vec<Loop>,
+    /// Loops in the order of groups; where each group ends.
+    pub(crate) order: Vec<Range<usize>>,
+    pub(crate) ends: Vec<usize>,
+    /// Whether outlines run clockwise and holes counter-clockwise.
+    inverted: bool,
+    /// What makes the section about as large as 1.
+    scale: f64,
+    twins: Twins,
+    tree: BoxTree,
+    runs: Runs,
+    sweep: Sweep,
+    /// Holes to ask about, each at its point.
+    probes: Vec<(usize, Probe)>,
+}
+
+impl Nest {
+    /// One loop, which is an outline.
+    pub(crate) fn single(&mut self, end: usize) {
+        self.order.clear();
+        self.ends.clear();
+        self.order.push(0..end);
+        self.ends.push(1);
+    }
+
+    /// Sorts the loops of a section into groups.
+    pub(crate) fn sort(&mut self, section: &Section<'_>) {
+        self.measure(section);
+        // A section that is inside out has its outlines clockwise. Where outlines and holes cancel out, the sum is rounding.
+        let (sum, all) =
+            self.loops.iter().fold((0.0, 0.0), |(sum, all), ring| (sum + ring.area, all + ring.area.abs()));
+        self.nest(section, sum < -PLANAR_EPSILON * all);
+    }
+
+    /// The same, of a section of which it is known whether it is inside out.
+    pub(crate) fn sort_as(&mut self, section: &Section<'_>, inverted: bool) {
+        self.measure(section);
+        self.nest(section, inverted);
+    }
+
+    /// The holes that belong to no outline.
+    pub(crate) fn lone_holes(&self) -> impl Iterator<Item = &Range<usize>> {
+        self.loops.iter().filter(|ring| !ring.is_outline() && ring.outline.is_none()).map(|ring| &ring.range)
+    }
+
+    fn measure(&mut self, section: &Section<'_>) {
+        self.loops.clear();
+        let scale = about_one(section.corners.iter().map(|&corner| section.flat[corner as usize]));
+        self.scale = scale;
+        let mut start = 0;
+        for &end in section.ends {
+            self.loops.push(measure(section, start..end, scale));
+            start = end;
+        }
+    }
+
+    fn nest(&mut self, section: &Section<'_>, inverted: bool) {
+        self.inverted = inverted;
+        if inverted {
+            self.loops.iter_mut().for_each(|ring| ring.area = -ring.area);
+        }
+        let outlines = self.loops.iter().filter(|ring| ring.is_outline()).count();
+        if outlines < self.loops.len() && outlines != 0 {
+            self.assign(section);
+        }
+        self.group();
+    }
+
+    /// Lists each outline with its holes behind it, all in the order they were found.
+    fn group(&mut self) {
+        self.order.clear();
+        self.ends.clear();
+        if self.loops.iter().all(|ring| ring.outline.is_none()) {
+            for ring in &self.loops {
+                self.order.push(ring.range.clone());
+                self.ends.push(self.order.len());
+            }
+            return;
+        }
+        // Where each group starts: behind as many loops as are in the groups before.
+        let mut starts = vec![0usize; self.loops.len() + 1];
+        for (index, ring) in self.loops.iter().enumerate() {
+            starts[ring.outline.unwrap_or(index) + 1] += 1;
+        }
+        (0..self.loops.len()).for_each(|index| starts[index + 1] += starts[index]);
+        self.order.resize(self.loops.len(), 0..0);
+        let mut next = starts.clone();
+        for (index, ring) in self.loops.iter().enumerate() {
+            if ring.outline.is_none() {
+                self.order[starts[index]] = ring.range.clone();
+                next[index] += 1;
+            }
+        }
+        for ring in &self.loops {
+            if let Some(outline) = ring.outline {
+                self.order[next[outline]] = ring.range.clone();
+                next[outline] += 1;
+            }
+        }
+        let outlines = (0..self.loops.len()).filter(|&index| self.loops[index].outline.is_none());
+        self.ends.extend(outlines.map(|outline| starts[outline + 1]));
+    }
+
+    /// Finds an outline for each hole.
+    fn assign(&mut self, section: &Section<'_>) {
+        let Nest { loops, inverted, twins, tree, runs, probes, .. } = self;
+        twins.find(section, loops.iter().map(|ring| (ring.range.clone(), ring.extent)));
+        // Rounding depends on where a loop starts. Of an area of about 0 that may be the sign.
+        for (number, first) in twins.others() {
+            loops[number].area = loops[first].area;
+        }
+        let is_asked = |number: usize| loops[number].is_outline() && twins.first(number).0 == number;
+        tree.fill(loops, is_asked);
+        runs.fill(section, loops.iter().enumerate().map(|(number, ring)| is_asked(number).then_some(&ring.range)));
+        probes.clear();
+        for (hole, ring) in loops.iter().enumerate() {
+            if !ring.is_outline() && twins.first(hole).0 == hole {
+                let place = |corner| section.flat[corner as usize];
+                probes.push((hole, Probe::beside(section.ring(&ring.range), *inverted, place)));
+            }
+        }
+        self.ask_beside(section);
+        self.ask_inside(section);
+        // Where outlines are there several times, so are holes: each gets its own.
+        for hole in 0..self.loops.len() {
+            if !self.loops[hole].is_outline() {
+                let (first, rank) = self.twins.first(hole);
+                self.loops[hole].outline = self.loops[first].outline.map(|outline| {
+                    let (kind, _) = self.twins.first(outline);
+                    self.twins.nth(kind, rank)
+                });
+            }
+        }
+    }
+
+    /// Finds, for each hole, the smallest outline that winds around the point beside it. Where that takes long and loops
+    /// cross, some holes stay without an outline.
+    fn ask_beside(&mut self, section: &Section<'_>) {
+        let Nest { loops, inverted, twins, tree, runs, sweep, probes, .. } = self;
+        let mut budget = budget(section);
+        for (hole, probe) in &*probes {
+            let at = probe.at();
+            let found = tree.smallest(
+                &mut budget,
+                |extent| extent.holds(at),
+                |outline, budget| runs.winding(section, outline, &loops[outline].range, probe, budget) != 0,
+            );
+            loops[*hole].outline = found;
+        }
+        let is_outline = |number: usize| loops[number].is_outline();
+        if budget.is_spent() && sweep.find(section, *inverted, |number| twins.first(number).0 == number, is_outline) {
+            probes.iter().for_each(|&(hole, _)| loops[hole].outline = sweep.around(hole));
+        }
+    }
+
+    /// The same, of holes that have no outline that could hold them, for a point inside, if there is one, and outlines that
+    /// could.
+    fn ask_inside(&mut self, section: &Section<'_>) {
+        let Nest { loops, scale, tree, runs, probes, .. } = self;
+        let mut budget = budget(section);
+        for (hole, beside) in &*probes {
+            let own = &loops[*hole];
+            if own.outline.is_some_and(|outline| loops[outline].may_hold(own, *scale)) {
+                continue;
+            }
+            let inside = Probe::inside(section.ring(&own.range), |corner| section.flat[corner as usize]);
+            let probe = inside.as_ref().unwrap_or(beside);
+            let found = tree.smallest(
+                &mut budget,
+                |extent| own.extent.is_in(extent),
+                |outline, budget| {
+                    loops[outline].may_hold(own, *scale)
+                        && runs.winding(section, outline, &loops[outline].range, probe, budget) != 0
+                },
+            );
+            loops[*hole].outline = found.or(own.outline);
+        }
+    }
+}
+
+/// The area of a loop and its box; the area of a section that is `scale` times as large.
+fn measure(section: &Section<'_>, range: Range<usize>, scale: f64) -> Loop {
+    let ring = &section.corners[range.clone()];
+    let from = section.flat[ring[0] as usize];
+    let (mut low, mut high, mut area) = (from, from, 0.0);
+    let mut last = DVec2::ZERO;
+    for &corner in &ring[1..] {
+        let p = section.flat[corner as usize];
+        (low, high) = (low.min(p), high.max(p));
+        let here = p * scale - from * scale;
+        area += last.perp_dot(here);
+        last = here;
+    }
+    Loop { range, area, extent: Extent { low, high }, outline: None }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers from 0 to 1 that look random.
+    fn noise(seed: &mut u32) -> f64 {
+        *seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(*seed >> 8) / f64::from(1 << 24)
+    }
+
+    /// Stars, every second one a hole, that cross each other.
+    fn stars(count: usize, seed: &mut u32) -> Vec<Vec<DVec2>> {
+        let star = |number: usize| {
+            let (corners, size) = (3 + (noise(seed) * 40.0) as usize, 0.02 + noise(seed) * noise(seed) * 0.4);
+            let centre = DVec2::new(noise(seed), noise(seed));
+            let corner = |i: usize| {
+                let (sin, cos) = libm::sincos(i as f64 / corners as f64 * std::f64::consts::TAU);
+                centre + DVec2::new(cos, sin) * size * (0.3 + noise(seed))
+            };
+            let mut ring: Vec<DVec2> = (0..corners).map(corner).collect();
+            if number % 2 == 1 {
+                ring.reverse();
+            }
+            ring
+        };
+        (0..count).map(star).collect()
+    }
+
+    #[test]
+    fn crossing_loops_nest_as_their_windings_say() {
+        let mut seed = 1;
+        for round in 0..40 {
+            let loops = stars(60, &mut seed);
+            let flat: Vec<DVec2> = loops.iter().flatten().copied().collect();
+            let corners: Vec<u32> = (0..flat.len() as u32).collect();
+            let mut end = 0;
+            let ends: Vec<usize> = loops.iter().map(|ring| (end += ring.len(), end).1).collect();
+            let mut nest = Nest::default();
+            nest.sort(&Section { flat: &flat, corners: &corners, ends: &ends });
+            let place = |corner: u32| flat[corner as usize];
+            let around = |probe: &Probe, counts: &dyn Fn(&Loop) -> bool| {
+                let winds = |number: usize| {
+                    let ring = &loops[number];
+                    (0..ring.len()).map(|i| probe.turn(ring[i], ring[(i + 1) % ring.len()])).sum::<i32>() != 0
+                };
+                let outlines = (0..loops.len()).filter(|&i| nest.loops[i].is_outline() && counts(&nest.loops[i]));
+                let smaller = |&a: &usize, &b: &usize| nest.loops[a].area.total_cmp(&nest.loops[b].area);
+                outlines.filter(|&number| winds(number)).min_by(smaller)
+            };
+            let mut held = 0;
+            for hole in nest.loops.iter().filter(|ring| !ring.is_outline()) {
+                let ring = &corners[hole.range.clone()];
+                let beside = around(&Probe::beside(ring, nest.inverted, place), &|_| true);
+                let holds = |outline: &Loop| outline.may_hold(hole, nest.scale);
+                let expected = if beside.is_some_and(|outline| holds(&nest.loops[outline])) {
+                    beside
+                } else {
+                    Probe::inside(ring, place).and_then(|probe| around(&probe, &holds)).or(beside)
+                };
+                assert_eq!(hole.outline, expected, "round {round}");
+                held += usize::from(expected.is_some());
+            }
+            assert!(5 < held, "round {round}: {held}");
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Edges in a plane where several meet at a point: which goes on as which.
+//!
+//! The inside is left of each edge. Going round a point counter-clockwise, an edge that leaves begins a sector of the
+//! inside and an edge that arrives ends one; so the two are paired like brackets. Loops paired that way do not cross. Of a
+//! section that is inside out as a whole the inside is right of each edge: arriving begins a sector there, leaving ends it.
+
+use std::cmp::Ordering;
+
+use glam::DVec2;
+
+use super::extent::about_one;
+use super::merge_sort::merge_sort;
+use crate::geometry::exact::orient;
+
+const NONE: u32 = u32::MAX;
+
+/// Walks found, and buffers.
+#[derive(Default)]
+pub(crate) struct Chains {
+    /// Closed walks one after the other; a point may come several times.
+    pub(crate) corners: Vec<u32>,
+    pub(crate) loop_ends: Vec<usize>,
+    /// Walks that do not close, ends included.
+    pub(crate) open: Vec<Vec<u32>>,
+    /// Edges at each point, those that leave with the lowest bit set; where each point's start.
+    at: Vec<u32>,
+    starts: Vec<usize>,
+    /// For each edge the one that follows.
+    next: Vec<u32>,
+    arrived: Vec<bool>,
+    dead: Vec<bool>,
+    round: Vec<u32>,
+    spare: Vec<u32>,
+    brackets: Vec<u32>,
+}
+
+/// Finds the walks of some edges.
+pub(crate) fn pair(chains: &mut Chains, edges: &[[u32; 2]], flat: &[DVec2]) {
+    chains.corners.clear();
+    chains.loop_ends.clear();
+    chains.open.clear();
+    chains.gather(edges, flat.len());
+    chains.dead.clear();
+    chains.dead.resize(edges.len(), false);
+    (0..flat.len()).for_each(|point| chains.cancel(edges, point));
+    chains.next.clear();
+    chains.next.resize(edges.len(), NONE);
+    chains.arrived.clear();
+    chains.arrived.resize(edges.len(), false);
+    let inverted = is_inside_out(edges, flat);
+    (0..flat.len()).for_each(|point| chains.pair_at(edges, flat, point, inverted));
+    chains.walk(edges);
+}
+
+impl Chains {
+    fn gather(&mut self, edges: &[[u32; 2]], points: usize) {
+        self.starts.clear();
+        self.starts.resize(points + 1, 0);
+        edges.iter().flatten().for_each(|&end| self.starts[end as usize + 1] += 1);
+        (0..points).for_each(|i| self.starts[i + 1] += self.starts[i]);
+        self.at.clear();
+        self.at.resize(2 * edges.len(), 0);
+        let mut fill = self.starts.clone();
+        for (number, &[a, b]) in edges.iter().enumerate() {
+            for (end, leaves) in [(a, 1), (b, 0)] {
+                self.at[fill[end as usize]] = 2 * number as u32 + leaves;
+                fill[end as usize] += 1;
+            }
+        }
+    }
+
+    /// Takes out pairs of edges that run back and forth between this point and another.
+    fn cancel(&mut self, edges: &[[u32; 2]], point: usize) {
+        let range = self.starts[point]..self.starts[point + 1];
+        if range.len() < 4 {
+            return;
+        }
+        // By the other end, and leaving before arriving: what cancels stands together.
+        let other = |item: u32| edges[item as usize / 2][(item & 1) as usize];
+        self.round.clear();
+        self.round.extend(self.at[range].iter().copied().filter(|&item| !self.dead[item as usize / 2]));
+        self.round.sort_by_key(|&item| (other(item), item & 1));
+        for same in self.round.chunk_by(|&a, &b| other(a) == other(b)) {
+            let arriving = same.partition_point(|item| item & 1 == 0);
+            for (a, b) in same[..arriving].iter().zip(&same[arriving..]) {
+                self.dead[*a as usize / 2] = true;
+                self.dead[*b as usize / 2] = true;
+            }
+        }
+    }
+
+    fn pair_at(&mut self, edges: &[[u32; 2]], flat: &[DVec2], point: usize, inverted: bool) {
+        self.round.clear();
+        let all = &self.at[self.starts[point]..self.starts[point + 1]];
+        self.round.extend(all.iter().copied().filter(|&item| !self.dead[item as usize / 2]));
+        let centre = flat[point];
+        let other = |item: u32| flat[edges[item as usize / 2][(item & 1) as usize] as usize];
+        if self.round.len() > 2 {
+            merge_sort(&mut self.round, &mut self.spare, &|&a, &b| by_angle(centre, other(a), other(b)));
+        }
+        // Brackets on a circle: twice round, so that those open at the end are closed at the start.
+        self.brackets.clear();
+        for turn in 0..2 {
+            for &item in &self.round {
+                let (edge, leaves) = (item / 2, item & 1 == 1);
+                let is_paired = if leaves { self.arrived[edge as usize] } else { self.next[edge as usize] != NONE };
+                if leaves != inverted {
+                    if turn == 0 {
+                        self.brackets.push(edge);
+                    }
+                } else if !is_paired && let Some(open) = self.brackets.pop() {
+                    let [arriving, leaving] = if leaves { [open, edge] } else { [edge, open] };
+                    self.next[arriving as usize] = leaving;
+                    self.arrived[leaving as usize] = true;
+                }
+            }
+        }
+    }
+
+    fn walk(&mut self, edges: &[[u32; 2]]) {
+        // Open walks begin where nothing arrives; taking them first leaves circles only.
+        for first in 0..edges.len() {
+            if self.dead[first] || self.arrived[first] {
+                continue;
+            }
+            let mut chain = vec![edges[first][0]];
+            let mut at = first;
+            loop {
+                self.dead[at] = true;
+                chain.push(edges[at][1]);
+                match self.next[at] {
+                    NONE => break,
+                    next => at = next as usize,
+                }
+            }
+            self.open.push(chain);
+        }
+        for first in 0..edges.len() {
+            let mut at = first;
+            while !self.dead[at] {
+                self.dead[at] = true;
+                self.corners.push(edges[at][0]);
+                at = self.next[at] as usize;
+            }
+            if self.loop_ends.last().copied().unwrap_or(0) < self.corners.len() {
+                self.loop_ends.push(self.corners.len());
+            }
+        }
+    }
+}
+
+/// Whether edges, as far as they close, enclose more clockwise than counter-clockwise.
+fn is_inside_out(edges: &[[u32; 2]], flat: &[DVec2]) -> bool {
+    let Some(&[first, _]) = edges.first() else { return false };
+    let ends = edges.iter().flatten().map(|&end| flat[end as usize]);
+    let (from, scale) = (flat[first as usize], about_one(ends));
+    let at = |end: u32| flat[end as usize] * scale - from * scale;
+    edges.iter().map(|&[a, b]| at(a).perp_dot(at(b))).sum::<f64>() < 0.0
+}
+
+/// Counter-clockwise from the right, as seen from a centre. No order where a point is at the centre.
+fn by_angle(centre: DVec2, a: DVec2, b: DVec2) -> Ordering {
+    let lower = |p: DVec2| p.y < centre.y || (p.y == centre.y && p.x < centre.x);
+    lower(a).cmp(&lower(b)).then_with(|| 0.cmp(&orient(centre, a, b)))
+}

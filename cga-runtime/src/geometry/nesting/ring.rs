@@ -1,0 +1,39 @@
+//! Loops with their boxes and areas.
+
+use std::ops::Range;
+
+use super::extent::Extent;
+
+/// A loop, and for a hole its outline.
+pub(super) struct Loop {
+    pub(super) range: Range<usize>,
+    /// Twice the area, negative for a hole.
+    pub(super) area: f64,
+    pub(super) extent: Extent,
+    pub(super) outline: Option<usize>,
+}
+
+impl Loop {
+    /// The outline of a box.
+    #[cfg(test)]
+    pub(super) fn outline(extent: Extent) -> Self {
+        let size = extent.high - extent.low;
+        Loop { range: 0..4, area: 2.0 * size.x * size.y, extent, outline: None }
+    }
+
+    pub(super) fn area(&self) -> f64 {
+        self.area
+    }
+
+    pub(super) fn is_outline(&self) -> bool {
+        0.0 <= self.area
+    }
+
+    /// Whether it could be around a hole, as far as boxes and areas tell, but for rounding. The areas are those of a section
+    /// that is `scale` times as large.
+    pub(super) fn may_hold(&self, hole: &Loop, scale: f64) -> bool {
+        let Extent { low, high } = self.extent;
+        let spare = self.extent.slack() * scale * (high * scale - low * scale).element_sum();
+        hole.extent.is_in(&self.extent) && -hole.area <= self.area + spare
+    }
+}

@@ -1,0 +1,475 @@
+//! Which outline is directly around each loop, by one sweep from bottom to top: what is left of a loop's lowest corner tells.
+//!
+//! This holds for loops that do not cross, though solids may touch along edges. Comparisons are exact, and edges that come to
+//! lie beside each other are held to their order, so loops that cross are found out.
+
+use std::cmp::Ordering;
+
+use glam::DVec2;
+
+use super::contour::Section;
+use super::merge_sort::merge_sort;
+use super::status::{Row, Spot};
+use crate::geometry::exact::orient;
+
+/// No outline.
+const NONE: u32 = u32::MAX;
+/// Of loops that the sweep has not reached.
+const UNKNOWN: u32 = u32::MAX - 1;
+
+/// Buffers.
+#[derive(Default)]
+pub(crate) struct Sweep {
+    /// For each loop the outline around it.
+    around: Vec<u32>,
+    /// Of the corners of a loop.
+    places: Vec<DVec2>,
+    edges: Vec<Edge>,
+    events: Vec<Event>,
+    row: Row,
+}
+
+/// The edge that leaves a corner.
+#[derive(Clone, Copy)]
+struct Edge {
+    low: DVec2,
+    high: DVec2,
+    /// Whether what is right of it is on the solid's side: an outline's left edges, and the right ones of holes.
+    enters: bool,
+    owner: u32,
+}
+
+/// A corner.
+#[derive(Clone, Copy)]
+struct Event {
+    at: DVec2,
+    /// Whether both its edges are above it. Where several corners are at one place these come last.
+    begins: bool,
+    /// The edge that comes to it and the one that leaves it.
+    edges: [u32; 2],
+}
+
+impl Sweep {
+    /// The outline around a loop, when the sweep has found one.
+    pub(crate) fn around(&self, number: usize) -> Option<usize> {
+        let outline = self.around[number];
+        (outline < UNKNOWN).then_some(outline as usize)
+    }
+
+    /// Fills `around` for the loops that count; `false` when they cross. Of a section that is inside out, outlines run
+    /// clockwise.
+    pub(crate) fn find(
+        &mut self,
+        section: &Section<'_>,
+        inverted: bool,
+        counts: impl Fn(usize) -> bool,
+        is_outline: impl Fn(usize) -> bool,
+    ) -> bool {
+        if !self.start(section, inverted, counts) {
+            return false;
+        }
+        let events = std::mem::take(&mut self.events);
+        let sound =
+            events.iter().all(|event| if event.begins { self.begin(event, &is_outline) } else { self.go_on(event) });
+        self.events = events;
+        sound
+    }
+
+    /// Sorts the corners; `false` when one is nowhere.
+    fn start(&mut self, section: &Section<'_>, inverted: bool, counts: impl Fn(usize) -> bool) -> bool {
+        let Sweep { around, places, edges, events, row } = self;
+        around.clear();
+        around.resize(section.ends.len(), UNKNOWN);
+        edges.clear();
+        events.clear();
+        let mut from = 0;
+        for (owner, &end) in section.ends.iter().enumerate() {
+            let ring = &section.corners[std::mem::replace(&mut from, end)..end];
+            if !counts(owner) {
+                continue;
+            }
+            without_spikes(ring.iter().map(|&corner| section.flat[corner as usize]), places);
+            let first = edges.len() as u32;
+            let count = places.len() as u32;
+            for (i, &at) in (0..).zip(&*places) {
+                let next = places[if i + 1 == count { 0 } else { i as usize + 1 }];
+                let down = is_below(next, at);
+                let (low, high) = if down { (next, at) } else { (at, next) };
+                let own = first + i;
+                edges.push(Edge { low, high, enters: down != inverted, owner: owner as u32 });
+                let arriving = if i == 0 { first + count - 1 } else { own - 1 };
+                events.push(Event { at, begins: false, edges: [arriving, own] });
+            }
+        }
+        if !edges.iter().all(|edge| edge.low.is_finite()) {
+            return false;
+        }
+        row.reset(edges.len());
+        for event in events.iter_mut() {
+            event.begins = event.edges.iter().all(|&edge| edges[edge as usize].low == event.at);
+        }
+        events.sort_unstable_by(|a, b| {
+            let place = is_below(b.at, a.at).cmp(&is_below(a.at, b.at));
+            place.then(a.begins.cmp(&b.begins)).then(a.edges.cmp(&b.edges))
+        });
+        for together in events.chunk_by_mut(|a, b| a.begins && b.begins && a.at == b.at) {
+            merge_sort(together, &mut Vec::new(), &|a, b| which_is_around(a, b, edges));
+        }
+        true
+    }
+
+    /// Both edges of a corner start above it. What is between them is beside whatever they lie on.
+    fn begin(&mut self, event: &Event, is_outline: &impl Fn(usize) -> bool) -> bool {
+        let [a, b] = event.edges.map(|edge| self.edges[edge as usize]);
+        let turn = orient(event.at, a.high, b.high);
+        let [left, right] = if turn < 0 { event.edges } else { [event.edges[1], event.edges[0]] };
+        let spot = self.spot(left, true);
+        let owner = a.owner as usize;
+        if self.around[owner] == UNKNOWN {
+            self.around[owner] = self.row.before(spot).map_or(NONE, |beside| {
+                let Edge { enters, owner, .. } = self.edges[beside as usize];
+                if enters && is_outline(owner as usize) { owner } else { self.around[owner as usize] }
+            });
+        }
+        turn != 0 && self.insert(spot, left) && {
+            let next = self.spot(right, false);
+            self.insert(next, right)
+        }
+    }
+
+    /// An edge of a corner ends at it, and the other goes on from it or ends too.
+    fn go_on(&mut self, event: &Event) -> bool {
+        let [a, b] = event.edges;
+        match event.edges.map(|edge| self.edges[edge as usize].high == event.at) {
+            [true, true] => self.remove(a) && self.remove(b),
+            [true, false] => self.replace(a, b),
+            [false, true] => self.replace(b, a),
+            [false, false] => false,
+        }
+    }
+
+    /// The place of an edge that begins, right of those it lies on or left of them.
+    fn spot(&self, own: u32, right_of_equal: bool) -> Spot {
+        let own = &self.edges[own as usize];
+        self.row.spot(|edge| self.edges[edge as usize].is_left_of(own).unwrap_or(right_of_equal))
+    }
+
+    fn insert(&mut self, spot: Spot, edge: u32) -> bool {
+        let fits =
+            self.are_in_order(self.row.before(spot), Some(edge)) && self.are_in_order(Some(edge), self.row.at(spot));
+        self.row.insert(spot, edge);
+        fits
+    }
+
+    fn replace(&mut self, old: u32, new: u32) -> bool {
+        let Some(spot) = self.row.spot_of(old) else { return false };
+        self.row.replace(spot, new);
+        self.are_in_order(self.row.before(spot), Some(new)) && self.are_in_order(Some(new), self.row.after(spot))
+    }
+
+    fn remove(&mut self, edge: u32) -> bool {
+        let Some(spot) = self.row.spot_of(edge) else { return false };
+        self.row.remove(spot);
+        // What ends at the same point is about to go too.
+        let neighbours = [self.row.before(spot), self.row.at(spot)];
+        let end = self.edges[edge as usize].high;
+        neighbours.iter().flatten().all(|&beside| self.edges[beside as usize].high == end)
+            || self.are_in_order(neighbours[0], neighbours[1])
+    }
+
+    /// Whether two neighbours lie beside each other as far up and down as both reach.
+    fn are_in_order(&self, left: Option<u32>, right: Option<u32>) -> bool {
+        let (Some(left), Some(right)) = (left, right) else { return true };
+        let [left, right] = [left, right].map(|edge| self.edges[edge as usize]);
+        // One begins where the other ends, and that is about to go.
+        if left.high == right.low || left.low == right.high {
+            return true;
+        }
+        // How far apart they are at the upper of their low ends, and at the lower of their high ends.
+        let low = if is_below(left.low, right.low) { -left.side(right.low) } else { right.side(left.low) };
+        let high = if is_below(left.high, right.high) { right.side(left.high) } else { -left.side(right.high) };
+        // Where two solids touch, one ends and the other begins; where what is between a hole and its outline has no width,
+        // it begins and ends.
+        let touch = low == 0 && high == 0 && left.enters != right.enters;
+        low >= 0 && high >= 0 && (low + high > 0 || touch)
+    }
+}
+
+impl Edge {
+    /// 1 when a point is left of it, -1 when right, 0 on its line.
+    #[inline]
+    fn side(&self, p: DVec2) -> i32 {
+        if self.low == p || self.high == p { 0 } else { orient(self.low, self.high, p) }
+    }
+
+    /// Whether it is left of the low end of another edge, or goes through it and is left of the high end; nothing when they lie
+    /// on each other.
+    #[inline]
+    fn is_left_of(&self, other: &Edge) -> Option<bool> {
+        let side = match self.side(other.low) {
+            0 => orient(self.low, self.high, other.high),
+            side => side,
+        };
+        (side != 0).then_some(side < 0)
+    }
+}
+
+/// Of two corners at one place with their edges above, which comes first so that none comes before one around it.
+fn which_is_around(a: &Event, b: &Event, edges: &[Edge]) -> Ordering {
+    let sides = |event: &Event| {
+        let [p, q] = event.edges.map(|edge| &edges[edge as usize]);
+        if orient(event.at, p.high, q.high) < 0 { [p, q] } else { [q, p] }
+    };
+    let ([left, right], [other_left, other_right]) = (sides(a), sides(b));
+    let turn = |from: &Edge, to: &Edge| orient(a.at, from.high, to.high);
+    let by_left = turn(left, other_left).cmp(&0);
+    let by_right = 0.cmp(&turn(right, other_right));
+    let longer = |a: &Edge, b: &Edge| is_below(a.high, b.high).cmp(&is_below(b.high, a.high));
+    let by_length = longer(left, other_left).then(longer(right, other_right));
+    by_left.then(by_right).then(by_length).then(other_left.enters.cmp(&left.enters))
+}
+
+/// The corners of a ring without those that repeat the one before and those at which it turns back on itself: what they add
+/// encloses nothing. Nothing is left of a ring that encloses nothing.
+fn without_spikes(ring: impl Iterator<Item = DVec2>, places: &mut Vec<DVec2>) {
+    let is_spike =
+        |a: DVec2, b: DVec2, c: DVec2| a == b || b == c || (is_below(a, b) != is_below(b, c) && orient(a, b, c) == 0);
+    places.clear();
+    for next in ring {
+        while let [.., before, tip] = places[..]
+            && is_spike(before, tip, next)
+        {
+            places.pop();
+        }
+        if places.last() != Some(&next) {
+            places.push(next);
+        }
+    }
+    // Where the ring closes there may be more.
+    let mut start = 0;
+    while let [first, second, .., before, last] = places[start..] {
+        if is_spike(before, last, first) {
+            places.pop();
+        } else if is_spike(last, first, second) {
+            start += 1;
+        } else {
+            break;
+        }
+    }
+    places.drain(..start);
+    if let [a, b, c] = places[..]
+        && orient(a, b, c) == 0
+    {
+        places.clear();
+    }
+    if places.len() < 3 {
+        places.clear();
+    }
+}
+
+/// The order of the sweep: up, and to the right where that is equal.
+fn is_below(a: DVec2, b: DVec2) -> bool {
+    a.y < b.y || (a.y == b.y && a.x < b.x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is around each loop; nothing when they cross. Counter-clockwise loops are outlines, or clockwise ones if there is
+    /// more of those.
+    fn around(loops: &[Vec<DVec2>]) -> Option<Vec<u32>> {
+        let flat: Vec<DVec2> = loops.iter().flatten().copied().collect();
+        let corners: Vec<u32> = (0..flat.len() as u32).collect();
+        let ends: Vec<usize> =
+            loops.iter().scan(0, |end, ring| Some(std::mem::replace(end, *end + ring.len()) + ring.len())).collect();
+        let area =
+            |ring: &[DVec2]| (1..ring.len()).map(|i| (ring[i - 1] - ring[0]).perp_dot(ring[i] - ring[0])).sum::<f64>();
+        let mut sweep = Sweep::default();
+        let section = Section { flat: &flat, corners: &corners, ends: &ends };
+        let total: f64 = loops.iter().map(|ring| area(ring)).sum();
+        let is_outline = |number: usize| (area(&loops[number]) > 0.0) == (total > 0.0);
+        sweep.find(&section, total < 0.0, |_| true, is_outline).then_some(sweep.around)
+    }
+
+    /// A square turned by some degrees, clockwise for a negative size.
+    fn square(x: f64, y: f64, size: f64, degrees: f64) -> Vec<DVec2> {
+        let (sin, cos) = libm::sincos(degrees.to_radians());
+        let corner = |a: f64, b: f64| DVec2::new(x, y) + DVec2::new(a * cos - b * sin, a * sin + b * cos) * size.abs();
+        let mut ring = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        if size < 0.0 {
+            ring.reverse();
+        }
+        ring
+    }
+
+    #[test]
+    fn rings_in_rings_know_each_other_however_turned() {
+        for degrees in [0.0, 10.0, 30.0, 45.0, 90.0] {
+            for reversed in [false, true] {
+                // Outline, hole, island, hole …, the outermost first or last.
+                let count = 40;
+                let mut loops: Vec<_> = (0..count)
+                    .map(|i| square(3.0, -2.0, f64::from(count - i) * if i % 2 == 0 { 1.0 } else { -1.0 }, degrees))
+                    .collect();
+                let mut expected: Vec<u32> =
+                    (0..count as u32).map(|i| if i == 0 { NONE } else { (i - 1) & !1 }).collect();
+                if reversed {
+                    loops.reverse();
+                    expected.reverse();
+                    expected
+                        .iter_mut()
+                        .filter(|number| **number != NONE)
+                        .for_each(|number| *number = count as u32 - 1 - *number);
+                }
+                assert_eq!(around(&loops), Some(expected.clone()), "{degrees}");
+                loops.iter_mut().for_each(|ring| ring.reverse());
+                assert_eq!(around(&loops), Some(expected), "inside out, {degrees}");
+            }
+        }
+    }
+
+    #[test]
+    fn many_neighbours_keep_their_holes() {
+        // More than a block of the row, and rows of equal corners.
+        let side = 40;
+        for degrees in [0.0, 20.0, 45.0] {
+            let mut loops = Vec::new();
+            for i in 0..side * side {
+                let (x, y) = (f64::from(i % side) * 4.0, f64::from(i / side) * 4.0);
+                loops.push(square(x, y, 1.0, degrees));
+                loops.push(square(x, y, -0.5, degrees + 10.0));
+            }
+            let expected = (0..loops.len() as u32).map(|i| if i % 2 == 0 { NONE } else { i - 1 }).collect();
+            assert_eq!(around(&loops), Some(expected));
+        }
+    }
+
+    #[test]
+    fn loops_may_touch_at_corners_and_along_the_way() {
+        let outline = square(0.0, 0.0, 4.0, 0.0);
+        let at = |x: f64, y: f64| DVec2::new(x, y);
+        // Holes that touch the outline with a corner, at a corner, and each other; one ends on the outline's bottom.
+        let holes = [
+            vec![at(-4.0, -4.0), at(-2.0, -1.0), at(-1.0, -2.0)],
+            vec![at(-2.0, -1.0), at(-3.0, 3.0), at(0.0, 3.0)],
+            vec![at(2.0, -4.0), at(1.0, 0.0), at(3.0, 0.0)],
+            vec![at(4.0, 2.0), at(2.0, 1.0), at(2.0, 3.0)],
+        ];
+        let loops: Vec<_> = std::iter::once(outline).chain(holes).collect();
+        assert_eq!(around(&loops), Some(vec![NONE, 0, 0, 0, 0]));
+    }
+
+    #[test]
+    fn solids_may_touch_along_their_sides() {
+        let a = square(0.0, 0.0, 1.0, 0.0);
+        let hole = square(2.0, 0.0, -0.5, 0.0);
+        // All of a side, part of it, and beyond it; to the right, above, and on both sides.
+        for other in
+            [(2.0, 0.0, 1.0), (1.5, 0.0, 0.5), (3.0, 0.5, 2.0), (0.0, 2.0, 1.0), (-1.5, 0.25, 0.5), (0.3, -1.75, 0.75)]
+        {
+            for degrees in [0.0, 90.0] {
+                let turn = |ring: Vec<DVec2>| -> Vec<DVec2> {
+                    ring.into_iter().map(|p| if degrees == 0.0 { p } else { DVec2::new(-p.y, p.x) }).collect()
+                };
+                let other = square(other.0, other.1, other.2, 0.0);
+                let loops = [a.clone(), other].map(turn);
+                assert_eq!(around(&loops), Some(vec![NONE, NONE]), "{loops:?}");
+            }
+        }
+        let right = square(2.0, 0.0, 1.0, 0.0);
+        assert_eq!(around(&[hole, a, right]), Some(vec![2, NONE, NONE]));
+    }
+
+    #[test]
+    fn corners_that_enclose_nothing_do_no_harm() {
+        let at = |x: f64, y: f64| DVec2::new(x, y);
+        let clean = |ring: &[DVec2]| {
+            let mut places = Vec::new();
+            without_spikes(ring.iter().copied(), &mut places);
+            places
+        };
+        let square = [at(0.0, 0.0), at(2.0, 0.0), at(2.0, 2.0), at(0.0, 2.0)];
+        let spikes =
+            [at(0.0, 0.0), at(3.0, 0.0), at(2.0, 0.0), at(2.0, 2.0), at(2.0, 2.0), at(0.0, 2.0), at(0.0, -1.0)];
+        // A spike on a spike, wherever the ring starts.
+        let long = [square[0], square[1], at(5.0, 0.0), at(5.0, 3.0), at(5.0, 0.0), square[1], square[2], square[3]];
+        for ring in [&spikes[..], &long] {
+            for start in 0..ring.len() {
+                let turned: Vec<DVec2> = ring[start..].iter().chain(&ring[..start]).copied().collect();
+                let mut left = clean(&turned);
+                let first = left.iter().position(|&p| p == square[0]).unwrap();
+                left.rotate_left(first);
+                assert_eq!(left, square);
+            }
+        }
+        assert_eq!(clean(&[at(0.0, 0.0), at(1.0, 1.0), at(2.0, 2.0), at(1.0, 1.0)]), []);
+        assert_eq!(clean(&[at(0.0, 0.0), at(1.0, 1.0), at(2.0, 2.0)]), []);
+        let hole = [at(0.5, 0.5), at(0.5, 1.5), at(0.5, 1.0), at(1.0, 1.0)];
+        assert_eq!(around(&[hole.to_vec(), long.to_vec()]), Some(vec![1, NONE]));
+    }
+
+    #[test]
+    fn many_loops_that_touch_in_a_point_take_no_longer() {
+        // Each in the one before, the point left of them, below, right, above, and the same turned.
+        let count = 3000;
+        for (cos, sin) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (0.6, 0.8)] {
+            let turn = |x: f64, y: f64| DVec2::new(cos * x - sin * y, sin * x + cos * y);
+            let nested = (0..count).map(|i| {
+                let angle = 0.7 * (1.0 - f64::from(i) / f64::from(2 * count));
+                let (y, x) = libm::sincos(angle);
+                let mut ring = vec![DVec2::ZERO, turn(x, -y), turn(5.0 - f64::from(i) / 1e4, 0.0), turn(x, y)];
+                if i % 2 == 1 {
+                    ring.reverse();
+                }
+                ring
+            });
+            let expected = (0..count as u32).map(|i| if i == 0 { NONE } else { (i - 1) & !1 });
+            assert!(around(&nested.collect::<Vec<_>>()) == Some(expected.collect()), "{cos} {sin}");
+        }
+    }
+
+    #[test]
+    fn what_is_between_a_hole_and_its_outline_may_have_no_width() {
+        // Triangles with a common corner and two common directions, however they lie, and in any order.
+        let count = 60;
+        for (cos, sin) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (3.0, 4.0), (-4.0, 3.0), (1.0, 1.0)] {
+            for shuffle in [1, 7, 59] {
+                let nested = |number: u32| {
+                    let (size, at) =
+                        (f64::from(200 - number), |x: f64, y: f64| DVec2::new(cos * x - sin * y, sin * x + cos * y));
+                    let mut ring = vec![DVec2::ZERO, at(size, -size), at(size, size)];
+                    if number % 2 == 1 {
+                        ring.reverse();
+                    }
+                    ring
+                };
+                let loops: Vec<_> = (0..count).map(|i| nested(i * shuffle % count)).collect();
+                let place = |number: u32| (0..count).find(|i| i * shuffle % count == number).unwrap();
+                let expected = (0..count).map(|i| match i * shuffle % count {
+                    0 => NONE,
+                    number => place((number - 1) & !1),
+                });
+                assert!(around(&loops) == Some(expected.collect()), "{cos} {sin} {shuffle}");
+            }
+        }
+        // All of an outline, whichever comes first.
+        let (outline, mut hole) = (square(0.0, 0.0, 2.0, 20.0), square(0.0, 0.0, 2.0, 20.0));
+        hole.reverse();
+        let island = square(0.0, 0.0, 1.0, 45.0);
+        assert_eq!(around(&[outline.clone(), hole.clone(), island.clone()]), Some(vec![NONE, 0, 0]));
+        assert_eq!(around(&[hole, island, outline]), Some(vec![2, 2, NONE]));
+    }
+
+    #[test]
+    fn loops_that_cross_or_lie_on_each_other_are_found_out() {
+        let a = square(0.0, 0.0, 1.0, 0.0);
+        let beside = |other: Vec<DVec2>| around(&[a.clone(), other]);
+        assert_eq!(beside(square(1.5, 0.5, 1.0, 0.0)), None);
+        assert_eq!(beside(square(0.0, 0.0, 1.2, 45.0)), None);
+        assert_eq!(beside(a.clone()), None);
+        assert_eq!(beside(square(2.5, 0.0, 1.0, 0.0)), Some(vec![NONE, NONE]));
+        let bow = vec![DVec2::ZERO, DVec2::ONE, DVec2::X, DVec2::Y];
+        assert_eq!(around(&[bow]), None);
+    }
+}

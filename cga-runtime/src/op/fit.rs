@@ -1,0 +1,33 @@
+//! How a scope meets geometry that is inserted.
+
+use glam::DVec3;
+
+use crate::shape::Shape;
+
+/// Sets the scope for geometry with that low corner and size (*i operation*, zero sizes):
+/// with three sizes the geometry is fitted; the sizes that are zero follow from the others.
+pub(super) fn fit(shape: &mut Shape, low: DVec3, size: DVec3) {
+    let scope = &mut shape.scope;
+    let zero: [bool; 3] = scope.size.cmpeq(DVec3::ZERO).into();
+    // A flat asset has no scale along its flat axis.
+    let scale = |axis: usize| if size[axis] == 0.0 { 0.0 } else { scope.size[axis] / size[axis] };
+    match zero.iter().filter(|zero| **zero).count() {
+        3 => {
+            scope.size = size;
+            scope.origin += scope.axes * low;
+        }
+        2 => {
+            let kept = zero.iter().position(|zero| !zero).unwrap_or(0);
+            let scale = scale(kept);
+            let open = DVec3::from_array(zero.map(|zero| if zero { 1.0 } else { 0.0 }));
+            scope.size += open * size * scale;
+            scope.origin += scope.axes * (open * low * scale);
+        }
+        1 => {
+            let flat = zero.iter().position(|zero| *zero).unwrap_or(0);
+            let mean = (scale((flat + 1) % 3) + scale((flat + 2) % 3)) * 0.5;
+            scope.size[flat] = mean * size[flat];
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,80 @@
+//! The paint of a triangle at a sample, with the images on it.
+//!
+//! A point that is seen is known in space, so its texture coordinates follow from its place in the triangle, and need no correction
+//! for the perspective. The points that the neighbours of a sample would show on the same plane tell how much of the image it shows.
+
+use glam::{DVec2, DVec3};
+
+use super::camera::View;
+use super::scene::{Paint, Scene, Triangle};
+use super::texel::{Alpha, Corners, PLAIN};
+use super::texture::Texture;
+
+/// The part of a surface that a sample shows.
+#[derive(Clone, Copy, Debug)]
+struct Footprint {
+    /// The point as weights of the second and the third corner of its triangle.
+    at: DVec2,
+    /// Towards the samples to the right and below.
+    sides: [DVec2; 2],
+}
+
+impl Footprint {
+    fn of(triangle: &Triangle, view: &View, [x, y]: [f64; 2], point: DVec3) -> Self {
+        let [a, b, c] = triangle.corners();
+        let normal = triangle.normal();
+        let (e, f) = (b - a, c - a);
+        let (ee, ef, ff) = (e.dot(e), e.dot(f), f.dot(f));
+        let area = ee * ff - ef * ef;
+        let weights = |v: DVec3| {
+            let (p, q) = (v.dot(e), v.dot(f));
+            if area <= 0.0 { DVec2::ZERO } else { DVec2::new(ff * p - ef * q, ee * q - ef * p) / area }
+        };
+        let beside = |x: f64, y: f64| {
+            let (start, along) = view.ray(x, y);
+            let to = start + along * ((a - start).dot(normal) / along.dot(normal));
+            if to.is_finite() { weights(to - point) } else { DVec2::ZERO }
+        };
+        Footprint { at: weights(point - a), sides: [beside(x + 1.0, y), beside(x, y + 1.0)] }
+    }
+
+    fn sample(&self, texture: &Texture, corners: &Corners) -> [f32; 4] {
+        let [a, b, c] = corners.map(|[u, v]| DVec2::new(u.into(), v.into()));
+        let (e, f) = (b - a, c - a);
+        let along = |weights: DVec2| e * weights.x + f * weights.y;
+        texture.sample(a + along(self.at), self.sides.map(along))
+    }
+}
+
+impl Scene {
+    /// The paint of a triangle at a point that a sample shows, with the images on it.
+    pub(super) fn paint_at(&self, triangle: &Triangle, view: &View, sample: [f64; 2], point: DVec3) -> Paint {
+        let mut paint = self.paints[triangle.paint as usize];
+        let Some(corners) = self.textures.corners.get(triangle.uvs as usize) else { return paint };
+        let footprint = Footprint::of(triangle, view, sample, point);
+        if let (Some(map), Some(corners)) = (paint.maps.color, &corners[0]) {
+            let [r, g, b, _] = footprint.sample(&self.textures.list[map.texture as usize], corners);
+            paint.color = [paint.color[0] * r, paint.color[1] * g, paint.color[2] * b];
+        }
+        if let (Some((map, alpha)), Some(corners)) = (paint.maps.opacity, &corners[1]) {
+            let [.., opacity] = footprint.sample(&self.textures.list[map.texture as usize], corners);
+            paint.opacity = match alpha {
+                Alpha::Blend => paint.opacity * opacity,
+                Alpha::Mask(cutoff) if paint.opacity * opacity < cutoff => 0.0,
+                Alpha::Mask(_) => 1.0,
+            };
+        }
+        paint
+    }
+
+    /// The opacity of a triangle on the whole.
+    pub(super) fn mean_opacity(&self, triangle: &Triangle) -> f32 {
+        let paint = &self.paints[triangle.paint as usize];
+        match paint.maps.opacity {
+            Some((map, _)) if triangle.uvs != PLAIN => {
+                paint.opacity * self.textures.list[map.texture as usize].mean()[3]
+            }
+            _ => paint.opacity,
+        }
+    }
+}
