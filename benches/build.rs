@@ -1,9 +1,12 @@
-//! The cost of rules in a build: a program with 1,000 rules in release, with one sink and with three.
+//! The cost of rules in a build: a program with 1,000 rules in release, with one sink and with three, and a façade with and
+//! without styles.
 //!
 //! `cargo bench --bench build`; a number after `--` is another count of rules. The program is written to a temporary folder
 //! and built there; what it depends on is built before and not counted.
 
 mod common;
+#[path = "build/facade.rs"]
+mod facade;
 #[path = "build/rules.rs"]
 mod rules;
 
@@ -25,6 +28,17 @@ cga::cga! { pub grammar Rules = "Lot --> Leaf."; }
 const RULES: &str = r##"
 cga::cga! { pub grammar Rules in "src/rules.cga"; }
 "##;
+
+const PLAIN: &str = r##"
+cga::cga! { pub grammar Rules in "src/plain.cga"; }
+"##;
+
+const STYLES: &str = r##"
+cga::cga! { pub grammar Rules in "src/styles.cga"; }
+"##;
+
+/// Styles of the façade, beside `Default`.
+const STYLE_COUNT: usize = 14;
 
 /// The rest of a program. Its argument is the rule to begin with.
 const MAIN: &str = r##"
@@ -68,6 +82,27 @@ fn main() {
     }
     table.note("Buffers; buffers, a model and statistics. Bytes are those of the stripped binary, without those of a program with one rule.");
     table.print();
+    styles(&project, empty);
+}
+
+/// Builds a façade without styles and with them. `empty` is the size of a program with one rule.
+fn styles(project: &Project, empty: u64) {
+    let columns = ["program", "time / without styles", "build, s", "lines", "kilobytes"];
+    let mut table = Table::new("Build: a façade in release", &columns);
+    let (plain_time, plain) = project.build("plain", Some("Lot"));
+    let (styles_time, styles) = project.build("styles", Some("Style3$Lot"));
+    for (name, count, time, size) in
+        [("without styles", 0, plain_time, plain), ("14 styles", STYLE_COUNT, styles_time, styles)]
+    {
+        let cells = [
+            number(time.as_secs_f64() / plain_time.as_secs_f64(), 2),
+            number(time.as_secs_f64(), 1),
+            facade::rules(count).lines().count().to_string(),
+            number((size - empty) as f64 / 1000.0, 0),
+        ];
+        table.row(name, &cells);
+    }
+    table.print();
 }
 
 /// Times everything up to the IR, and gives the number of rules.
@@ -104,7 +139,11 @@ impl Project {
         let lock = fs::read_to_string(ours.join("Cargo.lock")).expect("a lock file");
         project.write("Cargo.lock", &lock);
         project.write("src/rules.cga", text);
-        for (name, head, sinks) in [("empty", EMPTY, 3), ("one", RULES, 1), ("three", RULES, 3)] {
+        project.write("src/plain.cga", &facade::rules(0));
+        project.write("src/styles.cga", &facade::rules(STYLE_COUNT));
+        let programs =
+            [("empty", EMPTY, 3), ("one", RULES, 1), ("three", RULES, 3), ("plain", PLAIN, 1), ("styles", STYLES, 1)];
+        for (name, head, sinks) in programs {
             let main = MAIN.replace("SINKS", &SINKS[..sinks].concat());
             project.write(&format!("src/bin/{name}.rs"), &format!("{head}{main}"));
         }

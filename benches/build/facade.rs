@@ -4,9 +4,8 @@
 use std::fmt::Write;
 
 /// The elements of a façade.
-const ELEMENTS: [&str; 12] = [
-    "Window", "Door", "Balcony", "Cornice", "Pillar", "Arcade", "Loggia", "Dormer", "Shop", "Frieze", "Plinth", "Bay",
-];
+const ELEMENTS: [&str; 12] =
+    ["Window", "Door", "Balcony", "Cornice", "Pillar", "Arcade", "Loggia", "Dormer", "Shop", "Frieze", "Plinth", "Bay"];
 
 /// The rules, with so many styles beside `Default`.
 pub(crate) fn rules(styles: usize) -> String {

@@ -1,4 +1,4 @@
-//! Findings → compiler errors and warnings.
+//! Diagnostics as compiler errors and warnings.
 
 use cga_lang::code::Code;
 use cga_lang::diag::{Diag, Level};
@@ -9,16 +9,16 @@ use quote::quote_spanned;
 use crate::problem::Problem;
 use crate::source::Source;
 
-/// Most errors that are shown, and most warnings: nobody reads more, and rustc takes long over them.
+/// The largest number of errors shown, and of warnings: rustc takes long over more.
 const MOST_SHOWN: usize = 100;
 
-/// Findings as tokens.
+/// Diagnostics as tokens.
 pub(crate) struct Findings {
     pub(crate) tokens: TokenStream,
     pub(crate) has_errors: bool,
 }
 
-/// Turns findings into tokens, in the order of the source.
+/// Turns diagnostics into tokens, in source order.
 pub(crate) fn findings(list: &[Diag], source: &Source) -> Findings {
     let mut list: Vec<&Diag> = list.iter().filter(|diag| diag.level != Level::Allow).collect();
     list.sort_by_key(|diag| diag.span);
@@ -48,7 +48,7 @@ pub(crate) fn findings(list: &[Diag], source: &Source) -> Findings {
     Findings { tokens, has_errors: 0 < errors }
 }
 
-/// The lines of a finding; for text with a quotation of it.
+/// The lines of a diagnostic. Rules in text are quoted.
 fn message(diag: &Diag, source: &Source) -> String {
     // Warnings show their code anyway.
     let mut diag = diag.clone();
@@ -62,7 +62,7 @@ fn message(diag: &Diag, source: &Source) -> String {
         let related = |place: cga_lang::span::Span| source.line(place.first);
         return format!("{}\n{}", diag.message, place(&text.written, &text.ranges, &text.name, span, diag, &related));
     }
-    // What Rust itself cannot read is quoted as it stands there.
+    // A character that Rust cannot read either is quoted as written.
     let spelled = |line: &str| if diag.code == Code::UnknownCharacter { line.to_owned() } else { spelled(line) };
     let mut message = spelled(&diag.message);
     for note in &diag.notes {
@@ -77,7 +77,7 @@ fn message(diag: &Diag, source: &Source) -> String {
     message
 }
 
-/// As one writes it among Rust: relative sizes with `^`, where that stands for code.
+/// A line in the spelling of inline rules: `^` for relative sizes, inside code only.
 pub(crate) fn spelled(line: &str) -> String {
     let (mut out, mut is_code, mut is_text) = (String::with_capacity(line.len()), false, false);
     for c in line.chars() {

@@ -24,7 +24,8 @@ mod table;
 mod templates;
 mod types;
 
-use std::cell::Cell;
+use std::cell::RefCell;
+use std::collections::HashMap;
 
 use cga_lang::facts::Facts;
 use cga_lang::ir::{ExprKind, Grammar, HostId, RuleId, Type};
@@ -55,8 +56,8 @@ struct Cx<'a> {
     facts: Facts,
     leaves: leaves::Leaves,
     templates: templates::Templates,
-    /// Operations that change the material in the same way in the whole run, so far.
-    paints: Cell<u32>,
+    /// Changes of the material that are the same in the whole run, so far: by text, with their numbers.
+    paints: RefCell<HashMap<String, (usize, TokenStream)>>,
 }
 
 /// Writes a grammar.
@@ -78,15 +79,18 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         facts,
         leaves,
         templates,
-        paints: Cell::new(0),
+        paints: RefCell::default(),
     };
     let (values, call) = (items::values(&cx), items::calls(&cx));
     let (rules, functions) = (rule::rules(&cx), rule::functions(&cx));
     let resume = items::resume(&cx);
     let renewals = cx.renewals();
     let lazy = cx.lazy_functions();
-    let of_values = (!renewals.is_empty() || !lazy.is_empty())
-        .then(|| quote_spanned!(Span::mixed_site()=> #[allow(dead_code)] impl CgaValues { #lazy #renewals }));
+    let paints = cx.paints();
+    let of_values = [&renewals, &lazy, &paints]
+        .iter()
+        .any(|code| !code.is_empty())
+        .then(|| quote_spanned!(Span::mixed_site()=> #[allow(dead_code, clippy::all)] impl CgaValues { #lazy #renewals #paints }));
     let implementation = items::rules_impl(&cx, header);
     let place = Span::mixed_site();
     let hidden = quote_spanned! { place=>

@@ -25,6 +25,15 @@ struct Body<'a> {
     rule: &'a Rule,
 }
 
+/// The statements at the end of each path through a rule.
+#[derive(Default)]
+struct Tail {
+    /// On a path without a step that makes children.
+    childless: TokenStream,
+    /// On the other paths.
+    otherwise: TokenStream,
+}
+
 impl Cx<'_> {
     fn rule_function(&self, id: RuleId) -> TokenStream {
         let place = Span::mixed_site();
@@ -40,13 +49,20 @@ impl Cx<'_> {
         let flag = (rule.leaf == Childless::Depends).then(|| quote_spanned!(place=> let mut childless = true;));
         let label = self.leaves.number(&rule.label);
         // A block was not counted as a shape, so its leaf is one more.
-        let own = if is_block(rule) { quote_spanned!(place=> symbol) } else { quote_spanned!(place=> leaf) };
-        let leaf = match rule.leaf {
-            Childless::Always => quote_spanned!(place=> cx.#own(shape, #label)?;),
-            Childless::Depends => quote_spanned!(place=> if childless { cx.#own(shape, #label)?; }),
-            Childless::Never => TokenStream::new(),
+        let (leaf, any_leaf) = match is_block(rule) {
+            true => (quote_spanned!(place=> symbol), quote_spanned!(place=> any_symbol)),
+            false => (quote_spanned!(place=> leaf), quote_spanned!(place=> any_leaf)),
         };
-        let steps = self.steps(&rule.body, Body { id, rule }, 0, &leaf);
+        let leaf = quote_spanned!(place=> cx.#leaf(shape, #label)?;);
+        let tail = match rule.leaf {
+            Childless::Always => Tail { childless: leaf.clone(), otherwise: leaf },
+            Childless::Depends => {
+                let otherwise = quote_spanned!(place=> if childless { cx.#any_leaf(shape, #label)?; });
+                Tail { childless: leaf, otherwise }
+            }
+            Childless::Never => Tail::default(),
+        };
+        let steps = self.steps(&rule.body, Body { id, rule }, 0, &tail);
         let (enter, leave) = (enter(rule, id), leave(rule));
         quote_spanned! { place=>
             #doc
@@ -118,7 +134,7 @@ impl Cx<'_> {
     }
 
     /// The statements of steps. `number` counts the children made so far, and `tail` follows on every path.
-    fn steps(&self, steps: &[Step], body: Body<'_>, mut number: u32, tail: &TokenStream) -> TokenStream {
+    fn steps(&self, steps: &[Step], body: Body<'_>, mut number: u32, tail: &Tail) -> TokenStream {
         let mut code = TokenStream::new();
         let mut rest = steps;
         while let Some((step, behind)) = rest.split_first() {
@@ -138,7 +154,7 @@ impl Cx<'_> {
             code.extend(self.step(step, body, number, rest.is_empty()));
             number += 1;
         }
-        code.extend(tail.clone());
+        code.extend(if number == 0 { tail.childless.clone() } else { tail.otherwise.clone() });
         code
     }
 
@@ -206,18 +222,34 @@ impl Cx<'_> {
     /// A step that changes the material in the same way in the whole run.
     fn paint(&self, step: &Step) -> TokenStream {
         let change = self.change(step);
-        let number = self.paints.get();
-        self.paints.set(number + 1);
-        let number = Literal::u32_unsuffixed(number);
-        // The expressions of the step ask for `cx`.
+        let mut paints = self.paints.borrow_mut();
+        let next = paints.len();
+        // Equal steps are one.
+        let number = paints.entry(change.to_string()).or_insert((next, change)).0;
+        let (name, number) = (local("paint_", number), Literal::usize_unsuffixed(number));
         quote_spanned! { Span::mixed_site()=>
-            let changed = cga_rt::slim::paint(cx.env, shape, #number, g, |g, env, shape| {
-                let cx = cga_rt::Painting { env };
-                #change
-            });
+            let changed = cga_rt::slim::paint(cx.env, shape, #number, g, CgaValues::#name);
             let changed = cga_rt::slim::instead(&changed);
             let shape = changed.as_ref().unwrap_or(shape);
         }
+    }
+
+    /// One function for each such change. The rules come first.
+    pub(super) fn paints(&self) -> TokenStream {
+        let place = Span::mixed_site();
+        let mut paints: Vec<(usize, TokenStream)> = self.paints.take().into_values().collect();
+        paints.sort_by_key(|(number, _)| *number);
+        let functions = paints.into_iter().map(|(number, change)| {
+            let name = local("paint_", number);
+            // The expressions of the step ask for `cx`.
+            quote_spanned! { place=>
+                fn #name(g: &CgaValues, env: &mut cga_rt::Env, shape: &mut cga_rt::Shape) {
+                    let cx = cga_rt::Painting { env };
+                    #change
+                }
+            }
+        });
+        functions.collect()
     }
 
     fn change(&self, step: &Step) -> TokenStream {
@@ -249,7 +281,7 @@ impl Cx<'_> {
     }
 
     /// The branches of a rule, each with the steps that follow.
-    fn branches(&self, step: &Step, body: Body<'_>, number: u32, tail: &TokenStream) -> TokenStream {
+    fn branches(&self, step: &Step, body: Body<'_>, number: u32, tail: &Tail) -> TokenStream {
         let (place, at) = (Span::mixed_site(), Place::rule());
         let (conditions, bodies, otherwise): (Vec<_>, Vec<_>, _) = match step {
             Step::Case { arms, otherwise } => (
@@ -298,7 +330,7 @@ impl Cx<'_> {
                 quote_spanned!(place=> { #code } #made)
             }
             Step::Push(steps) => {
-                let (base, steps) = (base(steps), self.steps(steps, body, 0, &TokenStream::new()));
+                let (base, steps) = (base(steps), self.steps(steps, body, 0, &Tail::default()));
                 quote_spanned!(place=> {
                     let shape = &cga_rt::push(shape, #child);
                     #base

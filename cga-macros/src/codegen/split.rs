@@ -80,19 +80,23 @@ impl Cx<'_> {
         let is_counted = slots.targets.iter().any(|target| self.facts.target(target).total);
         let total =
             if is_counted { quote_spanned!(place=> cga_rt::Row::total(&pieces)) } else { quote_spanned!(place=> 0) };
-        let again = if in_place && !is_list {
-            quote_spanned!(place=> cga_rt::Pattern { items: PATTERN, sizes: &SIZES, extent })
-        } else {
-            quote_spanned!(place=> pieces)
-        };
         let slots = Slots { slots, rule, axis, is_list, names: Names::new(in_place) };
         let statements = self.items(&slots, &slots.slots.pattern, At::default(), false);
         let (axis, number, Names { new, end, .. }) = (&slots.axis, Literal::u32_unsuffixed(number), &slots.names);
         let made = match measure {
             Measure::Texture => TokenStream::new(),
-            Measure::Length | Measure::Area => quote_spanned! { place=>
-                let at_most = cga_rt::Row::at_most(&pieces);
-                let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, at_most, #again)?;
+            _ if in_place => {
+                let again = match is_list {
+                    true => quote_spanned!(place=> pieces),
+                    false => quote_spanned!(place=> cga_rt::Pattern { items: PATTERN, sizes: &SIZES, extent }),
+                };
+                quote_spanned! { place=>
+                    let at_most = cga_rt::Row::at_most(&pieces);
+                    let made = cga_rt::Made::new(cx.env, shape, #axis, cga_rt::Adjust::#adjust, at_most, #again)?;
+                }
+            }
+            _ => quote_spanned! { place=>
+                let made = cga_rt::Made::any(cx.env, shape, #axis, cga_rt::Adjust::#adjust, pieces)?;
             },
         };
         quote_spanned! { place=>

@@ -8,6 +8,9 @@ use std::path::Path;
 use proc_macro2::TokenStream;
 use syn::{File, Item};
 
+#[path = "../../../benches/build/facade.rs"]
+mod facade;
+
 /// The part of an expansion that a test shows.
 fn part(show: &str, file: File) -> Vec<Item> {
     let mut items = Vec::new();
@@ -147,6 +150,17 @@ fn expansions_stay_small() {
     }
     let ratio = written as f64 / read as f64;
     assert!(ratio < 60.0, "{ratio}");
+}
+
+#[test]
+fn styles_share_their_code() {
+    // A style adds its own definitions and a choice for each, whatever the file has besides.
+    let tokens = |styles| {
+        let text = format!("grammar Facade = {:?};", facade::rules(styles));
+        count(crate::expand(text.parse().expect("a string")))
+    };
+    let ratio = tokens(14) as f64 / tokens(0) as f64;
+    assert!(ratio < 1.5, "{ratio}");
 }
 
 fn count(stream: TokenStream) -> usize {

@@ -18,14 +18,21 @@ use crate::shape::{Shape, ShapeRef};
 pub fn after<'a>(shape: ShapeRef<'a>, changed: &'a Option<Box<Base>>) -> ShapeRef<'a> {
     match changed {
         None => shape,
-        Some(base) => base.shape(),
+        Some(base) => of_base(base),
     }
+}
+
+/// The shape of a base, compiled once.
+#[cold]
+#[inline(never)]
+fn of_base(base: &Base) -> ShapeRef<'_> {
+    base.shape()
 }
 
 /// The shape that takes the place of a painted one, if one does.
 #[inline]
 pub fn instead(changed: &Option<Box<Base>>) -> Option<ShapeRef<'_>> {
-    changed.as_ref().map(|base| base.shape())
+    changed.as_ref().map(|base| of_base(base))
 }
 
 /// `t(x, y, z)`, as [`super::translate`].

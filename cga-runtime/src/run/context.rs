@@ -117,6 +117,18 @@ impl<C> Cx<'_, C> {
         filled(self.env, self.sink, shape, rule)
     }
 
+    /// As [`Cx::leaf`], compiled once for a grammar: for leaves that are rare.
+    #[inline(never)]
+    pub fn any_leaf(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+        self.leaf(shape, rule)
+    }
+
+    /// As [`Cx::symbol`], compiled once for a grammar: for leaves that are rare.
+    #[inline(never)]
+    pub fn any_symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+        self.symbol(shape, rule)
+    }
+
     /// A leaf symbol: counts as a shape of its own.
     #[inline]
     pub fn symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {

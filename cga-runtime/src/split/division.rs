@@ -90,6 +90,18 @@ impl Made {
         }
     }
 
+    /// As [`Made::new`], compiled once.
+    #[inline(never)]
+    pub fn any(
+        env: &mut Env,
+        whole: &ShapeRef<'_>,
+        axis: Axis,
+        adjust: Adjust,
+        row: impl Row,
+    ) -> ControlFlow<(), Self> {
+        Made::new(env, whole, axis, adjust, row.at_most(), row)
+    }
+
     #[cold]
     #[inline(never)]
     fn cut(env: &mut Env, whole: &ShapeRef<'_>, axis: Axis, adjust: Adjust, row: impl Row) -> ControlFlow<(), Self> {

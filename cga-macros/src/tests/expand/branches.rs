@@ -38,7 +38,7 @@ impl CgaRules {
             cx.symbol(shape, 1u32)?;
             childless = false;
             if childless {
-                cx.leaf(shape, 0u32)?;
+                cx.any_leaf(shape, 0u32)?;
             }
         } else if (cga_rt::get::float_attribute((&mut { shape }), 0u32, g.attr_0)
             == 1f64)
@@ -47,12 +47,12 @@ impl CgaRules {
                 cx.symbol(shape, 1u32)?;
                 childless = false;
                 if childless {
-                    cx.leaf(shape, 0u32)?;
+                    cx.any_leaf(shape, 0u32)?;
                 }
             } else {
                 childless = false;
                 if childless {
-                    cx.leaf(shape, 0u32)?;
+                    cx.any_leaf(shape, 0u32)?;
                 }
             }
         } else {
@@ -72,9 +72,7 @@ impl CgaRules {
                 cx.env.base(whole)
             };
             let shape = &changed.shape();
-            if childless {
-                cx.leaf(shape, 0u32)?;
-            }
+            cx.leaf(shape, 0u32)?;
         }
         cx.leave()
     }

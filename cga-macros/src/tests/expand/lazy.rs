@@ -1,4 +1,4 @@
-#[allow(dead_code)]
+#[allow(dead_code, clippy::all)]
 impl CgaValues {
     ///`a`, which may need itself: computed when it is first read.
     fn attr_1(g: &CgaValues, env: &mut cga_rt::Env) -> ::core::primitive::f64 {

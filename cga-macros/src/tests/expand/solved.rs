@@ -73,13 +73,11 @@ impl CgaRules {
                 },
             ];
             let pieces = cga_rt::solved(cx.env, shape, cga_rt::Axis::X, 10.0, PIECES);
-            let at_most = cga_rt::Row::at_most(&pieces);
-            let made = cga_rt::Made::new(
+            let made = cga_rt::Made::any(
                 cx.env,
                 shape,
                 cga_rt::Axis::X,
                 cga_rt::Adjust::Adjust,
-                at_most,
                 pieces,
             )?;
             let mut division = cga_rt::Division::any(
@@ -102,7 +100,7 @@ impl CgaRules {
             childless &= !division.has_parts();
         }
         if childless {
-            cx.leaf(shape, 0u32)?;
+            cx.any_leaf(shape, 0u32)?;
         }
         cx.leave()
     }

@@ -26,13 +26,11 @@ impl CgaRules {
             let mut lengths = [0.0; 4usize];
             let extent = cga_rt::extent(cx.env, shape, cga_rt::Axis::X);
             let pieces = &cga_rt::solve_any(PATTERN, &SIZES, &mut lengths, extent);
-            let at_most = cga_rt::Row::at_most(&pieces);
-            let made = cga_rt::Made::new(
+            let made = cga_rt::Made::any(
                 cx.env,
                 shape,
                 cga_rt::Axis::X,
                 cga_rt::Adjust::Adjust,
-                at_most,
                 pieces,
             )?;
             let mut division = cga_rt::Division::any(
@@ -81,7 +79,7 @@ impl CgaRules {
             childless &= !division.has_parts();
         }
         if childless {
-            cx.leaf(shape, 0u32)?;
+            cx.any_leaf(shape, 0u32)?;
         }
         cx.leave()
     }

@@ -202,6 +202,14 @@ pub struct Last<C>(Option<Known<C>>);
 /// The extent and the unit mesh of a repetition, and its template.
 type Known<C> = (f64, UnitMesh, Rc<Template<C>>, Rc<Turned>);
 
+impl<C> Drop for Last<C> {
+    /// Compiled once: rules have many of these.
+    #[inline(never)]
+    fn drop(&mut self) {
+        self.0 = None;
+    }
+}
+
 impl<C> Default for Last<C> {
     fn default() -> Self {
         Last(None)
