@@ -9,11 +9,12 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Packages, benches and their arguments, in the order of the page.
-const BENCHES: [(&str, &str, &[&str]); 9] = [
+const BENCHES: [(&str, &str, &[&str]); 10] = [
     ("cga", "scenes", &[]),
     ("cga", "scenes", &["--instructions"]),
     ("cga", "memory", &[]),
     ("cga", "cutting", &[]),
+    ("cga", "offset", &[]),
     ("cga", "comp", &[]),
     ("cga", "triangles", &[]),
     ("cga", "textures", &[]),
