@@ -14,7 +14,7 @@ use crate::codegen::is_plain;
 use crate::header::Header;
 use crate::source::Source;
 
-/// The names of rules that stand inline.
+/// The names in inline rules.
 pub(crate) fn names(compiled: &Compiled, header: &Header, source: &Source, has_errors: bool) -> TokenStream {
     if !source.is_inline() {
         return TokenStream::new();
@@ -73,7 +73,7 @@ fn uses(named: &Named, source: &Source) -> Vec<Ident> {
     named.uses.iter().map(|token| at(named, *token, source)).collect()
 }
 
-/// What an editor shows as the type.
+/// The type that an editor shows.
 fn ty(ty: Option<Type>) -> TokenStream {
     let place = Span::mixed_site();
     match ty {

@@ -2,7 +2,7 @@
 //! whole story.
 //!
 //! This crate is a thin shell: `source` turns what the user wrote into tokens, `cga-lang` reads and checks them, `report`
-//! shows the findings and `codegen` writes Rust.
+//! shows the diagnostics and `codegen` writes Rust.
 #![forbid(unsafe_code)]
 
 mod codegen;
@@ -15,7 +15,7 @@ mod report;
 mod skeleton;
 mod source;
 
-use cga_lang::compile::compile_files;
+use cga_lang::compile::compile;
 use proc_macro2::TokenStream;
 
 /// Checks CGA rules and turns them into Rust.
@@ -31,7 +31,7 @@ use proc_macro2::TokenStream;
 /// values are evaluated once, from left to right, and kept, as a closure would. Its attributes are fields:
 /// `rules.height = 40.0`.
 ///
-/// # What differs from a rule file inline
+/// # Differences between inline rules and rule files
 ///
 /// - Relative sizes are written `^0.5` and `^(a + b)`. Rust reads `'0.5` as a broken lifetime and stops with an error of
 ///   its own beside ours; `'(a + b)` it reads as a character without its end, before the macro is asked. `'name` works.
@@ -40,11 +40,11 @@ use proc_macro2::TokenStream;
 /// - `#name` and `#(expression)` put a Rust value into a rule: a number, a `bool`, text, or an array of these (slices,
 ///   vectors, Rust arrays, `cga::Array`).
 ///
-/// # What works everywhere
+/// # All sources of rules
 ///
 /// - Arrays are `cga::Array<T>` in fields and in Rust functions (`&Array<f64>`); a `#` value may be an array, a `Vec` or a
-///   slice. What a `#` value or the result of a Rust function must be follows from its use; where nothing tells, it is a
-///   number.
+///   slice. The type of a `#` value, and of the result of a Rust function, follows from its use; without a use that
+///   decides, it is a number.
 /// - `import lib : "lib.cga"` looks beside the importing file, then in the folders above it, up to the package's. In rules
 ///   inline or in a string paths count from the package's folder. An attribute `height` of the import is the field
 ///   `lib_height`.
@@ -56,7 +56,7 @@ use proc_macro2::TokenStream;
 /// - The rules say which type a Rust value has, `#name` or what a function gives. Where they leave it open, as in
 ///   `print(#name)`, it is a number, and in `[#name, 2]` one element; `float`, `bool`, `str`, `floatArray`, `boolArray` and
 ///   `stringArray` say it: `print(stringArray(#names))`.
-/// - `@Allow(code)`, `@Warn(code)` and `@Deny(code)` before a rule or the header set the level of findings. Warnings
+/// - `@Allow(code)`, `@Warn(code)` and `@Deny(code)` before a rule or the header set the level of diagnostics. Warnings
 ///   are shown by way of rustc's lint `deprecated`.
 /// - `#[cga(crate = path)]` before the header says where the crate `cga` is when it has another name. Other attributes
 ///   go to the struct, `#[cfg(…)]` to all that is made.
@@ -74,7 +74,7 @@ fn expand(input: TokenStream) -> TokenStream {
         Err(problem) => return skeleton::behind(&problem, &header),
     };
     let mut imports = source::Imports::new();
-    let compiled = compile_files(source.unit(), &mut imports, &header.levels);
+    let compiled = compile(source.unit(), &mut imports, &header.levels);
     source.import(&compiled, imports.opened());
     let findings = report::findings(&compiled.diags, &source);
     let output = match &compiled.grammar {

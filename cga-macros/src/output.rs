@@ -7,7 +7,7 @@ use quote::{quote, quote_spanned};
 use crate::header::Header;
 use crate::source::{Host, Source};
 
-/// Puts findings, rebuild tracking and output together: items, or an expression when there is no header.
+/// Puts diagnostics, rebuild tracking and generated code together: items, or an expression without a header.
 pub(crate) fn wrap(header: &Header, source: &Source, aside: &TokenStream, output: &Output) -> TokenStream {
     let (tracking, code) = (source.tracking(), &output.code);
     if header.name.is_some() {
@@ -31,12 +31,12 @@ pub(crate) struct Output {
     pub(crate) captures: Vec<(u32, Option<HostType>)>,
 }
 
-/// What a Rust value in the rules must be.
+/// The required type of a Rust value in the rules.
 #[derive(Clone, Copy)]
 pub(crate) enum HostType {
     /// Of that type.
     Is(Type),
-    /// Anything with a text form: it stands beside text.
+    /// Any type with a text form: the value is concatenated with text.
     Shown,
 }
 
@@ -55,7 +55,7 @@ pub(crate) fn capture(index: usize) -> Ident {
     Ident::new(&format!("_capture_{index}"), Span::mixed_site())
 }
 
-/// A Rust value as the rules need it. All of the call stands at the user's token, so that a wrong type is shown there.
+/// A Rust value, converted for the rules. The call has the span of the user's token, so that rustc shows a wrong type there.
 pub(crate) fn convert(runtime: &TokenStream, ty: HostType, host: &Host) -> TokenStream {
     let place = Span::mixed_site().located_at(host.span);
     let (runtime, code) = (relocated(runtime, place), host.reference());

@@ -1,6 +1,6 @@
-//! The cost of solving beside that of writing the pieces down, and of the same arithmetic by hand.
+//! The cost of solving, compared with writing the pieces to a list and with the same arithmetic by hand.
 //!
-//! `cargo bench -p cga-split`. Both ways run in turn in the same process, best of many.
+//! `cargo bench -p cga-split`. Both ways run alternately in the same process; the best of many runs counts.
 
 #[path = "../../benches/common/mod.rs"]
 mod common;
@@ -12,24 +12,24 @@ use cga_split::{Item, Piece, Size, solve};
 use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 
-/// The seconds for which each row is repeated.
+/// The number of seconds that each row is repeated.
 const SECONDS: f64 = 0.3;
 
 const REPEAT: [Item; 3] = [Item::Repeat(2), Item::Slot, Item::Slot];
 const WINDOWS: [Size; 2] = [Size::floating(2.5), Size::absolute(0.3)];
 
-/// `{ ~2.5 | 0.3 }*` where it repeats so often.
+/// `{ ~2.5 | 0.3 }*` with `pieces` pieces.
 fn repeat(table: &mut Table, pieces: usize) {
     let turns = pieces / 2;
     let extent = turns as f64 * 2.8 + 0.7;
     let blank = Piece { slot: 0, start: 0.0, end: 0.0, length: 0.0 };
     let (mut written, mut solved) = (vec![blank; pieces], vec![blank; pieces]);
     let mut count = 0;
-    // The clock does not see a short split alone.
+    // A single short split is below the clock's resolution.
     let rounds = (20_000 / pieces).max(1);
     let mut write = || {
         for _ in 0..rounds {
-            // The same numbers, with the repetitions known and nothing looked at.
+            // The same numbers, with the repetitions known and nothing checked.
             let mut places = written.iter_mut();
             let mut put = |piece| places.next().map(|place| *place = piece);
             let extent = black_box(extent);
@@ -84,7 +84,7 @@ fn four_slots(table: &mut Table) {
             let extent: f64 = black_box(10.0);
             let extent = if 0.0 < extent && extent <= 1e150 { extent } else { 0.0 };
             let smallest = extent * 1e-12;
-            // No size is too short for a piece, or it takes no room.
+            // A size that is too short for a piece takes no room.
             let tenth = extent * 0.1;
             let half = if smallest < 0.5 { 0.5 } else { 0.0 };
             let room = extent - (half + tenth);

@@ -1,4 +1,4 @@
-//! Pieces one by one, for code that knows the pattern: a statement a slot, a loop a group.
+//! Pieces one by one, for code that knows the pattern: one statement per slot, one loop per group.
 //!
 //! ```
 //! use cga_split::{Item, Size, solve};
@@ -25,14 +25,14 @@ use crate::runs::Turns;
 use crate::solve::piece;
 use crate::{Piece, Solution};
 
-/// A place in a split, between two pieces.
+/// A position in a split, between two pieces.
 #[derive(Clone, Debug)]
 pub struct Cursor<'s> {
     lengths: &'s [f64],
     smallest: f64,
     /// The end of the last piece.
     from: f64,
-    /// The border that no piece may cross.
+    /// The border that pieces do not cross.
     limit: f64,
 }
 
@@ -40,12 +40,12 @@ pub struct Cursor<'s> {
 #[derive(Clone, Debug)]
 pub struct Group {
     turns: Turns,
-    /// Repetitions begun.
+    /// The number of repetitions begun.
     number: f64,
     start: f64,
-    /// The end of its room.
+    /// The end of the group's room.
     room: f64,
-    /// The border around it.
+    /// The border of the group around it.
     outer: f64,
 }
 
@@ -63,7 +63,7 @@ impl<'s> Cursor<'s> {
         Some(piece)
     }
 
-    /// Enters the next group; groups count in the order in which they open.
+    /// Enters the next group. Groups are numbered in the order in which they open.
     #[inline(always)]
     pub fn open(&mut self, solution: &Solution<'_>, group: usize) -> Group {
         let mut turns = solution.turns(group);
@@ -75,23 +75,23 @@ impl<'s> Cursor<'s> {
         Group { turns, number: 0.0, start, room, outer }
     }
 
-    /// As [`Cursor::open`], compiled once.
+    /// The same as [`Cursor::open`], compiled once.
     #[inline(never)]
     pub fn any_open(&mut self, solution: &Solution<'_>, group: usize) -> Group {
         self.open(solution, group)
     }
 
-    /// As [`Cursor::turn`], compiled once.
+    /// The same as [`Cursor::turn`], compiled once.
     #[inline(never)]
     pub fn any_turn(&mut self, group: &mut Group) -> bool {
         self.turn(group)
     }
 
-    /// Begins the next repetition of a group; false after the last one.
+    /// Begins the next repetition of a group. Returns false after the last one.
     #[inline(always)]
     pub fn turn(&mut self, group: &mut Group) -> bool {
         if 0.0 < group.number {
-            // A repetition fills its room, whatever rounding does.
+            // A repetition fills its room exactly, without rounding errors.
             self.from = self.limit;
         }
         let more = group.number < group.turns.count && self.from < group.room;
@@ -105,7 +105,7 @@ impl<'s> Cursor<'s> {
     }
 }
 
-/// A place in a list of pieces of a pattern without nested groups.
+/// A position in a list of pieces. The pattern has no nested groups.
 #[derive(Clone, Debug)]
 pub struct List<'s> {
     pieces: &'s [Piece],
@@ -118,7 +118,7 @@ pub struct ListGroup {
 }
 
 impl<'s> List<'s> {
-    /// Before the first piece.
+    /// A position before the first piece.
     #[inline(always)]
     pub fn new(pieces: &'s [Piece]) -> Self {
         List { pieces }
@@ -135,25 +135,25 @@ impl<'s> List<'s> {
         Some(*first)
     }
 
-    /// Enters a group with those slots.
+    /// Enters a group with the given slots.
     #[inline(always)]
     pub fn open(&mut self, slots: Range<u32>) -> ListGroup {
         ListGroup { slots }
     }
 
-    /// As [`List::open`]: there is no other way.
+    /// The same as [`List::open`], so that generated code calls both cursors alike.
     #[inline]
     pub fn any_open(&mut self, slots: Range<u32>) -> ListGroup {
         self.open(slots)
     }
 
-    /// As [`List::turn`], compiled once.
+    /// The same as [`List::turn`], compiled once.
     #[inline(never)]
     pub fn any_turn(&mut self, group: &mut ListGroup) -> bool {
         self.turn(group)
     }
 
-    /// Begins the next repetition of a group; false after the last one.
+    /// Begins the next repetition of a group. Returns false after the last one.
     #[inline(always)]
     pub fn turn(&mut self, group: &mut ListGroup) -> bool {
         self.pieces.first().is_some_and(|piece| group.slots.contains(&piece.slot))
@@ -165,7 +165,8 @@ mod tests {
     use super::*;
     use crate::{Item, Size, solve};
 
-    /// The pieces of a part of a pattern, as generated code asks for them; gives the number of slots and groups.
+    /// Collects the pieces of a part of a pattern in the order in which generated code requests them. Returns the
+    /// numbers of the next slot and the next group.
     fn walk(
         pattern: &[Item],
         solution: &Solution<'_>,

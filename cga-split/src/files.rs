@@ -1,15 +1,15 @@
-//! Where files are looked for that rules name: meshes, images, tables and text (*Asset search*). The compiler looks for them
-//! to find names without a file, and a run must find the same ones.
+//! The places where files named by rules are looked up: meshes, images, tables and text (*Asset search*). The compiler
+//! reports names without a file, so it must look in the same places as a run.
 
-/// Folders above a rule file that are looked into.
+/// The number of folders above a rule file that are searched.
 const MOST_FOLDERS: usize = 16;
 
-/// The places at which a file may be, the first that counts first: paths from the asset folder, with forward slashes and
-/// without `.`. None for a name that leads out of it, or ends as a folder does.
+/// The places where a file may be, in order of precedence. Each is a path relative to the asset folder, with forward
+/// slashes and without `.`. `None` if the name leads out of the asset folder or ends with a slash.
 ///
-/// A name with `/` in front is such a path already. Any other is looked for in the project of the rule file that names it:
-/// in the folder `assets` of the project, then in the project. The boundaries of projects are not known, so each folder counts as
-/// one, from the rule file's own, `folder`, up to the asset folder.
+/// A name that begins with `/` is such a path already. Any other name is looked up in the project of the rule file that
+/// names it: in the project's folder `assets`, then in the project itself. The boundaries of projects are unknown, so
+/// each folder from `folder`, the folder of the rule file, up to the asset folder counts as a project.
 ///
 /// ```
 /// let places = cga_split::files::places("tree.obj", "city/rules").expect("it stays inside");
@@ -23,7 +23,7 @@ pub fn places(name: &str, folder: &str) -> Option<Vec<String>> {
     if name.starts_with('/') {
         return Some(vec![path]);
     }
-    // A folder that is not below the asset folder says nothing about places in it.
+    // A folder outside the asset folder gives no places inside it.
     let folder = if folder.starts_with('/') { None } else { normal(folder) };
     let folder = folder.unwrap_or_default();
     let mut places = Vec::new();
@@ -35,13 +35,13 @@ pub fn places(name: &str, folder: &str) -> Option<Vec<String>> {
     Some(places)
 }
 
-/// A folder and those above it, the nearest first, and the topmost in any case.
+/// A folder and the folders above it, the nearest first. The topmost folder is always included.
 fn above(folder: &str) -> impl Iterator<Item = &str> {
     let own = std::iter::successors(Some(folder), |folder| folder.rsplit_once('/').map(|(up, _)| up));
     own.filter(|folder| !folder.is_empty()).take(MOST_FOLDERS).chain([""])
 }
 
-/// A path without `.` and doubled slashes, if it does not lead upwards.
+/// A path without `.` and doubled slashes. `None` if it leads upwards.
 fn normal(path: &str) -> Option<String> {
     let parts = path.split('/').filter(|part| !matches!(*part, "" | "."));
     let parts: Vec<&str> = parts.collect();
@@ -49,7 +49,7 @@ fn normal(path: &str) -> Option<String> {
     (!parts.iter().any(leads_out)).then(|| parts.join("/"))
 }
 
-/// Whether a part of a path means another place on some platform: a drive, or several parts in one.
+/// Returns true if some platform reads a part of a path as another place: a drive, or several parts in one.
 fn is_outside(part: &str) -> bool {
     part.contains(['\\', '\0']) || part.as_bytes().get(1) == Some(&b':')
 }

@@ -1,4 +1,4 @@
-//! The repeat groups of a pattern, beside or inside each other, and how often they repeat.
+//! The repeat groups of a pattern, beside or inside each other, and their numbers of repetitions.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use crate::runs::Turns;
 use crate::search::{Search, Sum};
 use crate::{Item, Prefix, Size};
 
-/// The slots of the one group in a pattern with so many slots.
+/// The slots of the only group in a pattern with `slots` slots.
 #[inline(always)]
 pub(crate) fn slots_of_one(pattern: &[Item], slots: usize) -> Range<usize> {
     let group = pattern.iter().enumerate().find_map(|(at, item)| match item {
@@ -17,7 +17,8 @@ pub(crate) fn slots_of_one(pattern: &[Item], slots: usize) -> Range<usize> {
     group.unwrap_or_default()
 }
 
-/// What stands outside the one group and in it; `lengths` are those of the slots, floats not yet stretched.
+/// The sums outside the only group and inside it. `lengths` are the lengths of the slots, with floats not yet
+/// stretched.
 #[inline(always)]
 pub(crate) fn sums_of_one(own: &Range<usize>, sizes: &[Size], lengths: &[f64]) -> (Sum, Sum) {
     let (mut outside, mut inside) = (Sum::default(), Sum::default());
@@ -28,8 +29,8 @@ pub(crate) fn sums_of_one(own: &Range<usize>, sizes: &[Size], lengths: &[f64]) -
     (outside, inside)
 }
 
-/// Roughly how many repetitions a metre has: where the search for their number starts. It takes the sizes as they are
-/// written, and so is known while compiling where they are.
+/// The approximate number of repetitions per metre, where the search for the count starts. It uses the written sizes,
+/// so it is a constant when they are constants.
 #[inline(always)]
 pub(crate) fn density_of_one(own: &Range<usize>, sizes: &[Size], extent: f64) -> f64 {
     let mut length = 0.0;
@@ -40,7 +41,7 @@ pub(crate) fn density_of_one(own: &Range<usize>, sizes: &[Size], extent: f64) ->
     length.recip()
 }
 
-/// A pattern with one group: what nearly all splits with repeats are. Gives the stretch of the floats too.
+/// Solves a pattern with one group, as in nearly all splits with repeats. Also returns the stretch of the floats.
 #[inline(always)]
 pub(crate) fn one(outside: Sum, own: Sum, density: f64, extent: f64) -> (f64, Turns) {
     if own.nominal() <= 0.0 {
@@ -74,32 +75,32 @@ fn one_without_floats(outside: Sum, own: Sum, density: f64, extent: f64, room: f
 /// A repeat group.
 #[derive(Clone, Copy, Debug)]
 struct Group {
-    /// Its own slots, without those of groups inside.
+    /// The sums of its own slots, without the slots of nested groups.
     own: Sum,
     /// The group around it.
     parent: Option<usize>,
-    /// The group around it, or itself, that is in none.
+    /// The outermost group around it, or the group itself.
     top: usize,
-    /// Where its items end in the pattern.
+    /// The end of its items in the pattern.
     end: usize,
-    /// It, or a group inside, has a slot with a length. If not, it is never made.
+    /// True if it, or a group inside, has a slot with a length. Otherwise the group is never made.
     live: bool,
-    /// How many live groups stand before it.
+    /// The number of live groups before it.
     number: u64,
-    /// How often it repeats in the whole split.
+    /// The number of its repetitions in the whole split.
     times: f64,
 }
 
-/// The groups of a pattern in the order in which they open, and what stands outside all of them.
+/// The groups of a pattern in the order in which they open, and the sums outside all of them.
 struct Groups {
     outside: Sum,
     list: Vec<Group>,
     turns: Vec<Turns>,
-    /// How many can repeat.
+    /// The number of groups that can repeat.
     live: u64,
 }
 
-/// Any pattern: as [`one`], for all groups in the order in which they open.
+/// The same as [`one`] for any pattern. The list has all groups in the order in which they open.
 pub(crate) fn several(pattern: &[Item], sizes: &[Size], lengths: &[f64], extent: f64) -> (f64, Vec<Turns>) {
     let mut groups = Groups::new(pattern, sizes, lengths);
     let stretch = groups.choose(extent);
@@ -144,7 +145,7 @@ impl Groups {
         groups
     }
 
-    /// Finds the groups that hold anything, and numbers them. A group stands before those inside it.
+    /// Finds the groups with content and numbers them. A group comes before the groups inside it.
     fn number(&mut self) {
         for index in (0..self.list.len()).rev() {
             let group = &mut self.list[index];
@@ -159,7 +160,7 @@ impl Groups {
         }
     }
 
-    /// Chooses the counts for that extent; gives the stretch of the floats.
+    /// Chooses the counts for `extent` and returns the stretch of the floats.
     fn choose(&mut self, extent: f64) -> f64 {
         if self.live == 0 {
             return self.outside.stretch(extent);
@@ -185,7 +186,7 @@ impl Groups {
         stretch
     }
 
-    /// Deals out so many repetitions; gives the sums with the groups expanded.
+    /// Deals out `turns` repetitions and returns the sums with the groups expanded.
     fn deal(&mut self, turns: u64) -> Sum {
         let mut sum = self.outside;
         for index in 0..self.list.len() {
@@ -199,7 +200,7 @@ impl Groups {
         sum
     }
 
-    /// Gives the group that got the last of so many repetitions the room that the others leave.
+    /// Gives the group with the last of `turns` repetitions the room that the other groups leave.
     fn cut_last(&mut self, turns: u64, room: f64) {
         self.deal(turns);
         let last = last_group(turns, self.live);

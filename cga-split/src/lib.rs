@@ -1,6 +1,6 @@
-//! The split solver: sizes and an extent in, pieces out. Pure arithmetic on `f64`, the same bits on every platform, without
-//! dependencies, so that rules can be solved while they are compiled by what solves them while they run. For the same reason
-//! [`files`] is here: the places at which files are looked for.
+//! The split solver: sizes and an extent in, pieces out. Pure arithmetic on `f64`, with the same bits on every platform
+//! and without dependencies: the compiler solves rules with the same code as a run. For the same reason this crate has
+//! [`files`]: the places where files are looked up.
 //!
 //! ```
 //! use cga_split::{Item, Size, solve};
@@ -28,21 +28,21 @@ pub use choices::is_size;
 pub use cursor::{Cursor, Group, List, ListGroup};
 pub use solve::{Solution, solve, solve_any};
 
-/// How a size is to be read (*split operation*).
+/// The meaning of a size's value (*split operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Prefix {
     /// No prefix: metres.
     Absolute,
     /// `'`: a share of the whole scope, inside groups too.
     Relative,
-    /// `~`: a weight in the space that is left over.
+    /// `~`: a weight in the remaining space.
     Floating,
 }
 
 /// The size of a slot as the rule gives it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {
-    /// How to read the value.
+    /// The meaning of the value.
     pub prefix: Prefix,
     /// The number.
     pub value: f64,
@@ -65,26 +65,26 @@ impl Size {
     }
 }
 
-/// A node of a split's pattern, flattened: slots count through the pattern in writing order.
+/// A node of a split's pattern, flattened. Slots are numbered through the pattern in writing order.
 ///
 /// `{ 1 | { ~2 | 3 }* | 4 }` is `[Slot, Repeat(2), Slot, Slot, Slot]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Item {
     /// The next written slot.
     Slot,
-    /// `{ … }*`: the group holds this many of the following items, nested ones included.
+    /// `{ … }*`: the group contains this many of the following items, nested items included.
     Repeat(u32),
 }
 
-/// A slot that gets room, and where.
+/// The part of the extent that a slot gets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Which written slot.
+    /// The number of the written slot.
     pub slot: u32,
-    /// Distance of its low end from the scope's low end.
+    /// The distance of its low end from the scope's low end.
     pub start: f64,
-    /// Distance of its high end; the next piece starts there.
+    /// The distance of its high end; the next piece starts there.
     pub end: f64,
-    /// Its length: the size asked for, bit for bit, where it was neither stretched nor cut.
+    /// Its length: the given size, bit for bit, unless it was stretched or cut.
     pub length: f64,
 }

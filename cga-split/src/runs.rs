@@ -5,31 +5,31 @@ use std::ops::Range;
 use crate::Item;
 use crate::choices::smallest_piece;
 
-/// How a group repeats.
+/// The repetitions of a group.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turns {
-    /// How often in each repetition of the group around it: a whole number.
+    /// The number of repetitions in each repetition of the group around it: a whole number.
     pub(crate) count: f64,
     /// The final length of one repetition.
     pub(crate) length: f64,
-    /// The room that all have at most: the last one may be cut.
+    /// The room for all repetitions. The last one may be cut.
     pub(crate) room: f64,
 }
 
 impl Turns {
     pub(crate) const NONE: Turns = Turns { count: 0.0, length: 0.0, room: f64::INFINITY };
 
-    /// Where the room of a group that begins there ends.
+    /// The end of the room of a group that begins at `start`.
     #[inline]
     pub(crate) fn limit(&self, start: f64, limit: f64, smallest: f64) -> f64 {
         let end = start + self.room;
         if limit - smallest <= end { limit } else { end }
     }
 
-    /// The end of a repetition, counted from 1, of a group that begins there.
+    /// The end of repetition `number`, counted from 1, of a group that begins at `start`.
     ///
-    /// Borders are measured from the group's start: a million repetitions don't drift, and none has to wait for the one
-    /// before it.
+    /// Borders are measured from the group's start. So a million repetitions do not drift, and the computation of one
+    /// does not wait for the one before it.
     #[inline]
     pub(crate) fn border(&self, number: f64, start: f64, limit: f64, smallest: f64) -> f64 {
         let border = start + number * self.length;
@@ -37,16 +37,16 @@ impl Turns {
     }
 }
 
-/// Slots to be laid out one after the other.
+/// Consecutive slots to lay out.
 #[derive(Clone, Debug)]
 pub(crate) struct Run {
     pub(crate) slots: Range<usize>,
     pub(crate) start: f64,
-    /// What no piece may cross.
+    /// The border that pieces do not cross.
     pub(crate) limit: f64,
 }
 
-/// The runs of a pattern with one group: the slots before it, its own so many times, the slots behind it.
+/// The runs of a pattern with one group: the slots before it, its own slots once per repetition, the slots after it.
 #[derive(Clone, Debug)]
 pub(crate) struct OneGroup {
     own: Range<usize>,
@@ -55,9 +55,9 @@ pub(crate) struct OneGroup {
     extent: f64,
     smallest: f64,
     at: At,
-    /// Repetitions begun.
+    /// The number of repetitions begun.
     number: f64,
-    /// Where the group starts, where its room ends, and where its last repetition ended.
+    /// The start of the group, the end of its room and the end of its last repetition.
     start: f64,
     limit: f64,
     border: f64,
@@ -65,7 +65,7 @@ pub(crate) struct OneGroup {
     is_empty: bool,
 }
 
-/// Which runs are next.
+/// The next run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum At {
     Before,
@@ -94,7 +94,7 @@ impl OneGroup {
         }
     }
 
-    /// The next run; the last one ended there.
+    /// The next run. `end` is the end of the last one.
     #[inline(always)]
     pub(crate) fn next(&mut self, end: f64) -> Option<Run> {
         match self.at {
@@ -111,7 +111,7 @@ impl OneGroup {
             At::Other => {}
             At::End => return None,
         }
-        // A repetition fills its room, whatever rounding says.
+        // A repetition fills its room exactly, without rounding errors.
         let start = self.border;
         if self.number < self.turns.count && start < self.limit && !self.is_empty {
             self.number += 1.0;
@@ -129,7 +129,7 @@ pub(crate) struct AnyGroups<'s> {
     pattern: &'s [Item],
     turns: &'s [Turns],
     smallest: f64,
-    /// What comes next, and where the items of the current group and its room end.
+    /// The next position, and the ends of the current group's items and room.
     next: Place,
     stop: usize,
     limit: f64,
@@ -137,7 +137,7 @@ pub(crate) struct AnyGroups<'s> {
     open: Vec<Open>,
 }
 
-/// A place in a pattern: so many items, slots and groups stand before it.
+/// A position in a pattern: the numbers of items, slots and groups before it.
 #[derive(Clone, Copy, Debug, Default)]
 struct Place {
     item: usize,
@@ -150,12 +150,12 @@ struct Place {
 struct Open {
     first: Place,
     turns: Turns,
-    /// Repetitions begun.
+    /// The number of repetitions begun.
     number: f64,
     start: f64,
-    /// Where its room ends.
+    /// The end of its room.
     limit: f64,
-    /// What counted before it opened.
+    /// The values of `stop` and `limit` before it opened.
     outer_stop: usize,
     outer_limit: f64,
 }
@@ -174,12 +174,12 @@ impl<'s> AnyGroups<'s> {
         }
     }
 
-    /// The next run; the last one ended there.
+    /// The next run. `end` is the end of the last one.
     pub(crate) fn next(&mut self, mut end: f64) -> Option<Run> {
         loop {
             if self.next.item == self.stop {
                 let open = self.open.last_mut()?;
-                // A repetition fills its room, whatever rounding says.
+                // A repetition fills its room exactly, without rounding errors.
                 end = self.limit;
                 if open.number < open.turns.count && end < open.limit {
                     self.next = open.first;
@@ -202,7 +202,7 @@ impl<'s> AnyGroups<'s> {
         }
     }
 
-    /// Enters the group whose item is next, of so many items, at `start`.
+    /// Enters the group of `len` items whose `Repeat` is next, at `start`.
     fn open(&mut self, len: u32, start: f64) {
         let item = self.next.item + 1;
         let stop = item.saturating_add(len as usize).min(self.stop);

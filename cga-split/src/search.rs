@@ -1,12 +1,12 @@
-//! How many repetitions fill an extent best.
+//! The search for the number of repetitions that fills an extent best.
 
 use crate::choices::{as_near, smallest_piece};
 use crate::{Prefix, Size};
 
-/// No pattern is repeated more often; whoever lays pieces out has a lower limit of their own.
+/// The largest number of repetitions. The code that lays out pieces has a lower limit of its own.
 const MOST: f64 = (1u64 << 48) as f64;
 
-/// Absolute and floating sums of lengths.
+/// The sums of absolute and of floating lengths.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sum {
     pub(crate) absolute: f64,
@@ -14,7 +14,7 @@ pub(crate) struct Sum {
 }
 
 impl Sum {
-    /// Counts a slot of that length in.
+    /// Adds a slot of length `length`.
     #[inline]
     pub(crate) fn add(&mut self, size: &Size, length: f64) {
         match size.prefix {
@@ -28,34 +28,34 @@ impl Sum {
         Sum { absolute: self.absolute + times * other.absolute, floating: self.floating + times * other.floating }
     }
 
-    /// The length before anything is stretched.
+    /// The length before floats are stretched.
     #[inline]
     pub(crate) fn nominal(self) -> f64 {
         self.absolute + self.floating
     }
 
-    /// The common factor of all floats that fills the extent; zero when there is no room for them, or when there are none.
+    /// The common factor of all floats that fills the extent. Zero without room or without floats.
     #[inline]
     pub(crate) fn stretch(self, extent: f64) -> f64 {
         let room = extent - self.absolute;
         if 0.0 < self.floating && smallest_piece(extent) < room { room / self.floating } else { 0.0 }
     }
 
-    /// Whether there is room for all absolute sizes.
+    /// Returns true if there is room for all absolute sizes.
     #[inline]
     fn fits(self, extent: f64) -> bool {
         self.absolute <= extent + smallest_piece(extent)
     }
 }
 
-/// A number of repetitions is looked for; `total` knows the sums with so many of them.
+/// A search for a number of repetitions. `total` returns the sums for a number of repetitions.
 ///
-/// Numbers are whole ones in `f64`, which holds all of them and need not be converted.
+/// Numbers are whole numbers in `f64`, which represents all of them exactly and avoids conversions.
 pub(crate) struct Search<F> {
     pub(crate) extent: f64,
-    /// What stands outside all groups.
+    /// The sums outside all groups.
     pub(crate) outside: Sum,
-    /// How many repetitions a metre has, nothing stretched: the search starts there, but doesn't trust it.
+    /// The number of repetitions per metre without stretching. The search starts there and does not rely on it.
     pub(crate) density: f64,
     pub(crate) total: F,
 }
@@ -66,13 +66,15 @@ impl<F: FnMut(f64) -> Sum> Search<F> {
         Repeated { turns, sum: (self.total)(turns) }
     }
 
-    /// The largest number whose nominal lengths fit into `extent`, but at least `least`, and the number behind it. The lengths
-    /// grow with the number, evenly where no group is nested, so the search starts where that would put it.
+    /// The largest number whose nominal lengths fit into `extent`, but at least `least`, and the number after it. The
+    /// lengths grow with the number, linearly without nested groups, so the search starts at the number that linear
+    /// growth would give.
     #[inline(always)]
     fn last_that_fits(&mut self, least: f64, extent: f64) -> (Repeated, Repeated) {
         let guess = (extent - self.outside.nominal()) * self.density;
         let mut fits = self.with(whole(guess.max(least).min(MOST)).max(least));
-        // Down to one that fits, in growing steps, then up, in growing ones, and between the last two by halves.
+        // First down to a number that fits, in growing steps. Then up, in growing steps. Then bisection between the
+        // last two.
         let mut step = 1.0;
         while least < fits.turns && !fits.is_within(extent) {
             fits = self.with((fits.turns - step).max(least));
@@ -93,8 +95,8 @@ impl<F: FnMut(f64) -> Sum> Search<F> {
         (fits, over)
     }
 
-    /// With floats somewhere: the number whose common stretch is nearest to 1, and that stretch. It falls as they grow, so
-    /// only the last number with a stretch of 1 or more and the next one can win.
+    /// With floats: the number whose common stretch is nearest to 1, and that stretch. The stretch falls as the number
+    /// grows, so only two candidates remain: the last number with a stretch of 1 or more, and the next one.
     #[inline(always)]
     pub(crate) fn least_stretch(&mut self, least: f64) -> (f64, f64) {
         let (fewer, more) = self.last_that_fits(least, self.extent);
@@ -102,7 +104,7 @@ impl<F: FnMut(f64) -> Sum> Search<F> {
         if as_near(stretch, less) && more.sum.fits(self.extent) { (more.turns, less) } else { (fewer.turns, stretch) }
     }
 
-    /// Without floats: repetitions until `room` is full. Whether the last one has to be cut.
+    /// Without floats: the number of repetitions that fill `room`, and whether the last one is cut.
     #[inline(always)]
     pub(crate) fn fill(&mut self, room: f64) -> (f64, bool) {
         let rest = smallest_piece(self.extent);
@@ -115,16 +117,16 @@ impl<F: FnMut(f64) -> Sum> Search<F> {
     }
 }
 
-/// The whole number below, or sometimes the next one: nobody waits for a conversion, and a search need not start at the exact
-/// one.
+/// The whole number below `number`, or sometimes the next one. This avoids a slow conversion, and the search need not
+/// start at the exact number.
 #[inline(always)]
 fn whole(number: f64) -> f64 {
-    /// Numbers near this have no fractions: adding it rounds.
+    /// Numbers of this size have no fractions: adding it rounds.
     const NO_FRACTIONS: f64 = (3u64 << 51) as f64;
     number - 0.499_999 + NO_FRACTIONS - NO_FRACTIONS
 }
 
-/// A number of repetitions, and the sums with so many.
+/// A number of repetitions with its sums.
 #[derive(Clone, Copy)]
 struct Repeated {
     turns: f64,

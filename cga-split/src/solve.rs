@@ -9,7 +9,7 @@ use crate::runs::{AnyGroups, OneGroup, Run, Turns};
 use crate::search::Sum;
 use crate::{Item, Piece, Prefix, Size};
 
-/// The final length of each slot, and how often each group of the pattern repeats.
+/// The final length of each slot and the number of repetitions of each group.
 #[derive(Clone, Debug)]
 pub struct Solution<'a> {
     pattern: &'a [Item],
@@ -18,16 +18,17 @@ pub struct Solution<'a> {
     repeats: Repeats,
 }
 
-/// How groups repeat: one field counts, as the pattern says.
+/// The repetitions of the groups. The pattern decides which field is used.
 #[derive(Clone, Debug)]
 struct Repeats {
-    /// The group of a pattern with one.
+    /// The group of a pattern with one group.
     one: Turns,
-    /// The groups of a pattern with several, in the order in which they open.
+    /// The groups of a pattern with several groups, in the order in which they open.
     several: Vec<Turns>,
 }
 
-/// How many groups a pattern has. Where the pattern is a constant and calls are inlined, only one way is left in the code.
+/// The number of groups in a pattern. When the pattern is a constant and calls are inlined, the compiler keeps one case
+/// only.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Grouping {
     None,
@@ -38,7 +39,7 @@ enum Grouping {
 impl Grouping {
     #[inline(always)]
     fn of(pattern: &[Item], slots: usize) -> Self {
-        // An item that is no slot is a group.
+        // An item that is not a slot is a group.
         match pattern.len() - slots {
             0 => Grouping::None,
             1 => Grouping::One,
@@ -47,16 +48,16 @@ impl Grouping {
     }
 }
 
-/// Solves a split over `extent` metres. There is one size a slot of the pattern, and one place in `lengths`, which becomes
-/// its final length: zero for a slot that is never made.
+/// Solves a split over `extent` metres. `sizes` has one size per slot of the pattern. `lengths` has one entry per slot
+/// and receives its final length: zero for a slot that gets no piece.
 ///
-/// *split operation*, *Subdivision split*: absolute and relative sizes are taken as they are, floating ones share what is
-/// left; repetitions are chosen for the least stretch; what does not fit is cut or not made. An extent that is no
-/// positive number up to 1e150 has no pieces. Nothing is allocated for patterns with one group or none.
+/// *split operation*, *Subdivision split*: absolute and relative sizes are taken as they are, and floating sizes share
+/// the rest. Repetitions are chosen for the least stretch. Slots that do not fit are cut or dropped. The extent must be
+/// positive and at most 1e150; any other extent gives no pieces. Patterns with at most one group need no allocation.
 ///
 /// # Panics
-/// When there is not one length a size, or an item less than sizes. Lists that don't belong together otherwise have some
-/// solution or none.
+/// Panics when `sizes` and `lengths` differ in length or have more entries than the pattern has items. Other
+/// inconsistent lists give some solution or none.
 #[inline(always)]
 pub fn solve<'a>(pattern: &'a [Item], sizes: &[Size], lengths: &'a mut [f64], extent: f64) -> Solution<'a> {
     assert!(sizes.len() == lengths.len() && sizes.len() <= pattern.len(), "one size and one length a slot");
@@ -66,7 +67,7 @@ pub fn solve<'a>(pattern: &'a [Item], sizes: &[Size], lengths: &'a mut [f64], ex
     if has_slivers(sizes, lengths, by, extent) {
         let others;
         (by, repeats, others) = without_slivers(pattern, sizes, extent);
-        // Not in place: lengths whose address nobody knows stay in registers.
+        // Copied by value: lengths whose address is not taken stay in registers.
         lengths.iter_mut().zip(others).for_each(|(length, other)| *length = other);
     }
     for (size, length) in sizes.iter().zip(lengths.iter_mut()) {
@@ -75,16 +76,16 @@ pub fn solve<'a>(pattern: &'a [Item], sizes: &[Size], lengths: &'a mut [f64], ex
     Solution { pattern, lengths, extent, repeats }
 }
 
-/// As [`solve`], compiled once: for splits whose sizes are not constants, or many.
+/// The same as [`solve`], compiled once: for splits with many sizes or with sizes that are not constants.
 ///
 /// # Panics
-/// As [`solve`].
+/// The same as [`solve`].
 #[inline(never)]
 pub fn solve_any<'a>(pattern: &'a [Item], sizes: &[Size], lengths: &'a mut [f64], extent: f64) -> Solution<'a> {
     solve(pattern, sizes, lengths, extent)
 }
 
-/// Sets lengths, floats not yet stretched; gives their sum.
+/// Sets the lengths, with floats not yet stretched, and returns their sum.
 #[inline(always)]
 fn measure(sizes: &[Size], lengths: &mut [f64], extent: f64) -> Sum {
     let mut sum = Sum::default();
@@ -95,12 +96,12 @@ fn measure(sizes: &[Size], lengths: &mut [f64], extent: f64) -> Sum {
     if sum.floating == f64::INFINITY { weigh_less(sizes, lengths) } else { sum }
 }
 
-/// The length of a slot before anything is stretched.
+/// The length of a slot before floats are stretched.
 #[inline(always)]
 fn own_length(size: &Size, extent: f64) -> f64 {
     let value = size.value;
     match size.prefix {
-        // Longer ones than any extent are cut: so no sum of them is too large for a number.
+        // A size longer than any extent is cut anyway; the limit keeps the sums finite.
         Prefix::Absolute if is_size(value) && smallest_piece(extent) < value => value.min(LONGEST),
         // Both sides of the comparison are shares of the extent.
         Prefix::Relative if is_extent(value) && smallest_piece(1.0) < value => value * extent,
@@ -109,7 +110,7 @@ fn own_length(size: &Size, extent: f64) -> f64 {
     }
 }
 
-/// Chooses the stretch of the floats and how groups repeat.
+/// Chooses the stretch of the floats and the repetitions of the groups.
 #[inline(always)]
 fn choose(pattern: &[Item], sizes: &[Size], lengths: &[f64], sum: Sum, extent: f64) -> (f64, Repeats) {
     match Grouping::of(pattern, sizes.len()) {
@@ -133,11 +134,11 @@ fn floats<'l>(sizes: &[Size], lengths: &'l mut [f64]) -> impl Iterator<Item = &'
     lengths.iter_mut().zip(sizes).filter(|(_, size)| size.prefix == Prefix::Floating).map(|(length, _)| length)
 }
 
-/// Whether there are floats that get room by that stretch, but too little for a piece, beside others that get enough.
+/// Returns true if this stretch leaves some floats too short for a piece while other floats are long enough.
 #[inline(always)]
 fn has_slivers(sizes: &[Size], lengths: &[f64], by: f64, extent: f64) -> bool {
     let smallest = smallest_piece(extent);
-    // Known while compiling where the sizes are. A plain loop: compilers don't unroll filtered ones.
+    // A constant when the sizes are constants. A plain loop, because compilers do not unroll filtered loops.
     let (mut least, mut most) = (f64::MAX, 0.0);
     for (size, weight) in sizes.iter().zip(lengths) {
         if size.prefix == Prefix::Floating && 0.0 < *weight {
@@ -148,8 +149,8 @@ fn has_slivers(sizes: &[Size], lengths: &[f64], by: f64, extent: f64) -> bool {
     least * by <= smallest && smallest < most * by
 }
 
-/// Solves without the floats that get too little room: the others get it, and another count may be better. Gives the lengths
-/// too, floats not yet stretched.
+/// Solves without the floats that get too little room. The other floats get that room, and another count may be better.
+/// Also returns the lengths, with floats not yet stretched.
 #[cold]
 #[inline(never)]
 fn without_slivers(pattern: &[Item], sizes: &[Size], extent: f64) -> (f64, Repeats, Vec<f64>) {
@@ -172,13 +173,13 @@ fn total(sizes: &[Size], lengths: &[f64]) -> Sum {
     sum
 }
 
-/// Longer than what is split.
+/// Longer than any extent that is split.
 const LONGEST: f64 = 1e160;
 
-/// Makes any sum of weights finite, and no weight that counts beside the others zero: a power of two.
+/// A power of two. It makes any sum of weights finite and keeps every weight that matters beside the others above zero.
 const LIGHTER: f64 = 1.0 / (1u128 << 100) as f64;
 
-/// Weights whose sum is too large for a number keep their ratios.
+/// Scales weights whose sum overflows. Their ratios stay.
 #[cold]
 fn weigh_less(sizes: &[Size], lengths: &mut [f64]) -> Sum {
     floats(sizes, lengths).for_each(|length| *length *= LIGHTER);
@@ -191,7 +192,8 @@ impl Solution<'_> {
         Grouping::of(self.pattern, self.lengths.len())
     }
 
-    /// How often the group repeats in each repetition of the group around it; groups count in the order in which they open.
+    /// The number of repetitions of a group in each repetition of the group around it. Groups are numbered in the order
+    /// in which they open.
     pub fn count(&self, group: usize) -> u64 {
         match self.grouping() {
             Grouping::One if group == 0 => self.repeats.one.count as u64,
@@ -214,9 +216,9 @@ impl Solution<'_> {
         }
     }
 
-    /// Slots with the groups expanded.
+    /// The number of slots with the groups expanded.
     fn slots_made(&self) -> u64 {
-        // Of the groups that are open: how often what is around them is made, and where they end.
+        // The open groups: the number of times that the items around a group are made, and the end of the group.
         let mut open: Vec<(u64, usize)> = Vec::new();
         let (mut sum, mut times, mut group) = (0u64, 1u64, 0);
         for (at, item) in self.pattern.iter().enumerate() {
@@ -236,13 +238,13 @@ impl Solution<'_> {
         sum
     }
 
-    /// A cursor at the low end, for code that knows the pattern and asks for one slot after the other.
+    /// A cursor at the low end, for code that knows the pattern and requests one slot after the other.
     #[inline(always)]
     pub fn cursor(&self) -> Cursor<'_> {
         Cursor::new(self.lengths, self.extent)
     }
 
-    /// How a group repeats; groups count in the order in which they open.
+    /// The repetitions of a group. Groups are numbered in the order in which they open.
     #[inline(always)]
     pub(crate) fn turns(&self, group: usize) -> Turns {
         match self.grouping() {
@@ -252,7 +254,7 @@ impl Solution<'_> {
         }
     }
 
-    /// Calls `visit` for every piece, from the low end to the high end, until it says stop.
+    /// Calls `visit` for every piece, from the low end to the high end, until it returns a break.
     #[inline]
     pub fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B> {
         let (slots, extent) = (self.lengths.len(), self.extent);
@@ -273,7 +275,7 @@ impl Solution<'_> {
         }
     }
 
-    /// Lays out run after run; `next` gives the next one when it is told where the last one ended.
+    /// Lays out run after run. `next` takes the end of the last run and returns the next run.
     #[inline]
     fn lay<B>(
         &self,
@@ -295,8 +297,8 @@ impl Solution<'_> {
         ControlFlow::Continue(())
     }
 
-    /// The number of pieces. Takes as long as there are pieces, and so do [`Solution::each`] and [`Solution::pieces`]: sizes that
-    /// are tiny beside the extent make more than fit anywhere, so ask [`Solution::at_most`] first.
+    /// The number of pieces. The time is linear in this number, as for [`Solution::each`] and [`Solution::pieces`].
+    /// Tiny sizes can give more pieces than memory holds, so check [`Solution::at_most`] first.
     #[inline]
     pub fn total(&self) -> u64 {
         let mut total = 0;
@@ -307,7 +309,7 @@ impl Solution<'_> {
         total
     }
 
-    /// The pieces, collected.
+    /// All pieces in a list.
     pub fn pieces(&self) -> Vec<Piece> {
         let mut list = Vec::new();
         let _ = self.each(|piece| {
@@ -318,7 +320,7 @@ impl Solution<'_> {
     }
 }
 
-/// The piece that a slot of that length gets at `from`, if it gets one: what would cross `limit` is cut there.
+/// The piece that a slot of length `length` gets at `from`, if any. A piece that would cross `limit` is cut there.
 #[inline(always)]
 pub(crate) fn piece(slot: usize, length: f64, from: f64, limit: f64, smallest: f64) -> Option<Piece> {
     let near = limit - smallest;
@@ -326,7 +328,7 @@ pub(crate) fn piece(slot: usize, length: f64, from: f64, limit: f64, smallest: f
         return None;
     }
     let to = from + length;
-    // The last bits of a sum are noise: what ends there ends at the border.
+    // The last bits of a sum are rounding noise: a piece that ends within the noise ends at the border.
     let (end, length) = if to < near {
         (to, length)
     } else if to <= limit + smallest {

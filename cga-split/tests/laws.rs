@@ -1,11 +1,12 @@
-//! What must hold for every pattern and extent. A failure prints the pattern as `tests/table.rs` reads it.
+//! Laws that hold for every pattern and extent. A failure prints the pattern in the notation that `tests/table.rs`
+//! reads.
 
 mod support;
 
 use cga_split::{Item, Piece, Prefix, Size, solve};
 use support::{Pattern, Random};
 
-/// Extents that laws are tried on: tiny integers, tiny, huge, and what scopes usually have.
+/// The extents for the laws: small integers, tiny, huge, and those of usual scopes.
 const EXTENTS: [f64; 12] = [1.0, 2.0, 3.0, 5.0, 10.0, 1e-9, 1e9, 1e-3, 12.2, 37.5, 0.1, 1e6];
 
 /// Random patterns on random extents, small enough to be laid out.
@@ -53,7 +54,7 @@ fn the_scope_is_filled_when_anything_floats() {
     }
 }
 
-/// Without floats a group fills what the others leave.
+/// Without floats a group fills the rest of the scope.
 #[test]
 fn the_scope_is_filled_when_a_group_has_anything_in_it() {
     for depth in 1..4 {
@@ -97,19 +98,20 @@ fn all_floats_share_one_stretch_and_nothing_else_is_stretched() {
     }
 }
 
-/// Without floats the last piece of the group that is cut may be cut, wherever it stands.
+/// Without floats the last piece of the group that is cut may be cut, at any position.
 fn cut(pattern: &Pattern, pieces: &[Piece], piece: &Piece) -> bool {
     let last = pieces.iter().rposition(|other| other.slot == piece.slot).map(|at| pieces[at]);
     !pattern.floats() && last == Some(*piece)
 }
 
-/// The length of a slot before anything is stretched. What is too short for a piece has none.
+/// The length of a slot before floats are stretched. Zero for a slot that is too short for a piece.
 fn metres(size: &Size, extent: f64) -> f64 {
     let value = if size.prefix == Prefix::Relative { size.value * extent } else { size.value };
     if cga_split::is_size(value) && extent * 1e-12 < value { value } else { 0.0 }
 }
 
-/// The stretch that `counts` repetitions of the groups give, from scratch; `None` when absolute sizes don't fit.
+/// The stretch that `counts` repetitions of the groups give, computed independently. `None` when absolute sizes do not
+/// fit.
 fn stretch(pattern: &Pattern, extent: f64, counts: &[u64]) -> Option<f64> {
     fn add(items: &[Item], sizes: &mut &[Size], counts: &mut &[u64], times: f64, extent: f64, sum: &mut (f64, f64)) {
         let mut at = 0;
@@ -138,7 +140,7 @@ fn stretch(pattern: &Pattern, extent: f64, counts: &[u64]) -> Option<f64> {
     (sum.0 <= extent && 0.0 < sum.1).then(|| (extent - sum.0) / sum.1)
 }
 
-/// One group: no other count, however far off, has a stretch nearer to 1.
+/// One group: no other count has a stretch nearer to 1.
 #[test]
 fn no_other_count_of_a_lone_group_is_nearer() {
     let mut seen = 0;
@@ -163,13 +165,13 @@ fn no_other_count_of_a_lone_group_is_nearer() {
     assert!(5_000 < seen, "{seen} patterns with one group and floats");
 }
 
-/// Several: of all ways to deal repetitions out one by one, none has a stretch nearer to 1.
+/// Several groups: no other total of repetitions, dealt out one by one, has a stretch nearer to 1.
 #[test]
 fn no_other_number_of_repetitions_dealt_out_is_nearer() {
     let mut seen = 0;
     each(40_000, 2, |pattern, extent, _| {
         let groups = pattern.items.len() - pattern.sizes.len();
-        // Groups that hold nothing are dealt nothing; here all of them hold something.
+        // Groups without content get no repetitions; here all groups have content.
         let all = pattern.sizes.iter().all(|size| 0.0 < metres(size, extent));
         if groups < 2 || !pattern.floats() || !all {
             return;
@@ -229,8 +231,8 @@ fn the_total_is_the_number_made_and_the_bound_is_one() {
     }
 }
 
-/// Groups that are never made change no bit: patterns without groups, with one and with several are laid out in ways of
-/// their own.
+/// Groups that are never made change no bit, although patterns without groups, with one group and with several are laid
+/// out by different code.
 #[test]
 fn dead_groups_change_nothing() {
     for depth in 0..3 {
@@ -245,7 +247,8 @@ fn dead_groups_change_nothing() {
     }
 }
 
-/// Brackets around everything without a `*`, and a group written out as often as it repeats, change nothing.
+/// Two rewrites change nothing: brackets around everything without a `*`, and a group written out as often as it
+/// repeats.
 #[test]
 fn a_repeat_is_its_repetitions_written_out() {
     each(4_000, 1, |pattern, extent, pieces| {

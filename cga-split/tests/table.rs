@@ -1,4 +1,4 @@
-//! The documented examples, extent → lengths, by the number of the conformance fact and with the page they come from.
+//! The documented examples, extent → lengths, with the page they come from.
 
 mod support;
 
@@ -28,73 +28,75 @@ fn framed(low: &[f64], middle: &[f64], high: &[f64]) -> Vec<f64> {
 
 /// *split operation*.
 #[test]
-fn facts_1_to_9_and_31() {
-    check(10.0, "'0.5 | '0.1 | '0.2", &[5.0, 1.0, 2.0]); // 1
-    check(10.0, "~0.5 | ~0.1 | ~0.2", &[6.25, 1.25, 2.5]); // 2
-    check(10.0, "3.3 | ~3 | 5", &[3.3, 1.7, 5.0]); // 3
-    check(10.0, "'0.5 | '0.6 | 3", &[5.0, 5.0]); // 4
-    check(10.0, "{ 2 | 1 }*", &[2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 1.0]); // 5
-    check(10.0, "{ ~2 | ~1 }*", &times(3, &[20.0 / 9.0, 10.0 / 9.0])); // 6
-    check(10.0, "1 | { ~1 | 0.2 | ~1 }* | 1", &framed(&[1.0], &times(4, &[0.9, 0.2, 0.9]), &[1.0])); // 7
-    check(10.0, "{ 1 | ~2.7 }* | 1", &[1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0]); // 8
-    check(10.0, "{ 1 | ~3 }* | 1", &[1.0, 3.5, 1.0, 3.5, 1.0]); // 9
-    check(10.0, "{ '0.1 | '0.1 }*", &[1.0; 10]); // 31
+fn examples_of_the_split_operation() {
+    check(10.0, "'0.5 | '0.1 | '0.2", &[5.0, 1.0, 2.0]);
+    check(10.0, "~0.5 | ~0.1 | ~0.2", &[6.25, 1.25, 2.5]);
+    check(10.0, "3.3 | ~3 | 5", &[3.3, 1.7, 5.0]);
+    check(10.0, "'0.5 | '0.6 | 3", &[5.0, 5.0]);
+    check(10.0, "{ 2 | 1 }*", &[2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 1.0]);
+    check(10.0, "{ ~2 | ~1 }*", &times(3, &[20.0 / 9.0, 10.0 / 9.0]));
+    check(10.0, "1 | { ~1 | 0.2 | ~1 }* | 1", &framed(&[1.0], &times(4, &[0.9, 0.2, 0.9]), &[1.0]));
+    check(10.0, "{ 1 | ~2.7 }* | 1", &[1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0]);
+    check(10.0, "{ 1 | ~3 }* | 1", &[1.0, 3.5, 1.0, 3.5, 1.0]);
+    check(10.0, "{ '0.1 | '0.1 }*", &[1.0; 10]);
     check(10.0, "{ ~.75 | ~1 }* | ~.5", &framed(&times(5, &[30.0 / 37.0, 40.0 / 37.0]), &[20.0 / 37.0], &[]));
 }
 
 /// *Subdivision split*, Absolute, Relative and Floating split.
 #[test]
-fn facts_10_to_19() {
-    check(5.0, "3", &[3.0]); // 10
-    check(5.0, "3 | 1", &[3.0, 1.0]); // 11
-    check(5.0, "2 | 1 | 1 | 2 | 1", &[2.0, 1.0, 1.0, 1.0]); // 12
-    check(5.0, "1.5 | -2 | 1.5 | 1.5 | 0 | 1.5", &[1.5, 1.5, 1.5, 0.5]); // 13
-    check(5.0, "'0.382 | '0.618", &[1.91, 3.09]); // 14
-    check(1.91, "'0.382 | '0.618", &[0.72962, 1.18038]); // 14, A
-    check(3.09, "'0.382 | '0.618", &[1.18038, 1.90962]); // 14, B
-    check(5.0, "3 | ~1", &[3.0, 2.0]); // 15
-    check(5.0, "1 | ~2 | 1", &[1.0, 3.0, 1.0]); // 16
-    check(5.0, "3 | ~1.5 | ~1.5", &[3.0, 1.0, 1.0]); // 17
-    check(5.0, "3 | ~2 | ~2 | ~2", &[3.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]); // 18
-    check(5.0, "5 | ~1", &[5.0]); // 19
+fn examples_of_absolute_relative_and_floating_sizes() {
+    check(5.0, "3", &[3.0]);
+    check(5.0, "3 | 1", &[3.0, 1.0]);
+    check(5.0, "2 | 1 | 1 | 2 | 1", &[2.0, 1.0, 1.0, 1.0]);
+    check(5.0, "1.5 | -2 | 1.5 | 1.5 | 0 | 1.5", &[1.5, 1.5, 1.5, 0.5]);
+    check(5.0, "'0.382 | '0.618", &[1.91, 3.09]);
+    check(1.91, "'0.382 | '0.618", &[0.72962, 1.18038]); // the first piece, split again
+    check(3.09, "'0.382 | '0.618", &[1.18038, 1.90962]); // the second piece, split again
+    check(5.0, "3 | ~1", &[3.0, 2.0]);
+    check(5.0, "1 | ~2 | 1", &[1.0, 3.0, 1.0]);
+    check(5.0, "3 | ~1.5 | ~1.5", &[3.0, 1.0, 1.0]);
+    check(5.0, "3 | ~2 | ~2 | ~2", &[3.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]);
+    check(5.0, "5 | ~1", &[5.0]);
 }
 
-/// *Subdivision split*, Repeat split. 25 is inferred: the page only says that floats may stand there.
+/// *Subdivision split*, Repeat split.
 #[test]
-fn facts_20_to_26() {
-    check(10.0, "{ 2 }*", &[2.0; 5]); // 20
-    check(10.0, "{ ~2.1 }*", &[2.0; 5]); // 21
-    check(10.0, "1 | { ~2.5 }* | 1", &framed(&[1.0], &[8.0 / 3.0; 3], &[1.0])); // 22
-    check(10.0, "{ 2 }* | ~1", &[2.0; 5]); // 23
-    check(10.0, "~1 | { 2 }*", &[2.0; 5]); // 24
-    check(10.0, "~1 | { 2 }* | ~1", &[1.0, 2.0, 2.0, 2.0, 2.0, 1.0]); // 25
-    check(10.0, "~2 | { 1 | ~2 }*", &[1.75, 1.0, 1.75, 1.0, 1.75, 1.0, 1.75]); // 26
+fn examples_of_repeats() {
+    check(10.0, "{ 2 }*", &[2.0; 5]);
+    check(10.0, "{ ~2.1 }*", &[2.0; 5]);
+    check(10.0, "1 | { ~2.5 }* | 1", &framed(&[1.0], &[8.0 / 3.0; 3], &[1.0]));
+    check(10.0, "{ 2 }* | ~1", &[2.0; 5]);
+    check(10.0, "~1 | { 2 }*", &[2.0; 5]);
+    check(10.0, "~1 | { 2 }* | ~1", &[1.0, 2.0, 2.0, 2.0, 2.0, 1.0]); // the page says only that floats are allowed
+    check(10.0, "~2 | { 1 | ~2 }*", &[1.75, 1.0, 1.75, 1.0, 1.75, 1.0, 1.75]);
 }
 
-/// *Subdivision split*, Patterns and Parallel. 27, 29 and 30 are inferred: the page has pictures without numbers.
+/// *Subdivision split*, Patterns and Parallel. The parallel repeats are inferred: the page has pictures without
+/// numbers.
 #[test]
-fn facts_27_to_30() {
-    check(10.0, "{ ~1 | 0.25 | ~1 }*", &times(5, &[0.875, 0.25, 0.875])); // 27
-    check(10.0, "1 | { ~1 | 0.2 | ~1 }* | 1", &framed(&[1.0], &times(4, &[0.9, 0.2, 0.9]), &[1.0])); // 28
-    check(10.0, "~1 | { ~1 }* | ~1 | { ~1 }* | ~1", &[1.0; 10]); // 29
+fn examples_of_patterns_and_parallel_repeats() {
+    check(10.0, "{ ~1 | 0.25 | ~1 }*", &times(5, &[0.875, 0.25, 0.875]));
+    check(10.0, "1 | { ~1 | 0.2 | ~1 }* | 1", &framed(&[1.0], &times(4, &[0.9, 0.2, 0.9]), &[1.0]));
+    check(10.0, "~1 | { ~1 }* | ~1 | { ~1 }* | ~1", &[1.0; 10]);
     let slots: Vec<u32> =
         Pattern::read("~1 | { ~1 }* | ~1 | { ~1 }* | ~1").solve(10.0).iter().map(|piece| piece.slot).collect();
-    assert_eq!(slots, [0, 1, 1, 1, 1, 2, 3, 3, 3, 4], "29: four and three");
-    check(10.0, "1 | { 2 }* | { 1 }* | 1", &[1.0, 2.0, 2.0, 2.0, 1.0, 1.0, 1.0]); // 30
+    assert_eq!(slots, [0, 1, 1, 1, 1, 2, 3, 3, 3, 4], "four and three");
+    check(10.0, "1 | { 2 }* | { 1 }* | 1", &[1.0, 2.0, 2.0, 2.0, 1.0, 1.0, 1.0]);
 }
 
-/// *split attribute* (32), *report* (33), *r operation* (34); 35 and 36 are inferred from a published building rule.
+/// One example each of *split attribute*, *report* and *r operation*; the others are inferred from a published building
+/// rule.
 #[test]
-fn facts_32_to_36() {
-    check(20.0, "{ 2 }*", &[2.0; 10]); // 32
-    check(30.0, "{ ~5 | ~0.5 }*", &times(5, &[60.0 / 11.0, 6.0 / 11.0])); // 33
-    check(18.0, "{ 2 }*", &[2.0; 9]); // 34
+fn examples_of_other_pages() {
+    check(20.0, "{ 2 }*", &[2.0; 10]); // *split attribute*
+    check(30.0, "{ ~5 | ~0.5 }*", &times(5, &[60.0 / 11.0, 6.0 / 11.0])); // *report*
+    check(18.0, "{ 2 }*", &[2.0; 9]); // *r operation*
     let (w, third) = (2.15, 2.15 / 3.0);
-    check(w, &format!("{{ ~{third} | 0.25 }}* | ~{third}"), &[0.55, 0.25, 0.55, 0.25, 0.55]); // 35
-    check(w, &format!("{{ ~{w} | 0.25 }}* | ~{w}"), &[w]); // 36
+    check(w, &format!("{{ ~{third} | 0.25 }}* | ~{third}"), &[0.55, 0.25, 0.55, 0.25, 0.55]); // inferred
+    check(w, &format!("{{ ~{w} | 0.25 }}* | ~{w}"), &[w]); // inferred
 }
 
-/// What a published building and the pictures of *report* need besides: counts by the least stretch, not by rounding.
+/// Examples from a published building and the pictures of *report*: the least stretch decides the count, not rounding.
 #[test]
 fn counts_of_real_facades() {
     check(12.2, "4.4 | .3 | { ~3 | .3 }*", &[4.4, 0.3, 3.45, 0.3, 3.45, 0.3]);
@@ -107,7 +109,7 @@ fn absolute_sizes_come_out_bit_for_bit() {
     let found = Pattern::read("3.3 | ~3 | 5").solve(10.0);
     assert_eq!((found[0].length, found[2].length), (3.3, 5.0));
     assert_eq!(found[2].end, 10.0);
-    // Ten times 0.1 is a little less than 1, and there is no eleventh.
+    // Ten times 0.1 is a little less than 1, which does not make an eleventh piece.
     let found = Pattern::read("{ 0.1 }*").solve(1.0);
     assert!(found.len() == 10 && found.iter().all(|piece| piece.length == 0.1) && found[9].end == 1.0);
 }
@@ -118,7 +120,7 @@ fn absolutes_outside_a_group_without_floats_are_reserved_first() {
     check(9.0, "{ 2 }* | 1.5 | 1", &[2.0, 2.0, 2.0, 0.5, 1.5, 1.0]);
     check(10.0, "5 | { 2 }* | 5", &[5.0, 5.0]);
     check(10.0, "6 | { 2 }* | 6", &[6.0, 4.0]);
-    // Two groups: the one whose turn it is gets cut.
+    // Two groups: the group with the last repetition is cut.
     check(9.5, "{ 2 }* | { 1 }*", &[2.0, 2.0, 2.0, 0.5, 1.0, 1.0, 1.0]);
     check(8.5, "{ 2 }* | { 1 }*", &[2.0, 2.0, 2.0, 1.0, 1.0, 0.5]);
 }
@@ -165,21 +167,21 @@ fn sums_too_large_for_a_number_keep_their_ratios() {
     check(6.0, "{ ~1e20 }*", &[6.0]);
     check(10.0, "~1 | { 1e308 | 1e308 }*", &[10.0]);
     check(1e149, "{ ~1e308 | ~1e308 }* | ~1e140", &[1e149 / 2.0; 2]);
-    // Larger extents have no areas.
+    // Larger extents have no finite areas.
     check(1e149, "~1 | { 2e148 }*", &[2e148; 5]);
     check(1e151, "~1 | { 1e150 }*", &[]);
 }
 
-/// The reference allows any depth and shows none: repetitions are dealt out evenly, see `choices.rs`.
+/// The reference allows any depth and shows no example. Repetitions are dealt out evenly, see `choices.rs`.
 #[test]
 fn a_repeat_inside_a_repeat() {
-    // Three times the outer one, twice the inner one in each: 6 of 1, and 6 floats of 2/3.
+    // The outer group three times, the inner one twice in each: 6 pieces of 1 and 6 floats of 2/3.
     check(10.0, "{ 1 | { ~1 }* | 1 }*", &times(3, &[1.0, 2.0 / 3.0, 2.0 / 3.0, 1.0]));
     check(8.0, "{ 1 | { ~1 }* | 1 }*", &times(2, &[1.0, 1.0, 1.0, 1.0]));
-    // Without floats the outer one is cut, in the middle of its second time.
+    // Without floats the outer group is cut, in the middle of its second repetition.
     check(10.0, "{ 1 | { 2 }* | 1 }*", &[1.0, 2.0, 2.0, 1.0, 1.0, 2.0, 1.0]);
     check(10.0, "{ { { 2 }* }* }*", &times(5, &[2.0]));
-    // Beside each other inside one: all three twice.
+    // Two groups inside one: all three repeat twice.
     let (float, half) = (8.0 / 9.0, 0.5);
     let turn = [float, float, half, float, float, half];
     check(10.0, "{ { ~1 }* | 0.5 | { ~1 }* | 0.5 }* | ~1", &framed(&turn, &turn, &[float]));
@@ -194,7 +196,7 @@ fn a_million_pieces_neither_drift_nor_gape() {
     assert!((found[700_000].start - 700.0).abs() < 1e-9);
 }
 
-/// A length that is no piece takes no room, wherever it stands.
+/// A length below the smallest piece takes no room, in any position.
 #[test]
 fn slivers_are_no_pieces() {
     check(10.0, "1 | 1e-20 | 1", &[1.0, 1.0]);
@@ -204,16 +206,16 @@ fn slivers_are_no_pieces() {
     check(1.0, "{ ~0.25 | { 0.000000000001 }* | 1 }*", &[1.0]);
     check(10.0, "{ ~2.5 | { '0.000000000001 }* }*", &[2.5; 4]);
     check(10.0, "{ ~2.5 | ~1e-14 }*", &[2.5; 4]);
-    // Taking out one may leave another with too little.
+    // Dropping one sliver may leave another with too little room.
     check(10.0, "~1 | ~1e-12 | 10", &[10.0]);
-    // A group that is lost in rounding beside what stands outside is not counted up for ever.
+    // A group that vanishes in rounding beside the sizes outside must not be counted up endlessly.
     for text in ["9 | { 1e-300 }*", "9 | { 1e-20 }* | { 5e-17 }*", "{ { 1e-300 }* | 9 }*"] {
         check(9.0, text, &[9.0]);
     }
     check(10.0, "~9 | { 1e-300 }*", &[10.0]);
 }
 
-/// The documented ties hold in every unit, but for the one that only `f64` decides.
+/// The documented ties hold in every unit, except the one that only `f64` decides.
 #[test]
 fn absolute_repeats_come_first_whatever_rounding_says() {
     for tenths in 1..1000 {
@@ -245,7 +247,7 @@ fn a_hundred_thousand_levels_need_no_stack() {
     assert_eq!(pattern.solve(4.0).len(), 1);
 }
 
-/// Lists that don't belong together: some solution or none, and never a panic or a bound that does not hold.
+/// Inconsistent lists give some solution or none, never a panic or a wrong bound.
 #[test]
 fn malformed_patterns_do_no_harm() {
     let mut random = support::Random::new(5);

@@ -9,13 +9,13 @@ use quote::format_ident;
 
 pub(crate) use read::read;
 
-/// What the user asked for.
+/// The header of a grammar.
 pub(crate) struct Header {
     /// Outer attributes, doc comments among them.
     pub(crate) attributes: TokenStream,
     /// Those of them that decide whether the grammar exists.
     pub(crate) conditions: TokenStream,
-    /// Whether there is a doc comment.
+    /// True with a doc comment.
     pub(crate) has_doc: bool,
     /// `pub` and the like; empty for the expression form.
     pub(crate) visibility: TokenStream,

@@ -60,7 +60,7 @@ pub(crate) fn read(input: TokenStream) -> (Header, Result<Body, Problem>) {
             (header, Err(Problem::new(place, place, "the header is broken\nhelp: it is written `pub grammar Name`")))
         }
         _ => {
-            // No header: all of it is rules, but for an attribute that names the runtime.
+            // Without a header everything is rules, except an attribute that names the runtime.
             let rules = list.into_iter().skip(after_attributes);
             (header, Ok(Body::Inline(attributes.into_iter().flatten().chain(rules).collect())))
         }
@@ -124,7 +124,7 @@ fn level(word: &str, codes: Option<&TokenTree>) -> Option<Vec<(Code, Level)>> {
     words.map(|token| Code::from_name(&token.to_string()).map(|code| (code, level))).collect()
 }
 
-/// What follows the name: `;` and rules, `= "text";` or `in "path";`.
+/// The rest after the name: `;` and rules, `= "text";` or `in "path";`.
 fn rest(list: &[TokenTree], at: usize, annotations: Vec<TokenTree>, name: &Ident) -> Result<Body, Problem> {
     let missing = |place: Span, help: &str| {
         Problem::new(place, place, format!("the rules of `{name}` are missing\nhelp: {help}"))

@@ -8,7 +8,7 @@ use proc_macro2::Literal;
 pub(super) struct Content {
     /// As written, quotes and escapes and all.
     pub(super) literal: String,
-    /// What it means.
+    /// The text after its escapes are resolved.
     pub(super) text: String,
     /// For each byte of `text`, the bytes of `literal` that its character takes.
     pub(super) origin: Vec<Range<usize>>,
@@ -20,7 +20,7 @@ pub(super) fn value(literal: &Literal) -> Option<String> {
 }
 
 impl Content {
-    /// Reads a literal; `None` when it is no plain string.
+    /// Reads a literal; `None` if it is not a plain string.
     pub(super) fn of(literal: &Literal) -> Option<Self> {
         let literal = literal.to_string();
         let mut content = Content { text: String::new(), origin: Vec::new(), literal: String::new() };
@@ -60,7 +60,7 @@ impl Content {
     }
 }
 
-/// What an escape means, and how many bytes it takes.
+/// The characters of an escape sequence, and its length in bytes.
 fn escape(text: &str) -> Option<(Option<char>, usize)> {
     let code = |digits: &str| char::from_u32(u32::from_str_radix(digits, 16).ok()?);
     let kind = text.chars().nth(1)?;

@@ -42,7 +42,7 @@ pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
 
 const FROM_PACKAGE: &str = "paths count from the folder that has the package's Cargo.toml";
 
-/// Whether a path leads to no place outside the folder it counts from, as far as its words tell.
+/// Returns true if a path stays inside the folder that it starts from, judged by its components alone.
 fn stays_inside(path: &Path) -> bool {
     let mut depth = 0_usize;
     path.components().all(|part| match part {

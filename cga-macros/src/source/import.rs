@@ -1,4 +1,4 @@
-//! Files that rules import: looked for below the package, like the file behind `in`.
+//! Files that rules import. They must be inside the package, like the file after `in`.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -16,20 +16,20 @@ const LARGEST_MESH: u64 = 1 << 26;
 /// Files in a folder that are looked at for one that may have been meant.
 const MOST_BESIDE: usize = 500;
 
-/// Opens imported files and remembers them: findings quote from them, and the build follows them.
+/// Opens imported files and keeps them: diagnostics quote them, and the build tracks them.
 pub(crate) struct Imports {
     /// The package's folder.
     root: PathBuf,
     /// In the order in which they were opened first.
     opened: Vec<Imported>,
-    /// What is in the folders that were looked at.
+    /// The entries of the folders read so far.
     listed: HashMap<PathBuf, Vec<String>>,
 }
 
 /// A file that was imported.
 pub(crate) struct Imported {
     pub(super) text: QuotedText,
-    /// The path behind the `import` of the rules themselves that led to it.
+    /// The path in the `import` of the compiled rules through which the file was reached.
     pub(super) path: String,
 }
 
@@ -101,7 +101,7 @@ impl Imports {
     }
 }
 
-/// What is in a folder, in no order.
+/// The entries of a folder, unsorted.
 fn names(folder: &Path) -> impl Iterator<Item = String> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     entries.filter_map(|entry| entry.file_name().into_string().ok())

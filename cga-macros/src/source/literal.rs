@@ -32,7 +32,7 @@ pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
     Ok(source(lexed.tokens, lexed.diags, span, place, TokenStream::new()))
 }
 
-/// A source behind a literal.
+/// A source whose tokens come from a literal.
 pub(super) fn source(
     tokens: Tokens,
     findings: Vec<Diag>,
@@ -47,9 +47,9 @@ pub(super) fn source(
 /// Literals one after the other.
 #[derive(Default)]
 struct Joined {
-    /// What they mean.
+    /// The text after escapes are resolved.
     text: String,
-    /// How they are written: blank lines and columns before each put it where it stands in its file.
+    /// The literals as written. Blank lines and columns before each keep its position in its file.
     written: String,
     /// For each byte of `text`, the bytes of `written` its character takes.
     origin: Vec<Range<usize>>,

@@ -10,9 +10,9 @@ use quote::quote;
 
 /// A text that diagnostics quote.
 pub(crate) struct QuotedText {
-    /// What the user calls it: a path.
+    /// The path, as the user writes it.
     pub(crate) name: String,
-    /// The text as it is written, escapes and all, in the place where it stands in its file.
+    /// The text as written, with escapes, at its position in its file.
     pub(crate) written: String,
     /// For each token, its bytes in `written`.
     pub(crate) ranges: Vec<std::ops::Range<usize>>,

@@ -26,7 +26,7 @@ pub(crate) struct Source {
 pub(crate) struct Host {
     /// The expression.
     pub(crate) expr: TokenStream,
-    /// Where it stands, without the `#`.
+    /// Its place, without the `#`.
     pub(crate) span: Span,
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct Host {
 pub(super) enum Places {
     /// Inline: each token begins and ends somewhere, and a path has its own tokens.
     Inline { spans: Vec<(Span, Span)>, paths: Vec<(u32, TokenStream)>, end: Span },
-    /// In a string or a file: the literal stands for all that is in it, and there is a text to quote from.
+    /// In a string or a file: every token has the place of the literal, and diagnostics quote the text.
     Text { span: Span, text: QuotedText, tracking: TokenStream },
 }
 
@@ -44,7 +44,7 @@ impl Source {
         &self.tokens
     }
 
-    /// Whether the rules stand among Rust, token by token.
+    /// Returns true for rules inline in Rust.
     pub(crate) fn is_inline(&self) -> bool {
         matches!(self.places, Places::Inline { .. })
     }
@@ -93,7 +93,7 @@ impl Source {
         &self.hosts
     }
 
-    /// The text a token stands in, and the token's number there; `None` for inline rules.
+    /// The text that contains a token, and the token's number in it; `None` for inline rules.
     pub(crate) fn text(&self, token: u32) -> Option<(&QuotedText, u32)> {
         match (self.locate(token), &self.places) {
             ((Some(Imported { text, .. }), token), _) | ((None, token), Places::Text { text, .. }) => {

@@ -9,7 +9,7 @@ use proc_macro2::{Delimiter, Group, Literal, Spacing, Span, TokenStream, TokenTr
 
 use super::rules::{Host, Places, Source};
 
-/// Reads inline rules. `end` is where an underline goes when there are no tokens.
+/// Reads inline rules. `end` is the place of diagnostics if there are no tokens.
 pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
     let mut reader = Reader::default();
     reader.stream(stream);
@@ -85,7 +85,7 @@ impl Reader {
             Delimiter::Parenthesis => (Sym::LParen, Sym::RParen),
             Delimiter::Brace => (Sym::LBrace, Sym::RBrace),
             Delimiter::Bracket => (Sym::LBracket, Sym::RBracket),
-            // What another macro put in: its expressions stay together.
+            // A group from another macro: its expression stays one value.
             Delimiter::None if is_simple(group) => return self.stream(group.stream()),
             Delimiter::None => (Sym::LParen, Sym::RParen),
         };
@@ -189,7 +189,7 @@ impl Reader {
         }
     }
 
-    /// Whether `.5` stands there: digits close behind the dot, and no name close before it, as in `X.5`.
+    /// Returns true at `.5`: digits directly after the dot, and no name directly before it, as in `X.5`.
     fn starts_fraction(&self, list: &[TokenTree]) -> bool {
         let Some(TokenTree::Literal(digits)) = list.get(1) else { return false };
         let behind_name = matches!(self.tokens.as_slice().last(), Some(Tok::Ident(_)))
@@ -270,7 +270,7 @@ impl Reader {
                 let at = self.push(Tok::Bad, span, last);
                 self.lifetimes.push((at, written.clone()));
                 if let Ok(value) = written.parse() {
-                    // Not another finding for the size that is missing.
+                    // The missing size must not cause a second diagnostic.
                     self.push(Tok::Number(value), list[1].span(), last);
                 }
                 taken
@@ -322,32 +322,32 @@ impl Reader {
     }
 }
 
-/// Whether there is white space between two tokens. Editors' macro servers know no places; then there is none.
+/// Returns true if white space separates two tokens. Without places (macro servers of editors) the answer is false.
 fn is_apart(left: Span, right: Span) -> bool {
     let (end, start) = (left.end(), right.start());
     end.line < start.line || (end.line == start.line && end.column < start.column)
 }
 
-/// Whether there certainly is no white space between two tokens. Where no places are known there may be some.
+/// Returns true if no white space separates two tokens. Without places the answer is false.
 fn is_close(left: Span, right: Span) -> bool {
     let (end, start) = (left.end(), right.start());
     let is_known = left.start().column < end.column;
     is_known && end.line == start.line && end.column == start.column
 }
 
-/// The value of a number with a unit behind it.
+/// The value of a number with a unit.
 fn number_and_unit(written: &str) -> Option<f64> {
     let unit = written.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.' || c == '_');
     let digits = written.strip_suffix(unit)?.replace('_', "");
     without_unit(digits.parse().ok()?, unit)
 }
 
-/// Whether `#` before it makes a colour.
+/// Returns true if the token makes a colour after `#`.
 fn is_colour(digits: &str) -> bool {
     matches!(digits.len(), 3 | 6 | 8) && digits.bytes().all(|byte| byte.is_ascii_hexdigit())
 }
 
-/// The signs that stand together there without a space.
+/// The punctuation at a position up to the next space.
 fn run(list: &[TokenTree]) -> String {
     let mut run = String::new();
     for token in list {
@@ -364,7 +364,7 @@ fn dots(list: &[TokenTree]) -> usize {
     run(list).chars().take_while(|c| *c == '.').count()
 }
 
-/// Whether a number or a name begins there.
+/// Returns true if a number or a name begins at a position.
 fn begins_limit(list: &[TokenTree]) -> bool {
     match list.first() {
         Some(TokenTree::Literal(digits)) => digits.to_string().starts_with(|c: char| c.is_ascii_digit()),
@@ -372,13 +372,13 @@ fn begins_limit(list: &[TokenTree]) -> bool {
     }
 }
 
-/// Whether an operator stands there that works element by element with a dot before it.
+/// Returns true at an operator that works element by element after a dot.
 fn begins_operator(list: &[TokenTree]) -> bool {
     let run = run(list);
     ["+", "-", "*", "/", "%", "!", "&&", "||", "==", "<", ">"].iter().any(|sign| run.starts_with(sign))
 }
 
-/// Appends `$` and what belongs to the name behind it; gives the number of Rust tokens that takes.
+/// Appends `$` and the rest of the name; returns the number of Rust tokens read.
 fn dollars(list: &[TokenTree], name: &mut String) -> usize {
     let mut end = 1;
     while let Some(token) = list.get(end) {
@@ -400,14 +400,14 @@ fn dollars(list: &[TokenTree], name: &mut String) -> usize {
     end - 1
 }
 
-/// Whether `->` stands there.
+/// Returns true at `->`.
 fn begins_arrow(list: &[TokenTree]) -> bool {
     let sign = |at: usize| if let Some(TokenTree::Punct(sign)) = list.get(at) { Some(sign) } else { None };
     sign(0).is_some_and(|dash| dash.as_char() == '-' && dash.spacing() == Spacing::Joint)
         && sign(1).is_some_and(|tip| tip.as_char() == '>')
 }
 
-/// Whether two colons that belong together stand there.
+/// Returns true at `::`.
 fn path_joint(list: &[TokenTree], at: usize) -> bool {
     let colon = |at: usize| match list.get(at) {
         Some(TokenTree::Punct(sign)) if sign.as_char() == ':' => Some(sign.spacing()),
@@ -416,7 +416,7 @@ fn path_joint(list: &[TokenTree], at: usize) -> bool {
     colon(at) == Some(Spacing::Joint) && colon(at + 1).is_some()
 }
 
-/// Whether a group that another macro put in means the same without its invisible brackets: one token, or a path.
+/// Returns true if a group from another macro means the same without its invisible brackets: one token, or a path.
 fn is_simple(group: &Group) -> bool {
     let list: Vec<TokenTree> = group.stream().into_iter().collect();
     let in_path = |token: &TokenTree| match token {

@@ -1,29 +1,29 @@
-//! Why an asset cannot be had.
+//! Errors of asset look-ups.
 
 use std::fmt;
 
-/// Why an asset cannot be had. `to_string` is a sentence's end, as faults use it.
+/// The reason why an asset is not available. `to_string` gives the end of a sentence, as fault texts use it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AssetError {
-    /// It was not handed over, and no folder is set in which it could be.
+    /// No mesh is registered under the name, and no asset folder is set.
     NoFolder,
     /// Its name leads out of the asset folder.
     Outside,
-    /// The file system says no.
+    /// The file system reports an error.
     File {
-        /// In which way.
+        /// The kind of the error.
         kind: std::io::ErrorKind,
-        /// What it says.
+        /// The message of the error.
         message: String,
     },
-    /// Its name says that it is of a kind that cannot be read.
+    /// The format of the file is not supported.
     Format(&'static str),
-    /// It is of the right kind, and broken.
+    /// The format is supported, and the contents are invalid.
     Broken(String),
-    /// It is longer than anything that is read.
+    /// The file exceeds the size limit.
     TooLong {
-        /// The most that is read, in bytes.
+        /// The limit in bytes.
         most: u64,
     },
 }

@@ -1,21 +1,21 @@
-//! The name of a file, as rules have it.
+//! File names in rules.
 
 use std::fmt;
 
 use crate::value::text::Text;
 
-/// The name of a file, and the folder of the rule file that names it: relative names are looked for from there (*Asset
-/// search*).
+/// The name of a file, with the folder of the rule file that names it. Relative names are looked up from that folder
+/// (*Asset search*).
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct File {
-    /// As the rules have it.
+    /// The name as written in the rules.
     pub(crate) name: Text,
-    /// A path from the package or the asset folder, empty for rules that are in no file.
+    /// A path relative to the package or the asset folder. Empty for rules that are not in a file.
     pub(crate) folder: &'static str,
 }
 
 impl File {
-    /// A name that stands in a rule file of some folder.
+    /// A name in a rule file in the folder `folder`.
     #[inline]
     pub fn new(name: Text, folder: &'static str) -> Self {
         File { name, folder }

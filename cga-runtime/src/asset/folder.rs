@@ -1,5 +1,5 @@
-//! The asset folder: finding a file in it, and listing all of them. Nothing outside is ever touched, not through `..` and not
-//! through links.
+//! The asset folder: look-up of one file, and a list of all files. Files outside the folder are never touched, neither
+//! through `..` nor through links.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -9,24 +9,24 @@ use cga_split::files::places;
 use super::AssetError;
 use crate::value::text::Text;
 
-/// Files and folders that are looked at; more are left out, the same ones on every platform.
+/// The limit on files and folders that are visited. Beyond it the same ones are skipped on every platform.
 const MOST_ENTRIES: usize = 100_000;
 
-/// Folders within folders that are looked at.
+/// The greatest depth of nested folders that are visited.
 const DEEPEST: usize = 32;
 
-/// The path of a file by its place, without links: no folder, and none of the things that look like files and wait for
-/// somebody to write.
+/// The path of a file, with links resolved. Folders and special files are refused, because reading from a special file
+/// may block.
 pub(super) fn file(root: &Path, place: &str) -> Result<PathBuf, AssetError> {
     let path = inside(root, &root.join(place))?;
     if path.is_file() {
         return Ok(path);
     }
-    let message = "it is no file".to_owned();
+    let message = "it is not a file".to_owned();
     Err(AssetError::File { kind: std::io::ErrorKind::InvalidInput, message })
 }
 
-/// The path without links, if it exists and lies below the root.
+/// The path with links resolved, if it exists and is below the root.
 pub(super) fn inside(root: &Path, path: &Path) -> Result<PathBuf, AssetError> {
     let real = path.canonicalize()?;
     if real.starts_with(root.canonicalize()?) { Ok(real) } else { Err(AssetError::Outside) }
@@ -36,12 +36,12 @@ pub(super) fn inside(root: &Path, path: &Path) -> Result<PathBuf, AssetError> {
 #[derive(Debug, Default)]
 pub(super) struct Listing {
     pub(super) names: Vec<String>,
-    /// Whether there are more than were looked at.
+    /// True if files were skipped because of a limit.
     pub(super) cut_short: bool,
 }
 
 impl Listing {
-    /// The files below a root and names that are given besides.
+    /// The files below a root, and the additional names `given`.
     pub(super) fn new<'a>(root: Option<&Path>, given: impl Iterator<Item = &'a String>) -> Self {
         let mut walk = Walk { listing: Listing::default(), looked_at: 0 };
         if let Some(root) = root.and_then(|root| root.canonicalize().ok()) {
@@ -56,8 +56,8 @@ impl Listing {
 }
 
 impl Listing {
-    /// The name by which a rule file in some folder finds a file that is listed: with a slash in front where without it another
-    /// file comes first.
+    /// The name by which a rule file in `folder` finds a listed file. If the plain name leads to another file first,
+    /// the result has a slash in front.
     pub(super) fn as_written(&self, name: &str, folder: &str) -> Text {
         let is_listed = |place: &String| self.names.binary_search(place).is_ok();
         match places(name, folder).into_iter().flatten().find(is_listed) {
@@ -73,7 +73,7 @@ struct Walk {
 }
 
 impl Walk {
-    /// Takes what is in a folder, in the order of names: file systems have their own.
+    /// Visits a folder in the order of names, because the order of the file system differs between platforms.
     fn folder(&mut self, root: &Path, folder: &Path, prefix: &str, depth: usize) {
         if DEEPEST < depth {
             self.listing.cut_short = true;
@@ -81,7 +81,7 @@ impl Walk {
         }
         let Ok(entries) = std::fs::read_dir(folder) else { return };
         let mut names = BTreeSet::new();
-        // Names that are no text cannot be written in rules.
+        // Rules cannot contain names that are not UTF-8.
         for name in entries.flatten().filter_map(|entry| entry.file_name().into_string().ok()) {
             names.insert(name);
             if MOST_ENTRIES < self.looked_at + names.len() {
@@ -97,7 +97,7 @@ impl Walk {
             if kind.is_dir() {
                 self.folder(root, &path, &format!("{name}/"), depth + 1);
             } else if kind.is_file() || kind.is_symlink() && inside(root, &path).is_ok_and(|real| real.is_file()) {
-                // Links to folders are not followed: they could go round in circles.
+                // Links to folders are not followed, because they may form cycles.
                 self.listing.names.push(name);
             }
         }
@@ -108,7 +108,7 @@ impl Walk {
 mod tests {
     use super::*;
 
-    /// A folder of its own for each test, gone afterwards.
+    /// A folder for one test, deleted afterwards.
     struct Temporary(PathBuf);
 
     impl Temporary {
@@ -147,7 +147,7 @@ mod tests {
     #[test]
     fn what_is_no_file_is_not_found() {
         let folder = Temporary::new("none");
-        assert!(file(&folder.root(), "assets/deep").is_err_and(|error| error.to_string() == "it is no file"));
+        assert!(file(&folder.root(), "assets/deep").is_err_and(|error| error.to_string() == "it is not a file"));
         let missing = file(&folder.root(), "c.txt");
         assert!(matches!(missing, Err(AssetError::File { kind: std::io::ErrorKind::NotFound, .. })));
         assert!(file(&folder.root(), "a\0b").is_err());

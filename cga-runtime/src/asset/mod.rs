@@ -1,4 +1,4 @@
-//! Where rules find files: meshes that the caller hands over, then files below a folder the caller names.
+//! Assets: meshes that the program registers, and files below a folder that it sets.
 
 mod error;
 mod file;
@@ -26,27 +26,27 @@ use crate::geometry::mesh::Mesh;
 use crate::value::text::Text;
 use folder::Listing;
 
-/// Names whose meshes and images are remembered; others are looked up each time, so that memory stays bounded.
+/// The limit on cached names of meshes and images. Other names are looked up each time, so that memory stays bounded.
 const NAMES_KEPT: usize = 10_000;
 
-/// The texture of a file that is not found (*CGA changelog*).
+/// The texture for a missing file (*CGA changelog*).
 pub(crate) const UNKNOWN_TEXTURE: &str = "builtin:unknowntexture.png";
 
-/// Textures that are always there (*Built-in assets and textures*).
+/// The built-in textures (*Built-in assets and textures*).
 pub(crate) const BUILTINS: [&str; 3] = [builtin::DEFAULT, builtin::UV_TEST, UNKNOWN_TEXTURE];
 
-/// The names of `primitiveCube` up to 2016.0, as an asset (*CGA changelog 2016.0*).
+/// The names of `primitiveCube` as an asset, up to 2016.0 (*CGA changelog 2016.0*).
 pub(crate) const CUBES: [&str; 2] = ["builtin:cube", "builtin:cube:notex"];
 
-/// Files that can be used, by what their names end with: images, whose paths go into models, material and text files, tables.
-/// Meshes are asked for themselves.
+/// The extensions of usable files: images, whose paths go into models, material and text files, and tables. Meshes are
+/// checked separately.
 const USABLE: [&str; 10] = ["bmp", "gif", "jpg", "jpeg", "png", "tif", "tiff", "mtl", "txt", "csv"];
 
-/// Meshes and other files by name. Meshes are read once and shared between runs, and the folder is listed once.
+/// Meshes and other files by name. Each mesh is read once and shared between runs. The folder is listed once.
 ///
-/// A name is a path with forward slashes. With a slash in front it counts from the folder. Any other is looked up from the
-/// folder of the rule file that names it upwards: in the subfolder `assets` of each, if there is one, and then in the folder
-/// itself (*Asset search*; [`cga_split::files::places`]).
+/// A name is a path with forward slashes. A name that begins with a slash is relative to the asset folder. Any other
+/// name is looked up from the folder of the rule file that names it upwards: in the subfolder `assets` of each folder,
+/// if it exists, and then in the folder itself (*Asset search*; [`cga_split::files::places`]).
 #[derive(Debug, Default)]
 pub struct Assets {
     root: Option<PathBuf>,
@@ -55,41 +55,41 @@ pub struct Assets {
     listing: OnceLock<Listing>,
 }
 
-/// What was found before.
+/// The results of earlier look-ups.
 #[derive(Debug, Default)]
 struct Read {
-    /// By folder of the rule file and name.
+    /// By folder of the rule file, then by name.
     meshes: HashMap<String, HashMap<String, Result<Arc<Mesh>, AssetError>>>,
-    /// By folder of the rule file and name; see [`Assets::image`].
+    /// By folder of the rule file, then by name; see [`Assets::image`].
     images: HashMap<String, HashMap<String, Text>>,
-    /// By name, as materials have it.
+    /// By name as written in the material.
     headers: HashMap<String, Result<ImageHeader, AssetError>>,
-    /// By path: a file that several names lead to is one mesh.
+    /// By path: a file with several names is one mesh.
     files: HashMap<PathBuf, Result<Arc<Mesh>, AssetError>>,
-    /// How many names there are.
+    /// The number of cached names.
     names: usize,
 }
 
-/// What a name leads to.
+/// The target of a name.
 enum Found<'a> {
-    /// A mesh that was handed over.
+    /// A mesh that the program registered.
     Given(&'a Arc<Mesh>),
-    /// A file, by its path without links.
+    /// A file, by its path with links resolved.
     File(PathBuf),
 }
 
 impl Assets {
-    /// No assets: `i(…)` finds the built-in ones only.
+    /// No assets: `i(…)` finds only the built-in ones.
     pub fn new() -> Self {
         Assets::default()
     }
 
-    /// Files below a folder, by their path from it. Nothing outside is ever read.
+    /// Files below a folder, by their path relative to it. Files outside the folder are never read.
     pub fn below(folder: impl Into<PathBuf>) -> Self {
         Assets { root: Some(folder.into()), ..Assets::default() }
     }
 
-    /// Adds a mesh under a name; it wins over a file of that name.
+    /// Adds a mesh under a name. It takes precedence over a file of that name.
     #[must_use]
     pub fn with(mut self, name: impl Into<String>, mesh: impl Into<Arc<Mesh>>) -> Self {
         self.given.insert(name.into(), mesh.into());
@@ -97,15 +97,15 @@ impl Assets {
         self
     }
 
-    /// The mesh of that name, or why there is none.
+    /// The mesh with a name.
     ///
     /// # Errors
-    /// The file is missing, not readable, outside of the folder, or not a mesh.
+    /// An error if the file is missing, not readable, outside the folder, or not a mesh.
     pub fn mesh(&self, name: &str) -> Result<Arc<Mesh>, AssetError> {
         self.mesh_from(name, "")
     }
 
-    /// The mesh of a file that rules name, or why there is none.
+    /// The mesh of a file that rules name.
     pub(crate) fn mesh_of(&self, file: &File) -> Result<Arc<Mesh>, AssetError> {
         self.mesh_from(&file.name, file.folder)
     }
@@ -137,7 +137,7 @@ impl Assets {
         found
     }
 
-    /// Whether there is such a file or mesh, and it is of a kind that can be used.
+    /// Returns true if a file or mesh exists and has a usable format.
     pub(crate) fn exists(&self, file: &File) -> bool {
         let name = file.name.as_str();
         if BUILTINS.contains(&name) || CUBES.contains(&name) {
@@ -153,10 +153,10 @@ impl Assets {
         }
     }
 
-    /// The beginning of a file, at most so many bytes, and whether that is all of it.
+    /// The beginning of a file, at most `most` bytes, and whether that is the whole file.
     pub(crate) fn bytes(&self, file: &File, most: u64) -> Result<(Vec<u8>, bool), AssetError> {
         let Found::File(path) = self.look_up(&file.name, file.folder)?.1 else {
-            return Err(AssetError::Format("it is a mesh that was handed over, and no file"));
+            return Err(AssetError::Format("it is a mesh that the program registered, not a file"));
         };
         let mut bytes = Vec::new();
         std::fs::File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
@@ -165,8 +165,9 @@ impl Assets {
         Ok((bytes, all))
     }
 
-    /// The name of an image as models have it: as written, or from the asset folder where it was found beside a rule file
-    /// below that folder and nobody else would find it by the name that is written.
+    /// The name of an image for models. This is the name as written, unless the image is found beside a rule file in a
+    /// subfolder and that name would not find it from the asset folder. Then it is the path relative to the asset
+    /// folder.
     pub(crate) fn image(&self, file: File) -> Text {
         if file.folder.is_empty() || file.name.is_empty() || file.name.starts_with('/') {
             return file.name;
@@ -188,8 +189,8 @@ impl Assets {
         image
     }
 
-    /// What a name in a rule file of some folder leads to, and at which place that is. Everything that needs a file finds it
-    /// here.
+    /// The target of a name in a rule file in `folder`, and the place where it was found. All look-ups of files use
+    /// this function.
     fn look_up(&self, name: &str, folder: &str) -> Result<(String, Found<'_>), AssetError> {
         if let Some(mesh) = self.given.get(name) {
             return Ok((name.to_owned(), Found::Given(mesh)));
@@ -202,7 +203,7 @@ impl Assets {
             let Some(root) = &self.root else { continue };
             match folder::file(root, &place) {
                 Ok(path) => return Ok((place, Found::File(path))),
-                // That there is nothing is said only of places that are all like that.
+                // "Not found" is reported only if all places give it; any other error takes precedence.
                 Err(error) if why.as_ref().is_none_or(is_missing) => why = Some(error),
                 Err(_) => {}
             }
@@ -210,8 +211,8 @@ impl Assets {
         Err(why.unwrap_or(AssetError::NoFolder))
     }
 
-    /// The names that a query in a rule file of some folder finds, sorted by their places, and whether there were too many
-    /// files to look at all of them.
+    /// The names of the files that match a query in a rule file in `folder`, sorted by path, and whether files were
+    /// skipped because of a limit.
     pub(crate) fn search(&self, query: &Query, folder: &str) -> (Vec<Text>, bool) {
         let listing = self.listing.get_or_init(|| Listing::new(self.root.as_deref(), self.given.keys()));
         let project = self.root.as_deref().and_then(Path::file_name).and_then(|name| name.to_str()).unwrap_or_default();
@@ -224,7 +225,7 @@ fn is_missing(error: &AssetError) -> bool {
     matches!(error, AssetError::File { kind: std::io::ErrorKind::NotFound, .. })
 }
 
-/// Whether a file of that name can be read as a mesh, else why not.
+/// An error if a file with this name cannot be read as a mesh.
 fn readable_mesh(name: &str) -> Result<(), AssetError> {
     if !cfg!(feature = "obj") {
         return Err(AssetError::Format("reading meshes needs the feature `obj`"));

@@ -1,22 +1,22 @@
 //! The queries of file searches (*fileSearch / filesSearch functions*).
 //!
-//! Terms with space between them must all hold. A term is a pattern for the path, or a property, `=` and a pattern:
-//! `Name=`, `Ext=`, `Path=`, `Project=`. A pattern holds for all of a text; `*` stands for any characters and `?` for one.
-//! One that begins with `$` is a regular expression. Space between single quotes is part of a term.
+//! A file must match all terms, which are separated by space. A term is a pattern for the path, or a property, `=` and
+//! a pattern: `Name=`, `Ext=`, `Path=`, `Project=`. A pattern matches a whole text; `*` matches any characters and `?`
+//! matches one. A pattern that begins with `$` is a regular expression. Space between single quotes is part of a term.
 
 use crate::value::text::shortened;
 use std::cell::Cell;
 
 use crate::value::pattern::Whole;
 
-/// Comparisons of characters that one search may take, over all files.
+/// The limit on character comparisons in one search, over all files.
 const MOST_STEPS: u64 = 100_000_000;
 
-/// A query that was read.
+/// A parsed query.
 #[derive(Debug)]
 pub(crate) struct Query {
     terms: Vec<Term>,
-    /// What is left of [`MOST_STEPS`].
+    /// The remaining part of [`MOST_STEPS`].
     steps: Cell<u64>,
     wrong: Option<String>,
 }
@@ -40,11 +40,11 @@ const PROPERTIES: [(&str, Property); 4] =
 
 #[derive(Debug)]
 enum Pattern {
-    /// With `*` and `?`.
+    /// A pattern with `*` and `?`.
     Plain(Vec<char>),
-    /// What stands behind `$`.
+    /// A regular expression, written after `$`.
     Regular(Whole),
-    /// What was no regular expression.
+    /// An invalid regular expression, which matches no file.
     Nothing,
 }
 
@@ -67,13 +67,14 @@ impl Query {
         query
     }
 
-    /// Why what it found is not all there is, if so: a part of it cannot be read, or took too long.
+    /// The reason why results may be missing, if any: part of the query is invalid or took too long.
     pub(crate) fn trouble(&self) -> Option<String> {
         let slow = || (self.steps.get() == 0).then(|| "it takes too long".to_owned());
         self.wrong.clone().or_else(slow)
     }
 
-    /// Whether it finds a file: a path from the asset folder, with forward slashes. An empty query finds nothing.
+    /// Returns true if the query matches a file. `path` is relative to the asset folder, with forward slashes. An empty
+    /// query matches no file.
     pub(crate) fn finds(&self, project: &str, path: &str) -> bool {
         !self.terms.is_empty() && self.terms.iter().all(|term| term.holds(&self.steps, project, path))
     }
@@ -84,7 +85,7 @@ impl Term {
         let holds = |text: &str| self.pattern.holds(steps, text);
         let name = path.rsplit('/').next().unwrap_or(path);
         match self.property {
-            // The path as seen from the folder `assets`, from the asset folder, and from above.
+            // The path relative to the folder `assets`, relative to the asset folder, and as an absolute name.
             Property::Path => {
                 path.strip_prefix("assets/").is_some_and(holds) || holds(path) || holds(&format!("/{path}"))
             }
@@ -96,7 +97,7 @@ impl Term {
 }
 
 impl Pattern {
-    /// Whether it is all of a text. It takes steps away, and when there are none left nothing holds.
+    /// Returns true if the pattern matches a whole text. Uses up `steps`; without steps left the result is false.
     fn holds(&self, steps: &Cell<u64>, text: &str) -> bool {
         if steps.get() == 0 {
             return false;
@@ -111,7 +112,7 @@ impl Pattern {
     }
 }
 
-/// Words between space; what stands between single quotes is not taken apart.
+/// Words separated by space. Space between single quotes does not separate.
 fn words(text: &str) -> Vec<String> {
     let mut words = Vec::new();
     let (mut word, mut quoted) = (String::new(), false);
@@ -127,12 +128,12 @@ fn words(text: &str) -> Vec<String> {
     words
 }
 
-/// Whether a pattern with `*` and `?` is all of a text, and how many comparisons it took. Only the last `*` ever has to be
-/// tried again, so these are at most their lengths multiplied.
+/// Matches a pattern with `*` and `?` against a whole text. Returns the result and the number of comparisons. Only the
+/// last `*` is ever retried, so the number is at most the product of the two lengths.
 fn plain(pattern: &[char], text: &str) -> (bool, u64) {
     let (mut at, mut steps) = (0, 0);
     let mut rest = text.chars();
-    // Behind the last star, and the text that it has not yet taken.
+    // The position after the last star, and the text that the star has not consumed yet.
     let mut again: Option<(usize, std::str::Chars<'_>)> = None;
     loop {
         steps += 1;
@@ -160,7 +161,7 @@ fn plain(pattern: &[char], text: &str) -> (bool, u64) {
 mod tests {
     use super::*;
 
-    /// The files of the reference's example, without other projects: its `MyProject`.
+    /// The files of the reference's example `MyProject`, without other projects.
     const FILES: [&str; 7] = [
         "assets/textures/1.png",
         "assets/textures/2.png",
@@ -229,7 +230,7 @@ mod tests {
         assert!(holds("", "") && holds("*", "") && holds("**", "ab") && holds("a*", "a") && holds("é?", "éü"));
         assert!(holds("*a*b", "xaabab") && holds("?*?", "ab") && holds("*.o?j", "x.obj"));
         assert!(!holds("?", "") && !holds("a", "ab") && !holds("*a", "ab") && !holds("?*?", "a") && !holds("A", "a"));
-        // Many stars that nearly match take no long time.
+        // Many stars that nearly match must not take long.
         let (stars, text) = ("*a".repeat(2000) + "b", "a".repeat(20_000));
         assert!(!holds(&stars, &text));
     }

@@ -8,17 +8,17 @@ use crate::value::array::{Array, Element};
 use crate::value::compare::Compare;
 use crate::value::text::Text;
 
-/// Whether `a` certainly is less: what is no number never is.
+/// Returns true if `a` is less than `b`. NaN is never less.
 fn before<T: Compare>(a: &T, b: &T) -> bool {
     !a.unordered() && !b.unordered() && a.compare(b) == Ordering::Less
 }
 
-/// The smaller one; of one that is no number and one that is, the number.
+/// The smaller value. If one of the two is NaN, the other one.
 fn smaller<T: Compare>(a: T, b: T) -> T {
     if a.unordered() || before(&b, &a) { b } else { a }
 }
 
-/// The larger one; of one that is no number and one that is, the number.
+/// The larger value. If one of the two is NaN, the other one.
 fn larger<T: Compare>(a: T, b: T) -> T {
     if a.unordered() || before(&a, &b) { b } else { a }
 }
@@ -59,18 +59,18 @@ pub fn max_text(a: Text, b: Text) -> Text {
     larger(a, b)
 }
 
-/// `low` if `x` comes before it, `high` if `x` comes behind it, `x` otherwise (*clamp*).
+/// `low` if `x` comes before it, `high` if `x` comes after it, `x` otherwise (*clamp*).
 pub fn clamp_text(x: Text, low: Text, high: Text) -> Text {
     within(x, low, high)
 }
 
-/// The smaller ones, element by element. That these functions go element by element, and do not choose one of the two
-/// arrays by the order of arrays, is inferred; the pages *min*, *max* and *clamp* only say that they take arrays.
+/// The smaller values, element by element. The pages *min*, *max* and *clamp* say only that the functions take arrays.
+/// It is inferred that they compare elements, rather than choose one of the arrays by the order of arrays.
 pub fn min_each<T: Element>(env: &mut Env, a: Array<T>, b: Array<T>) -> Array<T> {
     each_pair(env, "min", a, b, smaller)
 }
 
-/// The larger ones, element by element; see [`min_each`].
+/// The larger values, element by element; see [`min_each`].
 pub fn max_each<T: Element>(env: &mut Env, a: Array<T>, b: Array<T>) -> Array<T> {
     each_pair(env, "max", a, b, larger)
 }

@@ -17,11 +17,11 @@ fn bytes(hex: &str) -> Option<([u8; 3], Option<u8>)> {
     Some(([byte(0)?, byte(2)?, byte(4)?], byte(6)))
 }
 
-/// Red, green and blue as bytes; black, with a fault, when the text is no colour.
+/// Red, green and blue as bytes. If the text is not a colour, black, with a fault.
 fn read(env: &mut Env, hex: &str) -> [u8; 3] {
     let read = bytes(hex);
     if read.is_none() {
-        env.fault(FaultKind::Value, format!("`{hex}` is no colour like \"#ff8000\"; black is used instead"));
+        env.fault(FaultKind::Value, format!("`{hex}` is not a colour like \"#ff8000\"; black is used instead"));
     }
     read.unwrap_or_default().0
 }
@@ -80,12 +80,12 @@ pub fn color_hex_to_v(env: &mut Env, hex: Text) -> f64 {
     share(r.max(g).max(b))
 }
 
-/// A channel as two digits: brought into 0..=1, halves rounded up.
+/// A channel as a byte: clamped to 0..=1, halves rounded up.
 fn digits(channel: f64) -> u8 {
     (channel.clamp(0.0, 1.0) * 255.0 + 0.5) as u8
 }
 
-/// `#RRGGBB`, as functions of the language print it.
+/// `#RRGGBB`, in the form that functions of the language return.
 pub(super) fn print([r, g, b]: Rgb) -> Text {
     Text::from(format!("#{:02X}{:02X}{:02X}", digits(r), digits(g), digits(b)))
 }
@@ -95,11 +95,11 @@ fn print_with_opacity(rgb: Rgb, opacity: f64) -> Text {
     Text::from(format!("{}{:02X}", print(rgb), digits(opacity)))
 }
 
-/// Red, green and blue of a hue, saturation and value. Hues come again every 360 degrees.
+/// Red, green and blue of a hue, saturation and value. Hues repeat every 360 degrees.
 fn from_hsv(hue: f64, saturation: f64, value: f64) -> Rgb {
     let (saturation, value) = (saturation.clamp(0.0, 1.0), value.clamp(0.0, 1.0));
-    // The largest channel in each sixth of the circle is the value, the smallest the "floor" below; the third goes up or
-    // down between them.
+    // In each sixth of the circle one channel is the value, one is the minimum, and the third rises or falls between
+    // the two.
     let sixth = hue.rem_euclid(360.0) / 60.0;
     let channel = |shift: f64| {
         let place = (sixth + shift) % 6.0;
@@ -117,23 +117,23 @@ fn hsv(env: &mut Env, hue: f64, saturation: f64, value: f64) -> Rgb {
     from_hsv(env.finite(hue, "the hue"), env.finite(saturation, "the saturation"), env.finite(value, "the value"))
 }
 
-/// `#RRGGBB`; channels are brought into 0..=1 (*colorRGBToHex*).
+/// `#RRGGBB`; channels are clamped to 0..=1 (*colorRGBToHex*).
 pub fn color_rgb_to_hex(env: &mut Env, red: f64, green: f64, blue: f64) -> Text {
     print(rgb(env, red, green, blue))
 }
 
-/// `#RRGGBBOO`; channels and opacity are brought into 0..=1 (*colorRGBOToHex*).
+/// `#RRGGBBOO`; channels and opacity are clamped to 0..=1 (*colorRGBOToHex*).
 pub fn color_rgbo_to_hex(env: &mut Env, red: f64, green: f64, blue: f64, opacity: f64) -> Text {
     let rgb = rgb(env, red, green, blue);
     print_with_opacity(rgb, env.finite(opacity, "the opacity"))
 }
 
-/// `#RRGGBB`; the hue is brought into 0..=360 by whole turns, the others into 0..=1 (*colorHSVToHex*).
+/// `#RRGGBB`; the hue is taken modulo 360, the others are clamped to 0..=1 (*colorHSVToHex*).
 pub fn color_hsv_to_hex(env: &mut Env, hue: f64, saturation: f64, value: f64) -> Text {
     print(hsv(env, hue, saturation, value))
 }
 
-/// `#RRGGBBOO`; the hue is brought into 0..=360 by whole turns, the others into 0..=1 (*colorHSVOToHex*).
+/// `#RRGGBBOO`; the hue is taken modulo 360, the others are clamped to 0..=1 (*colorHSVOToHex*).
 pub fn color_hsvo_to_hex(env: &mut Env, hue: f64, saturation: f64, value: f64, opacity: f64) -> Text {
     let rgb = hsv(env, hue, saturation, value);
     print_with_opacity(rgb, env.finite(opacity, "the opacity"))
@@ -145,7 +145,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn fact_92_colours_as_text() {
+    fn colours_become_text() {
         let env = &mut env();
         assert_eq!(color_hsv_to_hex(env, 90.0, 0.5, 0.5).as_str(), "#608040");
         assert_eq!(color_hsvo_to_hex(env, 90.0, 0.5, 0.5, 0.5).as_str(), "#60804080");
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_92_colours_as_numbers() {
+    fn colours_become_numbers() {
         // *colorHexToB* and the others.
         let env = &mut env();
         let blue = || text("#4080BF");

@@ -2,7 +2,7 @@
 
 use crate::value::compare::Compare;
 
-/// `a == b`. Arrays are equal if they have the same form and equal elements.
+/// `a == b`. Arrays are equal if they have the same shape and equal elements.
 #[inline]
 pub fn equal<T: Compare>(a: T, b: T) -> bool {
     a.compare(&b).is_eq()
@@ -49,7 +49,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_80_arrays_are_compared_row_by_row() {
+    fn arrays_are_compared_row_by_row() {
         // *Array types operators*.
         let row = |values: &[f64]| Array::from(values.to_vec());
         let down = Array::from(vec![vec![1.0], vec![2.0]]);
@@ -58,7 +58,7 @@ mod tests {
         assert!(!less_equal(column(&["a", "b"]), column(&["a"])) && greater(column(&["a", "b"]), column(&["a"])));
         assert!(greater_equal(column(&["a", "b"]), column(&["a", "b"])));
         assert!(greater_equal(row(&[1.0, 2.0, 3.0]), row(&[1.0, 2.0])));
-        // Fewer columns decide before the second rows are looked at.
+        // The number of columns decides before the second rows are compared.
         let wide = Array::from(vec![vec![1.0, 2.0], vec![0.0, 0.0]]);
         let narrow = Array::from(vec![vec![1.0], vec![9.0]]);
         assert!(less(narrow, wide));

@@ -1,11 +1,11 @@
-//! Values of one type as values of another.
+//! Conversions between types.
 
 use crate::run::env::Env;
 use crate::value::array::{Array, Element, Print};
 use crate::value::number::Number;
 use crate::value::text::Text;
 
-/// What stands for "no value" in text (*isNull function*); among numbers it is "not a number".
+/// The text that represents "no value" (*isNull function*). The number that does so is NaN.
 const NULL: &str = "\u{e000}";
 
 /// A number as text, as in `str(1.5)` (*str function*).
@@ -23,9 +23,10 @@ pub fn text_to_text(x: Text) -> Text {
     x
 }
 
-/// An array as `print` shows it (*str function*).
+/// An array in the form that `print` shows (*str function*).
 pub fn array_to_text<T: Element>(env: &mut Env, array: Array<T>) -> Text {
-    // Many elements may share one long text: do not go through it for each, only to refuse it.
+    // Many elements may share one long text. The lower bound refuses such an array without printing the text for each
+    // element.
     let bytes = array.into_iter().map(Print::least_bytes).fold(0, usize::saturating_add);
     if env.may_write(bytes) { env.write(array) } else { Text::default() }
 }
@@ -35,15 +36,14 @@ pub fn bool_to_float(x: bool) -> f64 {
     if x { 1.0 } else { 0.0 }
 }
 
-/// The number that the text begins with, behind spaces; not a number when there is none (*float function*, *floatArray
-/// function*).
+/// The number at the beginning of the text, after spaces. NaN without one (*float function*, *floatArray function*).
 pub fn text_to_float(x: Text) -> f64 {
     let text = x.trim_start();
-    // What reads is as long as the number, however long the text.
+    // Parses only the bytes of the number, even in a long text.
     text.get(..number_length(text.as_bytes())).and_then(|number| number.parse().ok()).unwrap_or(f64::NAN)
 }
 
-/// Bytes of the number at the beginning; 0 without one.
+/// The number of bytes of the number at the beginning; 0 without one.
 fn number_length(text: &[u8]) -> usize {
     let digits = |from: usize| text[from..].iter().take_while(|byte| byte.is_ascii_digit()).count();
     let sign = |at: usize| usize::from(matches!(text.get(at), Some(b'+' | b'-')));
@@ -69,7 +69,7 @@ fn number_length(text: &[u8]) -> usize {
     end
 }
 
-/// 0 is false, everything else true (*bool function*; *CGA changelog 2020.0*: also what is no number).
+/// 0 is false and everything else is true (*bool function*; *CGA changelog 2020.0*: also NaN).
 pub fn float_to_bool(x: f64) -> bool {
     x != 0.0
 }
@@ -141,12 +141,12 @@ pub fn texts_from_bools(array: Array<bool>) -> Array<Text> {
     array.map(|truth| bool_to_text(*truth))
 }
 
-/// Whether a number stands for "no value" (*isNull function*).
+/// Returns true if a number represents "no value" (*isNull function*).
 pub fn isnull_float(x: f64) -> bool {
     x.is_nan()
 }
 
-/// Whether a text stands for "no value" (*isNull function*).
+/// Returns true if a text represents "no value" (*isNull function*).
 pub fn isnull_text(x: Text) -> bool {
     x.as_str() == NULL
 }
@@ -193,13 +193,13 @@ mod tests {
     }
 
     #[test]
-    fn fact_76_and_arrays_too() {
+    fn arrays_become_text() {
         let env = &mut env();
         assert_eq!(array_to_text(env, Array::from([0.0, 1.0, 2.0])).as_str(), "(3)[0,1,2]");
         let rows = Array::from(vec![vec![1.0, 2.0], vec![3.0, 4.0]]);
         assert_eq!(array_to_text(env, rows).as_str(), "(2x2)\n   1   2\n   3   4");
         let env = &mut small_env(100, 20);
-        // Ten bytes in one column, made wide by one of them.
+        // Three cells with a width of eight characters: the first text widens the column.
         array_to_text(env, Array::from(vec![vec![text("12345678")], vec![text("")], vec![text("")]]));
         assert_eq!(limit(env), Some(LimitKind::Text));
         let env = &mut super::super::tests::env();
@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_89_text_reads_as_documented() {
+    fn text_is_parsed_as_documented() {
         // *float function*, *floatArray function*, *bool function*.
         let float = |x: &str| text_to_float(text(x));
         assert_eq!((float("5+6"), float("001.5"), float("-2"), float("1e"), float("1e+")), (5.0, 1.5, -2.0, 1.0, 1.0));
@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_89_arrays_are_converted() {
+    fn arrays_are_converted() {
         let env = &mut env();
         let numbers = floats_from_texts(Array::from(["1.5", "-2", "0", "nixda", "5+6"].map(text)));
         assert_eq!(numbers.to_string(), "(5)[1.5,-2,0,nan,5]");
@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_90_null() {
+    fn null_is_nan_or_a_private_character() {
         // *isNull function*.
         assert!(isnull_float(f64::NAN) && !isnull_float(0.0) && !isnull_float(f64::INFINITY));
         assert!(isnull_text(text("\u{e000}")) && !isnull_text(text("CityEngine")) && !isnull_text(text("")));

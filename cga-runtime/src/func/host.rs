@@ -9,11 +9,11 @@ use crate::value::text::Text;
 
 /// A Rust value that a rule can use as a number.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no number that a rule can use",
+    message = "`{Self}` is not a number that a rule can use",
     label = "the rule needs a number here"
 )]
 pub trait ToFloat {
-    /// As a 64-bit float.
+    /// The value as a 64-bit float.
     fn to_float(&self) -> f64;
 }
 
@@ -43,9 +43,9 @@ impl<T: ToFloat + ?Sized> ToFloat for &T {
 }
 
 /// A Rust value that a rule can use as a truth value.
-#[diagnostic::on_unimplemented(message = "`{Self}` is no `bool`", label = "the rule needs a `bool` here")]
+#[diagnostic::on_unimplemented(message = "`{Self}` is not a `bool`", label = "the rule needs a `bool` here")]
 pub trait ToBool {
-    /// As a bool.
+    /// The value as a bool.
     fn to_bool(&self) -> bool;
 }
 
@@ -63,9 +63,12 @@ impl<T: ToBool + ?Sized> ToBool for &T {
 }
 
 /// A Rust value that a rule can use as text.
-#[diagnostic::on_unimplemented(message = "`{Self}` is no text that a rule can use", label = "the rule needs text here")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not text that a rule can use",
+    label = "the rule needs text here"
+)]
 pub trait ToText {
-    /// As text.
+    /// The value as text.
     fn to_text(&self) -> Text;
 }
 
@@ -98,11 +101,11 @@ macro_rules! to_arrays {
     ($($(#[$doc:meta])* $name:ident, $method:ident, $item:ty, $one:ident, $convert:ident;)*) => {$(
         $(#[$doc])*
         #[diagnostic::on_unimplemented(
-            message = "`{Self}` is no array that a rule can use",
+            message = "`{Self}` is not an array that a rule can use",
             label = "the rule needs an array here"
         )]
         pub trait $name {
-            /// As an array.
+            /// The value as an array.
             fn $method(&self) -> Array<$item>;
         }
 
@@ -148,13 +151,13 @@ to_arrays! {
     ToTexts, to_texts, Text, ToText, to_text;
 }
 
-/// A Rust value beside text in a rule: text, or a number or truth value that becomes text.
+/// A Rust value that a rule joins with text: text, or a number or truth value that is converted to text.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot become text in a rule",
     label = "the rule needs text, a number or a `bool` here"
 )]
 pub trait Show {
-    /// As text.
+    /// The value as text.
     fn show(&self) -> Text;
 }
 
@@ -183,13 +186,13 @@ impl<T: Show + ?Sized> Show for &T {
     }
 }
 
-/// What an operation written in Rust may return.
+/// The return type of an operation written in Rust.
 #[diagnostic::on_unimplemented(
     message = "an operation cannot return `{Self}`",
     label = "this operation must return `()` or `Result<(), cga::Fault>`"
 )]
 pub trait Outcome {
-    /// As a result.
+    /// The outcome as a result.
     fn outcome(self) -> Result<(), Fault>;
 }
 
@@ -205,8 +208,8 @@ impl Outcome for Result<(), Fault> {
     }
 }
 
-/// Runs an operation written in Rust on the current shape. After a fault the shape is what the operation left, unless
-/// that is no shape.
+/// Runs an operation written in Rust on the current shape. After a fault the shape keeps the operation's changes,
+/// unless they make it invalid.
 pub fn operate<R: Outcome>(env: &mut Env, shape: &mut Shape, operation: impl FnOnce(&mut Shape) -> R) {
     let mut own = shape.clone();
     if let Err(fault) = operation(&mut own).outcome() {
@@ -214,8 +217,9 @@ pub fn operate<R: Outcome>(env: &mut Env, shape: &mut Shape, operation: impl FnO
     }
     match own.check() {
         Ok(()) => *shape = own,
-        Err(_) => env
-            .fault(FaultKind::Value, "the operation made a size or position that is no finite number; it is left out"),
+        Err(_) => {
+            env.fault(FaultKind::Value, "the operation made a size or position that is not finite; it is skipped")
+        }
     }
 }
 

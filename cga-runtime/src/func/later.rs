@@ -1,4 +1,4 @@
-//! What the language has and this runtime has not yet: a no-op or the type's default, and one fault a name and run.
+//! Parts of the language that are not implemented yet: a no-op or the type's default, and one fault per name and run.
 
 use crate::run::env::Env;
 use crate::value::array::Array;
@@ -27,23 +27,23 @@ pub fn text(env: &mut Env, name: &'static str) -> Text {
     Text::default()
 }
 
-/// A function or attribute that is not implemented: an array without elements.
+/// A function or attribute that is not implemented: an empty array.
 fn array<T>(env: &mut Env, name: &'static str) -> Array<T> {
-    env.not_implemented(name, "it gives an array without elements");
+    env.not_implemented(name, "it gives an empty array");
     Array::default()
 }
 
-/// A function or attribute that is not implemented: no numbers.
+/// A function or attribute that is not implemented: an empty array of numbers.
 pub fn floats(env: &mut Env, name: &'static str) -> Array<f64> {
     array(env, name)
 }
 
-/// A function or attribute that is not implemented: no truth values.
+/// A function or attribute that is not implemented: an empty array of truth values.
 pub fn bools(env: &mut Env, name: &'static str) -> Array<bool> {
     array(env, name)
 }
 
-/// A function or attribute that is not implemented: no texts.
+/// A function or attribute that is not implemented: an empty array of texts.
 pub fn texts(env: &mut Env, name: &'static str) -> Array<Text> {
     array(env, name)
 }

@@ -1,4 +1,4 @@
-//! Bounds on what functions make: elements of arrays, bytes of text.
+//! Limits on the results of functions: elements of arrays, bytes of text.
 
 use std::fmt::{self, Write};
 
@@ -8,13 +8,13 @@ use crate::run::sink::Flow;
 use crate::value::text::Text;
 
 impl Env {
-    /// Whether an array may have so many elements. If not, the run ends.
+    /// Returns true if an array may have `elements` elements. If not, the run ends.
     pub(crate) fn may_hold(&mut self, elements: usize) -> bool {
         let limit = self.settings.limits.array;
         self.within(LimitKind::Array, elements, limit)
     }
 
-    /// Whether there may be a text of so many bytes. If not, the run ends.
+    /// Returns true if a text may have `bytes` bytes. If not, the run ends.
     pub(crate) fn may_write(&mut self, bytes: usize) -> bool {
         let limit = self.settings.limits.text;
         self.within(LimitKind::Text, bytes, limit)
@@ -28,7 +28,7 @@ impl Env {
         fits
     }
 
-    /// What is written, unless it is longer than a text may be: then the run ends and the text is empty.
+    /// The value as text. If it is longer than the limit, the run ends and the text is empty.
     pub(super) fn write(&mut self, text: impl fmt::Display) -> Text {
         let mut out = Bounded { text: String::new(), longest: self.settings.limits.text };
         match write!(out, "{text}") {

@@ -1,8 +1,8 @@
 //! Lists in text: items, each followed by `;`.
 //!
-//! A list may lack the last `;`. Items without characters count as none, except where arrays come in (*CGA changelog
-//! 2020.1*: `;` is a list with one empty item, "" is one without). A `*` at either end of what is searched for stands
-//! for anything.
+//! The last `;` of a list may be missing. Empty items do not count, except in conversions to arrays (*CGA changelog
+//! 2020.1*: `;` is a list with one empty item, "" is a list without items). A `*` at either end of a search text
+//! matches anything.
 
 use super::whole;
 use crate::run::env::Env;
@@ -14,7 +14,7 @@ fn items(list: &str) -> impl Iterator<Item = &str> + Clone {
     list.split(';').filter(|item| !item.is_empty())
 }
 
-/// Items with a `;` behind each, never longer than a list they come from with a last `;`.
+/// The items with a `;` after each. Never longer than the list that they come from, with a last `;`.
 fn list_of<'t>(items: impl Iterator<Item = &'t str>) -> Text {
     let mut list = String::new();
     for item in items {
@@ -24,7 +24,7 @@ fn list_of<'t>(items: impl Iterator<Item = &'t str>) -> Text {
     Text::from(list)
 }
 
-/// Whether an item is what is searched for.
+/// Returns true if an item matches a search text.
 fn matches(item: &str, search: &str) -> bool {
     let (from_start, search) = search.strip_prefix('*').map_or((true, search), |rest| (false, rest));
     let (to_end, search) = search.strip_suffix('*').map_or((true, search), |rest| (false, rest));
@@ -42,12 +42,12 @@ pub fn list_add(env: &mut Env, list: Text, item: Text) -> Text {
     env.write(format_args!("{list}{}{item}{}", end(&list), end(&item)))
 }
 
-/// The list with a `;` at its end and without items that have no characters (*listClean*).
+/// The list with a `;` at its end and without empty items (*listClean*).
 pub fn list_clean(list: Text) -> Text {
     list_of(items(&list))
 }
 
-/// How many items are what is searched for (*listCount*).
+/// The number of matching items (*listCount*).
 pub fn list_count(list: Text, search: Text) -> f64 {
     items(&list).filter(|item| matches(item, &search)).count() as f64
 }
@@ -76,7 +76,7 @@ pub fn list_from_array<T: Element>(env: &mut Env, array: Array<T>) -> Text {
     Text::from(list)
 }
 
-/// The items, those without characters too, in one row (*listToArray*).
+/// All items, including empty ones, in one row (*listToArray*).
 pub fn list_to_array(env: &mut Env, list: Text) -> Array<Text> {
     let items = list.strip_suffix(';').unwrap_or(&list).split(';');
     if list.is_empty() || !env.may_hold(items.clone().count()) {
@@ -85,53 +85,53 @@ pub fn list_to_array(env: &mut Env, list: Text) -> Array<Text> {
     items.map(Text::from).collect()
 }
 
-/// The number of the first item that is what is searched for, from 0; -1 without one (*listIndex*).
+/// The number of the first matching item, from 0; -1 without one (*listIndex*).
 pub fn list_index(list: Text, search: Text) -> f64 {
     items(&list).position(|item| matches(item, &search)).map_or(-1.0, |place| place as f64)
 }
 
-/// An item by its number, from 0; "" if there is none (*listItem*).
+/// An item by its number, from 0; "" if it does not exist (*listItem*).
 pub fn list_item(env: &mut Env, list: Text, index: f64) -> Text {
     let index = whole(env.finite(index, "the index of an item"));
     index.and_then(|index| items(&list).nth(index)).map(Text::from).unwrap_or_default()
 }
 
-/// An item by chance; "" without items (*listRandom*). A random number is used up in any case.
+/// A random item; "" without items (*listRandom*). Always draws a random number.
 pub fn list_random(shape: &mut impl View, list: Text) -> Text {
-    // As the utility library does it: `rand` includes its upper end there.
+    // The same formula as in the utility library, where `rand` includes its upper end.
     let place = shape.draw() * (items(&list).count() as f64 - 1e-7);
     whole(place).and_then(|place| items(&list).nth(place)).map(Text::from).unwrap_or_default()
 }
 
-/// The items from one number up to another, without that one, as a list (*listRange*).
+/// The items from number `start` to before number `end`, as a list (*listRange*).
 pub fn list_range(env: &mut Env, list: Text, start: f64, end: f64) -> Text {
     let start = whole(env.finite(start, "the start of a range of items")).unwrap_or(0);
     let end = whole(env.finite(end, "the end of a range of items")).unwrap_or(0);
     list_of(items(&list).take(end).skip(start))
 }
 
-/// The list without the first item that is what is searched for (*listRemove*).
+/// The list without the first matching item (*listRemove*).
 pub fn list_remove(list: Text, search: Text) -> Text {
     let first = items(&list).position(|item| matches(item, &search));
     list_of(items(&list).enumerate().filter(|(place, _)| Some(*place) != first).map(|(_, item)| item))
 }
 
-/// The list without the items that are what is searched for (*listRemoveAll*).
+/// The list without the matching items (*listRemoveAll*).
 pub fn list_remove_all(list: Text, search: Text) -> Text {
     list_of(items(&list).filter(|item| !matches(item, &search)))
 }
 
-/// The items that are what is searched for, as a list (*listRetainAll*).
+/// The matching items as a list (*listRetainAll*).
 pub fn list_retain_all(list: Text, search: Text) -> Text {
     list_of(items(&list).filter(|item| matches(item, &search)))
 }
 
-/// How many items there are (*listSize*).
+/// The number of items (*listSize*).
 pub fn list_size(list: Text) -> f64 {
     items(&list).count() as f64
 }
 
-/// The list with a `;` at its end (*listTerminate*); a list without items has none.
+/// The list with a `;` at its end (*listTerminate*). An empty list stays empty.
 pub fn list_terminate(env: &mut Env, list: Text) -> Text {
     if list.is_empty() || list.ends_with(';') { list } else { env.write(format_args!("{list};")) }
 }
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_88_search() {
+    fn items_are_found_by_search_text() {
         // *listIndex*, *listCount*, *listItem*, *listFirst*, *listLast*, *listSize*.
         let env = &mut env();
         assert_eq!(
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_88_change() {
+    fn items_are_added_and_removed() {
         // *listAdd*, *listClean*, *listRange*, *listRemove*, *listRemoveAll*, *listRetainAll*, *listTerminate*.
         let env = &mut env();
         for item in ["city", "city;"] {

@@ -16,15 +16,15 @@ macro_rules! functions {
 }
 
 functions! {
-    /// The largest whole number that is not above (*floor function*).
+    /// The largest whole number that is not above `x` (*floor function*).
     floor = |x| x.floor();
-    /// The smallest whole number that is not below (*ceil function*).
+    /// The smallest whole number that is not below `x` (*ceil function*).
     ceil = |x| x.ceil();
-    /// The nearest whole number; of two, the even one (*rint function*).
+    /// The nearest whole number; ties go to the even one (*rint function*).
     rint = |x| x.round_ties_even();
-    /// Without the sign (*abs function*).
+    /// The absolute value (*abs function*).
     abs = |x| x.abs();
-    /// Square root; not a number below zero (*sqrt function*).
+    /// Square root; NaN below zero (*sqrt function*).
     sqrt = |x| x.sqrt();
     /// Sine (*sin function*).
     sin = |degrees| sin_cos(degrees).0;
@@ -32,21 +32,21 @@ functions! {
     cos = |degrees| sin_cos(degrees).1;
     /// Tangent (*tan function*).
     tan = |degrees| tangent(degrees);
-    /// Arc sine, in -90..=90; not a number outside -1..=1 (*asin function*).
+    /// Arc sine, in -90..=90; NaN outside -1..=1 (*asin function*).
     asin = |x| libm::asin(x).to_degrees();
-    /// Arc cosine, in 0..=180; not a number outside -1..=1 (*acos function*).
+    /// Arc cosine, in 0..=180; NaN outside -1..=1 (*acos function*).
     acos = |x| libm::acos(x).to_degrees();
     /// Arc tangent, in -90..=90 (*atan function*).
     atan = |x| libm::atan(x).to_degrees();
     /// e to the power of x (*exp function*).
     exp = |x| libm::exp(x);
-    /// Natural logarithm; `ln(-1)` is the idiom for "not a number" (*ln function*).
+    /// Natural logarithm; `ln(-1)` is the idiom for NaN (*ln function*).
     ln = |x| libm::log(x);
     /// Logarithm to base 10 (*log10 function*).
     log10 = |x| libm::log10(x);
 }
 
-/// A multiple of 45 is exact.
+/// The tangent, exact for multiples of 45.
 fn tangent(degrees: f64) -> f64 {
     match degrees.rem_euclid(180.0) {
         45.0 => 1.0,
@@ -90,12 +90,12 @@ pub fn abs_each(array: Array<f64>) -> Array<f64> {
     array.map(|x| x.abs())
 }
 
-/// Whether `x` is not a number (*isnan function*).
+/// Returns true if `x` is NaN (*isnan function*).
 pub fn isnan(x: f64) -> bool {
     x.is_nan()
 }
 
-/// Whether `x` is infinite (*isinf function*).
+/// Returns true if `x` is infinite (*isinf function*).
 pub fn isinf(x: f64) -> bool {
     x.is_infinite()
 }
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_90_infinite_and_no_number() {
+    fn infinite_and_nan_are_recognised() {
         let env = &mut env();
         let (infinite, none) = (ln(env, 0.0), ln(env, -1.0));
         assert!(isinf(infinite) && !isnan(infinite) && !isinf(none) && isnan(none));

@@ -1,9 +1,10 @@
-//! Functions of the language, as its table names them. Angles are in degrees; results are the same on every platform.
+//! Functions of the language, with the names in its table. Angles are in degrees; results are the same on every
+//! platform.
 //!
-//! Functions that can meet a number they cannot use, or make something large, take the run's [`Env`](crate::run::env::Env)
-//! first. Numbers that are not finite count as 0 and leave a fault (*CGA changelog 2013.1*: "replace with zero", for all
-//! float parameters); elements of arrays are left as they are, because there "not a number" stands for a missing value
-//! (*isNull function*). Numbers that count or number something lose their fraction.
+//! A function takes the run's [`Env`](crate::run::env::Env) first if an argument can be unusable or its result can be
+//! large. NaN and infinite arguments count as 0 and leave a fault (*CGA changelog 2013.1*: "replace with zero", for all
+//! float parameters). Elements of arrays are not replaced, because NaN is a missing value there (*isNull function*).
+//! Counts and indices are truncated.
 
 mod array;
 mod choose;
@@ -50,11 +51,11 @@ pub use string::{
     concat, count, find, find_first, find_last, get_prefix, get_range, get_suffix, len, replace, substring,
 };
 
-/// A number that counts or numbers something, without its fraction; `None` below 0 and for what is no number. The
-/// reference says nothing about fractions; C's conversion of a float to an integer cuts them off.
+/// A count or an index, truncated. `None` below 0 and for NaN. The reference does not define fractions; C's conversion
+/// of a float to an integer truncates them.
 fn whole(number: f64) -> Option<usize> {
     let number = number.trunc();
-    // What is beyond the largest integer becomes the largest.
+    // The conversion saturates at the largest integer.
     if 0.0 <= number { Some(number as usize) } else { None }
 }
 
@@ -78,12 +79,12 @@ pub(crate) mod tests {
         Env::new(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "")
     }
 
-    /// How many faults there were since the last time.
+    /// The number of faults since the last call.
     pub(super) fn faults(env: &mut Env) -> usize {
         env.take_faults().0.len()
     }
 
-    /// Which limit was reached.
+    /// The limit that was reached.
     pub(super) fn limit(env: &Env) -> Option<LimitKind> {
         match &env.error {
             Some(Error::Limit { what, .. }) => Some(*what),
@@ -107,7 +108,7 @@ pub(crate) mod tests {
             ((z ^ (z >> 31)) % bound.max(1) as u64) as usize
         }
 
-        /// Mostly small numbers, with halves; now and then one that is awkward.
+        /// Mostly small numbers, with halves, and occasionally a special value.
         pub(super) fn number(&mut self) -> f64 {
             const AWKWARD: [f64; 8] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 1e300, -1e300, 1e-300, 4.5e15];
             if self.below(12) == 0 { AWKWARD[self.below(8)] } else { self.below(25) as f64 / 2.0 - 3.0 }

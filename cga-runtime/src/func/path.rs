@@ -2,7 +2,7 @@
 
 use crate::value::text::Text;
 
-/// Directory with the last `/`, and name.
+/// The directory with the last `/`, and the name.
 fn parts(path: &str) -> (&str, &str) {
     path.split_at(path.rfind('/').map_or(0, |slash| slash + 1))
 }
@@ -13,12 +13,12 @@ pub fn file_basename(path: Text) -> Text {
     Text::from(name.rsplit_once('.').map_or(name, |(base, _)| base))
 }
 
-/// What stands before the name, with the last `/`; "" if there is none (*fileDirectory*).
+/// The directory with the last `/`; "" without one (*fileDirectory*).
 pub fn file_directory(path: Text) -> Text {
     Text::from(parts(&path).0)
 }
 
-/// What stands behind the last `.` of the name; "" if there is none (*fileExtension*).
+/// The part of the name after the last `.`; "" without one (*fileExtension*).
 pub fn file_extension(path: Text) -> Text {
     Text::from(parts(&path).1.rsplit_once('.').map_or("", |(_, extension)| extension))
 }

@@ -1,14 +1,14 @@
 //! `colorRamp`.
 //!
-//! The names are those of the reference; the colours are ours: each ramp goes evenly through a few colours in 36 steps. Those
-//! of `spectrum` are read off the pictures of the *splitArea operation*, as far as they show them.
+//! The names are those of the reference. The colours are our own: each ramp interpolates a few colours in 36 equal
+//! steps. The colours of `spectrum` are approximated from the pictures of the *splitArea operation*.
 
 use super::colour::print;
 use crate::fault::FaultKind;
 use crate::run::env::Env;
 use crate::value::text::Text;
 
-/// Colours of a ramp.
+/// The number of colours of a ramp.
 const STEPS: f64 = 36.0;
 
 /// Red, green and blue in 0..=1.
@@ -24,7 +24,7 @@ const RED: Rgb = [0.85, 0.1, 0.1];
 const BROWN: Rgb = [0.55, 0.3, 0.1];
 const BLUE: Rgb = [0.1, 0.3, 0.8];
 
-/// Colours at even distances. Ramps between colours that would mix to mud go through a light one.
+/// Colours at equal distances. A ramp between colours with a dull mixture goes through a light one.
 const RAMPS: [(&str, &[Rgb]); 6] = [
     ("whiteToBlack", &[WHITE, BLACK]),
     ("greenToRed", &[GREEN, YELLOW, RED]),
@@ -45,8 +45,8 @@ const SPECTRUM: [(f64, [u8; 3]); 7] = [
     (35.0, [255, 43, 42]),
 ];
 
-/// The colour of a ramp at a value in 0..=1, as `#RRGGBB` (*colorRamp*). A ramp has 36 colours; below 0 it is the first,
-/// from 1 up the last. For a name that is none the colour is white, with a fault.
+/// The colour of a ramp at a value in 0..=1, as `#RRGGBB` (*colorRamp*). A ramp has 36 colours. Values below 0 give the
+/// first one, values from 1 on the last one. An unknown name gives white, with a fault.
 pub fn color_ramp(env: &mut Env, name: Text, value: f64) -> Text {
     let step = (env.finite(value, "the value on a colour ramp") * STEPS).floor().clamp(0.0, STEPS - 1.0);
     if name.as_str() == "spectrum" {
@@ -60,7 +60,7 @@ pub fn color_ramp(env: &mut Env, name: Text, value: f64) -> Text {
     }
     let Some((_, colours)) = RAMPS.iter().find(|(known, _)| *known == name.as_str()) else {
         let known: Vec<&str> = RAMPS.iter().map(|(known, _)| *known).chain(["spectrum"]).collect();
-        env.fault(FaultKind::Value, format!("`{name}` is no colour ramp; there is {}", known.join(", ")));
+        env.fault(FaultKind::Value, format!("`{name}` is not a colour ramp; the ramps are {}", known.join(", ")));
         return print(WHITE);
     };
     let place = step / (STEPS - 1.0) * (colours.len() - 1) as f64;
@@ -78,13 +78,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn fact_93_a_ramp_has_36_colours() {
+    fn a_ramp_has_36_colours() {
         let env = &mut env();
         let names: Vec<&str> = RAMPS.iter().map(|(name, _)| *name).chain(["spectrum"]).collect();
         assert_eq!(names.len(), 7);
         for name in names {
             let mut at = |value: f64| color_ramp(env, text(name), value);
-            // In the middle of each step, so that rounding does not matter.
+            // In the middle of each step, to avoid rounding.
             let colours: Vec<Text> = (0..36).map(|step| at((f64::from(step) + 0.5) / 36.0)).collect();
             assert!(colours.windows(2).all(|pair| pair[0] != pair[1]), "{name}");
             assert_eq!([-1e300, -0.1, 0.0, 0.027].map(&mut at), [0; 4].map(|step: usize| colours[step].clone()));

@@ -3,32 +3,33 @@
 use crate::run::env::Env;
 use crate::shape::view::View;
 
-/// `rand()`: evenly in 0..1 (*rand function*).
+/// `rand()`: uniform in 0..1 (*rand function*).
 pub fn rand(shape: &mut impl View) -> f64 {
     shape.draw()
 }
 
-/// `rand(max)`: evenly between 0 and `max` (*rand function*).
+/// `rand(max)`: uniform between 0 and `max` (*rand function*).
 pub fn rand_to(env: &mut Env, shape: &mut impl View, max: f64) -> f64 {
     env.finite(max, "the largest random number") * shape.draw()
 }
 
-/// `rand(min, max)`: evenly between the two (*rand function*).
+/// `rand(min, max)`: uniform between the two (*rand function*).
 pub fn rand_between(env: &mut Env, shape: &mut impl View, min: f64, max: f64) -> f64 {
     let min = env.finite(min, "the smallest random number");
     let max = env.finite(max, "the largest random number");
     let (extent, draw) = (max - min, shape.draw());
-    // Ends that are far apart have no finite distance.
+    // The difference may overflow.
     if extent.is_finite() { min + extent * draw } else { min * (1.0 - draw) + max * draw }
 }
 
-/// `p(q)`: true with probability `q`; false from 0 down and true from 1 up (*p function*). A draw is used up in any case.
+/// `p(q)`: true with probability `q`. False for `q` <= 0, true for `q` >= 1 (*p function*). Always draws a random
+/// number.
 pub fn chance(env: &mut Env, shape: &mut impl View, q: f64) -> bool {
     let q = env.finite(q, "the probability");
     drawn_below(shape, q)
 }
 
-/// Whether the next random number in 0..1 is below.
+/// Returns true if the next random number in 0..1 is below `q`.
 pub(crate) fn drawn_below(shape: &mut impl View, q: f64) -> bool {
     shape.draw() < q
 }
@@ -40,7 +41,7 @@ mod tests {
     use crate::shape::Shape;
 
     #[test]
-    fn fact_91_certain_and_impossible() {
+    fn certain_and_impossible_chances() {
         let (mut env, mut shape) = (env(), Shape::rectangle(1.0, 1.0));
         for _ in 0..1000 {
             assert!(chance(&mut env, &mut shape, 1.0) && chance(&mut env, &mut shape, 2.0));

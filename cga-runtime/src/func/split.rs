@@ -9,16 +9,16 @@ use crate::value::text::{Text, shortened};
 /// The parts of a text between delimiters, in one row; a delimiter that begins with `$` is a regular expression
 /// (*splitString function*).
 ///
-/// A delimiter without characters stands before every character and at the end. Text without characters has one part,
-/// itself (*CGA changelog 2020.1*). A pattern that cannot be read, or that takes too long, leaves a fault and the text in
-/// one part. The page does not say which notation patterns have: it is Perl's, with `.` for everything but line ends,
-/// `(?i)`, `(?m)` and `(?s)` at the beginning, and without references back to groups.
+/// An empty delimiter matches before every character and at the end. An empty text has one part: itself (*CGA changelog
+/// 2020.1*). A pattern with an error, or one that takes too long, leaves a fault and the text in one part. The page
+/// does not specify the notation of patterns. Here it is Perl's: `.` matches everything except line ends, `(?i)`,
+/// `(?m)` and `(?s)` are allowed at the beginning, and back references are not supported.
 pub fn split_string(env: &mut Env, text: Text, delimiter: Text) -> Array<Text> {
     if text.is_empty() {
         return Array::from([text]);
     }
     let Some(pattern) = delimiter.strip_prefix('$') else {
-        // One look ahead, so that a text of many delimiters does not make many parts before they are refused.
+        // Counts first, so that a text with many delimiters is refused before its parts are made.
         let parts = text.split(delimiter.as_str());
         return if env.may_hold(parts.clone().count()) { parts.map(Text::from).collect() } else { Array::default() };
     };
@@ -46,7 +46,7 @@ fn split_by_pattern(env: &mut Env, pattern: &Pattern, text: &str) -> Result<Arra
     let (mut parts, mut part_start, mut from) = (Vec::new(), 0, 0);
     while let Some((start, end)) = if from <= text.len() { search.find(from)? } else { None } {
         from = end + usize::from(start == end);
-        // Nothing right behind a delimiter is no other one.
+        // An empty match right after a delimiter does not count.
         if start == end && start == part_start && !parts.is_empty() {
             continue;
         }
@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_86_delimiters() {
+    fn text_is_split_at_delimiters() {
         // *splitString function*, the table.
         assert_eq!(split("a.b.c", "."), "(3)[a,b,c]");
         assert_eq!(split(".b.", "."), "(3)[,b,]");
@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_86_patterns() {
+    fn text_is_split_at_patterns() {
         // *splitString function*, the table.
         assert_eq!(split("a;b;c", "$;"), "(3)[a,b,c]");
         assert_eq!(split("a.b.c", "$\\."), "(3)[a,b,c]");

@@ -1,11 +1,11 @@
-//! Text. Lengths and places count characters, from 0.
+//! Text functions. Lengths and positions count characters, from 0.
 
 use super::whole;
 use crate::run::env::Env;
 use crate::value::array::Element;
 use crate::value::text::Text;
 
-/// One text after the other.
+/// `a` followed by `b`.
 pub fn concat(env: &mut Env, a: Text, b: Text) -> Text {
     if env.may_write(a.len().saturating_add(b.len())) {
         Text::from([a.as_str(), b.as_str()].concat())
@@ -14,34 +14,34 @@ pub fn concat(env: &mut Env, a: Text, b: Text) -> Text {
     }
 }
 
-/// How many characters (*len function*).
+/// The number of characters (*len function*).
 pub fn len(text: Text) -> f64 {
     text.chars().count() as f64
 }
 
-/// The number of the character that stands at a byte; -1 when there is none.
+/// The position of the character at a byte; -1 for `None`.
 fn place(text: &str, byte: Option<usize>) -> f64 {
     byte.and_then(|byte| text.get(..byte)).map_or(-1.0, |before| before.chars().count() as f64)
 }
 
-/// The byte at which the `n`th occurrence begins. Occurrences do not overlap (*CGA changelog 2020.0*); that of nothing is
+/// The byte position of the `n`th occurrence. Occurrences do not overlap (*CGA changelog 2020.0*). An empty part occurs
 /// before every character and at the end.
 fn occurrence(text: &str, part: &str, n: f64) -> Option<usize> {
     text.match_indices(part).nth(whole(n)?).map(|(byte, _)| byte)
 }
 
-/// Where the `n`th occurrence begins, counted from 0; -1 if there is none (*find function*).
+/// The position of the `n`th occurrence, counted from 0; -1 without one (*find function*).
 pub fn find(env: &mut Env, text: Text, part: Text, n: f64) -> f64 {
     let n = env.finite(n, "the number of an occurrence");
     place(&text, occurrence(&text, &part, n))
 }
 
-/// How many occurrences there are that do not overlap (*count function*).
+/// The number of occurrences, which do not overlap (*count function*).
 pub fn count(text: Text, part: Text) -> f64 {
     text.matches(part.as_str()).count() as f64
 }
 
-/// The characters from `start` up to `end`, without that one; both are moved into the text (*substring function*).
+/// The characters from `start` to before `end`; both are clamped to the text (*substring function*).
 pub fn substring(env: &mut Env, text: Text, start: f64, end: f64) -> Text {
     let start = whole(env.finite(start, "the start of a substring")).unwrap_or(0);
     let end = whole(env.finite(end, "the end of a substring")).unwrap_or(0);
@@ -49,8 +49,8 @@ pub fn substring(env: &mut Env, text: Text, start: f64, end: f64) -> Text {
     if end <= start { Text::default() } else { Text::from(&text[byte(start)..byte(end)]) }
 }
 
-/// The text with every occurrence of `old` replaced (*replace*); nothing is no occurrence. What replaces it may be a
-/// number or truth value.
+/// The text with every occurrence of `old` replaced (*replace*). An empty `old` does not occur. `new` may be a number
+/// or truth value.
 pub fn replace<T: Element>(env: &mut Env, text: Text, old: Text, new: T) -> Text {
     if old.is_empty() {
         return text;
@@ -67,17 +67,17 @@ pub fn replace<T: Element>(env: &mut Env, text: Text, old: Text, new: T) -> Text
     }
 }
 
-/// Where the first occurrence begins; -1 if there is none (*findFirst (utility library)*).
+/// The position of the first occurrence; -1 without one (*findFirst (utility library)*).
 pub fn find_first(text: Text, part: Text) -> f64 {
     place(&text, text.find(part.as_str()))
 }
 
-/// Where the last occurrence begins; -1 if there is none (*findLast*).
+/// The position of the last occurrence; -1 without one (*findLast*).
 pub fn find_last(text: Text, part: Text) -> f64 {
     place(&text, text.rfind(part.as_str()))
 }
 
-/// What stands before the first occurrence; the whole text if there is none (*getPrefix*).
+/// The text before the first occurrence; the whole text without one (*getPrefix*).
 pub fn get_prefix(text: Text, part: Text) -> Text {
     match text.split_once(part.as_str()) {
         Some((before, _)) => Text::from(before),
@@ -85,7 +85,7 @@ pub fn get_prefix(text: Text, part: Text) -> Text {
     }
 }
 
-/// What stands behind the last occurrence; the whole text if there is none (*getSuffix*).
+/// The text after the last occurrence; the whole text without one (*getSuffix*).
 pub fn get_suffix(text: Text, part: Text) -> Text {
     match text.rsplit_once(part.as_str()) {
         Some((_, behind)) => Text::from(behind),
@@ -93,8 +93,8 @@ pub fn get_suffix(text: Text, part: Text) -> Text {
     }
 }
 
-/// What stands between the first occurrence of `left` and the last one of `right` (*getRange*): nothing if these
-/// overlap, the whole text if there is not one of each.
+/// The text between the first occurrence of `left` and the last one of `right` (*getRange*). Empty if these overlap;
+/// the whole text if one of them does not occur.
 pub fn get_range(text: Text, left: Text, right: Text) -> Text {
     match text.find(left.as_str()).zip(text.rfind(right.as_str())) {
         Some((start, end)) => Text::from(text.get(start + left.len()..end).unwrap_or_default()),
@@ -109,7 +109,7 @@ mod tests {
     use crate::fault::LimitKind;
 
     #[test]
-    fn fact_84_substring() {
+    fn a_substring_ends_before_its_end() {
         let env = &mut env();
         let mut part = |start: f64, end: f64| substring(env, text("0123456789"), start, end);
         assert_eq!(part(0.0, 5.0), text("01234"));
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_84_find() {
+    fn find_counts_characters() {
         // *find function*, *count function*, *len function*.
         let env = &mut env();
         let zones = "CE_Zero CE_One CE_Two";
@@ -142,12 +142,12 @@ mod tests {
     }
 
     #[test]
-    fn fact_85_occurrences_do_not_overlap() {
+    fn occurrences_do_not_overlap() {
         assert_eq!(find(&mut env(), text("ababa"), text("aba"), 1.0), -1.0);
     }
 
     #[test]
-    fn fact_87_prefix_suffix_and_range() {
+    fn prefix_suffix_and_range_are_cut_at_occurrences() {
         // *getPrefix*, *getSuffix*, *getRange*, *findFirst (utility library)*, *findLast*.
         let rule = || text("rule your city with cityengine");
         assert_eq!(get_prefix(rule(), text("city")), text("rule your "));

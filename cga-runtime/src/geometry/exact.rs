@@ -1,17 +1,18 @@
-//! On which side of a line a point lies, exactly.
+//! The exact orientation test.
 //!
-//! A floating-point filter answers nearly always; what is left is summed without rounding.
+//! A floating-point filter decides nearly all cases; the others are summed without rounding.
 
 use glam::DVec2;
 
-/// 1 when `c` is left of the line from `a` to `b`, -1 when right, 0 when the three are collinear. Exact unless a product
-/// of coordinates underflows.
+/// 1 if `c` is left of the line from `a` to `b`, -1 if right, 0 if the three points are collinear. Exact unless a
+/// product of coordinates underflows.
 #[inline]
 pub(crate) fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
     let left = (a.x - c.x) * (b.y - c.y);
     let right = (a.y - c.y) * (b.x - c.x);
     let det = left - right;
-    // Shewchuk's bound for this expression: (3 + 16 u) u. Below the least normal number products have an error of their own.
+    // Shewchuk's bound for this expression: (3 + 16 u) u. Products below the smallest normal number have a further
+    // error, hence the addend.
     let bound = 3.330_669_073_875_471_6e-16 * (left.abs() + right.abs()) + f64::MIN_POSITIVE;
     if det > bound {
         1
@@ -24,7 +25,7 @@ pub(crate) fn orient(a: DVec2, b: DVec2, c: DVec2) -> i32 {
 
 #[cold]
 fn orient_exact(a: DVec2, b: DVec2, c: DVec2) -> i32 {
-    /// 2^-550 and 2^550: make products of any coordinates finite, and those of small ones normal.
+    /// 2^-550 and 2^550. They make products of large coordinates finite, and products of small ones normal.
     const SMALLER: f64 = f64::from_bits((1023 - 550) << 52);
     const LARGER: f64 = f64::from_bits((1023 + 550) << 52);
     let size = [a, b, c].iter().fold(0.0, |size: f64, p| size.max(p.x.abs()).max(p.y.abs()));
@@ -44,7 +45,7 @@ fn orient_exact(a: DVec2, b: DVec2, c: DVec2) -> i32 {
     sum.sign()
 }
 
-/// A sum of numbers that do not overlap, smallest first.
+/// A sum of floating-point numbers that do not overlap, smallest first.
 struct Expansion {
     parts: [f64; 12],
     len: usize,
@@ -60,7 +61,7 @@ impl Expansion {
         self.add(high);
     }
 
-    /// Adds a number without rounding (Knuth's two-sum up the parts).
+    /// Adds a number without rounding, by Knuth's two-sum over the parts.
     fn add(&mut self, value: f64) {
         let mut carry = value;
         let mut kept = 0;
@@ -91,7 +92,7 @@ impl Expansion {
     }
 }
 
-/// Upper and lower half of the digits.
+/// The upper and the lower half of the digits.
 fn split(x: f64) -> (f64, f64) {
     let c = 134_217_729.0 * x; // 2^27 + 1
     let high = c - (c - x);

@@ -1,5 +1,5 @@
-//! The coordinate system of a face (*comp*, coordinate systems of the children): origin at the first vertex of the first
-//! edge, x along that edge, z along the face normal, y completes.
+//! The coordinate system of a face (*comp*, coordinate systems of the children): the origin at the first vertex of the
+//! first edge, x along that edge, z along the face normal, and y across both.
 
 use glam::{DMat3, DVec2, DVec3};
 
@@ -7,20 +7,20 @@ use crate::geometry::Frame;
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
-/// A face's own coordinate system and its box in it.
+/// The coordinate system of a face, and its bounding box in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FaceFrame {
-    /// Origin at the start of the first edge that has a length, x along it, z outwards.
+    /// The origin is the start of the first edge with a length, x is along that edge, and z points outwards.
     pub frame: Frame,
-    /// Smallest coordinates of the face in the frame.
+    /// The smallest coordinates of the face in the frame.
     pub low: DVec2,
-    /// Largest coordinates.
+    /// The largest coordinates.
     pub high: DVec2,
-    /// Whether the face is exactly its box: four corners from (0, 0) on, right angles, no holes.
+    /// True if the face equals its box: four corners from (0, 0) on, right angles, no holes.
     pub rectangle: bool,
 }
 
-/// The frame of a face; nothing for a face without area.
+/// The frame of a face; `None` for a face without area.
 pub(crate) fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
     let face = mesh.face(face);
     let z = face.normal();
@@ -30,7 +30,8 @@ pub(crate) fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
         return None;
     }
     let (first, along) = (0..outer.len()).map(|i| (i, at(i + 1) - at(i))).find(|(_, edge)| *edge != DVec3::ZERO)?;
-    // The edge lies in the face but for rounding: take that out, so that the axes are orthonormal.
+    // The edge is in the face except for rounding. Its component along the normal is removed, so that the axes are
+    // orthonormal.
     let x =
         crate::geometry::mesh::unit(crate::geometry::mesh::unit(along) - z * crate::geometry::mesh::unit(along).dot(z));
     if x == DVec3::ZERO {
@@ -46,28 +47,28 @@ pub(crate) fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
     let size = high - low;
     let rectangle = first == 0 && is_rectangle(&face, &frame, size);
     if rectangle {
-        // What is left below zero is rounding.
+        // Coordinates below zero are rounding errors.
         low = DVec2::ZERO;
         high = size;
     }
     Some(FaceFrame { frame, low, high, rectangle })
 }
 
-/// Object coordinates: the frame of the first face with an area, x along its first edge with a length and y along its normal
-/// (*CGA essentials*, object coordinate system). Nothing for a mesh without such a face.
+/// Object coordinates: the frame of the first face with an area, with x along its first edge with a length and y along
+/// its normal (*CGA essentials*, object coordinate system). `None` for a mesh without such a face.
 pub(crate) fn object_of(mesh: &Mesh) -> Option<Frame> {
     (0..mesh.face_count()).find_map(|face| face_frame(mesh, face)).map(|found| object(&found))
 }
 
-/// Object coordinates that begin with a face: its frame with y outwards.
+/// Object coordinates from the frame of a face, with y outwards.
 pub(crate) fn object(found: &FaceFrame) -> Frame {
     let [x, out] = [found.frame.axes.x_axis, found.frame.axes.z_axis];
-    // Where the first edge leaves the plane of its face, the two are not at right angles to the last digit.
+    // If the first edge is not exactly in the plane of its face, the two are not exactly perpendicular.
     let y = crate::geometry::mesh::unit(out - x * out.dot(x));
     Frame { origin: found.frame.origin, axes: DMat3::from_cols(x, y, x.cross(y)) }
 }
 
-/// The direction across an axis that is as upright as can be.
+/// The most upright direction perpendicular to `x`.
 pub(crate) fn upright(x: DVec3) -> DVec3 {
     let up = crate::geometry::mesh::unit(DVec3::Y - x * x.y);
     if 1.0 - x.y.abs() < ANGLE_EPSILON || up == DVec3::ZERO {
@@ -77,16 +78,16 @@ pub(crate) fn upright(x: DVec3) -> DVec3 {
     }
 }
 
-/// Axes with x given and z as near as can be to where something looks.
+/// Axes with the given x, and with z as close as possible to the direction `looks`.
 pub(crate) fn along(x: DVec3, looks: DVec3) -> DMat3 {
-    // A mean need not be perpendicular to the edge, and what is left of one along it is rounding.
+    // `looks` may be a mean that is not perpendicular to the edge. A very short perpendicular part is a rounding error.
     let across = looks - x * looks.dot(x);
     let z = if across.length() <= COPLANAR_EPSILON { upright(x) } else { crate::geometry::mesh::unit(across) };
     let z = crate::geometry::mesh::unit(z - x * z.dot(x));
     DMat3::from_cols(x, z.cross(x), z)
 }
 
-/// The x axis across a z axis: as near to the x axis of the shape as can be, and so it turns with it.
+/// The x axis for a given z axis: as close as possible to the x axis of the shape, so that it rotates with the shape.
 pub(crate) fn beside(z: DVec3) -> DVec3 {
     let x = crate::geometry::mesh::unit(DVec3::X - z * z.x);
     if 1.0 - z.x.abs() < ANGLE_EPSILON || x == DVec3::ZERO {

@@ -5,16 +5,16 @@ use glam::{DMat3, DVec3};
 /// One of the three axes of a scope.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Axis {
-    /// Along the width.
+    /// The axis along the width.
     X,
-    /// Up.
+    /// The axis that points up.
     Y,
-    /// To the front.
+    /// The axis that points to the front.
     Z,
 }
 
 impl Axis {
-    /// 0, 1 or 2.
+    /// The index of the axis: 0, 1 or 2.
     pub const fn index(self) -> usize {
         self as usize
     }
@@ -23,22 +23,22 @@ impl Axis {
 /// A right-handed coordinate system in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Where it starts.
+    /// The origin.
     pub origin: DVec3,
     /// Its orthonormal axes, as columns.
     pub axes: DMat3,
 }
 
 impl Frame {
-    /// The world itself.
+    /// The frame of the world.
     pub const WORLD: Frame = Frame { origin: DVec3::ZERO, axes: DMat3::IDENTITY };
 
-    /// From local coordinates to the world.
+    /// Converts local coordinates to world coordinates.
     pub fn to_world(&self, local: DVec3) -> DVec3 {
         self.origin + self.axes * local
     }
 
-    /// From the world to local coordinates.
+    /// Converts world coordinates to local coordinates.
     pub fn to_local(&self, world: DVec3) -> DVec3 {
         self.axes.transpose() * (world - self.origin)
     }

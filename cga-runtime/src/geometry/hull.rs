@@ -4,8 +4,8 @@ use glam::DVec2;
 
 use crate::geometry::exact::orient;
 
-/// Leaves the corners of the convex hull, counter-clockwise, of things that are somewhere in a plane. Two or fewer places are
-/// their own hull.
+/// Reduces a list of items with positions in a plane to the corners of their convex hull, counter-clockwise. Two or
+/// fewer positions are their own hull.
 pub(crate) fn hull<T: Copy>(points: &mut Vec<T>, at: impl Fn(&T) -> DVec2) {
     points.sort_by(|a, b| at(a).x.total_cmp(&at(b).x).then(at(a).y.total_cmp(&at(b).y)));
     points.dedup_by(|a, b| at(a) == at(b));
@@ -27,7 +27,7 @@ pub(crate) fn hull<T: Copy>(points: &mut Vec<T>, at: impl Fn(&T) -> DVec2) {
             0 => points.iter().for_each(&mut add),
             _ => points.iter().rev().for_each(&mut add),
         }
-        // The last is the first of the other half.
+        // The last corner is the first one of the other half.
         corners.pop();
     }
     *points = corners;

@@ -1,4 +1,4 @@
-//! Geometry: meshes and what is computed on them. Nothing here knows shapes, rules or sinks.
+//! Geometry: meshes and operations on them. This module does not know shapes, rules or sinks.
 
 pub mod cut;
 mod exact;

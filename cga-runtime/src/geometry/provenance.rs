@@ -1,10 +1,10 @@
-//! Where a face comes from, and the tags that `extrude` gives (*Geometry tagging*, auto-tags).
+//! The origin of a face, and the tags that `extrude` gives (*Geometry tagging*, auto-tags).
 
 use crate::geometry::mesh::{FaceTag, Mesh, TagSet, tag_matches};
 use crate::value::text::Text;
 
-/// Where `extrude` made a face: the face that was there, what rises from its outline and from its holes, and the face that
-/// moved.
+/// The part of an extrusion that a face is: the original face, a side at its outline, a side at a hole, or the face
+/// that moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Extruded {
     Bottom,
@@ -16,7 +16,7 @@ pub(crate) enum Extruded {
 impl Extruded {
     pub(crate) const ALL: [Extruded; 4] = [Extruded::Bottom, Extruded::Outer, Extruded::Inner, Extruded::Top];
 
-    /// Its tag.
+    /// The tag of the part.
     pub(crate) fn tag(self) -> &'static str {
         match self {
             Extruded::Bottom => "extrude.bottom",
@@ -26,30 +26,30 @@ impl Extruded {
         }
     }
 
-    /// The variant whose tag is the only one of a set.
+    /// The part whose tag is the only tag of a set.
     pub(crate) fn of(set: &TagSet) -> Option<Self> {
         let [name] = set.names() else { return None };
         Extruded::ALL.into_iter().find(|extruded| **name == *extruded.tag())
     }
 }
 
-/// The origin of a face, where its mesh records it.
+/// The origin of a face, if its mesh records it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Provenance {
-    /// Nothing is known.
+    /// Unknown origin.
     #[default]
     Unknown,
-    /// A cut, which it closes.
+    /// A cut that the face closes.
     Cut,
-    /// An extrusion, and it has no other tag.
+    /// An extrusion, without any other tag.
     Extruded(Extruded),
 }
 
 impl Provenance {
-    /// How many there are.
+    /// The number of origins.
     pub(crate) const COUNT: usize = 2 + Extruded::ALL.len();
 
-    /// Counts them.
+    /// The number of an origin, from 0.
     #[inline]
     pub(crate) fn number(self) -> usize {
         match self {
@@ -59,7 +59,7 @@ impl Provenance {
         }
     }
 
-    /// The origin of a face with that tag; `None` when it has other tags, a group or a material.
+    /// The origin of a face with the given tag. `None` if it has other tags, a group or a material.
     pub(crate) fn of(mesh: &Mesh, tag: FaceTag) -> Option<Self> {
         let set = mesh.tag_sets().get(tag.tags as usize).filter(|set| !set.names().is_empty());
         match (set, tag.cap) {
@@ -71,7 +71,7 @@ impl Provenance {
         }
     }
 
-    /// The tag of such a face, in a mesh with the sets of [`tag_sets`].
+    /// The tag of a face with this origin, in a mesh with the sets of [`tag_sets`].
     pub(crate) fn face_tag(self) -> FaceTag {
         match self {
             Provenance::Unknown => FaceTag::PLAIN,
@@ -86,7 +86,7 @@ impl Provenance {
     }
 }
 
-/// The set of each of [`Extruded::ALL`].
+/// The tag set of each of [`Extruded::ALL`].
 pub(crate) fn tag_sets() -> Vec<TagSet> {
     Extruded::ALL.iter().map(|extruded| TagSet::new([Text::from(extruded.tag())])).collect()
 }

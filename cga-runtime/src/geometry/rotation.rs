@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-/// Rotation by degrees about x, then y, then z (*CGA Euler angles*).
+/// The rotation by degrees about x, then y, then z (*CGA Euler angles*).
 pub(crate) fn turn(x: f64, y: f64, z: f64) -> DMat3 {
     let ((sx, cx), (sy, cy), (sz, cz)) = (sin_cos(x), sin_cos(y), sin_cos(z));
     let about_x = DMat3::from_cols(DVec3::X, DVec3::new(0.0, cx, sx), DVec3::new(0.0, -sx, cx));
@@ -11,11 +11,11 @@ pub(crate) fn turn(x: f64, y: f64, z: f64) -> DMat3 {
     about_z * about_y * about_x
 }
 
-/// The angles that [`turn`] makes a rotation from, in degrees.
+/// The angles from which [`turn`] makes a rotation, in degrees.
 pub(crate) fn angles(turn: &DMat3) -> DVec3 {
     let (x, y, z) = (turn.x_axis, turn.y_axis, turn.z_axis);
     let about_y = libm::asin((-x.z).clamp(-1.0, 1.0));
-    // At a quarter turn about y the other two are not separate: all goes to x.
+    // At a quarter turn about y the other two angles are not unique; z is set to 0.
     let (about_x, about_z) = if x.z.abs() < 1.0 - 1e-12 {
         (libm::atan2(y.z, z.z), libm::atan2(x.y, x.x))
     } else {
@@ -24,7 +24,7 @@ pub(crate) fn angles(turn: &DMat3) -> DVec3 {
     DVec3::new(about_x.to_degrees(), about_y.to_degrees(), about_z.to_degrees())
 }
 
-/// Sine and cosine of degrees, exact at quarter turns.
+/// The sine and cosine of an angle in degrees, exact at quarter turns.
 pub(crate) fn sin_cos(degrees: f64) -> (f64, f64) {
     match degrees.rem_euclid(360.0) {
         0.0 => (0.0, 1.0),

@@ -1,66 +1,70 @@
-//! Every tolerance of the geometry, with what it is relative to.
+//! The tolerances of the geometry, each with the quantity that it is relative to.
 //!
-//! *Epsilon* is rounding: relative to the extent of what is looked at. Which side of a plane a point is on, which
-//! points are the same and which loops close is never decided by one of these: that is exact.
+//! An *epsilon* covers rounding, relative to the extent of the data. Three questions never depend on these values and
+//! are exact: the side of a plane that a point is on, the equality of points, and the closing of loops.
 
-/// How far a corner may lie from the plane of its face, relative to the extent of the mesh.
+/// The largest distance of a corner from the plane of its face, relative to the extent of the mesh.
 pub(crate) const PLANAR_EPSILON: f64 = 1e-9;
 
-/// How far from 1 the cosine between parallel unit vectors may be, and from 0 that between perpendicular ones.
+/// The largest deviation from 1 of the cosine between parallel unit vectors, and from 0 of that between perpendicular
+/// ones.
 pub(crate) const ANGLE_EPSILON: f64 = 1e-12;
 
-/// Unit normals of coplanar faces may differ by this much.
+/// The largest difference between unit normals of coplanar faces.
 pub(crate) const COPLANAR_EPSILON: f64 = 1e-9;
 
-/// Loops of a polygon that cross by less than this, relative to its extent, were meant to touch.
+/// Loops of a polygon that cross by less than this, relative to its extent, count as touching.
 pub(crate) const TOUCH_EPSILON: f64 = 1e-7;
 
-/// A loop may reach out of the one around it by this much, relative to the largest coordinate: crossings are rounded.
+/// The largest distance that a loop extends beyond the loop around it, relative to the largest coordinate, because
+/// crossings are rounded.
 pub(crate) const AROUND_EPSILON: f64 = 1e-12;
 
-/// Edges whose directions have a sine below this between them go straight on.
+/// Edges count as straight if the sine of the angle between their directions is below this.
 pub(crate) const STRAIGHT_EPSILON: f64 = 1e-7;
 
-/// Areas that differ by less than this, relative to all of the geometry's area, are the same.
+/// Areas that differ by less than this, relative to the total area of the geometry, count as equal.
 pub(crate) const AREA_EPSILON: f64 = 1e-12;
 
-/// A face whose normal leaves an axis by a sine below this lies across it.
+/// A face is across an axis if the sine of the angle between its normal and the axis is below this.
 pub(crate) const ACROSS_EPSILON: f64 = 1e-6;
 
-/// Where rounding moves the line in which a face meets a plane by more than this, relative to the face's extent, the line
-/// does not tell what lies where on it.
+/// If rounding moves the line of a face in a plane by more than this, relative to the face's extent, the order of
+/// points on the line is not reliable.
 pub(crate) const LINE_EPSILON: f64 = 1e-7;
 
-/// An edge that extends along an axis by less than this, relative to the extent of the shape, lies across it: the rounding of
-/// its ends is as large.
+/// An edge whose extent along an axis is below this, relative to the extent of the shape, counts as across the axis:
+/// the rounding errors of its ends are of that size.
 pub(crate) const EDGE_EPSILON: f64 = 1e-15;
 
-/// Coordinates are rounded by less than this when they are turned, relative to the largest of them.
+/// The rounding error of rotated coordinates, relative to the largest of them.
 pub(crate) const ROUNDING_EPSILON: f64 = 2e-15;
 
-/// A volume smaller than this, relative to the cube of the largest extent, is rounding.
+/// A volume below this, relative to the cube of the largest extent, is a rounding error.
 pub(crate) const VOLUME_EPSILON: f64 = 1e-14;
 
-/// Faces whose unit normal rises by less than this look sideways, and an edge whose direction rises by no more is level.
+/// A face counts as vertical if its unit normal rises by less than this. An edge counts as horizontal if its direction
+/// rises by no more.
 pub(crate) const UP_EPSILON: f64 = 1e-9;
 
-/// Lengths and heights that differ by less than this, relative to the extent of the shape, are the same where the largest or
-/// lowest is looked for, and the first of them is taken.
+/// In a search for the largest or the lowest value, lengths and heights that differ by less than this, relative to the
+/// extent of the shape, count as equal, and the first one is chosen.
 pub(crate) const TIE_EPSILON: f64 = 1e-9;
 
-/// What is nearer to each other than this touches where edges of a polygon move, relative to its extent. Where one leads
-/// to a tangle, the next is tried.
+/// The distance, relative to the polygon's extent, below which moving edges count as touching. If one value leads to a
+/// tangle, the next one is tried.
 pub(crate) const MEETING_EPSILONS: [f64; 8] = [1e-10, 1e-9, 1e-8, 1e-7, 1e-11, 3e-10, 3e-9, 1e-6];
 
-/// A texture coordinate is affine over a face when its corners are off by no more than this, relative to the range that the
-/// coordinate has there.
+/// A texture coordinate is affine over a face if its corners deviate by at most this, relative to the range of the
+/// coordinate on the face.
 pub(crate) const AFFINE_EPSILON: f64 = 1e-9;
 
-/// Texture coordinates that change by no more than this on a triangle, relative to their range, are constant there.
+/// Texture coordinates that vary by at most this on a triangle, relative to their range, count as constant there.
 pub(crate) const CHART_EPSILON: f64 = 1e-9;
 
-/// Places of texture space that are nearer than this, relative to the largest coordinate and to 1, are next to each other.
+/// Points of texture space closer than this, relative to the largest coordinate and to 1, count as adjacent.
 pub(crate) const NEXT_EPSILON: f64 = 1e-12;
 
-/// The share of a coordinate's growth up to which it counts as constant along a direction: axes are unit vectors but for rounding.
+/// The relative growth of a coordinate along a direction up to which it counts as constant, because axes are unit
+/// vectors only up to rounding.
 pub(crate) const CONSTANT_EPSILON: f64 = 1e-14;

@@ -1,18 +1,18 @@
 //! Affine maps from the world to texture coordinates.
 //!
-//! A projection gives every point of the world its coordinates, so a rectangle or a box needs no mesh to have some: a sink
-//! computes them where it writes vertices.
+//! A projection maps every point of the world to coordinates. So a rectangle or a box can have coordinates without a
+//! mesh: a sink computes them when it writes vertices.
 
 use glam::{DAffine2, DAffine3, DVec2, DVec3, DVec4};
 
 use crate::geometry::tol::CONSTANT_EPSILON;
 
-/// A map from points of the world to (u, v): two affine functions, each with its constant in `w`. v runs upwards.
+/// An affine map from points of the world to (u, v): two affine functions, each with its constant in `w`. v points up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UvMap {
-    /// Factors of x, y and z, and the constant, of the first coordinate.
+    /// The factors of x, y and z, and the constant, of the first coordinate.
     pub u: DVec4,
-    /// Factors of x, y and z, and the constant, of the second coordinate.
+    /// The factors of x, y and z, and the constant, of the second coordinate.
     pub v: DVec4,
 }
 
@@ -26,7 +26,7 @@ pub struct SetMap {
 }
 
 impl UvMap {
-    /// The largest factor of projections and of changes: their product, at the most distant points, is a number.
+    /// The largest factor of projections and of changes. It keeps their product finite at the most distant points.
     pub(crate) const MOST: f64 = 1e75;
 
     /// Returns true if no factor is larger than [`UvMap::MOST`].
@@ -41,7 +41,7 @@ impl UvMap {
         DVec2::new(along(self.u), along(self.v))
     }
 
-    /// Returns true if points along a direction have the same coordinates, but for rounding.
+    /// Returns true if points along a direction have the same coordinates, except for rounding.
     pub(crate) fn is_constant_along(&self, direction: DVec3) -> bool {
         let row = |row: DVec4| {
             let factors = row.truncate();
@@ -50,7 +50,7 @@ impl UvMap {
         row(self.u) && row(self.v)
     }
 
-    /// The map that first moves the point.
+    /// The map composed with a map `move_point` that is applied before it.
     pub(crate) fn after(&self, move_point: &DAffine3) -> Self {
         let row = |row: DVec4| {
             let factors = row.truncate();
@@ -60,7 +60,7 @@ impl UvMap {
         UvMap { u: row(self.u), v: row(self.v) }
     }
 
-    /// The map whose result is changed.
+    /// The map composed with a map `change` that is applied after it.
     pub(crate) fn then(&self, change: &DAffine2) -> Self {
         let (matrix, by) = (change.matrix2.transpose(), change.translation);
         let row = |factors: DVec2, sum: f64| self.u * factors.x + self.v * factors.y + DVec4::new(0.0, 0.0, 0.0, sum);
@@ -68,7 +68,7 @@ impl UvMap {
     }
 }
 
-/// The map of a set in a list.
+/// The map of a set in a list, if any.
 pub(crate) fn find(maps: &[SetMap], set: usize) -> Option<UvMap> {
     maps.iter().find(|known| known.set == set).map(|known| known.map)
 }

@@ -1,4 +1,4 @@
-//! Edges and points without faces: what comps into edges and vertices make of several at once.
+//! Edges and points without faces, as `comp` makes them from several edges or vertices at once.
 
 use std::collections::HashMap;
 
@@ -7,28 +7,28 @@ use glam::DVec3;
 use crate::geometry::Frame;
 use crate::geometry::mesh::unit;
 
-/// Edges between points, or points alone.
+/// Edges between points, or points without edges.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Wire {
     pub(crate) points: Vec<DVec3>,
-    /// Each from point to point.
+    /// The two points of each edge.
     pub(crate) edges: Vec<[u32; 2]>,
-    /// Where each edge looks, or each point when there are no edges; of length 1, or zero where nothing says.
+    /// The normal of each edge, or of each point if there are no edges: of length 1, or zero if unknown.
     pub(crate) normals: Vec<DVec3>,
 }
 
 impl Wire {
-    /// A line along x from the origin, that looks along z.
+    /// A line along x from the origin, with its normal along z.
     pub(crate) fn edge(length: f64) -> Self {
         Wire { points: vec![DVec3::ZERO, DVec3::X * length], edges: vec![[0, 1]], normals: vec![DVec3::Z] }
     }
 
-    /// A point at the origin, that looks along z.
+    /// A point at the origin, with its normal along z.
     pub(crate) fn point() -> Self {
         Wire { points: vec![DVec3::ZERO], edges: Vec::new(), normals: vec![DVec3::Z] }
     }
 
-    /// The same, seen from a frame.
+    /// The wire in the coordinates of a frame.
     pub(crate) fn seen_from(mut self, frame: &Frame) -> Self {
         let turn = frame.axes.transpose();
         self.points.iter_mut().for_each(|point| *point = frame.to_local(*point));
@@ -36,18 +36,18 @@ impl Wire {
         self
     }
 
-    /// The same, stretched along the axes, negative factors mirroring it, and moved.
+    /// The wire stretched along the axes and then moved. Negative factors mirror it.
     pub(crate) fn stretched(&self, stretch: DVec3, by: DVec3) -> Self {
         let mut moved = self.clone();
         moved.points.iter_mut().for_each(|point| *point = *point * stretch + by);
-        // What is across stays so.
+        // The inverse factors keep normals perpendicular.
         let squeeze = DVec3::select(stretch.cmpeq(DVec3::ZERO), DVec3::ONE, stretch.recip());
         moved.normals.iter_mut().for_each(|normal| *normal = unit(*normal * squeeze));
         moved
     }
 
-    /// What is between two places along a direction, edges cut off there. What lies across at a place is below it. Points that
-    /// edges share they share in the part too (*CGA changelog, SDK 3.3.11351*).
+    /// The part between two offsets along a direction, with edges cut off there. Edges and points exactly at an offset
+    /// are below it. Points that edges share are shared in the part too (*CGA changelog, SDK 3.3.11351*).
     pub(crate) fn between(&self, along: DVec3, low: f64, high: f64) -> Wire {
         let mut part = Wire::default();
         let mut numbers = HashMap::new();
@@ -58,7 +58,7 @@ impl Wire {
                 continue;
             }
             let [first, last] = self.edges[edge];
-            // Edges between the same points are cut at one point, whichever way they run.
+            // Edges between the same points are cut at one point, in both directions.
             let (min, max) = (first.min(last), first.max(last));
             let [start, end] = [min, max].map(|point| self.points[point as usize]);
             let own = start.dot(along);
@@ -91,7 +91,7 @@ impl Wire {
         part
     }
 
-    /// Where an edge starts and ends.
+    /// The start and the end of an edge.
     pub(crate) fn ends(&self, edge: usize) -> [DVec3; 2] {
         self.edges[edge].map(|point| self.points[point as usize])
     }

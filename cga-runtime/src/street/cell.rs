@@ -1,4 +1,4 @@
-//! Cells: triangles and quads of roadways and sidewalks with what is known at their corners.
+//! Cells: triangles and quads of roadways and sidewalks, with values at their corners.
 
 use glam::{DVec2, DVec3};
 
@@ -18,14 +18,15 @@ impl Corner {
     }
 }
 
-/// A convex cell with three or four corners, counter-clockwise. A first edge along the street is its first.
+/// A convex cell with three or four corners, counter-clockwise. A cell beside the street begins with the edge along the
+/// street.
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
     pub(super) corners: Vec<Corner>,
 }
 
 impl Cell {
-    /// A cell; nothing where its corners leave no area.
+    /// A cell; `None` if its area is not positive.
     pub(super) fn new(corners: &[Corner]) -> Option<Cell> {
         let mut corners = corners.to_vec();
         corners.dedup_by_key(|corner| corner.point);
@@ -40,7 +41,8 @@ impl Cell {
         self.corners.iter().map(|corner| corner.point).collect()
     }
 
-    /// Along, across and height at a point of the cell. At a common point, cells with a common edge agree to the bit.
+    /// The distances along and across and the height at a point of the cell. Cells with a common edge agree to the bit
+    /// at its points.
     pub(super) fn value(&self, point: Point) -> DVec3 {
         if let Some(corner) = self.corners.iter().find(|corner| corner.point == point) {
             return corner.value;
@@ -54,7 +56,7 @@ impl Cell {
             }
             let along = b.point.place() - a.point.place();
             let part = (place - a.point.place()).dot(along) / along.length_squared();
-            // Points that were rounded onto an edge are within two grid units.
+            // Points rounded onto an edge are within two grid units of it.
             let off = (place - a.point.place()).perp_dot(along).abs() / along.length();
             if off <= 4.0 * super::grid::UNIT && (0.0..=1.0).contains(&part) {
                 return a.value + (b.value - a.value) * part;
@@ -95,16 +97,16 @@ impl Cell {
 pub(super) struct Trace {
     pub(super) point: Point,
     pub(super) height: f64,
-    /// Where it is along both poly-lines: points with equal keys are beside each other.
+    /// The position along both poly-lines: points with equal keys are beside each other.
     pub(super) key: (u8, f64),
 }
 
 /// Keys that differ by less are equal.
 const SAME_KEY: f64 = 1e-6;
 
-/// The cells between two poly-lines that run side by side: `inner` and, on its right, `outer`. Along is counted backwards, so
-/// that the cells are not mirrored: it is 0 at the last point of `inner`. Returns the cells and the length of `inner`, or nothing
-/// where a cell would be turned over.
+/// The cells between two poly-lines side by side: `inner` and, on its right, `outer`. The distance along is counted
+/// backwards, so that the cells are not mirrored: it is 0 at the last point of `inner`. Returns the cells and the
+/// length of `inner`, or `None` if a cell would be turned over or not be convex.
 pub(super) fn strip(inner: &[Trace], outer: &[Trace], width: f64) -> Option<(Vec<Cell>, f64)> {
     let mut length = 0.0;
     let mut left = vec![0.0; inner.len()];
@@ -112,7 +114,7 @@ pub(super) fn strip(inner: &[Trace], outer: &[Trace], width: f64) -> Option<(Vec
         length += inner[at - 1].point.place().distance(inner[at].point.place());
         left[at - 1] = length;
     }
-    // Which points are beside each other, in steps along one of the lines or both.
+    // The pairs of points beside each other, in steps along one of the lines or both.
     let mut links = vec![(0, 0)];
     let (mut i, mut j) = (0, 0);
     while i + 1 < inner.len() || j + 1 < outer.len() {

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::graph::Graph;
 use super::input::{Centerline, NetworkOptions};
 
-/// Bends by more than this angle in degrees get no mitre.
+/// Bends sharper than this angle in degrees get no mitre.
 const MOST_MITRE: f64 = 100.0;
 
 /// The room that an arc leaves on the inner side of a bend, in metres.
@@ -37,7 +37,7 @@ impl Widths {
     }
 }
 
-/// Where an end of a chain is.
+/// The kind of a chain's end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum End {
     /// A dead end.
@@ -46,18 +46,18 @@ pub(super) enum End {
     Node(u32),
 }
 
-/// A place where chains meet.
+/// A point where chains meet.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     pub(super) place: DVec2,
     pub(super) height: f64,
-    /// A bend that is too tight for a mitre, not a vertex of the graph where streets meet.
+    /// True if it is a bend too tight for a mitre, rather than a vertex of the graph where streets meet.
     pub(super) is_bend: bool,
-    /// Chains and which of their ends is here.
+    /// The chains that meet here, by number, and the end of each.
     pub(super) arms: Vec<(u32, usize)>,
 }
 
-/// A poly-line with widths. A closed chain ends at its first place.
+/// A poly-line with widths. A closed chain ends at its first point.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     pub(super) places: Vec<DVec2>,
@@ -208,7 +208,7 @@ impl Chain {
         }
     }
 
-    /// Replaces sharp bends by arcs where there is room.
+    /// Replaces sharp bends by arcs if there is room.
     fn round_bends(&mut self, above: f64) {
         let Widths { half, left, right } = self.widths;
         let count = self.len();
@@ -230,7 +230,7 @@ impl Chain {
             let before = self.direction(at - 1);
             let (from, reach) = (place - before * (radius * tangent), radius * tangent);
             let centre = from + before.perp() * (radius * bend.signum());
-            // An even number of parts: where the line changes at the bend, it does so in the middle of the arc.
+            // An even number of parts, so that a change of lines at the bend is in the middle of the arc.
             let steps = 2 * (bend.abs().to_degrees() / (2.0 * ARC_STEP)).ceil() as usize;
             let height = |other: usize| {
                 let part = reach / place.distance(self.places[other]);
@@ -250,7 +250,7 @@ impl Chain {
         lines.push(self.lines[count - 1]);
         places.push(self.places[count]);
         heights.push(self.heights[count]);
-        // Arcs that meet leave segments without length.
+        // Two arcs that touch leave a segment without length.
         let mut kept = vec![0];
         let mut parts = Vec::new();
         for at in 1..places.len() {
@@ -266,7 +266,7 @@ impl Chain {
         self.lines = parts;
     }
 
-    /// The parts of the chain between bends that are too tight for a mitre. Each of these becomes a node.
+    /// The parts of the chain between bends that are too tight for a mitre. Each such bend becomes a node.
     fn broken(self, nodes: &mut Vec<Node>) -> Vec<Chain> {
         let count = self.len();
         let mut bends: Vec<f64> = (0..=count).map(|at| self.bend(at)).collect();

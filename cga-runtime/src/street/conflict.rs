@@ -1,17 +1,17 @@
-//! Finds where roadways overlap, and makes these parts belong to junctions.
+//! Finds overlaps of roadways and assigns these parts to junctions.
 
 use super::grid::{Point, is_sliver};
 use super::pieces::{Piece, Pieces, Plan};
 use super::subdivision::Subdivision;
 use super::{MOST_CROSSINGS, StreetError};
 
-/// Attempts at a plan without overlaps. Each makes junctions larger, and most networks need three.
+/// The limit on attempts to find a plan without overlaps. Each attempt enlarges junctions; most networks need three.
 const MOST_ATTEMPTS: usize = 16;
 
-/// How much farther than an overlap a part of a street goes to a junction, in metres.
+/// The margin in metres around an overlap that is also assigned to a junction.
 const MARGIN: f64 = 1e-5;
 
-/// The pieces of a plan whose free roadways do not overlap.
+/// The pieces of a plan after its overlaps between free roadways are resolved.
 pub(super) fn resolve(plan: &mut Plan) -> Result<Pieces, StreetError> {
     for _ in 0..MOST_ATTEMPTS {
         let pieces = plan.pieces();

@@ -1,4 +1,4 @@
-//! Why a street network could not be made.
+//! Errors of street networks.
 
 use std::fmt;
 
@@ -34,7 +34,7 @@ pub enum StreetError {
         /// The value.
         value: f64,
     },
-    /// Borders of streets cross more than so many times.
+    /// The borders of streets cross too often.
     TooDense {
         /// The limit.
         most: usize,

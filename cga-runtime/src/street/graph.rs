@@ -1,4 +1,4 @@
-//! Centre lines as a graph: lines are divided where they meet, and ends near other lines are moved onto them.
+//! The graph of centre lines: lines are divided at meeting points, and ends near other lines are moved onto them.
 
 use std::collections::BTreeMap;
 
@@ -49,20 +49,20 @@ impl Graph {
         }
         let mut graph = Graph::divided(&segments)?;
         if 0.0 < options.snap {
-            // Moved ends may make edges meet elsewhere.
+            // Moved ends may make edges meet in new places.
             graph = Graph::divided(&graph.contracted(options.snap))?;
         }
         Ok(graph)
     }
 
-    /// The graph of segments that meet anywhere.
+    /// The graph of segments, which may meet anywhere.
     fn divided(segments: &[Segment]) -> Result<Self, StreetError> {
         let plain: Vec<[Point; 2]> = segments.iter().map(|segment| segment.ends.map(|end| end.0)).collect();
         let chains = divide(&plain, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
         let mut graph = Graph::default();
         let mut numbers: Map<Point, u32> = Map::default();
         let mut known: Map<[u32; 2], ()> = Map::default();
-        // Ends of segments have heights of their own, crossings that of the first line.
+        // Ends of segments keep their heights; a crossing gets the height of the first line.
         for segment in segments {
             for (point, height) in segment.ends {
                 graph.vertex(&mut numbers, point, height);
@@ -116,7 +116,7 @@ impl Graph {
         for edge in short {
             let [a, b] = edge.ends.map(|end| find(&to, end));
             if a != b && self.places[a as usize].distance(self.places[b as usize]) < snap {
-                // Junctions and ends stay where they are, bends give way.
+                // Junctions and ends stay in place; bends move.
                 let rank = |at: u32| match self.around[at as usize].len() {
                     2 => 0,
                     1 => 1,
@@ -146,7 +146,7 @@ fn path(line: &Centerline) -> Vec<Vertex> {
     path
 }
 
-/// Moves ends that are near each other to the first of them.
+/// Moves an end that is near an earlier end onto it.
 fn join_ends(paths: &mut [Vec<Vertex>], snap: f64) {
     let cell = |place: DVec2| ((place.x / snap).floor() as i64, (place.y / snap).floor() as i64);
     let mut kept: Map<(i64, i64), Vec<Vertex>> = Map::default();
@@ -171,7 +171,7 @@ fn join_ends(paths: &mut [Vec<Vertex>], snap: f64) {
     }
 }
 
-/// Moves ends that no other end shares onto the nearest segment of another line, where one is near.
+/// Moves ends that are not shared onto the nearest segment of another line, if one is near.
 fn reach_segments(paths: &mut [Vec<Vertex>], snap: f64) {
     let mut ends: Map<Point, usize> = Map::default();
     let (mut segments, mut homes) = (Vec::new(), Vec::new());
@@ -230,7 +230,7 @@ fn reach_segments(paths: &mut [Vec<Vertex>], snap: f64) {
             paths[line][at] = new;
         }
     }
-    // From the last segment to the first, so that the numbers of others stay.
+    // From the last segment to the first, so that the numbers of earlier segments stay valid.
     for ((line, at), mut new) in added.into_iter().rev() {
         let from = paths[line][at].0.place();
         new.sort_by(|a, b| a.0.place().distance(from).total_cmp(&b.0.place().distance(from)));

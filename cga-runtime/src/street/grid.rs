@@ -21,12 +21,12 @@ pub(super) struct Point {
 }
 
 impl Point {
-    /// The grid point next to a place in metres.
+    /// The grid point nearest to a position in metres.
     pub(super) fn near(place: DVec2) -> Point {
         Point { x: (place.x * UNITS).round() as i64, y: (place.y * UNITS).round() as i64 }
     }
 
-    /// The place of the point in metres.
+    /// The position of the point in metres.
     pub(super) fn place(self) -> DVec2 {
         DVec2::new(self.x as f64 * UNIT, self.y as f64 * UNIT)
     }
@@ -58,17 +58,17 @@ pub(super) fn twice_area(ring: &[Point]) -> i128 {
     ring.windows(2).map(|edge| cross(edge[0].from(from), edge[1].from(from))).sum()
 }
 
-/// A face that is thinner than this on average, in metres, is due to rounding.
+/// The limit of the average thickness in metres below which a face is due to rounding.
 const THIN: f64 = 1e-6;
 
-/// Returns true if a counter-clockwise ring encloses no more than rounding does.
+/// Returns true if a counter-clockwise ring encloses only a rounding error.
 pub(super) fn is_sliver(ring: &[Point]) -> bool {
     let length: f64 = (0..ring.len()).map(|at| ring[at].place().distance(ring[(at + 1) % ring.len()].place())).sum();
     let area = twice_area(ring) as f64 * UNIT * UNIT / 2.0;
     0.0 <= area && area < THIN * length
 }
 
-/// How often a ring goes round a point counter-clockwise. A point on the ring counts as on one of its sides.
+/// The winding number of a ring around a point, counter-clockwise. A point on the ring counts as on one of its sides.
 pub(super) fn winding(ring: &[Point], point: Point) -> i32 {
     let mut turns = 0;
     let Some(&last) = ring.last() else { return 0 };
@@ -120,7 +120,7 @@ pub(super) struct Buckets {
 }
 
 impl Buckets {
-    /// Empty cells whose size suits segments: about as long as they are on average, and at least 1 m.
+    /// Empty cells of a size that suits segments: their average length, but at least 1 m.
     pub(super) fn for_segments(segments: &[[Point; 2]]) -> Self {
         let length: f64 = segments.iter().map(|[a, b]| a.place().distance(b.place())).sum();
         Buckets::new((length / segments.len().max(1) as f64).max(1.0))
@@ -137,7 +137,7 @@ impl Buckets {
         self.cells.entry(cell).or_default().push(number);
     }
 
-    /// Adds a number to each cell that a segment passes.
+    /// Adds a number to each cell that a segment crosses.
     pub(super) fn add_segment(&mut self, segment: [Point; 2], number: u32) {
         let mut cells = Vec::new();
         self.along(segment, 2, |cell| cells.push(cell));
@@ -146,7 +146,7 @@ impl Buckets {
         }
     }
 
-    /// Calls back with the numbers of each cell that a segment passes within some units.
+    /// Calls `each` with the numbers in all cells within `margin` units of a segment.
     pub(super) fn near_segment(&self, segment: [Point; 2], margin: i64, mut each: impl FnMut(u32)) {
         self.along(segment, margin, |cell| {
             for &number in self.cells.get(&cell).into_iter().flatten() {
@@ -155,7 +155,7 @@ impl Buckets {
         });
     }
 
-    /// The lists of all cells, in no order.
+    /// The lists of all cells, in unspecified order.
     pub(super) fn lists(&self) -> impl Iterator<Item = &[u32]> {
         self.cells.values().map(Vec::as_slice)
     }

@@ -4,8 +4,8 @@ use super::StreetError;
 
 /// A centre line with the widths of its street.
 ///
-/// Lines are joined where they meet: at common ends, at vertices and along segments. Left and right are seen in the direction of
-/// the line.
+/// Lines are joined wherever they meet: at common ends, at vertices and along segments. Left and right are relative to
+/// the direction of the line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Centerline {
     pub(super) points: Vec<[f64; 3]>,
@@ -41,13 +41,14 @@ impl Centerline {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct NetworkOptions {
-    /// Ends of lines that are nearer than this to another line, in metres, are moved onto it; edges shorter than this are
+    /// Ends of lines within this distance of another line, in metres, are moved onto it. Edges shorter than this are
     /// contracted. 0.5 by default.
     pub snap: f64,
-    /// The radius in metres of the kerb at the corners of junctions, 4 by default. It is reduced where there is no room.
+    /// The radius in metres of the kerb at the corners of junctions, 4 by default. It is reduced if there is too little
+    /// room.
     pub corner_radius: f64,
-    /// Bends of centre lines by more than this angle in degrees become arcs where there is room, 30 by default. Others have a
-    /// mitre.
+    /// Bends of centre lines by more than this angle in degrees become arcs if there is room, 30 by default. Other
+    /// bends get a mitre.
     pub arc_above: f64,
 }
 
@@ -57,7 +58,7 @@ impl Default for NetworkOptions {
     }
 }
 
-/// The largest coordinate in metres: beyond the equator's length grid points are no longer exact.
+/// The largest coordinate in metres. Beyond the length of the equator grid points would not be exact as f64.
 const MOST_COORDINATE: f64 = 1e8;
 
 /// The largest width in metres.
@@ -69,7 +70,7 @@ const MOST_SNAP: f64 = 100.0;
 /// The smallest width of a roadway in metres.
 const LEAST_ROADWAY: f64 = 0.01;
 
-/// An error if lines or settings are not usable.
+/// Checks that lines and settings are usable.
 pub(super) fn check(lines: &[Centerline], options: &NetworkOptions) -> Result<(), StreetError> {
     if !(0.0..=MOST_SNAP).contains(&options.snap) {
         return Err(StreetError::Option { name: "snap", value: options.snap });

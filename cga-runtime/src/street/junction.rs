@@ -1,4 +1,4 @@
-//! The area of a junction: where its arms end, and the corners between them with rounded kerbs.
+//! The area of a junction: the ends of its arms, and the corners between them with rounded kerbs.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,31 +9,31 @@ use super::chain::{Chain, Node, turn};
 use super::grid::{Point, orient, twice_area};
 use super::section::{Section, Station};
 
-/// How far from a junction its corners are looked for, in metres.
+/// The distance in metres from a junction within which its corners are searched.
 const REACH: f64 = 120.0;
 
-/// The shortest arm inside of a junction, in metres.
+/// The shortest arm inside a junction, in metres.
 const LEAST_ARM: f64 = 0.25;
 
 /// Corners with a smaller radius than this, in metres, are sharp.
 const LEAST_RADIUS: f64 = 0.2;
 
-/// The longest tangent of a rounded corner, as a multiple of the radius that corners have where there is room.
+/// The longest tangent of a rounded corner, as a multiple of the desired radius.
 const MOST_TANGENT: f64 = 4.0;
 
 /// The largest angle between two parts of a rounded corner, in degrees.
 const CORNER_STEP: f64 = 15.0;
 
-/// A junction that was laid out.
+/// The layout of a junction.
 pub(super) struct Layout {
-    /// The stations of the chains at which the arms end.
+    /// The stations where the arms end, by chain and end.
     pub(super) stations: Vec<(u32, usize, Station)>,
     pub(super) roadway: Vec<Point>,
-    /// The sidewalks round the corners: cells, length and width.
+    /// The sidewalks around the corners.
     pub(super) corners: Vec<Corner>,
 }
 
-/// A sidewalk round a corner of a junction.
+/// A sidewalk around a corner of a junction.
 pub(super) struct Corner {
     pub(super) cells: Vec<Cell>,
     pub(super) length: f64,
@@ -48,8 +48,8 @@ struct Arm {
 }
 
 impl Arm {
-    /// The section at a station of the arm, from its left to its right. It is computed along the chain, so that it has the
-    /// points that the chain has.
+    /// The section at a station of the arm, from its left to its right. It is computed along the chain, so that its
+    /// points are exactly those of the chain.
     fn section(&self, chains: &[Chain], station: Station) -> Section {
         if self.end == 0 {
             return chains[self.number as usize].section(station);
@@ -62,25 +62,25 @@ impl Arm {
 }
 
 impl Arm {
-    /// How far along the arm a place beside a segment is.
+    /// The distance along the arm of a point beside a segment.
     fn along(&self, segment: usize, place: DVec2) -> f64 {
         let off = (place - self.chain.places[segment]).dot(self.chain.direction(segment));
         (self.chain.along[segment] + off).max(0.0)
     }
 }
 
-/// The borders of two neighbouring arms and where they meet.
+/// The line between two neighbouring arms that joins their borders.
 struct Meeting {
     /// The points of the fillet, from the first arm to the second.
     points: Vec<DVec2>,
-    /// How far along the arms it begins and ends.
+    /// The distances along the arms where it begins and ends.
     along: [f64; 2],
     /// The radius of the fillet, 0 for none.
     radius: f64,
 }
 
 impl Meeting {
-    /// Points at the node itself, where no arm is cut off.
+    /// Points at the node itself. The arms are not shortened.
     fn plain(points: Vec<DVec2>) -> Self {
         Meeting { points, along: [0.0; 2], radius: 0.0 }
     }
@@ -101,13 +101,13 @@ fn arms(node: &Node, chains: &[Chain]) -> Vec<Arm> {
     arms
 }
 
-/// The angle from an arm counter-clockwise to the next one.
+/// The counter-clockwise angle from an arm to the next one.
 fn gap(a: &Arm, b: &Arm) -> f64 {
     let angle = turn(a.chain.direction(0), b.chain.direction(0));
     if angle <= 0.0 { angle + TAU } else { angle }
 }
 
-/// Lays out a junction with kerbs of a radius. Nothing is returned where the arms leave no room for it.
+/// Lays out a junction with kerbs of a given radius. `None` if the arms do not fit.
 pub(super) fn layout(node: &Node, chains: &[Chain], radius: f64) -> Option<Layout> {
     let arms = arms(node, chains);
     let count = arms.len();
@@ -128,7 +128,7 @@ pub(super) fn layout(node: &Node, chains: &[Chain], radius: f64) -> Option<Layou
             reach[(at + 1) % count] = reach[(at + 1) % count].max(meeting.along[1]);
         }
         if count == 2 {
-            // Where the widths change, the kerbs run obliquely.
+            // Kerbs run obliquely where the widths change.
             let change = (wide_a.half - wide_b.half).abs() + (wide_a.left - wide_b.right).abs();
             reach.iter_mut().for_each(|reach| *reach = reach.max(change));
         }
@@ -177,14 +177,14 @@ pub(super) fn layout(node: &Node, chains: &[Chain], radius: f64) -> Option<Layou
 }
 
 impl Section {
-    /// The distance of the section from the junction at which an arm begins.
+    /// The distance of the section from the junction of an arm.
     fn along_arm(&self, arm: &Arm) -> f64 {
         if arm.end == 0 { self.along } else { arm.chain.length() - self.along }
     }
 }
 
-/// A border of an arm from a distance on: its points at places of the chain, and at last that of the section at which the arm
-/// ends.
+/// The points of an arm's border from a distance on: the points at the chain's vertices, and last the point of the
+/// section where the arm ends.
 fn trace((end, arm, border): (&Section, &Arm, usize), chains: &[Chain], from: f64) -> impl Iterator<Item = Trace> {
     let to = end.along_arm(arm);
     let between = move |at: &usize| from + 1e-6 < arm.chain.along[*at] && arm.chain.along[*at] < to - 1e-6;
@@ -196,7 +196,7 @@ fn trace((end, arm, border): (&Section, &Arm, usize), chains: &[Chain], from: f6
     })
 }
 
-/// The points of an arc from the start to the end of it.
+/// The points of an arc from its start to its end.
 fn arc(points: &[DVec2], height: f64) -> impl Iterator<Item = Trace> {
     let last = points.len().max(2) - 1;
     let key = move |at: usize| (1, at as f64 / last as f64);
@@ -236,7 +236,7 @@ fn meet(a: &Arm, b: &Arm, distances: [f64; 2], radius: f64, most_tangent: f64) -
         }
     }
     if gap < PI {
-        // Arms at an angle below a half turn, whose borders do not meet.
+        // The gap is below a half turn, and the borders do not meet.
         return (off < 20f64.to_radians()).then_some(Meeting::plain(Vec::new()));
     }
     Some(Meeting::plain(fan(node, lines[0][0], lines[1][0])))
@@ -257,7 +257,7 @@ fn fan(centre: DVec2, from: DVec2, to: DVec2) -> Vec<DVec2> {
     (0..=steps).map(point).collect()
 }
 
-/// Where two borders cross first: the segments and the place.
+/// The first crossing of two borders: the segments and the position.
 fn crossing(lines: &[Vec<DVec2>; 2], arms: [&Arm; 2]) -> Option<([usize; 2], DVec2)> {
     let near = |which: usize| (0..arms[which].chain.len()).take_while(move |&at| arms[which].chain.along[at] < REACH);
     for i in near(0) {
@@ -277,7 +277,7 @@ fn crossing(lines: &[Vec<DVec2>; 2], arms: [&Arm; 2]) -> Option<([usize; 2], DVe
     None
 }
 
-/// A corner with an arc of a radius. Its centre is where borders that are farther out by the radius cross.
+/// A corner rounded by an arc of a given radius. Borders shifted outwards by the radius cross at the centre of the arc.
 fn rounded(corner: &Meeting, arms: [&Arm; 2], distances: [f64; 2], radius: f64, most_tangent: f64) -> Option<Meeting> {
     let lines = [arms[0].chain.border(distances[0] + radius), arms[1].chain.border(distances[1] - radius)];
     let (at, centre) = crossing(&lines, arms)?;
@@ -292,7 +292,7 @@ fn rounded(corner: &Meeting, arms: [&Arm; 2], distances: [f64; 2], radius: f64, 
     let out = [0, 1].map(|which| arms[which].chain.direction(at[which]).perp() * radius);
     let (from, to) = (centre - out[0], centre + out[1]);
     let sweep = turn(from - centre, to - centre);
-    // Clockwise, as the corner is seen from the junction.
+    // Clockwise as seen from the junction.
     if !(-3.1..=-0.02).contains(&sweep) {
         return None;
     }
@@ -304,7 +304,7 @@ fn rounded(corner: &Meeting, arms: [&Arm; 2], distances: [f64; 2], radius: f64, 
     Some(Meeting { points: (0..=steps).map(point).collect(), along, radius })
 }
 
-/// Returns true if no two edges of a ring meet but neighbours at their common point.
+/// Returns true if edges of a ring meet only at common points of neighbours.
 fn is_simple(ring: &[Point]) -> bool {
     let count = ring.len();
     let edge = |at: usize| (ring[at], ring[(at + 1) % count]);
@@ -318,7 +318,7 @@ fn is_simple(ring: &[Point]) -> bool {
     (0..count).all(|i| (i + 2..count).filter(|j| (j + 1) % count != i).all(|j| !meets(edge(i), edge(j))))
 }
 
-/// The fans that fill the outer sides of a junction whose arms begin at its node: triangles of the roadway, and sidewalks.
+/// The fans that fill the outer sides of a junction whose arms begin at its node: triangles of roadway, and sidewalks.
 pub(super) fn fans(node: &Node, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<Corner>) {
     let arms = arms(node, chains);
     let (mut roadway, mut corners) = (Vec::new(), Vec::new());
@@ -332,7 +332,7 @@ pub(super) fn fans(node: &Node, chains: &[Chain]) -> (Vec<Vec<Point>>, Vec<Corne
         let line = |border: usize| {
             let [from, to] = [ends[0].borders[border], ends[1].borders[3 - border]];
             let mut line: Vec<Trace> = arc(&fan(node.place, from.place(), to.place()), node.height).collect();
-            // The ends are exactly those of the arms.
+            // The ends must be exactly those of the arms.
             let last = line.len() - 1;
             (line[0].point, line[last].point) = (from, to);
             line.dedup_by_key(|trace| trace.point);

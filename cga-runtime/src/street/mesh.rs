@@ -12,8 +12,8 @@ pub(super) struct Face {
     pub(super) uvs: Vec<[DVec2; 3]>,
 }
 
-/// A mesh of faces with some sets of coordinates; nothing where they have no area. Faces that heights bend are divided into
-/// triangles.
+/// A mesh of faces with `sets` sets of coordinates. `None` if the faces have no area. Faces that are not flat are
+/// divided into triangles.
 pub(super) fn mesh(faces: &[Face], heights: &Map<Point, f64>, sets: usize) -> Option<Mesh> {
     let mut builder = MeshBuilder::new();
     let mut numbers: Map<Point, u32> = Map::default();
@@ -60,7 +60,8 @@ pub(super) fn mesh(faces: &[Face], heights: &Map<Point, f64>, sets: usize) -> Op
     (0 < mesh.face_count()).then_some(mesh)
 }
 
-/// The heights of the points of a face. Those that are not known follow from the known ones, the nearer the more.
+/// The heights of the points of a face. Unknown heights are means of the known ones, weighted by the inverse square of
+/// the distance.
 fn levels(points: &[Point], heights: &Map<Point, f64>) -> Vec<f64> {
     let known: Vec<Option<f64>> = points.iter().map(|point| heights.get(point).copied()).collect();
     let first = known.iter().flatten().next().copied().unwrap_or(0.0);
@@ -88,6 +89,6 @@ fn is_flat(outer: usize, count: usize, place: impl Fn(usize) -> DVec3) -> bool {
     let normal: DVec3 = (2..outer).map(|at| (place(at - 1) - from).cross(place(at) - from)).sum();
     let normal = crate::geometry::mesh::unit(normal);
     let extent = (1..count).map(|at| (place(at) - from).abs().max_element()).fold(0.0, f64::max);
-    // With a margin: the mesh computes its normal in another way.
+    // A margin, because the mesh computes its normal differently.
     (1..count).all(|at| normal.dot(place(at) - from).abs() <= 0.5 * crate::geometry::tol::PLANAR_EPSILON * extent)
 }

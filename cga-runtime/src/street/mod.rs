@@ -1,8 +1,9 @@
 //! Streets, sidewalks and junctions from centre lines.
 //!
-//! [`Network::new`] joins [`Centerline`]s to a graph and gives the parts of its streets: each is a mesh on the ground with
-//! texture coordinates, whose [`Part::shape`] a grammar can start with. The start rules are CityEngine's (*Help*, street and
-//! intersection shapes): `Street` and `Sidewalk` along lines, `Joint`, `Junction` and `Crossing` where they meet.
+//! [`Network::new`] joins [`Centerline`]s to a graph and returns the parts of its streets. Each part is a mesh on the
+//! ground with texture coordinates, and a grammar can start with its [`Part::shape`]. The start rules are CityEngine's
+//! (*Help*, street and intersection shapes): `Street` and `Sidewalk` along lines, `Joint`, `Junction` and `Crossing` at
+//! meeting points.
 //!
 //! ```
 //! # use cga_runtime as cga;
@@ -26,9 +27,9 @@
 //! # Ok::<(), cga::street::StreetError>(())
 //! ```
 //!
-//! Conventions: x and z in metres, y up; lines that cross are joined whatever their heights, so bridges need a network of their
-//! own. The parts of a network do not overlap and leave no gaps, and parts that share a border share its points to the bit:
-//! all are faces of one subdivision of the plane on a grid of 60 nm.
+//! Conventions: x and z in metres, y up. Lines that cross are joined regardless of their heights, so bridges need a
+//! network of their own. The parts of a network do not overlap and leave no gaps. Parts with a common border share its
+//! points to the bit, because all parts are faces of one subdivision of the plane on a grid of 60 nm.
 
 mod cell;
 mod chain;
@@ -55,7 +56,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::geometry::mesh::Mesh;
 use crate::shape::Shape;
 
-/// How often borders of streets may cross, so that memory and time are bounded.
+/// The limit on crossings of street borders, which bounds memory and time.
 const MOST_CROSSINGS: usize = 2_000_000;
 
 /// The kind of a part of a network.
@@ -63,38 +64,38 @@ const MOST_CROSSINGS: usize = 2_000_000;
 pub enum Kind {
     /// The roadway of a line between junctions.
     Street,
-    /// The sidewalk beside a street or round the corner of a junction.
+    /// The sidewalk beside a street or around the corner of a junction.
     Sidewalk,
-    /// The roadway where two arms meet with other widths, or in a bend that is too tight for quads.
+    /// The roadway where two arms with different widths meet, or in a bend that is too tight for quads.
     Joint,
-    /// The roadway where an arm meets a street that goes straight on.
+    /// The roadway where one arm meets a street that continues straight.
     Junction,
     /// The roadway of any other junction.
     Crossing,
 }
 
-/// A side of a line, seen in its direction.
+/// A side of a line, relative to its direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Side {
-    /// On the left.
+    /// The left side.
     Left,
-    /// On the right.
+    /// The right side.
     Right,
 }
 
 /// A part of a network.
 ///
-/// Texture coordinates of streets and of the sidewalks beside them (*Help*, street and intersection shape UV): in set 0, u goes
-/// from 0 to 1 in the direction of the line and v from 0 to 1 across, over all faces. In sets 1 and 2, u is the distance in
-/// metres along the centre line from the start and from the end, and v the distance across. Roadways have v = 0 on the right,
-/// sidewalks at the kerb. Other parts have set 0 alone: sidewalks round corners as above, roadways of junctions from above, from
-/// 0 to 1 along the first arm and across.
+/// Texture coordinates of streets and of the sidewalks beside them (*Help*, street and intersection shape UV): in set
+/// 0, u goes from 0 to 1 in the direction of the line and v from 0 to 1 across, over all faces. In sets 1 and 2, u is
+/// the distance in metres along the centre line from the start and from the end, and v the distance across. Roadways
+/// have v = 0 on the right, sidewalks at the kerb. Other parts have only set 0. Sidewalks around corners have it as
+/// above. Roadways of junctions are projected from above, from 0 to 1 along and across the first arm.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Part {
-    /// Its kind.
+    /// The kind of the part.
     pub kind: Kind,
-    /// The side of the line on which a sidewalk is.
+    /// The side of the line that a sidewalk is on.
     pub side: Option<Side>,
     /// The number of the line of a street, or of a sidewalk beside it.
     pub line: Option<usize>,
@@ -104,13 +105,13 @@ pub struct Part {
     pub width: f64,
     /// The number of streets that end at a junction, 0 for streets and sidewalks.
     pub arms: usize,
-    /// The mesh, in the world. Streets are quads along the centre line whose first edges are along it, on the right. The first
-    /// edges of sidewalks are at the kerb.
+    /// The mesh, in the world. Streets are quads along the centre line; the first edge of each is on the right, along
+    /// the street. The first edges of sidewalks are at the kerb.
     pub mesh: Mesh,
 }
 
 impl Part {
-    /// CityEngine's start rule for it: the name of its kind.
+    /// CityEngine's start rule for the part: the name of its kind.
     pub fn start_rule(&self) -> &'static str {
         match self.kind {
             Kind::Street => "Street",
@@ -121,12 +122,13 @@ impl Part {
         }
     }
 
-    /// The shape that a run begins with, named like its start rule. The x axis of its scope runs along the first edge.
+    /// The initial shape of a run, named after its start rule. The x axis of its scope is along the first edge.
     pub fn shape(&self) -> Shape {
         Shape::mesh(self.mesh.clone()).named(self.start_rule())
     }
 
-    /// The borders of the part as loops of points in the world: outlines counter-clockwise seen from above, holes clockwise.
+    /// The borders of the part as loops of points in the world. Seen from above, outlines are counter-clockwise and
+    /// holes clockwise.
     pub fn outlines(&self) -> Vec<Vec<[f64; 3]>> {
         outlines(&self.mesh)
     }
@@ -139,12 +141,12 @@ pub struct Network {
 }
 
 impl Network {
-    /// Lays out the streets of centre lines. Lines without a length are skipped, and of lines on top of each other the first is
+    /// Lays out the streets of centre lines. Lines without length are skipped. Of coincident lines the first one is
     /// kept.
     ///
     /// # Errors
-    /// [`StreetError`] when a coordinate, a width or a setting is NaN, infinite or out of range, or the lines cross millions of
-    /// times.
+    /// [`StreetError`] if a coordinate, a width or a setting is NaN, infinite or out of range, or if the lines cross
+    /// millions of times.
     pub fn new(lines: &[Centerline], options: &NetworkOptions) -> Result<Self, StreetError> {
         input::check(lines, options)?;
         let graph = graph::Graph::new(lines, options)?;
@@ -159,13 +161,13 @@ impl Network {
         &self.parts
     }
 
-    /// The parts, taken out.
+    /// Converts the network into its parts.
     pub fn into_parts(self) -> Vec<Part> {
         self.parts
     }
 }
 
-/// The loops of edges of a mesh that one face uses.
+/// The loops of edges of a mesh that belong to one face only.
 fn outlines(mesh: &Mesh) -> Vec<Vec<[f64; 3]>> {
     let edge = |face: crate::geometry::mesh::FaceRef<'_>| {
         let loops: Vec<Vec<u32>> = face.loops().map(<[u32]>::to_vec).collect();

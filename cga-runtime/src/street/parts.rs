@@ -1,4 +1,4 @@
-//! From pieces to the parts of a network: who owns each face, outlines, meshes with texture coordinates.
+//! From pieces to the parts of a network: owners of faces, outlines, meshes with texture coordinates.
 
 use glam::{DVec2, DVec3};
 
@@ -8,7 +8,7 @@ use super::pieces::{Piece, Pieces, Plan, Run, RunKind};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, MOST_CROSSINGS, Part, Side, StreetError};
 
-/// Three arms of which two are straight on within this many degrees make a `Junction`, others a `Crossing`.
+/// Three arms make a `Junction` if two of them are straight within this many degrees; otherwise a `Crossing`.
 const STRAIGHT_ON: f64 = 30.0;
 
 /// The parts of a network.
@@ -21,7 +21,7 @@ pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetErr
         loops[owner as usize].push(ring);
     }
     let mut heights: Map<Point, f64> = Map::default();
-    // Roadways first: where pieces meet at different heights, sidewalks give way.
+    // Roadways first: their heights take precedence over those of sidewalks.
     for roads in [true, false] {
         for (piece, loops) in pieces.list.iter().zip(&loops) {
             let cell = match piece {
@@ -61,7 +61,7 @@ pub(super) fn parts(plan: &Plan, pieces: &Pieces) -> Result<Vec<Part>, StreetErr
     Ok(parts)
 }
 
-/// The owner of each cycle: the number of a piece. All pieces of a junction are owned by the first of them.
+/// The owner of each cycle: the number of a piece. The first piece of a junction owns all its pieces.
 struct Owners {
     of_cycle: Vec<u32>,
 }
@@ -77,7 +77,7 @@ impl Owners {
         };
         let mut of_cycle: Vec<u32> = faces.covers.iter().map(owner).collect();
         give_slivers_away(&mut of_cycle, faces);
-        // Pieces that overlap, or are next to each other, are one junction.
+        // Pieces that overlap or touch form one junction.
         let is_part = |at: u32| at != NONE && !is_walk(at) && !is_free(&&at);
         let mut first: Vec<u32> = (0..pieces.list.len() as u32).collect();
         let find = |first: &mut Vec<u32>, mut at: u32| {
@@ -112,7 +112,7 @@ impl Owners {
         !matches!(pieces.list[at], Piece::Walk { .. } | Piece::Road { free: true, .. })
     }
 
-    /// The directions away from each junction of the streets that end there.
+    /// For each junction the directions of its streets, away from it.
     fn arms(&self, plan: &Plan, pieces: &Pieces, faces: &Subdivision) -> Map<u32, Vec<DVec2>> {
         let mut found: Vec<(u32, u32, bool)> = Vec::new();
         for half in 0..faces.cycle.len() {
@@ -141,7 +141,7 @@ impl Owners {
     }
 }
 
-/// Gives faces that rounding has made to the owner next to their longest edge.
+/// Gives faces that are due to rounding to the owner at their longest edge.
 fn give_slivers_away(of_cycle: &mut [u32], faces: &Subdivision) {
     let is_sliver: Vec<bool> = (0..of_cycle.len()).map(|cycle| is_sliver(&faces.ring(cycle))).collect();
     let mut longest: Map<u32, (f64, u32)> = Map::default();
@@ -198,7 +198,7 @@ fn street(
     let cells: Vec<usize> = if forward { list.to_vec() } else { list.iter().rev().copied().collect() };
     for at in cells {
         let (Piece::Road { cell, .. } | Piece::Walk { cell, .. }) = &pieces.list[at] else { continue };
-        // A quad begins with the edge along the street on its right, or at the kerb.
+        // A quad begins with the edge on the right, along the street, or at the kerb.
         let first = if is_road && !forward { cell.corners.len() / 2 } else { 0 };
         let first = cell.corners[first].point;
         for mut rings in faces_of(&loops[at]) {
@@ -219,7 +219,7 @@ fn street(
     Some(Part { kind, side, line: run.line.map(|(line, _)| line as usize), length, width: run.width, arms: 0, mesh })
 }
 
-/// A junction, with coordinates from 0 to 1 along its first arm and across it.
+/// A junction, with coordinates from 0 to 1 along and across its first arm.
 fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &Map<Point, f64>) -> Option<Part> {
     let along = arms.first().copied().unwrap_or(DVec2::X);
     let flat = |point: Point| {

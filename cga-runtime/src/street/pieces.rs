@@ -9,11 +9,11 @@ use super::section::{Section, Station};
 /// The run that a cell is a part of, by number in [`Pieces::runs`].
 pub(super) type RunId = u32;
 
-/// A stretch of a street, of a sidewalk beside it or round a corner: one chart.
+/// A stretch of a street, of a sidewalk beside it, or of a sidewalk around a corner: one chart.
 #[derive(Clone, Debug)]
 pub(super) struct Run {
     pub(super) kind: RunKind,
-    /// The line, and whether the cells are counted in its direction.
+    /// The line, and whether the cells are in its direction.
     pub(super) line: Option<(u32, bool)>,
     /// The distances along at its start and end.
     pub(super) along: [f64; 2],
@@ -27,18 +27,18 @@ pub(super) enum RunKind {
     /// Left of the chain.
     Left,
     Right,
-    /// Round a corner of a junction.
+    /// Around a corner of a junction.
     Corner,
 }
 
 /// The kind of a piece.
 #[derive(Clone, Debug)]
 pub(super) enum Piece {
-    /// A cell of a roadway. One that is not free belongs to a junction.
+    /// A cell of a roadway. A cell that is not free belongs to a junction.
     Road { cell: Cell, run: RunId, chain: u32, segment: u32, free: bool },
-    /// The area of a junction that was laid out.
+    /// The area of a junction with a layout.
     Junction { node: u32, ring: Vec<Point> },
-    /// A part of the area of a junction that was not laid out.
+    /// A part of the area of a junction without a layout.
     Fan { ring: Vec<Point> },
     /// A cell of a sidewalk.
     Walk { cell: Cell, run: RunId },
@@ -60,21 +60,21 @@ pub(super) struct Pieces {
     pub(super) runs: Vec<Run>,
 }
 
-/// How much of its junctions a network has: chains, nodes, and what earlier attempts found.
+/// The extents of the junctions of a network: chains, nodes, and the results of earlier attempts.
 pub(super) struct Plan {
     pub(super) chains: Vec<Chain>,
     pub(super) nodes: Vec<Node>,
-    /// By node: 0 with rounded kerbs, 1 with sharp ones, 2 where the arms do not fit and are laid over each other.
+    /// By node: 0 for rounded kerbs, 1 for sharp ones, 2 for arms that do not fit and overlap.
     pub(super) levels: Vec<u8>,
     /// By chain: the parts that belong to junctions, as distances from the start.
     pub(super) cuts: Vec<Vec<[f64; 2]>>,
     radius: f64,
 }
 
-/// The level of a node whose arms are laid over each other.
+/// The level of a node whose arms overlap.
 const OVERLAID: u8 = 2;
 
-/// A piece of roadway between two junctions that is shorter than this part of its width belongs to them.
+/// A piece of roadway between two junctions belongs to them if it is shorter than this share of its width.
 const LEAST_STREET: f64 = 0.5;
 
 impl Plan {
@@ -83,14 +83,14 @@ impl Plan {
         Plan { levels: nodes.iter().map(level).collect(), cuts: vec![Vec::new(); chains.len()], chains, nodes, radius }
     }
 
-    /// Gives a junction less room, if it has any; whether it had.
+    /// Reduces the room of a junction, if possible. Returns whether it was possible.
     pub(super) fn lower(&mut self, node: usize) -> bool {
         let had = self.levels[node] < OVERLAID;
         self.levels[node] += u8::from(had);
         had
     }
 
-    /// The pieces of the present plan. Junctions that do not fit are lowered until they do.
+    /// The pieces of the current plan. Junctions that do not fit are reduced until they do.
     pub(super) fn pieces(&mut self) -> Pieces {
         let mut layouts: Vec<Option<Layout>> = (0..self.nodes.len()).map(|_| None).collect();
         let mut waiting: Vec<usize> = (0..self.nodes.len()).collect();
@@ -150,7 +150,7 @@ impl Plan {
         pieces
     }
 
-    /// The parts of a chain that belong to junctions, between stations, in order and apart.
+    /// The parts of a chain that belong to junctions, between stations, sorted and disjoint.
     fn swallowed(&self, number: usize, ends: [Station; 2]) -> Vec<[Station; 2]> {
         let chain = &self.chains[number];
         let [start, end] = ends.map(|station| chain.along(station));
@@ -238,7 +238,7 @@ impl Plan {
             }
             let outer = |station: Station, section: &Section, border: usize| {
                 let mut corner = corner(section, border, [chain.widths.left, 0.0, 0.0, chain.widths.right][border]);
-                // Where the outer border of a sidewalk has no length in a bend, it overlaps that of the next cell.
+                // If the outer border of a sidewalk has no length in a bend, the border overlaps that of the next cell.
                 let distance = chain.widths.borders()[border];
                 if let Station::Vertex(at) = station
                     && chain.is_folded(segment, distance)

@@ -1,15 +1,16 @@
-//! Segments divided where they meet, with all vertices on the grid: snap rounding after Hobby.
+//! Segments divided at their meeting points, with all vertices on the grid: snap rounding after Hobby.
 //!
-//! Ends and rounded crossings are *hot*. A segment that passes the unit square around a hot point is led through that point.
-//! So no two segments cross afterwards, and all that meet in a point share it.
+//! Ends and rounded crossings are *hot*. A segment that passes the unit square around a hot point is routed through
+//! that point. So no two segments cross afterwards, and all segments that meet at a point share it.
 
 use super::grid::{Buckets, Point, dot, orient};
 
-/// Divides segments at each other. Each becomes a chain of points from its first end to its second. Nothing is returned when
-/// there are more than `most` crossings.
+/// Divides segments at each other. Each becomes a chain of points from its first end to its second. `None` if there are
+/// more than `most` crossings.
 pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Point>>> {
     let mut chains = round(segments, &crossings(segments, most)?);
-    // Rounding errors of crossings may leave edges that still meet; this is rare and is mended at once.
+    // Rounding errors of crossings may leave edges that still meet. This is rare, and one more round usually repairs
+    // it.
     for _ in 0..MOST_ROUNDS {
         let mut edges: Vec<[Point; 2]> = chains.iter().flat_map(|chain| chain.windows(2).map(sorted)).collect();
         edges.sort_unstable();
@@ -35,14 +36,14 @@ pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Poi
     Some(chains)
 }
 
-/// Attempts to mend edges that still meet.
+/// The limit on rounds that repair edges that still meet.
 const MOST_ROUNDS: usize = 8;
 
 fn sorted(edge: &[Point]) -> [Point; 2] {
     [edge[0].min(edge[1]), edge[0].max(edge[1])]
 }
 
-/// The crossings of segments: which segment, and the rounded place. Nothing is returned when there are more than `most`.
+/// The crossings of segments: the number of a segment and the rounded point. `None` if there are more than `most`.
 fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> {
     let mut buckets = Buckets::for_segments(segments);
     for (number, &segment) in segments.iter().enumerate() {
@@ -66,7 +67,7 @@ fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> 
     (found.len() <= 2 * most).then_some(found)
 }
 
-/// Leads segments through all hot points that they pass, and through their own crossings.
+/// Routes segments through all hot points that they pass, and through their own crossings.
 fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>> {
     let mut hot: Vec<Point> = segments.iter().flatten().copied().chain(crossings.iter().map(|one| one.1)).collect();
     hot.sort_unstable();
@@ -88,7 +89,7 @@ fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>>
         let along = b.from(a);
         chain.sort_unstable_by_key(|point| (dot(along, point.from(a)), *point));
         chain.dedup();
-        // Neighbours of an end within a unit may sort before it.
+        // Points within a unit of an end may sort before it.
         chain.retain(|&point| point != a && point != b);
         chain.insert(0, a);
         chain.push(b);
@@ -97,7 +98,7 @@ fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>>
     segments.iter().enumerate().map(chain).collect()
 }
 
-/// The grid point next to the place where two segments cross, inside of both.
+/// The grid point nearest to the crossing of two segments, inside both.
 fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<Point> {
     let apart = |a: i64, b: i64, c: i64, d: i64| a.max(b) < c.min(d) || c.max(d) < a.min(b);
     if apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y) {
@@ -118,7 +119,7 @@ fn passes([a, b]: [Point; 2], point: Point) -> bool {
     if outside(a.x, b.x, point.x) || outside(a.y, b.y, point.y) {
         return false;
     }
-    // The corners of the square in half units: is the centre nearer to the line than the corner farthest across it?
+    // Compares the distance of the centre from the line with that of the farthest corner, in half units.
     let (x, y) = b.from(a);
     2 * orient(a, b, point).abs() < x.abs() + y.abs()
 }

@@ -1,16 +1,16 @@
-//! Cross-sections of a chain: where its four borders are.
+//! Cross-sections of a chain: the positions of its four borders.
 
 use glam::DVec2;
 
 use super::chain::Chain;
 use super::grid::Point;
 
-/// A place on a chain where it can be cut across.
+/// A position on a chain where it can be cut across.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Station {
-    /// At a place of the chain, along the mitre.
+    /// At a vertex of the chain, along the mitre.
     Vertex(usize),
-    /// In a segment at a distance from the start of the chain, at a right angle.
+    /// In a segment, at a distance from the start of the chain, at a right angle.
     Within(usize, f64),
 }
 
@@ -23,7 +23,7 @@ pub(super) struct Section {
     pub(super) borders: [Point; 4],
 }
 
-/// The shortest part of a segment beside the mitres at its ends that is cut, in metres.
+/// The shortest part of a segment between its mitres that can be cut, in metres.
 const LEAST_CORE: f64 = 0.05;
 
 impl Chain {
@@ -41,7 +41,7 @@ impl Chain {
         Section { along, height, borders: self.widths.borders().map(|distance| Point::near(place + across * distance)) }
     }
 
-    /// The vector across the chain at a place, as long as borders at a distance of 1 need.
+    /// The vector across the chain at a vertex. Times a border's distance it gives the border's offset.
     pub(super) fn mitre(&self, at: usize) -> DVec2 {
         let last = self.len();
         let [before, after] = match at {
@@ -54,7 +54,8 @@ impl Chain {
         (before + after) / (1.0 + before.dot(after))
     }
 
-    /// The distances from the start between which a segment can be cut at a right angle; nothing where mitres leave no room.
+    /// The range of distances from the start where a segment can be cut at a right angle. `None` if the mitres leave no
+    /// room.
     fn core(&self, segment: usize) -> Option<[f64; 2]> {
         let widest = self.widths.half + self.widths.left.max(self.widths.right);
         let reach = |at: usize| widest * libm::tan(self.bend(at).abs() / 2.0);
@@ -62,7 +63,7 @@ impl Chain {
         (core[0] + LEAST_CORE < core[1]).then_some(core)
     }
 
-    /// The first station at a distance from the start or after it.
+    /// The first station at or after a distance from the start.
     pub(super) fn station_after(&self, along: f64) -> Station {
         if along <= 0.0 {
             return Station::Vertex(0);
@@ -70,7 +71,7 @@ impl Chain {
         let segment = self.segment_at(along);
         match self.core(segment) {
             Some([low, high]) if along <= high => {
-                // Beside the end of the chain there is no mitre, and its section is as good.
+                // The end of the chain has no mitre, so its section can be used.
                 let along = along.max(low);
                 if along <= self.along[segment] { Station::Vertex(segment) } else { self.within(segment, along) }
             }
@@ -78,7 +79,7 @@ impl Chain {
         }
     }
 
-    /// The last station at a distance from the start or before it.
+    /// The last station at or before a distance from the start.
     pub(super) fn station_before(&self, along: f64) -> Station {
         if self.length() <= along {
             return Station::Vertex(self.len());
@@ -125,7 +126,7 @@ impl Chain {
         (0..=self.len()).map(|at| self.places[at] + self.mitre(at) * distance).collect()
     }
 
-    /// Returns true if a border has no length left beside a segment, because both ends turn towards it.
+    /// Returns true if a border has no length beside a segment, because both ends bend towards it.
     pub(super) fn is_folded(&self, segment: usize, distance: f64) -> bool {
         let shorter = |at: usize| distance * libm::tan(self.bend(at) / 2.0);
         let length = self.along[segment + 1] - self.along[segment];

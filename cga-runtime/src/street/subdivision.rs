@@ -1,30 +1,30 @@
-//! A subdivision of the plane by polygons: which of them cover each of its faces.
+//! A subdivision of the plane by polygons, with the polygons that cover each of its faces.
 
 use super::grid::{Point, cross, twice_area, winding};
 use super::rounding::divide;
 
-/// The number of no owner.
+/// The number for "no owner".
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Half-edges `2 e` and `2 e + 1` are the two directions of edge `e`. A cycle is a loop of half-edges with one face on its
-/// left: the outline of a face, or the outer border of a connected part.
+/// Half-edges `2 e` and `2 e + 1` are the two directions of edge `e`. A cycle is a loop of half-edges with one face on
+/// its left: the outline of a face, or the outer border of a connected component.
 pub(super) struct Subdivision {
     points: Vec<Point>,
     origin: Vec<u32>,
     next: Vec<u32>,
     pub(super) cycle: Vec<u32>,
-    /// A half-edge of each cycle.
+    /// One half-edge of each cycle.
     first: Vec<u32>,
     /// The numbers of the polygons that cover the face, by cycle.
     pub(super) covers: Vec<Vec<u32>>,
 }
 
-/// A polygon and how its winding number changes from the right of an edge to the left.
+/// A polygon, and the change of its winding number from the right of an edge to the left.
 type Change = (u32, i32);
 
 impl Subdivision {
-    /// Divides the plane by counter-clockwise polygons, which may overlap. Nothing is returned when their edges cross more than
-    /// `most` times.
+    /// Divides the plane by counter-clockwise polygons, which may overlap. `None` if their edges cross more than `most`
+    /// times.
     pub(super) fn new(polygons: &[Vec<Point>], most: usize) -> Option<Self> {
         let sides = |ring: &Vec<Point>| {
             (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).filter(|[a, b]| a != b).collect::<Vec<_>>()
@@ -98,7 +98,7 @@ impl Subdivision {
         for (half, &cycle) in self.cycle.iter().enumerate() {
             members[cycle as usize].push(half as u32);
         }
-        // The connected parts.
+        // The connected components.
         let mut part = vec![NONE; count];
         let mut parts: Vec<Vec<u32>> = Vec::new();
         for from in 0..count {
@@ -135,7 +135,7 @@ impl Subdivision {
         for (number, list) in parts.iter().enumerate() {
             let outer = list.iter().copied().min_by_key(|&cycle| twice_area(&self.ring(cycle as usize)));
             let Some(outer) = outer else { continue };
-            // A part may be inside of polygons of other parts.
+            // A component may be inside polygons of other components.
             let corner = self.points[self.origin[self.first[outer as usize] as usize] as usize];
             let around = (0..parts.len()).filter(|&other| other != number && holds(bounds[other], corner));
             let around = around.flat_map(|other| &inside[other]).map(|&polygon| (polygon, &polygons[polygon as usize]));
@@ -150,7 +150,7 @@ impl Subdivision {
                 for &half in &members[cycle as usize] {
                     let other = self.cycle[(half ^ 1) as usize] as usize;
                     if windings[other].is_none() {
-                        // From the left of this half-edge to the left of its twin.
+                        // The change from the left of this half-edge to the left of its twin.
                         let sign = if half % 2 == 0 { -1 } else { 1 };
                         let here = windings[cycle as usize].as_deref().unwrap_or_default();
                         windings[other] = Some(added(here, &changes[half as usize / 2], sign));
@@ -204,7 +204,7 @@ fn holds([low, high]: [Point; 2], point: Point) -> bool {
     low.x <= point.x && point.x <= high.x && low.y <= point.y && point.y <= high.y
 }
 
-/// Winding numbers with changes added, without those that are 0.
+/// The sums of winding numbers and changes, without zeros.
 fn added(here: &[Change], changes: &[Change], sign: i32) -> Vec<Change> {
     let mut sum: Vec<Change> = here.to_vec();
     for &(polygon, change) in changes {
@@ -221,7 +221,7 @@ fn added(here: &[Change], changes: &[Change], sign: i32) -> Vec<Change> {
     sum
 }
 
-/// The next half-edge of each around the face on its left.
+/// For each half-edge the next one around the face on its left.
 fn successors(points: &[Point], origin: &[u32]) -> Vec<u32> {
     let mut around: Vec<u32> = (0..origin.len() as u32).collect();
     let along = |half: u32| points[origin[(half ^ 1) as usize] as usize].from(points[origin[half as usize] as usize]);
@@ -236,7 +236,7 @@ fn successors(points: &[Point], origin: &[u32]) -> Vec<u32> {
     let mut next = vec![0; origin.len()];
     for group in around.chunk_by(|&a, &b| origin[a as usize] == origin[b as usize]) {
         for (at, &half) in group.iter().enumerate() {
-            // Arriving on the twin of `half`, the face on the left goes on with the next half-edge clockwise.
+            // From the twin of `half`, the face on the left continues with the next half-edge clockwise.
             next[(half ^ 1) as usize] = group[(at + group.len() - 1) % group.len()];
         }
     }

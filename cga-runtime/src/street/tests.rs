@@ -1,4 +1,4 @@
-//! Laws of street networks: nothing overlaps, nothing is left out, borders are shared to the bit, coordinates are right.
+//! Laws of street networks: no overlaps, no gaps, borders shared to the bit, correct coordinates.
 
 mod cases;
 mod laws;

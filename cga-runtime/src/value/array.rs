@@ -1,7 +1,7 @@
 //! Arrays: values of rules in rows and columns, cheap to copy.
 //!
-//! Elements are numbered from 0, row by row. An array without elements has no rows and no columns, however it came to
-//! be; so all empty arrays of a type are equal.
+//! Elements are numbered from 0, row by row. An array without elements always has no rows and no columns, so all empty
+//! arrays of a type are equal.
 
 use std::cmp::Ordering;
 use std::fmt::{self, Write};
@@ -20,8 +20,8 @@ pub struct Array<T> {
     columns: usize,
 }
 
-/// What an array can hold: `f64`, `bool` and [`Text`]. The default stands where there is no value: 0, false, "" (*index
-/// operator*).
+/// A type that an array can hold: `f64`, `bool` and [`Text`]. Its default is the value of a missing element: 0, false,
+/// "" (*index operator*).
 pub trait Element: Clone + Default + PartialEq + fmt::Debug + Send + Sync + Compare + sealed::Print + 'static {}
 
 impl Element for f64 {}
@@ -31,11 +31,11 @@ impl Element for Text {}
 mod sealed {
     use std::fmt;
 
-    /// Writes a value as `str` and `print` show it. Private, so that there are no other elements.
+    /// Writes a value as `str` and `print` show it. Private, so that other crates cannot add element types.
     pub trait Print {
         fn print(&self, out: &mut dyn fmt::Write) -> fmt::Result;
 
-        /// Bytes that it prints, or fewer: known without printing.
+        /// A lower bound of the printed bytes, known without printing.
         fn least_bytes(&self) -> usize {
             1
         }
@@ -67,22 +67,22 @@ impl Print for Text {
 }
 
 impl<T> Array<T> {
-    /// How many elements.
+    /// The number of elements.
     pub fn len(&self) -> usize {
         self.values.len()
     }
 
-    /// Whether there are none.
+    /// Returns true if the array has no elements.
     pub fn is_empty(&self) -> bool {
         self.values.is_empty()
     }
 
-    /// How many rows; 0 without elements.
+    /// The number of rows; 0 without elements.
     pub fn rows(&self) -> usize {
         self.rows
     }
 
-    /// How many columns; 0 without elements.
+    /// The number of columns; 0 without elements.
     pub fn columns(&self) -> usize {
         self.columns
     }
@@ -109,7 +109,7 @@ impl<T> Array<T> {
 
     /// The rows, from the first to the last.
     pub fn iter_rows(&self) -> impl ExactSizeIterator<Item = &[T]> {
-        // There are no rows without columns; the 1 only keeps `chunks_exact` from refusing.
+        // Without columns there are no rows; the 1 only satisfies `chunks_exact`, which panics on 0.
         self.values.chunks_exact(self.columns.max(1))
     }
 
@@ -121,14 +121,14 @@ impl<T> Array<T> {
         Array { values, rows, columns }
     }
 
-    /// An array of the same form with one value for each of these.
+    /// An array of the same shape with `each` applied to every element.
     pub(crate) fn map<R>(&self, each: impl FnMut(&T) -> R) -> Array<R> {
         Array { values: self.values.iter().map(each).collect(), rows: self.rows, columns: self.columns }
     }
 }
 
 impl<T> Default for Array<T> {
-    /// Without elements.
+    /// The empty array.
     fn default() -> Self {
         Array { values: Arc::from([]), rows: 0, columns: 0 }
     }
@@ -157,8 +157,7 @@ impl<T: Element> FromIterator<T> for Array<T> {
 }
 
 impl<T: Element> From<Vec<Vec<T>>> for Array<T> {
-    /// Several rows. Rows that are shorter than the longest are filled with the default; the reference knows only rows
-    /// of equal length.
+    /// Several rows. Shorter rows are filled with the default; the reference defines only rows of equal length.
     fn from(rows: Vec<Vec<T>>) -> Self {
         let columns = rows.iter().map(Vec::len).max().unwrap_or_default();
         let count = rows.len();
@@ -186,8 +185,8 @@ impl<T: fmt::Debug> fmt::Debug for Array<T> {
 }
 
 impl<T: Element> fmt::Display for Array<T> {
-    /// As `print` and `str` show it (*array initialization function*): `(3)[0,1,2]`, or `(2x2)` and the rows below,
-    /// with each column set flush right behind three spaces.
+    /// The array as `print` and `str` show it (*array initialization function*): `(3)[0,1,2]`, or `(2x2)` and the rows
+    /// below, with each column right-aligned after three spaces.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.rows <= 1 {
             write!(f, "({})[", self.len())?;
@@ -207,7 +206,7 @@ impl<T: Element> fmt::Display for Array<T> {
         for row in self.iter_rows() {
             f.write_str("\n")?;
             for (width, value) in widths.iter().zip(row) {
-                // Not through a width of the formatter: those end at 65,535.
+                // Written by hand, because a formatter's width is at most 65,535.
                 for _ in value_width(value)?..width + 3 {
                     f.write_str(" ")?;
                 }
@@ -218,7 +217,7 @@ impl<T: Element> fmt::Display for Array<T> {
     }
 }
 
-/// Characters of a printed value.
+/// The number of characters of a printed value.
 fn value_width(value: &impl Print) -> Result<usize, fmt::Error> {
     struct Count(usize);
     impl Write for Count {
@@ -233,8 +232,8 @@ fn value_width(value: &impl Print) -> Result<usize, fmt::Error> {
 }
 
 impl<T: Element> Compare for Array<T> {
-    /// Element by element, row by row. When the first rows are equal as far as both go, the array with fewer columns is
-    /// less; when all rows that both have are equal, the one with fewer rows (*Array types operators*).
+    /// Element by element, row by row. If two rows agree up to the shorter one, the array with fewer columns is less;
+    /// if all common rows are equal, the array with fewer rows is less (*Array types operators*).
     fn compare(&self, other: &Self) -> Ordering {
         for (row, other_row) in self.iter_rows().zip(other.iter_rows()) {
             let elements = row.iter().zip(other_row).map(|(a, b)| a.compare(b));
@@ -252,7 +251,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn fact_76_one_row_prints_in_brackets() {
+    fn one_row_prints_in_brackets() {
         assert_eq!(Array::from([0.0, 1.0, 2.0]).to_string(), "(3)[0,1,2]");
         assert_eq!(Array::from([false, false, true]).to_string(), "(3)[false,false,true]");
         assert_eq!(Array::from(["B", "", "D"].map(Text::fixed)).to_string(), "(3)[B,,D]");

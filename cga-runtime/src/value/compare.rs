@@ -6,19 +6,18 @@ use super::text::Text;
 
 /// Values that the relational operators can compare.
 pub trait Compare {
-    /// The order of two values. The operators follow from it: `a <= b` is "not greater".
+    /// The order of two values. The operators are derived from it: `a <= b` is "not greater".
     fn compare(&self, other: &Self) -> Ordering;
 
-    /// Whether it has no place in an order.
+    /// Returns true if the value is not ordered: NaN.
     fn unordered(&self) -> bool {
         false
     }
 }
 
 impl Compare for f64 {
-    /// With something that is no number on either side the answer is "less": compiled rules of the original compare in
-    /// three ways and treat it so. So `<`, `<=` and `!=` are true and `==`, `>` and `>=` are false. Inferred, not
-    /// documented.
+    /// NaN on either side gives "less", because compiled rules of the original compare in three ways and treat NaN so.
+    /// So `<`, `<=` and `!=` are true and `==`, `>` and `>=` are false. Inferred, not documented.
     #[inline]
     fn compare(&self, other: &Self) -> Ordering {
         self.partial_cmp(other).unwrap_or(Ordering::Less)
@@ -36,9 +35,9 @@ impl Compare for bool {
 }
 
 impl Compare for Text {
-    /// Character by character, by their numbers in Unicode.
+    /// Character by character, by Unicode code point.
     fn compare(&self, other: &Self) -> Ordering {
-        // Copies share their characters, and long ones are not gone through.
+        // Copies share their characters, so equal pointers need no comparison of long texts.
         if std::ptr::eq(self.as_str(), other.as_str()) { Ordering::Equal } else { self.cmp(other) }
     }
 }

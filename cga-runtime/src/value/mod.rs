@@ -1,4 +1,4 @@
-//! Values of the language as data: what attributes hold, what rules print.
+//! Values of the language as data: the values of attributes, and the values that rules print.
 
 pub mod array;
 pub(crate) mod compare;
@@ -12,7 +12,7 @@ use self::number::Number;
 use crate::value::array::{Array, Element};
 use crate::value::text::Text;
 
-/// A value of the language. More kinds may come.
+/// A value of the language. Variants may be added.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Value {
@@ -30,7 +30,7 @@ pub enum Value {
     Texts(Array<Text>),
 }
 
-/// The type of a [`Value`]. More may come.
+/// The type of a [`Value`]. Variants may be added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum ValueType {
@@ -49,7 +49,7 @@ pub enum ValueType {
 }
 
 impl Value {
-    /// Which type it has.
+    /// The type of the value.
     pub fn ty(&self) -> ValueType {
         match self {
             Value::Float(_) => ValueType::Float,
@@ -61,10 +61,10 @@ impl Value {
         }
     }
 
-    /// Reads a value as a person types it. Unlike the language's own conversions it takes nothing half: a number is all
-    /// of the text but for space around it (`nan` and `inf` are numbers), a truth value is `true` or `false`. Text is
-    /// taken as it is, without quotes. Arrays are written as in rules, with or without their brackets: `[1, 2; 3, 4]`,
-    /// `["a", "b"]`; `[]` has no elements.
+    /// Parses a value as a user types it. Unlike the language's own conversions it accepts no partial match: a number
+    /// is the whole text except surrounding space (`nan` and `inf` are numbers), and a truth value is `true` or
+    /// `false`. Text is taken as it is, without quotes. Arrays are written as in rules, with or without their brackets:
+    /// `[1, 2; 3, 4]`, `["a", "b"]`; `[]` has no elements.
     pub fn parse(text: &str, ty: ValueType) -> Option<Value> {
         match ty {
             ValueType::Float => text.trim().parse().ok().map(Value::Float),
@@ -77,7 +77,8 @@ impl Value {
     }
 }
 
-/// As the language prints it (*print operation*, *str function*): numbers with 15 digits at most, text without quotes.
+/// The value as the language prints it (*print operation*, *str function*): numbers with at most 15 digits, text
+/// without quotes.
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -104,7 +105,7 @@ impl fmt::Display for ValueType {
     }
 }
 
-/// Reads `[a, b; c, d]`. Rows have one length.
+/// Parses `[a, b; c, d]`. All rows must have the same length.
 fn array<T: Element>(text: &str, read: impl Fn(&str) -> Option<T>) -> Option<Array<T>> {
     let text = text.trim();
     let inner = text.strip_prefix('[').and_then(|text| text.strip_suffix(']')).unwrap_or(text).trim();
@@ -132,7 +133,7 @@ fn array<T: Element>(text: &str, read: impl Fn(&str) -> Option<T>) -> Option<Arr
     (!inside && rows.iter().all(|row| row.len() == columns)).then(|| Array::from(rows))
 }
 
-/// Reads `"text"`; quotes and backslashes in it stand behind a backslash.
+/// Parses `"text"`, in which a backslash escapes quotes and backslashes.
 fn quoted(text: &str) -> Option<Text> {
     let inner = text.strip_prefix('"')?.strip_suffix('"')?;
     let mut out = String::with_capacity(inner.len());

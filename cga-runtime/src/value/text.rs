@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-/// A piece of text: a literal of the rules or one made while they run.
+/// A piece of text: a literal of the rules, or text made at run time.
 #[derive(Clone)]
 pub struct Text(Repr);
 
@@ -91,7 +91,7 @@ impl fmt::Display for Text {
     }
 }
 
-/// Short enough for a message.
+/// The text, shortened for a message.
 pub(crate) fn shortened(text: &str) -> String {
     const LONGEST: usize = 80;
     match text.char_indices().nth(LONGEST) {

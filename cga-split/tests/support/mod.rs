@@ -4,7 +4,7 @@
 
 use cga_split::{Item, Piece, Prefix, Size, solve};
 
-/// A pattern that was read, with its sizes.
+/// A parsed pattern with its sizes.
 #[derive(Clone, Debug)]
 pub(crate) struct Pattern {
     pub(crate) items: Vec<Item>,
@@ -50,12 +50,12 @@ impl Pattern {
         solve(&self.items, &self.sizes, &mut vec![0.0; self.sizes.len()], extent).pieces()
     }
 
-    /// Whether anything in it floats.
+    /// Returns true if any of its slots floats.
     pub(crate) fn floats(&self) -> bool {
         self.sizes.iter().any(|size| size.prefix == Prefix::Floating && cga_split::is_size(size.value))
     }
 
-    /// Back to text.
+    /// Writes the pattern as text.
     pub(crate) fn text(&self) -> String {
         let (mut text, mut ends, mut sizes) = (String::new(), Vec::new(), self.sizes.iter());
         for (at, item) in self.items.iter().enumerate() {
@@ -100,12 +100,12 @@ impl Random {
         list[self.below(list.len() as u64) as usize]
     }
 
-    /// A number of 0 to 1.
+    /// A number from 0 to 1.
     pub(crate) fn share(&mut self) -> f64 {
         self.below(1 << 30) as f64 / (1u64 << 30) as f64
     }
 
-    /// A size that suits an extent: small integers as often as others, now and then one that makes nothing.
+    /// A size that suits an extent. Small whole multiples are as frequent as other sizes; a few sizes make no piece.
     pub(crate) fn size(&mut self, extent: f64) -> Size {
         let value = match self.below(13) {
             12 => extent * self.one_of(&[1e-11, 1e-13, 1e-20]),
@@ -121,7 +121,7 @@ impl Random {
         }
     }
 
-    /// A pattern of up to six items in a row, groups as deep as that.
+    /// A pattern of up to five items in a row, with groups up to `depth` levels deep.
     pub(crate) fn pattern(&mut self, extent: f64, depth: u64) -> Pattern {
         let mut pattern = Pattern { items: Vec::new(), sizes: Vec::new() };
         for _ in 0..1 + self.below(5) {

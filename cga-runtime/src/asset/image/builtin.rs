@@ -1,4 +1,4 @@
-//! Textures that are always there, drawn by code.
+//! Built-in textures, drawn by code.
 
 use crate::asset::image::Image;
 use crate::asset::{BUILTINS, UNKNOWN_TEXTURE};
@@ -6,14 +6,14 @@ use crate::asset::{BUILTINS, UNKNOWN_TEXTURE};
 /// A black and white checkerboard of 16 by 16 fields.
 pub(crate) const DEFAULT: &str = "builtin:default";
 
-/// A picture of texture space: purple at (0, 1), red at (1, 1), green at (0, 0) and cyan at (1, 0), with numbered fields, so that
-/// turning and mirroring are seen.
+/// A test picture of texture space: purple at (0, 1), red at (1, 1), green at (0, 0) and cyan at (1, 0), with numbered
+/// fields that make rotation and mirroring visible.
 pub(crate) const UV_TEST: &str = "builtin:uvtest.png";
 
-/// Pixels along a side of each.
+/// The side length of each texture in pixels.
 pub(crate) const SIDE: usize = 512;
 
-/// Fields along a side of the test texture.
+/// The number of fields along a side of the test texture.
 const FIELDS: usize = 8;
 
 /// A built-in texture.
@@ -25,7 +25,7 @@ pub(crate) fn image(name: &str) -> Option<Image> {
     }
 }
 
-/// The texture in place of one that is missing or broken: nothing looks like it by chance.
+/// The replacement for a texture that is missing or invalid. Its pattern is conspicuous.
 pub(crate) fn unknown() -> Image {
     let mut image = checker(8, [[255, 0, 255, 255], [40, 40, 40, 255]]);
     let (width, height) = Image::text_size(48, "?");
@@ -60,7 +60,7 @@ fn uv_test() -> Image {
     let field = SIDE / FIELDS;
     for row in 0..FIELDS {
         for column in 0..FIELDS {
-            // Numbers count as u and v do: to the right and upwards.
+            // The labels increase with u and v: to the right and upwards.
             let label = format!("{column}{}", FIELDS - 1 - row);
             let (x, y) = ((column * field) as i64, (row * field) as i64);
             image.text(x + 15, y + 18, 3, &label, [255; 4]);

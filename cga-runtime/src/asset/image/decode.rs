@@ -1,4 +1,4 @@
-//! PNG and JPEG files to pixels.
+//! Decoding of PNG and JPEG files.
 
 use std::io::Cursor;
 
@@ -11,10 +11,11 @@ use crate::asset::AssetError;
 use crate::asset::image::Image;
 use crate::asset::image::header::{ImageHeader, ImageKind, MOST_PIXELS};
 
-/// The pixels of an image file, as four bytes of sRGB and opacity. Grey, palettes and 16 bits a channel become that.
+/// The pixels of an image file, as four bytes of sRGB and opacity. Grey images, palettes and 16 bits per channel are
+/// converted.
 ///
 /// # Errors
-/// The file is broken.
+/// The file is invalid.
 pub(crate) fn decode(header: &ImageHeader, bytes: &[u8]) -> Result<Image, AssetError> {
     let image = match header.kind {
         ImageKind::Png => png(bytes),
@@ -115,7 +116,7 @@ mod tests {
         assert_eq!(pixels(&bytes), [[128, 128, 128, 255]; 64]);
         let head = header(&bytes).expect("a header");
         for end in 0..bytes.len() {
-            // A file that is cut off in its data may still be decoded in part.
+            // A file with truncated data may still be decoded in part.
             let _ = decode(&head, &bytes[..end]);
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::asset::image::Image;
 
-/// Rows of dots from the top, the leftmost dot in bit 4; the base line runs below the seventh.
+/// Rows of dots from the top, with the leftmost dot in bit 4. The base line is below the seventh row.
 #[rustfmt::skip]
 const GLYPHS: [[u8; 9]; 95] = [
     [0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00], // space
@@ -102,14 +102,14 @@ const GLYPHS: [[u8; 9]; 95] = [
     [0x00, 0x00, 0x08, 0x15, 0x02, 0x00, 0x00, 0x00, 0x00], // ~
 ];
 
-/// Dots from one character to the next, and from one line to the next.
+/// The number of dots from one character to the next, and from one line to the next.
 const ADVANCE: usize = 6;
 const LEADING: usize = 11;
 
 impl Image {
-    /// Writes text: the upper left corner of its first character is at `x`, `y`, each dot of a character is a square of
-    /// `scale` pixels. A line is 11 dots high, a character 6 dots wide. `\n` starts a new line; what is not printable
-    /// ASCII shows as `?`. What sticks out of the picture is cut off.
+    /// Writes text. The upper left corner of its first character is at `x`, `y`. Each dot of a character is a square of
+    /// `scale` pixels. A line is 11 dots high, a character 6 dots wide. `\n` starts a new line. Other characters than
+    /// printable ASCII appear as `?`. Text outside the picture is clipped.
     pub fn text(&mut self, x: i64, y: i64, scale: usize, text: &str, color: [u8; 4]) {
         for (line, text) in text.split('\n').enumerate() {
             for (column, c) in text.chars().enumerate() {
@@ -127,7 +127,7 @@ impl Image {
         }
     }
 
-    /// How many pixels wide and high [`Image::text`] makes a text.
+    /// The width and height in pixels of a text drawn by [`Image::text`].
     pub fn text_size(scale: usize, text: &str) -> (usize, usize) {
         let longest = text.split('\n').map(|line| line.chars().count()).max().unwrap_or(0);
         let lines = text.split('\n').count();

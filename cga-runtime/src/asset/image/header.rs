@@ -1,4 +1,4 @@
-//! Image files: their size, whether they have an alpha channel, and whether they are complete.
+//! Headers of image files: size, alpha channel, completeness.
 
 use crate::asset::AssetError;
 
@@ -9,24 +9,24 @@ pub(crate) enum ImageKind {
     Jpeg,
 }
 
-/// Facts about an image that follow without its pixels.
+/// The properties of an image that are known without decoding its pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ImageHeader {
     pub(crate) kind: ImageKind,
-    /// In pixels.
+    /// The width in pixels.
     pub(crate) width: u32,
-    /// In pixels.
+    /// The height in pixels.
     pub(crate) height: u32,
     pub(crate) has_alpha: bool,
 }
 
-/// How many bytes of a file are read for its size: pictures from cameras have previews before it.
+/// The number of bytes that are read to find the size. Pictures from cameras have previews before it.
 pub(crate) const LOOKED_AT: u64 = 1 << 20;
 
-/// The most bytes of an image file that are read.
+/// The largest image file that is read, in bytes.
 pub(crate) const MOST_BYTES: u64 = 1 << 28;
 
-/// The most pixels of an image that is shown, so that a small file cannot ask for much memory.
+/// The largest number of pixels of an image that is decoded, so that a small file cannot require much memory.
 pub(crate) const MOST_PIXELS: u64 = 1 << 25;
 
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
@@ -49,7 +49,7 @@ fn kind(bytes: &[u8]) -> Option<ImageKind> {
 /// The header of a complete PNG or JPEG file.
 ///
 /// # Errors
-/// It is of another kind, has no size, or ends early.
+/// The file has another format, has no size, or ends early.
 pub(crate) fn header(bytes: &[u8]) -> Result<ImageHeader, AssetError> {
     let kind = kind(bytes).ok_or(AssetError::Format("it is not a PNG or JPEG file"))?;
     let (width, height) = size(bytes).ok_or_else(|| AssetError::Broken("the image has no size".to_owned()))?;
@@ -68,7 +68,8 @@ pub(crate) fn header(bytes: &[u8]) -> Result<ImageHeader, AssetError> {
     Ok(ImageHeader { kind, width, height, has_alpha })
 }
 
-/// Walks the chunks of a PNG file: whether it has an alpha channel or transparent colours, and whether it has its end.
+/// Visits the chunks of a PNG file. Returns whether it has an alpha channel or transparent colours, and whether it is
+/// complete.
 fn png(bytes: &[u8]) -> (bool, bool) {
     let mut has_alpha = false;
     let mut rest = bytes.strip_prefix(PNG).unwrap_or_default();
@@ -118,7 +119,7 @@ mod tests {
             assert!(read(&jpeg[..end]).is_err(), "{end}");
         }
         assert_eq!(read(b"GIF89a"), Err(AssetError::Format("it is not a PNG or JPEG file")));
-        // A length beyond the end, and one of 0 that would not lead on.
+        // A length beyond the end, and a length of 0 that makes no progress.
         assert!(read(&[PNG, &[0xff; 40]].concat()).is_err());
         assert!(read(&[0xff, 0xd8, 0xff, 0xe0, 0, 0, 0xff, 0xda, 0, 0]).is_err());
     }

@@ -1,4 +1,4 @@
-//! Images: pictures in memory, the headers of image files, and the textures that are always there.
+//! Images: pictures in memory, headers of image files, and built-in textures.
 
 pub(crate) mod builtin;
 #[cfg(feature = "png")]
@@ -13,21 +13,21 @@ pub(crate) use names::with_names_from_root;
 /// A picture: four bytes a pixel (sRGB red, green, blue and opacity), row by row from the upper left.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
-    /// In pixels.
+    /// The width in pixels.
     pub width: usize,
-    /// In pixels.
+    /// The height in pixels.
     pub height: usize,
     /// `4 * width * height` bytes.
     pub rgba: Vec<u8>,
 }
 
 impl Image {
-    /// One colour everywhere.
+    /// A picture of one colour.
     pub fn filled(width: usize, height: usize, color: [u8; 4]) -> Self {
         Image { width, height, rgba: color.repeat(width * height) }
     }
 
-    /// The colour of a pixel; nothing outside.
+    /// The colour of a pixel; `None` outside the picture.
     pub fn pixel(&self, x: usize, y: usize) -> Option<[u8; 4]> {
         let start = 4 * (y * self.width + x);
         match x < self.width {
@@ -36,7 +36,7 @@ impl Image {
         }
     }
 
-    /// Lays a colour over a pixel as far as it is opaque. Nothing outside.
+    /// Blends a colour over a pixel by its opacity. Pixels outside the picture are ignored.
     pub fn blend(&mut self, x: usize, y: usize, color: [u8; 4]) {
         let start = 4 * (y * self.width + x);
         let Some(pixel) = self.rgba.get_mut(start..start + 4) else { return };
@@ -51,7 +51,7 @@ impl Image {
         pixel[3] = pixel[3].max(color[3]);
     }
 
-    /// Lays another picture over this one, its upper left corner at `x`, `y`. What sticks out is cut off.
+    /// Blends another picture over this one, with its upper left corner at `x`, `y`. Parts outside are clipped.
     pub fn blit(&mut self, other: &Image, x: i64, y: i64) {
         for (row, line) in other.rgba.chunks_exact((4 * other.width).max(1)).enumerate() {
             let Ok(to_y) = usize::try_from(y + row as i64) else { continue };
@@ -63,7 +63,7 @@ impl Image {
         }
     }
 
-    /// Fills a rectangle. What sticks out is cut off.
+    /// Fills a rectangle. Parts outside are clipped.
     pub fn rectangle(&mut self, x: i64, y: i64, width: usize, height: usize, color: [u8; 4]) {
         self.blit(&Image::filled(width, height, color), x, y);
     }

@@ -1,4 +1,4 @@
-//! Images below the asset folder: their headers, kept by name, and their bytes.
+//! Images below the asset folder: their bytes and their headers, which are cached by name.
 
 #[cfg(feature = "obj")]
 use std::path::Path;
@@ -19,12 +19,12 @@ use crate::material::{Layer, Material, MaterialText};
 use crate::value::text::Text;
 
 impl Assets {
-    /// Returns true if there is a folder in which files are looked for.
+    /// Returns true if an asset folder is set.
     pub(crate) fn has_folder(&self) -> bool {
         self.root.is_some()
     }
 
-    /// The header of the image that a material names. Without an asset folder there is none to look at.
+    /// The header of the image that a material names. An error if no asset folder is set.
     pub(crate) fn image_header(&self, name: &str) -> Result<ImageHeader, AssetError> {
         if BUILTINS.contains(&name) {
             let side = builtin::SIDE as u32;
@@ -58,8 +58,8 @@ impl Assets {
     }
 }
 
-/// The mesh of a file with images named from the asset folder: its materials name them from the folder of the file. A name that
-/// leads to nothing stays as it is.
+/// The mesh of a file with image names relative to the asset folder. The file's materials name images relative to the
+/// file. Names without an image stay as they are.
 #[cfg(feature = "obj")]
 pub(crate) fn with_names_from_root(mut mesh: Mesh, root: &Path, file: &Path) -> Mesh {
     let from_root = |name: &Text| {

@@ -1,21 +1,21 @@
-//! Files into lines, however they were written.
+//! Lines of OBJ and MTL files, with any line endings.
 
-/// The lines of a file that may end in LF, CR LF or CR, without comments and marks of byte order (files that were put together
-/// have some inside), each with its number from 1.
+/// The lines of a file, each with its number from 1. Lines may end in LF, CR LF or CR. Comments and byte order marks
+/// are removed; concatenated files have such marks inside.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let ends = |line| str::strip_suffix(line, '\r').unwrap_or(line).split('\r');
     let plain = |line| without_comment(str::trim_start_matches(line, '\u{feff}')).trim();
     text.split('\n').flat_map(ends).enumerate().map(move |(index, line)| (index + 1, plain(line)))
 }
 
-/// A `#` begins a comment at the start of a word; inside of one it is part of a name.
+/// Removes a comment. A `#` begins a comment at the start of a word; inside a word it is part of a name.
 fn without_comment(line: &str) -> &str {
     let mut before = b' ';
     let begins = |byte: u8| std::mem::replace(&mut before, byte).is_ascii_whitespace() && byte == b'#';
     line.bytes().position(begins).map_or(line, |at| &line[..at])
 }
 
-/// Whether this is UTF-16, with a mark of byte order or by its first letters.
+/// Returns true if bytes are UTF-16, by a byte order mark or by the first letters.
 pub(super) fn is_utf16(bytes: &[u8]) -> bool {
     match *bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,

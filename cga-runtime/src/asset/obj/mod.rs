@@ -1,14 +1,14 @@
-//! Wavefront OBJ files into meshes.
+//! A reader for Wavefront OBJ files.
 //!
-//! Faces stay polygons; groups (`g`, and `o` where no `g` follows) and materials (`usemtl`) become tags; positions that
-//! are equal to the bit become one point. Texture coordinates and normals are kept when every face has them (*insert
-//! operation*: a mesh with inconsistent ones drops them all). Lines, points, smoothing groups and curves are left out.
-//! Lines may end in any way, a comment ends with its line, keywords may be written in capitals; what is no statement is a
+//! Faces stay polygons. Groups (`g`, and `o` where no `g` follows) and materials (`usemtl`) become tags. Positions with
+//! equal bits become one point. Texture coordinates and normals are kept when every face has them (*insert operation*:
+//! a mesh with inconsistent ones drops them all). Lines, points, smoothing groups and curves are skipped. Any line
+//! ending is accepted, a comment ends with its line, and keywords may be in capitals. Unknown statements give a
 //! warning.
 //!
 //! Statements are read here and not by `tobj`, which keeps positions as f32 (its `use_f64` would change its types for
-//! every other crate in the build), starts a new mesh at each group, and can't tell lines from triangles. It does read the
-//! material libraries.
+//! every other crate in the build), starts a new mesh at each group, and cannot distinguish lines from triangles. The
+//! material libraries are read by `tobj`.
 
 mod lines;
 mod mtl;
@@ -25,28 +25,27 @@ use crate::value::text::Text;
 use lines::{is_utf16, lines};
 use warnings::{Warnings, short};
 
-/// A mesh and what had to be left out of it.
+/// A mesh and the warnings from reading it.
 #[derive(Clone, Debug)]
 pub struct ObjFile {
     /// The mesh.
     pub mesh: Mesh,
-    /// One sentence for each thing that was not as it should be; at most 100. Where there are more, the last sentence gives
-    /// their number.
+    /// One sentence per problem, at most 100. If there are more, the last sentence gives the number of the others.
     pub warnings: Vec<String>,
 }
 
-/// Why a file can't be read.
+/// The reason why a file cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ObjError {
-    /// A statement that makes no sense.
+    /// An invalid statement.
     Line {
-        /// Its line, from 1.
+        /// The number of its line, from 1.
         line: usize,
-        /// What is wrong with it.
+        /// A description of the problem.
         what: &'static str,
     },
-    /// The faces do not make a mesh.
+    /// The faces do not form a mesh.
     Mesh(MeshError),
 }
 
@@ -61,12 +60,13 @@ impl fmt::Display for ObjError {
 
 impl std::error::Error for ObjError {}
 
-/// Reads a file. `material_file` gives the bytes of a material library by its name, or nothing when there is none. It is
-/// called for the first 16 libraries of a file, and for the first 16 names with spaces that may be one library or several.
+/// Reads a file. `material_file` returns the bytes of a material library by its name, or `None` if it does not exist.
+/// It is called for the first 16 libraries of a file, and for the first 16 names with spaces, which may be one library
+/// or several.
 ///
 /// # Errors
-/// When a number can't be read or is not finite, or a face uses a vertex that does not exist; the line is named. When the
-/// file is not UTF-8 but UTF-16.
+/// An error with its line if a number is invalid or not finite, or if a face uses a vertex that does not exist. Also an
+/// error if the file is UTF-16 instead of UTF-8.
 pub fn read_obj(bytes: &[u8], material_file: &mut dyn FnMut(&str) -> Option<Vec<u8>>) -> Result<ObjFile, ObjError> {
     if is_utf16(bytes) {
         return Err(ObjError::Line { line: 1, what: UTF_16 });
@@ -94,16 +94,16 @@ pub fn read_obj(bytes: &[u8], material_file: &mut dyn FnMut(&str) -> Option<Vec<
     reader.finish()
 }
 
-/// How many libraries are looked up in a file, and how many names with spaces that may be one.
+/// The limit on libraries that are looked up for a file, and on names with spaces.
 const LIBRARIES: usize = 16;
 
-/// What there is to say of UTF-16.
+/// The message for UTF-16.
 const UTF_16: &str = "this is UTF-16; it must be UTF-8";
 
-/// Statements that are read.
+/// The statements that are read.
 const READ: [&str; 8] = ["v", "vt", "vn", "f", "g", "o", "usemtl", "mtllib"];
 
-/// Statements that are left out without a word: what is not a surface of polygons, or says how it is shown.
+/// The statements that are skipped without a warning: they describe other things than polygons, or rendering.
 const LEFT_OUT: [&str; 38] = [
     "l",
     "p",
@@ -163,23 +163,23 @@ struct Reader<'a> {
     groups: Names,
     materials: Names,
     looks: HashMap<String, Material>,
-    /// Names of material libraries that were looked up, and whether there is one.
+    /// Names of material libraries that were looked up, and whether each exists.
     libraries: HashMap<String, bool>,
-    /// How many of them were taken for one library, and for one or several.
+    /// The numbers of look-ups of names without spaces and with spaces.
     looked_up: [usize; 2],
-    /// How many names of libraries were not looked up.
+    /// The number of names of libraries that were not looked up.
     libraries_left_out: usize,
     corners: Vec<Corner>,
     uvs_on: Coverage,
     normals_on: Coverage,
     faces: usize,
-    /// The first statement that is none, and how many there are.
+    /// The first unknown statement, and the number of unknown statements.
     unknown: Option<(usize, String)>,
     unknowns: usize,
     warnings: Warnings,
 }
 
-/// How many faces have something at some corner, and at every corner.
+/// The numbers of faces with a value at some corner, and with one at every corner.
 #[derive(Default)]
 struct Coverage {
     some: usize,
@@ -187,7 +187,7 @@ struct Coverage {
 }
 
 impl Coverage {
-    /// Counts a face; what its corners have, when all do.
+    /// Counts a face. Returns the values of its corners if all corners have one.
     fn add<T>(&mut self, of_corners: impl Iterator<Item = Option<T>> + Clone) -> Option<Vec<T>> {
         self.some += usize::from(of_corners.clone().any(|value| value.is_some()));
         let all: Option<Vec<T>> = of_corners.collect();
@@ -302,7 +302,7 @@ impl<'a> Reader<'a> {
 
     fn libraries(&mut self, rest: &str) {
         for names in rest.split('\t').map(str::trim).filter(|names| !names.is_empty()) {
-            // One name with spaces in it, or several names: whichever exists.
+            // Either one name with spaces or several names, depending on which exists.
             if !self.library(names) && names.contains(' ') {
                 for name in names.split(' ').filter(|name| !name.is_empty()) {
                     self.library(name);
@@ -311,7 +311,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads a library when it is named for the first time. Whether there is one.
+    /// Reads a library when it is named for the first time. Returns whether it exists.
     fn library(&mut self, name: &str) -> bool {
         if let Some(&there) = self.libraries.get(name) {
             return there;
@@ -365,7 +365,7 @@ impl<'a> Reader<'a> {
         if let Some((line, word)) = &self.unknown {
             let more = self.unknowns - 1;
             self.warnings.add(|| {
-                let what = format!("line {line}: `{word}` is no statement of an OBJ file");
+                let what = format!("line {line}: `{word}` is not a statement of an OBJ file");
                 if more == 0 { what } else { format!("{what}, and {more} more") }
             });
         }
@@ -399,7 +399,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Reads up to `N` numbers, `least` of which must be there.
+/// Parses up to `N` numbers, of which `least` are required.
 fn numbers<const N: usize>(rest: &str, least: usize, line: usize) -> Result<[f64; N], ObjError> {
     let mut values = [0.0f64; N];
     let mut tokens = rest.split_ascii_whitespace();
@@ -418,7 +418,7 @@ fn numbers<const N: usize>(rest: &str, least: usize, line: usize) -> Result<[f64
     Ok(values)
 }
 
-/// An index from 1, or from the end when negative.
+/// An index counted from 1, or from the end if negative.
 fn index(token: Option<&str>, count: usize, line: usize, what: &'static str) -> Result<Option<u32>, ObjError> {
     let Some(token) = token.filter(|token| !token.is_empty()) else {
         return Ok(None);

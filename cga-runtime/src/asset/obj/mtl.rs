@@ -1,6 +1,6 @@
 //! Material libraries of OBJ files, through `tobj`.
 //!
-//! Statements that it would refuse the whole library for, or end the program for, are left out before it sees them.
+//! Statements for which `tobj` would refuse the whole library, or panic, are removed first.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -11,13 +11,13 @@ use crate::value::text::Text;
 
 /// A material library.
 pub(super) struct Library {
-    /// Names and looks, in the order of the file.
+    /// Names and materials, in the order of the file.
     pub(super) materials: Vec<(String, Material)>,
-    /// The number of the first line that can't be read, and how many more there are.
+    /// The number of the first line that is invalid, and the number of further ones.
     pub(super) left_out: Option<(usize, usize)>,
 }
 
-/// Reads what can be read.
+/// Reads a library and skips invalid lines.
 pub(super) fn read_mtl(bytes: &[u8]) -> Result<Library, tobj::LoadError> {
     let mut left_out: Option<(usize, usize)> = None;
     let mut text = String::with_capacity(bytes.len());
@@ -36,13 +36,13 @@ pub(super) fn read_mtl(bytes: &[u8]) -> Result<Library, tobj::LoadError> {
     Ok(Library { materials: materials.collect(), left_out })
 }
 
-/// Keywords whose spelling may differ in the case of letters.
+/// Keywords that are matched without regard to case.
 const KEYWORDS: [&str; 20] = [
     "newmtl", "Ka", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "illum", "Pm", "Pr", "map_Ka", "map_Kd", "map_Ks",
     "map_Ns", "map_d", "map_Bump", "map_bump", "bump",
 ];
 
-/// A statement as `tobj` can read it: a colour of one number is a grey.
+/// A statement in the form that `tobj` reads: a colour with one number becomes a grey. `None` if it is invalid.
 fn readable(line: &str) -> Option<Cow<'_, str>> {
     let mut words = line.split_whitespace();
     let keyword = words.next().unwrap_or_default();
@@ -86,7 +86,7 @@ fn look(material: &tobj::Material) -> Material {
     ];
     for (color, which) in colors {
         let channels = [Channel::R, Channel::G, Channel::B];
-        // Black is what they are anyway.
+        // Black is the default.
         for (channel, value) in channels.into_iter().zip(color.unwrap_or_default()) {
             if value != 0.0 {
                 look.set_number(which(channel), value);
@@ -109,13 +109,13 @@ fn look(material: &tobj::Material) -> Material {
     look
 }
 
-/// The file of a map; options stand before the name.
+/// The file name of a map, after its options.
 fn file(map: &str) -> Option<Text> {
     let name = if map.starts_with('-') { map.rsplit(' ').next().unwrap_or(map) } else { map };
     (!name.is_empty()).then(|| Text::from(name))
 }
 
-/// The number as it was written: its shortest decimal form, read again with all digits.
+/// The number as written in the file: its shortest decimal form, parsed again as f64.
 fn exact(value: impl fmt::Display) -> f64 {
     value.to_string().parse().unwrap_or(f64::NAN)
 }

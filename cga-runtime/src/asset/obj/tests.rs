@@ -1,4 +1,4 @@
-//! Each test is one trap of the format.
+//! Each test covers one pitfall of the format.
 
 use super::*;
 use crate::material::Color;
@@ -122,7 +122,7 @@ fn what_can_not_be_an_obj_file_is_said() {
     let file = read_obj(text.as_bytes(), &mut |_| Some(wide.clone())).unwrap();
     assert_eq!(file.warnings, ["the material library `a.mtl` can't be read: this is UTF-16; it must be UTF-8"]);
     let file = read("solid cube\nfacet normal 0 0 1\nendsolid\n").unwrap();
-    let said = ["line 1: `solid` is no statement of an OBJ file, and 2 more", "the file has no faces"];
+    let said = ["line 1: `solid` is not a statement of an OBJ file, and 2 more", "the file has no faces"];
     assert_eq!(file.warnings, said);
 }
 
@@ -169,7 +169,8 @@ fn look_ups_and_warnings_have_a_limit() {
     let warnings = &file.warnings;
     assert_eq!(warnings.len(), 100);
     assert!(warnings.iter().all(|warning| warning.len() < 200));
-    // Libraries that were not found, faces of two corners, materials in no library, and the look-ups that were not made.
+    // Libraries that were not found, faces with two corners, materials without a library, and the look-ups that were
+    // not made.
     let all = 15 + 30_000 + 30_000 + 1;
     assert_eq!(warnings[99], format!("there are {} more warnings", all - 99));
     assert_eq!(file.mesh.materials().last().and_then(|brick| brick.color), Some(Color::new(1.0, 0.0, 0.0)));

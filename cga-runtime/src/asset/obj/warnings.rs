@@ -1,11 +1,11 @@
-//! The warnings about a file, with a limit on their number.
+//! The warnings about a file, limited in number.
 
 use std::borrow::Cow;
 
-/// How many warnings a file has at most.
+/// The largest number of warnings of a file.
 pub(super) const MOST: usize = 100;
 
-/// How many characters of a name a warning has at most.
+/// The largest number of characters of a name in a warning.
 const NAME: usize = 40;
 
 /// The first warnings of a file.
@@ -17,7 +17,7 @@ pub(super) struct Warnings {
 }
 
 impl Warnings {
-    /// Adds a sentence, or counts it.
+    /// Adds a sentence, or only counts it beyond the limit.
     pub(super) fn add(&mut self, sentence: impl FnOnce() -> String) {
         if self.list.len() < MOST {
             self.list.push(sentence());
@@ -26,7 +26,7 @@ impl Warnings {
         }
     }
 
-    /// The sentences. Where there were too many, the number of the others takes the place of the last one.
+    /// The sentences. Beyond the limit, the last sentence gives the number of the others.
     pub(super) fn finish(mut self) -> Vec<String> {
         if self.more != 0 {
             self.list.truncate(MOST - 1);

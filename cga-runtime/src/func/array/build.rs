@@ -4,12 +4,12 @@ use crate::fault::FaultKind;
 use crate::run::env::Env;
 use crate::value::array::{Array, Element};
 
-/// What stands between commas in `[…]`.
+/// An entry of `[…]`, between commas.
 #[derive(Clone, Debug)]
 pub enum Part<T> {
     /// A value.
     One(T),
-    /// An array whose elements go in side by side, such as that of a range.
+    /// An array whose elements are inserted side by side, such as that of a range.
     Many(Array<T>),
 }
 
@@ -51,8 +51,8 @@ impl<T: Element> Part<T> {
 
 /// `[a, b; c, d]`: parts side by side, rows of them below each other (*array initialization function*).
 ///
-/// Arrays without elements add nothing: `[floatArray, 1]` is `[1]`. The page only has parts of equal height in a row and
-/// rows of equal length; elsewhere the default fills the gaps, with a fault.
+/// Arrays without elements add nothing: `[floatArray, 1]` is `[1]`. The page defines only parts of equal height in a
+/// row, and rows of equal length. In other cases the default fills the gaps, with a fault.
 pub fn array<T: Element>(env: &mut Env, rows: &[&[Part<T>]]) -> Array<T> {
     let height = |row: &[Part<T>]| row.iter().map(Part::rows).max().unwrap_or_default();
     let width = |row: &[Part<T>]| row.iter().map(Part::columns).fold(0, usize::saturating_add);
@@ -90,28 +90,28 @@ pub(crate) fn range(env: &mut Env, base: f64, limit: f64) -> Array<f64> {
     range_by(env, base, 1.0, limit)
 }
 
-/// `[base : increment : limit]`: `base`, `base + increment`, `base + 2 increment`, … as far as `limit` is not exceeded
-/// (*colon operator*). Without elements when the increment is 0 or leads away from the limit.
+/// `[base : increment : limit]`: `base`, `base + increment`, `base + 2 increment`, … up to `limit` (*colon operator*).
+/// Empty when the increment is 0 or leads away from the limit.
 pub fn range_by(env: &mut Env, base: f64, increment: f64, limit: f64) -> Array<f64> {
     let base = env.finite(base, "the base of a range");
     let increment = env.finite(increment, "the increment of a range");
     let limit = env.finite(limit, "the limit of a range");
-    // Ends that are far apart have no finite distance: then half of everything is used.
+    // The difference of the ends may overflow; then all values are halved.
     let scale = if (limit - base).is_finite() { 1.0 } else { 0.5 };
     let value = |number: usize| (base * scale + number as f64 * (increment * scale)) / scale;
     let exceeds = |value: f64| if 0.0 < increment { limit < value } else { value < limit };
     let steps = ((limit * scale - base * scale) / (increment * scale)).floor();
-    // An increment of 0 leads nowhere.
+    // An increment of 0 makes no progress.
     if increment == 0.0 || steps < 0.0 {
         return Array::default();
     }
-    // Too many become the largest integer.
+    // The conversion saturates at the largest integer.
     let count = (steps as usize).saturating_add(1);
     if !env.may_hold(count) {
         return Array::default();
     }
     let mut values: Vec<f64> = (0..count).map(value).take_while(|value| !exceeds(*value)).collect();
-    // The quotient is rounded and may be one too small.
+    // The rounded quotient may be one too small.
     let next = value(count);
     if values.len() == count && !exceeds(next) && values.last() != Some(&next) && env.may_hold(count + 1) {
         values.push(next);
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_77_ranges() {
+    fn ranges_stop_at_their_limit() {
         let env = &mut env();
         assert_eq!(range(env, 2.0, 4.0), Array::from([2.0, 3.0, 4.0]));
         assert_eq!(range(env, 0.5, 3.0), Array::from([0.5, 1.5, 2.5]));

@@ -1,7 +1,7 @@
-//! Operators that go element by element: `.+`, `.==`, `.&&`, … (*Array types operators*).
+//! Operators that work element by element: `.+`, `.==`, `.&&`, … (*Array types operators*).
 //!
-//! One side may be a single value, which then meets every element of the other. Two arrays must have the same form; if
-//! they do not, the result has no elements and there is a fault.
+//! One side may be a single value, which is combined with every element of the other side. Two arrays must have the
+//! same shape; otherwise the result is empty, with a fault.
 
 use crate::fault::FaultKind;
 use crate::run::env::Env;
@@ -9,7 +9,7 @@ use crate::value::array::{Array, Element, Print};
 use crate::value::compare::Compare;
 use crate::value::text::Text;
 
-/// A side of such an operator: a value or an array.
+/// An operand of such an operator: a value or an array.
 pub trait Operand {
     /// The type of its values.
     type Item: Element;
@@ -17,7 +17,7 @@ pub trait Operand {
     /// Rows and columns; `None` for a single value.
     fn form(&self) -> Option<(usize, usize)>;
 
-    /// What stands there, counted row by row; the default beyond the end.
+    /// The element with this number, counted row by row; the default beyond the end.
     fn item(&self, number: usize) -> Self::Item;
 }
 
@@ -51,7 +51,7 @@ macro_rules! single_values {
 
 single_values! { f64 bool Text }
 
-/// Rows and columns of what two sides give; with a fault when they do not fit.
+/// The rows and columns of the result. `None`, with a fault, when the operands differ in shape.
 fn common_form(env: &mut Env, what: &str, a: &impl Operand, b: &impl Operand) -> Option<(usize, usize)> {
     match (a.form(), b.form()) {
         (Some(left), Some(right)) if left != right => {
@@ -67,12 +67,12 @@ fn common_form(env: &mut Env, what: &str, a: &impl Operand, b: &impl Operand) ->
     }
 }
 
-/// Whether two arrays have the same form; if not, there is a fault.
+/// Returns true if two arrays have the same shape; if not, there is a fault.
 pub(in super::super) fn same_form<T: Element>(env: &mut Env, what: &str, a: &Array<T>, b: &Array<T>) -> bool {
     common_form(env, what, a, b).is_some()
 }
 
-/// What a function makes of each pair of elements.
+/// Applies a function to each pair of elements.
 pub(in super::super) fn each_pair<A: Operand, B: Operand, R: Element>(
     env: &mut Env,
     what: &str,
@@ -107,7 +107,7 @@ operators! {
     each_multiply = ".*" f64, f64, |a, b| a * b;
     /// `a ./ b`.
     each_divide = "./" f64, f64, |a, b| a / b;
-    /// `a .% b`: what is left, with the sign of `a`.
+    /// `a .% b`: the remainder, with the sign of `a`.
     each_remainder = ".%" f64, f64, |a, b| a % b;
     /// `a .&& b`.
     each_and = ".&&" bool, bool, |a, b| a & b;
@@ -149,7 +149,7 @@ pub fn each_not(a: Array<bool>) -> Array<bool> {
     a.map(|value| !value)
 }
 
-/// `a .+ b` where one side is text: both as text, one behind the other.
+/// `a .+ b` where one side is text: both as text, joined.
 pub fn each_concat(env: &mut Env, a: impl Operand, b: impl Operand) -> Array<Text> {
     let Some((rows, columns)) = common_form(env, ".+", &a, &b) else { return Array::default() };
     let mut values = Vec::with_capacity(rows * columns);
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_79_arithmetic() {
+    fn arithmetic_works_element_by_element() {
         // *Array types operators*, every example.
         let env = &mut env();
         assert_eq!(each_add(env, row([1.0, 2.0]), 1.0), row([2.0, 3.0]));
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_79_logic_and_comparison() {
+    fn logic_and_comparison_work_element_by_element() {
         // *Array types operators*, the examples.
         let env = &mut env();
         assert_eq!(each_not(row([true, false])), row([false, true]));
@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_79_text() {
+    fn text_is_joined_element_by_element() {
         // *Array types operators*, the examples.
         let env = &mut env();
         let texts = |values: [&str; 2]| row(values.map(text));

@@ -1,18 +1,18 @@
 //! Elements by their numbers: `a[2]`, `a[0, 1]`, `a[[2, 0]]`, `a[a .> 2]`, `m[[2, 3], -1:1]` (*index operator*).
 //!
-//! What is asked for outside the array is the default: 0, false, "".
+//! Elements outside the array have the default value: 0, false, "".
 
 use super::super::whole;
 use super::each::Operand;
 use crate::run::env::Env;
 use crate::value::array::{Array, Element};
 
-/// What may number elements, rows or columns: a number, numbers, or truth values that say which are meant.
+/// An index of elements, rows or columns: a number, numbers, or truth values that mark the selected ones.
 pub trait Indices: Operand {
-    /// The places asked for; `None` for one that cannot be.
+    /// The selected positions; `None` for an impossible one.
     fn places(&self, env: &mut Env) -> Vec<Option<usize>>;
 
-    /// Rows and columns of a result with an element for each place.
+    /// The rows and columns of a result with `places` elements.
     fn result_form(&self, places: usize) -> (usize, usize) {
         (1, places)
     }
@@ -29,20 +29,20 @@ impl Indices for Array<f64> {
         self.into_iter().map(|&index| whole(index)).collect()
     }
 
-    /// The result looks like the array of indices.
+    /// The result has the shape of the array of indices.
     fn result_form(&self, _: usize) -> (usize, usize) {
         (self.rows(), self.columns())
     }
 }
 
 impl Indices for Array<bool> {
-    /// Counted row by row.
+    /// The positions of true values, counted row by row.
     fn places(&self, _: &mut Env) -> Vec<Option<usize>> {
         self.into_iter().enumerate().filter(|(_, truth)| **truth).map(|(place, _)| Some(place)).collect()
     }
 }
 
-/// `a[index]`: counted row by row.
+/// `a[index]`, counted row by row.
 pub fn element<T: Element>(env: &mut Env, array: Array<T>, index: f64) -> T {
     whole(env.finite(index, "an index")).and_then(|place| array.get(place)).cloned().unwrap_or_default()
 }
@@ -53,7 +53,7 @@ pub fn element_at<T: Element>(env: &mut Env, array: Array<T>, row: f64, column: 
     row.zip(column).and_then(|(row, column)| array.at(row, column)).cloned().unwrap_or_default()
 }
 
-/// `a[indices]`: counted row by row. The result has the form of the numbers; of truth values it is one row.
+/// `a[indices]`, counted row by row. The result has the shape of the numbers; for truth values it is one row.
 pub fn elements<T: Element>(env: &mut Env, array: Array<T>, indices: impl Indices) -> Array<T> {
     let places = indices.places(env);
     if !env.may_hold(places.len()) {
@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_78_one_index() {
+    fn one_index_counts_row_by_row() {
         // *index operator*, the examples with one index.
         let env = &mut env();
         let a = row([1.0, 2.0, 3.0, 4.0]);
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_78_row_and_column() {
+    fn two_indices_select_rows_and_columns() {
         // *index operator*, the examples with two indices.
         let env = &mut env();
         assert_eq!((element_at(env, matrix(), 1.0, 1.0), element_at(env, matrix(), 0.0, 3.0)), (5.0, 0.0));
@@ -138,7 +138,7 @@ mod tests {
         assert_eq!(elements_at(env, matrix(), row([2.0, 3.0]), columns), beyond);
         let square = Array::from(vec![vec![0.0, 1.0], vec![2.0, 3.0]]);
         assert_eq!(elements_at(env, matrix(), 0.0, square), row([1.0, 2.0, 3.0, 0.0]));
-        // "Indexing out of bounds": an array of zeros.
+        // "Indexing out of bounds" gives an array of zeros.
         let (rows, columns) = (range(env, 1.0, 2.0), range(env, 1.0, 3.0));
         assert_eq!(elements_at(env, Array::<f64>::default(), rows, columns), Array::from(vec![vec![0.0; 3]; 2]));
         assert_eq!(faults(env), 0);
@@ -173,7 +173,7 @@ mod tests {
                 Array::new((0..rows * columns).map(|_| random.number()).collect::<Vec<_>>(), rows, columns)
             };
             let (array, first, second) = (numbers(3, 4), numbers(2, 3), numbers(2, 2));
-            // Single numbers that are not finite count as 0, with a fault; in arrays they are nowhere.
+            // Single numbers that are not finite count as 0, with a fault. In arrays they select no element.
             let one =
                 |env: &mut Env, index: f64| if index.is_finite() { element(env, array.clone(), index) } else { 0.0 };
             let expected: Vec<f64> = first.into_iter().map(|&index| one(env, index)).collect();

@@ -1,36 +1,36 @@
-//! What an array is as a whole: its size, its sum, where a value stands.
+//! Properties of a whole array: its size, its sum, the position of a value.
 
 use crate::run::env::Env;
 use crate::value::array::{Array, Element};
 use crate::value::text::Text;
 
-/// How many elements (*size function*).
+/// The number of elements (*size function*).
 pub fn size<T: Element>(array: Array<T>) -> f64 {
     array.len() as f64
 }
 
-/// How many rows (*nRows function*); 0 without elements.
+/// The number of rows (*nRows function*); 0 without elements.
 pub fn n_rows<T: Element>(array: Array<T>) -> f64 {
     array.rows() as f64
 }
 
-/// How many columns (*nColumns function*); 0 without elements.
+/// The number of columns (*nColumns function*); 0 without elements.
 pub fn n_columns<T: Element>(array: Array<T>) -> f64 {
     array.columns() as f64
 }
 
 /// The sum of all numbers, added from the first to the last (*sum function*).
 pub fn sum(array: Array<f64>) -> f64 {
-    // Not `sum`, which begins with -0.
+    // A fold, because `sum` of an empty iterator is -0.
     array.into_iter().fold(0.0, |sum, value| sum + value)
 }
 
-/// How many elements are true (*sum function*).
+/// The number of true elements (*sum function*).
 pub fn count_true(array: Array<bool>) -> f64 {
     array.into_iter().filter(|truth| **truth).count() as f64
 }
 
-/// All texts one behind the other (*sum function*).
+/// All texts joined in order (*sum function*).
 pub fn join(env: &mut Env, array: Array<Text>) -> Text {
     if env.may_write(array.into_iter().map(|text| text.len()).fold(0, usize::saturating_add)) {
         Text::from(array.into_iter().map(Text::as_str).collect::<String>())
@@ -39,13 +39,13 @@ pub fn join(env: &mut Env, array: Array<Text>) -> Text {
     }
 }
 
-/// Where a text or truth value stands first, counted row by row from 0; -1 if it does not (*findFirst function
+/// The position of the first element equal to `value`, counted row by row from 0; -1 without one (*findFirst function
 /// (builtin)*).
 pub fn find_element<T: Element>(array: Array<T>, value: T) -> f64 {
     place(array.into_iter().position(|element| element.compare(&value).is_eq()))
 }
 
-/// Where a number no further than `epsilon` from `value` stands first, counted row by row from 0; -1 if there is none
+/// The position of the first number at most `epsilon` from `value`, counted row by row from 0; -1 without one
 /// (*findFirst function (builtin)*).
 pub fn find_near(env: &mut Env, array: Array<f64>, value: f64, epsilon: f64) -> f64 {
     let value = env.finite(value, "the value to find");
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_83_sums() {
+    fn numbers_are_added_truths_counted_and_texts_joined() {
         assert_eq!(sum(Array::from([1.0, 2.0, 3.0])), 6.0);
         assert_eq!(count_true(Array::from([true, false, true])), 2.0);
         assert_eq!(join(&mut env(), Array::from(["a", "b", "c"].map(text))), text("abc"));

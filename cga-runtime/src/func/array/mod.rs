@@ -1,4 +1,4 @@
-//! Arrays in rules: making them, taking elements, operators, measures, order.
+//! Arrays in rules: construction, indexing, operators, measures, order.
 
 mod build;
 mod each;

@@ -1,4 +1,4 @@
-//! `setElems`: a copy of an array with other values in some places.
+//! `setElems`: a copy of an array with some values replaced.
 
 use super::each::Operand;
 use super::index::Indices;
@@ -8,9 +8,10 @@ use crate::value::array::{Array, Element};
 
 /// `setElems(array, indices, values)`: elements counted row by row (*setElems function*).
 ///
-/// A single value goes to every place, an array must have as many values as there are places; if not, the array stays
-/// as it is, with a fault. Places below 0 are left out, those beyond the end enlarge the array: a row gets longer, and
-/// several rows get more of them, so that every element keeps its number.
+/// A single value goes to every position. An array must have as many values as there are positions; otherwise the
+/// result is the unchanged array, with a fault. Positions below 0 are skipped. Positions beyond the end enlarge the
+/// array: a single row gets longer, and an array with several rows gets more rows, so that every element keeps its
+/// number.
 pub fn set_elements<T: Element>(
     env: &mut Env,
     array: Array<T>,
@@ -42,8 +43,9 @@ pub fn set_elements<T: Element>(
 
 /// `setElems(array, rowIndices, colIndices, values)`: elements by row and column (*setElems function*).
 ///
-/// A single value goes to every place, an array must have a row for each row index and a column for each column index; if
-/// not, the array stays as it is, with a fault. Places below 0 are left out, those beyond the end enlarge the array.
+/// A single value goes to every position. An array must have a row for each row index and a column for each column
+/// index; otherwise the result is the unchanged array, with a fault. Positions below 0 are skipped. Positions beyond
+/// the end enlarge the array.
 pub fn set_elements_at<T: Element>(
     env: &mut Env,
     array: Array<T>,
@@ -63,7 +65,7 @@ pub fn set_elements_at<T: Element>(
         return array;
     }
     let end = |places: &[Option<usize>]| places.iter().flatten().max().map(|last| last.saturating_add(1));
-    // Without a row or without a column there is no place.
+    // Without a row or a column there is no position.
     let Some((last_row, last_column)) = end(&row_places).zip(end(&column_places)) else { return array };
     let (rows, columns) = (array.rows().max(last_row), array.columns().max(last_column));
     let Some(mut elements) = enlarged(env, &array, rows, columns) else { return Array::default() };
@@ -77,7 +79,7 @@ pub fn set_elements_at<T: Element>(
     Array::new(elements, rows, columns)
 }
 
-/// The elements of an array with so many rows and columns, no fewer than it has; `None` when they are too many.
+/// The elements of an array enlarged to `rows` rows and `columns` columns. `None` beyond the limit.
 fn enlarged<T: Element>(env: &mut Env, array: &Array<T>, rows: usize, columns: usize) -> Option<Vec<T>> {
     let count = rows.saturating_mul(columns);
     if !env.may_hold(count) {
@@ -110,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_81_one_index() {
+    fn one_index_counts_row_by_row() {
         // *setElems function*, the examples with one index.
         let env = &mut env();
         let zeros = || row([0.0; 6]);
@@ -131,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_81_row_and_column() {
+    fn two_indices_select_rows_and_columns() {
         // *setElems function*, the examples with two indices.
         let env = &mut env();
         let zeros = || rows([[0.0; 3]; 3]);

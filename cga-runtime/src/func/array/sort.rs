@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crate::value::array::{Array, Element};
 use crate::value::compare::Compare;
 
-/// An order without contradictions, which sorting needs: what is no number comes last.
+/// A total order, which sorting needs: NaN comes last.
 fn order<T: Compare>(a: &T, b: &T) -> Ordering {
     match (a.unordered(), b.unordered()) {
         (false, false) => a.compare(b),
@@ -13,8 +13,8 @@ fn order<T: Compare>(a: &T, b: &T) -> Ordering {
     }
 }
 
-/// Where the elements of each row stand in the array, counted row by row, from the smallest to the largest (*sortIndices
-/// function*). Equal ones keep their order.
+/// For each row, the positions of its elements in the array, counted row by row, from the smallest to the largest
+/// (*sortIndices function*). Equal elements keep their order.
 pub fn sort_indices<T: Element>(array: Array<T>) -> Array<f64> {
     let mut indices: Vec<usize> = (0..array.len()).collect();
     for row in indices.chunks_mut(array.columns().max(1)) {
@@ -23,8 +23,8 @@ pub fn sort_indices<T: Element>(array: Array<T>) -> Array<f64> {
     Array::new(numbers(indices), array.rows(), array.columns())
 }
 
-/// The numbers of the rows, from the smallest to the largest; the first elements that differ decide (*sortRowIndices
-/// function*). Equal ones keep their order.
+/// The numbers of the rows, from the smallest to the largest. The first elements that differ decide (*sortRowIndices
+/// function*). Equal rows keep their order.
 pub fn sort_row_indices<T: Element>(array: Array<T>) -> Array<f64> {
     let rows: Vec<&[T]> = array.iter_rows().collect();
     let mut indices: Vec<usize> = (0..rows.len()).collect();
@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn fact_82_elements() {
+    fn elements_are_sorted_in_each_row() {
         // *sortIndices function*.
         assert_eq!(sort_indices(Array::from(["c", "b", "d", "a"].map(text))), Array::from([3.0, 1.0, 0.0, 2.0]));
         let numbers = Array::from([2.0, 1.0, 3.0, 3.0, 1.0]);
@@ -55,7 +55,7 @@ mod tests {
     }
 
     #[test]
-    fn fact_82_rows() {
+    fn rows_are_sorted_by_their_first_difference() {
         // *sortRowIndices function*.
         let rows = [[4.0, 0.0, 1.0], [2.0, 1.0, 9.0], [1.0, 3.0, 0.0], [2.0, 1.0, 0.0]].map(|row| row.to_vec());
         assert_eq!(sort_row_indices(Array::from(rows.to_vec())), Array::from([2.0, 3.0, 1.0, 0.0]));

@@ -1,8 +1,9 @@
-//! Where heights are among the planes of a cut.
+//! Positions of heights among the planes of a cut.
 
 use std::ops::{Range, RangeInclusive};
 
-/// In a slab or on a plane; in the order of heights. Slab 0 is below plane 0, slab 1 between planes 0 and 1, and so on.
+/// The class of a height: in a slab or on a plane, in the order of heights. Slab 0 is below plane 0, slab 1 between
+/// planes 0 and 1, and so on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Class(u32);
 
@@ -23,31 +24,31 @@ impl Class {
         self.0 & 1 == 1
     }
 
-    /// The plane it is on.
+    /// The number of the plane, for a class on a plane.
     #[inline]
     pub(super) fn plane(self) -> u32 {
         self.0 / 2
     }
 
-    /// The slab it is in; of a plane, the slab below.
+    /// The slab; for a class on a plane, the slab below.
     #[inline]
     pub(super) fn slab(self) -> u32 {
         self.0 / 2
     }
 
-    /// The slab it is in; of a plane, the slab above.
+    /// The slab; for a class on a plane, the slab above.
     #[inline]
     fn slab_above(self) -> u32 {
         self.0.div_ceil(2)
     }
 
-    /// Whether it is in a slab or on one of its planes.
+    /// Returns true if the class is in a slab or on one of its planes.
     pub(super) fn touches(self, slab: u32) -> bool {
         self.slab() == slab || self.slab_above() == slab
     }
 }
 
-/// From one class up to another.
+/// The range from one class up to another.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     pub(super) low: Class,
@@ -55,38 +56,38 @@ pub(super) struct Span {
 }
 
 impl Span {
-    /// Of several classes; there is one at least.
+    /// The span of several classes, at least one.
     #[inline]
     pub(super) fn of(classes: impl Iterator<Item = Class>) -> Self {
         let none = Span { low: Class(u32::MAX), high: Class(0) };
         classes.fold(none, |span, class| Span { low: span.low.min(class), high: span.high.max(class) })
     }
 
-    /// The lowest slab it has a part in.
+    /// The lowest slab that contains a part of the span.
     #[inline]
     pub(super) fn bottom(self) -> u32 {
         self.low.slab_above()
     }
 
-    /// The highest slab it has a part in.
+    /// The highest slab that contains a part of the span.
     #[inline]
     pub(super) fn top(self) -> u32 {
         self.high.slab()
     }
 
-    /// Whether all of it is on one plane: it has a part in no slab.
+    /// Returns true if the whole span is on one plane, so that no slab contains a part of it.
     #[inline]
     pub(super) fn is_flat(self) -> bool {
         self.top() < self.bottom()
     }
 
-    /// Whether it ends on a plane.
+    /// Returns true if an end of the span is on a plane.
     #[inline]
     pub(super) fn touches_plane(self) -> bool {
         self.low.is_on_plane() || self.high.is_on_plane()
     }
 
-    /// The slabs it has a part in.
+    /// The slabs that contain a part of the span.
     #[inline]
     pub(super) fn slabs(self) -> RangeInclusive<u32> {
         self.bottom()..=self.top()

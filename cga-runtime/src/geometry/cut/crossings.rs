@@ -1,4 +1,4 @@
-//! The crossings of edges with planes. The first face that asks makes them.
+//! The crossings of edges with planes. The first face that needs them makes them.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use super::slab::Part;
 use crate::geometry::mesh::Mesh;
 
 impl Points {
-    /// The crossing of the edge from one corner to another with the one plane that is between them.
+    /// The crossing of the edge between two corners with the only plane between them.
     #[inline]
     pub(super) fn crossing(&mut self, parts: &mut [Part], mesh: &Mesh, plane: u32, from: usize, to: usize) -> Node {
         let (a, b) = (mesh.corners[from], mesh.corners[to]);
@@ -20,7 +20,7 @@ impl Points {
         self.node(mesh, Place::on(plane, number), from, to)
     }
 
-    /// Appends the crossings of the edge from one corner to another, in the order they are met.
+    /// Appends the crossings of the edge from one corner to another, in the order along the edge.
     #[inline]
     pub(super) fn cross(
         &mut self,
@@ -54,17 +54,18 @@ impl Points {
         }
     }
 
-    /// A crossing of the edge from one corner to another.
+    /// The node of a crossing on the edge between two corners.
     #[inline]
     fn node(&self, mesh: &Mesh, place: Place, from: usize, to: usize) -> Node {
-        // The values of corners are mixed from the same end as the position.
+        // The values of corners are interpolated from the same end as the position.
         let point = |corner: usize| mesh.points[mesh.corners[corner] as usize];
         let ordered = !self.mixes || comes_first(point(from), point(to));
         let (from, to) = if ordered { (from, to) } else { (to, from) };
         Node { place, from: from as u32, to: to as u32 }
     }
 
-    /// Makes the crossings of an edge. The face that asks has pieces on both sides, so they are numbered there.
+    /// Makes the crossings of an edge. The requesting face has pieces on both sides, so the crossings get numbers
+    /// there.
     fn make(&mut self, parts: &mut [Part], mesh: &Mesh, a: u32, b: u32, planes: Range<u32>) {
         let single = planes.len() == 1;
         let axis = self.axis;

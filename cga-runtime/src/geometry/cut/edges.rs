@@ -1,24 +1,24 @@
-//! Edges of a mesh → their crossings.
+//! A map from edges of a mesh to their crossings.
 //!
-//! An edge hangs on the end with the lower index, in a list: faces that follow each other in a mesh share points, so what is
-//! looked for is near what was looked for before, which a hash table would undo. Where very many edges meet in a point, those
-//! after the first ones are in such a table all the same.
+//! Each edge is in a list at the end with the lower index. Neighbouring faces of a mesh share points, so successive
+//! look-ups access nearby memory; a hash table would lose this locality. Where very many edges meet at a point, the
+//! edges after the first ones are in a hash table nevertheless.
 
 use crate::geometry::mesh::table::PairTable;
 
-/// No link.
+/// The end of a list.
 const END: u32 = u32::MAX;
 
-/// How many edges a list has at most.
+/// The largest number of edges in a list.
 const CROWD: usize = 16;
 
-/// How many edges of a list are looked at ahead of time.
+/// The number of edges of a list that are read ahead.
 const NEAR: usize = 4;
 
-/// Edge → number.
+/// A map from edges to numbers.
 #[derive(Default)]
 pub(super) struct Edges {
-    /// Of each point, its first link.
+    /// The first link of each point.
     heads: Vec<u32>,
     links: Vec<Link>,
     crowded: PairTable,
@@ -32,7 +32,7 @@ struct Link {
 }
 
 impl Edges {
-    /// Forgets everything; there are so many points.
+    /// Clears the map for a mesh with `points` points.
     pub(super) fn reset(&mut self, points: usize) {
         self.heads.clear();
         self.heads.resize(points, END);
@@ -40,7 +40,7 @@ impl Edges {
         self.crowded.clear();
     }
 
-    /// The number of an edge, which becomes `initial` when it is new, and whether it is.
+    /// The number of an edge, and whether the edge is new. A new edge gets the number `initial`.
     #[inline(always)]
     pub(super) fn entry(&mut self, a: u32, b: u32, initial: u32) -> (u32, bool) {
         let (low, high) = (a.min(b), a.max(b));
@@ -62,13 +62,13 @@ impl Edges {
         (*number, new)
     }
 
-    /// Where the list with an edge starts, given its lower end.
+    /// The start of the list with an edge, given its lower end.
     #[inline]
     pub(super) fn head(&self, low: u32) -> u32 {
         self.heads[low as usize]
     }
 
-    /// The number of an edge that is near the start of its list.
+    /// The number of an edge if it is near the start of its list.
     #[inline]
     pub(super) fn near(&self, head: u32, high: u32) -> Option<u32> {
         let mut at = head;
@@ -82,7 +82,7 @@ impl Edges {
         None
     }
 
-    /// All edges, as their ends, and their numbers, in no useful order.
+    /// All edges as pairs of ends, with their numbers, in unspecified order.
     pub(super) fn all(&self) -> impl Iterator<Item = ([u32; 2], u32)> + '_ {
         let list = |(low, &head): (usize, &u32)| {
             let first = self.links.get(head as usize);

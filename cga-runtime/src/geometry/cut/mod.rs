@@ -1,14 +1,14 @@
-//! Cutting a mesh into slabs across an axis, and closing what the cut opens.
+//! Cuts a mesh into slabs across an axis and closes the cuts with caps.
 //!
-//! One pass for all planes. The side of a point is one comparison of its coordinate with the offset: exact, and nothing
-//! moves. Where an edge meets a plane the point is made once, from the end that comes first in lexicographic order, with
-//! the cut coordinate set to the offset itself; every face and both sides use that point. From there on everything is
-//! decided by index: which pieces meet, which edges a side lacks a partner for, which loops those make.
+//! One pass cuts at all planes. The side of a point is one comparison of its coordinate with the offset: exact, and no
+//! point moves. The crossing of an edge with a plane is computed once, from the end that comes first in lexicographic
+//! order, with the cut coordinate set to the offset itself. Every face and both sides use that point. All further
+//! decisions use indices: which pieces meet, which edges of a side have no partner, and which loops these edges form.
 //!
-//! A face in a plane goes to the side its normal points away from, which it closes (of a mesh that is inside out, to the
-//! other). A closed piece without thickness in a plane, a sheet, goes to the side below as a whole (`caps/sheet_search.rs`). Caps
-//! are what is still missing then: polygons with holes whose rim is made of the edges left without a partner in the plane, the same points on both
-//! sides. Where the mesh was open before, it stays open.
+//! A face in a plane goes to the side that its normal points away from, because it closes that side (to the other side
+//! in a mesh that is inside out). A closed piece without thickness in a plane, a sheet, goes to the side below as a
+//! whole (`caps/sheet_search.rs`). Caps close the rest. A cap is a polygon with holes. Its rim consists of the edges in
+//! the plane without a partner, with the same points on both sides. Where the mesh was open before, it stays open.
 
 mod caps;
 mod class;
@@ -44,36 +44,37 @@ use faces::triangle;
 use points::Place;
 use state::State;
 
-/// What a cut makes of a mesh.
+/// The result of a cut.
 #[derive(Clone, Debug, Default)]
 pub struct Slabs {
-    /// One more than there are planes, from low to high; nothing where there is no face.
+    /// The slabs from low to high, one more than there are planes; `None` for a slab without a face.
     pub parts: Vec<Option<Arc<Mesh>>>,
-    /// What could not be closed, because the mesh is open there.
+    /// The chains that could not be closed, because the mesh is open there.
     pub open: Vec<OpenChain>,
 }
 
 /// A run of edges in a cut plane that does not close.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenChain {
-    /// Which plane.
+    /// The number of the plane.
     pub plane: usize,
-    /// Its points, one more than it has edges.
+    /// Its points, one more than the number of its edges.
     pub points: Vec<DVec3>,
 }
 
-/// Cuts a mesh by the planes where its coordinate along `axis` equals an offset; offsets rise strictly.
+/// Cuts a mesh by the planes where its coordinate along `axis` equals an offset. Offsets must increase strictly.
 ///
-/// A face in a plane goes to the slab that it closes. A sheet, a closed piece without thickness, goes to the slab below its
-/// plane as a whole; a plane that the mesh only touches has all of the mesh on one side, sheets included.
+/// A face in a plane goes to the slab that it closes. A sheet, a closed piece without thickness, goes to the slab below
+/// its plane as a whole. If the mesh only touches a plane, all of it is on one side, sheets included.
 ///
-/// A slab that holds all of the mesh gets the same mesh, not a copy; so does one whose planes the mesh only touches. Offsets
-/// that do not rise or are not numbers cut nothing: the slab below them stays empty.
+/// A slab that contains the whole mesh gets the same mesh, not a copy, also if the mesh touches its planes. Offsets
+/// that are NaN or do not increase cut nothing: the slab below them stays empty.
 ///
-/// Faces of a part come in the order of the mesh, caps after them, low plane first; but a part that has nothing of the
-/// mesh's first face begins with the cap towards it (*CGA changelog 2025.1*). What corners carry is interpolated, tags stay.
-/// Caps ([`FaceTag::cap`](crate::geometry::mesh::FaceTag::cap)) are of no group and no material of the mesh, so that they look as the
-/// shape's own material says; their texture coordinates are lengths of the mesh in the plane, in all sets that the mesh has.
+/// The faces of a part have the order of the mesh. Caps come after them, low plane first. A part without a piece of the
+/// mesh's first face begins with the cap towards that face instead (*CGA changelog 2025.1*). The values of corners are
+/// interpolated; tags stay. Caps ([`FaceTag::cap`](crate::geometry::mesh::FaceTag::cap)) have no group and no material
+/// of the mesh, so the shape's own material applies to them. Their texture coordinates are lengths in the plane, in the
+/// mesh's unit, in all sets of the mesh.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -90,7 +91,8 @@ pub fn slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
     Cutter::with(|cutter| cutter.slabs(mesh, axis, offsets))
 }
 
-/// The same of a mesh that is stretched: its point `low` is the origin of texture coordinates of caps, and `stretch` leads to metres.
+/// The same as [`slabs`] for a stretched mesh. The texture coordinates of caps begin at the point `low`, and `stretch`
+/// converts them to metres.
 pub(crate) fn stretched_slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], low: DVec3, stretch: DVec3) -> Slabs {
     Cutter::with(|cutter| {
         cutter.caps.in_metres(low, stretch);
@@ -100,7 +102,7 @@ pub(crate) fn stretched_slabs(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], low
     })
 }
 
-/// Buffers kept from one cut to the next.
+/// Buffers that are reused by the next cut.
 #[derive(Default)]
 pub(crate) struct Cutter {
     state: State,
@@ -108,15 +110,15 @@ pub(crate) struct Cutter {
     general: General,
     rough: Rough,
     caps: Caps,
-    /// Places of a block of corners.
+    /// The places of a block of corners.
     block: Vec<Place>,
 }
 
-/// How many corners are looked up at a time. The look-ups of a block do not wait for each other.
+/// The number of corners whose places are read at once. The memory accesses of a block overlap.
 const BLOCK: usize = 512;
 
 impl Cutter {
-    /// With the buffers of this thread.
+    /// Runs `work` with the buffers of this thread.
     fn with<T>(work: impl FnOnce(&mut Cutter) -> T) -> T {
         thread_local! {
             static CUTTER: RefCell<Cutter> = RefCell::default();
@@ -150,13 +152,14 @@ impl Cutter {
         };
         let bounds = mesh.bounds();
         let (low, high) = (bounds.low[axis.index()], bounds.high[axis.index()]);
-        // A plane that the mesh only touches has all of it on one side, whichever way faces in it look. So has one in which
-        // lies all of a mesh whose faces are back to back: it is below.
+        // If the mesh only touches a plane, all of it is on one side, whatever the normals of faces in the plane. The
+        // same holds for a plane that contains a whole closed mesh, with faces back to back: the mesh is below.
         let flat = low == high;
         let first = planes.partition_point(|&o| o < low || (o == low && !flat));
         let apart = flat && !mesh.is_closed();
         let end = planes.partition_point(|&o| o < high || (o == high && apart)).max(first);
-        // Slab number among all, of a slab among the planes that count: the last one that is not pressed flat.
+        // Maps a slab between the counted planes to its number among all slabs: the slab directly below its upper
+        // plane.
         let number = |slab: usize| match slab_of {
             None => slab,
             Some(kept) => kept.get(slab).copied().unwrap_or(offsets.len()),
@@ -167,7 +170,7 @@ impl Cutter {
         }
         self.state.points.axis = axis.index();
         self.state.points.planes.clear();
-        // No plane is at -0: its points would be.
+        // Adds 0.0 because a plane at -0 would give points at -0.
         self.state.points.planes.extend(planes[first..end].iter().map(|&at| at + 0.0));
         self.cut_faces(mesh);
         self.caps.close(&mut self.state, mesh, |points, plane, chain| {
@@ -182,7 +185,7 @@ impl Cutter {
         slabs
     }
 
-    /// Hands every face, or its pieces, to the slabs; again when sheets were torn apart.
+    /// Passes every face, or its pieces, to the slabs. Runs a second time if sheets were torn apart.
     fn cut_faces(&mut self, mesh: &Mesh) {
         self.state.inverted = None;
         self.state.sheets.clear();
@@ -192,7 +195,7 @@ impl Cutter {
         }
     }
 
-    /// Reads the places of a block of corners that begins with those of a face; gives where it ends.
+    /// Reads the places of a block of corners that begins with the corners of a face. Returns the end of the block.
     #[inline(never)]
     fn read_block(&mut self, mesh: &Mesh, first_loop: usize, corners: Range<usize>) -> usize {
         let end = corners.end.max(corners.start + BLOCK).min(mesh.corners.len());
@@ -219,7 +222,7 @@ impl Cutter {
             }
             let places = &self.block[corners.start - block_start..corners.end - block_start];
             if let [p, q, r] = *places {
-                // By far the most faces of large meshes are triangles inside one slab.
+                // In large meshes nearly all faces are triangles inside one slab.
                 if p.class == q.class && q.class == r.class && !p.class.is_on_plane() {
                     let part = &mut self.state.parts[p.class.slab() as usize];
                     part.keep_triangle(mesh, tag, corners, [p.number, q.number, r.number]);
@@ -252,7 +255,7 @@ impl Cutter {
     }
 }
 
-/// Which offsets are above all before them: planes out of order would be met twice.
+/// The offsets that are greater than all offsets before them. Planes out of order would be met twice.
 fn rising(offsets: &[f64]) -> Vec<usize> {
     let mut kept: Vec<usize> = Vec::new();
     for (index, &offset) in offsets.iter().enumerate() {

@@ -1,8 +1,9 @@
-//! Cutting by any plane, with the code that cuts across an axis.
+//! Cuts by an arbitrary plane, with the code that cuts across an axis.
 //!
-//! The mesh is cut in a frame whose x axis is the plane's normal and whose origin lies in the plane. Which side a point is
-//! on is the sign of its height there, computed once. Points of the mesh keep their coordinates to the bit, and crossings are
-//! made anew between the ends of their edges, the same for both sides: the frame's rounding is in none of them.
+//! The mesh is cut in a frame whose x axis is the plane's normal and whose origin is in the plane. The side of a point
+//! is the sign of its height in this frame, computed once. The parts take the points of the mesh bit for bit, and
+//! crossings are recomputed between the ends of their edges, once for both sides. So the parts contain no rounding
+//! errors of the frame.
 
 use std::sync::Arc;
 
@@ -16,20 +17,21 @@ use crate::geometry::mesh::{Mesh, unit};
 /// An oriented plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// Some point of it.
+    /// A point of the plane.
     pub point: DVec3,
-    /// Points to what is above it, with any length but zero.
+    /// The direction of the upper side, with any length except zero.
     pub normal: DVec3,
 }
 
-/// Cuts a mesh by a plane into what is below and what is above it. Points that are no farther from the plane than `tolerance`,
-/// in the mesh's own unit, count as lying in it; nothing moves. Caps are as those of [`slabs`](super::slabs()).
+/// Cuts a mesh by a plane into the parts below and above it. Points at most `tolerance` from the plane, in the mesh's
+/// own unit, count as points in it; no point moves. Caps are like those of [`slabs`](super::slabs()).
 ///
-/// What both ends of an edge have in common, the point where the plane meets it has too, to the bit. In the plane it lies but for
-/// rounding: with a tolerance of 0, cutting again at the same plane may find points on the wrong side and shave something off.
-/// With a tolerance of 1e-15 times the largest coordinate (of the mesh or of the plane's point), or more, it changes nothing.
+/// If both ends of an edge have equal coordinates along some axis, the crossing has the same coordinate, bit for bit.
+/// Crossings are in the plane except for rounding. With a tolerance of 0, a second cut at the same plane may find
+/// points on the wrong side and remove thin pieces. With a tolerance of at least 1e-15 times the largest coordinate (of
+/// the mesh or of the plane's point) it changes nothing.
 ///
-/// A plane that is none (a normal of zero length, numbers that are not finite) cuts nothing: all is below it.
+/// An invalid plane (a normal of zero length, numbers that are not finite) cuts nothing: the whole mesh is below it.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -47,12 +49,12 @@ pub fn halves(mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Slabs {
     Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance, true))
 }
 
-/// What is above a plane, with nothing where the cut opened it; nothing when all is below.
+/// The part above a plane, without caps. `None` if the whole mesh is below.
 pub(crate) fn above(mesh: &Arc<Mesh>, plane: &Plane, tolerance: f64) -> Option<Arc<Mesh>> {
     Cutter::with(|cutter| cutter.halves(mesh, plane, tolerance, false)).parts.pop().flatten()
 }
 
-/// Where the plane is x = 0.
+/// A frame in which the plane is x = 0.
 struct Frame {
     origin: DVec3,
     /// Orthonormal, right-handed.
@@ -88,7 +90,7 @@ impl Cutter {
         };
         let points: Vec<DVec3> = mesh.points.iter().map(place).collect();
         let span = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.x), h.max(p.x)));
-        // As across an axis: a plane that the mesh only touches has all of it on one side.
+        // As in a cut across an axis: if the mesh only touches the plane, all of it is on one side.
         let flat = span.0 == span.1 && !mesh.is_closed();
         if span.1 < 0.0 || (span.1 == 0.0 && !flat) || !points.iter().all(|point| point.is_finite()) {
             return whole(0);
@@ -96,7 +98,7 @@ impl Cutter {
         if 0.0 < span.0 || (span.0 == 0.0 && !flat) {
             return whole(1);
         }
-        // What corners carry stays as it is.
+        // The other values of corners do not change.
         let local = mesh.with_points(points);
         self.state.points.axis = 0;
         self.state.points.planes.clear();
@@ -119,7 +121,8 @@ impl Cutter {
         slabs
     }
 
-    /// Takes the parts back from the frame; the points on the plane are given. Corners from those numbers on are those of caps.
+    /// Converts the parts back from the frame, with the given points on the plane. `caps` are the numbers of the first
+    /// corners of caps.
     fn restore(&mut self, mesh: &Mesh, met: &[DVec3], caps: [usize; 2], normal: DVec3) {
         let (parts, points) = (&mut self.state.parts, &self.state.points);
         let inside = points.places.iter().zip(&mesh.points).filter(|(place, _)| !place.class.is_on_plane());
@@ -128,7 +131,7 @@ impl Cutter {
         }
         for (numbers, point) in points.levels[0].numbers.iter().zip(met) {
             for (part, number) in parts.iter_mut().zip(numbers) {
-                // Not every part has every point on the plane.
+                // A part may lack some points on the plane.
                 if *number != NONE {
                     part.mesh.points[*number as usize] = *point;
                 }

@@ -1,7 +1,8 @@
-//! The points of a cut: those of the mesh, and the crossings where its edges meet planes.
+//! The points of a cut: the points of the mesh, and the crossings of its edges with planes.
 //!
-//! An edge owns its crossings: they are made when the first face asks and found by the others. Points on a plane are kept
-//! with their plane and numbered there, as whatever needs them next (the pieces on both sides, the caps) goes plane by plane.
+//! An edge owns its crossings: the first face that needs them makes them, and the other faces find them. Points on a
+//! plane are stored and numbered per plane, because later steps (the pieces on both sides, the caps) work plane by
+//! plane.
 
 use std::hint::black_box;
 use std::ops::Range;
@@ -13,14 +14,15 @@ use super::edges::Edges;
 use super::segment::Segment;
 use crate::geometry::mesh::Mesh;
 
-/// Not numbered yet.
+/// The number of a point without a number yet.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// Where a point is among the planes, and which one it is there. Read at random for each corner, so it is kept small.
+/// The class of a point among the planes, and its number there. It is small, because it is read at random for each
+/// corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place {
     pub(super) class: Class,
-    /// Its number in the slab or on the plane.
+    /// The number in the slab or on the plane.
     pub(super) number: u32,
 }
 
@@ -31,13 +33,13 @@ impl Place {
     }
 }
 
-/// A corner of a piece: a point of the mesh at one of its corners, or a crossing between two.
+/// A corner of a piece: a corner of the mesh, or a crossing between two corners.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
     pub(super) place: Place,
-    /// The corner, or that at the lexicographically first end of the edge.
+    /// The corner, or the corner at the lexicographically first end of the edge.
     pub(super) from: u32,
-    /// The same corner, or that at the other end.
+    /// The same corner, or the corner at the other end.
     pub(super) to: u32,
 }
 
@@ -48,12 +50,12 @@ impl Node {
         Node { place, from: corner as u32, to: corner as u32 }
     }
 
-    /// Whether it is a corner, not a crossing.
+    /// Returns true if it is a corner, rather than a crossing.
     pub(super) fn is_corner(&self) -> bool {
         self.from == self.to
     }
 
-    /// Whether both are crossings of one edge of a face.
+    /// Returns true if both nodes are crossings of the same edge of a face.
     #[inline]
     pub(super) fn is_on_edge_of(&self, other: &Node) -> bool {
         !self.is_corner() && (self.from, self.to) == (other.from, other.to)
@@ -68,12 +70,12 @@ impl Node {
 /// The points on a plane.
 #[derive(Default)]
 pub(super) struct Level {
-    /// Their other two coordinates, in the order that makes the plane's axis look at us.
+    /// The other two coordinates of each point, in the order in which the plane's axis points to the viewer.
     pub(super) flat: Vec<DVec2>,
-    /// Their numbers in the slabs below and above, as far as they have them.
+    /// The numbers of each point in the slabs below and above, [`NONE`] until assigned.
     pub(super) numbers: Vec<[u32; 2]>,
-    /// Of crossings, how far along their edges they are, from the lexicographically first end. Only kept when corners carry
-    /// something that is mixed there.
+    /// The relative position of each crossing on its edge, from the lexicographically first end. Kept only if corners
+    /// have values to interpolate.
     shares: Vec<f64>,
 }
 
@@ -89,31 +91,31 @@ impl Level {
 #[derive(Default)]
 pub(super) struct Points {
     pub(super) axis: usize,
-    /// The planes that reach the mesh.
+    /// The planes that meet the mesh.
     pub(super) planes: Vec<f64>,
-    /// Where each point of the mesh is.
+    /// The place of each point of the mesh.
     pub(super) places: Vec<Place>,
-    /// The points on each plane; there may be more of these than planes.
+    /// The points on each plane. The list may be longer than the list of planes.
     pub(super) levels: Vec<Level>,
-    /// Whether corners carry something that is mixed at crossings.
+    /// True if corners have values to interpolate at crossings.
     pub(super) mixes: bool,
-    /// Edge to its one crossing's number on the plane, or to where its crossings begin in the list.
+    /// For each edge the number of its only crossing on the plane, or the start of its crossings in the list.
     pub(super) edges: Edges,
-    /// Numbers on their planes of the crossings of edges with several, from low to high.
+    /// The numbers on their planes of the crossings of edges with several, from low to high.
     pub(super) crossings: Vec<u32>,
     ahead: Vec<Ahead>,
 }
 
-/// An edge that will be looked up.
+/// An edge that will be looked up soon.
 struct Ahead {
     planes: Range<u32>,
     ends: [u32; 2],
-    /// Where its list starts.
+    /// The start of its list.
     head: u32,
 }
 
 impl Points {
-    /// Classifies the points of a mesh; they are not numbered yet.
+    /// Classifies the points of a mesh. They have no numbers yet.
     pub(super) fn start(&mut self, mesh: &Mesh) {
         let Points { axis, planes, places, .. } = self;
         let axis = *axis;
@@ -129,7 +131,7 @@ impl Points {
             };
             places.extend(mesh.points.iter().map(|p| Place { class: class(p[axis]), number: 0 }));
         }
-        // Lists of cuts with many more planes are not kept.
+        // Drops the lists left by cuts with many more planes.
         let keep = self.levels.len().min(4 * self.planes.len() + 64).max(self.planes.len());
         self.levels.resize_with(keep, Level::default);
         self.levels[..self.planes.len()].iter_mut().for_each(Level::clear);
@@ -138,8 +140,8 @@ impl Points {
         self.mixes = !mesh.uvs.is_empty() || !mesh.normals.is_empty();
     }
 
-    /// Reads what the crossings of the loops from one on, up to a corner, will be found by. Faces are cut one by one, and each
-    /// would wait for memory several times; these reads do not wait for each other.
+    /// Touches the memory that look-ups of crossings will need, for the loops from `first` up to corner `end`. Faces
+    /// are cut one by one, and each would wait for memory several times; these reads overlap.
     #[inline(never)]
     pub(super) fn read_ahead(&mut self, mesh: &Mesh, first: usize, end: usize) {
         let Points { places, levels, edges, crossings, ahead, .. } = self;
@@ -177,7 +179,7 @@ impl Points {
         black_box(read);
     }
 
-    /// Adds a point to a plane, with its numbers in the slabs; gives its number there.
+    /// Adds a point to a plane, with its numbers in the slabs. Returns its number on the plane.
     #[inline]
     pub(super) fn add(&mut self, plane: u32, point: DVec3, share: f64, numbers: [u32; 2]) -> u32 {
         let flat = match self.axis {
@@ -194,7 +196,7 @@ impl Points {
         (level.flat.len() - 1) as u32
     }
 
-    /// Where a point on a plane is in space.
+    /// The position of a point on a plane.
     #[inline]
     pub(super) fn lift(&self, plane: u32, number: u32) -> DVec3 {
         let at = self.planes[plane as usize];
@@ -206,7 +208,7 @@ impl Points {
         }
     }
 
-    /// Where a corner of a piece is in space.
+    /// The position of a corner of a piece.
     #[inline]
     pub(super) fn position(&self, mesh: &Mesh, node: &Node) -> DVec3 {
         if node.is_corner() {
@@ -215,7 +217,8 @@ impl Points {
         self.lift(node.class().plane(), node.place.number)
     }
 
-    /// Of a mesh that was cut by one plane with other points than its own: where the points on the plane are between its own.
+    /// For a mesh that was cut by one plane at the points `cut`: the points on the plane, computed between the points
+    /// `own`.
     pub(super) fn on_plane_of(&self, own: &[DVec3], cut: &[DVec3]) -> Vec<DVec3> {
         let mut list = vec![DVec3::ZERO; self.levels[0].flat.len()];
         for (place, point) in self.places.iter().zip(own).filter(|(place, _)| place.class == Class::on(0)) {
@@ -228,7 +231,7 @@ impl Points {
         list
     }
 
-    /// How far along its edge a crossing is.
+    /// The relative position of a crossing on its edge.
     pub(super) fn share(&self, place: Place) -> f64 {
         self.levels[place.class.plane() as usize].shares[place.number as usize]
     }

@@ -1,4 +1,4 @@
-//! One slab's mesh while it is made.
+//! The mesh of one slab during a cut.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -8,18 +8,18 @@ use glam::DVec3;
 use super::points::{NONE, Node, Place, Points};
 use crate::geometry::mesh::{FaceTag, Mesh, keep_used};
 
-/// The mesh of a slab, and how many faces it has from the source as they were.
+/// The mesh of a slab, and the number of its faces that were not cut.
 pub(crate) struct Part {
     pub(crate) mesh: Mesh,
     pub(crate) whole: usize,
-    /// Whether a piece was left out because it has no extent: points of it may not be used.
+    /// True if a piece was dropped because it has no extent. Then some points may be unused.
     pub(crate) dropped: bool,
-    /// A face that is to come first.
+    /// The face that must come first.
     pub(crate) lead: Option<usize>,
 }
 
 impl Part {
-    /// With room for some points, corners and loops.
+    /// An empty part with capacity for points, corners and loops.
     pub(crate) fn new(source: &Mesh, points: usize, corners: usize, loops: usize) -> Self {
         let mut mesh = source.alike(corners);
         mesh.points.reserve(points);
@@ -31,7 +31,7 @@ impl Part {
         Part { mesh, whole: 0, dropped: false, lead: None }
     }
 
-    /// Adds a triangle of the source whose corners have these numbers here.
+    /// Adds a triangle of the source. `numbers` are the numbers of its corners in this part.
     #[inline]
     pub(crate) fn keep_triangle(&mut self, source: &Mesh, tag: FaceTag, corners: Range<usize>, numbers: [u32; 3]) {
         self.whole += 1;
@@ -39,7 +39,7 @@ impl Part {
         self.copy_carried(source, corners);
     }
 
-    /// What corners of the source carry besides their points.
+    /// Copies the values of corners of the source.
     #[inline]
     pub(crate) fn copy_carried(&mut self, source: &Mesh, corners: Range<usize>) {
         self.mesh.uvs.copy_from(&source.uvs, corners.clone());
@@ -48,7 +48,7 @@ impl Part {
         }
     }
 
-    /// The number of a point in this slab; on a plane it is given when first asked for.
+    /// The number of a point in this slab. A point on a plane gets its number at the first request.
     #[inline]
     pub(crate) fn number(&mut self, points: &mut Points, place: Place, slab: u32) -> u32 {
         if !place.class.is_on_plane() {
@@ -65,14 +65,14 @@ impl Part {
         self.add_point(points.lift(plane, place.number))
     }
 
-    /// Adds a point; gives its number.
+    /// Adds a point and returns its number.
     #[inline]
     pub(crate) fn add_point(&mut self, point: DVec3) -> u32 {
         self.mesh.points.push(point);
         self.mesh.points.len() as u32 - 1
     }
 
-    /// Adds corners of a piece with what they carry.
+    /// Adds corners of a piece with their values.
     #[inline(always)]
     pub(crate) fn corners(&mut self, points: &mut Points, source: &Mesh, nodes: &[Node], slab: u32) {
         for node in nodes {
@@ -82,7 +82,7 @@ impl Part {
         self.carry(points, source, nodes);
     }
 
-    /// Adds what corners of a piece carry besides their points.
+    /// Adds the values of corners of a piece.
     #[inline(always)]
     pub(crate) fn carry(&mut self, points: &Points, source: &Mesh, nodes: &[Node]) {
         if !source.uvs.is_empty() {
@@ -105,7 +105,7 @@ impl Part {
         }
     }
 
-    /// Adds a piece that is one loop, without what its corners carry; the numbers of its points here are known.
+    /// Adds a piece with one loop, without the values of its corners. The numbers of its points are known.
     #[inline(always)]
     pub(crate) fn piece<const N: usize>(&mut self, tag: FaceTag, numbers: [u32; N]) {
         self.mesh.corners.extend(numbers);
@@ -124,7 +124,7 @@ impl Part {
         self.mesh.tags.push(tag);
     }
 
-    /// The finished mesh; the source itself when all of it is here, nothing when nothing is.
+    /// The finished mesh. The source itself if the part contains all of it, `None` if the part is empty.
     pub(crate) fn finish(mut self, source: &Arc<Mesh>, closed: bool) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_ends.len();
         if faces == 0 {

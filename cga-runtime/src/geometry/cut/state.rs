@@ -1,4 +1,4 @@
-//! What all steps of a cut share, and the faces that stay whole.
+//! The state that all steps of a cut share, and the faces that are not cut.
 
 use super::class::Span;
 use super::points::{NONE, Place, Points};
@@ -16,37 +16,38 @@ pub(super) struct State {
     pub(super) rim: Rim,
     pub(super) sheets: Sheets,
     room: Vec<Room>,
-    /// Whether crossings are so many that looking for one waits for memory.
+    /// True if there are so many crossings that their look-ups wait for memory.
     pub(super) reads_ahead: bool,
-    /// Whether the mesh encloses its volume inside out, once it matters.
+    /// True if the mesh is inside out, computed on demand.
     pub(super) inverted: Option<bool>,
 }
 
-/// From this many slabs on, faces are counted before they are cut.
+/// The number of slabs from which on faces are counted before they are cut.
 const MANY_SLABS: usize = 8;
 
-/// About so many faces are counted, and so many for each slab; of large meshes this is not all.
+/// The approximate number of faces that are counted, in total and per slab. In a large mesh this is a sample.
 const SAMPLE: usize = 1 << 14;
 const SAMPLE_A_SLAB: usize = 1 << 9;
 
-/// From this many faces on, with about half of them cut, edges do not stay in the cache until they are met again.
+/// The number of faces from which on edges do not stay in the cache until they are needed again, if about half of the
+/// faces are cut.
 const LARGE: usize = 200_000;
 
-/// What a slab will hold.
+/// The expected contents of a slab.
 #[derive(Clone, Copy, Default)]
 struct Room {
     points: usize,
-    /// Corners of faces that are inside it or on its upper plane.
+    /// The corners of faces inside the slab or on its upper plane.
     corners: usize,
-    /// Loops of faces that stay whole.
+    /// The loops of faces that are not cut.
     loops: usize,
-    /// How many faces to cut have their lowest part here, and how many had their highest below.
+    /// The numbers of faces to be cut whose lowest part is in this slab, and whose highest part is in the slab below.
     begin: usize,
     end: usize,
 }
 
 impl State {
-    /// Whether its buffers are more than should be kept for the next cut.
+    /// Returns true if its buffers are too large to be kept for the next cut.
     pub(super) fn is_large(&self) -> bool {
         const KEPT: usize = 1 << 20;
         KEPT < self.points.places.capacity() + self.rim.capacity()
@@ -68,7 +69,8 @@ impl State {
         self.rim.reset();
     }
 
-    /// Makes the slabs, with about the room they will need: growing is much of the work when there are many.
+    /// Makes the slabs with about the capacity that they will need. With many slabs, growing would take much of the
+    /// time.
     fn make_room(&mut self, mesh: &Mesh) {
         let State { points, parts, room, reads_ahead, .. } = self;
         let slabs = points.planes.len() + 1;
@@ -78,7 +80,8 @@ impl State {
         parts.clear();
         *reads_ahead = false;
         if slabs < MANY_SLABS {
-            // Few: a share of the faces as their share of the points suggests, and of small meshes enough for any cut.
+            // With few slabs: the share of faces follows from the share of points, and small meshes get enough room for
+            // any cut.
             const SMALL: usize = 256;
             parts.extend(room[..slabs].iter().map(|room| {
                 let share = room.points as f64 / mesh.points.len() as f64 * 1.02;
@@ -89,7 +92,7 @@ impl State {
             return;
         }
         let faces = mesh.face_count();
-        // An odd step, as meshes are often made of rows and pairs.
+        // An odd step, because meshes are often made of rows and pairs.
         let each = (faces / SAMPLE.max(slabs * SAMPLE_A_SLAB) + 1) | 1;
         let each = if faces / each < slabs { 1 } else { each };
         let mut cut = 0;
@@ -102,7 +105,7 @@ impl State {
             let (bottom, top) = (span.bottom() as usize, span.top() as usize);
             if bottom < top {
                 cut += each;
-                // One that reaches far says little of the others.
+                // A face that reaches far is not representative.
                 let many = if top - bottom < MANY_SLABS { each } else { 1 };
                 classes.for_each(|class| room[class.slab() as usize].corners += many);
                 room[bottom].begin += many;
@@ -112,7 +115,7 @@ impl State {
                 room[top].loops += each * loops.len();
             }
         }
-        // What was not looked at may be more than its share, and where a mesh is open or faces are not convex, so is the rest.
+        // A margin for faces that were not counted, and for meshes that are open or have faces that are not convex.
         let spare = |count: usize| match count {
             0 => 0,
             _ => count + count / if each == 1 { 32 } else { 12 } + 4,
@@ -121,8 +124,8 @@ impl State {
         let mut pieces = 0;
         parts.extend((0..slabs).map(|slab| {
             let Room { points, corners, loops, begin, end } = room[slab];
-            // Faces cut by the plane below have pieces on both its sides, and so have those cut by the plane above. Each has two
-            // new corners there, and the cap has one; each of these points is shared by two of them.
+            // A face that is cut by a plane has pieces on both sides of it. Each piece has two new corners at the
+            // plane, and the cap has one. Two faces share each of these points.
             let crossings = pieces - end;
             pieces = crossings + begin;
             let crossings = crossings + pieces - room[slab + 1].end;
@@ -130,7 +133,7 @@ impl State {
         }));
     }
 
-    /// A face that is all in one slab.
+    /// Adds a face that is in one slab.
     pub(super) fn keep(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, slab: u32, touches_plane: bool) {
         let State { parts, points, .. } = self;
         let part = &mut parts[slab as usize];
@@ -165,8 +168,8 @@ impl State {
         }
     }
 
-    /// A face in a plane goes to the side that its normal points away from, which it closes; of a mesh that is inside out
-    /// to the other. Where that tears a sheet apart, [`Sheets`] decide.
+    /// Adds a face in a plane to the side that its normal points away from, which it closes (to the other side in a
+    /// mesh that is inside out). If that tears a sheet apart, [`Sheets`] decide.
     pub(super) fn keep_flat(&mut self, mesh: &Mesh, face: usize, tag: FaceTag, plane: u32) {
         let by_rule = self.is_above_by_rule(mesh, face, plane);
         let is_above = self.sheets.place(face, plane, by_rule);
@@ -193,19 +196,20 @@ impl State {
         plane + u32::from(self.is_triangle_above(mesh, corners, plane))
     }
 
-    /// Whether a triangle in a plane goes above it: exactly, as it may be the narrowest piece of a face.
+    /// Returns true if a triangle in a plane goes above it. The test is exact, because the triangle may be the
+    /// narrowest piece of a face.
     fn is_triangle_above(&mut self, mesh: &Mesh, corners: [Place; 3], plane: u32) -> bool {
         let flat = &self.points.levels[plane as usize].flat;
         let [a, b, c] = corners.map(|corner| flat[corner.number as usize]);
         self.is_facing_above(mesh, f64::from(orient(a, b, c)))
     }
 
-    /// Whether something in a plane goes above it, by how much it looks up.
+    /// Returns true if a part in a plane goes above it, given the upward component of its normal.
     fn is_facing_above(&mut self, mesh: &Mesh, up: f64) -> bool {
         if self.is_inverted(mesh) { up > 0.0 } else { up < 0.0 }
     }
 
-    /// Whether the mesh encloses its volume inside out.
+    /// Returns true if the mesh is inside out.
     pub(super) fn is_inverted(&mut self, mesh: &Mesh) -> bool {
         *self.inverted.get_or_insert_with(|| mesh.is_inside_out())
     }
@@ -224,7 +228,7 @@ mod tests {
 
     #[test]
     fn slabs_without_anything_get_no_room() {
-        // More triangles than are counted of a large mesh, and still fewer than slabs.
+        // More triangles than the sample of a large mesh, and still fewer than the slabs.
         let mut builder = MeshBuilder::new();
         let triangles = u32::try_from(SAMPLE).unwrap() + 1;
         for i in 0..triangles {
@@ -240,7 +244,7 @@ mod tests {
         assert!(corners <= 10 * mesh.corners.len(), "{corners}");
     }
 
-    /// A torus around z in triangles, with coordinates that corners carry.
+    /// A torus around z in triangles, with texture coordinates.
     fn torus(around: u32, across: u32) -> Mesh {
         let mut builder = MeshBuilder::new();
         for u in 0..around {

@@ -1,24 +1,25 @@
-//! Which faces meet at each edge and at each point of a mesh. Made once, when first asked for, and shared by copies.
+//! The adjacency of a mesh: the faces at each edge and at each point. Computed on demand and shared by copies.
 
 use super::Mesh;
 
-/// Neighbourhood in a mesh. Edges are numbered by the first corner they leave, shared ones once (*comp operation*, e).
+/// Adjacency in a mesh. Edges are numbered in the order of the first corner that starts them; a shared edge has one
+/// number (*comp operation*, e).
 #[derive(Debug)]
 pub(crate) struct Adjacency {
-    /// For each corner its face.
+    /// The face of each corner.
     faces: Vec<u32>,
-    /// For each corner the corner that follows in its loop, and the one before.
+    /// The next and the previous corner in the loop, for each corner.
     next: Vec<u32>,
     before: Vec<u32>,
-    /// For each corner the edge that leaves it.
+    /// The edge that starts at each corner.
     edges: Vec<u32>,
-    /// For each edge the corners that it leaves.
+    /// For each edge the corners that start it.
     uses: Lists,
-    /// For each point the corners that lie on it.
+    /// For each point the corners at it.
     at: Lists,
 }
 
-/// Lists of corners, each in rising order.
+/// Lists of corners, each in increasing order.
 #[derive(Debug)]
 struct Lists {
     ends: Vec<u32>,
@@ -26,7 +27,7 @@ struct Lists {
 }
 
 impl Lists {
-    /// Puts each corner into the list of its key.
+    /// Sorts corners into lists by their keys.
     fn by(count: usize, keys: &[u32]) -> Lists {
         let mut ends = vec![0; count + 1];
         keys.iter().for_each(|&key| ends[key as usize + 1] += 1);
@@ -69,7 +70,7 @@ impl Adjacency {
         Adjacency { faces, next, before, edges, uses, at }
     }
 
-    /// How many edges there are, shared ones counted once.
+    /// The number of edges. A shared edge counts once.
     pub(crate) fn edge_count(&self) -> usize {
         self.uses.len()
     }
@@ -79,54 +80,55 @@ impl Adjacency {
         self.faces[corner as usize]
     }
 
-    /// The corner that follows another in its loop.
+    /// The next corner in a corner's loop.
     pub(crate) fn next(&self, corner: u32) -> u32 {
         self.next[corner as usize]
     }
 
-    /// The corner before another in its loop.
+    /// The previous corner in a corner's loop.
     pub(crate) fn before(&self, corner: u32) -> u32 {
         self.before[corner as usize]
     }
 
-    /// The corners that an edge leaves, one for each loop that has it; never none.
+    /// The corners that start an edge, one per loop that has the edge; at least one.
     pub(crate) fn uses(&self, edge: usize) -> &[u32] {
         self.uses.of(edge)
     }
 
-    /// The corners that lie on a point.
+    /// The corners at a point.
     pub(crate) fn at(&self, point: usize) -> &[u32] {
         self.at.of(point)
     }
 
-    /// The edge that leaves a corner.
+    /// The edge that starts at a corner.
     pub(crate) fn edge(&self, corner: u32) -> usize {
         self.edges[corner as usize] as usize
     }
 
-    /// The faces that have an edge, each once.
+    /// The faces at an edge, without repetitions.
     pub(crate) fn faces_at(&self, edge: usize) -> impl Iterator<Item = u32> + '_ {
         self.distinct(self.uses(edge))
     }
 
-    /// The faces that have a point, each once.
+    /// The faces at a point, without repetitions.
     pub(crate) fn faces_around(&self, point: usize) -> impl Iterator<Item = u32> + '_ {
         self.distinct(self.at(point))
     }
 
-    /// Corners come in the order of their faces.
+    /// The faces of corners, without repetitions. The corners are in the order of their faces.
     fn distinct<'a>(&'a self, corners: &'a [u32]) -> impl Iterator<Item = u32> + 'a {
         let mut last = None;
         corners.iter().map(|&corner| self.face(corner)).filter(move |&face| last.replace(face) != Some(face))
     }
 
-    /// Whether just one face has an edge (*comp operation*, border).
+    /// Returns true if exactly one face has an edge (*comp operation*, border).
     pub(crate) fn is_border(&self, edge: usize) -> bool {
         self.faces_at(edge).nth(1).is_none()
     }
 }
 
-/// For each corner the number of the edge that leaves it: those at the same lower point are told apart by the other.
+/// For each corner the number of the edge that starts there. Edges are grouped by their lower point, then by the other
+/// point.
 fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
     let ends = |corner: u32| {
         let [a, b] = [corner, next[corner as usize]].map(|corner| mesh.corners[corner as usize]);
@@ -134,13 +136,13 @@ fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
     };
     let lower: Vec<u32> = (0..next.len() as u32).map(|corner| ends(corner).0).collect();
     let mut around = Lists::by(mesh.points.len(), &lower);
-    // The first corner that leaves along the same edge.
+    // The first corner that starts the same edge.
     let mut first: Vec<u32> = vec![0; next.len()];
     let mut start = 0;
     for &end in &around.ends {
         let here = &mut around.corners[start..end as usize];
         start = end as usize;
-        // Corners at one point are few, but in a fan they are many.
+        // Usually few corners are at a point, but in a fan there are many, so they are sorted.
         here.sort_unstable_by_key(|&corner| (ends(corner).1, corner));
         for same in here.chunk_by(|&a, &b| ends(a).1 == ends(b).1) {
             same.iter().for_each(|&corner| first[corner as usize] = same[0]);
@@ -152,7 +154,7 @@ fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
             count += 1;
             count - 1
         } else {
-            // Its number is there already.
+            // The first corner has its number already.
             first[first[corner] as usize]
         };
     }

@@ -1,8 +1,8 @@
-//! The door for meshes: nothing gets in that is not finite, in range and long enough.
+//! The builder of meshes, which checks that all data is finite, in range and long enough.
 //!
-//! Points at the same place (to the bit, -0 counting as 0) become one; corners that then repeat the one before them go,
-//! and so do loops left with fewer than three corners (a hole whose outline went stays: a closed mesh has to stay closed).
-//! Points that no face uses are dropped. The order of points, faces and corners is kept otherwise.
+//! Points at the same position (bit for bit, with -0 equal to 0) are merged. Then corners equal to their predecessor
+//! are removed, and so are loops with fewer than three corners. A hole whose outline was removed stays, because a
+//! closed mesh must stay closed. Unused points are dropped. Otherwise the order of points, faces and corners is kept.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use super::weld::weld;
 use super::{Derived, FaceTag, Mesh, MeshError, TagSet, UvSets};
 use crate::material::Material;
 
-/// Takes points and faces and gives a checked [`Mesh`].
+/// Takes points and faces and makes a checked [`Mesh`].
 ///
 /// ```
 /// use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder};
@@ -31,7 +31,7 @@ pub struct MeshBuilder {
     loop_ends: Vec<usize>,
     face_ends: Vec<usize>,
     tags: Vec<FaceTag>,
-    /// Each in step with `corners` as long as every face had some; and how many faces had.
+    /// Each list grows with `corners` while every face has values, with the number of those faces.
     uvs: Vec<(Vec<DVec2>, usize)>,
     normals: Vec<DVec3>,
     normal_faces: usize,
@@ -42,19 +42,19 @@ pub struct MeshBuilder {
 }
 
 impl MeshBuilder {
-    /// Nothing yet.
+    /// An empty builder.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds a point and gives its index.
+    /// Adds a point and returns its index.
     pub fn point(&mut self, position: impl Into<[f64; 3]>) -> u32 {
         let index = self.points.len();
         self.points.push(DVec3::from(position.into()));
         index as u32
     }
 
-    /// Adds a face: its outline, counter-clockwise seen from outside, and its holes, clockwise.
+    /// Adds a face: its outline, counter-clockwise as seen from outside, and its holes, clockwise.
     pub fn face(&mut self, outer: &[u32], holes: &[&[u32]], tag: FaceTag) -> &mut Self {
         for ring in std::iter::once(&outer).chain(holes) {
             if ring.len() < 3 {
@@ -69,13 +69,13 @@ impl MeshBuilder {
         self
     }
 
-    /// Texture coordinates, set 0, of the face added last: one a corner, outline first. A mesh keeps them only when every
-    /// face has some.
+    /// Sets the texture coordinates of the last added face in set 0: one pair per corner, outline first. The mesh keeps
+    /// them only if every face has some.
     pub fn uvs(&mut self, uvs: &[DVec2]) -> &mut Self {
         self.uv_set(0, uvs)
     }
 
-    /// Texture coordinates of a set, 0 to 9, as [`MeshBuilder::uvs`].
+    /// Sets the texture coordinates of the last added face in a set, 0 to 9; see [`MeshBuilder::uvs`].
     pub fn uv_set(&mut self, set: usize, uvs: &[DVec2]) -> &mut Self {
         if UvSets::MOST <= set {
             self.wrong.get_or_insert(MeshError::UvSet { set });
@@ -94,7 +94,8 @@ impl MeshBuilder {
         self
     }
 
-    /// Normals of the face added last: one a corner, outline first. A mesh keeps them only when every face has some.
+    /// Sets the normals of the last added face: one per corner, outline first. The mesh keeps them only if every face
+    /// has some.
     pub fn normals(&mut self, normals: &[DVec3]) -> &mut Self {
         if self.normals.len() + normals.len() == self.corners.len() {
             self.normals.extend_from_slice(normals);
@@ -105,19 +106,19 @@ impl MeshBuilder {
         self
     }
 
-    /// Names of the groups that tags count in.
+    /// Sets the names of groups, which tags index.
     pub fn groups(&mut self, groups: impl Into<Arc<[String]>>) -> &mut Self {
         self.groups = groups.into();
         self
     }
 
-    /// The materials that tags count in.
+    /// Sets the materials, which tags index.
     pub fn materials(&mut self, materials: impl Into<Arc<[Material]>>) -> &mut Self {
         self.materials = materials.into();
         self
     }
 
-    /// The sets of component tags that tags of faces count in.
+    /// Sets the sets of component tags, which tags of faces index.
     pub fn tag_sets(&mut self, sets: impl Into<Arc<[TagSet]>>) -> &mut Self {
         self.tag_sets = sets.into();
         self
@@ -128,11 +129,11 @@ impl MeshBuilder {
         self.corners.len() - start
     }
 
-    /// Checks everything and makes the mesh.
+    /// Checks all data and makes the mesh.
     ///
     /// # Errors
-    /// When a coordinate is not finite, an index, a tag or a texture set is out of range, or a loop has fewer than three
-    /// corners.
+    /// An error if a coordinate is not finite, if an index, a tag or a texture set is out of range, or if a loop has
+    /// fewer than three corners.
     pub fn build(self) -> Result<Mesh, MeshError> {
         self.check()?;
         let same = weld(&self.points);
@@ -222,7 +223,7 @@ impl MeshBuilder {
     }
 }
 
-/// The points that corners use, in their old order; the corners are renumbered. -0 becomes 0.
+/// The points that corners use, in their old order. Renumbers the corners; -0 becomes 0.
 pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
     let mut new = vec![u32::MAX; points.len()];
     for &c in corners.iter() {
@@ -241,7 +242,7 @@ pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
     kept
 }
 
-/// The points that corners use, in the order in which corners meet them; the corners are renumbered. -0 becomes 0.
+/// The points that corners use, in the order of their first use. Renumbers the corners; -0 becomes 0.
 pub(super) fn in_order_of_use(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
     let mut new = vec![u32::MAX; points.len()];
     let mut kept = Vec::with_capacity(points.len());

@@ -1,4 +1,4 @@
-//! Which promises of a mesh are broken. Tests ask after every step.
+//! Checks of the invariants of a mesh, for tests.
 
 use std::fmt;
 
@@ -9,52 +9,52 @@ use crate::geometry::exact::orient;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::triangulate::Projection;
 
-/// A promise of [`Mesh`] that does not hold.
+/// A violated invariant of [`Mesh`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Flaw {
-    /// The ends of loops or faces do not rise, or do not cover the corners.
+    /// The ends of loops or faces do not increase, or do not cover the corners.
     Layout,
-    /// A corner names a point that does not exist.
+    /// The index of a corner's point is out of range.
     OutOfRange {
-        /// Which corner.
+        /// The number of the corner.
         corner: usize,
     },
-    /// A coordinate is not a number or infinite.
+    /// A coordinate is NaN or infinite.
     NotFinite {
-        /// Which point.
+        /// The number of the point.
         point: usize,
     },
     /// A loop has fewer than three corners.
     ShortLoop {
-        /// Which face.
+        /// The number of the face.
         face: usize,
     },
-    /// A corner repeats the one before it.
+    /// A corner equals its predecessor.
     Repeated {
-        /// Which face.
+        /// The number of the face.
         face: usize,
     },
-    /// No face uses this point.
+    /// A point is not used by any face.
     Unused {
-        /// Which point.
+        /// The number of the point.
         point: usize,
     },
-    /// A corner is off the plane of its face by more than rounding.
+    /// A corner is off the plane of its face by more than a rounding error.
     NotPlanar {
-        /// Which face.
+        /// The number of the face.
         face: usize,
-        /// By how much.
+        /// The distance from the plane.
         by: f64,
     },
-    /// A hole runs the same way round as the outline, or has a corner outside of it.
+    /// A hole has the same winding as the outline, or a corner outside the outline.
     Hole {
-        /// Which face.
+        /// The number of the face.
         face: usize,
-        /// Which of its loops; 1 is the first hole.
+        /// The number of the loop; 1 is the first hole.
         ring: usize,
     },
-    /// The mesh counts as closed but is not, or the other way round.
+    /// The mesh is cached as closed but is not, or the reverse.
     Pairing,
 }
 
@@ -62,20 +62,20 @@ impl fmt::Display for Flaw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Flaw::Layout => write!(f, "loops and faces do not cover the corners"),
-            Flaw::OutOfRange { corner } => write!(f, "corner {corner} names no point"),
+            Flaw::OutOfRange { corner } => write!(f, "corner {corner} uses a point that does not exist"),
             Flaw::NotFinite { point } => write!(f, "point {point} is not finite"),
             Flaw::ShortLoop { face } => write!(f, "face {face} has a loop of fewer than three corners"),
             Flaw::Repeated { face } => write!(f, "face {face} repeats a corner"),
             Flaw::Unused { point } => write!(f, "point {point} is not used"),
             Flaw::NotPlanar { face, by } => write!(f, "face {face} is not planar by {by:e}"),
-            Flaw::Hole { face, ring } => write!(f, "loop {ring} of face {face} is no hole in its outline"),
+            Flaw::Hole { face, ring } => write!(f, "loop {ring} of face {face} is not a hole in its outline"),
             Flaw::Pairing => write!(f, "edges are not paired as claimed"),
         }
     }
 }
 
 impl Mesh {
-    /// Every broken promise; nothing for a sound mesh. An open mesh is sound.
+    /// All violated invariants; an empty list for a valid mesh. An open mesh is valid.
     pub fn check(&self) -> Vec<Flaw> {
         if !self.layout_holds() {
             return vec![Flaw::Layout];
@@ -131,7 +131,7 @@ impl Mesh {
         let extent = corners.iter().fold(0.0f64, |m, &c| m.max((at(c) - from).abs().max_element()));
         let size = corners.iter().fold(extent, |m, &c| m.max(at(c).abs().max_element()));
         let by = corners.iter().fold(0.0f64, |m, &c| m.max((at(c) - from).dot(normal).abs()));
-        // A thin face has a badly known normal: what its corners may be off grows with how thin it is.
+        // The normal of a thin face is inaccurate, so the tolerance grows with thinness.
         let thin = extent * extent / face.area().max(f64::MIN_POSITIVE);
         if by > PLANAR_EPSILON * extent + 64.0 * f64::EPSILON * size * thin.max(1.0) {
             flaws.push(Flaw::NotPlanar { face: index, by });
@@ -148,7 +148,7 @@ impl Mesh {
     }
 }
 
-/// How often a loop goes round a point, counter-clockwise; nothing for a point on it.
+/// The winding number of a loop around a point, counter-clockwise. `None` for a point on the loop.
 pub(crate) fn winding(ring: &[glam::DVec2], p: glam::DVec2) -> Option<i32> {
     let mut turns = 0;
     let mut a = *ring.last()?;

@@ -7,7 +7,7 @@ use crate::geometry::exact::orient;
 use crate::geometry::triangulate::Projection;
 
 impl FaceRef<'_> {
-    /// Whether it is convex, seen along its normal. Corners may be straight. Holes do not count.
+    /// Returns true if the face is convex, as seen along its normal. Straight corners are allowed. Holes are ignored.
     pub(crate) fn is_convex(&self) -> bool {
         let projection = Projection::along(self.normal());
         let mut points = self.outline().map(|point| projection.apply(point));
@@ -15,7 +15,7 @@ impl FaceRef<'_> {
         let goes_right = |a: DVec2, b: DVec2| a.x < b.x || (a.x == b.x && a.y < b.y);
         let (mut previous, mut here) = (first, second);
         let mut heading = goes_right(first, second);
-        // Never turns right, and goes from rightwards to leftwards and back only once.
+        // It never turns right, and it changes from right to left and back only once.
         let (mut turns, mut has_corner) = (0, false);
         for next in points.chain([first, second]) {
             let side = orient(previous, here, next);

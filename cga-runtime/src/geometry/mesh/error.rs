@@ -1,62 +1,62 @@
-//! Why a mesh could not be made.
+//! Errors of mesh construction.
 
 use std::fmt;
 
-/// What is wrong with points and faces handed in.
+/// An error in points or faces.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// A coordinate is not a number or infinite.
+    /// A coordinate is NaN or infinite.
     NotFinite {
-        /// Which point, in the order handed in.
+        /// The number of the point, in the given order.
         point: usize,
     },
-    /// A corner names a point that does not exist.
+    /// The index of a corner's point is out of range.
     OutOfRange {
-        /// Which face.
+        /// The number of the face.
         face: usize,
-        /// The index it uses.
+        /// The index.
         index: u32,
     },
     /// A loop has fewer than three corners.
     ShortLoop {
-        /// Which face.
+        /// The number of the face.
         face: usize,
-        /// Which of its loops, 0 for the outline.
+        /// The number of the loop, 0 for the outline.
         ring: usize,
     },
-    /// A face got texture coordinates or normals for another number of corners than it has.
+    /// The number of texture coordinates or normals of a face differs from the number of its corners.
     CornerCount {
-        /// Which face.
+        /// The number of the face.
         face: usize,
     },
-    /// There is no such set of texture coordinates: they go from 0 to 9.
+    /// The number of a texture set is out of range: sets have the numbers 0 to 9.
     UvSet {
-        /// The number given.
+        /// The number of the set.
         set: usize,
     },
-    /// A face names a group or material that does not exist.
+    /// A face uses a group or material that does not exist.
     Tag {
-        /// Which face.
+        /// The number of the face.
         face: usize,
     },
-    /// The outline encloses nothing.
+    /// The outline has no area.
     ZeroArea,
     /// Two edges of a polygon cross, overlap, or touch where they should not.
     SelfCrossing {
-        /// The first edge: loop (0 for the outline) and number of its first point within that loop.
+        /// The first edge: its loop (0 for the outline) and the number of its first point in that loop.
         first: (usize, usize),
         /// The other edge.
         second: (usize, usize),
     },
-    /// A hole that lies outside of the outline, or inside of another hole.
+    /// A hole is outside the outline, or inside another hole.
     HolePlace {
-        /// Which hole, from 0.
+        /// The number of the hole, from 0.
         hole: usize,
-        /// The hole it lies in; `None` when it is outside of the outline.
+        /// The hole around it; `None` if the hole is outside the outline.
         within: Option<usize>,
     },
-    /// More points, corners or faces than indices of 32 bits can count.
+    /// There are more points, corners or faces than 32-bit indices can count.
     TooLarge,
 }
 
@@ -70,16 +70,16 @@ impl fmt::Display for MeshError {
                 write!(f, "{} of face {face} has fewer than three corners", name(*ring))
             }
             MeshError::CornerCount { face } => {
-                write!(f, "face {face} has another number of corners than of texture coordinates or normals")
+                write!(f, "face {face} has texture coordinates or normals for another number of corners")
             }
-            MeshError::Tag { face } => write!(f, "face {face} names a group or material that does not exist"),
+            MeshError::Tag { face } => write!(f, "face {face} uses a group or material that does not exist"),
             MeshError::ZeroArea => write!(f, "the polygon has no area"),
             MeshError::SelfCrossing { first, second } => {
                 write!(f, "edge {} of {} meets edge {} of {}", first.1, name(first.0), second.1, name(second.0))
             }
-            MeshError::HolePlace { hole, within: None } => write!(f, "hole {hole} lies outside of the outline"),
-            MeshError::HolePlace { hole, within: Some(other) } => write!(f, "hole {hole} lies inside of hole {other}"),
-            MeshError::UvSet { set } => write!(f, "there is no texture set {set}: they go from 0 to 9"),
+            MeshError::HolePlace { hole, within: None } => write!(f, "hole {hole} is outside the outline"),
+            MeshError::HolePlace { hole, within: Some(other) } => write!(f, "hole {hole} is inside hole {other}"),
+            MeshError::UvSet { set } => write!(f, "texture set {set} does not exist; use 0 to 9"),
             MeshError::TooLarge => write!(f, "more points or corners than 32-bit indices can count"),
         }
     }
@@ -87,7 +87,7 @@ impl fmt::Display for MeshError {
 
 impl std::error::Error for MeshError {}
 
-/// An operation would make a mesh with more corners than it may.
+/// The error of an operation whose result would have more corners than the limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooManyCorners {
     /// The limit.

@@ -1,9 +1,9 @@
-//! Faces pulled out into closed volumes (*extrude operation*).
+//! Extrudes faces to closed volumes (*extrude operation*).
 //!
-//! Each face gives its sides in the order of its edges (outline, then holes), its top, and its bottom, which is the face
-//! itself turned over. The first edge of a side is the edge it stands on, in the direction it has in the face. Faces that
-//! are moved alike have no wall between them: coplanar neighbours along their normals, all neighbours otherwise. What does
-//! not move gives no wall either. A negative distance mirrors: the faces look inwards.
+//! Each face gives sides in the order of its edges (outline, then holes), a top, and a bottom, which is the reversed
+//! face itself. The first edge of a side is its bottom edge, in the direction of the face. There is no wall between
+//! faces that move alike: coplanar neighbours along their normals, all neighbours in other modes. Points that do not
+//! move give no wall either. A negative distance mirrors: the faces look inwards.
 
 use glam::DVec3;
 
@@ -14,22 +14,22 @@ use super::{Bounds, FaceTag, Mesh, TagSet};
 use crate::geometry::provenance::Extruded;
 use crate::geometry::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
-/// Which way faces are pulled.
+/// The direction of an extrusion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extrude {
-    /// Each along its own normal.
+    /// Each face along its own normal.
     FaceNormal,
-    /// Each point along the average of the normals around it, as far as the distance says.
+    /// Each point along the average of the normals around it, by the distance.
     VertexNormal,
-    /// All along one unit vector.
+    /// All points along one unit vector.
     Vector(DVec3),
-    /// All along one unit vector to the same height: the distance from the lowest point, or from the highest if it is
-    /// negative, and at least to the other end.
+    /// All points along one unit vector to the same height. The height is the distance from the lowest point, or from
+    /// the highest point if the distance is negative, and at least reaches the other end.
     FlatTop(DVec3),
 }
 
-/// The volumes above the faces of a mesh. Faces without area have no normal and give nothing along it. A distance that is
-/// not finite leaves the mesh as it is, and so does zero, unless a flat top is to be made.
+/// The volumes on the faces of a mesh. Faces without area have no normal and are not extruded along it. A distance that
+/// is not finite leaves the mesh unchanged, and so does zero, except for a flat top.
 pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     let up = match along {
         Extrude::FaceNormal | Extrude::VertexNormal => DVec3::Y,
@@ -40,7 +40,7 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     }
     let normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
     let joints = Joints::of(mesh, &normals, along != Extrude::FaceNormal);
-    // How far each point goes, by body or by point.
+    // The displacement of each point, by body or by point.
     let ways: Vec<DVec3> = match along {
         Extrude::FaceNormal => normals.iter().map(|normal| *normal * distance).collect(),
         Extrude::VertexNormal => vertex_normals(mesh).into_iter().map(|normal| normal * distance).collect(),
@@ -62,7 +62,8 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
         }
         let own = face.tag();
         let tag = |part: usize| FaceTag { cap: false, tags: tags.of[part][own.tags.min(tags.last) as usize], ..own };
-        // Vertices of the bottom come first, then those of the top; faces likewise, the sides after them.
+        // Vertices of the bottom come first, then those of the top. The order of faces is the same, with the sides
+        // last.
         face.corner_range().for_each(|corner| _ = grown.low(corner));
         face.corner_range().for_each(|corner| _ = grown.high(corner, body, way));
         for top in [false, true] {
@@ -94,10 +95,10 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     grown.mesh
 }
 
-/// Tags that the result's faces get besides those of the faces they come from.
+/// The tags of the result's faces, added to those of their source faces.
 struct AutoTags {
     sets: Vec<TagSet>,
-    /// For each tag of [`Extruded::ALL`]: the set that a set becomes, and the last one for faces without.
+    /// For each tag of [`Extruded::ALL`] the new number of each set; the last entry is for faces without a set.
     of: [Vec<u32>; 4],
     last: u32,
 }
@@ -116,10 +117,10 @@ impl AutoTags {
     }
 }
 
-/// For each point the average of the normals of the faces around it, faces that look the same way counting once, so that it
-/// does not depend on how a plane is divided. Zero where they cancel out.
+/// For each point the average of the normals of the faces around it. Faces with the same normal count once, so that the
+/// result does not depend on how a plane is divided. Zero if the normals cancel.
 pub(crate) fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
-    /// Of more directions than this at a point, the others count whether they are new or not.
+    /// The number of directions at a point up to which equal directions are recognised.
     const MOST_DIRECTIONS: usize = 64;
     let adjacency = mesh.adjacency();
     let face_normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
@@ -134,13 +135,13 @@ pub(crate) fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
             }
         }
         let sum: DVec3 = directions.iter().sum();
-        // What is left of normals that cancel out is rounding.
+        // The sum of normals that cancel is a rounding error.
         if sum.length() <= COPLANAR_EPSILON { DVec3::ZERO } else { unit(sum) }
     };
     (0..mesh.points.len()).map(at_point).collect()
 }
 
-/// How far each point goes up to a flat top.
+/// The displacement of each point up to a flat top.
 pub(super) fn flat_top(points: &[DVec3], up: DVec3, distance: f64) -> Vec<DVec3> {
     let heights: Vec<f64> = points.iter().map(|p| p.dot(up)).collect();
     let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
@@ -155,7 +156,7 @@ pub(super) fn flat_top(points: &[DVec3], up: DVec3, distance: f64) -> Vec<DVec3>
     heights.iter().map(|height| if (top - height).abs() <= near { DVec3::ZERO } else { up * (top - height) }).collect()
 }
 
-/// Which corners start an edge without a wall, and which faces hang together by such edges.
+/// The corners whose edges get no wall, and the bodies: faces connected by such edges.
 struct Joints {
     inner: Vec<bool>,
     /// For each face the first face of its body.
@@ -164,7 +165,7 @@ struct Joints {
 
 impl Joints {
     fn of(mesh: &Mesh, normals: &[DVec3], at_all_angles: bool) -> Self {
-        // Each directed edge belongs to the first corner that has it, so that walls are left out in pairs.
+        // Each directed edge belongs to the first corner that has it, so that walls are omitted in pairs.
         let mut edges = PairTable::with_capacity(mesh.corners.len());
         let mut face_of = vec![0u32; mesh.corners.len()];
         each_edge(mesh, |face, corner, a, b| {
@@ -188,7 +189,7 @@ impl Joints {
             }
         });
         for face in 0..joints.body.len() as u32 {
-            // Where points move alike whatever their faces, there is one body.
+            // If points move independently of their faces, there is one body.
             joints.body[face as usize] = if at_all_angles { 0 } else { joints.root(face) };
         }
         joints
@@ -202,7 +203,7 @@ impl Joints {
     }
 }
 
-/// Calls back with face, corner and the two points of every edge.
+/// Calls `visit` with the face, the corner and the two points of every edge.
 fn each_edge(mesh: &Mesh, mut visit: impl FnMut(usize, usize, u32, u32)) {
     for (index, face) in mesh.faces().enumerate() {
         for ring in face.loop_ranges() {
@@ -214,13 +215,13 @@ fn each_edge(mesh: &Mesh, mut visit: impl FnMut(usize, usize, u32, u32)) {
     }
 }
 
-/// The mesh being made.
+/// The mesh under construction.
 struct Grown<'a> {
     source: &'a Mesh,
     mesh: Mesh,
-    /// New index of a point of the source.
+    /// The new index of each point of the source.
     low: Vec<u32>,
-    /// Index of its moved copy, one for each body that has it.
+    /// The index of each point's displaced copy, one per body.
     high: PairTable,
 }
 
@@ -234,7 +235,7 @@ impl Grown<'_> {
         self.low[point]
     }
 
-    /// The moved copy of a point; the point itself if it stays.
+    /// The displaced copy of a point; the point itself if it does not move.
     fn high(&mut self, corner: usize, body: u32, way: impl Fn(u32, u32) -> DVec3) -> u32 {
         let point = self.source.corners[corner];
         let by = way(body, point);
@@ -248,7 +249,8 @@ impl Grown<'_> {
         *index
     }
 
-    /// A wall: points and the corners whose texture coordinates they have. Of ends that did not move one corner is left.
+    /// Adds a wall: points, with the corners whose texture coordinates they get. An end that did not move gives one
+    /// corner.
     fn wall(&mut self, corners: [(u32, usize); 4], tag: FaceTag) {
         let [a, b, c, d] = corners;
         let left: &[(u32, usize)] = match (a.0 == d.0, b.0 == c.0) {
@@ -340,7 +342,7 @@ mod tests {
         assert!((body.volume() - 3.0).abs() < 1e-12);
     }
 
-    /// Two slopes that meet in a fold along x, at the height of 1; the outer edges are at 0.
+    /// Two slopes that meet in a fold along x, at a height of 1. The outer edges are at 0.
     fn folded() -> Mesh {
         let mut b = MeshBuilder::new();
         let at =
@@ -361,7 +363,7 @@ mod tests {
         }
         assert!((extrude(&folded(), Extrude::Vector(DVec3::Y), 3.0).volume() - 60.0).abs() < 1e-12);
         let body = extrude(&folded(), Extrude::VertexNormal, 3.0);
-        // Over the fold along the average, which is upright; beside it along the slopes' normals.
+        // At the fold along the average, which is vertical; elsewhere along the normals of the slopes.
         let fold = body.points().iter().filter(|p| p.z == 0.0).map(|p| p.y).collect::<Vec<_>>();
         assert_eq!(fold, [1.0, 1.0, 4.0, 4.0]);
         assert_eq!(extrude(&folded(), Extrude::FaceNormal, 3.0).face_count(), 12);
@@ -383,7 +385,7 @@ mod tests {
             for (point, normal) in mesh.points().iter().zip(vertex_normals(mesh)) {
                 assert!((normal - (*point - 0.5).normalize()).length() < 1e-12);
             }
-            // A closed mesh grows a shell without walls.
+            // A closed mesh becomes a shell without walls.
             let shell = extrude(mesh, Extrude::VertexNormal, libm::sqrt(3.0));
             assert!(shell.is_closed() && shell.face_count() == 2 * mesh.face_count());
             assert!((shell.volume() - 26.0).abs() < 1e-12);
@@ -391,9 +393,10 @@ mod tests {
     }
 
     #[test]
-    fn fact_69_a_flat_top_is_at_least_as_high_as_the_highest_point() {
+    fn a_flat_top_is_at_least_as_high_as_the_highest_point() {
         let up = Extrude::FlatTop(DVec3::Y);
-        // Distance, top, faces: where nothing moves there is no wall, and one of three corners beside it.
+        // Distance, top, number of faces. Where nothing moves there is no wall, and a wall with one fixed end has three
+        // corners.
         for (distance, top, faces) in
             [(0.0, 1.0, 10), (0.5, 1.0, 10), (1.0, 1.0, 10), (4.0, 4.0, 10), (-0.5, 0.0, 8), (-4.0, -3.0, 10)]
         {

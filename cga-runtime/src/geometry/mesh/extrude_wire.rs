@@ -1,7 +1,8 @@
-//! Edges pulled out into faces (*extrude operation*, extrusion of edges).
+//! Extrudes edges to faces (*extrude operation*, extrusion of edges).
 //!
-//! Each edge gives one face, which begins with the edge. Along their own directions edges part where they meet at an angle;
-//! along those of their points, or all along one, they stay together.
+//! Each edge gives one face, which begins with the edge. Edges that are extruded along their own normals separate where
+//! they meet at an angle. Edges that are extruded along the normals of their points, or along one vector, stay
+//! connected.
 
 use glam::DVec3;
 
@@ -12,10 +13,10 @@ use crate::geometry::provenance::Extruded;
 use crate::geometry::wire::Wire;
 use crate::value::text::Text;
 
-/// The faces over the edges of a wire. Those that look nowhere give nothing along their own direction.
+/// The faces on the edges of a wire. Edges without a normal are not extruded along it.
 ///
 /// # Errors
-/// When a coordinate leads beyond the largest number.
+/// An error if a coordinate overflows.
 pub(crate) fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result<Mesh, MeshError> {
     let at_points: Vec<DVec3> = match along {
         Extrude::FaceNormal => Vec::new(),
@@ -39,7 +40,7 @@ pub(crate) fn extrude_wire(wire: &Wire, along: Extrude, distance: f64) -> Result
     builder.build()
 }
 
-/// Where the points of a wire look: the mean of the edges that end there.
+/// The normals of the points of a wire: the mean of the normals of the edges at each point.
 pub(crate) fn point_normals(wire: &Wire) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; wire.points.len()];
     for (edge, normal) in wire.edges.iter().zip(&wire.normals) {

@@ -1,4 +1,4 @@
-//! One face of a mesh, read-only.
+//! A read-only view of a face.
 
 use std::ops::Range;
 
@@ -14,12 +14,12 @@ pub struct FaceRef<'a> {
 }
 
 impl<'a> FaceRef<'a> {
-    /// Its number in the mesh.
+    /// The number of the face in the mesh.
     pub fn index(&self) -> usize {
         self.index
     }
 
-    /// The outline, counter-clockwise seen from outside, as indices into the points.
+    /// The outline, counter-clockwise as seen from outside, as indices into the points.
     pub fn outer(&self) -> &'a [u32] {
         &self.mesh.corners[self.mesh.loop_range(self.mesh.face_loops(self.index).start)]
     }
@@ -43,23 +43,23 @@ impl<'a> FaceRef<'a> {
         mesh.face_loops(self.index).map(move |l| mesh.loop_range(l))
     }
 
-    /// All its corners, as a range of [`Mesh::corners`], [`Mesh::uvs`] and [`Mesh::normals`].
+    /// All corners, as a range of [`Mesh::corners`], [`Mesh::uvs`] and [`Mesh::normals`].
     pub fn corner_range(&self) -> Range<usize> {
         let loops = self.mesh.face_loops(self.index);
         self.mesh.loop_range(loops.start).start..self.mesh.loop_range(loops.end - 1).end
     }
 
-    /// How many corners it has, those of holes included.
+    /// The number of corners, those of holes included.
     pub fn corner_count(&self) -> usize {
         self.corner_range().len()
     }
 
-    /// Group, material, and whether a cut made it.
+    /// The group, the material, the tags, and whether a cut made the face.
     pub fn tag(&self) -> FaceTag {
         self.mesh.tags[self.index]
     }
 
-    /// The positions of its outline.
+    /// The positions of the outline.
     pub(crate) fn outline(&self) -> impl Iterator<Item = DVec3> + 'a {
         let mesh = self.mesh;
         self.outer().iter().map(|&point| mesh.points[point as usize])
@@ -70,18 +70,19 @@ impl<'a> FaceRef<'a> {
         self.mesh.points[self.mesh.corners[corner] as usize]
     }
 
-    /// Twice the area, along the normal.
+    /// The normal with twice the area as its length.
     pub(crate) fn area_vector(&self) -> DVec3 {
         self.area_vector_of(|p| p)
     }
 
-    /// The same of other positions (Newell's sum, about the first corner so that distance costs no digits).
+    /// The same for other positions. Newell's sum, relative to the first corner, so that distance from the origin costs
+    /// no accuracy.
     #[inline(always)]
     fn area_vector_of(&self, place: impl Fn(DVec3) -> DVec3) -> DVec3 {
         let at = |point: u32| place(self.mesh.points[point as usize]);
         let corners = &self.mesh.corners[self.corner_range()];
         if let [a, b, c] = *corners {
-            // What is left of the sum; most faces of large meshes are triangles.
+            // The sum reduces to this; most faces of large meshes are triangles.
             let from = at(a);
             return (at(b) - from).cross(at(c) - from);
         }
@@ -98,9 +99,9 @@ impl<'a> FaceRef<'a> {
         sum
     }
 
-    /// The unit normal, zero for a face without area; of faces of any size.
+    /// The unit normal, for faces of any size; zero for a face without area.
     pub fn normal(&self) -> DVec3 {
-        /// Far above what is lost where products underflow.
+        /// Far above the size at which products underflow.
         const SMALL: f64 = 1e-250;
         let sum = self.area_vector();
         let size = sum.abs().max_element();
@@ -108,25 +109,25 @@ impl<'a> FaceRef<'a> {
         unit(if safe { sum } else { self.area_vector_at_one() })
     }
 
-    /// The area vector of the face made about one large.
+    /// The area vector of the face scaled to a size of about 1.
     #[cold]
     fn area_vector_at_one(&self) -> DVec3 {
         let scale = Bounds::of(self.corner_range().map(|corner| self.position(corner))).scale_to_one();
         self.area_vector_of(|p| p * scale)
     }
 
-    /// The unit normal once the mesh is stretched along its axes; zero for a face without area.
+    /// The unit normal after the mesh is stretched along its axes; zero for a face without area.
     pub(crate) fn stretched_normal(&self, stretch: DVec3) -> DVec3 {
         unit(self.area_vector() * DVec3::new(stretch.y * stretch.z, stretch.z * stretch.x, stretch.x * stretch.y))
     }
 
-    /// The area, holes taken off.
+    /// The area, without the holes.
     pub fn area(&self) -> f64 {
         0.5 * self.area_vector().length()
     }
 }
 
-/// A vector made one long, or zero; safe for very small and very large ones.
+/// The vector scaled to length 1, or zero. Safe for very small and very large vectors.
 pub(crate) fn unit(v: DVec3) -> DVec3 {
     let scale = v.abs().max_element();
     if 0.0 < scale && scale < f64::INFINITY { (v / scale).normalize() } else { DVec3::ZERO }

@@ -1,20 +1,20 @@
-//! Which loops are whose, and what faces carry: stored for what is usual, many faces alike.
+//! The loops and tags of faces, stored compactly for the usual case of many similar faces.
 
 use std::ops::{Index, Range};
 
 use super::{FaceTag, Mesh};
 
-/// Where the loops of each face end. Faces of one loop need no memory as long as they come first.
+/// The end of each face's loops. Faces with one loop need no memory while they come first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct FaceEnds {
-    /// So many faces have one loop each.
+    /// The number of leading faces with one loop each.
     single: u32,
-    /// Where the loops of the faces after those end.
+    /// The ends of the loops of the later faces.
     ends: Vec<u32>,
 }
 
 impl FaceEnds {
-    /// Faces of one loop each.
+    /// `count` faces with one loop each.
     pub(crate) fn single(count: usize) -> Self {
         FaceEnds { single: count as u32, ends: Vec::new() }
     }
@@ -48,13 +48,13 @@ impl FaceEnds {
         start as usize..self.ends[face - single] as usize
     }
 
-    /// The face that a loop is of.
+    /// The face of a loop.
     pub(crate) fn face_of(&self, ring: usize) -> usize {
         let single = self.single as usize;
         if ring < single { ring } else { single + self.ends.partition_point(|&end| end as usize <= ring) }
     }
 
-    /// Makes a face the first one.
+    /// Moves a face to the front.
     pub(crate) fn bring_to_front(&mut self, face: usize) {
         let loops = self.loops(face).len() as u32;
         let single = self.single as usize;
@@ -66,20 +66,20 @@ impl FaceEnds {
             }
             return;
         }
-        // Faces of one loop no longer come first.
+        // Faces with one loop no longer come first.
         let before = (1..=self.single).chain(self.ends[..face - single].iter().copied()).map(|end| end + loops);
         let ends = std::iter::once(loops).chain(before).chain(self.ends[face - single + 1..].iter().copied()).collect();
         *self = FaceEnds { single: 0, ends };
     }
 
-    /// Whether every face has a loop, and all faces together have `loops`.
+    /// Returns true if every face has a loop, and all faces together have `loops` loops.
     pub(crate) fn cover(&self, loops: usize) -> bool {
         let mut last = self.single;
         self.ends.iter().all(|&end| std::mem::replace(&mut last, end) < end) && last as usize == loops
     }
 }
 
-/// The tag of each face, as runs of equal ones.
+/// The tag of each face, as runs of equal tags.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Tags {
     /// The end of each run, and its tag.
@@ -87,7 +87,7 @@ pub(crate) struct Tags {
 }
 
 impl Tags {
-    /// Faces that are all alike.
+    /// `count` faces with the same tag.
     pub(crate) fn uniform(count: usize, tag: FaceTag) -> Self {
         Tags { runs: vec![(count as u32, tag)] }
     }
@@ -107,11 +107,11 @@ impl Tags {
         }
     }
 
-    /// Makes a face the first one.
+    /// Moves a face to the front.
     pub(crate) fn bring_to_front(&mut self, face: usize) {
         let tag = self[face];
         let run = self.runs.partition_point(|run| run.0 as usize <= face);
-        // Those before move by one, and so does the end of the last of them; the others end where they did.
+        // The faces before it move by one, and so does the end of the last of their runs. Later runs keep their ends.
         self.runs[..run].iter_mut().for_each(|run| run.0 += 1);
         if run != 0 && self.runs[run].0 == self.runs[run - 1].0 {
             self.runs.remove(run);
@@ -124,7 +124,7 @@ impl Tags {
         }
     }
 
-    /// All runs: the face before which each ends, and its tag.
+    /// All runs: the number of the face after the run, and the tag.
     pub(crate) fn runs(&self) -> &[(u32, FaceTag)] {
         &self.runs
     }
@@ -139,7 +139,8 @@ impl Index<usize> for Tags {
     }
 }
 
-/// Gives back the room of a list that is much more than it needs. Small lists keep it, as that takes longer than it is worth.
+/// Shrinks a list that has much more capacity than it needs. Small lists are not shrunk, because copying costs more
+/// than the memory is worth.
 pub(super) fn give_back_room<T>(list: &mut Vec<T>) {
     const SMALL: usize = 1 << 12;
     let spare = list.capacity() - list.len();
@@ -149,7 +150,7 @@ pub(super) fn give_back_room<T>(list: &mut Vec<T>) {
 }
 
 impl Mesh {
-    /// Gives back room that is much more than the mesh needs.
+    /// Shrinks lists that have much more capacity than they need.
     pub(crate) fn give_back_room(&mut self) {
         give_back_room(&mut self.points);
         give_back_room(&mut self.corners);
@@ -160,7 +161,7 @@ impl Mesh {
         self.uvs.give_back_room();
     }
 
-    /// The bytes of its lists, and those that they have room for.
+    /// The bytes of the mesh's lists, and the bytes of their capacity.
     #[cfg(test)]
     pub(crate) fn bytes(&self) -> [usize; 2] {
         fn of<T>(list: &Vec<T>) -> [usize; 2] {
@@ -172,7 +173,7 @@ impl Mesh {
         all.fold([0; 2], |sum, next| [sum[0] + next[0], sum[1] + next[1]])
     }
 
-    /// Makes a face the first one; the order of the others stays.
+    /// Moves a face to the front. The order of the others stays.
     pub(crate) fn bring_to_front(&mut self, face: usize) {
         let rings = self.face_loops(face);
         let corners = self.loop_range(rings.start).start..self.loop_range(rings.end - 1).end;
@@ -192,7 +193,7 @@ impl Mesh {
 
 /// Moves a range to the front.
 pub(super) fn to_front<T: Copy>(list: &mut [T], range: Range<usize>) {
-    // What is before a long one moves as a block: turning the list would take it one by one.
+    // The elements before a long range move as a block; a rotation would move them one by one.
     if size_of_val(&list[range.clone()]) <= 256 {
         list[..range.end].rotate_right(range.len());
         return;
@@ -235,7 +236,7 @@ mod tests {
                 assert_eq!((faces.loops(place).len(), tags[place]), (loops[face], tag(face)));
             }
             assert!(faces.cover(end) && (faces.len(), tags.len()) == (loops.len(), loops.len()));
-            // Equal neighbours are one run.
+            // Equal neighbours are in one run.
             assert!(tags.runs().windows(2).all(|pair| pair[0].1 != pair[1].1));
         }
     }

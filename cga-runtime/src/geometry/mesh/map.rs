@@ -1,4 +1,4 @@
-//! Moving and turning over whole meshes.
+//! Transformations and reversal of whole meshes.
 
 use std::sync::{Arc, OnceLock};
 
@@ -7,15 +7,15 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::face::unit;
 use super::{Derived, FaceTag, Mesh, Tags};
 
-/// The map under which normals follow the winding: it takes `a × b` to `(m·a) × (m·b)`, also when `m` mirrors.
-/// Unlike the inverse it exists for flat maps too.
+/// The map of normals that matches the winding: it maps `a × b` to `(m·a) × (m·b)`, also if `m` mirrors. Unlike the
+/// inverse it exists for flat maps too.
 pub(crate) fn normal_map(m: &DMat3) -> DMat3 {
     DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
 }
 
 impl Mesh {
-    /// The mesh moved by a map. The order of corners stays: a map that mirrors turns the faces inside out, and the
-    /// corner normals with them.
+    /// The mesh transformed by a map. The order of corners stays, so a mirroring map turns the faces and the corner
+    /// normals inside out.
     pub fn map(&self, map: &DAffine3) -> Mesh {
         let normal_map = normal_map(&map.matrix3);
         Mesh {
@@ -26,18 +26,18 @@ impl Mesh {
         }
     }
 
-    /// The mesh with its z axis up and its y axis to the back.
+    /// The mesh rotated so that its z axis points up and its y axis to the back.
     pub(crate) fn raised(&self) -> Mesh {
         self.map(&DAffine3 { matrix3: DMat3::from_cols(DVec3::X, DVec3::NEG_Z, DVec3::Y), translation: DVec3::ZERO })
     }
 
-    /// The same faces with other points, one for each; what corners carry stays as it is. Closed stays closed.
+    /// The same faces with other points, one for each. The values of corners do not change, and a closed mesh stays
+    /// closed.
     pub(crate) fn with_points(&self, points: Vec<DVec3>) -> Mesh {
         Mesh { points, normals: self.normals.clone(), derived: self.derived.of_moved(), ..self.clone_structure() }
     }
 
-    /// The mesh with every face looking the other way. The first edge stays: its two corners change places and come
-    /// first again.
+    /// The mesh with every face reversed. The first edge stays: its two corners are swapped and come first again.
     pub fn reversed(&self) -> Mesh {
         let mut mesh = self.clone();
         mesh.derived.adjacency = OnceLock::new();
@@ -55,14 +55,14 @@ impl Mesh {
         mesh
     }
 
-    /// The same mesh with no face having a material.
+    /// The mesh without materials.
     pub(crate) fn without_materials(&self) -> Mesh {
         let mut tags = Tags::default();
         (0..self.face_count()).for_each(|face| tags.push(FaceTag { material: FaceTag::NONE, ..self.tags[face] }));
         Mesh { tags, materials: Arc::default(), ..self.clone() }
     }
 
-    /// Everything but points, normals and what derives from them.
+    /// A copy without points, normals and derived properties.
     fn clone_structure(&self) -> Mesh {
         Mesh {
             points: Vec::new(),
@@ -80,7 +80,7 @@ impl Mesh {
     }
 }
 
-/// 0 1 2 3 becomes 1 0 3 2.
+/// Reverses a ring and keeps its first edge: 0 1 2 3 becomes 1 0 3 2.
 pub(crate) fn flip<T>(ring: &mut [T]) {
     ring.reverse();
     ring.rotate_right(2);

@@ -1,4 +1,4 @@
-//! What a whole mesh measures. Bounds and closedness are kept once known.
+//! Measures of a whole mesh. The bounds and whether it is closed are cached.
 
 use glam::DVec3;
 
@@ -7,13 +7,13 @@ use super::{Bounds, Mesh};
 use crate::geometry::tol::VOLUME_EPSILON;
 
 impl Mesh {
-    /// The box around all points.
+    /// The bounding box of all points.
     pub fn bounds(&self) -> Bounds {
         *self.derived.bounds.get_or_init(|| Bounds::of(self.points.iter().copied()))
     }
 
-    /// Whether the faces enclose a volume: each edge is used as often one way as the other. Not so for a mesh without
-    /// faces.
+    /// Returns true if the faces enclose a volume: each edge is used equally often in both directions. False for a mesh
+    /// without faces.
     pub fn is_closed(&self) -> bool {
         *self.derived.closed.get_or_init(|| self.count_closed())
     }
@@ -30,7 +30,7 @@ impl Mesh {
         net.values().all(|v| v == 0)
     }
 
-    /// Calls back with every edge of every loop, face after face.
+    /// Calls `each` with every edge of every loop, face by face.
     pub(crate) fn directed_edges(&self, mut each: impl FnMut(u32, u32)) {
         let mut start = 0;
         for &end in &self.loop_ends {
@@ -49,13 +49,13 @@ impl Mesh {
         self.faces().map(|face| face.area()).sum()
     }
 
-    /// The volume enclosed, negative when the faces look inwards. Of an open mesh, that of the cone from the middle of
-    /// its bounds.
+    /// The enclosed volume, negative if the faces look inwards. For an open mesh, the signed volume of the cone from
+    /// the centre of its bounds to its faces.
     pub fn volume(&self) -> f64 {
         self.volume_of(|p| p)
     }
 
-    /// Whether the faces enclose a volume, and look inwards.
+    /// Returns true if the mesh is closed and its faces look inwards.
     pub(crate) fn is_inside_out(&self) -> bool {
         let bounds = self.bounds();
         let scale = bounds.scale_to_one();
@@ -63,7 +63,7 @@ impl Mesh {
         self.is_closed() && self.volume_of(|p| p * scale) < -VOLUME_EPSILON * size * size * size
     }
 
-    /// The volume of what points become relative to the middle.
+    /// The volume after `place` is applied to the points relative to the centre.
     #[inline(always)]
     fn volume_of(&self, place: impl Fn(DVec3) -> DVec3) -> f64 {
         if self.is_empty() {

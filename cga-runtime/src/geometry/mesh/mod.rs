@@ -1,14 +1,14 @@
 //! Meshes of planar polygons with holes.
 //!
-//! Storage is flat: positions; corners (indices into the positions) loop after loop; loops face after face. The first
-//! loop of a face is its outline, counter-clockwise seen from outside; the others are holes, clockwise. Faces carry a
-//! group, a material and whether a cut made them; corners may carry texture coordinates and normals. Coordinates are
-//! local: whoever holds a mesh knows where it stands.
+//! The storage is flat: positions; corners (indices into the positions) loop by loop; loops face by face. The first
+//! loop of a face is its outline, counter-clockwise as seen from outside; the others are holes, clockwise. Faces have a
+//! group, a material and a flag for faces made by cuts. Corners may have texture coordinates and normals. Coordinates
+//! are local; the owner of a mesh defines their frame.
 //!
-//! What always holds: every coordinate is finite, every index in range, every loop has three corners or more and no
-//! corner repeats the one before it, every point is used. Two faces share an edge when they share its two point
-//! *indices*; positions are made unique by [`MeshBuilder`] and never compared again. Faces may be degenerate (no
-//! area): a mesh stays closed with them and would not be without.
+//! Invariants: every coordinate is finite, every index is in range, every loop has at least three corners, no corner
+//! equals its predecessor, and every point is used. Two faces share an edge if they share its two point *indices*.
+//! [`MeshBuilder`] makes positions unique, and they are never compared again. Faces may be degenerate (without area),
+//! because a closed mesh may need them to be closed.
 
 mod adjacency;
 mod along_uv;
@@ -16,6 +16,7 @@ mod build;
 pub mod check;
 mod convex;
 mod error;
+mod extract;
 pub mod extrude;
 mod extrude_wire;
 mod face;
@@ -45,6 +46,7 @@ pub use build::MeshBuilder;
 pub(crate) use build::keep_used;
 pub use check::Flaw;
 pub use error::{MeshError, TooManyCorners};
+pub use extract::extract;
 pub use extrude::{Extrude, extrude};
 pub(crate) use extrude_wire::{extrude_wire, point_normals};
 pub use face::FaceRef;
@@ -57,31 +59,31 @@ pub(crate) use tag::matches as tag_matches;
 pub(crate) use uv::UvSets;
 pub use uv::{TextureSpace, UvAxis, UvExtent};
 
-/// Faces with holes over shared points. Made by [`MeshBuilder`], never changed afterwards.
+/// Faces with holes over shared points. Made by [`MeshBuilder`] and immutable afterwards.
 #[derive(Clone, Debug, Default)]
 pub struct Mesh {
     pub(crate) points: Vec<DVec3>,
-    /// Point of each corner, loop after loop.
+    /// The point of each corner, loop by loop.
     pub(crate) corners: Vec<u32>,
-    /// For each loop, where it ends in `corners`.
+    /// The end of each loop in `corners`.
     pub(crate) loop_ends: Vec<u32>,
-    /// For each face, where it ends in `loop_ends`.
+    /// The end of each face in `loop_ends`.
     pub(crate) face_ends: FaceEnds,
-    /// One a face.
+    /// One tag per face.
     pub(crate) tags: Tags,
     pub(crate) uvs: UvSets,
-    /// Normals, one a corner, or empty.
+    /// One normal per corner, or empty.
     pub(crate) normals: Vec<DVec3>,
-    /// Names of groups; [`FaceTag::group`] counts in here.
+    /// The names of groups, indexed by [`FaceTag::group`].
     pub(crate) groups: Arc<[String]>,
-    /// Materials; [`FaceTag::material`] counts in here.
+    /// The materials, indexed by [`FaceTag::material`].
     pub(crate) materials: Arc<[Material]>,
-    /// Component tags; [`FaceTag::tags`] counts in here.
+    /// The sets of component tags, indexed by [`FaceTag::tags`].
     pub(crate) tag_sets: Arc<[TagSet]>,
     pub(crate) derived: Derived,
 }
 
-/// What a face carries besides its corners.
+/// The attributes of a face besides its corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FaceTag {
     /// Index into the mesh's groups, or [`FaceTag::NONE`].
@@ -90,14 +92,14 @@ pub struct FaceTag {
     pub material: u32,
     /// Index into the mesh's sets of component tags, or [`FaceTag::NONE`].
     pub tags: u32,
-    /// Whether a cut made this face.
+    /// True if a cut made this face.
     pub cap: bool,
 }
 
 impl FaceTag {
-    /// No group, no material.
+    /// The index for "none": no group, no material, no tags.
     pub const NONE: u32 = u32::MAX;
-    /// A face without group and material that is not a cap.
+    /// A face without group, material and tags that is not a cap.
     pub const PLAIN: FaceTag = FaceTag { group: Self::NONE, material: Self::NONE, tags: Self::NONE, cap: false };
     /// A face made by a cut.
     pub const CAP: FaceTag = FaceTag { cap: true, ..FaceTag::PLAIN };
@@ -109,7 +111,7 @@ impl Default for FaceTag {
     }
 }
 
-/// What is computed once, when first asked for.
+/// Properties that are computed on demand and cached.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Derived {
     pub(crate) bounds: OnceLock<Bounds>,
@@ -118,46 +120,46 @@ pub(crate) struct Derived {
 }
 
 impl Derived {
-    /// Of the same faces with other points.
+    /// The properties of the same faces with other points.
     fn of_moved(&self) -> Self {
         Derived { bounds: OnceLock::new(), ..self.clone() }
     }
 }
 
-/// An axis-aligned box; of nothing, `low` is +∞ and `high` is −∞.
+/// An axis-aligned box. For the empty box `low` is +∞ and `high` is −∞.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Smallest coordinates.
+    /// The smallest coordinates.
     pub low: DVec3,
-    /// Largest coordinates.
+    /// The largest coordinates.
     pub high: DVec3,
 }
 
 impl Bounds {
-    /// Of nothing.
+    /// The empty box.
     pub const EMPTY: Bounds = Bounds { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
-    /// Extent along each axis, zero for nothing.
+    /// The extent along each axis; zero for the empty box.
     pub fn size(&self) -> DVec3 {
         (self.high - self.low).max(DVec3::ZERO)
     }
 
-    /// A power of two that makes the longest extent about 1, so that areas and volumes neither overflow nor vanish.
+    /// A power of two that scales the longest extent to about 1, so that areas and volumes neither overflow nor vanish.
     pub(crate) fn scale_to_one(&self) -> f64 {
         const EXPONENT: u64 = 0x7ff << 52;
-        // Halves of the largest numbers have a difference.
+        // The difference of the largest numbers overflows; that of their halves does not.
         let half = (self.high * 0.5 - self.low * 0.5).max_element();
         1.0 / f64::from_bits(half.max(f64::MIN_POSITIVE).to_bits() & EXPONENT)
     }
 
-    /// The box of some points.
+    /// The bounding box of some points.
     pub fn of(points: impl IntoIterator<Item = DVec3>) -> Bounds {
         points.into_iter().fold(Bounds::EMPTY, |b, p| Bounds { low: b.low.min(p), high: b.high.max(p) })
     }
 }
 
 impl Mesh {
-    /// The positions; every one is used by a face.
+    /// The positions. Every position is used by a face.
     pub fn points(&self) -> &[DVec3] {
         &self.points
     }
@@ -167,41 +169,41 @@ impl Mesh {
         &self.corners
     }
 
-    /// Texture coordinates of set 0, one a corner, or nothing at all.
+    /// The texture coordinates of set 0, one pair per corner, or an empty slice.
     pub fn uvs(&self) -> &[DVec2] {
         self.uvs.get(0)
     }
 
-    /// Texture coordinates of a set (0 to 9), one a corner, or nothing at all.
+    /// The texture coordinates of a set (0 to 9), one pair per corner, or an empty slice.
     pub fn uv_set(&self, set: usize) -> &[DVec2] {
         self.uvs.get(set)
     }
 
-    /// The numbers of the sets that it has.
+    /// The numbers of the mesh's texture sets.
     #[inline]
     pub(crate) fn uv_numbers(&self) -> impl Iterator<Item = usize> + use<'_> {
         self.uvs.numbers()
     }
 
-    /// Normals, one a corner, or nothing at all.
+    /// The normals, one per corner, or an empty slice.
     pub fn normals(&self) -> &[DVec3] {
         &self.normals
     }
 
-    /// How many faces there are.
+    /// The number of faces.
     pub fn face_count(&self) -> usize {
         self.face_ends.len()
     }
 
-    /// Whether there is no face.
+    /// Returns true if the mesh has no faces.
     pub fn is_empty(&self) -> bool {
         self.face_ends.is_empty()
     }
 
-    /// One face.
+    /// The face with a number.
     ///
     /// # Panics
-    /// When there are not that many.
+    /// Panics if the face does not exist.
     pub fn face(&self, index: usize) -> FaceRef<'_> {
         assert!(index < self.face_count(), "face {index} of {}", self.face_count());
         FaceRef { mesh: self, index }
@@ -212,34 +214,34 @@ impl Mesh {
         (0..self.face_count()).map(|index| FaceRef { mesh: self, index })
     }
 
-    /// Names of groups, by [`FaceTag::group`].
+    /// The names of groups, indexed by [`FaceTag::group`].
     pub fn groups(&self) -> &[String] {
         &self.groups
     }
 
-    /// Materials, by [`FaceTag::material`].
+    /// The materials, indexed by [`FaceTag::material`].
     pub fn materials(&self) -> &[Material] {
         &self.materials
     }
 
-    /// Which faces meet where.
+    /// The adjacency of faces, edges and points.
     pub(crate) fn adjacency(&self) -> &Arc<Adjacency> {
         self.derived.adjacency.get_or_init(|| Arc::new(Adjacency::of(self)))
     }
 
-    /// Where an edge of the adjacency starts and ends, as the first face that has it runs it.
+    /// The start and the end of an edge of the adjacency, in the direction of the first face that has it.
     pub(crate) fn edge_ends(&self, edge: usize) -> [DVec3; 2] {
         let from = self.adjacency().uses(edge)[0];
         [from, self.adjacency().next(from)].map(|corner| self.points[self.corners[corner as usize] as usize])
     }
 
-    /// Sets of component tags, by [`FaceTag::tags`].
+    /// The sets of component tags, indexed by [`FaceTag::tags`].
     pub fn tag_sets(&self) -> &[TagSet] {
         &self.tag_sets
     }
 
-    /// A mesh without faces that may have the same groups, materials, tags and texture sets, with room for the coordinates
-    /// of some corners.
+    /// A mesh without faces that has the same groups, materials, tag sets and texture sets, with capacity for the
+    /// coordinates of some corners.
     pub(crate) fn alike(&self, corners: usize) -> Mesh {
         Mesh {
             uvs: self.uvs.alike(corners),
@@ -250,13 +252,13 @@ impl Mesh {
         }
     }
 
-    /// Where a loop lies in `corners`.
+    /// The range of a loop in `corners`.
     pub(crate) fn loop_range(&self, index: usize) -> Range<usize> {
         let start = if index == 0 { 0 } else { self.loop_ends[index - 1] };
         start as usize..self.loop_ends[index] as usize
     }
 
-    /// Which loops a face has.
+    /// The loops of a face.
     pub(crate) fn face_loops(&self, index: usize) -> Range<usize> {
         self.face_ends.loops(index)
     }

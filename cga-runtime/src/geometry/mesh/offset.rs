@@ -1,13 +1,14 @@
-//! Faces with their outlines moved in or out, and strips for the difference (*offset operation*).
+//! Moves the outlines of faces in or out and fills the difference with strips (*offset operation*).
 //!
-//! A face is moved in the plane across its normal. Where it is not planar its parts are not either ([`relief`]): old points
-//! stay, and new ones get heights between those of the face.
+//! A face is moved in the plane across its normal. The parts of a face that is not planar are not planar either
+//! ([`relief`]): old points stay, and new points get heights between those of the face.
 //!
-//! Each face gives what is inside its moved outline, in the order of the edges that come first there, then a strip for
-//! each of its edges, outline before holes. Its parts share their points, but not those of other faces: an edge that only one face uses is the
-//! border of what one face became. Moved inwards, strips look the way of the face and begin with the moved edge, where
-//! there is any; moved outwards they look the other way, so that the areas still add up to that of the face, and begin
-//! with the edge itself. What is inside begins with the first edge that has a part in it.
+//! Each face gives the interior of its moved outline, in the order of the first edges of the parts, and then a strip
+//! for each of its edges, outline before holes. The parts of a face share their points with each other, but not with
+//! other faces: an edge that only one face uses is a border of the parts of one source face. Strips of an inward offset
+//! have the orientation of the face and begin with the moved edge, if there is one. Strips of an outward offset have
+//! the opposite orientation, so that the areas add up to that of the face, and begin with the edge itself. An interior
+//! part begins with the first edge of the face that has a part in it.
 
 use std::collections::BTreeMap;
 
@@ -25,18 +26,18 @@ use crate::geometry::tol::PLANAR_EPSILON;
 
 mod relief;
 
-/// Which faces an offset keeps.
+/// The faces that an offset keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OffsetFaces {
-    /// What is inside the moved outlines, and the strips.
+    /// The interiors of the moved outlines, and the strips.
     All,
-    /// What is inside the moved outlines.
+    /// The interiors of the moved outlines.
     Inside,
     /// The strips.
     Border,
 }
 
-/// Why a face has no offset.
+/// The reason why a face has no offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum OffsetError {
     NoNormal,
@@ -44,8 +45,8 @@ pub(crate) enum OffsetError {
     Tangled,
 }
 
-/// The faces of a mesh moved inwards (a negative distance) or outwards. Those that cannot be moved are as they were, with
-/// points of their own; they are given, too.
+/// Moves the faces of a mesh inwards (a negative distance) or outwards. Faces that cannot be moved are copied
+/// unchanged, with points of their own, and are also listed with the reason.
 pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Vec<(usize, OffsetError)>) {
     let mut made = Mesh {
         uvs: mesh.uvs.alike(0),
@@ -61,12 +62,12 @@ pub(crate) fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Ve
             copy(&face, &mut made);
         }
     }
-    // The wavefront numbers its points as it finds them; rules count vertices as faces have them.
+    // The wavefront numbers points in the order of its events; rules expect vertices in the order of faces.
     made.points = in_order_of_use(&made.points, &mut made.corners);
     (made, refused)
 }
 
-/// A face as it is.
+/// Copies a face unchanged.
 fn copy(face: &FaceRef<'_>, made: &mut Mesh) {
     let source = face.mesh;
     let mut numbers = BTreeMap::new();
@@ -86,17 +87,17 @@ fn copy(face: &FaceRef<'_>, made: &mut Mesh) {
     made.tags.push(face.tag());
 }
 
-/// A face laid flat.
+/// A face projected to its plane.
 struct Plane<'a> {
     face: FaceRef<'a>,
     origin: DVec3,
     axes: [DVec3; 2],
     normal: DVec3,
-    /// The points of the face, once each, how high they are above the plane, and their numbers in the mesh.
+    /// The distinct points of the face, their heights above the plane, and their numbers in the mesh.
     flat: Vec<DVec2>,
     heights: Vec<f64>,
     points: Vec<u32>,
-    /// For each corner its point.
+    /// For each corner the number of its point.
     corners: Vec<u32>,
 }
 
@@ -130,7 +131,7 @@ impl<'a> Plane<'a> {
             }
             plane.corners.push(number);
         }
-        // What is off it by rounding is in the plane.
+        // Deviations by rounding errors count as in the plane.
         if plane.heights.iter().all(|height| height.abs() <= PLANAR_EPSILON * extent) {
             plane.heights.fill(0.0);
         }
@@ -160,10 +161,10 @@ impl<'a> Plane<'a> {
     }
 }
 
-/// The edges of a face, by the corner they start at, in the order in which they are swept. Outside of a face, loops run the
-/// other way.
+/// The edges of a face, by their first corner, in the order in which they are swept. For an outward offset the loops
+/// are reversed.
 struct Edges {
-    /// First corner and number of corners of each loop.
+    /// The first corner and the number of corners of each loop.
     loops: Vec<(usize, usize)>,
     turned: bool,
 }
@@ -174,14 +175,14 @@ impl Edges {
         Edges { loops: face.loop_ranges().map(|ring| (ring.start - start, ring.len())).collect(), turned }
     }
 
-    /// The corners of each loop as they are swept.
+    /// The corners of each loop in swept order.
     fn loops(&self) -> impl Iterator<Item = impl Iterator<Item = usize>> {
         let turned = self.turned;
         let place = move |k: usize, count: usize| if turned { (count - k) % count } else { k };
         self.loops.iter().map(move |&(start, count)| (0..count).map(move |k| start + place(k, count)))
     }
 
-    /// The corner that an edge starts at in the face.
+    /// The first corner of an edge in the face.
     fn corner(&self, edge: u32) -> usize {
         let edge = edge as usize;
         let ring = self.loops.partition_point(|&(start, _)| start <= edge) - 1;
@@ -189,7 +190,7 @@ impl Edges {
         if self.turned { start + count - 1 - (edge - start) } else { edge }
     }
 
-    /// The corner after one of the face.
+    /// The next corner in a corner's loop.
     fn next(&self, corner: usize) -> usize {
         let ring = self.loops.partition_point(|&(start, _)| start <= corner) - 1;
         let (start, count) = self.loops[ring];
@@ -197,19 +198,19 @@ impl Edges {
     }
 }
 
-/// What one face becomes, on its way into the mesh.
+/// The parts of one face, while they are added to the mesh.
 struct Part<'p, 'a> {
     plane: &'p Plane<'a>,
     swept: &'p Swept,
     spread: Spread,
     outwards: bool,
     made: &'p mut Mesh,
-    /// Where its points begin in the mesh.
+    /// The start of its points in the mesh.
     base: u32,
 }
 
 impl<'p, 'a> Part<'p, 'a> {
-    /// With its points in the mesh: old ones stay as they are, to the bit.
+    /// Adds the points to the mesh. Old points are copied bit for bit.
     fn new(plane: &'p Plane<'a>, swept: &'p Swept, heights: &[f64], outwards: bool, made: &'p mut Mesh) -> Self {
         let base = made.points.len() as u32;
         let old = plane.points.iter().map(|&point| plane.face.mesh.points[point as usize]);
@@ -222,7 +223,8 @@ impl<'p, 'a> Part<'p, 'a> {
         Part { plane, swept, spread, outwards, made, base }
     }
 
-    /// What is inside the moved outlines: loops sorted into outlines and holes, each with its first edge in front.
+    /// Adds the interiors of the moved outlines: loops grouped to outlines and holes, each beginning with its first
+    /// edge.
     fn inside(&mut self, edges: &Edges) {
         let mut rings: Vec<Vec<(usize, u32)>> = self.swept.left.iter().map(|ring| self.ahead(ring, edges)).collect();
         rings.sort_unstable_by_key(|ring| ring[0]);
@@ -248,8 +250,8 @@ impl<'p, 'a> Part<'p, 'a> {
         }
     }
 
-    /// A loop of what is left as the face runs: for each corner the face's edge that the side after it is of, and its point.
-    /// It begins with the first edge.
+    /// A loop of the remaining interior in the direction of the face, beginning with the first edge. For each corner it
+    /// has the face's edge that the next side belongs to, and the point.
     fn ahead(&self, ring: &[Left], edges: &Edges) -> Vec<(usize, u32)> {
         let count = ring.len();
         let side = |k: usize| {
@@ -262,14 +264,14 @@ impl<'p, 'a> Part<'p, 'a> {
         sides
     }
 
-    /// The strip of the edge from a corner of the face to the next.
+    /// Adds the strip of the edge from a corner of the face to the next.
     fn strip(&mut self, corner: usize, strip: &Strip, edges: &Edges) {
         let own = |point: u32| [corner, edges.next(corner)].into_iter().find(|&c| self.plane.corners[c] == point);
         let mut ring: Vec<(u32, Option<usize>)> = strip.ring.iter().map(|&point| (point, own(point))).collect();
         if self.outwards {
             flip(&mut ring);
         } else {
-            // Of several sides that have moved the first along the edge.
+            // If several sides have moved, the first one along the edge.
             let first = strip.front.iter().rposition(|&front| front);
             ring.rotate_left(first.unwrap_or(0));
         }
@@ -277,7 +279,7 @@ impl<'p, 'a> Part<'p, 'a> {
         self.face();
     }
 
-    /// A loop: points of the plane, some of them corners of the face.
+    /// Adds a loop of points of the plane. Some are corners of the face.
     fn ring(&mut self, ring: &[(u32, Option<usize>)], looking: f64) {
         let source = self.plane.face.mesh;
         let range = self.plane.face.corner_range();

@@ -1,4 +1,4 @@
-//! A mesh of one polygon from its corners: how footprints and facades come in.
+//! Meshes with one polygon, for footprints and facades.
 
 use std::ops::Range;
 
@@ -12,12 +12,12 @@ use crate::geometry::mesh::check::winding;
 use crate::geometry::triangulate::Projection;
 
 impl Mesh {
-    /// One face from an outline, counter-clockwise seen from where it is to face, and holes of either sense. Corners
-    /// that repeat the one before them are left out.
+    /// A mesh with one face from an outline, counter-clockwise as seen from the front, and holes with any winding.
+    /// Repeated corners are removed.
     ///
     /// # Errors
-    /// When a coordinate is not finite, a loop has fewer than three different corners, the outline has no area, or edges
-    /// cross, overlap, or touch elsewhere than at corners.
+    /// An error if a coordinate is not finite, a loop has fewer than three different corners, the outline has no area,
+    /// or edges cross, overlap, or touch except at corners.
     pub fn from_polygon(outer: &[DVec3], holes: &[Vec<DVec3>]) -> Result<Mesh, MeshError> {
         let mut points: Vec<DVec3> = Vec::new();
         let mut rings: Vec<Range<usize>> = Vec::new();
@@ -59,13 +59,13 @@ impl Mesh {
     }
 }
 
-/// Twice the area, along the normal.
+/// The normal with twice the area as its length.
 fn ring_area(ring: &[DVec3]) -> DVec3 {
     let from = ring[0];
     ring.windows(2).map(|w| (w[0] - from).cross(w[1] - from)).sum()
 }
 
-/// One edge of a loop, in the plane.
+/// An edge of a loop, in the plane.
 struct Edge {
     a: DVec2,
     b: DVec2,
@@ -82,7 +82,7 @@ impl Edge {
         self.a.max(self.b)
     }
 
-    /// Whether they have more in common than corners.
+    /// Returns true if two edges have more in common than corners.
     fn meets(&self, other: &Edge) -> bool {
         if self.low().cmpgt(other.high()).any() || other.low().cmpgt(self.high()).any() {
             return false;
@@ -90,14 +90,14 @@ impl Edge {
         let [c, d] = [other.a, other.b].map(|p| orient(self.a, self.b, p));
         let [a, b] = [self.a, self.b].map(|p| orient(other.a, other.b, p));
         if [a, b, c, d] == [0; 4] {
-            // Collinear: they overlap unless they have one point in common at most.
+            // Collinear edges overlap if they have more than one point in common.
             let (low, high) = (self.low().max(other.low()), self.high().min(other.high()));
             return low != high;
         }
         if a * b < 0 && c * d < 0 {
             return true;
         }
-        // A corner of one inside the other edge.
+        // True if a corner of one edge is inside the other edge.
         let inside = |side: i32, p: DVec2, edge: &Edge| {
             side == 0 && p != edge.a && p != edge.b && p.cmpge(edge.low()).all() && p.cmple(edge.high()).all()
         };
@@ -129,7 +129,8 @@ fn check_crossings(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> R
     Ok(())
 }
 
-/// Loops that don't cross lie wholly inside or outside of each other, so one corner tells.
+/// Checks the places of holes. Loops do not cross here, so each is entirely inside or outside another one, and one
+/// corner decides.
 fn check_holes(points: &[DVec3], rings: &[Range<usize>], normal: DVec3) -> Result<(), MeshError> {
     let flat = Projection::along(normal);
     let flat: Vec<DVec2> = points.iter().map(|&p| flat.apply(p)).collect();

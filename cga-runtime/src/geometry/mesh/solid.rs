@@ -6,14 +6,14 @@ use super::{Derived, FaceEnds, FaceTag, Mesh, Tags};
 use crate::geometry::Axis;
 use crate::geometry::provenance::{Provenance, tag_sets};
 
-/// The box that a run can begin with: front, right, back, left (counter-clockwise seen from above), top, bottom. Vertices
-/// are numbered x + 2y + 4z.
+/// The initial box of a run: front, right, back, left (counter-clockwise as seen from above), top, bottom. Vertices are
+/// numbered x + 2y + 4z.
 pub(crate) fn cuboid() -> Mesh {
     let points = [0, 1, 2, 3, 4, 5, 6, 7].map(corner);
     unit_box(points, [[4, 5, 7, 6], [5, 1, 3, 7], [1, 0, 2, 3], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]])
 }
 
-/// A closed box of those faces.
+/// A closed box with the given faces.
 pub(super) fn unit_box(points: [DVec3; 8], faces: [[u32; 4]; 6]) -> Mesh {
     let derived = Derived::default();
     let _ = derived.closed.set(true);
@@ -28,13 +28,13 @@ pub(super) fn unit_box(points: [DVec3; 8], faces: [[u32; 4]; 6]) -> Mesh {
     }
 }
 
-/// The corner of the unit box with a number x + 2y + 4z.
+/// The corner of the unit box with the number x + 2y + 4z.
 pub(crate) fn corner(number: u8) -> DVec3 {
     DVec3::new(f64::from(number & 1), f64::from(number >> 1 & 1), f64::from(number >> 2 & 1))
 }
 
-/// A square at 0 of the axis across it, looking along that axis. Its first edge is the lowest one; of a square on
-/// the ground the front one.
+/// A square at 0 across an axis, with its normal along the axis. Its first edge is the lowest one, or the front one for
+/// a square on the ground.
 pub(crate) fn square(across: Axis, provenance: Provenance) -> Mesh {
     let derived = Derived::default();
     let _ = derived.closed.set(false);

@@ -1,9 +1,9 @@
-//! What the corners of a face carry, continued over its plane: the linear map that fits best. Where texture coordinates are
-//! projected or otherwise straight it is exact.
+//! Extends the values at the corners of a face over its plane, by the best-fitting affine map. The map is exact for
+//! projected and other affine texture coordinates.
 
 use glam::{DMat2, DVec2};
 
-/// Positions of corners, and how they lie about their middle.
+/// Positions of corners, and their moments about their mean.
 pub(super) struct Spread {
     corners: Vec<DVec2>,
     middle: DVec2,
@@ -11,7 +11,7 @@ pub(super) struct Spread {
 }
 
 impl Spread {
-    /// Of corners in a plane; not all on one line.
+    /// Corners in a plane that are not all on one line.
     pub(super) fn of(corners: Vec<DVec2>) -> Self {
         let middle = corners.iter().sum::<DVec2>() / corners.len() as f64;
         let outer = |d: DVec2| DMat2::from_cols(d * d.x, d * d.y);
@@ -20,7 +20,7 @@ impl Spread {
         Spread { corners, middle, inverse }
     }
 
-    /// How much each corner counts at a point; they add up to 1.
+    /// The weight of each corner at a point. The weights add up to 1.
     pub(super) fn weights(&self, at: DVec2) -> Vec<f64> {
         let to = self.inverse * (at - self.middle);
         let share = 1.0 / self.corners.len() as f64;

@@ -1,25 +1,25 @@
-//! A small hash table from pairs of indices to a number: edges.
+//! A small hash table from pairs of indices to numbers, for edges.
 //!
-//! Open addressing, never walked in hash order for output, so nothing depends on the hash. It is fixed, so that pairs can be
-//! chosen which all fall into one place of the table: those that are not near where they belong are in a tree.
+//! It uses open addressing, and output never depends on the hash order. The hash function is fixed, so an attacker
+//! could choose pairs with equal hashes. Pairs far from their own slot are therefore stored in a tree.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// Edge → number.
+/// A map from edges to numbers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PairTable {
     slots: Vec<(u64, u32)>,
-    /// Pairs in the slots.
+    /// The number of pairs in the slots.
     len: usize,
-    /// Pairs that had no free slot near theirs.
+    /// The pairs without a free slot near their own.
     crowd: BTreeMap<u64, u32>,
 }
 
-/// Never a pair: an edge has two different ends.
+/// A key that is not a pair, because an edge has two different ends.
 const EMPTY: u64 = u64::MAX;
 
-/// How far from its own slot a pair is looked for: of usual pairs in a table that is half full none is that far.
+/// The search distance from a pair's own slot. With usual pairs and a half-full table, no pair is that far away.
 const NEAR: usize = 256;
 
 impl PairTable {
@@ -29,7 +29,7 @@ impl PairTable {
         table
     }
 
-    /// Forgets everything and makes room for some pairs.
+    /// Clears the table and makes room for some pairs.
     pub(crate) fn reset(&mut self, pairs: usize) {
         let size = (pairs.max(8) * 2).next_power_of_two();
         self.slots.clear();
@@ -38,7 +38,7 @@ impl PairTable {
         self.crowd.clear();
     }
 
-    /// Forgets everything, keeping a table that is not much too large.
+    /// Clears the table. The memory is kept unless it is much too large.
     pub(crate) fn clear(&mut self) {
         if self.len * 64 + 1024 < self.slots.len() {
             self.slots = Vec::new();
@@ -48,7 +48,7 @@ impl PairTable {
         self.crowd.clear();
     }
 
-    /// The number of a pair, put in as `initial` when it is new, and whether it was.
+    /// The number of a pair, and whether the pair is new. A new pair gets the number `initial`.
     #[inline]
     pub(crate) fn entry(&mut self, a: u32, b: u32, initial: u32) -> (&mut u32, bool) {
         if self.slots.len() <= self.len * 2 {
@@ -72,7 +72,7 @@ impl PairTable {
         }
     }
 
-    /// The number of a pair, when it is in.
+    /// The number of a pair, if it is in the table.
     pub(crate) fn get(&self, a: u32, b: u32) -> Option<u32> {
         if self.slots.is_empty() {
             return None;
@@ -83,12 +83,12 @@ impl PairTable {
         (slot.0 != EMPTY).then_some(slot.1)
     }
 
-    /// All pairs with their numbers, in no useful order.
+    /// All pairs with their numbers, in unspecified order.
     pub(crate) fn pairs(&self) -> impl Iterator<Item = ([u32; 2], u32)> + '_ {
         self.entries().map(|(key, number)| ([(key >> 32) as u32, key as u32], number))
     }
 
-    /// All numbers, in no useful order.
+    /// All numbers, in unspecified order.
     pub(crate) fn values(&self) -> impl Iterator<Item = u32> + '_ {
         self.entries().map(|(_, number)| number)
     }
@@ -98,7 +98,7 @@ impl PairTable {
         slots.chain(self.crowd.iter().map(|(&key, &number)| (key, number)))
     }
 
-    /// Where a pair is or would be put; nothing when all near its slot are taken by others.
+    /// The slot where a pair is or would be stored. `None` if all slots near its own are taken.
     #[inline]
     fn find(&self, key: u64) -> Option<usize> {
         let mask = self.slots.len() - 1;
@@ -136,7 +136,7 @@ mod tests {
 
     #[test]
     fn pairs_made_to_crowd_are_all_found() {
-        // Of all pairs, those that fall into few slots of a table however large.
+        // Pairs that fall into few slots of a table of any size.
         let crowded = |a: u32, b: u32| {
             let hash = (u64::from(a) << 32 | u64::from(b)).wrapping_mul(0x9E37_79B9_7F4A_7C15);
             (hash ^ (hash >> 32)) & 0xffff < 16

@@ -1,15 +1,15 @@
-//! Tags of components, and the queries that find them (*Geometry tagging*).
+//! Tags of components, and tag queries (*Geometry tagging*).
 
 use std::sync::Arc;
 
 use crate::value::text::Text;
 
-/// Tags of a face: sorted, none twice. Names are in parts, as in `extrude.side.outer`.
+/// The tags of a face, sorted and without duplicates. Names have parts, as in `extrude.side.outer`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TagSet(Arc<[Text]>);
 
 impl TagSet {
-    /// Of some names.
+    /// A set of tags with the given names.
     pub fn new(names: impl IntoIterator<Item = Text>) -> Self {
         let mut names: Vec<Text> = names.into_iter().collect();
         names.sort_unstable();
@@ -22,23 +22,23 @@ impl TagSet {
         &self.0
     }
 
-    /// Whether a query finds one of them.
+    /// Returns true if a query matches one of the tags.
     pub fn matches(&self, query: &str) -> bool {
         self.0.iter().any(|name| matches(query, name))
     }
 
-    /// These without those below a name, and with another one: what an operation that tags its faces leaves.
+    /// The tags without those below `below`, with `name` added: the result of an operation that tags its faces.
     pub(crate) fn renewed(&self, below: &str, name: &str) -> Self {
         let others = self.0.iter().filter(|name| !matches(below, name)).cloned();
         TagSet::new(others.chain([Text::from(name)]))
     }
 }
 
-/// Whether a query finds a tag: its parts are the first ones of the tag, where `?` stands for any part and `*` for one or
-/// more (*Geometry tagging*, tag queries).
+/// Returns true if a query matches a tag: the parts of the query match the first parts of the tag, where `?` matches
+/// any part and `*` one or more (*Geometry tagging*, tag queries).
 pub(crate) fn matches(query: &str, tag: &str) -> bool {
     let parts: Vec<&str> = tag.split('.').collect();
-    // Which numbers of parts the query up to here may have taken.
+    // For each number of parts, whether the query so far can match exactly these parts.
     let mut taken = vec![false; parts.len() + 1];
     taken[0] = true;
     for part in query.split('.') {

@@ -1,4 +1,4 @@
-//! Texture coordinates: up to ten sets, each one pair a corner or nothing at all.
+//! Texture coordinates: up to ten sets, each with one pair per corner or empty.
 
 mod extent;
 
@@ -24,9 +24,9 @@ pub enum TextureSpace {
 /// One of the two texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum UvAxis {
-    /// The first one.
+    /// The first coordinate.
     U,
-    /// The second one.
+    /// The second coordinate.
     V,
 }
 
@@ -37,40 +37,40 @@ impl UvAxis {
     }
 }
 
-/// The sets of a mesh. There may be empty lists among them, but a mesh without texture coordinates has none at all.
+/// The sets of a mesh. Some lists may be empty, but a mesh without texture coordinates has no lists at all.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct UvSets {
     lists: Vec<Vec<DVec2>>,
 }
 
 impl UvSets {
-    /// How many sets there can be (*Texturing*: 0 to 9).
+    /// The largest number of sets (*Texturing*: 0 to 9).
     pub(crate) const MOST: usize = 10;
 
-    /// One set; nothing when it has no coordinates.
+    /// A set; empty if it has no coordinates.
     #[inline]
     pub(crate) fn get(&self, set: usize) -> &[DVec2] {
         self.lists.get(set).map_or(&[], Vec::as_slice)
     }
 
-    /// The numbers of the sets that there are.
+    /// The numbers of the sets with coordinates.
     #[inline]
     pub(crate) fn numbers(&self) -> impl Iterator<Item = usize> + use<'_> {
         self.lists.iter().enumerate().filter(|(_, list)| !list.is_empty()).map(|(set, _)| set)
     }
 
-    /// Whether there is no set.
+    /// Returns true if no set has coordinates.
     #[inline]
     pub(crate) fn is_empty(&self) -> bool {
         self.lists.is_empty()
     }
 
-    /// Whether each set has none or so many.
+    /// Returns true if each set is empty or has `corners` pairs.
     pub(crate) fn fit(&self, corners: usize) -> bool {
         self.lists.iter().all(|list| [0, corners].contains(&list.len()))
     }
 
-    /// Puts a set in; an empty one is none.
+    /// Replaces a set. An empty list removes the set.
     pub(crate) fn set(&mut self, set: usize, list: Vec<DVec2>) {
         if self.lists.len() <= set && !list.is_empty() {
             self.lists.resize_with(set + 1, Vec::new);
@@ -80,19 +80,19 @@ impl UvSets {
         }
     }
 
-    /// Forgets empty sets after the last one with coordinates.
+    /// Removes empty lists after the last set with coordinates.
     fn forget_empty(&mut self) {
         let used = self.lists.iter().rposition(|list| !list.is_empty()).map_or(0, |last| last + 1);
         self.lists.truncate(used);
     }
 
-    /// As many sets as there are here, still empty, with room for so many corners.
+    /// The same sets without coordinates, with capacity for `room` corners.
     pub(crate) fn alike(&self, room: usize) -> UvSets {
         let room = |list: &Vec<DVec2>| if list.is_empty() { Vec::new() } else { Vec::with_capacity(room) };
         UvSets { lists: self.lists.iter().map(room).collect() }
     }
 
-    /// Adds to each set what `value` makes of the source's list.
+    /// Adds to each set the result of `value` for the source's list.
     #[inline]
     pub(crate) fn push_from(&mut self, source: &UvSets, mut value: impl FnMut(&[DVec2]) -> DVec2) {
         for (to, from) in self.lists.iter_mut().zip(&source.lists) {
@@ -102,7 +102,7 @@ impl UvSets {
         }
     }
 
-    /// Adds some corners of the source to each set.
+    /// Copies some corners of the source to each set.
     #[inline]
     pub(crate) fn copy_from(&mut self, source: &UvSets, corners: Range<usize>) {
         for (to, from) in self.lists.iter_mut().zip(&source.lists) {
@@ -112,36 +112,36 @@ impl UvSets {
         }
     }
 
-    /// Gives back room that is much more than the sets need.
+    /// Shrinks lists that have much more capacity than they need.
     pub(super) fn give_back_room(&mut self) {
         self.lists.iter_mut().for_each(super::layout::give_back_room);
     }
 
-    /// The bytes of all sets, and those that they have room for.
+    /// The bytes of all sets, and the bytes of their capacity.
     #[cfg(test)]
     pub(super) fn bytes(&self) -> [usize; 2] {
         let sum = |count: fn(&Vec<DVec2>) -> usize| self.lists.iter().map(count).sum::<usize>() * size_of::<DVec2>();
         [sum(Vec::len), sum(Vec::capacity)]
     }
 
-    /// Forgets corners from that one on.
+    /// Removes all corners from a number on.
     pub(super) fn truncate(&mut self, corners: usize) {
         self.lists.iter_mut().for_each(|list| list.truncate(corners));
     }
 
-    /// Changes corners of each set.
+    /// Changes a range of corners in each set.
     pub(crate) fn change(&mut self, corners: Range<usize>, mut change: impl FnMut(&mut [DVec2])) {
         self.lists.iter_mut().filter(|list| !list.is_empty()).for_each(|list| change(&mut list[corners.clone()]));
     }
 
-    /// Moves corners to the front of each set.
+    /// Moves a range of corners to the front of each set.
     pub(super) fn bring_to_front(&mut self, corners: &Range<usize>) {
         self.lists.iter_mut().filter(|list| !list.is_empty()).for_each(|list| to_front(list, corners.clone()));
     }
 }
 
 impl Mesh {
-    /// This mesh, whose points are in the world, with coordinates from maps in place of those sets that have one.
+    /// This mesh, whose points are in the world, with coordinates computed by maps in the sets that have a map.
     pub(crate) fn with_uvs(mut self, maps: &[SetMap]) -> Mesh {
         for SetMap { set, map } in maps.iter().filter(|known| known.set < UvSets::MOST) {
             let list = self.corners.iter().map(|&corner| map.at(self.points[corner as usize])).collect();
@@ -152,18 +152,18 @@ impl Mesh {
 }
 
 impl Mesh {
-    /// The mesh with other coordinates in a set, one pair a corner, or without the set if there are none. Coordinates that
-    /// are infinite become the largest numbers, and NaN becomes 0.
+    /// The mesh with other coordinates in a set, one pair per corner, or without the set if the list is empty. Infinite
+    /// coordinates become the largest finite numbers, and NaN becomes 0.
     ///
     /// # Panics
-    /// When the number of coordinates is another one, or the set is none of 0 to 9.
+    /// Panics if the number of coordinates is neither 0 nor the number of corners, or if the set is not in 0 to 9.
     pub fn with_uv_set(&self, set: usize, uvs: Vec<DVec2>) -> Mesh {
         let mut mesh = self.clone();
         mesh.put_uv_set(set, uvs);
         mesh
     }
 
-    /// The same in place.
+    /// The same as [`Mesh::with_uv_set`], in place.
     pub(crate) fn put_uv_set(&mut self, set: usize, mut uvs: Vec<DVec2>) {
         assert!(set < UvSets::MOST && [0, self.corners.len()].contains(&uvs.len()), "{} coordinates", uvs.len());
         uvs.iter_mut().filter(|uv| !uv.is_finite()).for_each(|uv| {
@@ -196,7 +196,7 @@ mod tests {
         builder.build()
     }
 
-    /// Every corner of every face but caps has in each set what its point says there.
+    /// Checks that every corner of every face except caps has the coordinates of its point in each set.
     fn all_hold(mesh: &Mesh) {
         assert_eq!(mesh.check(), []);
         for face in mesh.faces().filter(|face| !face.tag().cap) {

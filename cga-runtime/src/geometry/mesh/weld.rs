@@ -1,11 +1,11 @@
-//! Points at the same place, to the bit; -0 counts as 0.
+//! Merges points at the same position, bit for bit; -0 equals 0.
 //!
-//! A hash table finds them. The hash is fixed, so that points can be chosen which all fall into one place of the table: when
-//! looking takes much longer than it should, sorting finds the same.
+//! Uses a hash table with a fixed hash function. An attacker could choose points with equal hashes, so if look-ups take
+//! much longer than expected, sorting is used instead, with the same result.
 
 use glam::DVec3;
 
-/// For each point the first one at the same place.
+/// For each point the first point at the same position.
 pub(crate) fn weld(points: &[DVec3]) -> Vec<u32> {
     by_hash(points).unwrap_or_else(|| by_order(points))
 }
@@ -14,9 +14,9 @@ fn bits(p: DVec3) -> [u64; 3] {
     (p + 0.0).to_array().map(f64::to_bits)
 }
 
-/// Nothing when the points crowd together in the table.
+/// `None` if too many points have similar hashes.
 fn by_hash(points: &[DVec3]) -> Option<Vec<u32>> {
-    /// For each place of the table; less than one is to be expected.
+    /// The limit on steps per slot of the table. Usually there is less than one.
     const MOST_STEPS: usize = 8;
     let size = (points.len().max(4) * 2).next_power_of_two();
     let mut table = vec![u32::MAX; size];
@@ -71,7 +71,7 @@ mod tests {
 
     #[test]
     fn points_made_to_crowd_are_sorted() {
-        // The last coordinate undoes what the hash made of the others.
+        // The last coordinate cancels the hash of the others.
         const FACTOR: u64 = 0x9E37_79B9_7F4A_7C15;
         let inverse = (0..6).fold(1u64, |x, _| x.wrapping_mul(2u64.wrapping_sub(FACTOR.wrapping_mul(x))));
         let crowd = |i: u32| {

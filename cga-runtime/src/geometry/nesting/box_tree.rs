@@ -1,8 +1,8 @@
-//! The smallest of the loops around a point, by a tree of their boxes.
+//! Finds the smallest loop around a point, with a tree of bounding boxes.
 //!
-//! A k-d tree: boxes are divided by the one of their four bounds that differs most, so large ones part from small ones and
-//! boxes here from boxes there. A query goes through the loops whose box holds the point, from the smallest area on, and
-//! ends at the first one that is accepted.
+//! A k-d tree: boxes are divided by the one of their four bounds that varies most, so the tree separates large boxes
+//! from small ones and distant boxes from each other. A query visits the loops whose box contains the point by
+//! increasing area, and ends at the first one that is accepted.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -11,28 +11,28 @@ use super::extent::Extent;
 use super::ring::Loop;
 use super::winding::Budget;
 
-/// A tree over some loops.
+/// A tree of some loops.
 #[derive(Default)]
 pub(crate) struct BoxTree {
-    /// A node, all of its first half, all of its second half.
+    /// A node is followed by all nodes of its first half, then by all nodes of its second half.
     nodes: Vec<Node>,
-    /// Loops by rising area.
+    /// The loops by increasing area.
     by_rank: Vec<u32>,
-    /// Nodes that a query may have to look into.
+    /// The nodes that a query still has to visit.
     open: BinaryHeap<Reverse<(u32, u32)>>,
 }
 
 #[derive(Clone, Copy)]
 struct Node {
     extent: Extent,
-    /// The lowest rank in it.
+    /// The lowest rank in the node.
     rank: u32,
-    /// Where its second half is; 0 for a single loop.
+    /// The start of its second half; 0 for a single loop.
     second: u32,
 }
 
 impl BoxTree {
-    /// Builds the tree of the loops that count.
+    /// Builds the tree of the loops that `counts` accepts.
     pub(crate) fn fill(&mut self, loops: &[Loop], counts: impl Fn(usize) -> bool) {
         self.nodes.clear();
         self.by_rank.clear();
@@ -80,8 +80,8 @@ impl BoxTree {
         self.add(second);
     }
 
-    /// Finds the smallest loop that is accepted. Nothing when the budget is spent before. `may_be_in` tells by the box of a
-    /// loop, or of several, whether any can be accepted.
+    /// Finds the smallest loop that is accepted. `None` if the budget is spent before. `may_be_in` tests the box of one
+    /// or several loops: false if none of them can be accepted.
     pub(crate) fn smallest(
         &mut self,
         budget: &mut Budget,
@@ -106,7 +106,7 @@ impl BoxTree {
             }
             for child in [node + 1, second].into_iter().filter(|&child| may_be_in(child)) {
                 let child_rank = self.nodes[child as usize].rank;
-                // No other node has a lower rank than the one just looked at.
+                // No other node has a lower rank than the current one.
                 if child_rank == rank {
                     next = Some(child);
                 } else {
@@ -126,7 +126,7 @@ mod tests {
 
     #[test]
     fn queries_look_at_few_of_many_boxes() {
-        // Boxes of all sizes, and of one size, each twice: the query finds the smaller one.
+        // Boxes of various sizes, and of one size, each twice: the query finds the smaller one.
         for mixed in [false, true] {
             for count in [1 << 8, 1 << 11, 1 << 14] {
                 let side = f64::from(count).sqrt();

@@ -1,8 +1,8 @@
-//! Directed edges in a plane into loops, by point identity.
+//! Joins directed edges in a plane to loops, by point identity.
 //!
-//! Where exactly one edge comes in and one goes out the loop just goes on. Elsewhere, edges that run back and forth cancel,
-//! and the rest is paired by angle ([`super::pairing`]). Loops that meet themselves are taken apart, so each loop here has
-//! every point once. Edges that do not close are given back as chains.
+//! At a point with one incoming and one outgoing edge the loop simply continues. At other points, edges that run back
+//! and forth cancel, and the others are paired by angle ([`super::pairing`]). Loops that meet themselves are divided,
+//! so each loop has every point once. Edges that do not close are returned as chains.
 
 use std::ops::Range;
 
@@ -12,11 +12,11 @@ use super::pairing::{self, Chains};
 
 const NONE: u32 = u32::MAX;
 
-/// Loops of one plane, and buffers.
+/// The loops of one plane, and buffers.
 #[derive(Default)]
 pub(crate) struct Contour {
     next: Vec<u32>,
-    /// Loops one after the other, as numbers of points.
+    /// The loops in sequence, as numbers of points.
     pub(crate) corners: Vec<u32>,
     pub(crate) ends: Vec<usize>,
     chains: Chains,
@@ -24,7 +24,7 @@ pub(crate) struct Contour {
     stack: Vec<u32>,
 }
 
-/// Loops with the points they go through.
+/// Loops with their points.
 pub(crate) struct Section<'c> {
     pub(crate) flat: &'c [DVec2],
     pub(crate) corners: &'c [u32],
@@ -39,12 +39,12 @@ impl Section<'_> {
 }
 
 impl Contour {
-    /// The loops that were found, of the plane with these points.
+    /// The loops that were found. `flat` are the points on the plane.
     pub(crate) fn section<'c>(&'c self, flat: &'c [DVec2]) -> Section<'c> {
         Section { flat, corners: &self.corners, ends: &self.ends }
     }
 
-    /// Finds the loops of some edges between points on a plane. Chains that do not close are handed to `open`.
+    /// Finds the loops of some edges between points on a plane. Chains that do not close are passed to `open`.
     pub(crate) fn follow(&mut self, edges: &[[u32; 2]], flat: &[DVec2], open: impl FnMut(Vec<u32>)) {
         self.corners.clear();
         self.ends.clear();
@@ -55,7 +55,8 @@ impl Contour {
         }
     }
 
-    /// Notes where the edge from each point leads. Whether there is one way in and one way out wherever there is any.
+    /// Records the successor of each point. Returns whether every point that is used has one incoming and one outgoing
+    /// edge.
     fn is_single(&mut self, edges: &[[u32; 2]], points: usize) -> bool {
         self.next.clear();
         self.next.resize(points, NONE);
@@ -98,7 +99,8 @@ impl Contour {
         self.chains = chains;
     }
 
-    /// A closed walk into loops that have each point once: whenever a point comes again, what lies between is a loop.
+    /// Divides a closed walk into loops that have each point once. When a point occurs again, the part in between is a
+    /// loop.
     fn take_apart(&mut self, walk: &[u32]) {
         self.stack.clear();
         for &corner in walk {
@@ -123,7 +125,7 @@ impl Contour {
         self.end_loop(from);
     }
 
-    /// Two edges back and forth are no loop.
+    /// Ends a loop. Two edges back and forth are dropped.
     fn end_loop(&mut self, from: usize) {
         if self.corners.len() < from + 3 {
             self.corners.truncate(from);

@@ -1,4 +1,4 @@
-//! Loops that are there several times, as where a mesh has its faces twice.
+//! Loops that occur several times, as in a mesh with duplicate faces.
 
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -9,18 +9,18 @@ use glam::DVec2;
 use super::contour::Section;
 use super::extent::Extent;
 
-/// Which loops go through the same places in the same order.
+/// Groups of loops through the same points in the same order.
 #[derive(Default)]
 pub(crate) struct Twins {
-    /// Of loops that are not the first of their kind, which one is, and how many came before.
+    /// For each later loop of a group: the first loop of the group, and the number of loops before it.
     first: HashMap<usize, (usize, usize)>,
-    /// Of the first ones that are not alone, all of the kind.
+    /// For each first loop of a group: all loops of the group.
     all: HashMap<usize, Vec<usize>>,
     order: Vec<(DVec2, DVec2, usize)>,
 }
 
 impl Twins {
-    /// Finds them among loops, each given by its corners and its box.
+    /// Finds the groups among loops, which are given by their corners and bounding boxes.
     pub(crate) fn find(&mut self, section: &Section<'_>, loops: impl Iterator<Item = (Range<usize>, Extent)> + Clone) {
         self.first.clear();
         self.all.clear();
@@ -44,23 +44,23 @@ impl Twins {
         }
     }
 
-    /// The first loop of a loop's kind, and how many of the kind came before it.
+    /// The first loop of a loop's group, and the number of loops of the group before it.
     pub(crate) fn first(&self, number: usize) -> (usize, usize) {
         self.first.get(&number).copied().unwrap_or((number, 0))
     }
 
-    /// Loops that are not the first of their kind, each with which one is; in no useful order.
+    /// Each later loop of a group with the first loop of the group, in unspecified order.
     pub(crate) fn others(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.first.iter().map(|(&number, &(first, _))| (number, first))
     }
 
-    /// Of a kind, given by its first loop, the one with a number, from the start again beyond the last.
+    /// Loop number `number` of a group, which is given by its first loop. Wraps around after the last.
     pub(crate) fn nth(&self, first: usize, number: usize) -> usize {
         self.all.get(&first).map_or(first, |all| all[number % all.len()])
     }
 }
 
-/// The places a loop goes through, from its least start: for twins they are the same.
+/// The points of a loop from its least start, which are equal for twins.
 struct Ring {
     number: usize,
     places: Vec<DVec2>,
@@ -82,12 +82,12 @@ impl Ring {
     }
 }
 
-/// Where a ring must start so that its places in a row come first in lexicographic order. Takes as many steps as there are
-/// places, two or three times, however often a place comes again.
+/// The start from which the points of a ring are lexicographically least. Takes two or three times as many steps as
+/// there are points, also if points repeat.
 fn least_start(places: &[DVec2]) -> usize {
     let count = places.len();
     let at = |i: usize| places[if i < count { i } else { i - count }];
-    // Two starts are compared; of the worse one, all up to where it falls back are worse than some other.
+    // Compares two starts. All starts from the worse one up to the difference are worse than some other start.
     let (mut a, mut b, mut same) = (0, 1, 0);
     while a < count && b < count && same < count {
         match by_place(at(a + same), at(b + same)) {

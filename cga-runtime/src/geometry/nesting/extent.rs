@@ -1,4 +1,4 @@
-//! Boxes in a plane.
+//! Bounding boxes in a plane.
 
 use glam::DVec2;
 
@@ -18,25 +18,26 @@ impl Extent {
         all.fold(Extent::EMPTY, |sum, next| Extent { low: sum.low.min(next.low), high: sum.high.max(next.high) })
     }
 
-    /// By how much it may be too small for what is in it, with rounded coordinates.
+    /// The amount by which the box may be too small for its contents because of rounded coordinates.
     pub(crate) fn slack(&self) -> f64 {
         AROUND_EPSILON * self.low.abs().max(self.high.abs()).max_element()
     }
 
-    /// Whether it is in another one, except for rounding. Then it is also in every box around that.
+    /// Returns true if the box is inside another one, except for rounding. Then it is also inside every box around that
+    /// one.
     pub(crate) fn is_in(&self, other: &Extent) -> bool {
         let slack = other.slack();
         other.low.cmple(self.low + slack).all() && self.high.cmple(other.high + slack).all()
     }
 
-    /// Whether a point is in it or on its rim.
+    /// Returns true if a point is inside the box or on its rim.
     #[inline]
     pub(crate) fn holds(&self, point: DVec2) -> bool {
         self.low.x <= point.x && self.low.y <= point.y && point.x <= self.high.x && point.y <= self.high.y
     }
 }
 
-/// What makes a section of these corners about as large as 1 when its areas would be beyond what a number holds.
+/// The factor that scales a section to about 1 if its areas would overflow or underflow; otherwise 1.
 pub(crate) fn about_one(mut corners: impl Iterator<Item = DVec2>) -> f64 {
     const RANGE: std::ops::Range<f64> = 1e-100..1e100;
     let Some(from) = corners.next() else { return 1.0 };

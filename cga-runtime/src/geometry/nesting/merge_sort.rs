@@ -1,9 +1,9 @@
-//! A stable sort that bears comparisons without an order.
+//! A stable sort that tolerates inconsistent comparisons.
 
 use std::cmp::Ordering;
 
-/// Sorts, equal ones in their order. Whatever the comparisons say (where products underflow they are not exact), it ends and
-/// loses nothing, and it takes n log n of them.
+/// A stable sort. It ends and loses no element even if the comparisons are inconsistent (they are not exact where
+/// products underflow), and it takes n log n comparisons.
 pub(crate) fn merge_sort<T: Copy>(list: &mut [T], spare: &mut Vec<T>, compare: &impl Fn(&T, &T) -> Ordering) {
     if list.len() < 2 {
         return;

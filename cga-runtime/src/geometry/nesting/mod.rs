@@ -1,14 +1,15 @@
-//! Which loops of a section are outlines, and which are holes of which.
+//! Assigns the holes of a section to its outlines.
 //!
-//! Outlines run counter-clockwise, holes clockwise (of a section that is inside out as a whole, the other way). A hole
-//! belongs to the smallest outline that winds around it; a hole that no outline winds around stays on its own. Each hole is
-//! asked for at one point just beside it, on the side of the solid, among the outlines whose box holds the point
-//! ([`crate::geometry::nesting::box_tree`]). Where this takes long, because many boxes hold what their outlines do not, a sweep tells
-//! ([`crate::geometry::nesting::sweep`]), unless loops cross. Rounding may press what is between a hole and its outline flat, or turn it over:
-//! a hole for which nothing is found that could hold it is asked for again at a point well inside.
+//! Outlines are counter-clockwise, holes clockwise (the opposite if the section is inside out as a whole). A hole
+//! belongs to the smallest outline that winds around it; a hole without such an outline stays separate. Each hole is
+//! tested at one point just beside it, on the side of the solid, against the outlines whose bounding box contains the
+//! point ([`crate::geometry::nesting::box_tree`]). If this takes too long, because many boxes contain points that their
+//! outlines do not, a sweep decides ([`crate::geometry::nesting::sweep`]), unless loops cross. Rounding may flatten or
+//! invert the area between a hole and its outline. So a hole without a possible outline is tested again at a point well
+//! inside it.
 //!
-//! All queries together look at a limited number of boxes and edges for each corner of the section. Holes that are left then
-//! stay on their own: parts are closed whichever outline a hole belongs to.
+//! The number of boxes and edges that all queries visit is limited per corner of the section. Holes that remain then
+//! stay separate. Parts are closed with any assignment of holes to outlines.
 
 mod box_tree;
 pub(crate) mod contour;
@@ -36,37 +37,37 @@ use ring::Loop;
 use sweep::Sweep;
 use winding::{Budget, Runs};
 
-/// The number of boxes and edges to look at for each corner of a section, and for any section. Sections whose loops lie about
-/// at random need about ten a corner, and the sweep takes about as long as this many.
+/// The limit on visited boxes and edges per corner of a section, and the minimum for any section. Sections with loops
+/// at random positions need about ten per corner, and the sweep takes about as long as this limit.
 const LIMIT: usize = 64;
 const SMALL: usize = 1 << 16;
 
-/// What the queries of a section may look at.
+/// The budget for the queries of a section.
 fn budget(section: &Section<'_>) -> Budget {
     Budget(SMALL.max(LIMIT * section.corners.len()))
 }
 
-/// Loops of a section in groups: an outline and its holes. Also buffers.
+/// The loops of a section in groups, each an outline with its holes, and buffers.
 #[derive(Default)]
 pub(crate) struct Nest {
     loops: Vec<Loop>,
-    /// Loops in the order of groups; where each group ends.
+    /// The loops in the order of groups, and the end of each group.
     pub(crate) order: Vec<Range<usize>>,
     pub(crate) ends: Vec<usize>,
-    /// Whether outlines run clockwise and holes counter-clockwise.
+    /// True if outlines are clockwise and holes counter-clockwise.
     inverted: bool,
-    /// What makes the section about as large as 1.
+    /// The factor that scales the section to about 1.
     scale: f64,
     twins: Twins,
     tree: BoxTree,
     runs: Runs,
     sweep: Sweep,
-    /// Holes to ask about, each at its point.
+    /// The holes to test, each with its point.
     probes: Vec<(usize, Probe)>,
 }
 
 impl Nest {
-    /// One loop, which is an outline.
+    /// A section with one loop, which is an outline.
     pub(crate) fn single(&mut self, end: usize) {
         self.order.clear();
         self.ends.clear();
@@ -77,19 +78,20 @@ impl Nest {
     /// Sorts the loops of a section into groups.
     pub(crate) fn sort(&mut self, section: &Section<'_>) {
         self.measure(section);
-        // A section that is inside out has its outlines clockwise. Where outlines and holes cancel out, the sum is rounding.
+        // In a section that is inside out, outlines are clockwise. If outlines and holes cancel, the sum is rounding
+        // noise.
         let (sum, all) =
             self.loops.iter().fold((0.0, 0.0), |(sum, all), ring| (sum + ring.area, all + ring.area.abs()));
         self.nest(section, sum < -PLANAR_EPSILON * all);
     }
 
-    /// The same, of a section of which it is known whether it is inside out.
+    /// The same for a section that is known to be inside out or not.
     pub(crate) fn sort_as(&mut self, section: &Section<'_>, inverted: bool) {
         self.measure(section);
         self.nest(section, inverted);
     }
 
-    /// The holes that belong to no outline.
+    /// The holes without an outline.
     pub(crate) fn lone_holes(&self) -> impl Iterator<Item = &Range<usize>> {
         self.loops.iter().filter(|ring| !ring.is_outline() && ring.outline.is_none()).map(|ring| &ring.range)
     }
@@ -117,7 +119,7 @@ impl Nest {
         self.group();
     }
 
-    /// Lists each outline with its holes behind it, all in the order they were found.
+    /// Lists each outline, followed by its holes, in the order in which they were found.
     fn group(&mut self) {
         self.order.clear();
         self.ends.clear();
@@ -128,7 +130,7 @@ impl Nest {
             }
             return;
         }
-        // Where each group starts: behind as many loops as are in the groups before.
+        // The start of each group: the number of loops in the groups before it.
         let mut starts = vec![0usize; self.loops.len() + 1];
         for (index, ring) in self.loops.iter().enumerate() {
             starts[ring.outline.unwrap_or(index) + 1] += 1;
@@ -156,7 +158,7 @@ impl Nest {
     fn assign(&mut self, section: &Section<'_>) {
         let Nest { loops, inverted, twins, tree, runs, probes, .. } = self;
         twins.find(section, loops.iter().map(|ring| (ring.range.clone(), ring.extent)));
-        // Rounding depends on where a loop starts. Of an area of about 0 that may be the sign.
+        // Rounding depends on where a loop starts, and for an area of about 0 it may decide the sign.
         for (number, first) in twins.others() {
             loops[number].area = loops[first].area;
         }
@@ -172,7 +174,7 @@ impl Nest {
         }
         self.ask_beside(section);
         self.ask_inside(section);
-        // Where outlines are there several times, so are holes: each gets its own.
+        // If outlines occur several times, so do holes: each gets its own outline.
         for hole in 0..self.loops.len() {
             if !self.loops[hole].is_outline() {
                 let (first, rank) = self.twins.first(hole);
@@ -184,7 +186,7 @@ impl Nest {
         }
     }
 
-    /// Finds, for each hole, the smallest outline that winds around the point beside it. Where that takes long and loops
+    /// Finds for each hole the smallest outline that winds around the point beside it. If the budget is spent and loops
     /// cross, some holes stay without an outline.
     fn ask_beside(&mut self, section: &Section<'_>) {
         let Nest { loops, inverted, twins, tree, runs, sweep, probes, .. } = self;
@@ -204,8 +206,8 @@ impl Nest {
         }
     }
 
-    /// The same, of holes that have no outline that could hold them, for a point inside, if there is one, and outlines that
-    /// could.
+    /// Repeats the test for holes without a possible outline, at a point inside the hole if there is one, with possible
+    /// outlines only.
     fn ask_inside(&mut self, section: &Section<'_>) {
         let Nest { loops, scale, tree, runs, probes, .. } = self;
         let mut budget = budget(section);
@@ -229,7 +231,7 @@ impl Nest {
     }
 }
 
-/// The area of a loop and its box; the area of a section that is `scale` times as large.
+/// The area and the bounding box of a loop; the area is that of the section scaled by `scale`.
 fn measure(section: &Section<'_>, range: Range<usize>, scale: f64) -> Loop {
     let ring = &section.corners[range.clone()];
     let from = section.flat[ring[0] as usize];
@@ -249,13 +251,13 @@ fn measure(section: &Section<'_>, range: Range<usize>, scale: f64) -> Loop {
 mod tests {
     use super::*;
 
-    /// Numbers from 0 to 1 that look random.
+    /// Pseudo-random numbers from 0 to 1.
     fn noise(seed: &mut u32) -> f64 {
         *seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         f64::from(*seed >> 8) / f64::from(1 << 24)
     }
 
-    /// Stars, every second one a hole, that cross each other.
+    /// Stars that cross each other, every second one a hole.
     fn stars(count: usize, seed: &mut u32) -> Vec<Vec<DVec2>> {
         let star = |number: usize| {
             let (corners, size) = (3 + (noise(seed) * 40.0) as usize, 0.02 + noise(seed) * noise(seed) * 0.4);

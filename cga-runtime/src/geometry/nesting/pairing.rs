@@ -1,8 +1,9 @@
-//! Edges in a plane where several meet at a point: which goes on as which.
+//! Edges in a plane where several meet at a point: the successor of each.
 //!
-//! The inside is left of each edge. Going round a point counter-clockwise, an edge that leaves begins a sector of the
-//! inside and an edge that arrives ends one; so the two are paired like brackets. Loops paired that way do not cross. Of a
-//! section that is inside out as a whole the inside is right of each edge: arriving begins a sector there, leaving ends it.
+//! The interior is left of each edge. In counter-clockwise order around a point, an edge that leaves begins a sector of
+//! the interior, and an edge that arrives ends one. So the two are paired like brackets, and the paired loops do not
+//! cross. If a section is inside out as a whole, the interior is right of each edge: an arriving edge begins a sector,
+//! and a leaving edge ends it.
 
 use std::cmp::Ordering;
 
@@ -14,18 +15,18 @@ use crate::geometry::exact::orient;
 
 const NONE: u32 = u32::MAX;
 
-/// Walks found, and buffers.
+/// The walks, and buffers.
 #[derive(Default)]
 pub(crate) struct Chains {
-    /// Closed walks one after the other; a point may come several times.
+    /// Closed walks in sequence. A point may occur several times.
     pub(crate) corners: Vec<u32>,
     pub(crate) loop_ends: Vec<usize>,
-    /// Walks that do not close, ends included.
+    /// Walks that do not close, with both ends.
     pub(crate) open: Vec<Vec<u32>>,
-    /// Edges at each point, those that leave with the lowest bit set; where each point's start.
+    /// The edges at each point, with the lowest bit set for edges that leave, and the start of each point's edges.
     at: Vec<u32>,
     starts: Vec<usize>,
-    /// For each edge the one that follows.
+    /// The successor of each edge.
     next: Vec<u32>,
     arrived: Vec<bool>,
     dead: Vec<bool>,
@@ -69,13 +70,13 @@ impl Chains {
         }
     }
 
-    /// Takes out pairs of edges that run back and forth between this point and another.
+    /// Removes pairs of edges that run back and forth between this point and another.
     fn cancel(&mut self, edges: &[[u32; 2]], point: usize) {
         let range = self.starts[point]..self.starts[point + 1];
         if range.len() < 4 {
             return;
         }
-        // By the other end, and leaving before arriving: what cancels stands together.
+        // By the other end, arriving edges before leaving ones, so that pairs to cancel are neighbours.
         let other = |item: u32| edges[item as usize / 2][(item & 1) as usize];
         self.round.clear();
         self.round.extend(self.at[range].iter().copied().filter(|&item| !self.dead[item as usize / 2]));
@@ -98,7 +99,7 @@ impl Chains {
         if self.round.len() > 2 {
             merge_sort(&mut self.round, &mut self.spare, &|&a, &b| by_angle(centre, other(a), other(b)));
         }
-        // Brackets on a circle: twice round, so that those open at the end are closed at the start.
+        // Brackets on a circle: two rounds, so that brackets open at the end are closed at the start.
         self.brackets.clear();
         for turn in 0..2 {
             for &item in &self.round {
@@ -118,7 +119,7 @@ impl Chains {
     }
 
     fn walk(&mut self, edges: &[[u32; 2]]) {
-        // Open walks begin where nothing arrives; taking them first leaves circles only.
+        // Open walks begin at an edge without a predecessor. When they are done, only circles remain.
         for first in 0..edges.len() {
             if self.dead[first] || self.arrived[first] {
                 continue;
@@ -149,7 +150,7 @@ impl Chains {
     }
 }
 
-/// Whether edges, as far as they close, enclose more clockwise than counter-clockwise.
+/// Returns true if the closed part of the edges encloses more area clockwise than counter-clockwise.
 fn is_inside_out(edges: &[[u32; 2]], flat: &[DVec2]) -> bool {
     let Some(&[first, _]) = edges.first() else { return false };
     let ends = edges.iter().flatten().map(|&end| flat[end as usize]);
@@ -158,7 +159,7 @@ fn is_inside_out(edges: &[[u32; 2]], flat: &[DVec2]) -> bool {
     edges.iter().map(|&[a, b]| at(a).perp_dot(at(b))).sum::<f64>() < 0.0
 }
 
-/// Counter-clockwise from the right, as seen from a centre. No order where a point is at the centre.
+/// Counter-clockwise from the right, as seen from a centre. A point at the centre has no order.
 fn by_angle(centre: DVec2, a: DVec2, b: DVec2) -> Ordering {
     let lower = |p: DVec2| p.y < centre.y || (p.y == centre.y && p.x < centre.x);
     lower(a).cmp(&lower(b)).then_with(|| 0.cmp(&orient(centre, a, b)))

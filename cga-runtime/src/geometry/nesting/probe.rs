@@ -1,18 +1,18 @@
-//! Points at which is asked what winds around a hole.
+//! The points at which holes are tested.
 
 use glam::DVec2;
 
 use crate::geometry::exact::orient;
 
-/// A point so little off a place that no edge goes through it, not even one that the place is on.
+/// A point so close to a place that no edge goes through it, even if an edge goes through the place.
 pub(crate) struct Probe {
-    /// The place. The point is off it by ε to the left of `ahead`, and by ε² ahead.
+    /// The place. The point is off it by ε to the left of `ahead`, and by ε² in the direction of `ahead`.
     at: DVec2,
     ahead: DVec2,
 }
 
 impl Probe {
-    /// Beside the middle of a ring's longest edge, to its left or its right.
+    /// A point beside the middle of a ring's longest edge, to its left or its right.
     pub(crate) fn beside(ring: &[u32], to_the_right: bool, flat: impl Fn(u32) -> DVec2) -> Self {
         let at = |i: usize| flat(ring[i % ring.len()]);
         let length = |i: usize| at(i).distance_squared(at(i + 1));
@@ -22,8 +22,8 @@ impl Probe {
         Probe { at: a * 0.5 + b * 0.5, ahead: if to_the_right { -ahead } else { ahead } }
     }
 
-    /// Well inside a ring: in the middle of the widest chord, half way up the widest gap between heights of corners. Nothing
-    /// for a ring without an inside.
+    /// A point well inside a ring: in the middle of the widest chord at the middle of the widest gap between heights of
+    /// corners. `None` for a ring without an interior.
     pub(crate) fn inside(ring: &[u32], flat: impl Fn(u32) -> DVec2) -> Option<Self> {
         let corners: Vec<DVec2> = ring.iter().map(|&corner| flat(corner)).collect();
         let mut heights: Vec<f64> = corners.iter().map(|p| p.y).collect();
@@ -31,7 +31,7 @@ impl Probe {
         let gap = |pair: &&[f64]| pair[1] * 0.5 - pair[0] * 0.5;
         let widest = heights.windows(2).max_by(|a, b| gap(a).total_cmp(&gap(b)))?;
         let level = widest[0] * 0.5 + widest[1] * 0.5;
-        // Where edges meet that height, and which way: 1 up, -1 down.
+        // The crossings of edges with that height, with their directions: 1 up, -1 down.
         let mut met: Vec<(f64, i32)> = Vec::new();
         let mut a = corners[corners.len() - 1];
         for &b in &corners {
@@ -55,23 +55,24 @@ impl Probe {
         best.map(|(_, middle)| Probe { at: DVec2::new(middle, level), ahead: DVec2::X })
     }
 
-    /// The place that the point is off.
+    /// The place near which the point is.
     pub(crate) fn at(&self) -> DVec2 {
         self.at
     }
 
-    /// How often a way between two points far to the right comes past it: 1 upwards, -1 downwards.
+    /// The contribution of a path between two points far to the right: 1 upwards past the point, -1 downwards.
     pub(crate) fn rise(&self, from: DVec2, to: DVec2) -> i32 {
         i32::from(self.is_above(from)) - i32::from(self.is_above(to))
     }
 
-    /// Whether it is above a point.
+    /// Returns true if the point is above another point.
     fn is_above(&self, p: DVec2) -> bool {
         let rise = if self.ahead.x != 0.0 { self.ahead.x } else { self.ahead.y };
         p.y < self.at.y || (p.y == self.at.y && 0.0 < rise)
     }
 
-    /// By how much an edge winds around it: 1 where a ray to the right meets it on its way up, -1 on its way down.
+    /// The contribution of an edge to the winding number: 1 if a ray to the right meets it on its way up, -1 on its way
+    /// down.
     pub(crate) fn turn(&self, a: DVec2, b: DVec2) -> i32 {
         let (up, down) = (self.is_above(a) && !self.is_above(b), self.is_above(b) && !self.is_above(a));
         if !up && !down {
@@ -98,7 +99,7 @@ mod tests {
             Probe::inside(&corners, |corner| DVec2::from(ring[corner as usize])).map(|probe| probe.at.to_array())
         };
         assert_eq!(inside(&[[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [0.0, 2.0]]), Some([2.0, 1.0]));
-        // A U: the wider of its arms.
+        // A U: the point is in the wider of its arms.
         let u = [[0.0, 0.0], [9.0, 0.0], [9.0, 8.0], [4.0, 8.0], [4.0, 1.0], [3.0, 1.0], [3.0, 8.0], [0.0, 8.0]];
         assert_eq!(inside(&u), Some([6.5, 4.5]));
         assert_eq!(inside(&[[0.0, 1.0], [4.0, 1.0], [2.0, 1.0]]), None);

@@ -1,4 +1,4 @@
-//! Loops with their boxes and areas.
+//! Loops with their bounding boxes and areas.
 
 use std::ops::Range;
 
@@ -29,8 +29,8 @@ impl Loop {
         0.0 <= self.area
     }
 
-    /// Whether it could be around a hole, as far as boxes and areas tell, but for rounding. The areas are those of a section
-    /// that is `scale` times as large.
+    /// Returns true if the loop can contain a hole by its bounding box and area, except for rounding. The areas are
+    /// those of the section scaled by `scale`.
     pub(super) fn may_hold(&self, hole: &Loop, scale: f64) -> bool {
         let Extent { low, high } = self.extent;
         let spare = self.extent.slack() * scale * (high * scale - low * scale).element_sum();

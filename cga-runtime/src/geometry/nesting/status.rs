@@ -1,19 +1,20 @@
-//! Edges on a sweep line, from left to right, in blocks: coming and going moves few of them, and each knows its block.
+//! The edges on a sweep line, from left to right, in blocks: insertion and removal move few edges, and each edge knows
+//! its block.
 
-/// A place in a row: a block, counted from the left, and a number within it.
+/// A position in a row: a block, counted from the left, and an index in it.
 pub(crate) type Spot = (usize, usize);
 
-/// Where blocks are divided.
+/// The size at which a block is divided.
 const BLOCK: usize = 128;
 
-/// Of edges that are in no block.
+/// The block number of an edge that is in no block.
 const NONE: u32 = u32::MAX;
 
-/// No block in the row is empty.
+/// The row. No block in it is empty.
 #[derive(Default)]
 pub(crate) struct Row {
     blocks: Vec<Block>,
-    /// Blocks from left to right.
+    /// The blocks from left to right.
     order: Vec<u32>,
     /// The block of each edge.
     block_of: Vec<u32>,
@@ -22,12 +23,12 @@ pub(crate) struct Row {
 #[derive(Default)]
 struct Block {
     edges: Vec<u32>,
-    /// Where it is in the order.
+    /// The position of the block in the order.
     place: usize,
 }
 
 impl Row {
-    /// Forgets everything; there are so many edges.
+    /// Clears the row for `edges` edges.
     pub(crate) fn reset(&mut self, edges: usize) {
         self.blocks.clear();
         self.order.clear();
@@ -35,12 +36,12 @@ impl Row {
         self.block_of.resize(edges, NONE);
     }
 
-    /// The edges of the block at a place in the order.
+    /// The edges of the block at a position in the order.
     fn block(&self, place: usize) -> Option<&Vec<u32>> {
         self.order.get(place).map(|&block| &self.blocks[block as usize].edges)
     }
 
-    /// The first place whose edge is not left of what is asked for.
+    /// The first position whose edge is not left of the searched place.
     pub(crate) fn spot(&self, is_left: impl Fn(u32) -> bool) -> Spot {
         let last = |block: u32| self.blocks[block as usize].edges.last();
         let place = self.order.partition_point(|&block| last(block).is_some_and(|&edge| is_left(edge)));
@@ -50,7 +51,7 @@ impl Row {
         }
     }
 
-    /// Where an edge is.
+    /// The position of an edge.
     pub(crate) fn spot_of(&self, edge: u32) -> Option<Spot> {
         let block = self.blocks.get(self.block_of[edge as usize] as usize)?;
         block.edges.iter().position(|&other| other == edge).map(|number| (block.place, number))
@@ -111,7 +112,7 @@ impl Row {
         }
     }
 
-    /// Tells blocks from a place on where they are.
+    /// Updates the positions of blocks from a position on.
     fn number_from(&mut self, place: usize) {
         for (place, &block) in self.order.iter().enumerate().skip(place) {
             self.blocks[block as usize].place = place;

@@ -1,7 +1,8 @@
-//! Which outline is directly around each loop, by one sweep from bottom to top: what is left of a loop's lowest corner tells.
+//! Finds the outline directly around each loop by one sweep from bottom to top, from the edge left of the loop's lowest
+//! corner.
 //!
-//! This holds for loops that do not cross, though solids may touch along edges. Comparisons are exact, and edges that come to
-//! lie beside each other are held to their order, so loops that cross are found out.
+//! This is valid for loops that do not cross, though solids may touch along edges. Comparisons are exact. The order of
+//! edges is checked when they become neighbours, so crossing loops are detected.
 
 use std::cmp::Ordering;
 
@@ -14,7 +15,7 @@ use crate::geometry::exact::orient;
 
 /// No outline.
 const NONE: u32 = u32::MAX;
-/// Of loops that the sweep has not reached.
+/// The value for a loop that the sweep has not reached.
 const UNKNOWN: u32 = u32::MAX - 1;
 
 /// Buffers.
@@ -22,19 +23,19 @@ const UNKNOWN: u32 = u32::MAX - 1;
 pub(crate) struct Sweep {
     /// For each loop the outline around it.
     around: Vec<u32>,
-    /// Of the corners of a loop.
+    /// The corners of a loop.
     places: Vec<DVec2>,
     edges: Vec<Edge>,
     events: Vec<Event>,
     row: Row,
 }
 
-/// The edge that leaves a corner.
+/// The edge that begins at a corner.
 #[derive(Clone, Copy)]
 struct Edge {
     low: DVec2,
     high: DVec2,
-    /// Whether what is right of it is on the solid's side: an outline's left edges, and the right ones of holes.
+    /// True if the solid is right of the edge: true for left edges of outlines and right edges of holes.
     enters: bool,
     owner: u32,
 }
@@ -43,21 +44,21 @@ struct Edge {
 #[derive(Clone, Copy)]
 struct Event {
     at: DVec2,
-    /// Whether both its edges are above it. Where several corners are at one place these come last.
+    /// True if both its edges are above it. Among corners at one place these come last.
     begins: bool,
-    /// The edge that comes to it and the one that leaves it.
+    /// The edge that ends at the corner and the edge that begins there.
     edges: [u32; 2],
 }
 
 impl Sweep {
-    /// The outline around a loop, when the sweep has found one.
+    /// The outline around a loop, if the sweep has found one.
     pub(crate) fn around(&self, number: usize) -> Option<usize> {
         let outline = self.around[number];
         (outline < UNKNOWN).then_some(outline as usize)
     }
 
-    /// Fills `around` for the loops that count; `false` when they cross. Of a section that is inside out, outlines run
-    /// clockwise.
+    /// Fills `around` for the loops that `counts` accepts. Returns `false` if they cross. In a section that is inside
+    /// out, outlines are clockwise.
     pub(crate) fn find(
         &mut self,
         section: &Section<'_>,
@@ -75,7 +76,7 @@ impl Sweep {
         sound
     }
 
-    /// Sorts the corners; `false` when one is nowhere.
+    /// Sorts the corners. Returns `false` if a coordinate is not finite.
     fn start(&mut self, section: &Section<'_>, inverted: bool, counts: impl Fn(usize) -> bool) -> bool {
         let Sweep { around, places, edges, events, row } = self;
         around.clear();
@@ -118,7 +119,7 @@ impl Sweep {
         true
     }
 
-    /// Both edges of a corner start above it. What is between them is beside whatever they lie on.
+    /// Processes a corner with both edges above it. The area between them is beside the edge that they lie on, if any.
     fn begin(&mut self, event: &Event, is_outline: &impl Fn(usize) -> bool) -> bool {
         let [a, b] = event.edges.map(|edge| self.edges[edge as usize]);
         let turn = orient(event.at, a.high, b.high);
@@ -137,7 +138,7 @@ impl Sweep {
         }
     }
 
-    /// An edge of a corner ends at it, and the other goes on from it or ends too.
+    /// Processes a corner where an edge ends. The other edge continues or ends too.
     fn go_on(&mut self, event: &Event) -> bool {
         let [a, b] = event.edges;
         match event.edges.map(|edge| self.edges[edge as usize].high == event.at) {
@@ -148,7 +149,7 @@ impl Sweep {
         }
     }
 
-    /// The place of an edge that begins, right of those it lies on or left of them.
+    /// The position of an edge that begins, to the right or left of edges that it lies on.
     fn spot(&self, own: u32, right_of_equal: bool) -> Spot {
         let own = &self.edges[own as usize];
         self.row.spot(|edge| self.edges[edge as usize].is_left_of(own).unwrap_or(right_of_equal))
@@ -170,40 +171,40 @@ impl Sweep {
     fn remove(&mut self, edge: u32) -> bool {
         let Some(spot) = self.row.spot_of(edge) else { return false };
         self.row.remove(spot);
-        // What ends at the same point is about to go too.
+        // Edges that end at the same point will be removed too.
         let neighbours = [self.row.before(spot), self.row.at(spot)];
         let end = self.edges[edge as usize].high;
         neighbours.iter().flatten().all(|&beside| self.edges[beside as usize].high == end)
             || self.are_in_order(neighbours[0], neighbours[1])
     }
 
-    /// Whether two neighbours lie beside each other as far up and down as both reach.
+    /// Returns true if two neighbours are beside each other over their common range of heights.
     fn are_in_order(&self, left: Option<u32>, right: Option<u32>) -> bool {
         let (Some(left), Some(right)) = (left, right) else { return true };
         let [left, right] = [left, right].map(|edge| self.edges[edge as usize]);
-        // One begins where the other ends, and that is about to go.
+        // One begins where the other ends, and the other will be removed.
         if left.high == right.low || left.low == right.high {
             return true;
         }
-        // How far apart they are at the upper of their low ends, and at the lower of their high ends.
+        // The distances of the two edges at the higher of their low ends and at the lower of their high ends.
         let low = if is_below(left.low, right.low) { -left.side(right.low) } else { right.side(left.low) };
         let high = if is_below(left.high, right.high) { right.side(left.high) } else { -left.side(right.high) };
-        // Where two solids touch, one ends and the other begins; where what is between a hole and its outline has no width,
-        // it begins and ends.
+        // Where two solids touch, one ends and the other begins. Where the area between a hole and its outline has no
+        // width, it begins and ends.
         let touch = low == 0 && high == 0 && left.enters != right.enters;
         low >= 0 && high >= 0 && (low + high > 0 || touch)
     }
 }
 
 impl Edge {
-    /// 1 when a point is left of it, -1 when right, 0 on its line.
+    /// 1 if a point is left of the edge, -1 if it is right, 0 on its line.
     #[inline]
     fn side(&self, p: DVec2) -> i32 {
         if self.low == p || self.high == p { 0 } else { orient(self.low, self.high, p) }
     }
 
-    /// Whether it is left of the low end of another edge, or goes through it and is left of the high end; nothing when they lie
-    /// on each other.
+    /// Returns true if it is left of the low end of another edge, or contains that end and is left of the high end.
+    /// `None` if the two edges are collinear there.
     #[inline]
     fn is_left_of(&self, other: &Edge) -> Option<bool> {
         let side = match self.side(other.low) {
@@ -214,7 +215,7 @@ impl Edge {
     }
 }
 
-/// Of two corners at one place with their edges above, which comes first so that none comes before one around it.
+/// The order of two corners at one place with their edges above: a corner comes before the corners that it contains.
 fn which_is_around(a: &Event, b: &Event, edges: &[Edge]) -> Ordering {
     let sides = |event: &Event| {
         let [p, q] = event.edges.map(|edge| &edges[edge as usize]);
@@ -229,8 +230,8 @@ fn which_is_around(a: &Event, b: &Event, edges: &[Edge]) -> Ordering {
     by_left.then(by_right).then(by_length).then(other_left.enters.cmp(&left.enters))
 }
 
-/// The corners of a ring without those that repeat the one before and those at which it turns back on itself: what they add
-/// encloses nothing. Nothing is left of a ring that encloses nothing.
+/// The corners of a ring without repeated corners and without corners where it turns back on itself, which enclose no
+/// area. Empty for a ring that encloses no area.
 fn without_spikes(ring: impl Iterator<Item = DVec2>, places: &mut Vec<DVec2>) {
     let is_spike =
         |a: DVec2, b: DVec2, c: DVec2| a == b || b == c || (is_below(a, b) != is_below(b, c) && orient(a, b, c) == 0);
@@ -245,7 +246,7 @@ fn without_spikes(ring: impl Iterator<Item = DVec2>, places: &mut Vec<DVec2>) {
             places.push(next);
         }
     }
-    // Where the ring closes there may be more.
+    // There may be more where the ring closes.
     let mut start = 0;
     while let [first, second, .., before, last] = places[start..] {
         if is_spike(before, last, first) {
@@ -267,7 +268,7 @@ fn without_spikes(ring: impl Iterator<Item = DVec2>, places: &mut Vec<DVec2>) {
     }
 }
 
-/// The order of the sweep: up, and to the right where that is equal.
+/// The order of the sweep: upwards, then to the right.
 fn is_below(a: DVec2, b: DVec2) -> bool {
     a.y < b.y || (a.y == b.y && a.x < b.x)
 }
@@ -276,8 +277,8 @@ fn is_below(a: DVec2, b: DVec2) -> bool {
 mod tests {
     use super::*;
 
-    /// What is around each loop; nothing when they cross. Counter-clockwise loops are outlines, or clockwise ones if there is
-    /// more of those.
+    /// The result for each loop; `None` if loops cross. Counter-clockwise loops are outlines, or clockwise ones if they
+    /// have more area.
     fn around(loops: &[Vec<DVec2>]) -> Option<Vec<u32>> {
         let flat: Vec<DVec2> = loops.iter().flatten().copied().collect();
         let corners: Vec<u32> = (0..flat.len() as u32).collect();
@@ -292,7 +293,7 @@ mod tests {
         sweep.find(&section, total < 0.0, |_| true, is_outline).then_some(sweep.around)
     }
 
-    /// A square turned by some degrees, clockwise for a negative size.
+    /// A square rotated by some degrees, clockwise for a negative size.
     fn square(x: f64, y: f64, size: f64, degrees: f64) -> Vec<DVec2> {
         let (sin, cos) = libm::sincos(degrees.to_radians());
         let corner = |a: f64, b: f64| DVec2::new(x, y) + DVec2::new(a * cos - b * sin, a * sin + b * cos) * size.abs();
@@ -307,7 +308,7 @@ mod tests {
     fn rings_in_rings_know_each_other_however_turned() {
         for degrees in [0.0, 10.0, 30.0, 45.0, 90.0] {
             for reversed in [false, true] {
-                // Outline, hole, island, hole …, the outermost first or last.
+                // Outline, hole, island, hole, and so on, with the outermost first or last.
                 let count = 40;
                 let mut loops: Vec<_> = (0..count)
                     .map(|i| square(3.0, -2.0, f64::from(count - i) * if i % 2 == 0 { 1.0 } else { -1.0 }, degrees))
@@ -349,7 +350,8 @@ mod tests {
     fn loops_may_touch_at_corners_and_along_the_way() {
         let outline = square(0.0, 0.0, 4.0, 0.0);
         let at = |x: f64, y: f64| DVec2::new(x, y);
-        // Holes that touch the outline with a corner, at a corner, and each other; one ends on the outline's bottom.
+        // Holes that touch the outline with a corner, at a corner, and each other. One ends on the bottom of the
+        // outline.
         let holes = [
             vec![at(-4.0, -4.0), at(-2.0, -1.0), at(-1.0, -2.0)],
             vec![at(-2.0, -1.0), at(-3.0, 3.0), at(0.0, 3.0)],
@@ -364,7 +366,7 @@ mod tests {
     fn solids_may_touch_along_their_sides() {
         let a = square(0.0, 0.0, 1.0, 0.0);
         let hole = square(2.0, 0.0, -0.5, 0.0);
-        // All of a side, part of it, and beyond it; to the right, above, and on both sides.
+        // The whole side, a part of it, and beyond it; to the right, above, and on both sides.
         for other in
             [(2.0, 0.0, 1.0), (1.5, 0.0, 0.5), (3.0, 0.5, 2.0), (0.0, 2.0, 1.0), (-1.5, 0.25, 0.5), (0.3, -1.75, 0.75)]
         {
@@ -392,7 +394,7 @@ mod tests {
         let square = [at(0.0, 0.0), at(2.0, 0.0), at(2.0, 2.0), at(0.0, 2.0)];
         let spikes =
             [at(0.0, 0.0), at(3.0, 0.0), at(2.0, 0.0), at(2.0, 2.0), at(2.0, 2.0), at(0.0, 2.0), at(0.0, -1.0)];
-        // A spike on a spike, wherever the ring starts.
+        // A spike on a spike, for every start of the ring.
         let long = [square[0], square[1], at(5.0, 0.0), at(5.0, 3.0), at(5.0, 0.0), square[1], square[2], square[3]];
         for ring in [&spikes[..], &long] {
             for start in 0..ring.len() {
@@ -411,7 +413,7 @@ mod tests {
 
     #[test]
     fn many_loops_that_touch_in_a_point_take_no_longer() {
-        // Each in the one before, the point left of them, below, right, above, and the same turned.
+        // Each inside the one before, with the point to the left, below, right and above, and the same rotated.
         let count = 3000;
         for (cos, sin) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (0.6, 0.8)] {
             let turn = |x: f64, y: f64| DVec2::new(cos * x - sin * y, sin * x + cos * y);
@@ -431,7 +433,7 @@ mod tests {
 
     #[test]
     fn what_is_between_a_hole_and_its_outline_may_have_no_width() {
-        // Triangles with a common corner and two common directions, however they lie, and in any order.
+        // Triangles with a common corner and two common directions, in all positions and in any order.
         let count = 60;
         for (cos, sin) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (3.0, 4.0), (-4.0, 3.0), (1.0, 1.0)] {
             for shuffle in [1, 7, 59] {
@@ -453,7 +455,7 @@ mod tests {
                 assert!(around(&loops) == Some(expected.collect()), "{cos} {sin} {shuffle}");
             }
         }
-        // All of an outline, whichever comes first.
+        // A hole that covers the whole outline, in both orders.
         let (outline, mut hole) = (square(0.0, 0.0, 2.0, 20.0), square(0.0, 0.0, 2.0, 20.0));
         hole.reverse();
         let island = square(0.0, 0.0, 1.0, 45.0);

@@ -1,8 +1,8 @@
-//! Winding numbers of loops, by the boxes of runs of their edges.
+//! Winding numbers of loops, from the bounding boxes of runs of their edges.
 //!
-//! A ray to the right meets no edge of a run whose box is above it, below it or left of where it starts. Of a run whose box is
-//! right of the start only the two ends matter: how often the run goes up and down between them cancels. A query looks into
-//! the other runs only, those whose box holds the start.
+//! A ray to the right meets no edge of a run whose box is above it, below it or left of its start. If the box is right
+//! of the start, only the two ends of the run matter, because crossings in between cancel. So a query visits only the
+//! runs whose box contains the start of the ray.
 
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ use super::probe::Probe;
 /// The number of edges in a run, and of runs in a longer run.
 const FAN: usize = 8;
 
-/// The number of boxes and edges that queries may still look at.
+/// The number of boxes and edges that queries may still visit.
 pub(crate) struct Budget(pub(crate) usize);
 
 impl Budget {
@@ -33,14 +33,14 @@ impl Budget {
 /// The runs of several loops.
 #[derive(Default)]
 pub(crate) struct Runs {
-    /// Loop after loop: runs of edges, then runs of those, up to a few.
+    /// Loop by loop: runs of edges, then runs of runs, until a few remain.
     extents: Vec<Extent>,
     /// The extents of each loop; short loops have none.
     of_loop: Vec<Range<usize>>,
 }
 
 impl Runs {
-    /// Sorts the edges of loops into runs; nothing stands for a loop that is never asked about.
+    /// Sorts the edges of loops into runs. `None` for a loop that is never queried.
     pub(crate) fn fill<'r>(&mut self, section: &Section<'_>, loops: impl Iterator<Item = Option<&'r Range<usize>>>) {
         self.extents.clear();
         self.of_loop.clear();
@@ -72,7 +72,7 @@ impl Runs {
         }
     }
 
-    /// Counts how often a loop winds around a probe; any number when the budget is spent.
+    /// The winding number of a loop around a probe; an arbitrary number if the budget is spent.
     pub(crate) fn winding(
         &self,
         section: &Section<'_>,
@@ -108,13 +108,13 @@ struct Query<'q> {
 }
 
 impl Query<'_> {
-    /// The corner before an edge, or after the last one.
+    /// The corner where an edge begins. After the last edge it is the first corner.
     fn corner(&self, number: usize) -> DVec2 {
         let number = if number == self.ring.len() { 0 } else { number };
         self.section.flat[self.ring[number] as usize]
     }
 
-    /// What a run winds. Runs of `span` edges have their extents from `start` on.
+    /// The contribution of a run. The extents of runs of `span` edges begin at `start`.
     fn run(&mut self, start: usize, span: usize, run: usize) -> i32 {
         if self.budget.is_spent() {
             return 0;
@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn windings_by_runs_are_those_of_all_edges() {
-        // A spiral there and back, which winds around many points several times, as a ring of many runs.
+        // A spiral in and out, which winds around many points several times, as a ring of many runs.
         let count = 1500;
         let place = |i: u32| {
             let (sin, cos) = libm::sincos(f64::from(i) * 0.04);

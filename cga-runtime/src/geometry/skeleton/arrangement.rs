@@ -1,12 +1,12 @@
-//! The arrangement of a wavefront at the time of an event: clusters of vertices, and the segments into which they divide
-//! edges.
+//! The arrangement of a wavefront at an event: clusters of vertices, and the segments into which they divide edges.
 
 use std::collections::BTreeMap;
 
 use super::contact::Contacts;
 use super::wavefront::Wavefront;
 
-/// An end of a segment: a vertex that goes on, or a cluster where the wavefront changes, by the first vertex in it.
+/// An end of a segment: a vertex that does not change, or a cluster where the wavefront changes, named by its first
+/// vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum End {
     Vertex(u32),
@@ -20,17 +20,17 @@ impl End {
     }
 }
 
-/// An edge of the wavefront, or what is between clusters on it.
+/// An edge of the wavefront, or the part of an edge between clusters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Segment {
     pub(super) from: End,
     pub(super) to: End,
     pub(super) edge: u32,
-    /// Number of the line it is on.
+    /// The number of its line.
     pub(super) line: u32,
 }
 
-/// The segments that come to a cluster and that leave it, by number.
+/// The numbers of the segments that end and begin at a cluster.
 #[derive(Debug)]
 pub(super) struct Incidence {
     pub(super) cluster: u32,
@@ -38,24 +38,24 @@ pub(super) struct Incidence {
     pub(super) outgoing: Vec<usize>,
 }
 
-/// All segments with a cluster at one end at least.
+/// All segments with a cluster at one end or both.
 #[derive(Debug)]
 pub(super) struct Arrangement {
-    /// In the order of edges, then along them.
+    /// The segments, in the order of edges, then along each edge.
     pub(super) segments: Vec<Segment>,
-    /// Pairs between the same clusters that run against each other; no longer among the segments.
+    /// Pairs of opposite segments between the same two clusters, which are removed from the segments.
     pub(super) cancelled: Vec<[Segment; 2]>,
-    /// One a cluster where the wavefront changes, in the order of their first vertices.
+    /// One entry per cluster where the wavefront changes, in the order of their first vertices.
     pub(super) incidences: Vec<Incidence>,
 }
 
 impl Arrangement {
-    /// Divides the edges that have to do with clusters.
+    /// Divides the edges that touch clusters.
     pub(super) fn of(front: &Wavefront, contacts: &Contacts) -> Self {
         let cluster = |vertex: u32| contacts.cluster(vertex);
         let next = |edge: u32| front.vertices[edge as usize].next;
         let vertices = contacts.vertices();
-        // Vertices that nothing touches go on.
+        // Vertices without a contact do not change.
         let mut changes = vec![false; front.vertices.len()];
         for &vertex in vertices.iter().filter(|&&vertex| cluster(vertex) != vertex) {
             changes[cluster(vertex) as usize] = true;
@@ -99,7 +99,7 @@ impl Arrangement {
         Arrangement { segments, cancelled, incidences }
     }
 
-    /// The number of a cluster where the wavefront changes.
+    /// The index of a cluster where the wavefront changes.
     pub(super) fn number(&self, cluster: u32) -> Option<usize> {
         number(&self.incidences, cluster)
     }
@@ -128,9 +128,9 @@ fn incidences(clusters: impl Iterator<Item = u32>, segments: &[Segment]) -> Vec<
     incidences
 }
 
-/// Takes out segments between the same clusters that run against each other.
+/// Removes pairs of opposite segments between the same two clusters.
 fn cancel(segments: &mut Vec<Segment>) -> Vec<[Segment; 2]> {
-    // For each pair of clusters the segments from one to the other that have not been cancelled, the last first.
+    // For each pair of clusters the segments from one to the other that are not cancelled, last first.
     let mut between: BTreeMap<[End; 2], Vec<usize>> = BTreeMap::new();
     for (number, segment) in segments.iter().enumerate().rev() {
         if let (End::Cluster(_), End::Cluster(_)) = (segment.from, segment.to) {

@@ -1,8 +1,8 @@
-//! Whether a result can be true.
+//! A check of results.
 //!
-//! The areas add up however points are moved, so strips could only overlap where something is turned over. A strip of a
-//! straight skeleton is in one piece and monotone along its edge; what is left has no crossings, and its loops lie in each
-//! other as they should.
+//! The areas add up wherever points are, so strips overlap only if something is reversed. A strip of a straight
+//! skeleton is connected and monotone along its edge. The remaining interior has no crossings, and its loops are nested
+//! correctly.
 
 use glam::DVec2;
 
@@ -12,11 +12,11 @@ use crate::geometry::exact::orient;
 use crate::geometry::mesh::check::winding;
 use crate::geometry::tol::{MEETING_EPSILONS, TOUCH_EPSILON};
 
-/// So many times what touches is rounding.
+/// The multiple of the contact distance that counts as rounding.
 const SLACK: f64 = 16.0;
 
 impl Wavefront {
-    /// Whether a result can be this wavefront's.
+    /// Returns true if a result is possible for this wavefront.
     pub(super) fn allows(&self, swept: &Swept) -> bool {
         let slack = SLACK * self.epsilon;
         let rounding = MEETING_EPSILONS[0] * self.extent * self.extent;
@@ -29,7 +29,7 @@ impl Wavefront {
             && self.nests(swept)
     }
 
-    /// Whether a strip runs along its edge once and comes back once, in front of it.
+    /// Returns true if a strip goes along its edge once and returns once, in front of the edge.
     fn is_monotone(&self, strip: &Strip, points: &[DVec2], slack: f64) -> bool {
         let line = &self.lines[strip.edge as usize];
         let count = strip.ring.len();
@@ -42,7 +42,7 @@ impl Wavefront {
             let steps = (to + count - from) % count;
             (from..from + steps).map(|i| (i % count, (i + 1) % count)).all(|(i, next)| {
                 let back = sign * (along[i] - along[next]);
-                // What moves nearly along the edge touches it long before it gets there.
+                // A vertex that moves nearly along the edge touches it long before its exact contact.
                 let is_flat = (height[i] - height[next]).abs() <= self.epsilon;
                 back <= slack || (is_flat && back <= TOUCH_EPSILON * self.extent)
             })
@@ -52,15 +52,15 @@ impl Wavefront {
             && runs(high, low, -1.0)
     }
 
-    /// Whether no edge has two strips, but for those that are rounding.
+    /// Returns true if each edge has at most one strip, except for rounding errors.
     fn in_one_piece(&self, strips: &[Strip], points: &[DVec2], rounding: f64) -> bool {
         let mut found = vec![false; self.lines.len()];
         let real = |strip: &&Strip| rounding < twice_area(points, &strip.ring);
         strips.iter().filter(real).all(|strip| !std::mem::replace(&mut found[strip.edge as usize], true))
     }
 
-    /// Whether the region is on the left of every loop of what is left, and on the right is none. A loop that has passed
-    /// through itself is inside out.
+    /// Returns true if every loop of the remaining interior has the region on its left and no region on its right. A
+    /// loop that has passed through itself is reversed.
     fn nests(&self, swept: &Swept) -> bool {
         let rings: Vec<Vec<DVec2>> = swept.left.iter().map(|ring| positions(ring, &swept.points)).collect();
         rings.iter().enumerate().all(|(number, ring)| {
@@ -69,7 +69,7 @@ impl Wavefront {
                 others.map(|(_, other)| winding(other, p)).sum::<Option<i32>>()
             };
             let middles = (0..ring.len()).map(|i| ring[i].midpoint(ring[(i + 1) % ring.len()]));
-            // Seen from a side that touches no other loop.
+            // Tests a side that touches no other loop.
             let around = middles.into_iter().find_map(turns);
             let own = i32::from(0.0 < area(ring));
             around.is_none_or(|around| around + own == i32::from(!self.unbounded))
@@ -85,7 +85,7 @@ fn area(ring: &[DVec2]) -> f64 {
     (1..ring.len() - 1).map(|i| (ring[i] - ring[0]).perp_dot(ring[i + 1] - ring[0])).sum()
 }
 
-/// Whether what is left crosses itself by more than some slack.
+/// Returns true if loops of the remaining interior cross by more than `slack`.
 fn crosses(left: &[Vec<Left>], points: &[DVec2], slack: f64) -> bool {
     let mut edges: Vec<[DVec2; 2]> = Vec::new();
     for ring in left {

@@ -1,12 +1,12 @@
-//! What is in contact at the time of an event.
+//! Contacts at the time of an event.
 //!
-//! Vertices that coincide form a *cluster*; an edge that a cluster touches between its ends is divided there
-//! ([`arrangement`](super::arrangement)). Two segments that leave a cluster side by side coincide as far as the shorter one
-//! reaches, so its far end is a contact too ([`overlap`](super::overlap)), and so on: this is how parallel walls meet all at
-//! once.
+//! Vertices that coincide form a *cluster*. An edge that a cluster touches between its ends is divided there
+//! ([`arrangement`](super::arrangement)). Two segments that leave a cluster in the same direction coincide up to the
+//! end of the shorter one, so its far end is a contact too ([`overlap`](super::overlap)), and so on. In this way
+//! parallel walls meet all at once.
 //!
-//! A vertex is compared with the whole wavefront once an event that it takes part in, and then, as a rule, it is gone: over
-//! all events that is quadratic. Every further round of an event costs what is in contact there, not the wavefront.
+//! A vertex is compared with the whole wavefront once per event that it takes part in, and it usually ends there. Over
+//! all events this is quadratic. Each further round of an event costs only its contacts, not the wavefront.
 
 use std::collections::BTreeSet;
 
@@ -15,17 +15,17 @@ use glam::DVec2;
 use super::disjoint::DisjointSets;
 use super::wavefront::Wavefront;
 
-/// What is in contact at one time.
+/// The contacts at one time.
 #[derive(Debug)]
 pub(super) struct Contacts {
     clusters: DisjointSets,
-    /// Vertices that are in contact with something, or may be; the first of them have been compared with all others.
+    /// Vertices with possible contacts. The first `compared` of them have been compared with all others.
     reached: Vec<u32>,
     compared: usize,
     is_reached: Vec<bool>,
     /// Edges, each with a vertex that touches it.
     on_edges: BTreeSet<[u32; 2]>,
-    /// Vertices where the wavefront changes though nothing else is there: the far ends of overlaps.
+    /// Vertices where the wavefront changes without another contact: the far ends of overlaps.
     tips: BTreeSet<u32>,
 }
 
@@ -53,25 +53,25 @@ impl Contacts {
         self.clusters.unite(a, b);
     }
 
-    /// A vertex touches an edge, whether it looks so or not. Whether that is new.
+    /// Records that a vertex touches an edge, at any distance. Returns whether this is new.
     pub(super) fn touch(&mut self, edge: u32, vertex: u32) -> bool {
         self.reach(vertex);
         self.on_edges.insert([edge, self.clusters.find(vertex)])
     }
 
-    /// A vertex is the far end of an overlap. Whether that is new.
+    /// Records that a vertex is the far end of an overlap. Returns whether this is new.
     pub(super) fn tip(&mut self, vertex: u32) -> bool {
         self.reach(vertex);
         self.tips.insert(vertex)
     }
 
-    /// The cluster of a vertex, by the first vertex in it. One that is in contact with nothing is alone in its own.
+    /// The cluster of a vertex, named by its first vertex. A vertex without contacts is a cluster of its own.
     #[inline]
     pub(super) fn cluster(&self, vertex: u32) -> u32 {
         self.clusters.find(vertex)
     }
 
-    /// Vertices that are in contact with something, or may be, in their order.
+    /// The vertices with possible contacts, sorted.
     pub(super) fn vertices(&self) -> Vec<u32> {
         let mut vertices = self.reached.clone();
         vertices.sort_unstable();
@@ -83,19 +83,19 @@ impl Contacts {
         self.on_edges.iter().copied()
     }
 
-    /// The number of edges that are touched.
+    /// The number of contacts between an edge and a vertex.
     pub(super) fn touched(&self) -> usize {
         self.on_edges.len()
     }
 
-    /// Vertices that are far ends of overlaps.
+    /// The vertices that are far ends of overlaps.
     pub(super) fn tips(&self) -> impl Iterator<Item = u32> {
         self.tips.iter().copied()
     }
 }
 
 impl Wavefront {
-    /// Finds what touches the vertices that are in contact with something.
+    /// Finds the contacts of the reached vertices.
     pub(super) fn compare(&self, contacts: &mut Contacts) {
         let near = self.epsilon * self.epsilon;
         let first = contacts.compared;

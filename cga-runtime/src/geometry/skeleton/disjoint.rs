@@ -1,19 +1,19 @@
 //! Disjoint sets of numbers (union-find).
 
-/// Sets of the numbers below some count, each named by its smallest member.
+/// Disjoint sets of the numbers below a count, each named by its smallest member.
 #[derive(Debug)]
 pub(super) struct DisjointSets {
-    /// A smaller member of the same set; of the smallest itself.
+    /// A smaller member of the same set, or the number itself if it is the smallest.
     parent: Vec<u32>,
 }
 
 impl DisjointSets {
-    /// Every number alone.
+    /// Sets with one number each.
     pub(super) fn new(count: usize) -> Self {
         DisjointSets { parent: (0..count as u32).collect() }
     }
 
-    /// The smallest member of the set that a number is in.
+    /// The smallest member of a number's set.
     #[inline]
     pub(super) fn find(&self, mut number: u32) -> u32 {
         while self.parent[number as usize] != number {
@@ -22,7 +22,7 @@ impl DisjointSets {
         number
     }
 
-    /// Makes one set of two.
+    /// Unites the sets of two numbers.
     pub(super) fn unite(&mut self, a: u32, b: u32) {
         let [a, b] = [a, b].map(|number| self.find_and_shorten(number));
         self.parent[a.max(b) as usize] = a.min(b);
@@ -36,7 +36,7 @@ impl DisjointSets {
         }
     }
 
-    /// [`find`](Self::find), and makes later ones shorter.
+    /// The same as [`find`](Self::find), and shortens later searches.
     pub(super) fn find_and_shorten(&mut self, mut number: u32) -> u32 {
         while self.parent[number as usize] != number {
             let above = self.parent[self.parent[number as usize] as usize];

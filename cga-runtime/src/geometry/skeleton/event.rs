@@ -1,24 +1,24 @@
-//! When events happen: an edge shrinks to nothing, a reflex vertex reaches an edge.
+//! The times of events: an edge shrinks to a point, or a reflex vertex reaches an edge.
 
 use glam::DVec2;
 
 use super::Failure;
 use super::wavefront::{NONE, Split, Wavefront};
 
-/// What happens now, wherever rounding puts it.
+/// An event at the current time, up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Event {
-    /// An edge has shrunk to nothing.
+    /// An edge has shrunk to a point.
     Edge(u32),
     /// A vertex has reached an edge.
     Split(u32, u32),
 }
 
-/// Things that come nearer more slowly than this do not.
+/// The speed below which two objects count as not approaching.
 const SLOWEST: f64 = 1e-12;
 
 impl Wavefront {
-    /// When the next event is; never, if there is none any more.
+    /// The time of the next event; infinity if there is none.
     pub(super) fn next_event(&mut self) -> f64 {
         let time = |front: &Self, vertex: u32| {
             let vertex = &front.vertices[vertex as usize];
@@ -41,7 +41,7 @@ impl Wavefront {
         }
     }
 
-    /// What happens now, or is so near that it touches.
+    /// The events at the current time, including those so close that they count as contacts.
     pub(super) fn due(&self) -> Vec<Event> {
         let mut due = Vec::new();
         for &number in &self.alive {
@@ -59,7 +59,7 @@ impl Wavefront {
         due
     }
 
-    /// Looks ahead from here, where these vertices are new. None of them may be unable to move.
+    /// Computes the next events after the given vertices were made. An error if one of them cannot move.
     pub(super) fn foresee(&mut self, made: &[u32]) -> Result<(), Failure> {
         if made.iter().any(|&vertex| self.vertices[vertex as usize].velocity == DVec2::ZERO) {
             return Err(Failure::Tangled);
@@ -84,7 +84,7 @@ impl Wavefront {
             } else {
                 let edge = split.edge as usize;
                 if split.edge != NONE && (!self.vertices[edge].alive || is_changed[edge]) {
-                    // Other edges are not reached before that one was.
+                    // Other edges are not reached before the time of that edge.
                     split.edge = NONE;
                 }
                 self.first_split(number, split, &changed)
@@ -93,7 +93,7 @@ impl Wavefront {
         Ok(())
     }
 
-    /// How long an edge is now, along its line.
+    /// The current length of an edge along its line.
     fn length(&self, edge: u32) -> f64 {
         let start = &self.vertices[edge as usize];
         let along = self.lines[start.after as usize].along;
@@ -110,14 +110,14 @@ impl Wavefront {
         self.now + self.length(edge).max(0.0) / closing
     }
 
-    /// How far a vertex is in front of the line of an edge.
+    /// The distance of a vertex in front of the line of an edge.
     fn height(&self, vertex: u32, edge: u32, time: f64) -> f64 {
         let line = &self.lines[self.vertices[edge as usize].after as usize];
         line.normal().dot(self.at(vertex, time)) - (line.at + time)
     }
 
-    /// The first of some edges that a vertex reaches, if that is before what is known. Where that is open, it may be at the
-    /// same time: another part of the edge that was known.
+    /// The first of some edges that a vertex reaches, if that is before the known split. If the known split is open,
+    /// equal times count too, because the edge may be another part of the known one.
     fn first_split(&self, vertex: u32, known: Split, edges: &[u32]) -> Split {
         let mut split = known;
         for &edge in edges {
@@ -128,7 +128,7 @@ impl Wavefront {
         split
     }
 
-    /// When a vertex reaches an edge, if that is before another split.
+    /// The time when a vertex reaches an edge, if that is before another split.
     fn reach(&self, number: u32, edge: u32, other: Split) -> Option<f64> {
         let (vertex, start) = (&self.vertices[number as usize], &self.vertices[edge as usize]);
         if edge == number || start.next == number {
@@ -139,10 +139,10 @@ impl Wavefront {
         if closing <= SLOWEST {
             return None;
         }
-        // From the birth of the vertex, so that parts of an edge are reached at the same time to the bit.
+        // Computed from the birth of the vertex, so that parts of an edge are reached at the same time, bit for bit.
         let time = (vertex.born + self.height(number, edge, vertex.born) / closing).max(self.now);
         let sooner = time < other.time || (time == other.time && other.is_open());
-        // Just beyond the end there may be something that touches.
+        // Just after the end there may be contacts within the tolerance.
         if !sooner || self.until + self.epsilon < time {
             return None;
         }
@@ -152,7 +152,7 @@ impl Wavefront {
         }
         let end = &self.vertices[start.next as usize];
         if height <= self.epsilon && (start.node == vertex.node || end.node == vertex.node) {
-            // They came apart there.
+            // They have just separated there.
             return None;
         }
         let at = self.at(number, time);

@@ -1,23 +1,23 @@
-//! What the edges of a polygon sweep when they move inwards, each at the same speed: the faces of its straight skeleton up
-//! to a distance, and what is left inside.
+//! The areas that the edges of a polygon sweep when they move inwards at the same speed: the faces of the straight
+//! skeleton up to a distance, and the remaining interior.
 //!
-//! Edges have the region on their left; loops are outlines, holes, or, for the outside, both turned over. They move as a
-//! *wavefront*: loops of *vertices*, which move along bisectors, and of the edges between them, each on the *line* of an edge
-//! of the polygon ([`wavefront`]). Nothing changes but at *events* ([`event`]): an edge has shrunk to nothing, or a reflex
-//! vertex reaches an edge. Then everything that is in contact is found by position ([`contact`]): vertices that coincide are
-//! one *cluster*, clusters divide the edges that they touch into segments ([`arrangement`]), segments that lie on each other
-//! cancel ([`overlap`]), and those that are left are joined anew by angle ([`rejoin`]). So events at the same time and place
-//! (squares, stars, corridors with parallel walls) are no special case.
+//! Edges have the region on their left. Loops are outlines and holes; for the region outside, both are reversed. The
+//! edges move as a *wavefront*: loops of *vertices*, which move along bisectors, and of edges between them, each on the
+//! *line* of an edge of the polygon ([`wavefront`]). The structure changes only at *events* ([`event`]): an edge
+//! shrinks to a point, or a reflex vertex reaches an edge. Then all contacts are found by position ([`contact`]).
+//! Vertices that coincide form a *cluster*. Clusters divide the edges that they touch into segments ([`arrangement`]).
+//! Coincident opposite segments cancel ([`overlap`]), and the remaining ones are joined again by angle ([`rejoin`]). So
+//! simultaneous events at one place (squares, stars, corridors with parallel walls) need no special case.
 //!
-//! Paths of vertices are kept as directed arcs between shared nodes, each for the edges on both its sides ([`trace`]). So the
-//! areas of all strips and of what is left add up to that of the polygon, whatever rounding does to single points. That
-//! strips do not overlap either is checked afterwards ([`check`]); where a wavefront went wrong, because edges run nearly but
-//! not quite into each other, it is tried again with another idea of what touches.
+//! Paths of vertices are stored as directed arcs between shared nodes, each for the edges on both its sides
+//! ([`trace`]). So the areas of all strips and of the remaining interior add up to that of the polygon, whatever the
+//! rounding errors of single points. A final check ensures that strips do not overlap ([`check`]). If it fails, because
+//! edges are nearly but not exactly coincident, the sweep is repeated with another distance for contacts.
 //!
-//! Time is quadratic in the number of corners, whether few things happen at a time or all at once: an event looks through
-//! the wavefront a few times, and a vertex is compared with all of it when it is made and when it ends. Polygons of 1,000
-//! corners take 3 to 40 ms, those of 5,000 corners 50 ms to 1.2 s; up to eight times that where other ideas of what touches
-//! have to be tried.
+//! The time is quadratic in the number of corners, for few or many simultaneous events: an event scans the wavefront a
+//! few times, and a vertex is compared with the whole wavefront when it is made and when it ends. Polygons with 1,000
+//! corners take 3 to 40 ms, those with 5,000 corners 50 ms to 1.2 s, and up to eight times as long if other distances
+//! for contacts have to be tried.
 
 mod arrangement;
 mod check;
@@ -36,49 +36,50 @@ use glam::DVec2;
 use crate::geometry::tol::MEETING_EPSILONS;
 use wavefront::Wavefront;
 
-/// Loops with more corners than this, together, are refused: time is quadratic.
+/// The limit on the total number of corners, because the time is quadratic.
 pub(crate) const MOST_CORNERS: usize = 5_000;
 
-/// What one edge swept.
+/// The area that one edge swept.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Strip {
-    /// Number of the edge: that of the corner it starts at.
+    /// The number of the edge, which is that of its first corner.
     pub(crate) edge: u32,
-    /// Corners, counter-clockwise, as numbers of points. It begins with the edge itself, if that is part of it.
+    /// The corners, counter-clockwise, as numbers of points. The ring begins with the edge itself, if the edge is part
+    /// of it.
     pub(crate) ring: Vec<u32>,
-    /// For each side of the ring whether it is an edge of the wavefront at the end.
+    /// For each side of the ring whether it is an edge of the final wavefront.
     pub(crate) front: Vec<bool>,
 }
 
-/// A corner of what is left, and the edge that the side after it is parallel to.
+/// A corner of the remaining interior, and the edge that is parallel to the next side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Left {
     pub(crate) point: u32,
     pub(crate) edge: u32,
 }
 
-/// Strips and what is left.
+/// The strips and the remaining interior.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Swept {
-    /// The corners of the polygon, then what was made.
+    /// The corners of the polygon, followed by new points.
     pub(crate) points: Vec<DVec2>,
-    /// In the order of edges.
+    /// The strips, in the order of edges.
     pub(crate) strips: Vec<Strip>,
-    /// Loops with the region on their left.
+    /// The loops of the remaining interior, with the region on their left.
     pub(crate) left: Vec<Vec<Left>>,
 }
 
-/// Why there is no result.
+/// The reason why there is no result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Failure {
-    /// More than [`MOST_CORNERS`].
+    /// The polygon has more than [`MOST_CORNERS`] corners.
     TooMany,
-    /// Edges that turn back on themselves, cross each other, or leave what numbers hold.
+    /// Edges reverse their direction, cross each other, or overflow.
     Tangled,
 }
 
-/// Moves the edges of a polygon by a distance to their left. Loops are numbers of points; edges are numbered along the
-/// loops. Equal numbers are the same corner.
+/// Moves the edges of a polygon to their left by a distance. Loops are numbers of points, and edges are numbered along
+/// the loops. Equal numbers are the same corner.
 pub(crate) fn sweep(points: &[DVec2], rings: &[Vec<u32>], distance: f64) -> Result<Swept, Failure> {
     if MOST_CORNERS < rings.iter().map(Vec::len).sum() {
         return Err(Failure::TooMany);

@@ -1,4 +1,4 @@
-//! Segments that lie on each other, against each other: they touch as far as the shorter one reaches.
+//! Coincident segments with opposite directions: they touch up to the end of the shorter one.
 
 use super::Failure;
 use super::arrangement::{Arrangement, End, Segment};
@@ -6,8 +6,8 @@ use super::contact::{Contacts, to_segment};
 use super::wavefront::{Wavefront, turn_back};
 
 impl Arrangement {
-    /// Finds segments of a cluster that lie on each other, so that the far end of the shorter one touches the other. Whether
-    /// there was any that is new. Pairs of segments that were there before have been looked at.
+    /// Finds coincident segments of a cluster, so that the far end of the shorter one touches the other one. Returns
+    /// whether a contact is new. Pairs of segments that were there before are skipped.
     pub(super) fn find_overlaps(
         &self,
         front: &Wavefront,
@@ -32,7 +32,7 @@ impl Arrangement {
         if found {
             return Ok(true);
         }
-        // Where nothing is between them they meet, however far they seem to be from each other.
+        // Without another segment in between they meet, at any computed distance.
         for pair in self.pairs(front) {
             let [a, b] = pair.map(|segment| front.lines[self.segments[segment].line as usize]);
             if turn_back(&a, &b) {
@@ -45,7 +45,7 @@ impl Arrangement {
         Ok(found)
     }
 
-    /// Notes that a segment to a cluster and one from it touch, if they do. Whether that is new.
+    /// Records that a segment to a cluster and a segment from it touch, if they do. Returns whether this is new.
     fn overlap(&self, front: &Wavefront, contacts: &mut Contacts, pair: [usize; 2], near: f64) -> bool {
         let [incoming, outgoing] = pair.map(|segment| &self.segments[segment]);
         let position = |end: End| front.positions[end.vertex() as usize];

@@ -1,4 +1,4 @@
-//! The end of an event: segments that come to a cluster are joined by new vertices with those that leave it.
+//! The end of an event: new vertices join the segments that end at a cluster with the segments that begin there.
 
 use glam::DVec2;
 
@@ -7,8 +7,8 @@ use super::contact::Contacts;
 use super::wavefront::{NONE, Wavefront};
 
 impl Arrangement {
-    /// At each cluster, incoming segments with outgoing ones: the region is on their left, so each goes on with the next
-    /// clockwise.
+    /// The pairs of incoming and outgoing segments at each cluster. The region is on their left, so each incoming
+    /// segment continues with the next outgoing one clockwise.
     pub(super) fn pairs(&self, front: &Wavefront) -> Vec<[usize; 2]> {
         let mut pairs = Vec::new();
         for incidence in &self.incidences {
@@ -27,10 +27,10 @@ impl Arrangement {
         let outgoing = incidence.outgoing.iter().map(|&segment| (angle(along(segment)), true, segment));
         let mut around: Vec<(f64, bool, usize)> = incoming.chain(outgoing).collect();
         let first = pairs.len();
-        // Of two side by side the incoming one is first, so that there is nothing between them.
+        // Of two coincident segments the incoming one is first, so that the area between them is empty.
         around.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
         let mut waiting: Vec<usize> = Vec::new();
-        // What leaves before anything has come in waits for the second round.
+        // Outgoing segments before any incoming one wait for the second round.
         let mut early: Vec<usize> = Vec::new();
         for (_, leaves, segment) in around {
             if !leaves {
@@ -42,12 +42,12 @@ impl Arrangement {
             }
         }
         pairs.extend(early.into_iter().map_while(|segment| Some([waiting.pop()?, segment])));
-        // Turning everything changes nothing but where the circle begins.
+        // A rotation of the input changes only the start of the circle; sorting removes this difference.
         pairs[first..].sort_unstable();
     }
 }
 
-/// Ends the vertices of clusters where the wavefront changes, and makes the new ones. Gives them.
+/// Ends the vertices of clusters where the wavefront changes, and makes the new vertices. Returns the new ones.
 pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &Arrangement) -> Vec<u32> {
     let nodes = nodes(front, contacts, arrangement);
     let node = |cluster: u32| arrangement.number(cluster).map_or(NONE, |number| nodes[number]);
@@ -62,7 +62,7 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &A
             front.vertices[vertex as usize].alive = false;
         }
     }
-    // For each segment the vertices at its ends.
+    // The vertices at the ends of each segment.
     let mut ends: Vec<[u32; 2]> =
         arrangement.segments.iter().map(|segment| [segment.from, segment.to].map(End::vertex)).collect();
     let mut made = Vec::new();
@@ -84,7 +84,7 @@ pub(super) fn rejoin(front: &mut Wavefront, contacts: &Contacts, arrangement: &A
     made
 }
 
-/// For each cluster where the wavefront changes the node of the skeleton that it becomes.
+/// For each cluster where the wavefront changes, its node of the skeleton.
 fn nodes(front: &mut Wavefront, contacts: &Contacts, arrangement: &Arrangement) -> Vec<u32> {
     let mut known = vec![None; arrangement.incidences.len()];
     let mut sums = vec![(DVec2::ZERO, 0.0); arrangement.incidences.len()];
@@ -93,10 +93,10 @@ fn nodes(front: &mut Wavefront, contacts: &Contacts, arrangement: &Arrangement) 
         let position = front.positions[vertex as usize];
         let vertex = &front.vertices[vertex as usize];
         if vertex.born == front.now {
-            // A node of this very moment.
+            // A node made at this very time.
             known[number] = known[number].or(Some(vertex.node));
         }
-        // The faster a vertex, the less is known of where it is.
+        // The faster a vertex, the less accurate its position.
         let weight = 1.0 / vertex.velocity.length_squared().max(1.0);
         let (sum, weights) = &mut sums[number];
         *sum += position * weight;

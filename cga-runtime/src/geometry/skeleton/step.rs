@@ -1,4 +1,4 @@
-//! One step of a wavefront: events at one time happen together.
+//! One step of a wavefront: simultaneous events are processed together.
 
 use super::Failure;
 use super::arrangement::Arrangement;
@@ -8,8 +8,8 @@ use super::rejoin::rejoin;
 use super::wavefront::Wavefront;
 
 impl Wavefront {
-    /// Lets events happen, at once, with all that is in contact with what takes part in them or with some vertices. Gives the
-    /// vertices that are new.
+    /// Processes simultaneous events, with everything in contact with their participants or with the vertices `around`.
+    /// Returns the new vertices.
     pub(super) fn handle(&mut self, events: &[Event], around: &[u32]) -> Result<Vec<u32>, Failure> {
         for &vertex in &self.alive {
             self.positions[vertex as usize] = self.at(vertex, self.now);

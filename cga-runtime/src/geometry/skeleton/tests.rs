@@ -1,4 +1,4 @@
-//! Laws of strips and of what is left, on polygons of many kinds.
+//! Laws of strips and the remaining interior, on polygons of many kinds.
 
 mod polygons;
 
@@ -14,8 +14,8 @@ fn left_area(swept: &Swept) -> f64 {
     swept.left.iter().map(|ring| twice_area(&swept.points, &points(ring)) * 0.5).sum()
 }
 
-/// Sweeps, and holds the result to the laws that need no second opinion: areas add up, no strip is turned over, sides are
-/// no points.
+/// Sweeps a polygon and checks laws that need no reference result: areas add up, no strip is reversed, sides have a
+/// length.
 fn checked(polygon: &Polygon, distance: f64) -> Result<Swept, String> {
     let swept = sweep(&polygon.points, &polygon.rings, distance).map_err(|failure| format!("{failure:?}"))?;
     let strips: Vec<f64> = swept.strips.iter().map(|strip| twice_area(&swept.points, &strip.ring) * 0.5).collect();
@@ -44,7 +44,7 @@ fn complain(failures: &[String], of: usize) {
     assert!(failures.is_empty(), "{} of {of}: {:#?}", failures.len(), &failures[..failures.len().min(5)]);
 }
 
-/// Whether a point is in what is left, or nothing when it is on its rim.
+/// Returns true if a point is in the remaining interior; `None` on its rim.
 fn is_left(swept: &Swept, p: DVec2) -> Option<bool> {
     let mut turns = 0;
     for ring in &swept.left {
@@ -103,7 +103,7 @@ fn unions_of_cells_shrink_and_grow_as_a_raster_says() {
     complain(&failures, count);
 }
 
-/// Found among random ones: with one idea of what touches, an edge went on in two pieces.
+/// A failure found with random polygons: with one contact distance, an edge continued in two pieces.
 #[test]
 fn a_strip_is_in_one_piece() {
     let cells = Cells::random(&mut Rng(10_764), 8);
@@ -116,8 +116,8 @@ fn a_strip_is_in_one_piece() {
     assert_eq!(edges.len(), polygon.rings.iter().map(Vec::len).sum::<usize>());
 }
 
-/// What is nearer to the outline than the distance is swept; what is farther away than the sharpest corner that is not
-/// convex takes it is not.
+/// Points closer to the outline than the distance are swept. Points farther away than the fastest corner that is not
+/// convex can move are not.
 #[test]
 fn points_near_the_outline_are_swept_and_far_ones_are_left() {
     let (mut failures, mut count) = (Vec::new(), 0);
@@ -145,7 +145,8 @@ fn points_near_the_outline_are_swept_and_far_ones_are_left() {
                 }
                 count += 1;
                 let (from, left) = (polygon.distance(p), is_left(&swept, p));
-                // Loops of the outside leave infinity out: it is left where nothing winds.
+                // The loops of the region outside do not contain infinity: a point remains where no loop winds around
+                // it.
                 let left = left.map(|left| {
                     left || (outside
                         && !swept.strips.iter().any(|strip| polygons::holds(&swept.points, &strip.ring, p)))
@@ -169,7 +170,7 @@ fn convex_polygons_shrink_to_what_is_behind_all_moved_edges() {
             let truth = polygon.clipped(distance);
             let found = left_area(&checked(&polygon, distance).unwrap());
             assert!((truth - found).abs() < 1e-9, "seed {seed}: {found} instead of {truth}");
-            // Outwards: Steiner's formula, with corners cut to a mitre.
+            // Outwards: Steiner's formula, with mitred corners.
             let grown = -left_area(&checked(&polygon.inverted(), distance).unwrap());
             let truth = polygon.mitred(distance);
             assert!((truth - grown).abs() < 1e-9 * truth, "seed {seed}: {grown} instead of {truth}");
@@ -208,12 +209,12 @@ fn what_happens_at_once_stays_symmetric() {
             assert_eq!(areas.len(), 2 * tips as usize);
             assert!(areas.iter().all(|area| (area - areas[0]).abs() < 1e-12), "{tips} tips: {areas:?}");
         }
-        // All strips end in one point in the middle.
+        // All strips end at one point in the middle.
         assert_eq!(checked(&star, 5.0).unwrap().strips[0].ring.len(), 3);
     }
 }
 
-/// Thousands of edges, in one point or along one line.
+/// Thousands of edges that meet at one point or along one line.
 #[test]
 fn many_events_happen_at_once() {
     let around = |count: u32, radius: &dyn Fn(u32) -> f64| -> Vec<(f64, f64)> {
@@ -233,7 +234,7 @@ fn many_events_happen_at_once() {
     }
 }
 
-/// Teeth of different lengths above one edge: each that reaches it divides what all others run towards.
+/// Teeth of different lengths above one edge. Each tooth that reaches the edge divides the target of the others.
 #[test]
 fn an_edge_is_reached_again_and_again() {
     let rng = &mut Rng(3);
@@ -275,7 +276,7 @@ fn a_bridge_to_a_hole_is_not_there() {
     }
 }
 
-/// Loops that cross, repeat corners or turn back on themselves are refused, or come out with areas that add up.
+/// Loops that cross, repeat corners or reverse their direction are refused, or give areas that add up.
 #[test]
 fn any_loops_end() {
     let mut results = [0, 0];

@@ -1,11 +1,11 @@
-//! The rims of strips: arcs are collected edge by edge, and followed at the end.
+//! The rims of strips: arcs are collected edge by edge, and joined to rings at the end.
 
 use glam::DVec2;
 
 use super::Strip;
 use super::disjoint::DisjointSets;
 
-/// What a side of a strip is.
+/// The kind of a strip's side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
     Inner,
@@ -20,19 +20,19 @@ struct Arc {
     side: Side,
 }
 
-/// The sides of all strips; those of each begin with its edge.
+/// The sides of all strips. The sides of each strip begin with its edge.
 #[derive(Debug, Default)]
 pub(super) struct Arcs {
     of: Vec<Vec<Arc>>,
 }
 
 impl Arcs {
-    /// The next edge.
+    /// Adds the next edge.
     pub(super) fn edge(&mut self, from: u32, to: u32) {
         self.of.push(vec![Arc { from, to, side: Side::Inner }]);
     }
 
-    /// A path with one strip on its left and one on its right.
+    /// Adds a path with one strip on its left and one on its right.
     pub(super) fn path(&mut self, from: u32, to: u32, left: u32, right: u32) {
         if from != to && left != right {
             self.of[left as usize].push(Arc { from, to, side: Side::Inner });
@@ -40,15 +40,15 @@ impl Arcs {
         }
     }
 
-    /// An edge of the wavefront at the end: its strip is on the right.
+    /// Adds an edge of the final wavefront, with its strip on the right.
     pub(super) fn front(&mut self, from: u32, to: u32, edge: u32) {
         if from != to {
             self.of[edge as usize].push(Arc { from: to, to: from, side: Side::Front });
         }
     }
 
-    /// For each point the one it becomes when arcs that are all but points are made so. The first points, those of the
-    /// polygon, stay apart.
+    /// For each point the point that replaces it when very short arcs are contracted. The first `fixed` points, those
+    /// of the polygon, are not merged with each other.
     pub(super) fn contracted(&self, points: &[DVec2], fixed: usize, epsilon: f64) -> Vec<u32> {
         let mut same = DisjointSets::new(points.len());
         for arc in self.of.iter().flatten() {
@@ -63,7 +63,7 @@ impl Arcs {
         (0..points.len() as u32).map(|point| same.find(point)).collect()
     }
 
-    /// Follows them, each point being the one it has become.
+    /// Joins the arcs to rings, with points replaced by `same`.
     pub(super) fn strips(&mut self, same: &[u32]) -> Vec<Strip> {
         for arcs in &mut self.of {
             arcs.iter_mut().for_each(|arc| (arc.from, arc.to) = (same[arc.from as usize], same[arc.to as usize]));
@@ -79,7 +79,7 @@ impl Arcs {
 
 fn follow(edge: u32, arcs: &[Arc], strips: &mut Vec<Strip>) {
     let mut used = vec![false; arcs.len()];
-    // What runs back and forth is no side.
+    // Arcs back and forth are not sides.
     for i in 0..arcs.len() {
         let back = |k: &usize| !used[*k] && (arcs[*k].from, arcs[*k].to) == (arcs[i].to, arcs[i].from);
         if let Some(k) = (i + 1..arcs.len()).find(back).filter(|_| !used[i]) {

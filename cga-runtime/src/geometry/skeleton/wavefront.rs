@@ -1,4 +1,4 @@
-//! The state of a wavefront: moving vertices, joined in loops.
+//! The state of a wavefront: moving vertices, connected in loops.
 
 use std::ops::RangeInclusive;
 
@@ -8,16 +8,16 @@ use super::limits::Limits;
 use super::trace::Arcs;
 use super::{Failure, Left, Swept};
 
-/// No vertex.
+/// The number for "no vertex".
 pub(super) const NONE: u32 = u32::MAX;
 
-/// What squares of lengths are sure of.
+/// The range of lengths whose squares are safe.
 const SIZES: RangeInclusive<f64> = 1e-100..=1e100;
 
-/// Sums of unit normals shorter than this belong to edges that turn back on themselves.
+/// Edges count as opposite if the sum of their unit normals is shorter than this.
 const TURNED_BACK: f64 = 1e-10;
 
-/// The line of an edge. After some time its points are those whose product with the normal is `at` plus that time.
+/// The line of an edge. At a time `t` it contains the points whose scalar product with the normal is `at + t`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
     pub(super) along: DVec2,
@@ -25,16 +25,16 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// Which way it moves.
+    /// The direction in which the line moves.
     pub(super) fn normal(&self) -> DVec2 {
         self.along.perp()
     }
 }
 
-/// A vertex of the wavefront, and the edge from it to the next.
+/// A vertex of the wavefront, and the edge from it to the next vertex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vertex {
-    /// Where it started, as a node of the skeleton.
+    /// The node of the skeleton where the vertex started.
     pub(super) node: u32,
     pub(super) from: DVec2,
     pub(super) born: f64,
@@ -45,37 +45,37 @@ pub(super) struct Vertex {
     pub(super) last: u32,
     pub(super) next: u32,
     pub(super) alive: bool,
-    /// Whether it can reach other edges: it is not convex.
+    /// True if it is not convex, so that it can reach other edges.
     pub(super) reflex: bool,
-    /// When the edge after it shrinks to nothing.
+    /// The time when the edge after it shrinks to a point.
     pub(super) collapse: f64,
     pub(super) split: Split,
 }
 
-/// The first edge that a reflex vertex reaches, and when.
+/// The first edge that a reflex vertex reaches, and the time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Split {
     pub(super) time: f64,
-    /// [`NONE`] when the edge has changed: then no edge is reached before the time.
+    /// [`NONE`] if the edge has changed; then no edge is reached before the time.
     pub(super) edge: u32,
 }
 
 impl Split {
     pub(super) const NEVER: Split = Split { time: f64::INFINITY, edge: NONE };
 
-    /// Whether it has to be looked for again.
+    /// Returns true if the split must be computed again.
     pub(super) fn is_open(&self) -> bool {
         self.edge == NONE && self.time < f64::INFINITY
     }
 }
 
-/// Twice the area of a loop, negative when it runs clockwise.
+/// Twice the signed area of a loop, negative if it is clockwise.
 pub(super) fn twice_area(points: &[DVec2], ring: &[u32]) -> f64 {
     let at = |i: usize| points[ring[i] as usize] - points[ring[0] as usize];
     (1..ring.len().saturating_sub(1)).map(|i| at(i).perp_dot(at(i + 1))).sum()
 }
 
-/// Whether two lines run against each other, so that no vertex between them can move.
+/// Returns true if two lines are opposite, so that a vertex between them cannot move.
 pub(super) fn turn_back(a: &Line, b: &Line) -> bool {
     (a.along + b.along).length() < TURNED_BACK
 }
@@ -84,19 +84,19 @@ pub(super) fn turn_back(a: &Line, b: &Line) -> bool {
 pub(super) struct Wavefront {
     pub(super) lines: Vec<Line>,
     pub(super) vertices: Vec<Vertex>,
-    /// Vertices that are alive, in the order they were made.
+    /// The vertices that are alive, in the order of their creation.
     pub(super) alive: Vec<u32>,
-    /// Where vertices that are alive were at the last event.
+    /// The positions of the vertices that are alive, at the last event.
     pub(super) positions: Vec<DVec2>,
-    /// Nodes of the skeleton: first the points that were given.
+    /// The nodes of the skeleton, beginning with the given points.
     pub(super) nodes: Vec<DVec2>,
     given: usize,
     pub(super) arcs: Arcs,
-    /// Whether the region is the outside.
+    /// True if the region is outside the loops.
     pub(super) unbounded: bool,
-    /// How large everything is.
+    /// The size of the polygon.
     pub(super) extent: f64,
-    /// What is nearer than this touches.
+    /// The distance below which objects count as touching.
     pub(super) epsilon: f64,
     pub(super) limits: Limits,
     pub(super) now: f64,
@@ -108,7 +108,7 @@ impl Wavefront {
         let low = points.iter().fold(DVec2::INFINITY, |low, &p| low.min(p));
         let high = points.iter().fold(DVec2::NEG_INFINITY, |high, &p| high.max(p));
         let extent = (high - low).max_element();
-        // The outside has no end: there it is the distance that tells what is small.
+        // The region outside is infinite, so the distance of the sweep sets the scale too.
         let area: f64 = rings.iter().map(|ring| twice_area(points, ring)).sum();
         let unbounded = area < 0.0;
         let extent = if unbounded { extent + until } else { extent };
@@ -135,7 +135,7 @@ impl Wavefront {
             for (i, &a) in ring.iter().enumerate() {
                 let b = ring[(i + 1) % ring.len()];
                 let (p, q) = (points[a as usize], points[b as usize]);
-                // An edge without length is gone at once, whatever its direction.
+                // An edge without length ends at once, with any direction.
                 let along = (q - p).normalize_or(DVec2::X);
                 front.lines.push(Line { along, at: along.perp().dot(p) });
                 front.arcs.edge(a, b);
@@ -151,9 +151,9 @@ impl Wavefront {
         Ok(front)
     }
 
-    /// Lets it move until its time has come.
+    /// Moves the wavefront until its final time.
     pub(super) fn run(mut self) -> Result<Swept, Failure> {
-        // What touches from the beginning: pinches, bridges to holes.
+        // Contacts at the start: pinches, bridges to holes.
         let everything: Vec<u32> = self.alive.clone();
         self.handle(&[], &everything)?;
         self.foresee(&self.alive.clone())?;
@@ -170,17 +170,17 @@ impl Wavefront {
         }
     }
 
-    /// Where a vertex is at some time.
+    /// The position of a vertex at a time.
     #[inline]
     pub(super) fn at(&self, vertex: u32, time: f64) -> DVec2 {
         let vertex = &self.vertices[vertex as usize];
         vertex.from + vertex.velocity * (time - vertex.born)
     }
 
-    /// A vertex between the edges on two lines that starts now at a node, not joined to others yet.
+    /// A vertex between the edges on two lines that starts now at a node, not connected to others yet.
     pub(super) fn vertex(&self, node: u32, before: u32, after: u32) -> Vertex {
         let [a, b] = [before, after].map(|line| self.lines[line as usize]);
-        // The sum of the normals lies on the bisector; the nearer it is to nothing, the faster the vertex.
+        // The sum of the normals is on the bisector; the shorter it is, the faster the vertex.
         let sum = a.normal() + b.normal();
         let velocity = if turn_back(&a, &b) { DVec2::ZERO } else { sum * (2.0 / sum.length_squared()) };
         Vertex {
@@ -204,7 +204,7 @@ impl Wavefront {
         self.vertices.push(vertex);
     }
 
-    /// Takes down where everything is at the end.
+    /// Records the final positions.
     fn finish(mut self) -> Result<Swept, Failure> {
         let mut end = vec![NONE; self.vertices.len()];
         for &number in &self.alive {

@@ -1,13 +1,13 @@
 //! Caps in an order that is the same on both sides of a cut.
 //!
-//! The cap on one side of a plane is the cap on the other side turned over: the same points, each loop the other way round,
-//! with its first edge first. One of the two is triangulated on both sides, so that both have the same triangles.
+//! The cap on one side of a plane is the reversed cap of the other side: the same points, with each loop reversed and
+//! its first edge first. One of the two orders is triangulated on both sides, so that both have the same triangles.
 
 use glam::DVec3;
 
 use crate::geometry::mesh::{Bounds, FaceRef};
 
-/// Corners of a cap, turned over on one of the two sides.
+/// The corners of a cap, reversed on one of the two sides.
 #[derive(Default)]
 pub(super) struct Cap {
     is_turned: bool,
@@ -33,9 +33,9 @@ impl Cap {
         self.points.extend(self.corners.iter().map(|&corner| face.position(corner as usize)));
     }
 
-    /// The normal in the order of the corners, not of unit length. It is the same on both sides to the bit.
+    /// The normal in the order of the corners, not of unit length. It is the same on both sides, bit for bit.
     pub(super) fn normal(&self, loop_ends: &[u32]) -> DVec3 {
-        // As for other faces: products of very small or very large coordinates are taken at a size of about one.
+        // As for other faces, very small or very large coordinates are scaled to a size of about one.
         const SMALL: f64 = 1e-250;
         let sum = self.normal_at(loop_ends, 1.0);
         let size = sum.abs().max_element();
@@ -62,13 +62,14 @@ impl Cap {
         sum
     }
 
-    /// A triangle of these corners as one of the mesh's corners.
+    /// Converts a triangle of these corners to corners of the mesh.
     pub(super) fn triangle(&self, [a, b, c]: [u32; 3]) -> [u32; 3] {
         if self.is_turned { [a, c, b] } else { [a, b, c] }.map(|at| self.corners[at as usize])
     }
 }
 
-/// Whether this cap is the turned one of the two. The order of the first two points that turning swaps decides.
+/// Returns true if this cap is the reversed one of the two. The order of the first two points that reversal swaps
+/// decides.
 fn is_turned(face: &FaceRef<'_>) -> bool {
     let outline = face.loop_ranges().next().unwrap_or(0..0);
     let count = outline.len();

@@ -1,17 +1,17 @@
-//! Fans over convex polygons.
+//! Fans of convex polygons.
 
 use glam::DVec2;
 
 use crate::geometry::exact::orient;
 
-/// Appends a fan when the loop is convex and a fan has no triangle without area. Says whether it did.
+/// Appends a fan if the loop is convex and a fan has no triangle without area. Returns whether it did.
 pub(super) fn fan(points: &[DVec2], out: &mut Vec<[u32; 3]>) -> bool {
     let count = points.len();
     if count == 3 {
         out.push([0, 1, 2]);
         return true;
     }
-    // Convex: never turns right, and goes from rightwards to leftwards and back only once.
+    // A convex loop never turns right, and it changes from right to left and back only once.
     let mut apex = None;
     let mut turns = 0;
     let (mut previous, mut here) = (points[count - 2], points[count - 1]);
@@ -35,7 +35,7 @@ pub(super) fn fan(points: &[DVec2], out: &mut Vec<[u32; 3]>) -> bool {
             }
             collinear = true;
         }
-        // A fan may start where both neighbours are proper corners.
+        // A fan may start at a corner if both its neighbours are proper corners.
         run = if side > 0 { run + 1 } else { 0 };
         if run >= 3 && apex.is_none() {
             apex = Some((i + count - 2) % count);
@@ -60,7 +60,7 @@ pub(super) fn fan(points: &[DVec2], out: &mut Vec<[u32; 3]>) -> bool {
     true
 }
 
-/// Whether an edge goes right, or straight up.
+/// Returns true if an edge points right, or straight up.
 fn direction(a: DVec2, b: DVec2) -> bool {
     a.x < b.x || (a.x == b.x && a.y < b.y)
 }

@@ -1,13 +1,13 @@
-//! Polygons with holes into triangles.
+//! Triangulation of polygons with holes.
 //!
-//! Triangles use the corners of the polygon and nothing else, run the same way round, and together have its outline as
-//! their rim: each edge of each loop belongs to exactly one triangle, collinear corners included, so a closed mesh gives
-//! closed triangles. Of `n` corners and `h` holes there are `n + 2h − 2`, unless loops touch.
+//! Triangles use only the corners of the polygon, have its orientation, and together have its outline as their rim:
+//! each edge of each loop belongs to exactly one triangle, collinear corners included. So a closed mesh gives closed
+//! triangles. With `n` corners and `h` holes there are `n + 2h − 2` triangles, unless loops touch.
 //!
-//! Convex polygons are fans, the rest is swept (`sweep.rs`), in time that grows as the corners times their logarithm.
-//! Triangles that the sweep turns over, where loops cross, are repaired where the loops allow it (`unfold.rs`). Where no
-//! triangulation is right, what comes out still has every edge of the loops once, and the signed area. Nothing here panics;
-//! the same input gives the same triangles.
+//! Convex polygons become fans. The others are swept (`sweep.rs`) in time proportional to `n log n`. Triangles that the
+//! sweep reverses, where loops cross, are repaired as far as the loops allow (`unfold.rs`). If no correct triangulation
+//! exists, the result still has every edge of the loops once, and the signed area. Nothing here panics, and the same
+//! input gives the same triangles.
 
 mod cap;
 mod convex;
@@ -22,8 +22,9 @@ use cap::Cap;
 use sweep::Sweep;
 use unfold::Unfold;
 
-/// Which two coordinates to keep to lay a face flat, so that counter-clockwise stays so. Dropping a coordinate moves
-/// nothing, so points that are exactly on a line stay on it.
+/// The two coordinates that remain when a face is projected, in an order that keeps counter-clockwise loops
+/// counter-clockwise. The projection drops one coordinate without arithmetic, so collinear points stay exactly
+/// collinear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Projection {
     u: usize,
@@ -31,7 +32,7 @@ pub(crate) struct Projection {
 }
 
 impl Projection {
-    /// Drops the coordinate in which the normal is longest.
+    /// Drops the coordinate with the largest component of the normal.
     pub(crate) fn along(normal: DVec3) -> Self {
         let size = normal.abs();
         let axis = if size.x >= size.y && size.x >= size.z {
@@ -44,8 +45,8 @@ impl Projection {
         Projection::without(axis, normal)
     }
 
-    /// Keeps a coordinate, unless next to nothing of the face would be left of it: drops that of the other two in which the
-    /// normal is longer.
+    /// Keeps a coordinate, unless the projection would be very thin: drops the one of the other two with the larger
+    /// component of the normal.
     pub(crate) fn keeping(kept: usize, normal: DVec3) -> Self {
         const LEAST: f64 = 0.25;
         let (u, v) = ((kept + 1) % 3, (kept + 2) % 3);
@@ -67,7 +68,7 @@ impl Projection {
     }
 }
 
-/// Triangulates faces; keeps its buffers from one to the next.
+/// A triangulator of faces, which reuses its buffers.
 #[derive(Default)]
 pub struct Triangulator {
     flat: Vec<DVec2>,
@@ -84,14 +85,15 @@ impl std::fmt::Debug for Triangulator {
 }
 
 impl Triangulator {
-    /// With empty buffers.
+    /// A triangulator with empty buffers.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Appends the triangles of a face as positions in [`Mesh::corners`] (and so in its texture coordinates and normals).
+    /// Appends the triangles of a face as indices into [`Mesh::corners`], and so into its texture coordinates and
+    /// normals.
     ///
-    /// The caps of both sides of a cut have the same triangles, turned over.
+    /// The caps on both sides of a cut have the same triangles, reversed.
     pub fn face(&mut self, mesh: &Mesh, face: usize, out: &mut Vec<[u32; 3]>) {
         let face = mesh.face(face);
         let range = face.corner_range();
@@ -121,7 +123,7 @@ impl Triangulator {
             out[from..].iter_mut().flatten().for_each(|c| *c += start);
         }
         if range.len() > 4 {
-            // Where loops touch, triangles without area join corners that are the same point.
+            // If loops touch, triangles without area join corners that are the same point.
             let point = |c: u32| mesh.corners[c as usize];
             let mut kept = from;
             for i in from..out.len() {
@@ -136,8 +138,9 @@ impl Triangulator {
         (self.flat, self.ends) = (flat, ends);
     }
 
-    /// Appends the triangles of a polygon as indices of its points: loop after loop, the outline counter-clockwise, holes
-    /// clockwise; `loop_ends` says where each loop ends. Nothing comes out when a coordinate is not finite.
+    /// Appends the triangles of a polygon as indices of its points. Points are given loop by loop, the outline
+    /// counter-clockwise, holes clockwise; `loop_ends` are the ends of the loops. No triangles if a coordinate is not
+    /// finite.
     pub fn polygon(&mut self, points: &[DVec2], loop_ends: &[u32], out: &mut Vec<[u32; 3]>) {
         let count = points.len();
         let rises = loop_ends.windows(2).all(|w| w[0] <= w[1]);
@@ -158,7 +161,7 @@ impl Triangulator {
         }
     }
 
-    /// Reduces the area of triangles that are turned over.
+    /// Reduces the area of reversed triangles.
     #[cold]
     fn repair(&mut self, points: &[DVec2], loop_ends: &[u32], folded: f64, from: usize, out: &mut Vec<[u32; 3]>) {
         let high = points.iter().fold(points[0], |m, &p| m.max(p));
@@ -170,7 +173,8 @@ impl Triangulator {
         self.unfold.repair(points, loop_ends.len(), out, from);
     }
 
-    /// Loops that cross by rounding were meant to touch: some slack, or another direction, may make less of it.
+    /// Loops that cross by a rounding error should only touch. Slack or another direction of the sweep may reduce the
+    /// reversed area.
     fn once_more(
         &mut self,
         points: &[DVec2],
@@ -198,7 +202,7 @@ impl Triangulator {
     }
 }
 
-/// Twice the area of the triangles that run the wrong way.
+/// Twice the area of the reversed triangles.
 fn turned_over(points: &[DVec2], triangles: &[[u32; 3]]) -> f64 {
     let area = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|i| points[i as usize]);

@@ -1,14 +1,16 @@
-//! Polygons with holes into triangles by one sweep from bottom to top.
+//! Triangulates polygons with holes by one sweep from bottom to top.
 //!
-//! The inside of the polygon on the sweep line is a row of *regions*, each between a left edge, which the loop runs down,
-//! and a right edge, which it runs up. Below the line each region is triangulated but for a *chain* of points that leads
-//! from the lower end of its left edge to that of its right edge. A point on one of the two edges cuts off from that end
-//! of the chain all triangles it sees and becomes the new end. A point with both edges above it starts a region or splits
-//! one, at the point of the chain that came last; a point with both edges below it ends a region or merges two.
+//! The interior of the polygon on the sweep line is a row of *regions*, each between a left edge, where the loop goes
+//! down, and a right edge, where the loop goes up. Below the line each region is triangulated except for a *chain* of
+//! points that leads from the lower end of its left edge to that of its right edge. A point on one of the two edges
+//! cuts off all triangles that it sees from that end of the chain and becomes the new end. A point with both edges
+//! above it starts a region, or splits one at the latest point of the chain. A point with both edges below it ends a
+//! region or merges two.
 //!
-//! Triangles are cut off a chain and nothing else, so whatever the geometry each edge of each loop is in one triangle
-//! (less those that run back and forth): geometry only chooses among the ways to do so. Comparisons are exact. Without
-//! crossings no triangle is turned over; collinear corners are kept and make no triangle without area, unless all is flat.
+//! Triangles are only ever cut off a chain. So for any geometry each edge of each loop is in exactly one triangle
+//! (except edges that run back and forth): geometry only selects among the possible ways. Comparisons are exact.
+//! Without crossings no triangle is reversed. Collinear corners are kept and make no triangle without area, unless the
+//! whole polygon is flat.
 
 mod begin;
 mod status;
@@ -22,13 +24,13 @@ use status::Status;
 
 const NONE: u32 = u32::MAX;
 
-/// A part of the sweep line that is inside.
+/// An interior part of the sweep line.
 #[derive(Clone, Copy)]
 struct Region {
-    /// Edges are named by the corner they leave: the left edge by its upper, the right one by its lower end.
+    /// An edge is named by the corner where it begins: the left edge by its upper end, the right edge by its lower end.
     left: u32,
     right: u32,
-    /// Ends of its chain, and the link that came last.
+    /// The ends of its chain, and the latest link.
     left_end: u32,
     right_end: u32,
     latest: u32,
@@ -50,25 +52,25 @@ struct Event {
     corner: u32,
 }
 
-/// Buffers, kept from one polygon to the next.
+/// Buffers, reused for the next polygon.
 #[derive(Default)]
 pub(super) struct Sweep {
     next: Vec<u32>,
     prev: Vec<u32>,
     order: Vec<Event>,
-    /// For each corner the region its edge bounds.
+    /// For each corner the region that its edge bounds.
     region: Vec<u32>,
     regions: Vec<Region>,
-    /// Regions from left to right.
+    /// The regions from left to right.
     status: Status,
     links: Vec<Link>,
-    /// By how much a triangle may be turned over, and a hole begin outside.
+    /// The amount by which a triangle may be reversed, and a hole may begin outside.
     slack: f64,
 }
 
 impl Sweep {
-    /// Appends the triangles of a polygon. Where its loops cross by rounding, one that is turned over by less than `slack`
-    /// may have to be cut off before it spoils a large one.
+    /// Appends the triangles of a polygon. If its loops cross by rounding errors, a triangle that is reversed by less
+    /// than `slack` may have to be cut off, because otherwise a large triangle would be reversed.
     pub(super) fn triangulate(&mut self, points: &[DVec2], loop_ends: &[u32], slack: f64, out: &mut Vec<[u32; 3]>) {
         self.slack = slack;
         self.start(points, loop_ends, out);
@@ -101,8 +103,8 @@ impl Sweep {
             }
             first = end;
         }
-        // Loops go up and down in runs, which this sort merges. At one place, points that begin edges come last: edges that end
-        // there are gone by then.
+        // Loops consist of rising and falling runs, which this sort merges. Among corners at one place, those where
+        // edges begin come last, because the edges that end there must be removed first.
         let late = |corner: u32| {
             let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
             below(points, corner, a) && below(points, corner, b)
@@ -119,8 +121,8 @@ impl Sweep {
         });
     }
 
-    /// Cuts off corners at the same place as the one before them, with triangles without area, and takes the rest of the
-    /// loop into the order.
+    /// Cuts off corners equal to their predecessor, with triangles without area, and adds the other corners of the loop
+    /// to the order.
     fn close_gaps(&mut self, points: &[DVec2], first: u32, end: u32, out: &mut Vec<[u32; 3]>) {
         let mut left = end - first;
         for corner in first..end {
@@ -142,7 +144,7 @@ impl Sweep {
         }
     }
 
-    /// The sweep line reaches a corner.
+    /// Processes a corner.
     fn meet(&mut self, points: &[DVec2], corner: u32, out: &mut Vec<[u32; 3]>) {
         let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
         match (below(points, a, corner), below(points, b, corner)) {
@@ -153,7 +155,7 @@ impl Sweep {
                 self.set_right(region, corner);
             }
             (false, true) => {
-                // Down the left edge, which the sweep climbs.
+                // The loop goes down the left edge, so the sweep climbs it against the loop's direction.
                 let region = self.region[corner as usize];
                 self.attach_left(points, region, corner, out);
                 self.set_left(region, a);
@@ -194,7 +196,7 @@ impl Sweep {
         self.region[edge as usize] = region;
     }
 
-    /// Cuts off what a corner sees from the left end of a chain, and puts it there.
+    /// Cuts off the part of the chain that a corner sees from its left end, and puts the corner there.
     fn attach_left(&mut self, points: &[DVec2], region: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
         let mut at = self.regions[region as usize].left_end;
         loop {
@@ -236,8 +238,8 @@ impl Sweep {
         region.latest = link;
     }
 
-    /// Whether a corner above sees an edge of a chain, whose end `far` is not at the corner's side. An edge without length
-    /// hides nothing, nor does one that ends where the corner is.
+    /// Returns true if a corner above sees an edge of a chain. `far` is the edge's end away from the corner's side. An
+    /// edge without length blocks nothing, nor does an edge that ends at the corner's position.
     #[inline]
     fn sees(&self, points: &[DVec2], edge: [u32; 2], corner: u32, far: u32) -> bool {
         let [l, r, p] = [edge[0], edge[1], corner].map(|c| points[c as usize]);
@@ -248,7 +250,7 @@ impl Sweep {
         0.0 < self.slack && -(r - l).perp_dot(p - l) <= self.slack * longest
     }
 
-    /// Both edges of a region end: all that is left of its chain is a fan.
+    /// Both edges of a region end: the rest of its chain is a fan.
     fn end(&mut self, region: u32, corner: u32, out: &mut Vec<[u32; 3]>) {
         let mut at = self.regions[region as usize].left_end;
         loop {
@@ -266,7 +268,7 @@ impl Sweep {
         self.attach_right(points, left, corner, out);
         self.attach_left(points, right, corner, out);
         let (l, r) = (self.regions[left as usize], self.regions[right as usize]);
-        // The corner ends one chain and starts the other: one link is enough.
+        // The corner ends one chain and starts the other; one link serves both.
         let next = self.links[r.left_end as usize].next;
         self.links[l.right_end as usize].next = next;
         let right_end = if next == NONE {
@@ -283,7 +285,7 @@ impl Sweep {
     }
 }
 
-/// The order of the sweep: up, and to the right where that is equal.
+/// The order of the sweep: upwards, then to the right.
 #[inline]
 fn below(points: &[DVec2], a: u32, b: u32) -> bool {
     let (p, q) = (points[a as usize], points[b as usize]);

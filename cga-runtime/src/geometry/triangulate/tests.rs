@@ -13,7 +13,7 @@ fn loops(rings: &[&[(f64, f64)]]) -> (Vec<DVec2>, Vec<u32>) {
     (points, ends)
 }
 
-/// Net use of each edge by position: loops minus triangles must cancel.
+/// Returns true if the net use of each edge cancels, by position: loops minus triangles.
 fn rim_is_kept(points: &[DVec2], ends: &[u32], triangles: &[[u32; 3]]) -> bool {
     let key = |i: u32| points[i as usize].to_array().map(|c| (c + 0.0).to_bits());
     let mut net = std::collections::HashMap::new();
@@ -40,7 +40,7 @@ fn area(points: &[DVec2], triangles: &[[u32; 3]]) -> f64 {
     triangles.iter().map(|t| t.map(|i| points[i as usize])).map(|[a, b, c]| (b - a).perp_dot(c - a) / 2.0).sum()
 }
 
-/// Of a sound polygon: no triangle is turned over, so areas add up without signs.
+/// Checks a valid polygon: no triangle is reversed, so unsigned areas add up.
 fn check(rings: &[&[(f64, f64)]], expected: f64) {
     let (points, ends) = loops(rings);
     let mut out = Vec::new();

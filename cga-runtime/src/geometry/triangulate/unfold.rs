@@ -1,12 +1,13 @@
-//! Removes turned triangles from a triangulation where the polygon has one without them.
+//! Removes reversed triangles from a triangulation if the polygon allows it.
 //!
-//! Loops that cross, if only by rounding, make a sweep turn triangles over. Around each such triangle a patch of connected
-//! triangles is taken out and its rim, a closed chain of corners, is triangulated again with the least turned area, by
-//! dynamic programming over stretches of the chain. A patch grows along shared edges, so its triangles are a tree and its
-//! rim is one chain, also where the polygon has holes. The rim stays, so whatever the geometry each edge of each loop is
-//! still used exactly once.
+//! If loops cross, even if only by rounding errors, a sweep makes reversed triangles. Around each of them a patch of
+//! connected triangles is removed, and its rim, a closed chain of corners, is triangulated again with the least
+//! reversed area, by dynamic programming over stretches of the chain. A patch grows along shared edges, so its
+//! triangles form a tree and its rim is one chain, even if the polygon has holes. The rim stays, so for any geometry
+//! each edge of each loop is still used exactly once.
 //!
-//! Work is bounded: a few rounds with patches of a given size, and a limit on the triangles that are tried.
+//! The work is bounded: a few rounds with patches of a given size, and a limit on the number of triangles that are
+//! tried.
 
 use std::cmp::Ordering;
 
@@ -16,23 +17,23 @@ use crate::geometry::exact::orient;
 
 const NONE: u32 = u32::MAX;
 
-/// How many triangles a patch has at most, round by round. Small ones suffice nearly always.
+/// The largest number of triangles in a patch, by round. Small patches nearly always suffice.
 const PATCHES: [usize; 4] = [6, 24, 96, 180];
 
-/// How many triangles are tried for each triangle of the polygon, and for any polygon.
+/// The limits on tried triangles per triangle of the polygon, and for any polygon.
 const TRIED_EACH: usize = 64;
 const TRIED: usize = 1 << 20;
 
-/// Buffers, kept from one polygon to the next.
+/// Buffers, reused for the next polygon.
 #[derive(Default)]
 pub(super) struct Unfold {
-    /// Turned triangles with their area, the largest first.
+    /// Reversed triangles with their areas, the largest first.
     turned: Vec<(f64, u32)>,
-    /// Edges by their corners, whether they run from the higher to the lower one, and the side of a triangle they are.
+    /// Edges by their corners, whether they go from the higher to the lower number, and their side of a triangle.
     edges: Vec<(u64, bool, u32)>,
-    /// For each side of each triangle the one on the other side of the edge.
+    /// For each side of each triangle the side of the neighbour at the same edge.
     twin: Vec<u32>,
-    /// Whether a triangle was in a patch of this round.
+    /// True if a triangle was in a patch of this round.
     taken: Vec<bool>,
     patch: Vec<u32>,
     rim: Vec<Edge>,
@@ -57,10 +58,10 @@ struct Cell {
     apex: u32,
 }
 
-/// Less is better.
+/// The cost of triangles; less is better.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 struct Cost {
-    /// The area of turned triangles.
+    /// The area of reversed triangles.
     turned: f64,
     /// The number of triangles without area.
     flat: u32,
@@ -74,7 +75,7 @@ impl Cost {
         match orient(a, b, c) {
             1 => Cost::NOTHING,
             0 => {
-                // Corners of several loops at one place make triangles that do not show.
+                // Corners of several loops at one position make invisible triangles.
                 let [i, j, k] = corners;
                 let hidden = (a == b || b == c || c == a) && i != j && j != k && k != i;
                 Cost { turned: 0.0, flat: u32::from(!hidden) }
@@ -93,8 +94,8 @@ fn twice_area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 }
 
 impl Unfold {
-    /// Replaces turned triangles, and others around them, where that reduces the turned area. The triangles of the polygon
-    /// begin at `from`.
+    /// Replaces reversed triangles, and others around them, if that reduces the reversed area. The triangles of the
+    /// polygon begin at `from`.
     pub(super) fn repair(&mut self, points: &[DVec2], loops: usize, triangles: &mut Vec<[u32; 3]>, from: usize) {
         let mut budget = TRIED + TRIED_EACH * points.len();
         for size in PATCHES {
@@ -125,7 +126,7 @@ impl Unfold {
         }
     }
 
-    /// Triangulates a whole loop. The sweep of a loop that crosses itself may leave slits, and patches keep these.
+    /// Triangulates a whole loop. The sweep of a loop that crosses itself may leave slits, which patches would keep.
     fn whole(&mut self, points: &[DVec2], triangles: &mut Vec<[u32; 3]>, from: usize) {
         self.chain.clear();
         self.chain.extend(0..points.len() as u32);
@@ -140,7 +141,7 @@ impl Unfold {
         self.turned.clear();
         for (number, &corners) in triangles.iter().enumerate() {
             let [a, b, c] = corners.map(|corner| points[corner as usize]);
-            // The exact test is only for triangles that look turned.
+            // The exact test is needed only for triangles that look reversed.
             if twice_area(a, b, c) < 0.0 && orient(a, b, c) < 0 {
                 self.turned.push((Cost::of(points, corners).turned, number as u32));
             }
@@ -159,7 +160,7 @@ impl Unfold {
         self.edges.sort_unstable();
         self.twin.clear();
         self.twin.resize(sides.len(), NONE);
-        // Where loops cross, an edge may be there several times.
+        // If loops cross, an edge may occur several times.
         for same in self.edges.chunk_by(|a, b| a.0 == b.0) {
             let (up, down) = same.split_at(same.partition_point(|edge| !edge.1));
             for (&(.., a), &(.., b)) in up.iter().zip(down) {
@@ -169,7 +170,7 @@ impl Unfold {
         }
     }
 
-    /// Takes the triangles nearest to a turned one, and the chain of corners around them.
+    /// Collects the triangles nearest to a reversed one, and the chain of corners around them.
     fn grow(&mut self, triangles: &[[u32; 3]], turned: u32, size: usize) {
         self.patch.clear();
         self.patch.push(turned);
@@ -188,7 +189,8 @@ impl Unfold {
             }
             self.patch.push(beyond);
             self.taken[beyond as usize] = true;
-            // Both new edges go to the end of the list, so that the patch grows evenly; the old one leads there.
+            // The first new edge takes the place of the old one and is not visited again. The second one goes to the
+            // end of the list, so that the patch grows evenly.
             let [first, second] = [1, 2].map(|k| 3 * beyond + (twin + k) % 3);
             let new = self.rim.len();
             let next = self.rim[at].next;
@@ -251,7 +253,7 @@ impl Unfold {
         table[count - 1].cost
     }
 
-    /// Hands over the triangles that were found.
+    /// Passes the triangles that were found to `each`.
     fn read(&mut self, mut each: impl FnMut([u32; 3])) {
         let count = self.chain.len();
         self.stretches.clear();

@@ -7,7 +7,7 @@ fn line(points: &[[f64; 2]]) -> Centerline {
     Centerline::new(points)
 }
 
-/// The end of an arm at an angle in degrees from the x axis, at a distance.
+/// A line from the centre at an angle in degrees from the x axis.
 fn arm(degrees: f64, length: f64) -> Centerline {
     let angle = degrees.to_radians();
     line(&[[0.0, 0.0], [length * libm::cos(angle), -length * libm::sin(angle)]])

@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::*;
 use crate::geometry::mesh::FaceRef;
 
-/// The ground plan of a ring, counter-clockwise where it is seen from above so.
+/// The rings of a face in plan; an outline is counter-clockwise as seen from above.
 fn flat(face: &FaceRef<'_>, mesh: &Mesh) -> Vec<Vec<DVec2>> {
     let place = |&corner: &u32| DVec2::new(mesh.points()[corner as usize].x, -mesh.points()[corner as usize].z);
     face.loops().map(|ring| ring.iter().map(place).collect()).collect()
@@ -23,8 +23,8 @@ fn bits(mesh: &Mesh, corner: u32) -> Bits {
     mesh.points()[corner as usize].to_array().map(f64::to_bits)
 }
 
-/// Checks a network: the directed edges of all faces pair off or are on the border of the whole; a point is never inside of an
-/// edge; and the areas add up to the area within the border. So parts neither overlap nor leave gaps.
+/// Checks a network. Directed edges of all faces pair up or are on the border of the whole. No point is inside an edge.
+/// The sum of the areas is the area within the border. So parts neither overlap nor leave gaps.
 pub(super) fn check(network: &Network, name: &str) {
     let mut edges: HashMap<(Bits, Bits), usize> = HashMap::new();
     let mut ends: HashMap<(u64, u64), Bits> = HashMap::new();
@@ -41,7 +41,7 @@ pub(super) fn check(network: &Network, name: &str) {
                     let (a, b) = (bits(mesh, ring[at]), bits(mesh, ring[(at + 1) % ring.len()]));
                     let before = edges.insert((a, b), number);
                     assert_eq!(before, None, "{name}: an edge of part {number} has two faces on one side");
-                    // One place has one height.
+                    // A point has one height.
                     let known = *ends.entry((a[0], a[2])).or_insert(a);
                     assert_eq!(known, a, "{name}: part {number}");
                 }
@@ -49,7 +49,8 @@ pub(super) fn check(network: &Network, name: &str) {
         }
         coordinates(part, name);
     }
-    // The border: edges with a face on one side only. The area within it, with the right sign, is that of all parts.
+    // The border: edges with a face on one side only. The signed area within it equals the sum of the areas of all
+    // parts.
     let border: Vec<(Bits, Bits)> = edges.keys().filter(|&&(a, b)| !edges.contains_key(&(b, a))).copied().collect();
     let place = |bits: Bits| DVec2::new(f64::from_bits(bits[0]), -f64::from_bits(bits[2]));
     let within: f64 = border.iter().map(|&(a, b)| place(a).perp_dot(place(b)) / 2.0).sum();
@@ -58,8 +59,8 @@ pub(super) fn check(network: &Network, name: &str) {
     touching(&border, name);
 }
 
-/// No two triangles of the network overlap, tried at random points: each is inside of at most one face, and of one exactly
-/// where the border winds around it.
+/// Checks at random points that triangles of the network do not overlap. Each point is inside at most one face, and
+/// inside exactly one if the border winds around it.
 fn disjoint(network: &Network, border: &[(Bits, Bits)], name: &str) {
     let place = |bits: Bits| DVec2::new(f64::from_bits(bits[0]), -f64::from_bits(bits[2]));
     let faces: Vec<Vec<Vec<DVec2>>> =
@@ -90,7 +91,7 @@ fn disjoint(network: &Network, border: &[(Bits, Bits)], name: &str) {
     }
 }
 
-/// No point of the border is inside of an edge of it: neighbours have all points of a common border.
+/// No point of the border is inside an edge of it: neighbours share all points of their common border.
 fn touching(border: &[(Bits, Bits)], name: &str) {
     let place = |bits: Bits| DVec2::new(f64::from_bits(bits[0]), -f64::from_bits(bits[2]));
     if 3000 < border.len() {
@@ -120,10 +121,10 @@ fn coordinates(part: &Part, name: &str) {
         for (&corner, &uv) in mesh.corners().iter().zip(uvs) {
             let slack = 1e-9 * most;
             assert!(uv.cmpge(-slack).all() && uv.cmple(most + slack).all(), "{name}: {uv} {most}");
-            // Inner borders of tight bends overlap, and sidewalks there have a border in two cells.
+            // Inner borders of tight bends overlap, so a sidewalk's border may be in two cells there.
             if part.kind == Kind::Street {
                 let before = *known.entry(corner).or_insert(uv);
-                // A loop ends where it begins.
+                // The end of a loop is its start.
                 let seam = (before.x - uv.x).abs() == most.x && before.y == uv.y;
                 assert!(before == uv || seam, "{name}: set {set} at {}", mesh.points()[corner as usize]);
             }
@@ -131,7 +132,7 @@ fn coordinates(part: &Part, name: &str) {
     }
     if part.kind == Kind::Street {
         for face in mesh.faces() {
-            // Points on an edge of a sloping quad leave triangles that are only rounding.
+            // Points on an edge of a sloping quad leave triangles that are rounding errors only.
             if area(&flat(&face, mesh)[0]) < 1e-5 {
                 continue;
             }

@@ -16,7 +16,7 @@ impl Random {
     }
 }
 
-/// Lines of small integers, so that many meet, or of any numbers.
+/// Lines with small integer coordinates, so that many meet, or with arbitrary ones.
 fn lines(random: &mut Random) -> Vec<Centerline> {
     let (count, on_grid, extent) = (1 + random.below(8), random.below(2) == 0, [60.0, 150.0][random.below(2) as usize]);
     let is_flat = random.below(4) != 0;

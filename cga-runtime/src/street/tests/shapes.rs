@@ -1,4 +1,4 @@
-//! Streets one by one: lengths, first edges, kinds, heights, errors.
+//! Single streets: lengths, first edges, kinds, heights, errors.
 
 use std::collections::HashSet;
 
@@ -30,7 +30,7 @@ fn a_straight_street_has_lengths_in_metres() {
     let street = of_kind(&network, Kind::Street)[0];
     assert_eq!((street.length, street.width, left.width, right.width), (80.0, 8.0, 3.0, 1.5));
     assert_eq!([street, left, right].map(|part| part.mesh.area()), [640.0, 240.0, 120.0]);
-    // x east, z south: left of a street to the east is in the north.
+    // x east, z south: the left side of a street to the east is in the north.
     assert!(
         left.mesh.points().iter().all(|point| point.z <= -4.0)
             && right.mesh.points().iter().all(|point| 4.0 <= point.z)
@@ -140,11 +140,11 @@ fn a_crossing_of_sharp_corners_is_a_square() {
     let lines = [Centerline::new(&[[-40.0, 0.0], [40.0, 0.0]]), Centerline::new(&[[0.0, -40.0], [0.0, 40.0]])];
     let sharp = NetworkOptions { corner_radius: 0.0, ..NetworkOptions::default() };
     let network = Network::new(&lines, &sharp).unwrap();
-    // To where the sidewalks part: 12 m by 12 m without four squares of 2 m.
+    // The area up to the edges of the sidewalks: 12 m by 12 m without four squares of 2 m.
     assert_eq!(of_kind(&network, Kind::Crossing)[0].mesh.area(), 144.0 - 4.0 * 4.0);
     let all: f64 = network.parts().iter().map(|part| part.mesh.area()).sum();
     assert_eq!(all, 2.0 * 80.0 * 12.0 - 144.0);
-    // Kerbs have a radius of 4 m, and the outer borders of sidewalks one of 2 m.
+    // Kerbs have a radius of 4 m, and outer borders of sidewalks a radius of 2 m.
     let rounded = Network::new(&lines, &NetworkOptions::default()).unwrap();
     let all: f64 = rounded.parts().iter().map(|part| part.mesh.area()).sum();
     let corner = 2.0 * 2.0 * (1.0 - std::f64::consts::FRAC_PI_4);

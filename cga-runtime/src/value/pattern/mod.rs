@@ -1,10 +1,10 @@
-//! Regular expressions, as `splitString` takes them behind a `$`: Perl's notation.
+//! Regular expressions for `splitString`, which takes them after a `$`, in Perl's notation.
 //!
-//! An own matcher, because the reference's own example looks behind (`(?<=a)b(?=a)`), which the matchers that promise to
-//! end leave out. (`regex-lite`, which is small, leaves it out too.) It tries alternatives in order and remembers where nothing came of it, so that no pattern takes more
-//! than a bounded time. There are no references back to groups.
+//! The crate has its own matcher because the reference's own example uses lookbehind (`(?<=a)b(?=a)`), which
+//! linear-time matchers, `regex-lite` included, do not support. The matcher tries alternatives in order and remembers
+//! the failed ones, so the time of every pattern is bounded. Back references are not supported.
 //!
-//! [`Pattern::new`] reads (`parse.rs`) and makes steps of what it read (`program.rs`); [`Search`] runs them (`run.rs`).
+//! [`Pattern::new`] parses (`parse.rs`) and compiles to steps (`program.rs`); [`Search`] runs them (`run.rs`).
 
 mod parse;
 mod program;

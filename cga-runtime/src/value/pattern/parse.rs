@@ -1,10 +1,10 @@
-//! Reads patterns.
+//! The parser for patterns.
 
 use super::set::Set;
 
-/// Groups inside each other.
+/// The greatest nesting depth of groups.
 const DEEPEST: usize = 50;
-/// Repetitions that a number may ask for.
+/// The largest number in a repetition.
 const MOST_REPEATED: u32 = 1000;
 
 /// A pattern as a tree.
@@ -13,16 +13,16 @@ pub(super) enum Node {
     Set(Set),
     At(Place),
     Sequence(Vec<Node>),
-    /// The first that leads to a match.
+    /// Alternatives: the first one that leads to a match.
     Either(Vec<Node>),
-    /// As often as possible, or as seldom (`lazy`).
+    /// As often as possible, or as rarely as possible (`lazy`).
     Repeat {
         node: Box<Node>,
         least: u32,
         most: Option<u32>,
         lazy: bool,
     },
-    /// What must stand here, or must not, without being part of the match.
+    /// An assertion: must match here, or must not, and is not part of the match.
     Look {
         node: Box<Node>,
         ahead: bool,
@@ -30,7 +30,7 @@ pub(super) enum Node {
     },
 }
 
-/// A place in a text.
+/// A position in a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Place {
     TextStart,
@@ -56,7 +56,7 @@ struct Parser<'p> {
     depth: usize,
 }
 
-/// The tree of a pattern, or what is wrong with it.
+/// The tree of a pattern, or a description of its error.
 pub(super) fn parse(pattern: &str) -> Result<Node, String> {
     let pattern: Vec<char> = pattern.chars().collect();
     let mut parser = Parser { pattern: &pattern, at: 0, flags: Flags::default(), depth: 0 };
@@ -79,7 +79,7 @@ impl Parser<'_> {
         next
     }
 
-    /// Goes on behind a text if it stands here.
+    /// Consumes `text` if it is next.
     fn take(&mut self, text: &str) -> bool {
         let found = text.chars().enumerate().all(|(i, c)| self.pattern.get(self.at + i) == Some(&c));
         self.at += if found { text.chars().count() } else { 0 };
@@ -117,7 +117,7 @@ impl Parser<'_> {
         let Some((least, most)) = self.count()? else { return Ok(node) };
         let lazy = self.take("?");
         if self.peek() == Some('+') {
-            return Err("`+` behind a repetition is not supported".to_owned());
+            return Err("`+` after a repetition is not supported".to_owned());
         }
         if self.count()?.is_some() {
             return Err("a repetition of a repetition".to_owned());
@@ -138,7 +138,7 @@ impl Parser<'_> {
         Ok(Some(found))
     }
 
-    /// A brace that does not count is a character.
+    /// A brace that is not a repetition is a character.
     fn braces(&mut self) -> Result<Option<(u32, Option<u32>)>, String> {
         let start = self.at;
         self.at += 1;
@@ -183,7 +183,7 @@ impl Parser<'_> {
                 Some('z') => self.place(Place::TextEnd),
                 _ => Node::Set(self.escape()?.fold(self.flags.fold)),
             },
-            Some(c @ ('*' | '+' | '?')) => return Err(format!("nothing in front of `{c}` to repeat")),
+            Some(c @ ('*' | '+' | '?')) => return Err(format!("nothing before `{c}` to repeat")),
             Some(c) => Node::Set(Set::one(c).fold(self.flags.fold)),
             None => Node::Sequence(Vec::new()),
         })
@@ -194,7 +194,7 @@ impl Parser<'_> {
         Node::At(place)
     }
 
-    /// Behind `(`.
+    /// Parses a group, after its `(`.
     fn group(&mut self) -> Result<Node, String> {
         if self.depth == DEEPEST {
             return Err(format!("more than {DEEPEST} groups inside each other"));
@@ -203,7 +203,7 @@ impl Parser<'_> {
             [("?=", true, false), ("?!", true, true), ("?<=", false, false), ("?<!", false, true)];
         let look = LOOKS.into_iter().find(|(mark, ..)| self.take(mark));
         if look.is_none() && !self.take("?:") && self.peek() == Some('?') {
-            return Err("`(?` with something else than `:`, `=`, `!`, `<=` or `<!`".to_owned());
+            return Err("`(?` without `:`, `=`, `!`, `<=` or `<!`".to_owned());
         }
         self.depth += 1;
         let node = self.either()?;
@@ -217,7 +217,7 @@ impl Parser<'_> {
         })
     }
 
-    /// Behind `[`.
+    /// Parses a set, after its `[`.
     fn bracket(&mut self) -> Result<Set, String> {
         const OPEN: &str = "a `[` without a `]`";
         let negated = self.take("^");
@@ -250,13 +250,13 @@ impl Parser<'_> {
                 _ => from,
             };
             if to < from {
-                return Err(format!("the range `{from}-{to}` is the wrong way round"));
+                return Err(format!("the range `{from}-{to}` is reversed"));
             }
             set.add_range(from, to);
         }
     }
 
-    /// Behind `\` in brackets: a character, or a class, which is added.
+    /// Parses an escape in brackets, after its `\`: a character, or a class, which is added to `set`.
     fn escaped_in_bracket(&mut self, set: &mut Set) -> Result<Option<char>, String> {
         if let Some(class) = self.peek().and_then(Set::class) {
             self.at += 1;
@@ -269,7 +269,7 @@ impl Parser<'_> {
         self.escaped().map(Some)
     }
 
-    /// Behind `\`.
+    /// Parses an escape, after its `\`.
     fn escape(&mut self) -> Result<Set, String> {
         if let Some(class) = self.peek().and_then(Set::class) {
             self.at += 1;
@@ -278,7 +278,7 @@ impl Parser<'_> {
         self.escaped().map(Set::one)
     }
 
-    /// Behind `\`: a character.
+    /// Parses an escaped character, after its `\`.
     fn escaped(&mut self) -> Result<char, String> {
         Ok(match self.next().ok_or("a `\\` at the end")? {
             't' => '\t',
@@ -293,7 +293,7 @@ impl Parser<'_> {
         })
     }
 
-    /// A character by its number: so many hexadecimal digits, or any in braces.
+    /// A character by its number: `digits` hexadecimal digits, or any number of them in braces.
     fn code(&mut self, digits: usize) -> Result<char, String> {
         let braces = self.take("{");
         let (mut code, mut count) = (0u32, 0);
@@ -303,6 +303,6 @@ impl Parser<'_> {
             self.at += 1;
         }
         let complete = if braces { 0 < count && self.take("}") } else { count == digits };
-        char::from_u32(code).filter(|_| complete).ok_or_else(|| "a number that is no character".to_owned())
+        char::from_u32(code).filter(|_| complete).ok_or_else(|| "a number that is not a character".to_owned())
     }
 }

@@ -1,34 +1,35 @@
-//! Steps made of a pattern.
+//! The steps of a compiled pattern.
 
 use super::parse::{Node, Place, parse};
 use super::set::Set;
 
-/// Steps of a pattern, so that `(((a{99}){99}){99})` does not fill the memory.
+/// The largest number of steps, so that `(((a{99}){99}){99})` does not exhaust the memory.
 const MOST_STEPS: usize = 5000;
 
-/// What to do at a place in the text.
+/// A step at a position in the text.
 #[derive(Debug)]
 pub(super) enum Step {
-    /// Goes over one character of the set, forwards or backwards.
+    /// Consumes one character of the set, forwards or backwards.
     Over {
         set: Set,
         back: bool,
     },
-    /// Goes on only there.
+    /// Continues only at such a position.
     At(Place),
-    /// Goes on at `first`, and if that leads to nothing at `second`. Forks are numbered.
+    /// Continues at `first` and, if that fails, at `second`. Forks are numbered.
     Fork {
         first: usize,
         second: usize,
         number: usize,
     },
     Jump(usize),
-    /// Runs the steps behind it up to `end` aside and goes on there if they match, or if they do not.
+    /// Runs the following steps up to `end` separately. Continues at `end` if they match, or if they do not
+    /// (`negated`).
     Look {
         end: usize,
         negated: bool,
     },
-    /// All has matched.
+    /// The end of the pattern: a match.
     Match,
 }
 
@@ -40,12 +41,12 @@ pub(crate) struct Pattern {
 }
 
 impl Pattern {
-    /// Reads a pattern; the error says what is wrong with it.
+    /// Compiles a pattern. The error describes its fault.
     pub(crate) fn new(pattern: &str) -> Result<Self, String> {
         Pattern::of(&parse(pattern)?)
     }
 
-    /// The same for all of a text: nothing may stand before or behind what it matches.
+    /// Compiles a pattern that must match the whole text.
     pub(super) fn whole(pattern: &str) -> Result<Self, String> {
         Pattern::of(&Node::Sequence(vec![Node::At(Place::TextStart), parse(pattern)?, Node::At(Place::TextEnd)]))
     }
@@ -65,14 +66,14 @@ impl Pattern {
         Ok(self.steps.len() - 1)
     }
 
-    /// A fork whose ends are not known yet.
+    /// A fork with unknown targets.
     fn fork(&mut self) -> Result<usize, String> {
         let number = self.forks;
         self.forks += 1;
         self.push(Step::Fork { first: 0, second: 0, number })
     }
 
-    /// A fork between the steps behind it and those that come next.
+    /// Sets a fork's targets: the steps after it and the next step to be added.
     fn close(&mut self, fork: usize, lazy: bool) {
         let (inside, behind) = (fork + 1, self.steps.len());
         if let Some(Step::Fork { first, second, .. }) = self.steps.get_mut(fork) {
@@ -80,7 +81,7 @@ impl Pattern {
         }
     }
 
-    /// The steps of a node; `back` if what is before the place is meant, from right to left.
+    /// Adds the steps of a node. With `back` they match the text before the position, from right to left.
     fn node(&mut self, node: &Node, back: bool) -> Result<(), String> {
         match node {
             Node::Set(set) => _ = self.push(Step::Over { set: set.clone(), back })?,
@@ -121,7 +122,7 @@ impl Pattern {
         for _ in 0..least {
             let before = self.steps.len();
             self.node(node, back)?;
-            // Nothing stays nothing, however often.
+            // An empty node stays empty when repeated.
             if self.steps.len() == before {
                 break;
             }

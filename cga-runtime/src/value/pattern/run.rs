@@ -4,12 +4,12 @@ use super::parse::Place;
 use super::program::{Pattern, Step};
 use super::set::is_word;
 
-/// Places times forks: what is remembered takes a bit for each.
+/// The largest number of positions times forks. The memory takes one bit for each.
 const MOST_STATES: usize = 1 << 24;
-/// Steps taken in one search, matches of a whole text included.
+/// The largest number of steps in one search. A match of a whole text is one search.
 const MOST_STEPS: u64 = 50_000_000;
 
-/// A text is too long for a pattern, or a pattern takes too long.
+/// The error for a text that is too long for a pattern, or for a pattern that takes too long.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TooLong;
 
@@ -17,8 +17,8 @@ pub(crate) struct TooLong;
 pub(crate) struct Search<'a> {
     pattern: &'a Pattern,
     text: &'a [char],
-    /// Forks that are under way or led to nothing, by place and number. What a fork leads to depends on nothing else,
-    /// so it need not be tried again: that keeps patterns such as `(a+)+b` from taking exponential time.
+    /// The forks that are running or have failed, by position and number. The result of a fork depends on these two
+    /// alone, so it is not tried again. This keeps patterns such as `(a+)+b` from taking exponential time.
     tried: Vec<u64>,
     steps: u64,
 }
@@ -32,7 +32,7 @@ impl<'a> Search<'a> {
         Ok(Search { pattern, text, tried: vec![0; states.div_ceil(64)], steps: 0 })
     }
 
-    /// Start and end of the first match that begins at `from` or later.
+    /// The start and end of the first match that begins at `from` or later.
     pub(crate) fn find(&mut self, from: usize) -> Result<Option<(usize, usize)>, TooLong> {
         for start in from..=self.text.len() {
             if let Some(end) = self.run(0, start)? {
@@ -42,12 +42,12 @@ impl<'a> Search<'a> {
         Ok(None)
     }
 
-    /// How many steps were taken so far.
+    /// The number of steps taken so far.
     pub(super) fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// Where the match of some steps ends that begins at a place.
+    /// The end of the match of the steps from `step` on that begins at `place`.
     fn run(&mut self, step: usize, place: usize) -> Result<Option<usize>, TooLong> {
         let mut waiting = vec![(step, place)];
         let mut marked = Vec::new();
@@ -88,7 +88,7 @@ impl<'a> Search<'a> {
                         step = end;
                     }
                     Step::Match => {
-                        // Some of these lead to a match, so they must be tried again.
+                        // Some of these forks lead to a match, so later runs must try them again.
                         for state in marked {
                             self.tried[state as usize / 64] &= !(1 << (state % 64));
                         }

@@ -1,12 +1,12 @@
 //! Sets of characters.
 
-/// Characters that may stand somewhere.
+/// A set of characters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Set {
-    /// First and last, in any order, perhaps overlapping.
+    /// First and last characters, unordered, possibly overlapping.
     ranges: Vec<(char, char)>,
     negated: bool,
-    /// Whether small and capital letters are the same.
+    /// True if case is ignored.
     fold: bool,
 }
 
@@ -15,7 +15,7 @@ const WORD: &[(char, char)] = &[('0', '9'), ('A', 'Z'), ('_', '_'), ('a', 'z')];
 const SPACE: &[(char, char)] = &[('\t', '\r'), (' ', ' ')];
 const LINE_END: &[(char, char)] = &[('\n', '\n')];
 
-/// Whether it belongs to a word, as `\w` has it.
+/// Returns true if a character belongs to a word, as in `\w`.
 pub(super) fn is_word(c: char) -> bool {
     inside(WORD, c)
 }
@@ -29,12 +29,12 @@ impl Set {
         Set { ranges: vec![(c, c)], ..Set::default() }
     }
 
-    /// Every character; `.` without line ends.
+    /// Every character, or, for `.`, every character except line ends.
     pub(super) fn any(line_ends: bool) -> Self {
         Set { ranges: if line_ends { Vec::new() } else { LINE_END.to_vec() }, negated: true, fold: false }
     }
 
-    /// `\d`, `\w`, `\s`, which know ASCII only, and in capitals everything else.
+    /// `\d`, `\w` and `\s`, which are ASCII only; capital letters negate them.
     pub(super) fn class(letter: char) -> Option<Self> {
         let ranges = match letter.to_ascii_lowercase() {
             'd' => DIGIT,
@@ -83,7 +83,7 @@ impl Set {
     pub(super) fn has(&self, c: char) -> bool {
         let mut found = inside(&self.ranges, c);
         if self.fold && !found {
-            // Only letters that have one counterpart.
+            // Only for letters with a single counterpart.
             let single = |mut other: Box<dyn Iterator<Item = char>>| other.next().filter(|_| other.next().is_none());
             let small = single(Box::new(c.to_lowercase()));
             let capital = single(Box::new(c.to_uppercase()));

@@ -1,7 +1,7 @@
 use super::*;
 use crate::func::tests::Random;
 
-/// All matches, one behind the other, those of nothing included.
+/// All matches in order, including empty ones.
 fn matches(pattern: &str, text: &str) -> Vec<String> {
     let pattern = Pattern::new(pattern).unwrap_or_else(|error| panic!("{pattern}: {error}"));
     let text: Vec<char> = text.chars().collect();
@@ -105,7 +105,7 @@ fn no_pattern_takes_for_ever() {
         let mut search = Search::new(&pattern, &text).unwrap();
         assert!(matches!(search.find(0), Ok(None) | Err(TooLong)));
     }
-    // Each match looks to the end of the text.
+    // Each match looks ahead to the end of the text.
     let pattern = Pattern::new("a(?=.*c)b|a").unwrap();
     let text: Vec<char> = text.chars().chain(['c']).collect();
     let mut search = Search::new(&pattern, &text).unwrap();
@@ -119,10 +119,10 @@ fn no_pattern_takes_for_ever() {
     assert!(Pattern::new("(?:(?:(?:){1000}){1000}){1000}").is_ok());
 }
 
-/// What a pattern matches, worked out in the plainest way: all ends that are possible from a place, in order of
-/// preference. Exponential, for small cases.
+/// The matches of a pattern by the simplest algorithm: all possible ends from a position, in order of preference.
+/// Exponential, for small cases.
 mod plain {
-    /// Patterns for which this is simple.
+    /// The patterns that this algorithm supports.
     #[derive(Clone, Debug)]
     pub(super) enum Plain {
         Letter(char),

@@ -1,18 +1,19 @@
-//! Patterns that must match all of a text, tried on many texts.
+//! Patterns that must match a whole text, tried on many texts.
 
 use super::{Pattern, Search};
 
-/// A pattern for all of a text.
+/// A pattern for a whole text.
 #[derive(Debug)]
 pub(crate) struct Whole(Pattern);
 
 impl Whole {
-    /// Reads a pattern; the error says what is wrong with it.
+    /// Compiles a pattern. The error describes its fault.
     pub(crate) fn new(pattern: &str) -> Result<Self, String> {
         Pattern::whole(pattern).map(Whole)
     }
 
-    /// Whether it matches, and how many steps it took to know. What would take too long does not match.
+    /// Matches a text. Returns the result and the number of steps taken. A search that would take too long does not
+    /// match.
     pub(crate) fn matches(&self, text: &str) -> (bool, u64) {
         let text: Vec<char> = text.chars().collect();
         let Ok(mut search) = Search::new(&self.0, &text) else { return (false, u64::MAX) };

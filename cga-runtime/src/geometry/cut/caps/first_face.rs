@@ -1,8 +1,9 @@
-//! The face a part begins with.
+//! The first face of a part.
 //!
-//! "When the first face is split away the face used to close hollow geometries becomes the new first face" (*CGA changelog
-//! 2025.1*, split operation), so that the first edge survives: of the caps of a part that has nothing of the mesh's first
-//! face, that towards it comes first, and begins with the edge that the wall behind the first edge leaves in it.
+//! "When the first face is split away the face used to close hollow geometries becomes the new first face" (*CGA
+//! changelog 2025.1*, split operation), so that the first edge survives. If a part has no piece of the mesh's first
+//! face, the cap towards that face comes first. It begins with the edge where it meets the wall, the face on the other
+//! side of the first edge.
 
 use std::ops::Range;
 
@@ -15,17 +16,17 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::check::winding;
 use crate::geometry::triangulate::Projection;
 
-/// Where the first face of the mesh went, and what there is of the wall at its first edge.
+/// The slabs of the mesh's first face, and the edges of the wall at its first edge.
 #[derive(Default)]
 pub(crate) struct Lead {
     slabs: Range<u32>,
-    /// Edges of that wall in planes: plane and numbers there, the lower first, sorted.
+    /// The edges of the wall in the planes: the plane, and the numbers of the points there, the lower first. Sorted.
     wall: Vec<(u32, [u32; 2])>,
     nodes: Vec<Node>,
 }
 
 impl Lead {
-    /// To be called when all faces have been cut.
+    /// Finds the first face and the wall. Call it after all faces have been cut.
     pub(crate) fn find(&mut self, state: &mut State, mesh: &Mesh) {
         self.wall.clear();
         let first = mesh.face(0);
@@ -46,7 +47,7 @@ impl Lead {
             let mut last = ring.end - 1;
             for here in ring {
                 let [from, to] = [last, here].map(|c| (c, state.points.places[mesh.corners[c] as usize]));
-                // Those crossings are there: the wall was cut like all faces.
+                // These crossings exist already: the wall was cut like all faces.
                 state.points.cross(&mut state.parts, mesh, from, to, &mut self.nodes);
                 self.nodes.push(Node::corner(here, to.1));
                 last = here;
@@ -64,7 +65,7 @@ impl Lead {
             let reach = met.iter().fold(DVec2::ZERO, |reach, node| reach.max((flat(node) - from).abs()));
             let along = usize::from(reach.x < reach.y);
             met.sort_by(|a, b| flat(a)[along].total_cmp(&flat(b)[along]));
-            // Where a plane meets it several times, some of what is between two points is no wall.
+            // If a plane meets the wall several times, some stretches between two points are outside the wall.
             let questions = met.len() * wall.corners();
             let few = questions <= left;
             if few && met.len() > 2 {
@@ -82,7 +83,7 @@ impl Lead {
         self.wall.sort_unstable();
     }
 
-    /// Where in a ring of points on a plane an edge of that wall begins.
+    /// The position in a ring of points on a plane where an edge of the wall begins.
     pub(crate) fn edge_in(&self, plane: u32, ring: &[u32]) -> Option<usize> {
         let start = self.wall.partition_point(|&(on, _)| on < plane);
         let end = self.wall.partition_point(|&(on, _)| on <= plane);
@@ -94,20 +95,21 @@ impl Lead {
         ring.iter().zip(ends).position(|(&a, &b)| wall.binary_search(&(plane, [a.min(b), a.max(b)])).is_ok())
     }
 
-    /// Whether a cap in that plane is to come first in that slab, rather than one in another plane, or at least when there is
-    /// no other.
+    /// The rank of a cap in this plane as the first face of this slab. `None` if the slab has a piece of the mesh's
+    /// first face.
     pub(crate) fn wants(&self, slab: u32, plane: u32) -> Option<Wish> {
         if self.slabs.contains(&slab) {
             return None;
         }
         let first_face_is_above = slab < self.slabs.start;
-        // The upper plane of a slab has its number.
+        // The upper plane of a slab has the slab's number.
         let is_upper = plane == slab;
         Some(if is_upper == first_face_is_above { Wish::First } else { Wish::Second })
     }
 }
 
-/// Beyond so many questions in a cut, whether a point is on the wall, nobody asks: the caps begin anywhere.
+/// The limit on tests whether a point is on the wall, per cut and counted by corners. Beyond it the caps begin with any
+/// edge.
 const QUESTIONS: usize = 1 << 16;
 
 /// A face seen from outside.
@@ -128,23 +130,23 @@ impl Wall {
         self.rings.iter().map(Vec::len).sum()
     }
 
-    /// Whether a point in its plane is in it or on its rim.
+    /// Returns true if a point in the plane of the face is inside it or on its rim.
     fn holds(&self, point: DVec3) -> bool {
         let turns = self.rings.iter().map(|ring| winding(ring, self.projection.apply(point)));
         turns.sum::<Option<i32>>() != Some(0)
     }
 }
 
-/// How much a cap is wanted as the first face of a part.
+/// The rank of a cap as the first face of a part.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Wish {
     First,
     Second,
 }
 
-/// The face that has the first edge of the first face the other way round.
+/// The face that has the first edge of the first face in the opposite direction.
 fn behind_first_edge(mesh: &Mesh) -> Option<usize> {
-    /// So many corners are compared without a branch.
+    /// The number of corners that are compared without a branch.
     const BLOCK: usize = 32;
     let [a, b] = mesh.corners.first_chunk().copied()?;
     for (number, block) in mesh.corners.chunks(BLOCK).enumerate() {

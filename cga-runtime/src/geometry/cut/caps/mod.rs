@@ -1,7 +1,8 @@
-//! Caps: what closes the slabs in the cut planes.
+//! The caps that close the slabs in the cut planes.
 //!
-//! The sections of both sides of a plane are the same loops the other way round, so they are found once. Below a plane the
-//! cap looks up, above it looks down. A cap's texture coordinates are metres in its plane, upright where it stands.
+//! The sections on both sides of a plane are the same loops in opposite directions, so they are computed once. The cap
+//! below a plane faces up, the cap above it faces down. The texture coordinates of a cap are metres in its plane,
+//! upright if the cap is upright.
 
 mod first_face;
 pub(crate) mod rim;
@@ -17,7 +18,7 @@ use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
 
-/// Buffers, and where caps take their texture coordinates from.
+/// Buffers, and the origin and scale of the texture coordinates of caps.
 pub(crate) struct Caps {
     low: DVec3,
     stretch: DVec3,
@@ -35,13 +36,14 @@ impl Default for Caps {
 }
 
 impl Caps {
-    /// From now on coordinates of caps begin at a point of the mesh, whose lengths are stretched to metres.
+    /// Sets the origin of the texture coordinates of caps, a point of the mesh, and the factors that convert the mesh's
+    /// lengths to metres.
     pub(crate) fn in_metres(&mut self, low: DVec3, stretch: DVec3) {
         (self.low, self.stretch) = (low, stretch);
     }
 
-    /// Adds the caps of every plane to the slabs on both sides of it. Edges that do not close are handed to `open`, with their
-    /// plane, as numbers of points on it.
+    /// Adds the caps of every plane to the slabs on both sides of it. Chains that do not close are passed to `open`,
+    /// with their plane, as numbers of points on it.
     pub(crate) fn close(&mut self, state: &mut State, mesh: &Mesh, mut open: impl FnMut(&Points, usize, Vec<u32>)) {
         let planes = state.points.planes.len();
         state.rim.sort(planes);
@@ -68,14 +70,15 @@ impl Caps {
         }
     }
 
-    /// The cap of a plane that comes first, turned to begin with the edge that it should begin with.
+    /// Finds the cap of a plane that comes first and rotates it to begin with its required edge. Returns the number of
+    /// the cap.
     fn turn_to_lead(&mut self, plane: u32) -> usize {
         let mut start = 0;
         for (group, &end) in self.nest.ends.iter().enumerate() {
             for (number, range) in self.nest.order[start..end].iter().enumerate() {
                 let ring = &mut self.contour.corners[range.clone()];
                 if let Some(at) = self.lead.edge_in(plane, ring) {
-                    // The first edge of a face is one of its outline.
+                    // The first edge of a face is an edge of its outline.
                     if number == 0 {
                         ring.rotate_left(at);
                     }
@@ -87,7 +90,7 @@ impl Caps {
         0
     }
 
-    /// Adds the caps of a plane to one of its slabs, that with number `first` as the first one.
+    /// Adds the caps of a plane to one of its slabs, beginning with the cap number `first`.
     fn add(&self, state: &mut State, mesh: &Mesh, plane: u32, slab: u32, first: usize) {
         let State { parts, points, .. } = state;
         let axis = points.axis;
@@ -107,7 +110,7 @@ impl Caps {
             for range in &self.nest.order[start..self.nest.ends[group]] {
                 let ring = &self.contour.corners[range.clone()];
                 for i in 0..ring.len() {
-                    // Turned over with the first edge first: 1 0 n-1 … 2.
+                    // Reversed, with the first edge first: 1 0 n-1 … 2.
                     let corner = ring[if up { i } else { (ring.len() + 1 - i) % ring.len() }];
                     let number = part.number(points, Place::on(plane, corner), slab);
                     part.mesh.corners.push(number);
@@ -125,8 +128,8 @@ impl Caps {
     }
 }
 
-/// Along which the texture of a cap runs, in metres and not mirrored when seen from outside: upright, or as a floor's where
-/// the cap lies flat.
+/// The texture axes of a cap, in metres and not mirrored as seen from outside: upright, or like those of a floor if the
+/// cap is horizontal.
 pub(crate) fn texture_axes(normal: DVec3) -> (DVec3, DVec3) {
     const FLAT: f64 = 1e-9;
     let level = DVec3::Y.cross(normal);

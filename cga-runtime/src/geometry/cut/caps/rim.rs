@@ -1,10 +1,10 @@
-//! Edges that pieces have in the cut planes, and which of them lack a partner.
+//! The edges of pieces in the cut planes, and the edges without a partner among them.
 //!
-//! A side of a plane is closed there when each of its edges in the plane is used as often one way as the other. What is
-//! missing must be bounded by a cap. If both sides together lack the same edge, the mesh itself is open along it, and no
-//! cap is to end there.
+//! A side of a plane is closed there if each of its edges in the plane is used equally often in both directions. Caps
+//! must bound the missing edges. If both sides together lack the same edge, the mesh itself is open along it, and no
+//! cap ends there.
 
-/// Which side of a plane a face is on.
+/// The side of a plane that a face is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
     Below,
@@ -12,13 +12,13 @@ pub(crate) enum Side {
 }
 
 impl Side {
-    /// Of a face in a slab, touching a plane.
+    /// The side of a face in a slab that touches a plane.
     pub(crate) fn of(slab: u32, plane: u32) -> Self {
         if slab == plane { Side::Below } else { Side::Above }
     }
 }
 
-/// An edge in a plane, from point to point in the direction of its face.
+/// An edge in a plane, directed as in its face.
 #[derive(Clone, Copy)]
 struct Edge {
     plane: u32,
@@ -29,18 +29,19 @@ struct Edge {
 /// All edges in all planes.
 #[derive(Default)]
 pub(crate) struct Rim {
-    /// Edges that a cut made: the face below has them this way, the one above the other way.
+    /// Edges made by a cut: the face below has them in this direction, the face above in the opposite direction.
     cuts: Vec<Edge>,
-    /// All others, ends in rising order, with how often the faces below and above have them that way.
+    /// All other edges, ends in increasing order, with the net numbers of uses in this direction by faces below and
+    /// above.
     edges: Vec<(Edge, [i32; 2])>,
-    /// `cuts` in the order of planes, as pairs of points, and where each plane's end.
+    /// `cuts` in the order of planes, as pairs of points, and the end of each plane's edges.
     sorted: Vec<[u32; 2]>,
     ends: Vec<usize>,
     next_edge: usize,
 }
 
 impl Rim {
-    /// So many edges it has room for.
+    /// The number of edges that the buffers can hold.
     pub(crate) fn capacity(&self) -> usize {
         self.cuts.capacity() + self.edges.capacity()
     }
@@ -61,11 +62,11 @@ impl Rim {
         self.edges.push((Edge { plane, a: a.min(b), b: a.max(b) }, count));
     }
 
-    /// Gets ready for [`Rim::missing`] of each plane in turn.
+    /// Prepares calls of [`Rim::missing`] for each plane in turn.
     pub(crate) fn sort(&mut self, planes: usize) {
         self.next_edge = 0;
         self.edges.sort_unstable_by_key(|(edge, _)| (edge.plane, edge.a, edge.b));
-        // Counting sort: the edges of a plane keep the order of their faces.
+        // A counting sort: the edges of a plane keep the order of their faces.
         self.ends.clear();
         self.ends.resize(planes + 1, 0);
         self.cuts.iter().for_each(|cut| self.ends[cut.plane as usize + 1] += 1);
@@ -79,8 +80,8 @@ impl Rim {
         }
     }
 
-    /// The edges that the cap of the side below a plane must have: those its faces have without a partner, turned round.
-    /// The cap above has the same ones the other way. To be asked for plane after plane.
+    /// The edges that the cap of the side below a plane must have: the reversed edges of its faces without a partner.
+    /// The cap above has the same edges in the opposite direction. Call it for each plane in order.
     pub(crate) fn missing(&mut self, plane: usize, out: &mut Vec<[u32; 2]>) {
         let start = if plane == 0 { 0 } else { self.ends[plane - 1] };
         out.clear();
@@ -93,7 +94,7 @@ impl Rim {
                 net = [net[0] + count[0], net[1] + count[1]];
                 self.next_edge += 1;
             }
-            // What both sides lack, each the other way.
+            // Edges that both sides lack, each in the opposite direction.
             let [below, above] = net;
             if below.signum() * above.signum() < 0 {
                 let edge = if below > 0 { [first.b, first.a] } else { [first.a, first.b] };

@@ -1,15 +1,15 @@
-//! Faces in a plane that do not go to the side their normal points away from.
+//! Faces in a plane that do not go to the side that their normals point away from.
 //!
-//! By that rule the two sides of a sheet, a closed piece of no thickness, would come apart, and a cap in each slab would have
-//! to double both. The caps tell: where the rule takes a face away from where it is needed, the edges of the face itself are
-//! left without a partner, on both sides of the plane. So after a first pass
+//! By that rule the two sides of a sheet, a closed piece without thickness, would be separated, and a cap in each slab
+//! would have to duplicate both. The caps show this: if the rule separates faces that belong together, the edges of the
+//! faces themselves have no partner on either side of the plane. So after a first pass
 //!
-//! - a sheet goes to the slab below as a whole. Its faces are found as two groups, one that looks up and one that looks down,
-//!   with the same rim, all of which lacks partners;
-//! - a face or a group changes sides where the caps would have to cover it a negative number of times: the side of a sheet
+//! - a sheet goes to the slab below as a whole. Its faces are found as two groups, one facing up and one facing down,
+//!   with the same rim, all of whose edges lack partners;
+//! - a face or a group changes sides if the caps would have to cover it a negative number of times: the side of a sheet
 //!   that continues another face, or a face of a solid that is inside out among others that are not.
 //!
-//! Then the faces are cut again. Whatever is found here, parts are closed: caps follow from where the faces are.
+//! Then the faces are cut again. Parts are closed with any result, because caps follow from the positions of faces.
 
 use super::sheets::Flat;
 use crate::geometry::cut::points::Place;
@@ -19,19 +19,19 @@ use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Contour;
 use glam::DVec2;
 
-/// Finds the faces that go to the other side, when all faces have been cut by the rule. Whether there are any.
+/// Finds the faces that go to the other side, after all faces were cut by the rule. Returns whether there are any.
 pub(crate) fn find(state: &mut State, mesh: &Mesh) -> bool {
     let mut flat = std::mem::take(&mut state.sheets.flat);
     flat.sort_by_key(|flat| flat.plane);
     let mut moved = Vec::new();
-    // Without faces in planes nothing is to be done.
+    // Without faces in planes there is nothing to do.
     if !flat.is_empty() {
         state.rim.sort(state.points.planes.len());
         let mut missing = Vec::new();
         let mut next = 0;
         for together in flat.chunk_by(|a, b| a.plane == b.plane) {
             let plane = together[0].plane as usize;
-            // Edges are given plane by plane.
+            // `missing` must be called for each plane in order.
             for plane in std::mem::replace(&mut next, plane + 1)..=plane {
                 state.rim.missing(plane, &mut missing);
             }
@@ -50,14 +50,14 @@ pub(crate) fn find(state: &mut State, mesh: &Mesh) -> bool {
     !state.sheets.moved.is_empty()
 }
 
-/// An edge of a face in a plane, as the cap below the plane would have it in place of the face.
+/// An edge of a face in a plane, in the direction in which the cap below the plane would have it instead of the face.
 #[derive(Clone, Copy)]
 struct Use {
     edge: [u32; 2],
     flat: usize,
 }
 
-/// Faces that belong together: they share edges that do not lack a partner.
+/// Connected faces, which share edges that do not lack a partner.
 struct Group {
     is_above: bool,
     /// Numbers in the list of the plane, sorted.
@@ -66,17 +66,17 @@ struct Group {
     rim: Vec<[u32; 2]>,
 }
 
-/// How often groups are made again: sheets that touch others become groups when those are settled.
+/// The number of rounds of grouping. Sheets that touch others become groups after the others are settled.
 const ROUNDS: usize = 8;
 
 /// The faces and the open edges of one plane.
 struct Search<'f> {
     flat: &'f [Flat],
-    /// Edges of the faces that are not settled.
+    /// The edges of the faces that are not settled.
     uses: Vec<Use>,
     groups: Vec<Group>,
     moved: Vec<u32>,
-    /// Edges without partners, as the cap below would have them, and how many of each are left.
+    /// The edges without partners, in the direction of the cap below, and the remaining number of each.
     missing: Vec<([u32; 2], usize)>,
 }
 
@@ -112,7 +112,7 @@ impl<'f> Search<'f> {
         for same in uses.chunk_by(|a, b| ends(a.edge) == ends(b.edge) && is_above(a) == is_above(b)) {
             let edge = same[0].edge;
             if self.left(edge) == 0 && self.left([edge[1], edge[0]]) == 0 {
-                // One by one in the order of the mesh: sheets that lie on each other stay apart.
+                // One by one in the order of the mesh, so that coincident sheets stay separate.
                 let [forward, backward] = [true, false].map(|way| same.iter().filter(move |a| (a.edge == edge) == way));
                 forward.zip(backward).for_each(|(a, b)| leaders.unite(a.flat, b.flat));
             }
@@ -139,12 +139,13 @@ impl<'f> Search<'f> {
         }
     }
 
-    /// Whether the edges of a rim all lack partners.
+    /// Returns true if all edges of a rim lack partners.
     fn has(&self, rim: &[[u32; 2]]) -> bool {
         rim.chunk_by(|a, b| a == b).all(|same| same.len() <= self.left(same[0]))
     }
 
-    /// Takes the edges of a rim out of those that lack partners; `false`, with nothing done, when one does not.
+    /// Removes the edges of a rim from the edges that lack partners. Returns `false`, without any change, if one of
+    /// them has a partner.
     fn take(&mut self, rim: &[[u32; 2]]) -> bool {
         let has = self.has(rim);
         if has {
@@ -157,7 +158,7 @@ impl<'f> Search<'f> {
         has
     }
 
-    /// Finds sheets, also those that touch each other.
+    /// Finds sheets, including sheets that touch each other.
     fn match_all_sheets(&mut self) {
         for _ in 0..ROUNDS {
             self.make_groups();
@@ -169,7 +170,8 @@ impl<'f> Search<'f> {
         }
     }
 
-    /// Of groups with the same rim, as many go below as look up and look down. Gives the faces that are settled, sorted.
+    /// Pairs groups with the same rim, one facing up and one facing down, and moves them below. Returns the settled
+    /// faces, sorted.
     fn match_sheets(&mut self) -> Vec<usize> {
         let mut groups = std::mem::take(&mut self.groups);
         groups.sort_by(|a, b| a.rim.cmp(&b.rim).then(a.is_above.cmp(&b.is_above)));
@@ -193,7 +195,7 @@ impl<'f> Search<'f> {
         self.moved.extend(group.faces.iter().map(|&number| self.flat[number].face));
     }
 
-    /// Groups change sides where they fill loops that run the wrong way round and are in no other.
+    /// Moves groups to the other side if they fill reversed loops that are inside no other loop.
     fn match_folds(&mut self, flat: &[DVec2], inverted: bool) {
         if self.groups.is_empty() {
             return;
@@ -214,7 +216,7 @@ impl<'f> Search<'f> {
         }
         wrong.sort_unstable();
         self.missing = wrong.chunk_by(|a, b| a == b).map(|same| (same[0], same.len())).collect();
-        // What is a sheet in part goes below.
+        // A group that is also part of a sheet goes below.
         let mut groups = std::mem::take(&mut self.groups);
         groups.sort_by_key(|group| (!group.is_above, group.faces[0]));
         for group in groups {

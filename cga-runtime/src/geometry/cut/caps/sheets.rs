@@ -1,11 +1,11 @@
-//! The sides that faces in the cut planes go to.
+//! The sides of faces in the cut planes.
 
-/// Where the faces in the planes go.
+/// The sides of the faces in the planes.
 #[derive(Default)]
 pub(crate) struct Sheets {
-    /// The faces in the planes by the rule, in the order of the mesh.
+    /// The faces in the planes with their sides by the rule, in the order of the mesh.
     pub(super) flat: Vec<Flat>,
-    /// Faces that go to the other side, sorted.
+    /// The faces that go to the other side, sorted.
     pub(super) moved: Vec<u32>,
 }
 
@@ -22,13 +22,13 @@ impl Sheets {
         self.moved.clear();
     }
 
-    /// Notes where the rule takes a face; gives where it goes.
+    /// Records the side of a face by the rule. Returns its actual side.
     pub(crate) fn place(&mut self, face: usize, plane: u32, is_above: bool) -> bool {
         self.flat.push(Flat { face: face as u32, plane, is_above });
         self.is_above(face, is_above)
     }
 
-    /// Whether a face goes above its plane, given what the rule says.
+    /// Returns true if a face goes above its plane, given its side by the rule.
     pub(crate) fn is_above(&self, face: usize, by_rule: bool) -> bool {
         by_rule != self.moved.binary_search(&(face as u32)).is_ok()
     }

@@ -1,15 +1,16 @@
-//! The first edge of a piece: component split lays its x axis along it, so it must outlive a cut.
+//! The first edge of a piece. Component splits align their x axis to it, so it must survive a cut.
 //!
-//! A piece begins with what is left of the face's first edge; where nothing is left, with the cut edge that stands in for
-//! it: the one between the last node before it and the first node after it (*CGA changelog 2025.1*: cuts preserve the
-//! first edge). So the walls of every storey of a building have their x axis along the ground edge.
+//! A piece begins with the remaining part of the face's first edge. If no part remains, it begins with the cut edge
+//! that replaces it: the edge between the last node before the first edge and the first node after it (*CGA changelog
+//! 2025.1*: cuts preserve the first edge). So the walls of every storey of a building have their x axis along the
+//! ground edge.
 
 use std::ops::Range;
 
 use crate::geometry::cut::points::Node;
 
-/// The place of the node that a piece begins with. `outline` holds the corners of the face's outline; nodes from elsewhere,
-/// such as corners of holes, are passed over.
+/// The index of the node that a piece begins with. `outline` is the range of the face's outline; other nodes, such as
+/// corners of holes, are skipped.
 #[inline]
 pub(crate) fn first_node<'a>(
     nodes: impl DoubleEndedIterator<Item = &'a Node> + Clone,
@@ -22,7 +23,7 @@ pub(crate) fn first_node<'a>(
         last = place;
         let here = step(node, outline);
         if let Some(at) = here {
-            // Of several crossings of one edge, the one that comes first on it: the one before it is of another edge.
+            // If one edge has several crossings, the first one on it counts: the node before it is on another edge.
             let better = least.is_none_or(|(least, _)| at < least || (at == least && before != Some(at)));
             if better {
                 least = Some((at, place));
@@ -50,7 +51,7 @@ pub(crate) fn first_node_of_band([up, down]: [&Node; 2], outline: &Range<usize>)
     }
 }
 
-/// How far along the outline a node is: 2i for corner i, 2i + 1 for a crossing of the edge after it.
+/// The position of a node along the outline: 2i for corner i, 2i + 1 for a crossing of the edge after it.
 #[inline]
 fn step(node: &Node, outline: &Range<usize>) -> Option<u32> {
     let (a, b) = (node.from.min(node.to) as usize, node.from.max(node.to) as usize);

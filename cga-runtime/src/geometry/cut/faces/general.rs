@@ -1,11 +1,11 @@
-//! Faces of any shape: concave ones, and those with holes.
+//! Faces of any shape: concave faces, and faces with holes.
 //!
-//! Every loop is taken apart where it meets a plane. Its fragments, each in one slab, are joined again along the planes:
-//! the ends on a plane are sorted along the line in which the face meets it, and neighbours are paired, as the inside
-//! begins and ends there. Corners of the face that lie on that line between the two are taken along, so that both sides of
-//! the plane and the neighbours of the face have the same edges. Whatever rounding does to the order, each fragment is
-//! followed by exactly one other, so the pieces close. Pairs lie beside each other; where those of a face that crosses
-//! itself lie inside each other only the outermost takes corners along, so that no corner is taken twice.
+//! Every loop is divided where it meets a plane. Its fragments, each in one slab, are joined again along the planes:
+//! the ends on a plane are sorted along the line where the face meets the plane, and neighbours are paired, because the
+//! interior begins and ends there. Corners of the face on that line between the two ends are included, so that both
+//! sides of the plane and the neighbours of the face have the same edges. Even if rounding changes the order, each
+//! fragment has exactly one successor, so the pieces are closed. Pairs are disjoint. If a face crosses itself, pairs
+//! may be nested; then only the outermost pair includes corners, so that no corner is used twice.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -26,9 +26,9 @@ use crate::geometry::triangulate::Projection;
 struct Fragment {
     slab: u32,
     start: usize,
-    /// The last node, which counts.
+    /// The last node, inclusive.
     end: usize,
-    /// The fragment that follows, and where the nodes on the way to it are in the list of ways.
+    /// The next fragment, and the range of the connecting nodes in the list of ways.
     next: usize,
     way_start: usize,
     way_end: usize,
@@ -40,18 +40,18 @@ struct Untouched {
     nodes: Range<usize>,
 }
 
-/// A corner of the face on a plane, and its place along the line.
+/// A corner of the face on a plane, with its position along the line.
 struct OnPlane {
     plane: u32,
     along: f64,
     node: usize,
 }
 
-/// An edge along a plane from node to node.
+/// An edge along a plane, between two nodes.
 struct PlaneEdge {
     plane: u32,
     nodes: [usize; 2],
-    /// 1 for an edge of the face, -1 for one that a piece got there.
+    /// 1 for an edge of the face, -1 for an edge that a piece got there.
     count: i32,
 }
 
@@ -59,7 +59,7 @@ struct PlaneEdge {
 #[derive(Clone, Copy)]
 struct End {
     along: f64,
-    /// Whether the inside of the face begins here, in the direction of the line.
+    /// True if the interior of the face begins here, in the direction of the line.
     opens: bool,
     fragment: usize,
 }
@@ -72,18 +72,19 @@ pub(crate) struct General {
     untouched: Vec<Untouched>,
     on_planes: Vec<OnPlane>,
     plane_edges: Vec<PlaneEdge>,
-    /// Of one slab on one plane, from left to right.
+    /// The ends in one slab on one plane, from left to right.
     ends: Vec<End>,
-    /// Where the inside begins, without an end yet.
+    /// Ends where the interior begins, not paired yet.
     open: Vec<End>,
-    /// Where it ends before it has begun, as happens when rounding swaps the two: paired with what begins next.
+    /// Ends where the interior ends before it has begun, after rounding has swapped the two. Each is paired with the
+    /// next beginning.
     early: Vec<End>,
-    /// Nodes on the ways between fragments.
+    /// Nodes on the connections between fragments.
     ways: Vec<usize>,
     rings: Rings,
 }
 
-/// The line in which a face meets the planes.
+/// The line where a face meets the planes.
 #[derive(Clone, Copy)]
 struct Line {
     axis: usize,
@@ -91,7 +92,7 @@ struct Line {
 }
 
 impl Line {
-    /// Along `axis × normal`, measured by the coordinate that changes most.
+    /// The line along `axis × normal`, measured by the coordinate that changes most.
     fn of(face: &FaceRef<'_>, axis: usize) -> Self {
         let normal = face.normal();
         let mut cut = DVec3::ZERO;
@@ -110,7 +111,7 @@ impl General {
         self.take_apart(state, mesh, &view, line);
         self.fragments.sort_by_key(|fragment| fragment.slab);
         let outline = view.loop_ranges().next().unwrap_or(0..0);
-        // In the coordinate that planes are told apart by, pieces are where they are exactly.
+        // The projection keeps the coordinate across the planes, in which the positions of pieces are exact.
         self.rings.start(Projection::keeping(state.points.axis, view.normal()), tag, outline);
         self.untouched.sort_by_key(|ring| ring.slab);
         let (mut next_fragment, mut next_untouched) = (0, 0);
@@ -134,7 +135,7 @@ impl General {
         self.close_flat(state, mesh);
     }
 
-    /// Loops into fragments.
+    /// Divides loops into fragments.
     fn take_apart(&mut self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>, line: Line) {
         self.nodes.clear();
         self.fragments.clear();
@@ -167,7 +168,8 @@ impl General {
                 if here == last + 1 && a.class() == b.class() {
                     self.plane_edges.push(PlaneEdge { plane, nodes: [last, here], count: 1 });
                 } else {
-                    // Without a node in between, from one plane to the next: below the upper one.
+                    // Without a node in between, the edge leads from one plane to the next: the slab is below the upper
+                    // one.
                     let inside = if here == last + 1 { a.class().max(b.class()) } else { self.nodes[last + 1].class() };
                     let (slab, next) = (inside.slab(), usize::MAX);
                     self.fragments.push(Fragment { slab, start: last, end: here, next, way_start: 0, way_end: 0 });
@@ -190,8 +192,8 @@ impl General {
             for (node, starts) in [(end, false), (start, true)] {
                 let node = self.nodes[node];
                 if node.class() == class {
-                    // Seen with the normal towards us and the line to the right: below the plane a loop comes up at the
-                    // right end of the inside, above it comes down at the left end.
+                    // With the normal towards the viewer and the line to the right: below the plane a loop comes up at
+                    // the right end of the interior, above it a loop comes down at the left end.
                     let opens = starts == (side == Side::Below);
                     self.ends.push(End { along: place(state, mesh, line, node), opens, fragment });
                 }
@@ -200,7 +202,7 @@ impl General {
         self.ends.sort_by(|a, b| a.along.total_cmp(&b.along));
         let ends = std::mem::take(&mut self.ends);
         for tied in ends.chunk_by(|a, b| a.along == b.along) {
-            // Among ends at one place: what is open closes first, then new insides begin, then those close.
+            // Order of ends at one position: first open interiors close, then new ones begin, then those close.
             let closers = || tied.iter().filter(|end| !end.opens);
             let first = self.open.len();
             closers().take(first).for_each(|end| self.close(state, *end, plane, side));
@@ -217,7 +219,7 @@ impl General {
         self.early.clear();
     }
 
-    /// Pairs an end with the inside that began last.
+    /// Pairs an end with the interior that began last.
     fn close(&mut self, state: &mut State, end: End, plane: u32, side: Side) {
         match self.open.pop() {
             Some(open) => self.link(state, open, end, plane, side),
@@ -225,7 +227,7 @@ impl General {
         }
     }
 
-    /// Makes one fragment follow another along a plane.
+    /// Makes one fragment the successor of another along a plane.
     fn link(&mut self, state: &mut State, open: End, close: End, plane: u32, side: Side) {
         let (from, to) = if side == Side::Below { (close, open) } else { (open, close) };
         let [a, b] = [self.fragments[from.fragment].end, self.fragments[to.fragment].start];
@@ -257,7 +259,7 @@ impl General {
     fn trace(&mut self, group: Range<usize>) {
         for first in group {
             let mut at = first;
-            // A fragment that was followed already leads nowhere.
+            // A fragment that was followed already has no successor.
             while self.fragments[at].next != usize::MAX {
                 let fragment = self.fragments[at];
                 self.fragments[at].next = usize::MAX;
@@ -270,9 +272,9 @@ impl General {
         }
     }
 
-    /// Along a plane, the pieces below and above and the face itself use each edge as often one way as the other. Where a
-    /// face is broken (not planar, or crossing itself) they may not: what is missing becomes faces in the plane, so that no
-    /// neighbour lacks its partner.
+    /// Along a plane, the pieces below and above and the face itself use each edge equally often in both directions. A
+    /// broken face (not planar, or crossing itself) may violate this. Then the missing edges become faces in the plane,
+    /// so that every neighbour has its partner.
     fn close_flat(&mut self, state: &mut State, mesh: &Mesh) {
         let nodes = &self.nodes;
         let key = |edge: &PlaneEdge| {
@@ -280,7 +282,7 @@ impl General {
             (edge.plane, a.min(b), a.max(b))
         };
         self.plane_edges.sort_by_key(key);
-        // By the point where they start; as many end at each.
+        // By start point. Equally many edges end at each point.
         let mut left: BTreeMap<(u32, u32), Vec<[usize; 2]>> = BTreeMap::new();
         for same in self.plane_edges.chunk_by(|a, b| key(a) == key(b)) {
             let PlaneEdge { plane, nodes: [a, b], .. } = same[0];
@@ -316,7 +318,7 @@ impl General {
     }
 }
 
-/// Where a node is along the line.
+/// The position of a node along the line.
 fn place(state: &State, mesh: &Mesh, line: Line, node: Node) -> f64 {
     line.sign * state.points.position(mesh, &node)[line.axis] + 0.0
 }

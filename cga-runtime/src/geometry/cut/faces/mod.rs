@@ -1,4 +1,4 @@
-//! Faces into pieces, one for each slab that they reach.
+//! Cuts faces into pieces, one or more per slab.
 
 pub(super) mod first_edge;
 pub(super) mod general;

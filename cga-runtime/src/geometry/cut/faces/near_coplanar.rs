@@ -1,9 +1,9 @@
-//! Faces that lie across the axis but for rounding, with a plane inside the rounding.
+//! Faces that are across the axis except for rounding, with a plane within the rounding errors.
 //!
-//! The line in which such a face meets the plane is noise, and with it the order of what lies on it: pieces between wrong
-//! neighbours would cover some of the face several times. Triangles have no such order, each meets a plane in one stretch.
-//! So the face is cut triangle by triangle. The edges between them are crossed like all others, so what was closed stays
-//! so, and together the pieces are the face, whatever the heights of its corners are.
+//! The line where such a face meets the plane is noise, and so is the order of points on it: wrong pairs of points
+//! would make pieces that cover some of the face several times. Triangles need no order, because each meets a plane in
+//! one stretch. So the face is cut triangle by triangle. The edges between triangles are crossed like all others, so
+//! closed parts stay closed, and together the pieces cover the face whatever the heights of its corners.
 
 use std::ops::Range;
 
@@ -21,31 +21,31 @@ use crate::geometry::triangulate::{Projection, Triangulator};
 /// Buffers.
 #[derive(Default)]
 pub(crate) struct Rough {
-    /// A face that rises by more than this lies across the axis nowhere.
+    /// The rise above which a face is not across the axis.
     steep: f64,
     triangulator: Triangulator,
     triangles: Vec<[u32; 3]>,
-    /// The rim of a triangle, crossings included.
+    /// The rim of a triangle, with crossings.
     nodes: Vec<Node>,
     rings: Rings,
 }
 
 impl Rough {
-    /// To be called before a mesh is cut.
+    /// Prepares for a mesh. Call it before the mesh is cut.
     pub(crate) fn start(&mut self, mesh: &Mesh) {
         self.steep = ACROSS_EPSILON * mesh.bounds().size().max_element();
     }
 
-    /// Whether a face may be of this kind, by its corners.
+    /// Returns true if a face may be of this kind, by its corners.
     #[inline]
     pub(crate) fn may_be(&self, mesh: &Mesh, corners: Range<usize>, axis: usize) -> bool {
         let mut heights = mesh.corners[corners].iter().map(|&point| mesh.points[point as usize][axis]);
         let first = heights.next().unwrap_or(0.0);
-        // Of nearly all faces the second or third corner tells.
+        // For nearly all faces the second or third corner decides.
         heights.all(|height| (height - first).abs() <= self.steep)
     }
 
-    /// Cuts a face into its slabs; `false`, with nothing done, when it is not of this kind.
+    /// Cuts a face into its slabs. Returns `false`, without any change, if the face is not of this kind.
     #[cold]
     pub(crate) fn clip(&mut self, state: &mut State, mesh: &Mesh, face: usize, tag: FaceTag) -> bool {
         let view = mesh.face(face);
@@ -60,7 +60,7 @@ impl Rough {
         let outline = face.loop_ranges().next().unwrap_or(0..0);
         self.triangles.clear();
         self.triangulator.face(mesh, face.index(), &mut self.triangles);
-        // The first edge is that of the first piece.
+        // The first piece has the first edge.
         let first = [outline.start as u32, outline.start as u32 + 1];
         let with_first = |triangle: &[u32; 3]| first.iter().all(|corner| triangle.contains(corner));
         if let Some(at) = self.triangles.iter().position(with_first) {
@@ -73,7 +73,8 @@ impl Rough {
         self.mark_unused(state, mesh, face);
     }
 
-    /// A face that turns back on itself has corners that no triangle has: their points may be used by no other face.
+    /// Marks parts with unused points. A face that turns back on itself has corners outside all triangles, whose points
+    /// may be unused.
     fn mark_unused(&self, state: &mut State, mesh: &Mesh, face: &FaceRef<'_>) {
         let mut used: Vec<u32> = self.triangles.iter().flatten().map(|&corner| mesh.corners[corner as usize]).collect();
         used.sort_unstable();
@@ -115,8 +116,8 @@ impl Rough {
     }
 }
 
-/// Whether a face lies across an axis, and the line in which it meets planes there is lost in rounding: in that of its
-/// corners, which are not quite in its plane, or at least in that of any number as large.
+/// Returns true if a face is across an axis and its line with a plane is lost in rounding: because its corners are not
+/// exactly in its plane, or because of the rounding of coordinates of this size.
 fn has_rough_line(face: &FaceRef<'_>, axis: usize) -> bool {
     let corners = || face.corner_range().map(|corner| face.position(corner));
     let bounds = Bounds::of(corners());

@@ -1,4 +1,4 @@
-//! Rings of one face within one slab into faces: which are outlines, and which holes belong to which.
+//! Groups the rings of one face within one slab into faces: outlines with their holes.
 
 use std::ops::Range;
 
@@ -12,16 +12,16 @@ use crate::geometry::nesting::Nest;
 use crate::geometry::nesting::contour::Section;
 use crate::geometry::triangulate::Projection;
 
-/// Rings being collected, and buffers.
+/// The rings collected so far, and buffers.
 #[derive(Default)]
 pub(crate) struct Rings {
-    /// Of all rings; those after the last end belong to the ring being made.
+    /// The nodes of all rings. The nodes after the last end belong to the current ring.
     pub(crate) nodes: Vec<Node>,
     ends: Vec<usize>,
     view: Option<(Projection, FaceTag)>,
-    /// Corners of the face's outline.
+    /// The corners of the face's outline.
     outline: Range<usize>,
-    /// Whether a ring was too short since the last faces were added.
+    /// True if a ring was dropped since the last faces were added.
     dropped: bool,
     nest: Nest,
     flat: Vec<DVec2>,
@@ -37,7 +37,7 @@ impl Rings {
         self.ends.clear();
     }
 
-    /// Ends the ring being made. No corner repeats the one before it; what is too short for a ring is dropped.
+    /// Ends the current ring. Repeated corners are removed, and rings with fewer than three corners are dropped.
     pub(crate) fn end_ring(&mut self) {
         let start = self.ends.last().copied().unwrap_or(0);
         let mut kept = start;
@@ -59,8 +59,8 @@ impl Rings {
         self.nodes.truncate(kept);
     }
 
-    /// Adds the rings to a slab as faces, and forgets them. A hole outside of all outlines, which only a broken face has,
-    /// becomes a face of its own.
+    /// Adds the rings to a slab as faces, and clears the list. A hole outside all outlines, which only a broken face
+    /// has, becomes a face of its own.
     pub(crate) fn emit(&mut self, state: &mut State, mesh: &Mesh, slab: u32) {
         let Some((projection, tag)) = self.view else { return };
         if let [end] = self.ends[..] {

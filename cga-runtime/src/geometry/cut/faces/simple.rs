@@ -1,7 +1,7 @@
-//! Faces that go up once and down once: triangles, convex faces, and most others.
+//! Faces that rise once and fall once: triangles, convex faces, and most others.
 //!
-//! Such a loop meets each plane at one point of its way up and one of its way down, so each slab gets one piece, and no
-//! geometry has to be asked. A way that runs along a plane in between is left to [`super::general`].
+//! Such a loop meets each plane at one point on its way up and one on its way down, so each slab gets one piece, and no
+//! geometric test is needed. A way that runs along a plane in between is left to [`super::general`].
 
 use std::ops::Range;
 
@@ -15,15 +15,15 @@ use crate::geometry::mesh::{FaceTag, Mesh};
 /// Buffers.
 #[derive(Default)]
 pub(crate) struct Simple {
-    /// The way up, with everything at the lowest and the highest level.
+    /// The way up, with all nodes at the lowest and the highest level.
     up: Vec<Node>,
     /// The way down, from the top.
     down: Vec<Node>,
 }
 
 impl Simple {
-    /// Cuts a face of one loop into its slabs; `false`, with nothing done, when it is not of this kind. `places` are those of
-    /// its corners, and `span` is what they span.
+    /// Cuts a face with one loop into its slabs. Returns `false`, without any change, if the face is not of this kind.
+    /// `places` are the places of its corners, and `span` is their span.
     pub(crate) fn clip(
         &mut self,
         state: &mut State,
@@ -53,7 +53,7 @@ impl Simple {
             down = down_start;
             let cut = up < self.up.len();
             if cut {
-                // Both ways have a node on the upper plane, which the next slab starts with.
+                // Both ways have a node on the upper plane, and the next slab begins with it.
                 let (left, right) = (self.up[up - 1], self.down[down_start]);
                 up -= 1;
                 down += 1;
@@ -63,7 +63,7 @@ impl Simple {
                     rim.cut(slab, left.place.number, right.place.number);
                 }
             }
-            // A loop that meets itself on a plane: no corner twice in a row.
+            // If the loop meets itself on a plane, the same corner must not follow itself.
             if back.last().is_some_and(|last| last.place == ahead[0].place) {
                 back = &back[..back.len() - 1];
             }
@@ -86,7 +86,7 @@ impl Simple {
             part.end_loop();
             part.end_face(tag);
         }
-        // Edges along the lowest and the highest plane; the way up has them.
+        // Edges along the lowest and the highest plane are on the way up.
         for (level, side) in [(span.low, Side::Above), (span.high, Side::Below)] {
             if level.is_on_plane() {
                 for pair in self.up.windows(2).filter(|pair| pair[0].class() == level && pair[1].class() == level) {
@@ -97,9 +97,9 @@ impl Simple {
         true
     }
 
-    /// Fills both ways; `false` when the loop is not of this kind.
+    /// Fills both ways. Returns `false` if the loop is not of this kind.
     fn walk(&mut self, state: &mut State, mesh: &Mesh, corners: Range<usize>, places: &[Place], span: Span) -> bool {
-        // First the shape of the way, by classes alone: crossings are made only for good.
+        // Checks the way by classes alone first, because crossings are never removed.
         if places.len() > 3 && !is_simple(places.iter().map(|place| place.class), span) {
             return false;
         }
@@ -139,7 +139,7 @@ impl Simple {
     }
 }
 
-/// Whether a cycle of classes rises once and falls once, without running along a plane in between.
+/// Returns true if a cycle of classes rises once and falls once, without running along a plane in between.
 fn is_simple(classes: impl Iterator<Item = Class> + Clone, span: Span) -> bool {
     let mut turns = 0;
     let mut rising = None;
@@ -160,7 +160,7 @@ fn is_simple(classes: impl Iterator<Item = Class> + Clone, span: Span) -> bool {
         }
         last = Some(class);
     }
-    // Twice round: four turns, or three when the start lies between.
+    // Two rounds: four turns, or three if the start is between two turns.
     turns <= 4
 }
 

@@ -1,8 +1,8 @@
-//! Triangles that one plane cuts in two without going through a corner: nearly all cut faces of most meshes.
+//! Triangles that one plane cuts without going through a corner: nearly all cut faces of most meshes.
 //!
-//! The corner that is alone on its side is `l`, the next ones are `m` and `n`; the plane meets `l m` in `x` and `n l` in `y`. The
-//! tip is `l x y`, the rest `x m n y`, turned so that they begin with what is left of the first edge, as [`crate::geometry::cut::faces::first_edge`]
-//! has it. The three corners are different points, as in every mesh.
+//! Corner `l` is alone on its side, and `m` and `n` are the next corners. The plane meets `l m` at `x` and `n l` at
+//! `y`. The tip is `l x y` and the rest is `x m n y`, both rotated to begin with the remaining part of the first edge,
+//! as defined in [`crate::geometry::cut::faces::first_edge`]. The three corners are different points, as in every mesh.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::geometry::cut::points::{Node, Place};
 use crate::geometry::cut::state::State;
 use crate::geometry::mesh::{FaceTag, Mesh};
 
-/// Cuts a triangle by the plane between its two slabs; the corner with number `lone` is alone on its side.
+/// Cuts a triangle by the plane between its two slabs. The corner with number `lone` is alone on its side.
 pub(crate) fn clip(
     state: &mut State,
     mesh: &Mesh,
@@ -48,7 +48,7 @@ pub(crate) fn clip(
     }
 }
 
-/// The corners of the tip and the rest, with the first edge first: that is l m, n l or m n.
+/// The corners of the tip and the rest, rotated to begin with the first edge of the triangle, which is l m, n l or m n.
 #[inline(always)]
 fn pieces<T>(lone: usize, [l, m, n]: [T; 3], [tip_x, tip_y]: [T; 2], [rest_x, rest_y]: [T; 2]) -> ([T; 3], [T; 4]) {
     match lone {

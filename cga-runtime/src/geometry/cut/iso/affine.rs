@@ -6,7 +6,8 @@ use super::coordinate::Coordinate;
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::tol::AFFINE_EPSILON;
 
-/// Returns true if a coordinate is an affine function of the place on a face, up to rounding. A face without area gives false.
+/// Returns true if a coordinate is an affine function of the position on a face, up to rounding. A face without area
+/// gives false.
 pub(super) fn is_affine(mesh: &Mesh, face: usize, coordinate: Coordinate) -> bool {
     let face = &mesh.face(face);
     let uvs = mesh.uv_set(coordinate.set);
@@ -18,11 +19,11 @@ pub(super) fn is_affine(mesh: &Mesh, face: usize, coordinate: Coordinate) -> boo
     let (low, high) = face.corner_range().fold((base, base), extremes);
     let tolerance = AFFINE_EPSILON * (high - low);
     let off = |corner: usize| (value(corner) - base - gradient.dot(face.position(corner) - from)).abs();
-    // Where something is infinite or NaN, the comparison fails.
+    // If a value is infinite or NaN, the comparison is false.
     tolerance.is_finite() && face.corner_range().all(|corner| off(corner) <= tolerance)
 }
 
-/// The mean change of a coordinate over the face: the integral along the rim, by Green's theorem.
+/// The mean gradient of a coordinate over the face: an integral along the rim, by Green's theorem.
 fn gradient(face: &FaceRef<'_>, value: impl Fn(usize) -> f64) -> Option<DVec3> {
     let area = face.area_vector();
     let base = value(face.corner_range().start);
@@ -34,7 +35,7 @@ fn gradient(face: &FaceRef<'_>, value: impl Fn(usize) -> f64) -> Option<DVec3> {
             sum += (face.position(next) - face.position(corner)) * twice_mean;
         }
     }
-    // Both are twice as large as they should be.
+    // Both are twice the exact value.
     let gradient = sum.cross(area) / area.length_squared();
     gradient.is_finite().then_some(gradient)
 }

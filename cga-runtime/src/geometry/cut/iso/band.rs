@@ -1,4 +1,4 @@
-//! The mesh of one band while it is made.
+//! The mesh of one band during a cut.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -19,15 +19,15 @@ pub(super) struct Source<'c> {
     pub(super) coordinate: Coordinate,
 }
 
-/// A band. Its corners are points of the source, and crossings numbered after these, until it is finished.
+/// A band. Until it is finished, its corners are numbers of points of the source, followed by numbers of crossings.
 pub(super) struct Band {
     mesh: Mesh,
-    /// The faces that it has from the source as they were.
+    /// The number of faces that were not cut.
     whole: usize,
 }
 
 impl Band {
-    /// With room for an even share of the source among some bands.
+    /// An empty band with capacity for an equal share of the source.
     pub(super) fn new(source: &Mesh, bands: usize) -> Self {
         let room = source.corners.len() / bands;
         let mut mesh = source.alike(room);
@@ -36,7 +36,7 @@ impl Band {
         Band { mesh, whole: 0 }
     }
 
-    /// Adds a face as it is.
+    /// Adds a face without cutting it.
     pub(super) fn keep(&mut self, source: &Mesh, face: usize, tag: FaceTag) {
         self.whole += 1;
         let loops = source.face_loops(face);
@@ -51,7 +51,8 @@ impl Band {
         self.end_face(tag);
     }
 
-    /// Adds a piece of one loop, which is the way up and the way down between two lines. Pieces without area are left out.
+    /// Adds a piece with one loop, given by its way up and its way down between two lines. Pieces without area are
+    /// dropped.
     pub(super) fn piece(
         &mut self,
         source: Source<'_>,
@@ -60,7 +61,7 @@ impl Band {
         outline: &Range<usize>,
         tag: FaceTag,
     ) {
-        // A loop that meets itself on a line: no corner twice in a row.
+        // If the loop meets itself on a line, the same corner must not follow itself.
         let same =
             |a: Option<&Node>, b: Option<&Node>| a.is_some_and(|a| b.is_some_and(|b| a.place.number == b.place.number));
         if same(ahead.last(), back.first()) {
@@ -84,7 +85,7 @@ impl Band {
         self.end_face(tag);
     }
 
-    /// Adds corners with what they carry.
+    /// Adds corners with their values.
     pub(super) fn corners(&mut self, source: Source<'_>, nodes: &[Node]) {
         let Source { mesh: source, crossings, coordinate } = source;
         for node in nodes {
@@ -123,7 +124,7 @@ impl Band {
         self.mesh.tags.push(tag);
     }
 
-    /// The finished mesh; the source itself when all of it is here, nothing when nothing is.
+    /// The finished mesh. The source itself if the band contains all of it, `None` if the band is empty.
     pub(super) fn finish(mut self, source: &Arc<Mesh>, numbers: &mut Numbers<'_>) -> Option<Arc<Mesh>> {
         let faces = self.mesh.face_count();
         if faces == 0 {
@@ -138,13 +139,13 @@ impl Band {
     }
 }
 
-/// Coordinates between those of two corners, never outside of their range.
+/// Interpolated coordinates, clamped to the range of the two ends.
 fn between(a: DVec2, b: DVec2, share: f64) -> DVec2 {
     let uv = a.lerp(b, share);
     uv.clamp(a.min(b), a.max(b))
 }
 
-/// Gives the points of each band numbers of their own: those of the source in their order, then crossings.
+/// Renumbers the points of each band: points of the source in their order, then crossings.
 pub(super) struct Numbers<'c> {
     source: &'c Mesh,
     crossings: &'c Crossings,
@@ -159,7 +160,7 @@ impl<'c> Numbers<'c> {
     }
 
     fn renumber(&mut self, corners: &mut [u32]) -> Vec<DVec3> {
-        /// A band with more than this part of all points finds its own among all, which takes less than sorting them.
+        /// A band with more than this share of all points scans all points, which is faster than sorting its own.
         const MANY: usize = 16;
         self.used.clear();
         for &corner in corners.iter() {

@@ -3,16 +3,16 @@
 use super::super::class::{Class, Span};
 use super::super::points::{Node, Place};
 
-/// The two ways of a loop, from the lowest corner up and from the highest down.
+/// The two ways of a loop: from the lowest corner up, and from the highest corner down.
 #[derive(Default)]
 pub(super) struct Chain {
-    /// The way up, with everything at the lowest and the highest level.
+    /// The way up, with all nodes at the lowest and the highest level.
     up: Vec<Node>,
     /// The way down, from the top.
     down: Vec<Node>,
 }
 
-/// Which borders of a band cut a loop.
+/// The borders of a band that cut a loop.
 #[derive(Clone, Copy)]
 pub(super) struct Borders {
     pub(super) lower: bool,
@@ -20,7 +20,7 @@ pub(super) struct Borders {
 }
 
 impl Chain {
-    /// Takes a loop, as corners with their places, and makes its crossings.
+    /// Walks around a loop, given as corners with their places, and makes its crossings.
     pub(super) fn walk(
         &mut self,
         ring: impl ExactSizeIterator<Item = (usize, Place)> + Clone,
@@ -50,7 +50,7 @@ impl Chain {
         }
     }
 
-    /// Calls back with the nodes in each band: those of the way up, then those of the way down.
+    /// Calls `each` with the nodes in each band: first the way up, then the way down.
     pub(super) fn bands(&self, span: Span, mut each: impl FnMut(u32, &[Node], &[Node], Borders)) {
         let (mut up, mut down) = (0, self.down.len());
         let mut lower = false;
@@ -69,7 +69,7 @@ impl Chain {
             down = down_start;
             lower = upper;
             if upper {
-                // Both ways have a node on the upper line, which the next band starts with.
+                // Both ways have a node on the upper line, and the next band begins with it.
                 up -= 1;
                 down += 1;
             }
@@ -77,7 +77,8 @@ impl Chain {
     }
 }
 
-/// Returns true if the values around a loop rise once and fall once, and repeat only where they are lowest or highest.
+/// Returns true if the values around a loop rise once and fall once, with repeated values only at the lowest or highest
+/// level.
 pub(super) fn rises_once(values: impl ExactSizeIterator<Item = f64> + Clone) -> bool {
     let low = values.clone().fold(f64::INFINITY, f64::min);
     let high = values.clone().fold(f64::NEG_INFINITY, f64::max);

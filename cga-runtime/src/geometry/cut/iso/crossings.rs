@@ -1,4 +1,5 @@
-//! Where edges meet lines. An edge owns its crossings: the first face that asks makes them, the others find them.
+//! Crossings of edges with lines. An edge owns its crossings: the first face that needs them makes them, the other
+//! faces find them.
 
 use glam::DVec3;
 
@@ -11,13 +12,13 @@ use crate::geometry::mesh::Mesh;
 
 /// All crossings of a cut. They are numbered after the points of the mesh.
 pub(super) struct Crossings {
-    /// The lines that reach into the mesh.
+    /// The lines within the range of the mesh.
     pub(super) lines: Vec<f64>,
-    /// Where crossings are in space.
+    /// The positions of crossings.
     pub(super) points: Vec<DVec3>,
-    /// How far along their edges they are, from the end that comes first.
+    /// The relative positions of crossings on their edges, from the lexicographically first end.
     shares: Vec<f64>,
-    /// Edges between sites → their first crossing, that with the lowest line.
+    /// For each edge between sites the first of its crossings, which is on the lowest line.
     edges: Edges,
     /// The number of the first crossing.
     base: u32,
@@ -30,7 +31,7 @@ impl Crossings {
         Crossings { lines, points: Vec::new(), shares: Vec::new(), edges, base: points as u32 }
     }
 
-    /// Appends the crossings of the edge from one corner to another, in the order they are met.
+    /// Appends the crossings of the edge from one corner to another, in the order along the edge.
     pub(super) fn cross(
         &mut self,
         mesh: &Mesh,
@@ -70,12 +71,12 @@ impl Crossings {
         }
     }
 
-    /// How far along its edge a crossing is.
+    /// The relative position of a crossing on its edge.
     pub(super) fn share(&self, place: Place) -> f64 {
         self.shares[(place.number - self.base) as usize]
     }
 
-    /// Where a corner of a piece is in space.
+    /// The position of a corner of a piece.
     pub(super) fn position(&self, mesh: &Mesh, number: u32) -> DVec3 {
         match number.checked_sub(self.base) {
             Some(crossing) => self.points[crossing as usize],

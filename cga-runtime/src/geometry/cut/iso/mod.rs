@@ -1,13 +1,14 @@
-//! Cutting a mesh along lines of constant texture coordinate.
+//! Cuts a mesh along lines of constant texture coordinate.
 //!
-//! One pass for all lines. The side of a corner is one comparison of its coordinate with the line: exact, and nothing moves.
-//! Along an edge the coordinate is linear. Where an edge meets a line the crossing is made once, from the end that comes
-//! first in lexicographic order, for all faces that have the same coordinates at both ends of the edge (`crossings.rs`). At
-//! a seam the faces differ, and each has crossings of its own. Only faces are cut: nothing is closed.
+//! One pass cuts at all lines. The side of a corner is one comparison of its coordinate with the line: exact, and no
+//! point moves. Along an edge the coordinate is linear. The crossing of an edge with a line is computed once, from the
+//! end that comes first in lexicographic order, for all faces that have the same coordinates at both ends of the edge
+//! (`crossings.rs`). At a seam the faces differ, and each has crossings of its own. Only faces are cut: there are no
+//! caps.
 //!
-//! A triangle, and a face of one loop on which the coordinate rises once and falls once, is cut from crossing to crossing
-//! (`chain.rs`), if it is convex or the coordinate is affine over it. Any other face is cut as it is triangulated, and the
-//! pieces of its triangles are joined again by index (`patch.rs`).
+//! A triangle, or a face with one loop on which the coordinate rises once and falls once, is cut from crossing to
+//! crossing (`chain.rs`) if it is convex or the coordinate is affine over it. Any other face is cut triangle by
+//! triangle, and the pieces of its triangles are joined again by index (`patch.rs`).
 
 mod affine;
 mod band;
@@ -32,24 +33,26 @@ use crossings::Crossings;
 use patch::Patch;
 use sites::Sites;
 
-/// Cuts the faces of a mesh along the lines where a coordinate of a texture set equals a value; values rise strictly.
+/// Cuts the faces of a mesh along the lines where a coordinate of a texture set equals a value. Values must increase
+/// strictly.
 ///
-/// There is one band more than lines, from low to high. A band without a face is `None`. A band holds
-/// the coordinates from its lower line up to its upper line. A face that has one coordinate everywhere, and lies on a line,
-/// is in the band above it. A band that holds all of the mesh gets the same mesh, not a copy.
+/// There is one band more than lines, from low to high. A band without a face is `None`. A band contains the
+/// coordinates from its lower line up to its upper line. A face with a constant coordinate on a line is in the band
+/// above the line. A band that contains the whole mesh gets the same mesh, not a copy.
 ///
-/// - Faces keep their order, tags, groups and materials. The values of corners are interpolated; the cut coordinate is that of
-///   the line. A piece begins with what is left of the face's first edge, as in [`slabs`](super::slabs()).
-/// - Faces that agree in the coordinate at both ends of their edge share the crossings of the edge: they stay connected. At
-///   a seam each face has crossings of its own. Mirrored faces need no rule of their own.
-/// - The coordinate is linear along edges. A convex face on which it rises once and falls once is cut straight from edge to
-///   edge, also where the coordinate is not affine, as in a trapezoid of a street. A face that is not convex, and over
-///   which the coordinate is not affine, is cut as it is triangulated. In both cases the areas of the pieces add up.
-/// - A mesh without the set, and one without a line in its range, is not cut. Without the set it is in the first band.
-/// - Values that do not rise or are NaN cut nothing: the band below them stays empty.
+/// - Faces keep their order, tags, groups and materials. The values of corners are interpolated; the cut coordinate is
+///   that of the line. A piece begins with the remaining part of the face's first edge, as in
+///   [`slabs`](super::slabs()).
+/// - Faces that agree in the coordinate at both ends of a common edge share the crossings of the edge: they stay
+///   connected. At a seam each face has crossings of its own. Mirrored faces need no special rule.
+/// - The coordinate is linear along edges. A convex face on which it rises once and falls once is cut straight from
+///   edge to edge, even if the coordinate is not affine, as in a trapezoid of a street. A face that is not convex, with
+///   a coordinate that is not affine, is cut triangle by triangle. In both cases the areas of the pieces add up.
+/// - A mesh without the set, or without a line in its range, is not cut. A mesh without the set is in the first band.
+/// - Values that are NaN or do not increase cut nothing: the band below them stays empty.
 ///
 /// # Errors
-/// When the bands would have more than `most` corners together, where a corner of the mesh on a line counts once.
+/// An error if the bands would have more than `most` corners together. A corner of the mesh on a line counts once.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -80,7 +83,7 @@ pub fn iso_bands(
     let kept = rising(lines);
     let values = uvs.iter().map(|uv| uv[axis.index()]);
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), value| (l.min(value), h.max(value)));
-    // All is above a line at the lowest value, but only faces on the line are above one at the highest.
+    // The whole mesh is above a line at the lowest value. A line at the highest value has only the faces on it above.
     let first = kept.partition_point(|&line| lines[line] <= low);
     let end = kept.partition_point(|&line| lines[line] <= high);
     let number = |band: usize| kept.get(band + first).copied().unwrap_or(lines.len());
@@ -106,11 +109,11 @@ struct Cutter<'m> {
     sites: Sites,
     crossings: Crossings,
     bands: Vec<Band>,
-    /// Places of the corners of the face at hand.
+    /// The places of the corners of the current face.
     places: Vec<Place>,
     chain: Chain,
     patch: Patch,
-    /// The corners made so far.
+    /// The number of corners made so far.
     made: usize,
 }
 
@@ -121,7 +124,7 @@ impl<'m> Cutter<'m> {
         let count = crossings.lines.len() + 1;
         let bands = (0..count).map(|_| Band::new(mesh, count)).collect();
         let (chain, patch) = Default::default();
-        // Numbers of points and crossings have 32 bits.
+        // Points and crossings have 32-bit numbers.
         let most = most.min(u32::MAX as usize / 16);
         Cutter { mesh, most, coordinate, sites, crossings, bands, places: Vec::new(), chain, patch, made: 0 }
     }
@@ -167,9 +170,9 @@ impl<'m> Cutter<'m> {
         if self.most < self.made { Err(TooManyCorners { most: self.most }) } else { Ok(()) }
     }
 
-    /// Returns an error for a face whose triangles would need far more than there is room for.
+    /// Returns an error for a face whose triangles would far exceed the limit.
     fn foresee(&self, corners: usize) -> Result<(), TooManyCorners> {
-        // Where pieces of triangles are joined, a few times fewer remain.
+        // Joining the pieces of triangles reduces their corners several times, hence the factor.
         let is_too_many = self.most.saturating_sub(self.made).saturating_mul(8) < corners;
         if is_too_many { Err(TooManyCorners { most: self.most }) } else { Ok(()) }
     }
@@ -183,7 +186,7 @@ impl<'m> Cutter<'m> {
         loops.map(|ring| ring.clone().map(|c| between(c, next_in(&ring, c))).sum::<usize>()).sum()
     }
 
-    /// Cuts a face that is one way up and one way down.
+    /// Cuts a face with one way up and one way down.
     fn cut_chain(&mut self, corners: Range<usize>, tag: FaceTag, span: Span) {
         self.places.clear();
         self.places.extend(corners.clone().map(|corner| self.sites.place(self.mesh, corner)));
@@ -197,7 +200,7 @@ impl<'m> Cutter<'m> {
     }
 }
 
-/// The corner after one in its loop.
+/// The next corner in the loop.
 fn next_in(ring: &Range<usize>, corner: usize) -> usize {
     if corner + 1 == ring.end { ring.start } else { corner + 1 }
 }

@@ -1,10 +1,10 @@
-//! Faces of any shape: they are cut triangle by triangle, and what the triangles have in one band is joined again.
+//! Faces of any shape: they are cut triangle by triangle, and the pieces of triangles in one band are joined again.
 //!
-//! All of it is decided by index. The pieces of two triangles at a diagonal have the same edges along it, so each of these
-//! edges has a twin. What has no twin is the rim of a piece of the face: edges of its loops, and what runs along lines.
-//! From an edge of the rim the next one is found by turning around its end, from twin to twin, so pieces that touch in a
-//! point stay apart. Where the coordinate is affine, diagonals meet a line on a straight piece of it, and what they have
-//! there is left out again.
+//! All decisions use indices. The pieces of two triangles at a diagonal have the same edges along it, so each of these
+//! edges has a twin. Edges without a twin form the rim of a piece of the face: edges of its loops, and edges along
+//! lines. The next edge of the rim is found by rotating around the end of an edge, from twin to twin, so pieces that
+//! touch at a point stay separate. Where the coordinate is affine, the crossings of diagonals with a line are
+//! collinear, and their nodes are removed again.
 
 use std::ops::Range;
 
@@ -23,16 +23,16 @@ use crate::geometry::nesting::contour::Section;
 use crate::geometry::tol::AFFINE_EPSILON;
 use crate::geometry::triangulate::{Projection, Triangulator};
 
-/// An edge of a piece of a triangle, by the node that it leaves.
+/// An edge of a piece of a triangle, with the node where it begins.
 #[derive(Clone, Copy)]
 struct Half {
     node: Node,
     band: u32,
-    /// The edge that follows it in its piece.
+    /// The next edge in its piece.
     next: u32,
-    /// The same edge of the neighbour in the same band.
+    /// The same edge in the neighbour in the same band.
     twin: u32,
-    /// True if the node is where a diagonal meets a line.
+    /// True if the node is the crossing of a diagonal with a line.
     is_inner: bool,
     is_traced: bool,
 }
@@ -42,14 +42,14 @@ struct Half {
 enum Side {
     /// An edge of a loop, or a line.
     Rim,
-    /// A diagonal between two triangles: twice its number, and 1 more when it is run backwards.
+    /// A diagonal between two triangles: twice its number, plus 1 in backward direction.
     Diagonal(u32),
 }
 
 /// A ring of a piece of the face.
 struct Ring {
     band: u32,
-    /// The first edge of the face that it has something of.
+    /// The first edge of the face of which the ring has a part.
     edge: u32,
     nodes: Range<usize>,
 }
@@ -67,13 +67,13 @@ pub(super) struct Patch {
     sides: Vec<[Side; 3]>,
     chain: Chain,
     halves: Vec<Half>,
-    /// Diagonals and bands → their edges without twins so far.
+    /// For each diagonal and band the edge without a twin so far.
     open: PairTable,
     /// Triangles that are on a line as a whole, and whether they have a band.
     flats: Vec<(u32, bool)>,
-    /// Their diagonals → their numbers among these.
+    /// For each of their diagonals the number in this list.
     flat_sides: PairTable,
-    /// Nodes of all rings, and whether diagonals meet lines there.
+    /// The nodes of all rings, and whether each is the crossing of a diagonal with a line.
     nodes: Vec<(Node, bool)>,
     rings: Vec<Ring>,
     nest: Nest,
@@ -87,7 +87,7 @@ impl Patch {
         let projection = Projection::along(view.normal());
         self.triangulate(cutter, face, projection);
         let start = view.corner_range().start;
-        // Before anything is made: what a face needs is at most what its triangles need.
+        // The check comes first: a face needs at most as many corners as its triangles.
         let span_of = |t: &[u32; 3]| Span::of(t.iter().map(|&corner| cutter.sites.class(start + corner as usize)));
         let pieces: usize = self.triangles.iter().map(|t| 3 + 4 * span_of(t).planes().len()).sum();
         cutter.foresee(pieces)?;
@@ -105,7 +105,7 @@ impl Patch {
         Ok(())
     }
 
-    /// Triangles of the face, as corners counted from its first one, and what their sides are.
+    /// Makes the triangles of the face, as corners counted from its first one, and the kinds of their sides.
     fn triangulate(&mut self, cutter: &Cutter<'_>, face: usize, projection: Projection) {
         let view = cutter.mesh.face(face);
         let start = view.corner_range().start;
@@ -119,7 +119,7 @@ impl Patch {
         }
         self.triangles.clear();
         self.triangulator.polygon(&self.flat, &self.loop_ends, &mut self.triangles);
-        // Where loops overlap, a triangle may have a corner twice: its two other sides are the same.
+        // If loops overlap, a triangle may have the same corner twice. Then its two other sides are the same.
         self.triangles.retain(|[a, b, c]| a != b && b != c && c != a);
         self.diagonals.clear();
         self.sides.clear();
@@ -171,17 +171,17 @@ impl Patch {
         self.chain = chain;
     }
 
-    /// The side of a triangle on which the edge after a node runs, and whether the node is on a diagonal.
+    /// The side of a triangle that contains the edge after a node, and whether the node is on a diagonal.
     fn side_after(&self, triangle: usize, corners: &[usize; 3], node: &Node) -> (Side, bool) {
         let sides = &self.sides[triangle];
         let at = |corner: u32| corners.iter().position(|&own| own == corner as usize).unwrap_or(0);
         let (a, b) = (at(node.from), at(node.to));
-        // A crossing is on the side that begins with that of its two corners which the other one follows.
+        // A crossing between two corners is on the side from one of them to its successor.
         let side = sides[if (a + 1) % 3 == b || a == b { a } else { b }];
         (side, a != b && side != Side::Rim)
     }
 
-    /// Adds an edge, and finds its twin.
+    /// Adds an edge and finds its twin.
     fn half(&mut self, mut half: Half, side: Side) {
         let number = self.halves.len() as u32;
         if let Side::Diagonal(side) = side {
@@ -196,8 +196,8 @@ impl Patch {
         self.halves.push(half);
     }
 
-    /// A triangle on a line goes to the band above, as a face does. One without area goes to the band of a neighbour, so that
-    /// it makes no piece of its own.
+    /// Assigns a band to each triangle on a line: the band above, as for a face. A triangle without area gets the band
+    /// of a neighbour, so that it makes no piece of its own.
     fn place_flats(&mut self, cutter: &Cutter<'_>, start: usize, is_affine: bool) {
         let mut stack = Vec::new();
         for flat in 0..self.flats.len() {
@@ -286,7 +286,7 @@ impl Patch {
         self.rings.sort_by_key(|ring| (ring.band, ring.edge));
     }
 
-    /// No corner repeats the one before it; what is too short for a ring is left out.
+    /// Ends a ring. Repeated corners are removed, and rings with fewer than three corners are dropped.
     fn end_ring(&mut self, from: usize, band: u32) {
         let mut kept = from;
         for at in from..self.nodes.len() {
@@ -353,14 +353,14 @@ impl Patch {
     }
 }
 
-/// The edge that a node is on, by the corner that it begins with.
+/// The edge that contains a node, by the corner where the edge begins.
 fn edge_of(node: &Node) -> u32 {
     let (low, high) = (node.from.min(node.to), node.from.max(node.to));
-    // The last edge of a loop leads back to its first corner.
+    // The last edge of a loop ends at its first corner.
     if high - low <= 1 { low } else { high }
 }
 
-/// The node that a ring begins with: by the rule for first edges, or, for a hole, with its first corner.
+/// The first node of a ring: by the rule for first edges, or the first corner for a hole.
 fn first_of_ring(marks: &[Node], outline: &Range<usize>) -> usize {
     if marks.iter().any(|node| outline.contains(&(node.from as usize))) {
         return first_node(marks.iter(), outline);

@@ -1,7 +1,7 @@
 //! The coordinate of each corner, and its class among the lines.
 //!
-//! A *site* is a point of the mesh with one value of the coordinate. Faces that agree there share the site; at a seam a
-//! point has several.
+//! A *site* is a point of the mesh with one value of the coordinate. Faces that agree at the point share the site; at a
+//! seam a point has several sites.
 
 use std::collections::BTreeMap;
 

@@ -8,21 +8,21 @@ use crate::geometry::exact::orient;
 use crate::geometry::mesh::{Mesh, UvSets};
 use crate::geometry::tol::NEXT_EPSILON;
 
-/// A corner of a piece, above a place of texture space.
+/// A corner of a piece, above a point of texture space.
 #[derive(Clone, Copy)]
 pub(super) struct Node {
     pub(super) uv: DVec2,
     pub(super) height: f64,
-    /// The edges of the patch that it is above: those with their bit.
+    /// The edges of the patch below it, as bits.
     above: u8,
-    /// What the edge after it is a part of.
+    /// The source of the edge after it.
     edge: Edge,
-    /// Where the coordinates that it carries are.
+    /// The start of its texture coordinates in the list.
     carried: u32,
 }
 
 impl Node {
-    /// Its place on the surface.
+    /// Its position on the surface.
     pub(super) fn place(&self, patch: &Patch) -> DVec3 {
         patch.place(self.uv, self.height, self.on(patch))
     }
@@ -36,12 +36,12 @@ impl Node {
         }
     }
 
-    /// The edges of the patch that its place is on, as bits.
+    /// The edges of the patch that contain its position, as bits.
     fn above_of(&self, patch: &Patch) -> u8 {
         (0..patch.edge_count()).map(|edge| u8::from(self.side(edge, patch) == 0) << edge).sum()
     }
 
-    /// 1 on the left of an edge of the patch, that is, inside, -1 on the right, 0 above it.
+    /// 1 left of an edge of the patch, which is inside, -1 right of it, 0 above it.
     fn side(&self, edge: usize, patch: &Patch) -> i32 {
         let [a, b] = patch.edge(edge);
         if self.above >> edge & 1 == 1 { 0 } else { orient(a, b, self.uv) }
@@ -56,14 +56,14 @@ enum Edge {
     Cut(usize),
 }
 
-/// Buffers, and the piece that was cut last.
+/// Buffers, and the last piece.
 pub(super) struct Clip<'a> {
     asset: &'a Mesh,
-    /// The texture sets that the asset has.
+    /// The texture sets of the asset.
     pub(super) sets: Vec<usize>,
     pub(super) nodes: Vec<Node>,
     spare: Vec<Node>,
-    /// The polygon before it is cut.
+    /// The uncut polygon.
     own: Vec<Node>,
     carried: Vec<DVec2>,
 }
@@ -75,13 +75,13 @@ impl<'a> Clip<'a> {
         Clip { asset, sets, nodes, spare, own, carried: Vec::new() }
     }
 
-    /// The coordinates that a node carries, set after set.
+    /// The texture coordinates of a node, set by set.
     pub(super) fn carried(&self, node: &Node) -> &[DVec2] {
         &self.carried[node.carried as usize..][..self.sets.len()]
     }
 
-    /// Cuts a polygon in a cell at the edges of a patch. Nothing if it is outside; else the edge that all of it is above, if
-    /// there is one.
+    /// Cuts a polygon in a cell at the edges of a patch. `None` if it is outside. Otherwise the edge that the whole
+    /// polygon is above, if there is one.
     pub(super) fn cut(
         &mut self,
         asset: &UnitAsset,
@@ -96,7 +96,7 @@ impl<'a> Clip<'a> {
             let (low, high) = sides.fold((1, -1), |(low, high), side| (side.min(low), side.max(high)));
             match (low, high) {
                 (0, 0) => wall = wall.or(Some(edge)),
-                // It is outside, or touches the edge from there.
+                // It is outside, or touches the edge from outside.
                 (_, ..=0) => return None,
                 (-1, _) => self.cut_at(edge, patch),
                 _ => {}
@@ -123,7 +123,7 @@ impl<'a> Clip<'a> {
         self.nodes.clone_from(&self.own);
     }
 
-    /// Cuts off what is right of an edge.
+    /// Removes the part right of an edge.
     fn cut_at(&mut self, edge: usize, patch: &Patch) {
         let mut kept = std::mem::take(&mut self.spare);
         kept.clear();
@@ -143,7 +143,7 @@ impl<'a> Clip<'a> {
         self.spare = std::mem::replace(&mut self.nodes, kept);
     }
 
-    /// Where the way from one node to the next meets an edge of the patch.
+    /// The crossing of the edge between two nodes with an edge of the patch.
     fn crossing(&mut self, here: &Node, next: &Node, edge: usize, patch: &Patch) -> Node {
         if let Edge::Cut(other) = here.edge
             && let Some(corner) = patch.corner_between(other, edge)
@@ -154,7 +154,8 @@ impl<'a> Clip<'a> {
             let carried = self.mix(here.carried, next.carried, share);
             return Node { uv, height, above: patch.edges_at(corner), edge: here.edge, carried };
         }
-        // From the ends of the edge of the polygon, the same for both polygons there and all patches around.
+        // Computed from the ends of the polygon's edge, with the same result for both polygons at the edge and for all
+        // patches around.
         let (from, to) = match here.edge {
             Edge::Own(number) => {
                 let next = if number as usize + 1 == self.own.len() { 0 } else { number as usize + 1 };
@@ -167,13 +168,13 @@ impl<'a> Clip<'a> {
         let (a, b) = if comes_first(a, b) { (a, b) } else { (b, a) };
         let [off_from, off_to] = [from, to].map(|node| (b - a).perp_dot(node.uv - a));
         let share = off_from / (off_from - off_to);
-        // Rounding of ends next to the edge.
+        // Rounding errors of ends close to the edge may lead outside.
         let share = if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) };
         let uv = from.uv + (to.uv - from.uv) * share;
         let height = from.height + (to.height - from.height) * share;
         let carried = self.mix(from.carried, to.carried, share);
         let mut node = Node { uv, height, above: 1 << edge, edge: here.edge, carried };
-        // Rounding may lead to the end of the edge.
+        // Rounding may lead to an end of the edge.
         node.above |= node.above_of(patch);
         let is_through = |end: &usize| orient(from.uv, to.uv, patch.corner(*end)) == 0;
         if let Some(corner) = patch.ends(edge).into_iter().find(is_through) {
@@ -186,9 +187,11 @@ impl<'a> Clip<'a> {
         node
     }
 
-    /// The height of the polygon above a corner of the patch, the same for all patches there. Nothing for an upright polygon.
+    /// The height of the polygon above a corner of the patch, equal for all patches at the corner. `None` for a
+    /// vertical polygon.
     ///
-    /// Next to an edge or a corner of the polygon it is that of the edge or corner, so that the polygons there agree.
+    /// Close to an edge or a corner of the polygon it is the height of that edge or corner, so that neighbouring
+    /// polygons agree.
     fn height_at_corner(&self, uv: DVec2) -> Option<f64> {
         if let Some(node) = self.own.iter().find(|node| is_next_to(node.uv, uv)) {
             return Some(node.height);
@@ -212,7 +215,7 @@ impl<'a> Clip<'a> {
         height.is_finite().then(|| height.clamp(low, high))
     }
 
-    /// What is carried between two nodes.
+    /// Interpolates the texture coordinates between two nodes.
     fn mix(&mut self, from: u32, to: u32, share: f64) -> u32 {
         let start = self.carried.len() as u32;
         for set in 0..self.sets.len() {
@@ -223,14 +226,14 @@ impl<'a> Clip<'a> {
     }
 }
 
-/// How far from one node to another a place between them is.
+/// The relative position of a point between two nodes.
 fn share_at(from: &Node, to: &Node, uv: DVec2) -> f64 {
     let along = to.uv - from.uv;
     let share = (uv - from.uv).dot(along) / along.length_squared();
     if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) }
 }
 
-/// The height of an edge of the polygon above a place on it.
+/// The height of an edge of the polygon above a point on it.
 fn height_on_edge(from: &Node, to: &Node, uv: DVec2) -> f64 {
     match [from, to].into_iter().find(|end| is_next_to(end.uv, uv)) {
         Some(end) => end.height,

@@ -1,13 +1,14 @@
-//! An asset bent along the texture coordinates of a surface (*insertAlongUV operation*).
+//! Bends an asset along the texture coordinates of a surface (*insertAlongUV operation*).
 //!
-//! The asset is stretched to a cell of texture space: its x runs along u in [0, 1], its z against v, its y is the height. It is
-//! repeated in each cell that a face of the carrier covers, cut at the edges of the face, and taken to the surface by the
-//! inverse of the face's coordinates. A triangle has an affine inverse. A quad whose coordinates are a parallelogram has a
-//! bilinear one, so edges along u and v stay straight; any other quad is two triangles.
+//! The asset is stretched to a cell of texture space: its x is along u in [0, 1], its z is against v, and its y is the
+//! height. It is repeated in each cell that a face of the carrier covers, cut at the edges of the face, and mapped to
+//! the surface by the inverse of the face's coordinates. A triangle has an affine inverse. A quad whose coordinates are
+//! a parallelogram has a bilinear inverse, so edges along u and v stay straight. Any other quad is divided into two
+//! triangles.
 //!
-//! Faces that share an edge and agree in coordinates there make the same points on it, to the bit: crossings are made from
-//! ends in lexicographic order, and taken to the surface by the edge alone. What is above a common edge belongs to one of
-//! the faces. Nothing is closed: what the border of the carrier cuts off leaves the asset open.
+//! Faces with a common edge and equal coordinates there make the same points on it, bit for bit: crossings are computed
+//! from ends in lexicographic order, and mapped to the surface by the edge alone. A polygon above a common edge belongs
+//! to one of the faces. There are no caps: the asset is open where the border of the carrier cuts it.
 
 mod clip;
 mod patch;
@@ -21,7 +22,7 @@ use clip::{Clip, Node};
 use patch::{Patch, Patches};
 use unit::UnitAsset;
 
-/// The direction in which an asset on a surface is high.
+/// The direction of an asset's height on a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HeightDirection {
     /// The y axis of the carrier's coordinates, for `scope.y`.
@@ -30,7 +31,7 @@ pub enum HeightDirection {
     VertexNormal,
 }
 
-/// The place of an asset in the direction of the height.
+/// The alignment of an asset in the direction of the height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum HeightAlignment {
     /// The lowest point of the asset is on the surface.
@@ -44,26 +45,26 @@ pub enum HeightAlignment {
 pub struct AlongUv {
     /// The texture set of the carrier.
     pub set: usize,
-    /// The height of the asset in metres; inwards if it is negative, and flat if it is 0.
+    /// The height of the asset in metres. A negative height points inwards; 0 makes the asset flat.
     pub height: f64,
-    /// Which way is up.
+    /// The direction of the height.
     pub direction: HeightDirection,
-    /// Where height 0 is.
+    /// The position of height 0.
     pub alignment: HeightAlignment,
 }
 
-/// The asset on the triangles and quads of a carrier, both in metres. Faces with more corners, with holes, or without an area
-/// in texture space carry nothing; so does a carrier without the set.
+/// Puts the asset on the triangles and quads of a carrier, both in metres. Faces with more corners, with holes, or
+/// without an area in texture space are skipped. A carrier without the set gives nothing.
 ///
-/// Faces keep the groups, the materials and the texture coordinates of the asset; normals and tags are dropped. Faces that
-/// would look inwards, because the height is negative or the coordinates are mirrored, are turned over. Faces of the asset
-/// that are not convex are divided into triangles, and so are pieces that are not planar any more. An asset without extent in
-/// x or z is in the middle of its cell. An asset without extent in y keeps its own height above the surface with
-/// [`HeightAlignment::KeepPosition`].
+/// Faces keep the groups, the materials and the texture coordinates of the asset; normals and tags are dropped. Faces
+/// that would look inwards, because the height is negative or the coordinates are mirrored, are reversed. Faces of the
+/// asset that are not convex are divided into triangles, and so are pieces that are no longer planar. An asset without
+/// extent in x or z is in the middle of its cell. An asset without extent in y keeps its own height above the surface
+/// with [`HeightAlignment::KeepPosition`].
 ///
 /// # Errors
-/// When the result would have more than `most` corners, or very many more are to be cut. A result that leads beyond the
-/// largest number is empty.
+/// An error if the result would have more than `most` corners, or if far more corners must be visited. A result with
+/// coordinates that overflow is empty.
 pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: usize) -> Result<Mesh, TooManyCorners> {
     let too_many = TooManyCorners { most };
     let mut made = Made { builder: MeshBuilder::new(), asset, corners: 0 };
@@ -95,10 +96,11 @@ pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: us
     Ok(made.builder.build().unwrap_or_default())
 }
 
-/// The corners of the asset that are looked at for each corner that may be made: small faces of a carrier take little of it.
+/// The limit on visited corners of the asset per corner of the result. Small faces of a carrier use few of the visited
+/// corners.
 const LOOKS: usize = 64;
 
-/// The mesh while it is made.
+/// The mesh under construction.
 struct Made<'a> {
     builder: MeshBuilder,
     asset: &'a Mesh,
@@ -138,7 +140,7 @@ impl Made<'_> {
     }
 }
 
-/// Whether the corners of a piece are in one plane, but for rounding.
+/// Returns true if the corners of a piece are in one plane, except for rounding.
 fn is_planar(nodes: &[(DVec3, &Node)]) -> bool {
     if nodes.len() == 3 {
         return true;

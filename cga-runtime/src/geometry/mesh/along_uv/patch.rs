@@ -1,4 +1,4 @@
-//! Faces of the carrier as convex patches of texture space, and the way from there to the surface.
+//! Faces of the carrier as convex patches of texture space, with their maps to the surface.
 
 use std::collections::BTreeMap;
 
@@ -11,17 +11,17 @@ use crate::geometry::mesh::{Mesh, TooManyCorners};
 use crate::geometry::tol::AFFINE_EPSILON;
 use crate::geometry::triangulate::Triangulator;
 
-/// A triangle, or a quad whose coordinates are a parallelogram. Corners run counter-clockwise in texture space.
+/// A triangle, or a quad whose coordinates are a parallelogram. Corners are counter-clockwise in texture space.
 pub(super) struct Patch {
     corners: Vec<Corner>,
     /// True if u, v and height are left-handed on the surface.
     pub(super) is_mirrored: bool,
-    /// The shares along the edges from the first corner to the second and to the last one are these products with what is
-    /// from the first corner to a place.
+    /// The scalar products with these vectors, applied to the offset from the first corner, are the shares along the
+    /// edges from the first corner to the second and to the last corner.
     along: [DVec2; 2],
 }
 
-/// The part of a patch that a place is on.
+/// The part of a patch that a position is on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum On {
     Inside,
@@ -33,14 +33,14 @@ pub(super) enum On {
 struct Corner {
     uv: DVec2,
     point: DVec3,
-    /// What a height of 1 adds.
+    /// The displacement for a height of 1.
     up: DVec3,
-    /// The point of the carrier.
+    /// The number of the carrier's point.
     number: u32,
 }
 
 impl Patch {
-    /// Nothing for corners without area in texture space.
+    /// A patch; `None` for corners without area in texture space.
     fn of(mut corners: Vec<Corner>) -> Option<Self> {
         let turn = orient(corners[0].uv, corners[1].uv, corners[2].uv);
         let between = |from: usize, to: usize| corners[to].point - corners[from].point;
@@ -70,7 +70,7 @@ impl Patch {
         self.corners.len()
     }
 
-    /// The corner where two edges meet, if they do.
+    /// The common corner of two edges, if any.
     pub(super) fn corner_between(&self, a: usize, b: usize) -> Option<usize> {
         [(a, b), (b, a)].into_iter().find(|&(before, after)| self.after(before) == after).map(|(_, after)| after)
     }
@@ -99,7 +99,7 @@ impl Patch {
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
     }
 
-    /// Whether its own coordinates reach into a range.
+    /// Returns true if its range of coordinates meets another range.
     pub(super) fn may_meet(&self, [low, high]: [DVec2; 2]) -> bool {
         let meets = |axis: usize| {
             let (own_low, own_high) = self.range(axis);
@@ -138,19 +138,19 @@ impl Patch {
         Ok(count_up(low.floor(), high.ceil(), most)?.map(move |u| DVec2::new(u, row)))
     }
 
-    /// Whether it covers some of a cell.
+    /// Returns true if it covers a part of a cell.
     fn covers(&self, cell: DVec2) -> bool {
         let (bottom, top) = self.range(1);
         let (low, high) = self.range_in_row(cell.y);
         bottom.floor() <= cell.y && cell.y < top.ceil() && low.floor() <= cell.x && cell.x < high.ceil()
     }
 
-    /// Where a node is on or above the surface.
+    /// The position of a node on or above the surface.
     pub(super) fn place(&self, uv: DVec2, height: f64, on: On) -> DVec3 {
         let (point, up) = match on {
             On::Corner(corner) => (self.corners[corner].point, self.corners[corner].up),
             On::Edge(edge) => {
-                // The same from both sides of the edge.
+                // Computed alike from both sides of the edge.
                 let (a, b) = (self.corners[edge], self.corners[self.after(edge)]);
                 let (a, b) = if comes_first(a.uv, b.uv) { (a, b) } else { (b, a) };
                 let along = b.uv - a.uv;
@@ -175,7 +175,7 @@ impl Patch {
     }
 }
 
-/// The whole numbers from one up to another.
+/// The whole numbers from `low` to before `high`.
 fn count_up(low: f64, high: f64, most: usize) -> Result<impl Iterator<Item = f64> + use<>, TooManyCorners> {
     let count = high - low;
     if (most as f64) < count {
@@ -196,7 +196,7 @@ type End = (u32, [u64; 2]);
 #[derive(Default)]
 pub(super) struct Patches {
     pub(super) list: Vec<Patch>,
-    /// Edges → the first patches that have them.
+    /// For each edge the first patches that have it.
     neighbours: BTreeMap<[End; 2], Vec<u32>>,
 }
 
@@ -237,7 +237,7 @@ impl Patches {
     }
 
     fn add(&mut self, patch: Option<Patch>) {
-        /// Edges of more patches than this are not those of a surface.
+        /// The limit on patches per edge. An edge of a surface has fewer.
         const MOST: usize = 8;
         let Some(patch) = patch else { return };
         let number = self.list.len() as u32;
@@ -250,7 +250,8 @@ impl Patches {
         self.list.push(patch);
     }
 
-    /// Whether what a cell has above an edge belongs to a patch: to the first one at the edge that covers the cell.
+    /// Returns true if polygons above an edge in a cell belong to a patch: they belong to the first patch at the edge
+    /// that covers the cell.
     pub(super) fn owns_wall(&self, patch: usize, edge: usize, cell: DVec2) -> bool {
         let known = self.neighbours.get(&key(&self.list[patch], edge));
         let first = known.into_iter().flatten().find(|&&other| self.list[other as usize].covers(cell));
@@ -264,7 +265,7 @@ fn key(patch: &Patch, edge: usize) -> [End; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// Whether coordinates are the corners of a parallelogram, but for rounding.
+/// Returns true if coordinates are the corners of a parallelogram, except for rounding.
 fn is_parallelogram(corners: &[Corner]) -> bool {
     let [a, b, c, d] = corners else { return false };
     let gap = (a.uv - b.uv) + (c.uv - d.uv);

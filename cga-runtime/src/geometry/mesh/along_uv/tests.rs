@@ -10,7 +10,7 @@ const UP: AlongUv =
 
 const MOST: usize = 1 << 20;
 
-/// Faces on the ground by their corners, each a place and its coordinates.
+/// Faces on the ground by their corners, each with a position and its coordinates.
 fn carrier(faces: &[Vec<([f64; 2], [f64; 2])>]) -> Mesh {
     let mut builder = MeshBuilder::new();
     for face in faces {
@@ -27,8 +27,8 @@ fn rectangle(width: f64, depth: f64, tiles: [f64; 2]) -> Mesh {
     carrier(&[corners.map(corner).to_vec()])
 }
 
-/// A grid of `count` quads or twice as many triangles on [0,10] x [0,10], with nodes moved at random inside; coordinates
-/// cover `tiles`.
+/// A grid of `count` quads, or twice as many triangles, on [0,10] x [0,10], with interior nodes moved at random.
+/// Coordinates cover `tiles` tiles.
 fn grid(count: usize, tiles: f64, triangles: bool, seed: u64) -> Mesh {
     let mut state = seed;
     let mut random = || {
@@ -63,7 +63,7 @@ fn insert(carrier: &Mesh, asset: &Mesh, options: &AlongUv) -> Mesh {
     mesh
 }
 
-/// An asset of 1 by 1 by 1 around the origin, not a box.
+/// An asset of 1 by 1 by 1 around the origin that is not a box.
 fn ball() -> Mesh {
     primitive::sphere(12, 8)
 }
@@ -83,7 +83,7 @@ fn a_box_fills_its_cell() {
 
 #[test]
 fn x_goes_along_u_and_z_against_v() {
-    // A triangle at x = 0, z = 0, which is u = 0, v = 1; a point far away makes the box 1 by 1.
+    // A triangle at x = 0, z = 0, which is u = 0, v = 1. A distant point makes the box 1 by 1.
     let mut builder = MeshBuilder::new();
     for corners in [[[0.0, 0.0], [0.0, 0.1], [0.1, 0.0]], [[1.0, 1.0], [1.0, 0.9], [0.9, 1.0]]] {
         let corners = corners.map(|[x, z]| builder.point([x, 0.0, z]));
@@ -119,7 +119,7 @@ fn what_is_cut_at_inner_edges_stays_closed() {
             for (name, asset) in [("ball", ball()), ("cube", primitive::cube()), ("cylinder", primitive::cylinder(9))] {
                 let made = insert(&carrier, &asset, &UP);
                 assert!(made.is_closed(), "{name} on {count}, {tiles}, {triangles}, {seed}");
-                // Straight up from a plane, areas of chart and surface differ, but a cube covers all of it.
+                // Vertically from a plane, areas of chart and surface differ, but a cube covers all of it.
                 if name == "cube" {
                     assert!((made.volume() - 300.0).abs() < 1e-9, "{}", made.volume());
                 }
@@ -149,7 +149,7 @@ fn mirrored_charts_and_negative_heights_turn_faces_over() {
 
 #[test]
 fn the_border_of_the_carrier_cuts_off() {
-    // One and a half cells: two cubes, one of them open where it is cut.
+    // One and a half cells: two cubes, one of them open at the cut.
     let made = insert(&rectangle(6.0, 4.0, [1.5, 1.0]), &primitive::cube(), &UP);
     assert!(!made.is_closed());
     assert_eq!(made.face_count(), 6 + 5);

@@ -25,7 +25,7 @@ pub(super) struct UnitAsset {
 impl UnitAsset {
     pub(super) fn of(asset: &Mesh, options: &AlongUv) -> Self {
         let bounds = asset.bounds();
-        // Halves of the largest numbers have a difference.
+        // The difference of the largest numbers overflows; that of their halves does not.
         let (low, size) = (bounds.low * 0.5, bounds.high * 0.5 - bounds.low * 0.5);
         let share = |at: f64, axis: usize| match size[axis] {
             0.0 => 0.5,
@@ -83,7 +83,7 @@ impl UnitAsset {
         0..self.polygons.len()
     }
 
-    /// The face that a polygon is of.
+    /// The face that a polygon is a part of.
     pub(super) fn face(&self, polygon: usize) -> usize {
         self.polygons[polygon].1
     }
@@ -94,7 +94,7 @@ impl UnitAsset {
         &self.corners[start..self.polygons[polygon].0]
     }
 
-    /// Where a corner is, in a cell that begins at some coordinates.
+    /// The position of a corner in a cell that begins at `cell`.
     pub(super) fn at(&self, corner: u32, cell: DVec2) -> DVec3 {
         self.points[self.of_corner[corner as usize] as usize] + cell.extend(0.0)
     }

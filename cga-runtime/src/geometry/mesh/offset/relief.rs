@@ -1,15 +1,16 @@
-//! Faces that are not planar, as heights above the plane in which they are offset.
+//! Heights of faces that are not planar, relative to the plane of their offset.
 //!
-//! Corners of the face keep their heights, to the bit. A new point is equally far from the edges whose strips meet in it, and
-//! its height is the mean of theirs, each taken at the end or the place between that is nearest to the point. So no height
-//! leaves those of the face, the smaller the distance the nearer is a moved corner to its own height, and where the face is
-//! level along an edge, its strip is level near it.
+//! Corners of the face keep their heights, bit for bit. A new point is equally far from the edges whose strips meet at
+//! it. Its height is the mean over these edges of the height at the edge's nearest point. So all heights are within the
+//! range of the face. For small distances a moved corner is close to its own height. If the face is level along an
+//! edge, its strip is level near the edge.
 
 use glam::DVec2;
 
 use crate::geometry::skeleton::Swept;
 
-/// The heights of all points of what a face sweeps, from those of its own, which come first. Rings are as they were swept.
+/// The heights of all points of a swept face, from the heights of its own points, which come first. `rings` are in
+/// swept order.
 pub(super) fn heights(own: &[f64], rings: &[Vec<u32>], swept: &Swept) -> Vec<f64> {
     let edges: Vec<[u32; 2]> =
         rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])).collect();
@@ -27,7 +28,7 @@ pub(super) fn heights(own: &[f64], rings: &[Vec<u32>], swept: &Swept) -> Vec<f64
     for strip in &swept.strips {
         strip.ring.iter().for_each(|&point| add(&mut sums, strip.edge, point));
     }
-    // Where strips are too thin to be any, the edges that have moved there.
+    // Points without a strip, because the strips are too thin: the edges that have moved there count.
     for ring in &swept.left {
         let missing: Vec<usize> = (0..ring.len()).filter(|&i| sums[ring[i].point as usize].1 == 0).collect();
         for i in missing {
@@ -39,7 +40,7 @@ pub(super) fn heights(own: &[f64], rings: &[Vec<u32>], swept: &Swept) -> Vec<f64
     own.iter().copied().chain(sums.into_iter().skip(own.len()).map(mean)).collect()
 }
 
-/// Where the nearest point of a segment is between its ends.
+/// The relative position of the nearest point on a segment.
 fn share(p: DVec2, [a, b]: [DVec2; 2]) -> f64 {
     let along = b - a;
     let length = along.length_squared();

@@ -5,11 +5,11 @@ use crate::geometry::mesh::primitive::cube;
 use crate::geometry::mesh::{FaceTag, MeshBuilder, TagSet};
 use crate::value::text::Text;
 
-/// The outline of the reference's pictures, about: wide, with a notch from above.
+/// Roughly the outline of the reference's pictures: wide, with a notch from above.
 const NOTCHED: [(f64, f64); 9] =
     [(0.0, 0.0), (6.0, -2.5), (12.0, 0.0), (13.0, 5.0), (9.0, 9.0), (6.5, 8.0), (8.0, 4.0), (5.5, 3.0), (-2.0, 7.0)];
 
-/// Of faces that can all be moved.
+/// Offsets faces that can all be moved.
 fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> Mesh {
     let (made, refused) = offset_or_refuse(mesh, distance, keep);
     assert_eq!(refused, []);
@@ -31,7 +31,7 @@ fn courtyard() -> Mesh {
     )
 }
 
-/// How many faces use each edge of a face.
+/// For each edge of a face the number of faces that use it.
 fn uses(mesh: &Mesh, face: &FaceRef<'_>) -> Vec<usize> {
     let edges = |face: &FaceRef<'_>| -> Vec<[u32; 2]> {
         let ring = |ring: &[u32]| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]]).collect::<Vec<_>>();
@@ -61,7 +61,7 @@ fn first_edges_are_those_of_the_pictures() {
         assert_eq!(made.face(0).normal(), DVec3::Y);
     }
     for (i, &[a, b]) in edges.iter().enumerate() {
-        // Inwards, border faces look up and begin with the moved edge, which runs against the old one.
+        // Inwards, border faces look up and begin with the moved edge, in the opposite direction of the old one.
         assert!(inwards.face(i + 1).normal().y > 0.999);
         assert!(along(&inwards, i + 1).dot((b - a).normalize()) < -1.0 + 1e-12);
         assert!((at(&inwards, i + 1, 0) - b).length() > 0.9);
@@ -88,7 +88,7 @@ fn inside_and_border_add_up_to_the_face() {
     }
 }
 
-/// Fact 62 of the language: `inside` is the moved polygon, `border` the rim, by the edges that faces share.
+/// *offset operation*: `inside` is the moved polygon and `border` its rim, by the edges that faces share.
 #[test]
 fn faces_at_the_border_are_told_by_their_edges() {
     for mesh in [lot(&NOTCHED, &[]), courtyard()] {
@@ -158,7 +158,7 @@ fn what_faces_and_corners_carry_goes_with_them() {
     }
 }
 
-/// Each face is moved in its own plane, wherever that is.
+/// Each face is moved in its own plane, at any position.
 #[test]
 fn turned_faces_give_turned_faces() {
     let mesh = courtyard();
@@ -203,7 +203,8 @@ fn faces_that_cannot_be_moved_stay_among_others_that_can() {
     }
 }
 
-/// Whatever a corner is off, old corners stay to the bit, parts share their points, and no height leaves those of the face.
+/// For any deviation of a corner, old corners stay bit for bit, parts share their points, and all heights are within
+/// the range of the face.
 #[test]
 fn a_bent_face_stays_as_bent() {
     for by in [1e-12, 1e-8, 1e-3, 0.1, 1.0] {
@@ -224,12 +225,12 @@ fn a_bent_face_stays_as_bent() {
                 assert!((low - slack..=high + slack).contains(&height), "{by}, {distance}: {height}");
                 assert!(p.distance(*q) <= 2.0 * by * (1.0 + distance.abs()) + slack, "{by}, {distance}: {p} {q}");
             }
-            // Across the normal the areas add up as ever.
+            // The signed areas along the normal add up as for planar faces.
             let sum: DVec3 = made.faces().map(|face| face.area_vector()).sum();
             let along = |v: DVec3| v.dot(face.normal());
             assert!((along(sum) - along(face.area_vector())).abs() < 1e-9 * (1.0 + distance * distance));
         }
-        // A moved corner is near its own height.
+        // A moved corner is close to its own height.
         let made = offset(&mesh, -1e-6, OffsetFaces::Inside);
         assert!(made.face(0).outline().zip(face.outline()).all(|(p, q)| p.distance(q) < 1e-5));
     }

@@ -1,16 +1,16 @@
-//! Regular polygons about the middle of the unit square.
+//! Regular polygons about the centre of the unit square.
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
 use glam::DVec2;
 
-/// Sides when fewer than three are asked for, and the most there are.
+/// The number of sides: at least three, at most 2^20.
 pub(super) fn sides(wanted: usize) -> usize {
     wanted.clamp(3, 1 << 20)
 }
 
-/// The corners of a polygon of that many sides, as (x, z): on the circle, from the left end of the edge in front
-/// counter-clockwise seen from above.
+/// The corners of a regular polygon as (x, z), on the circle, counter-clockwise as seen from above, from the left end
+/// of the front edge on.
 pub(super) fn corners(sides: usize) -> impl Iterator<Item = DVec2> {
     let half_turns = 2 * sides;
     (0..sides).map(move |i| {
@@ -19,12 +19,12 @@ pub(super) fn corners(sides: usize) -> impl Iterator<Item = DVec2> {
     })
 }
 
-/// Where a point of the square, as (x, z), is in a texture that covers it, seen from above.
+/// The texture coordinates of a point (x, z) of the square, for a texture that covers it, as seen from above.
 pub(super) fn from_above(p: DVec2) -> DVec2 {
     DVec2::new(p.x, 1.0 - p.y)
 }
 
-/// Sine and cosine of `part` of `whole` parts of a turn, with the symmetries of the circle to the last bit.
+/// The sine and cosine of `part / whole` turns, with the symmetries of the circle exact to the last bit.
 pub(super) fn sin_cos(part: usize, whole: usize) -> (f64, f64) {
     let part = part % whole;
     let (quarter, rest) = (4 * part / whole, 4 * part % whole);

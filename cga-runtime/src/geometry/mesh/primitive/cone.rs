@@ -6,9 +6,9 @@ use super::cylinder::turned_over;
 use super::{Faces, circle};
 use crate::geometry::mesh::Mesh;
 
-/// A cone about the vertical through the middle, its tip up: `sides` triangles counter-clockwise seen from above, then the
-/// bottom, closed. Fewer than three sides count as three (*primitiveCone operation*). Along the bottom edges u goes from 0
-/// to 1 once; the tip is at (0.5, 1), so that the sides together show the texture as one triangle.
+/// A closed cone about the vertical through the centre, with its tip up: `sides` triangles counter-clockwise as seen
+/// from above, then the bottom. The minimum is three sides (*primitiveCone operation*). Along the bottom edges u goes
+/// once from 0 to 1; the tip is at (0.5, 1), so that the sides together show the texture as one triangle.
 pub fn cone(sides: usize) -> Mesh {
     let sides = circle::sides(sides);
     let ring: Vec<DVec2> = circle::corners(sides).collect();

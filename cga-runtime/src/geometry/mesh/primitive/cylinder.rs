@@ -5,9 +5,10 @@ use glam::{DVec2, DVec3};
 use super::{Faces, circle};
 use crate::geometry::mesh::Mesh;
 
-/// A cylinder about the vertical through the middle: `sides` side faces counter-clockwise seen from above, then top and
-/// bottom, closed. Fewer than three sides count as three (*primitiveCylinder operation*). Around the sides u goes from 0
-/// to 1 once, and v from bottom to top; top and bottom show the texture as seen from outside, with x to the right.
+/// A closed cylinder about the vertical through the centre: `sides` side faces counter-clockwise as seen from above,
+/// then the top and the bottom. The minimum is three sides (*primitiveCylinder operation*). Around the sides u goes
+/// once from 0 to 1, and v goes from bottom to top. The top and the bottom show the texture as seen from outside, with
+/// x to the right.
 pub fn cylinder(sides: usize) -> Mesh {
     let sides = circle::sides(sides);
     let ring: Vec<DVec2> = circle::corners(sides).collect();
@@ -29,7 +30,7 @@ pub fn cylinder(sides: usize) -> Mesh {
     faces.finish(true)
 }
 
-/// The corners of a ring seen from the other side, first edge first: 1 0 n-1 … 2.
+/// The corners of a reversed ring that keeps its first edge: 1 0 n-1 … 2.
 pub(super) fn turned_over(sides: usize) -> impl Iterator<Item = usize> {
     [1, 0].into_iter().chain((2..sides).rev())
 }

@@ -6,8 +6,8 @@ use super::{Faces, circle};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
 
-/// A disk that looks along an axis, in the plane where that is 0. Fewer than three corners count as three (*primitiveDisk
-/// operation*). Its texture fills the square around it.
+/// A disk with its normal along an axis, in the plane where that coordinate is 0. The minimum is three corners
+/// (*primitiveDisk operation*). Its texture fills the square around it.
 pub fn disk(sides: usize, across: Axis) -> Mesh {
     let sides = circle::sides(sides);
     let texture = || circle::corners(sides).map(circle::from_above);
@@ -16,8 +16,8 @@ pub fn disk(sides: usize, across: Axis) -> Mesh {
     faces.finish(false)
 }
 
-/// A square that looks along an axis, in the plane where that is 0, with the texture of a disk there (*primitiveQuad
-/// operation*).
+/// A square with its normal along an axis, in the plane where that coordinate is 0, with the same texture as a disk
+/// there (*primitiveQuad operation*).
 pub(super) fn square(across: Axis) -> Mesh {
     let texture = || [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].into_iter();
     let mut faces = Faces::new(texture().map(|uv| lying(uv, across)).collect(), 4);
@@ -25,8 +25,8 @@ pub(super) fn square(across: Axis) -> Mesh {
     faces.finish(false)
 }
 
-/// Where a point of the texture is on a primitive that lies across an axis. The pictures of *primitiveQuad* and
-/// *primitiveDisk* have u along x, and along -y where there is no x; v along -z, and along y where there is no z.
+/// The position of a texture coordinate on a primitive across an axis. In the pictures of *primitiveQuad* and
+/// *primitiveDisk* u is along x, or along -y if x is constant; v is along -z, or along y if z is constant.
 fn lying(uv: DVec2, across: Axis) -> DVec3 {
     match across {
         Axis::X => DVec3::new(0.0, 1.0 - uv.x, 1.0 - uv.y),

@@ -1,8 +1,9 @@
-//! Primitives in the unit box, 0 to 1 along each axis. Whoever inserts one fits it to its scope.
+//! Primitives in the unit box, 0 to 1 along each axis. The caller fits a primitive to its scope.
 //!
-//! Round ones have their corners on a circle of diameter 1 about the middle, so that few corners do not reach the sides
-//! of the box. They begin in front (z = 1) with a face that looks along z, and go counter-clockwise seen from above; the
-//! pictures of the reference show it by where their texture begins. Texture coordinates are in set 0.
+//! Round primitives have their corners on a circle of diameter 1 about the centre, so with few corners they do not
+//! reach the sides of the box. They begin in front (z = 1) with a face that looks along z, and continue
+//! counter-clockwise as seen from above; the pictures of the reference show this by the start of their texture. Texture
+//! coordinates are in set 0.
 
 mod circle;
 mod cone;
@@ -22,19 +23,19 @@ pub use cylinder::cylinder;
 pub use disk::disk;
 pub use sphere::sphere;
 
-/// A closed box: bottom, top, front, right, back, left (*primitiveCube operation*). Vertices go around the floor, then
+/// A closed box: bottom, top, front, right, back, left (*primitiveCube operation*). Vertices go around the bottom, then
 /// around the top.
 pub fn cube() -> Mesh {
     let points = [0, 1, 5, 4, 2, 3, 7, 6].map(corner);
     unit_box(points, [[0, 1, 2, 3], [7, 6, 5, 4], [3, 2, 6, 7], [2, 1, 5, 6], [1, 0, 4, 5], [0, 3, 7, 4]])
 }
 
-/// A square on the ground that faces up; its first edge runs along x, at z = 1.
+/// A square on the ground that faces up. Its first edge is along x, at z = 1.
 pub fn quad() -> Mesh {
     square(Axis::Y, Provenance::Unknown)
 }
 
-/// A primitive that is a mesh, by what it is made of.
+/// The parameters of a primitive that is a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Made {
     Cylinder { sides: u32 },
@@ -45,7 +46,7 @@ pub(crate) enum Made {
 }
 
 impl Made {
-    /// How many corners its faces have together.
+    /// The total number of corners of its faces.
     pub(crate) fn corner_count(self) -> u64 {
         match self {
             Made::Cylinder { sides } => 6 * u64::from(sides),
@@ -56,7 +57,7 @@ impl Made {
         }
     }
 
-    /// Makes it.
+    /// Makes the mesh.
     pub(crate) fn mesh(self) -> Mesh {
         match self {
             Made::Cylinder { sides } => cylinder(sides as usize),
@@ -68,7 +69,7 @@ impl Made {
     }
 }
 
-/// Puts faces of one loop together, each corner with its texture coordinates.
+/// A builder of faces with one loop, with texture coordinates at each corner.
 struct Faces {
     mesh: Mesh,
     uvs: Vec<DVec2>,
@@ -119,7 +120,7 @@ mod tests {
             assert!(mesh.volume() > 0.0);
             assert_eq!(mesh.check(), []);
             assert_eq!((mesh.bounds().low.y, mesh.bounds().high.y), (0.0, 1.0));
-            // Convex about the middle: each face looks away from it.
+            // Convex about the centre: each face looks away from it.
             let away = |face: crate::geometry::mesh::FaceRef<'_>| {
                 face.normal().dot(face.position(face.corner_range().start) - 0.5)
             };
@@ -137,7 +138,7 @@ mod tests {
             near(&cylinder(sides), base);
             near(&cone(sides), base / 3.0);
             for divisions in [2, 5, 16] {
-                // Frustums between rings; areas go with the square of the radius.
+                // Frustums between rings; their areas scale with the square of the radius.
                 let ring = |j: usize| {
                     let (sin, cos) = libm::sincos(std::f64::consts::PI * j as f64 / divisions as f64);
                     (sin, -0.5 * cos)

@@ -5,10 +5,10 @@ use glam::{DVec2, DVec3};
 use super::{Faces, circle};
 use crate::geometry::mesh::Mesh;
 
-/// A sphere with its poles on the vertical through the middle: `divisions` rows of `sides` faces from the bottom up, each
-/// counter-clockwise seen from above; triangles at the poles, closed. Fewer than three sides and two divisions count as
-/// that many (*primitiveSphere operation*). Around the sphere u goes from 0 to 1 once, and v from pole to pole in equal
-/// steps; each triangle has its pole in the middle of its side.
+/// A closed sphere with its poles on the vertical through the centre: `divisions` rows of `sides` faces from the bottom
+/// up, each row counter-clockwise as seen from above, with triangles at the poles. The minimum is three sides and two
+/// divisions (*primitiveSphere operation*). Around the sphere u goes once from 0 to 1, and v goes from pole to pole in
+/// equal steps. Each triangle has its pole in the middle of its range of u.
 pub fn sphere(sides: usize, divisions: usize) -> Mesh {
     let sides = circle::sides(sides);
     let divisions = divisions.clamp(2, (1 << 22) / sides);

@@ -1,12 +1,12 @@
-//! The range of texture coordinates, and what it measures on the surface.
+//! The range of texture coordinates, and its length on the surface.
 //!
-//! Metres come from the stretch of the surface along a coordinate, that is, from the length of the derivative of the place by
-//! the coordinate while the other one stays. Its mean is weighted by area in texture space. So a street whose u runs from 0
-//! to 1 gets the mean length of its lines of constant v, which is about that of its centre line, however u is shared out
-//! among its faces. On a flat face with an affine chart the result is exact.
+//! Metres come from the stretch of the surface along a coordinate: the length of the derivative of the position by the
+//! coordinate, with the other coordinate constant. The mean stretch is weighted by area in texture space. So a street
+//! with u from 0 to 1 gets the mean length of its lines of constant v, which is about the length of its centre line,
+//! however u is distributed among its faces. For a flat face with an affine chart the result is exact.
 //!
-//! Where the coordinates do not span an area, because v is constant or follows from u, the mean width of the bands between
-//! lines of constant u is taken instead.
+//! If the coordinates span no area, because v is constant or depends on u, the mean width of the bands between lines of
+//! constant u is used instead.
 
 use glam::{DVec2, DVec3};
 
@@ -22,18 +22,18 @@ pub struct UvExtent {
     pub low: DVec2,
     /// The largest u and the largest v.
     pub high: DVec2,
-    /// The metres on the surface that `high - low` spans; 0 where a coordinate is constant or the surface has no area.
+    /// The length of `high - low` on the surface in metres; 0 if a coordinate is constant or the surface has no area.
     pub metres: DVec2,
 }
 
 impl UvExtent {
-    /// Largest minus smallest coordinate (*geometry.du, dv, uvSpace*).
+    /// The largest minus the smallest coordinates (*geometry.du, dv, uvSpace*).
     pub fn size(&self) -> DVec2 {
         self.high - self.low
     }
 
-    /// The coordinate so many metres from the smallest one, for lines of a split in unit space. If the extent is 0 metres, it
-    /// is the smallest coordinate.
+    /// The coordinate at a distance in metres from the smallest one, for the lines of a split in unit space. If the
+    /// extent is 0 metres, it is the smallest coordinate.
     pub fn at_metres(&self, axis: UvAxis, metres: f64) -> f64 {
         let (low, high, all) = (self.low[axis.index()], self.high[axis.index()], self.metres[axis.index()]);
         if all == 0.0 {
@@ -45,13 +45,13 @@ impl UvExtent {
     }
 }
 
-/// The smallest and the largest coordinates of a list; nothing if it is empty.
+/// The smallest and the largest coordinates of a list; `None` if it is empty.
 pub(crate) fn range(uvs: &[DVec2]) -> Option<[DVec2; 2]> {
     let first = *uvs.first()?;
     Some(uvs.iter().fold([first; 2], |[low, high], &uv| [low.min(uv), high.max(uv)]))
 }
 
-/// Largest minus smallest coordinate; 0 where the difference is rounding.
+/// The largest minus the smallest coordinates; 0 if the difference is a rounding error.
 pub(crate) fn spread([low, high]: [DVec2; 2]) -> DVec2 {
     let size = high - low;
     let far = low.abs().max(high.abs()).max(DVec2::ONE);
@@ -61,32 +61,33 @@ pub(crate) fn spread([low, high]: [DVec2; 2]) -> DVec2 {
 /// Sums over triangles of the surface, for u and for v.
 #[derive(Default)]
 struct Sums {
-    /// Stretch times area in texture space, and that area.
+    /// The sum of stretch times area in texture space, and the sum of that area.
     stretched: DVec2,
     chart: f64,
-    /// Area on the surface, and the same times the change of the coordinate.
+    /// The sum of areas on the surface, and the sum of these areas times the gradient of the coordinate.
     area: DVec2,
     change: DVec2,
 }
 
 impl Mesh {
-    /// The smallest and the largest coordinates of a set, without metres; nothing if the mesh does not have the set.
+    /// The smallest and the largest coordinates of a set, without metres. `None` if the mesh does not have the set.
     pub fn uv_range(&self, set: usize) -> Option<[DVec2; 2]> {
         range(self.uv_set(set))
     }
 
-    /// The range of a texture set and its metres, once the mesh is stretched along its axes; nothing if the mesh does not have
-    /// the set.
+    /// The range of a texture set and its metres, after the mesh is stretched along its axes. `None` if the mesh does
+    /// not have the set.
     pub fn uv_extent(&self, set: usize, stretch: DVec3) -> Option<UvExtent> {
         let [low, high] = self.uv_range(set)?;
-        // Powers of two make places and coordinates about one large, so that no product overflows and nothing is rounded.
+        // Powers of two scale positions and coordinates to about 1, so that products do not overflow and scaling does
+        // not round.
         let bounds = self.bounds();
         let stretched = Bounds::of([bounds.low * stretch, bounds.high * stretch]);
         let unit = stretched.scale_to_one();
         let one = |low: f64, high: f64| Bounds { low: DVec3::splat(low), high: DVec3::splat(high) }.scale_to_one();
         let scale = DVec2::new(one(low.x, high.x), one(low.y, high.y));
         let range = high * scale - low * scale;
-        // What differs by rounding alone, beside the largest of both coordinates, does not vary.
+        // A difference that is only rounding, relative to the largest of both coordinates, counts as constant.
         let far = low.abs().max(high.abs()).max_element();
         let is_constant = (high * 0.5 - low * 0.5).cmple(DVec2::splat(far * 0.5 * NEXT_EPSILON));
         let varied = DVec2::select(is_constant, DVec2::INFINITY, range);
@@ -120,7 +121,7 @@ impl Mesh {
 }
 
 impl Sums {
-    /// Adds a triangle, by two of its edges in space and in texture space. Where a coordinate is constant, it has no stretch.
+    /// Adds a triangle, given by two of its edges in space and in texture space. A constant coordinate has no stretch.
     fn add(&mut self, [p, q]: [DVec3; 2], [a, b]: [DVec2; 2], range: DVec2) {
         let varies = a.abs().max(b.abs()).max((a - b).abs()).cmpgt(range * CHART_EPSILON);
         let (forward, back) = (a.x * b.y, a.y * b.x);
@@ -142,7 +143,7 @@ mod tests {
     use super::*;
     use crate::geometry::mesh::{FaceTag, MeshBuilder};
 
-    /// Faces by their corners, each a place on the ground and its coordinates.
+    /// Faces by their corners, each with a position on the ground and its coordinates.
     fn mesh(faces: &[&[([f64; 2], [f64; 2])]]) -> Mesh {
         let mut builder = MeshBuilder::new();
         for face in faces {
@@ -197,13 +198,13 @@ mod tests {
 
     #[test]
     fn a_street_is_as_long_as_its_centre_line() {
-        // Straight, with one half of u on a tenth of the length.
+        // A straight street with one half of u on a tenth of the length.
         let straight = mesh(&[
             &quad([[0.0, 0.0], [10.0, 0.0], [10.0, 6.0], [0.0, 6.0]], [0.0, 0.5]),
             &quad([[10.0, 0.0], [100.0, 0.0], [100.0, 6.0], [10.0, 6.0]], [0.5, 1.0]),
         ]);
         assert!((extent(&straight).metres - DVec2::new(100.0, 6.0)).abs().max_element() < 1e-12);
-        // Around a corner, mitred: the centre line has 20 + 20.
+        // Around a mitred corner: the centre line has a length of 20 + 20.
         let bent = mesh(&[
             &quad([[0.0, -3.0], [23.0, -3.0], [17.0, 3.0], [0.0, 3.0]], [0.0, 0.5]),
             &quad([[23.0, -3.0], [23.0, 20.0], [17.0, 20.0], [17.0, 3.0]], [0.5, 1.0]),
@@ -221,11 +222,11 @@ mod tests {
         let nothing = corners.map(|p| (p, [0.5, 0.25]));
         let found = extent(&mesh(&[&nothing]));
         assert_eq!((found.metres, found.at_metres(UvAxis::U, 3.0)), (DVec2::ZERO, 0.5));
-        // A wall seen from its side, beside one that is seen from the front.
+        // A wall seen edge-on, beside a wall seen from the front.
         let side = [[8.0, 0.0], [8.0, -50.0], [9.0, -50.0], [9.0, 0.0]].map(|p: [f64; 2]| (p, [1.0, p[1] * 0.02]));
         let front = corners.map(|p| (p, [p[0] / 8.0, p[1] / 2.0]));
         assert_eq!(extent(&mesh(&[&front, &side])).metres.x, 8.0);
-        // Without area.
+        // A surface without area.
         let line = corners.map(|p| ([p[0] + p[1] * 3.0, 0.0], [p[0], p[1]]));
         assert!(extent(&mesh(&[&line])).metres.is_finite());
     }

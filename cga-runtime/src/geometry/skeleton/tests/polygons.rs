@@ -1,4 +1,4 @@
-//! Polygons to try: unions of cells, stars, what tests write down.
+//! Polygons for tests: unions of cells, stars, and polygons given as text.
 
 use std::f64::consts::TAU;
 
@@ -43,7 +43,7 @@ impl Polygon {
     }
 
     fn add(&mut self, ring: Vec<DVec2>) {
-        // A place is one point, so that jitter keeps together what meets.
+        // One position is one point, so that jitter keeps touching corners together.
         let mut number = |p: DVec2| {
             let known = self.points.iter().position(|&q| q == p);
             known.unwrap_or_else(|| {
@@ -55,7 +55,7 @@ impl Polygon {
         self.rings.push(ring);
     }
 
-    /// Around the origin, perhaps with a hole.
+    /// A star around the origin, optionally with a hole.
     pub(super) fn star(rng: &mut Rng, corners: usize, hole: bool) -> Self {
         let mut polygon = Polygon { points: Vec::new(), rings: Vec::new() };
         let mut radial = |low: f64, high: f64| -> Vec<DVec2> {
@@ -75,7 +75,7 @@ impl Polygon {
         polygon
     }
 
-    /// Around a circle, with corners in random places of it.
+    /// A convex polygon with corners at random positions on a circle.
     pub(super) fn convex(rng: &mut Rng, corners: usize) -> Self {
         let step = TAU / corners as f64;
         let at = |i: usize, by: f64| (i as f64 + 0.7 * by) * step;
@@ -86,7 +86,8 @@ impl Polygon {
         polygon
     }
 
-    /// On a lattice of so many lines, if that leaves it a polygon: many things happen at once then.
+    /// The polygon rounded to a lattice of `lines` lines, if the result is still a polygon. This makes many events
+    /// simultaneous.
     pub(super) fn rounded(&self, lines: f64) -> Self {
         let rings =
             self.rings.iter().map(|ring| ring.iter().map(|&p| (self.points[p as usize] * lines).round() / lines));
@@ -109,17 +110,17 @@ impl Polygon {
         self.rings.iter().flat_map(move |ring| (0..ring.len()).map(move |i| [at(ring, i), at(ring, i + 1)]))
     }
 
-    /// Whether a point is inside of an outline and of no hole, whichever way they run.
+    /// Returns true if a point is inside an outline and in no hole, for any winding.
     pub(super) fn holds(&self, p: DVec2) -> bool {
         self.rings.iter().filter(|ring| holds(&self.points, ring, p)).count() % 2 == 1
     }
 
-    /// How far a point is from the outline.
+    /// The distance of a point from the outline.
     pub(super) fn distance(&self, p: DVec2) -> f64 {
         self.edges().map(|[a, b]| to_segment(p, a, b)).fold(f64::INFINITY, f64::min).sqrt()
     }
 
-    /// How much faster than edges the fastest corner moves that is not convex.
+    /// The speed of the fastest corner that is not convex, relative to that of edges.
     pub(super) fn sharpest(&self) -> f64 {
         let mut most: f64 = 1.0;
         for ring in &self.rings {
@@ -134,7 +135,7 @@ impl Polygon {
         most
     }
 
-    /// The area of a convex polygon where it is behind all edges moved in: by cutting with one after the other.
+    /// The area of a convex polygon after all edges have moved inwards, computed by cuts with one edge after the other.
     pub(super) fn clipped(&self, distance: f64) -> f64 {
         let mut rest: Vec<DVec2> = self.points.clone();
         for [a, b] in self.edges() {
@@ -155,7 +156,7 @@ impl Polygon {
         if ring.len() < 3 { 0.0 } else { 0.5 * twice_area(&rest, &ring) }
     }
 
-    /// The area of a convex polygon that has grown: its own, a rectangle for each edge, a kite for each corner.
+    /// The area of a convex polygon that has grown: its own area, a rectangle per edge, a kite per corner.
     pub(super) fn mitred(&self, distance: f64) -> f64 {
         let ring = &self.rings[0];
         let at = |i: usize| self.points[ring[i % ring.len()] as usize];
@@ -168,7 +169,7 @@ impl Polygon {
         area
     }
 
-    /// The outside: loops the other way round.
+    /// The region outside: the reversed loops.
     pub(super) fn inverted(&self) -> Self {
         let mut polygon = self.clone();
         polygon.rings.iter_mut().for_each(|ring| ring.reverse());
@@ -188,13 +189,13 @@ impl Polygon {
     }
 }
 
-/// Whether a loop winds around a point.
+/// Returns true if a loop winds around a point.
 pub(super) fn holds(points: &[DVec2], ring: &[u32], p: DVec2) -> bool {
     let ring: Vec<DVec2> = ring.iter().map(|&i| points[i as usize]).collect();
     winding(&ring, p).is_some_and(|turns| turns != 0)
 }
 
-/// Squares of a chessboard.
+/// Cells of a chessboard.
 #[derive(Clone, Debug)]
 pub(super) struct Cells {
     size: i32,
@@ -212,7 +213,7 @@ impl Cells {
         (0..self.size).contains(&x) && (0..self.size).contains(&y) && self.full[(y * self.size + x) as usize]
     }
 
-    /// Their outline, with corners where it turns. Where cells meet at a corner only, outlines meet there.
+    /// The outline of the cells, with corners at turns. Outlines touch where cells meet only at a corner.
     pub(super) fn polygon(&self) -> Polygon {
         let mut edges: Vec<[(i32, i32); 2]> = Vec::new();
         for y in 0..self.size {
@@ -232,7 +233,7 @@ impl Cells {
             while ring[ring.len() - 1][1] != start[0] {
                 let last = ring[ring.len() - 1];
                 let along = (last[1].0 - last[0].0, last[1].1 - last[0].1);
-                // To the left, straight on, to the right: a corner that is met twice is passed inside.
+                // Left, straight, right: a corner that is visited twice is passed on the inner side.
                 let turns = [(-along.1, along.0), along, (along.1, -along.0)];
                 let next = turns.iter().find_map(|turn| {
                     edges.iter().position(|e| e[0] == last[1] && (e[1].0 - e[0].0, e[1].1 - e[0].1) == *turn)
@@ -249,7 +250,8 @@ impl Cells {
         polygon
     }
 
-    /// The area after so many eighths, by raster. Outside, what is left is counted negative as far as it is not left.
+    /// The area after `eighths` eighths, counted on a raster. For the region outside, the negative of the area that
+    /// does not remain.
     pub(super) fn eroded(&self, eighths: usize, outside: bool) -> f64 {
         let (e, margin) = (eighths as i32, 2);
         let cell = |v: i32| v.div_euclid(8);

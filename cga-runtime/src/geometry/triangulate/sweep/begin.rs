@@ -1,6 +1,6 @@
 //! Corners with both edges above them, where regions begin.
 //!
-//! Only here the status is searched. Everywhere else a corner's edges tell which region it belongs to.
+//! The status is searched only here. At all other corners the edges determine the region.
 
 use glam::DVec2;
 
@@ -13,7 +13,7 @@ impl Sweep {
         let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
         let turn = orient(points[a as usize], points[corner as usize], points[b as usize]);
         let right_of = |from: DVec2, to: DVec2| -> i32 {
-            // On the line it is the corner's own edges that tell.
+            // If the corner is on the line, its own edges decide.
             let mut sides = [corner, a, b].into_iter().map(|c| orient(from, to, points[c as usize]));
             -sides.find(|&side| side != 0).unwrap_or(0)
         };
@@ -30,7 +30,8 @@ impl Sweep {
         };
         self.status.insert_after(split.or(left), [corner, a].map(|c| points[c as usize]));
         if let Some(region) = split {
-            // The chain parts at the point that came last; the corner sees it, and goes on from it both ways.
+            // The chain is divided at its latest point. The corner sees that point and continues from it in both
+            // directions.
             let old = self.regions[region as usize];
             let Link { corner: last, next, .. } = self.links[old.latest as usize];
             self.links[old.latest as usize].next = NONE;
@@ -51,8 +52,8 @@ impl Sweep {
         }
     }
 
-    /// The region that has a hole which begins outside of it, because loops cross by rounding: the nearer one of the regions
-    /// to the left and to the right.
+    /// The region of a hole that begins outside it, because loops cross by rounding errors: the nearer one of the
+    /// regions to the left and to the right.
     fn beside(&self, points: &[DVec2], corner: u32, left: Option<u32>, right: Option<u32>) -> Option<u32> {
         let distance = |edge: u32| {
             let [a, b, p] = [edge, self.next[edge as usize], corner].map(|c| points[c as usize]);

@@ -1,13 +1,14 @@
 //! The status of the sweep: the regions on the sweep line, from left to right.
 //!
-//! A height-balanced (AVL) tree in an arena. A region's number is the index of its node, so a region is removed without a
-//! search. All steps are loops, and each takes at most the height of the tree, whatever comparisons return.
+//! A height-balanced (AVL) tree in an arena. A region's number is the index of its node, so a region is removed without
+//! a search. All steps are loops, and each takes at most as many steps as the tree is high, for any results of the
+//! comparisons.
 
 use glam::DVec2;
 
 use super::NONE;
 
-/// A region in the tree. Neighbours are indices, or [`NONE`].
+/// A region in the tree. Links are indices, or [`NONE`].
 #[derive(Clone, Copy)]
 struct Node {
     parent: u32,
@@ -15,7 +16,8 @@ struct Node {
     children: [u32; 2],
     /// The height of the subtree, 1 for a leaf.
     height: u32,
-    /// The lower and upper end of the region's left edge. They are here because searches in a large tree wait for memory.
+    /// The lower and upper end of the region's left edge. Stored here, because searches in a large tree wait for
+    /// memory.
     edge: [DVec2; 2],
 }
 
@@ -41,8 +43,8 @@ impl Status {
         self.root = NONE;
     }
 
-    /// The regions on both sides of a place: the last one whose left edge is left of it and the first one whose is not, by
-    /// binary search.
+    /// The regions on both sides of a position: the last one whose left edge is left of it, and the first one whose
+    /// left edge is not. A binary search.
     #[inline]
     pub(super) fn around(&self, mut is_left: impl FnMut([DVec2; 2]) -> bool) -> [Option<u32>; 2] {
         let mut found = [None; 2];
@@ -56,7 +58,7 @@ impl Status {
         found
     }
 
-    /// Inserts the next region, whose number is the count of regions so far, after another one, or before all.
+    /// Inserts the next region, numbered by the count of regions so far, after another region, or at the front.
     pub(super) fn insert_after(&mut self, region: Option<u32>, edge: [DVec2; 2]) {
         let new = self.nodes.len() as u32;
         let (parent, side) = match region {
@@ -76,7 +78,7 @@ impl Status {
         }
     }
 
-    /// Gives a region the next left edge.
+    /// Sets the left edge of a region.
     #[inline]
     pub(super) fn set_edge(&mut self, region: u32, edge: [DVec2; 2]) {
         self.nodes[region as usize].edge = edge;
@@ -117,7 +119,7 @@ impl Status {
         }
     }
 
-    /// Makes a subtree, or none, a child.
+    /// Makes a subtree, or no subtree, a child.
     fn adopt(&mut self, parent: u32, side: usize, child: u32) {
         self.nodes[parent as usize].children[side] = child;
         if child != NONE {
@@ -125,7 +127,7 @@ impl Status {
         }
     }
 
-    /// Puts a subtree, or none, in the place of a child, or of the root.
+    /// Puts a subtree, or no subtree, in the place of a child or of the root.
     fn replace(&mut self, parent: u32, old: u32, new: u32) {
         if parent != NONE {
             let side = usize::from(self.nodes[parent as usize].children[RIGHT] == old);
@@ -189,7 +191,7 @@ impl Status {
 mod tests {
     use super::*;
 
-    /// The regions in order. Checks links and heights on the way.
+    /// The regions in order. Checks links and heights.
     fn in_order(status: &Status) -> Vec<u32> {
         fn walk(status: &Status, at: u32, parent: u32, order: &mut Vec<u32>) -> u32 {
             if at == NONE {
@@ -216,7 +218,7 @@ mod tests {
             random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (random >> 33) as usize % count
         };
-        // Grows, shrinks to nothing and grows again, at random places and at the ends.
+        // Grows, shrinks to nothing and grows again, at random positions and at the ends.
         for ends in [false, true] {
             let (mut status, mut list) = (Status::default(), Vec::new());
             for round in 0..6_000 {
