@@ -22,15 +22,16 @@
 pub use glam;
 
 pub mod asset;
-pub mod comp;
+pub(crate) mod comp;
 pub mod fault;
-pub mod func;
+pub(crate) mod func;
 pub mod geometry;
 pub mod grammar;
 pub mod material;
-pub mod op;
+pub(crate) mod op;
 pub mod output;
-pub mod query;
+pub(crate) mod query;
+#[doc(hidden)]
 pub mod rt;
 pub mod run;
 pub mod shape;

@@ -6,5 +6,6 @@ mod mistakes;
 #[path = "../../../cga-lang/tests/print/mod.rs"]
 mod print;
 mod rows;
+mod rt;
 mod sources;
 mod ui;

@@ -7,12 +7,12 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::Components;
-use super::faces::extract;
 use super::roof::Roof;
 use super::select::{RoofEdge, Sense, Subcomponent, Word};
 use crate::comp::orientation::Looks;
 use crate::geometry::Frame;
 use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
+use crate::geometry::mesh::extract;
 use crate::geometry::mesh::{Adjacency, FaceTag, Mesh, MeshBuilder, flip, unit};
 use crate::geometry::provenance::Provenance;
 use crate::geometry::tol::{COPLANAR_EPSILON, UP_EPSILON};

@@ -1,13 +1,12 @@
 //! The component split: which component goes to which arm, and the shapes they make.
 
 mod candidate;
-pub mod faces;
 mod mesh_parts;
 pub(crate) mod orientation;
 mod owners;
 mod part;
 mod roof;
-pub mod select;
+pub(crate) mod select;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -27,7 +26,8 @@ use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::trim::{Surface, Trims};
 use crate::shape::{Counter, Geometry, Shape, ShapeRef};
 
-pub use candidate::{Candidate, is_tagged, is_tagged_at};
+pub(crate) use candidate::Candidate;
+pub use candidate::{is_tagged, is_tagged_at};
 pub use select::Subcomponent;
 pub use value::comp_values;
 

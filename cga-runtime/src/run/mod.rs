@@ -2,7 +2,7 @@
 
 pub(crate) mod context;
 pub(crate) mod derive;
-pub mod env;
+pub(crate) mod env;
 pub mod report;
 pub mod rules;
 pub mod settings;

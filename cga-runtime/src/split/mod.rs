@@ -1,11 +1,11 @@
 //! The split operation on a shape: which slots get room is arithmetic and found in `cga-split`; here pieces become shapes.
 
 mod area;
-pub mod divide;
-pub mod division;
+pub(crate) mod divide;
+pub(crate) mod division;
 mod parts;
-pub mod row;
-pub mod texture;
+pub(crate) mod row;
+pub(crate) mod texture;
 
 pub use cga_split::{Item, Piece, Prefix, Size, Solution, solve, solve_any};
 

@@ -17,7 +17,7 @@ use crate::shape::base::Base;
 use crate::shape::{Geometry, Inserted, Placed, Shape, ShapeRef};
 
 /// The coordinate, the unit and the uv set of a split in texture space.
-pub type TextureAxis = (UvAxis, TextureSpace, f64);
+pub(crate) type TextureAxis = (UvAxis, TextureSpace, f64);
 
 /// The pieces of a split in texture space, and their shapes. The borders are the smallest and the largest coordinate. There are no pieces,
 /// and there is a fault, without coordinates in the set; none where all coordinates are equal. `Break` when a limit was reached.

@@ -26,7 +26,7 @@ use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
 
 pub(crate) use record::Tape;
-pub use replay::{Last, PartId, Replay};
+pub use replay::{PartId, Replay};
 
 /// The templates of a place in the rules that are kept, the last ones used.
 const KEPT: usize = 16;

@@ -1,7 +1,7 @@
 //! Faces taken out of a mesh.
 
+use super::Mesh;
 use crate::geometry::Frame;
-use crate::geometry::mesh::Mesh;
 
 /// A mesh of just these faces, in their order, in the coordinates of a frame. Points are shared as before, those no
 /// longer used are dropped; tags, texture coordinates and normals are kept. Faces that do not exist are left out.
