@@ -4,7 +4,7 @@ use super::Mesh;
 use crate::geometry::Frame;
 
 /// A mesh of the given faces, in their order, in the coordinates of a frame. Shared points stay shared, and unused
-/// points are dropped. Tags, texture coordinates and normals are kept. Faces that do not exist are skipped.
+/// points are dropped. Tags, texture coordinates and normals are kept. Faces that do not exist are ignored.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let into = to.axes.transpose();
     let mut part = mesh.alike(0);
