@@ -21,16 +21,6 @@ pub fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
     }
 }
 
-/// What a step hands shapes to.
-pub fn targets(step: &Step) -> Vec<&Target> {
-    match step {
-        Step::Give(target) | Step::Anew(Anew { target, .. }) => vec![target],
-        Step::Split(split) => split.slots.iter().collect(),
-        Step::Comp(comp) => comp.arms.iter().map(|arm| &arm.then).collect(),
-        _ => Vec::new(),
-    }
-}
-
 /// The rules that a body calls, each once, in the order of their numbers.
 pub fn called(body: &[Step]) -> Vec<RuleId> {
     let mut list = Vec::new();
@@ -69,39 +59,56 @@ pub fn in_rule<'g>(rule: &'g Rule, visit: &mut dyn FnMut(&'g Expr)) {
     });
 }
 
-/// The expressions of a step itself.
-pub fn in_step(step: &Step) -> Vec<&Expr> {
-    match step {
-        Step::Do(_, args, _) => args
-            .iter()
-            .filter_map(|arg| match arg {
-                Arg::Value(value) => Some(value),
-                Arg::Length(size) => Some(&size.value),
-                Arg::Word(_) => None,
-            })
-            .collect(),
-        Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
-        Step::Rust(_, args, _) => args.iter().collect(),
-        Step::Anew(anew) => anew.given.iter().map(|(_, value)| value).collect(),
-        Step::Split(split) => {
-            let set = match &split.measure {
-                Measure::Texture(texture) => Some(&texture.set),
-                Measure::Length | Measure::Area => None,
-            };
-            set.into_iter().chain(split.sizes.iter().map(|size| &size.value)).collect()
+macro_rules! of_steps {
+    ($targets:ident, $in_step:ident, $iter:ident $(, $mutable:tt)?) => {
+        /// The targets that a step hands shapes to.
+        pub fn $targets(step: &$($mutable)? Step) -> Vec<&$($mutable)? Target> {
+            match step {
+                Step::Give(target) | Step::Anew(Anew { target, .. }) => vec![target],
+                Step::Split(split) => split.slots.$iter().collect(),
+                Step::Comp(comp) => comp.arms.$iter().map(|arm| &$($mutable)? arm.then).collect(),
+                _ => Vec::new(),
+            }
         }
-        Step::Comp(comp) => comp
-            .arms
-            .iter()
-            .filter_map(|arm| match &arm.selector {
-                Selector::Index(asked) | Selector::When(asked) => Some(asked),
-                Selector::Word(_) => None,
-            })
-            .collect(),
-        Step::Case { arms, .. } => arms.iter().map(|(condition, _)| condition).collect(),
-        Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Later(..) => Vec::new(),
-    }
+
+        /// The expressions of a step itself, without those of its targets and of the steps in it.
+        pub fn $in_step(step: &$($mutable)? Step) -> Vec<&$($mutable)? Expr> {
+            match step {
+                Step::Do(_, args, _) => args
+                    .$iter()
+                    .filter_map(|arg| match arg {
+                        Arg::Value(value) => Some(value),
+                        Arg::Length(size) => Some(&$($mutable)? size.value),
+                        Arg::Word(_) => None,
+                    })
+                    .collect(),
+                Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
+                Step::Rust(_, args, _) => args.$iter().collect(),
+                Step::Anew(anew) => anew.given.$iter().map(|(_, value)| value).collect(),
+                Step::Split(split) => {
+                    let set = match &$($mutable)? split.measure {
+                        Measure::Texture(texture) => Some(&$($mutable)? texture.set),
+                        Measure::Length | Measure::Area => None,
+                    };
+                    set.into_iter().chain(split.sizes.$iter().map(|size| &$($mutable)? size.value)).collect()
+                }
+                Step::Comp(comp) => comp
+                    .arms
+                    .$iter()
+                    .filter_map(|arm| match &$($mutable)? arm.selector {
+                        Selector::Index(asked) | Selector::When(asked) => Some(asked),
+                        Selector::Word(_) => None,
+                    })
+                    .collect(),
+                Step::Case { arms, .. } => arms.$iter().map(|(condition, _)| condition).collect(),
+                Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Later(..) => Vec::new(),
+            }
+        }
+    };
 }
+
+of_steps!(targets, in_step, iter);
+of_steps!(targets_mut, in_step_mut, iter_mut, mut);
 
 /// An expression and its parts.
 pub fn parts<'g>(expr: &'g Expr, visit: &mut dyn FnMut(&'g Expr)) {

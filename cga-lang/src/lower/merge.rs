@@ -312,7 +312,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
                 }
                 _ => {}
             }
-            for target in walk::targets(step) {
+            for target in ir_walk::targets_mut(step) {
                 if let Target::Rule { rule: id, .. } = target {
                     rule(id);
                 }

@@ -1,6 +1,7 @@
-//! Over the expressions of a rule's body, to change them. Who only looks uses `ir_walk`.
+//! The steps and expressions of a rule's body, to change them.
 
-use crate::ir::{Arg, Expr, ExprKind, Grammar, Measure, Selector, Step, Target};
+use crate::ir::{Expr, ExprKind, Grammar, Step, Target};
+use crate::ir_walk::{in_step_mut, targets_mut};
 
 /// Every step of a body, those in brackets and branches included.
 pub(super) fn steps(list: &mut [Step], visit: &mut dyn FnMut(&mut Step)) {
@@ -21,69 +22,16 @@ pub(super) fn steps(list: &mut [Step], visit: &mut dyn FnMut(&mut Step)) {
     }
 }
 
-/// What a step hands shapes to.
-pub(super) fn targets(step: &mut Step) -> Vec<&mut Target> {
-    match step {
-        Step::Give(target) => vec![target],
-        Step::Anew(anew) => vec![&mut anew.target],
-        Step::Split(split) => split.slots.iter_mut().collect(),
-        Step::Comp(comp) => comp.arms.iter_mut().map(|arm| &mut arm.then).collect(),
-        _ => Vec::new(),
-    }
-}
-
-/// Every expression that stands in a body, without its parts.
-pub(super) fn exprs(steps: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
-    for step in steps {
-        match step {
-            Step::Do(_, args, _) => args.iter_mut().for_each(|arg| match arg {
-                Arg::Value(value) => visit(value),
-                Arg::Length(size) => visit(&mut size.value),
-                Arg::Word(_) => {}
-            }),
-            Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => visit(value),
-            Step::Rust(_, args, _) => args.iter_mut().for_each(&mut *visit),
-            Step::Give(target) => target_exprs(target, visit),
-            Step::Split(split) => {
-                if let Measure::Texture(texture) = &mut split.measure {
-                    visit(&mut texture.set);
-                }
-                split.sizes.iter_mut().for_each(|size| visit(&mut size.value));
-                split.slots.iter_mut().for_each(|target| target_exprs(target, visit));
+/// Every expression of a body, without its parts.
+pub(super) fn exprs(body: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
+    steps(body, &mut |step| {
+        in_step_mut(step).into_iter().for_each(&mut *visit);
+        for target in targets_mut(step) {
+            if let Target::Rule { args, .. } = target {
+                args.iter_mut().for_each(&mut *visit);
             }
-            Step::Comp(comp) => {
-                for arm in &mut comp.arms {
-                    if let Selector::Index(asked) | Selector::When(asked) = &mut arm.selector {
-                        visit(asked);
-                    }
-                    target_exprs(&mut arm.then, visit);
-                }
-            }
-            Step::Push(steps) => exprs(steps, visit),
-            Step::Anew(anew) => {
-                anew.given.iter_mut().for_each(|(_, value)| visit(value));
-                target_exprs(&mut anew.target, visit);
-            }
-            Step::Case { arms, otherwise } => {
-                for (condition, steps) in arms {
-                    visit(condition);
-                    exprs(steps, visit);
-                }
-                exprs(otherwise, visit);
-            }
-            Step::Chance { arms, otherwise } => {
-                arms.iter_mut().for_each(|(_, steps)| exprs(steps, visit));
-                exprs(otherwise, visit);
-            }
-            Step::Later(..) => {}
         }
-    }
-}
-
-fn target_exprs(target: &mut Target, visit: &mut dyn FnMut(&mut Expr)) {
-    if let Target::Rule { args, .. } = target {
-        args.iter_mut().for_each(visit);
-    }
+    });
 }
 
 /// Every expression of a grammar, with its parts.
