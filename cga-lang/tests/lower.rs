@@ -3,7 +3,7 @@
 mod common;
 
 use cga_lang::compile::{Compiled, Door, compile};
-use cga_lang::ir::{Anew, Item, RuleId, Step, Target, Type};
+use cga_lang::ir::{Anew, Item, Parts, RuleId, Step, Target, Type};
 use cga_lang::ir_print::print;
 use cga_lang::lex::lex;
 use cga_lang::link::{NoFiles, Unit};
@@ -43,12 +43,17 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
     for step in steps {
         match step {
             Step::Give(target) | Step::Anew(Anew { target, .. }) => visit(target),
-            Step::Split(split) => {
-                assert_eq!(split.sizes.len(), split.slots.len());
-                assert_eq!(slots(&split.pattern), split.slots.len());
-                split.slots.iter().for_each(&mut *visit);
+            Step::Block(block) => {
+                assert_eq!(block.args.len(), block.row.params.len());
+                match &block.parts {
+                    Parts::Slots(own) => {
+                        assert_eq!(own.sizes.len(), own.targets.len());
+                        assert_eq!(slots(&own.pattern), own.targets.len());
+                        own.targets.iter().for_each(&mut *visit);
+                    }
+                    Parts::Arms(arms) => arms.iter().for_each(|arm| visit(&arm.then)),
+                }
             }
-            Step::Comp(comp) => comp.arms.iter().for_each(|arm| visit(&arm.then)),
             Step::Push(steps) => targets(steps, visit),
             Step::Case { arms, otherwise } => {
                 arms.iter().for_each(|(_, steps)| targets(steps, visit));
