@@ -302,3 +302,34 @@ fn long_lists_take_time_in_proportion() {
     disk.check(&compiled);
     assert_eq!(count_of(&compiled, Code::DuplicateName), 2 * (count - 1));
 }
+
+#[test]
+fn a_file_is_parsed_once() {
+    // Two styles, fifty imports, and a mistake in the imported file.
+    let imports: String = (0..50).map(|number| format!("import i{number} : \"b.cga\" ")).collect();
+    let calls: String = (0..50).map(|number| format!("i{number}.R ")).collect();
+    let main = format!("{imports} Lot --> {calls} style S attr h = 1");
+    let mut disk = disk_of([("a.cga".into(), main), ("b.cga".into(), "R --> X.  Q --> split(x) { ~1 }".into())]);
+    let compiled = disk.compile("a.cga");
+    disk.check(&compiled);
+    let names: Vec<&str> = compiled.files.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!(names, ["a.cga", "b.cga"]);
+    assert_eq!(compiled.diags.iter().filter(|diag| compiled.locate(diag.span.first).0 == 1).count(), 1);
+    // Without the mistake there is a rule for each import.
+    disk.files.insert("b.cga".into(), lex("R --> X.").tokens);
+    let compiled = disk.compile("a.cga");
+    assert_eq!(compiled.files.len(), 2);
+    assert_eq!(compiled.grammar.map(|grammar| grammar.rules.len()), Some(51));
+}
+
+#[test]
+fn a_declaration_with_several_tuples_of_types_has_one_tree() {
+    let text = "f(x) = x  R(x) --> print(f(x))  Lot --> R(1) R(\"a\") R(true) R([1])";
+    let mut disk = disk_of([("a.cga".into(), text.into())]);
+    let compiled = disk.compile("a.cga");
+    disk.check(&compiled);
+    assert_eq!(compiled.files[0].tokens.len(), lex(text).tokens.len());
+    let grammar = compiled.grammar.expect("no error");
+    assert_eq!((grammar.functions.len(), grammar.rules.len()), (4, 5));
+    assert!(grammar.functions.iter().all(|function| function.span == grammar.functions[0].span));
+}

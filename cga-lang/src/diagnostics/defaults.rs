@@ -29,7 +29,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
     let flow = Flow::new(&cx.globals, &known, Some(calls));
     let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
-        if !program.roots.contains(&item.instance) {
+        if !program.roots.contains(&item.instance) || agreed.is_settled(item) {
             continue;
         }
         let mut list = Vec::new();

@@ -39,6 +39,9 @@ pub(crate) fn check(cx: &mut Cx) {
     let projected = Projected::new(cx, &alone);
     let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
+        if agreed.is_settled(item) {
+            continue;
+        }
         let mut diags = Diags::new();
         // A rule may be made for more than what its calls give it today, and rules ask for sizes that they have set: conditions
         // are judged by values and other conditions.
@@ -79,6 +82,9 @@ pub(crate) fn check(cx: &mut Cx) {
         agreed.add(item, diags.finish());
     }
     for item in cx.globals.values() {
+        if agreed.is_settled(item) {
+            continue;
+        }
         let mut diags = Diags::new();
         let own = item.value().map_or(item.own, |(_, own)| own);
         let facts = Facts::any(own, item.decl.params.len() + item.decl.locals.len());
