@@ -1,10 +1,11 @@
-//! The numbers of a run's materials.
+//! The numbers of a run's looks.
 //!
-//! Slim shapes and sinks have numbers in place of materials: a colour that is a constant is one comparison, and a sink looks
-//! a material up only where the number changes. Random colours must not let the table grow without limit, so few materials
-//! have a number; others are those of their base.
+//! Slim shapes and sinks have numbers in place of looks. So a constant colour costs one comparison, and a sink looks
+//! a material up only where the number changes. Random colours must not let the table grow without limit, so few
+//! looks have a number; a shape with another look takes the look of its base.
 //!
-//! Templates are kept for numbers, so the materials that have one follow from the rules alone, whatever a session did before.
+//! Templates are kept by number. So the looks with a number follow from the rules alone, independently of earlier
+//! runs of the session.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -12,48 +13,49 @@ use std::sync::Arc;
 use super::look::Look;
 use crate::shape::state::UNSET;
 
-/// The number of a material among those of the run.
+/// The number of a look in the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct MaterialId(pub(crate) u32);
 
 impl MaterialId {
-    /// A material without a number: that of the base.
+    /// A look without a number: the look of the base.
     pub(crate) const OF_BASE: MaterialId = MaterialId(u32::MAX);
 
-    /// The bit of looks with implicit texture coordinates.
+    /// The flag of looks with implicit texture coordinates.
     const COORDINATES: u32 = 1 << 31;
 
-    /// The number in the list.
+    /// The index in the list.
     #[inline]
     pub(crate) fn index(self) -> u32 {
         self.0 & !MaterialId::COORDINATES
     }
 
-    /// Returns true if there may be implicit texture coordinates. Without a number there may be.
+    /// Returns true if the look may have implicit texture coordinates, as every look without a number may.
     #[inline]
     pub(crate) fn may_have_coordinates(self) -> bool {
         self.0 & MaterialId::COORDINATES != 0
     }
 }
 
-/// Materials that have a number in a run. More than rules can make with constant colours, in any sensible use.
+/// The largest number of looks with a number in a run: more than rules make with constant colours in any sensible
+/// use.
 const MOST: usize = 1 << 16;
 
-/// Materials that a session keeps for its next run.
+/// The number of looks that a session keeps for its next run.
 const MANY: usize = 1024;
 
-/// Materials added last that are compared with one that has no number yet. An equal one further back costs a second number.
+/// The number of recent looks that a new one is compared with. A look that equals an older one gets a second number.
 const COMPARED: usize = 64;
 
-/// The materials of a run by number, and the results of the material operations with constant arguments.
+/// The looks of a run by number, and the results of material operations with constant arguments.
 #[derive(Clone, Debug)]
 pub(crate) struct MaterialIds {
     list: Vec<Arc<Look>>,
-    /// The numbers of the list by address.
+    /// The numbers by the address of the look.
     by_address: BTreeMap<usize, u32>,
-    /// By place in the rules: the material before the operation and the one after it, as it was found last.
+    /// By place in the rules: the look before the operation and the look after it, as found last.
     paints: Vec<Option<(MaterialId, MaterialId)>>,
-    /// All of these: the material after an operation, by its place and by the number of the material before.
+    /// All such results: the look after an operation, by its place and the look before.
     painted: BTreeMap<(u32, u32), MaterialId>,
 }
 
@@ -74,13 +76,13 @@ impl MaterialIds {
         MANY <= self.list.len()
     }
 
-    /// The material with a number; nothing for that of the base.
+    /// The look with a number; `None` for the look of the base.
     #[inline]
     pub(crate) fn get(&self, id: MaterialId) -> Option<&Arc<Look>> {
         self.list.get(id.index() as usize)
     }
 
-    /// The number of a material, if it has one.
+    /// The number of a look, or `OF_BASE`.
     #[inline]
     pub(crate) fn id(&self, look: &Arc<Look>) -> MaterialId {
         if Arc::ptr_eq(&self.list[0], look) {
@@ -90,7 +92,7 @@ impl MaterialIds {
         self.by_address.get(&address).map_or(MaterialId::OF_BASE, |number| MaterialId(*number))
     }
 
-    /// The number of a look, which gets one if there is room. One with coordinates of its own place gets none.
+    /// The number of a look, which gets one if there is room. A look whose coordinates belong to one place gets none.
     pub(crate) fn intern(&mut self, look: &Arc<Look>) -> MaterialId {
         let bit = if look.coordinates.is_empty() { 0 } else { MaterialId::COORDINATES };
         let recent = self.list.iter().enumerate().rev().take(COMPARED);
@@ -106,7 +108,8 @@ impl MaterialIds {
         MaterialId(number)
     }
 
-    /// The result of the material operation at a place in the rules, if it is known for that material.
+    /// The result of the material operation at a place in the rules, if its last use there began with the look
+    /// `before`.
     #[inline]
     pub(crate) fn painted(&self, place: u32, before: MaterialId) -> Option<MaterialId> {
         match self.paints.get(place as usize) {
@@ -115,14 +118,14 @@ impl MaterialIds {
         }
     }
 
-    /// The same where another material was painted there last.
+    /// The result of the material operation at a place, if an earlier use there began with the look `before`.
     pub(crate) fn painted_before(&mut self, place: u32, before: MaterialId) -> Option<MaterialId> {
         let after = *self.painted.get(&(place, before.0))?;
         self.paints[place as usize] = Some((before, after));
         Some(after)
     }
 
-    /// Keeps such a result, if both materials have a number.
+    /// Keeps the result of a material operation, if both looks have a number. Returns true if it was kept.
     pub(crate) fn keep_paint(&mut self, place: u32, before: MaterialId, after: MaterialId) -> bool {
         let has_numbers = before != MaterialId::OF_BASE && after != MaterialId::OF_BASE;
         if has_numbers {

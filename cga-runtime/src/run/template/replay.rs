@@ -1,4 +1,4 @@
-//! Repeating a template: its leaves go to the sink, its holes are called.
+//! The replay of a template: its leaves go to the sink, and its holes are called.
 
 use std::cell::Cell;
 use std::ops::Range;
@@ -19,9 +19,9 @@ use crate::shape::look_ids::MaterialId;
 use crate::shape::seed::Seed;
 use crate::shape::unit::UnitMesh;
 
-/// Leaves of a part that repeats, at one of its places. All of them fill their scopes.
+/// The leaves of a part that repeats, at one of its places. All of them fill their scopes.
 ///
-/// A sink can keep such a part once, with a list of its places, as programs that draw instances want it:
+/// A sink can keep such a part once, with a list of its placements, for programs that draw instances:
 ///
 /// ```
 /// use std::collections::HashMap;
@@ -77,13 +77,13 @@ pub struct Replay<'a> {
     segment: &'a Segment,
 }
 
-/// The identity of a repeated part within a run: equal identities are equal parts. Parts with other identities may be equal as
-/// well, as a run keeps few of them.
+/// The identity of a repeated part within a run. Parts with equal identities are equal. Equal parts may have
+/// different identities, as a run keeps few of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct PartId {
     template: u64,
     segment: usize,
-    /// The number of the base whose material some leaves have, if they have no other.
+    /// The number of the base whose material some leaves have; 0 if none has.
     base: u64,
 }
 
@@ -93,37 +93,37 @@ impl<'a> Replay<'a> {
         self.segment.leaves.len()
     }
 
-    /// The number of vertices when faces share none.
+    /// The number of vertices if faces share none.
     pub fn corner_count(&self) -> usize {
         self.segment.corners
     }
 
-    /// Returns true if some of the leaves have texture coordinates. These follow from the place of a leaf in the world, so they may
-    /// differ from repetition to repetition.
+    /// Returns true if some of the leaves have texture coordinates. These follow from the position of a leaf in the
+    /// world, so they may differ between repetitions.
     pub fn has_uvs(&self) -> bool {
         self.segment.may_have_coordinates && self.marks().any(|(leaf, mark)| !leaf.uvs_of(mark.material).is_empty())
     }
 
-    /// The identity of the part, wherever it is repeated.
+    /// The identity of the part, which does not depend on its place.
     pub fn part(&self) -> PartId {
         let has_own = self.mark_list().iter().any(|mark| mark.material == MaterialId::OF_BASE);
         let base = if has_own { self.part.base.number } else { 0 };
         PartId { template: self.body.number, segment: self.segment.leaves.start, base }
     }
 
-    /// From the coordinates of the part to the world: a rotation and a translation.
+    /// The map from the coordinates of the part to the world: a rotation and a translation.
     pub fn placement(&self) -> DAffine3 {
         DAffine3 { matrix3: self.part.axes.matrix, translation: self.part.origin() }
     }
 
-    /// Hands the leaves one by one to [`Sink::filled`], in the coordinates of the part: the same at all of its places. Texture
-    /// coordinates are meant for points in the world; see [`Replay::has_uvs`].
+    /// Passes the leaves one by one to [`Sink::filled`], in the coordinates of the part, which are the same at all of
+    /// its places. Texture coordinates are meant for points in the world; see [`Replay::has_uvs`].
     pub fn each_local<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let placed = self.body.leaves[self.segment.leaves.clone()].iter().map(|record| four(record.origin));
         self.hand(sink, placed, &self.body.frames)
     }
 
-    /// Hands the leaves one by one to [`Sink::filled`].
+    /// Passes the leaves one by one to [`Sink::filled`].
     #[inline]
     pub fn each<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let range = self.segment.leaves.clone();
@@ -131,7 +131,7 @@ impl<'a> Replay<'a> {
         self.hand(sink, placed, &self.turned.axes)
     }
 
-    /// Hands the leaves to a sink, with those origins and axes.
+    /// Passes the leaves to a sink, with those origins and axes.
     #[inline(always)]
     fn hand<S: Sink + ?Sized>(&self, sink: &mut S, origins: impl Iterator<Item = DVec4>, axes: &'a [Axes]) -> Flow {
         let mut shape = self.part.clone();
@@ -147,29 +147,29 @@ impl<'a> Replay<'a> {
         Flow::Continue(())
     }
 
-    /// True if all leaves are boxes or rectangles across z.
+    /// Returns true if all leaves are boxes or rectangles across z.
     pub(crate) fn is_plain(&self) -> bool {
         self.segment.is_plain
     }
 
-    /// The numbers of the template and of the segment: parts with equal numbers differ only in their place and their axes, and
-    /// where a material has no number in that.
+    /// The numbers of the template and of the segment. Parts with equal numbers differ only in their place and axes,
+    /// and in materials without a number.
     pub(crate) fn number(&self) -> (u64, usize) {
         (self.body.number, self.segment.leaves.start)
     }
 
-    /// The leaves after each other with equal rule and material, each with its first leaf.
+    /// The groups of consecutive leaves with equal rule and material, each with its first leaf.
     pub(crate) fn marks(&self) -> impl Iterator<Item = (Filled<'a>, Mark)> {
         let Replay { part, tables, .. } = *self;
         self.mark_list().iter().map(move |mark| (Filled { shape: part, tables, rule: mark.rule }, *mark))
     }
 
-    /// The same without leaves.
+    /// The groups of consecutive leaves with equal rule and material.
     pub(crate) fn mark_list(&self) -> &'a [Mark] {
         &self.body.marks[self.segment.marks.clone()]
     }
 
-    /// A stretch of leaves: their places, and the normals and units of their boxes.
+    /// A range of leaves: their positions, their records, and their axes.
     #[inline]
     pub(crate) fn leaves(&self, range: Range<usize>) -> impl Iterator<Item = (&'a Placed, &'a Record, &'a Axes)> {
         let (axes, first) = (&self.turned.axes, self.segment.leaves.start);
@@ -179,7 +179,7 @@ impl<'a> Replay<'a> {
         placed.map(move |(placed, record)| (placed, record, &axes[record.frame as usize]))
     }
 
-    /// The leaves in rows: boxes or rectangles, their axes, their places and their records.
+    /// The leaves in rows of boxes or rectangles, with their axes, positions and records.
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a Row, &'a Axes, &'a [Placed], &'a [Record])> {
         let Replay { body, turned, segment, .. } = *self;
         body.rows[segment.rows.clone()].iter().map(move |row| {
@@ -188,15 +188,15 @@ impl<'a> Replay<'a> {
         })
     }
 
-    /// The place of the repetition, with a fourth coordinate of 0.
+    /// The origin of the repetition, with a fourth coordinate of 0.
     #[inline]
     pub(crate) fn origin(&self) -> DVec4 {
         self.part.origin.get()
     }
 }
 
-/// The template of the last repetition of a slot: the next one is often as large, and the parts of a split do not differ in
-/// more than their place, one extent and the unit mesh.
+/// The template of the last repetition of a slot. The next repetition often has the same size, and the parts of a
+/// split differ only in their place, one extent and the unit mesh.
 pub struct Last<C>(Option<Known<C>>);
 
 /// The extent and the unit mesh of a repetition, and its template.
@@ -217,7 +217,7 @@ impl<C> Default for Last<C> {
 }
 
 impl<C: Clone> Cx<'_, C> {
-    /// Runs a rigid rule on a part that repeats along an axis: from its template, which is made first if there is none yet.
+    /// Runs a rigid rule on a part that repeats along an axis, from its template, which is made on first use.
     #[inline]
     pub fn repeat<G>(
         &mut self,
@@ -275,7 +275,7 @@ impl<C: Clone> Cx<'_, C> {
         resume: ResumeFn<G, C>,
     ) -> Flow {
         if !self.env.has_room(template.room) {
-            // Where the limit is passed the rule runs directly: it ends at the same shape, whether a template is there or not.
+            // Beyond the limit the rule runs directly, so it ends at the same shape with and without a template.
             if !self.env.is_within_limit(template.room) {
                 return rule(g, self, part);
             }
