@@ -3,10 +3,10 @@
 //! Passes read the trees and write side tables and findings; all of them run. What could not be resolved has no entry
 //! in a table, and nothing more is said about it. [`Checked`] is made only when there was no error.
 
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diags, Level};
 use crate::diagnostics::levels;
-use crate::index::{Named, index};
+use crate::editor::index::{Named, index};
 use crate::ir::Type;
 use crate::link::{InstanceId, Program, Wanted};
 use crate::resolve::context::Cx;

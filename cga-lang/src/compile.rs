@@ -1,17 +1,17 @@
 //! The whole way from tokens to a grammar, in one call.
 
 use crate::check::{Outcome, check};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags, Level};
 
 pub use crate::door::Door;
-use crate::index::Named;
+use crate::editor::index::Named;
+use crate::editor::skeleton::Skeleton;
 use crate::ir::Grammar;
-use crate::lex::lex;
 use crate::link::{File, FileTokens, Files, NoFiles, Program, Unit, link};
 use crate::lower::lower;
-use crate::skeleton::Skeleton;
-use crate::token::Tokens;
+use crate::syntax::lex::lex;
+use crate::syntax::token::Tokens;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -106,7 +106,7 @@ fn instantiate(program: &mut Program, levels: &[(Code, Level)], read: &[Diag]) {
 pub struct Source {
     /// The tokens.
     pub tokens: Tokens,
-    /// Bytes of the text, one range a token: what [`render`](crate::snippet::render) needs.
+    /// Bytes of the text, one range a token: what [`render`](crate::diag::snippet::render) needs.
     pub ranges: Vec<Range<usize>>,
     /// The result, with diagnostics about characters.
     pub compiled: Compiled,

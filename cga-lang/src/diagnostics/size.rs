@@ -3,10 +3,10 @@
 use super::numbers::{about, range, shown};
 use super::switch::is_switch;
 use crate::analysis::{Face, Facts, Slot, Slots, Sum, called};
-use crate::ast::Arg;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::resolve::tables::{Entries, Tables};
+use crate::syntax::ast::Arg;
 
 /// A rest is worth a word when it is less than that share of the thinnest slot: more looks as if it was meant.
 const HARDLY: f64 = 0.5;

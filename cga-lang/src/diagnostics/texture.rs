@@ -3,13 +3,13 @@
 //! Initial shapes may bring some, and a projection may be set up for what comes later: then nothing is said.
 
 use crate::analysis::{Facts, Flow, UvSets, body};
-use crate::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
-use crate::ast_walk::ops;
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::ops::{Function, Operation, ParamKind, UvEffect};
 use crate::resolve::context::Cx;
 use crate::resolve::tables::Use;
+use crate::syntax::ast::{Arg, Block, Expr, ExprKind, Name, OpKind};
+use crate::syntax::walk::ops;
 
 /// The uv sets that some rule makes, a bit each: by a projection, and by any operation; and those with a projection.
 #[derive(Clone, Copy)]

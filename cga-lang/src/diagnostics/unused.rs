@@ -1,16 +1,16 @@
 //! What is declared and never used, and what hides something of the same name.
 
 use super::agreed::Agreed;
-use crate::ast::{Body, Name, Role};
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
 use crate::ir::{ChoiceValues, Type};
 use crate::ops;
 use crate::resolve::context::Cx;
 use crate::resolve::globals::{Init, Item};
 use crate::resolve::tables::Use;
-use crate::span::Span;
-use crate::token::{Sym, Tok};
+use crate::syntax::ast::{Body, Name, Role};
+use crate::syntax::span::Span;
+use crate::syntax::token::{Sym, Tok};
 use std::collections::{HashMap, HashSet};
 
 /// Looks for both, in the file that is compiled: an imported one may have more than is used here.

@@ -5,8 +5,8 @@
 
 use super::open::{Candidate, Place, Takes};
 use super::{Infer, State, Use, Var};
-use crate::ast::{Name, Role};
 use crate::link::{Types, Wanted};
+use crate::syntax::ast::{Name, Role};
 
 /// What calls may do.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -2,9 +2,9 @@
 //! the end by what is likeliest.
 
 use super::{Infer, State, Type, Use, Var};
-use crate::ast::{Binary, Name};
-use crate::code::Code;
-use crate::span::Span;
+use crate::diag::code::Code;
+use crate::syntax::ast::{Binary, Name};
+use crate::syntax::span::Span;
 
 /// Rounds after which the rest is settled by what is likeliest.
 const MOST_ROUNDS: usize = 64;

@@ -5,10 +5,10 @@
 //! wanted. Tokens and trees are shared; only the entries of the side tables are the instance's own.
 
 use super::{InstanceId, Key, Program};
-use crate::ast::Decl;
 use crate::hash::FastMap;
 use crate::ir::Type;
-use crate::token::Tok;
+use crate::syntax::ast::Decl;
+use crate::syntax::token::Tok;
 use std::collections::{HashMap, HashSet};
 
 /// Most tuples of types that a declaration is made for.

@@ -1,9 +1,9 @@
 //! Styles of a file.
 
-use crate::ast::Ast;
-use crate::code::Code;
 use crate::diag::Diags;
+use crate::diag::code::Code;
 use crate::suggest::nearest;
+use crate::syntax::ast::Ast;
 use std::collections::HashMap;
 
 /// The style that every file has.
@@ -11,7 +11,7 @@ pub(crate) const DEFAULT: &str = "Default";
 
 /// The style in force and those it builds on.
 pub(crate) struct Styles {
-    /// The number of the style in force, as in [`Decl::style`](crate::ast::Decl::style).
+    /// The number of the style in force, as in [`Decl::style`](crate::syntax::ast::Decl::style).
     in_force: u32,
     /// By number: how near it is to the one in force, 0 being the nearest; `None` when it does not count. `Default` is
     /// the farthest.

@@ -1,7 +1,7 @@
 //! Arguments as written: bare words, axes, errors.
 
-use crate::ast::{Arg, Block, Expr, ExprKind};
 use crate::ir::Axis;
+use crate::syntax::ast::{Arg, Block, Expr, ExprKind};
 
 impl Block {
     /// The axis that the first argument names; `None` for an unknown one or one of the texture space.

@@ -1,9 +1,9 @@
 //! Numbers of arguments, as messages put them.
 
 use super::context::Cx;
-use crate::ast::Name;
-use crate::code::Code;
+use crate::diag::code::Code;
 use crate::ops::Operation;
+use crate::syntax::ast::Name;
 
 /// "2 arguments", "0 or 3 arguments", "1, 3 or 4 arguments".
 pub(crate) fn counts(counts: impl IntoIterator<Item = usize>) -> String {

@@ -1,9 +1,9 @@
 //! Where names are looked up.
 
 use super::context::Cx;
-use crate::ast::Name;
 use crate::link::InstanceId;
 use crate::ops::Places;
+use crate::syntax::ast::Name;
 
 /// Where names are looked up: parameters and locals of one declaration, then everything of an instance.
 pub(crate) struct Scope<'s, 'a, 'd> {

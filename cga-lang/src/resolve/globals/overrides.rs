@@ -1,8 +1,8 @@
 //! What imported files get from the files that import them.
 
 use super::{Globals, Init, Item};
-use crate::ast::{Expr, Override, Role};
 use crate::link::{InstanceId, Key, Program};
+use crate::syntax::ast::{Expr, Override, Role};
 use std::collections::{HashMap, HashSet};
 
 /// Values of attributes further down than the file that an import names: by instance and name, with where they stand.
