@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::source::Source;
+use super::source::ComponentSource;
 
 /// The arm that owns each component. Up to six need no allocation: `comp` of a box is the façade path.
 #[derive(Debug)]
@@ -45,7 +45,7 @@ impl Owners {
 }
 
 /// Components in sets of those that are connected, in the order of the first of each (*comp operation*, `=:`).
-pub(super) fn connected(source: &Source, components: impl Iterator<Item = u32>) -> Vec<Vec<u32>> {
+pub(super) fn connected(source: &ComponentSource, components: impl Iterator<Item = u32>) -> Vec<Vec<u32>> {
     let components: Vec<u32> = components.collect();
     // The first component that has a bond, by the number of the bond; and of each component one it is connected with.
     let mut first: HashMap<u32, usize> = HashMap::new();

@@ -13,12 +13,12 @@ pub(super) enum Profile {
     /// That much in all, the same everywhere.
     Even(f64),
     /// In pieces between which it grows quadratically; the last one ends the geometry.
-    Sections(Vec<Section>),
+    Sections(Vec<WidthSection>),
 }
 
 /// The stretch between two vertices that follow each other along the axis.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Section {
+pub(super) struct WidthSection {
     /// Where it starts.
     at: f64,
     /// The area before it.
@@ -83,13 +83,13 @@ impl Profile {
 
 /// How an edge adds to the width, between two places.
 #[derive(Clone, Copy)]
-struct Event {
+struct WidthChange {
     at: f64,
     width: f64,
     growth: f64,
 }
 
-fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<Section> {
+fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     let stretch = placed.stretch(size).abs();
     // Edges that don't extend along the axis but for rounding.
     let across = size[axis.index()].abs() * EDGE_EPSILON;
@@ -100,7 +100,7 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<Section> {
         add_face(&face, stretch, (axis, base, across), &mut events);
     }
     events.sort_by(|a, b| a.at.total_cmp(&b.at));
-    let mut list: Vec<Section> = Vec::new();
+    let mut list: Vec<WidthSection> = Vec::new();
     let (mut width, mut growth, mut area) = (Sum::default(), Sum::default(), Sum::default());
     for (index, event) in events.iter().enumerate() {
         // The width at the place of the event, and the area between it and the one before.
@@ -113,7 +113,7 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<Section> {
         width.add(event.width);
         growth.add(event.growth);
         let section =
-            Section { at: event.at, before: area.value(), width: width.value().max(0.0), growth: growth.value() };
+            WidthSection { at: event.at, before: area.value(), width: width.value().max(0.0), growth: growth.value() };
         match list.last_mut() {
             Some(last) if last.at == event.at => *last = section,
             _ => list.push(section),
@@ -147,7 +147,7 @@ impl Sum {
 
 /// The edges of a face that are not shorter than `least` along the axis, as events, with places measured from `base`. The area below a place is the sum of those below the edges, with signs, as far as they
 /// go: what closes the face there runs across the axis and adds nothing.
-fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64, f64), events: &mut Vec<Event>) {
+fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64, f64), events: &mut Vec<WidthChange>) {
     let at = axis.index();
     let normal = face.stretched_normal(stretch);
     // Along the axis within the face: a metre there is `slant` along the axis.
@@ -172,8 +172,8 @@ fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64,
             let width = |point: DVec3| sign * across.dot(point - origin) / slant;
             let (first, last) = (width(low), width(high));
             let growth = (last - first) / length;
-            events.push(Event { at: low[at] - base, width: first, growth });
-            events.push(Event { at: high[at] - base, width: -last, growth: -growth });
+            events.push(WidthChange { at: low[at] - base, width: first, growth });
+            events.push(WidthChange { at: high[at] - base, width: -last, growth: -growth });
         }
     }
 }

@@ -21,7 +21,7 @@ pub use crate::output::parts::{Part, Parts, ShapeError};
 pub use stretch::Stretch;
 
 use self::order::in_order;
-use self::stretch::{Done, End, derive_stretch};
+use self::stretch::{Done, EarlyEnd, derive_stretch};
 use crate::grammar::Grammar;
 use crate::grammar::session::{Session, Setup};
 use crate::output::model::Model;
@@ -117,9 +117,9 @@ impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
         let job = |worker: &mut W, stretch: &Stretch, ended: &dyn Fn() -> bool| {
             let mut sink = sink(stretch);
             let mut done = derive_stretch(shapes, stretch, ended, |shape| run(worker, shape, &mut sink));
-            let failed = matches!(done.end, Some(End::Failed(..)));
+            let failed = matches!(done.end, Some(EarlyEnd::Failed(..)));
             if !failed && !ended() && sink.finish().is_break() {
-                done.end.get_or_insert(End::Stopped);
+                done.end.get_or_insert(EarlyEnd::Stopped);
             }
             done.with(sink)
         };
@@ -154,8 +154,8 @@ impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
             }
             parts.report.merge(counts, &settings.limits);
             match end {
-                Some(End::Failed(at, error)) => failed = Some(ShapeError { shape: Some(at), error }),
-                Some(End::Stopped) => parts.report.stopped = true,
+                Some(EarlyEnd::Failed(at, error)) => failed = Some(ShapeError { shape: Some(at), error }),
+                Some(EarlyEnd::Stopped) => parts.report.stopped = true,
                 None => {}
             }
             put(&mut parts.parts, shapes, output);

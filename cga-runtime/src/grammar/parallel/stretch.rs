@@ -53,7 +53,7 @@ pub(super) struct Done<T> {
     /// All others taken together.
     pub(super) counts: Report,
     /// Why it ended early, if it did.
-    pub(super) end: Option<End>,
+    pub(super) end: Option<EarlyEnd>,
 }
 
 impl Done<()> {
@@ -65,7 +65,7 @@ impl Done<()> {
 }
 
 /// Why nothing comes after a shape.
-pub(super) enum End {
+pub(super) enum EarlyEnd {
     /// The sink or the watch ended its run.
     Stopped,
     /// Its run, by the place of the shape in the list.
@@ -94,7 +94,7 @@ pub(super) fn derive_stretch(
         } else {
             done.reports.push(report);
         }
-        done.end = error.map(|error| End::Failed(at, error)).or(stopped.then_some(End::Stopped));
+        done.end = error.map(|error| EarlyEnd::Failed(at, error)).or(stopped.then_some(EarlyEnd::Stopped));
         if done.end.is_some() {
             break;
         }

@@ -35,7 +35,7 @@ use glam::{DAffine3, DVec3};
 
 use self::assets::AssetList;
 use self::look::Looks;
-use self::parts::{Parts, Place};
+use self::parts::{Instance, RepeatedParts};
 use self::primitive::{INDEX_BYTES, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
 use super::error::WriteError;
 use super::flatten::Flattener;
@@ -61,7 +61,7 @@ pub struct Glb {
     primitives: Primitives,
     assets: AssetList,
     /// Repeated parts, if they are to be instances.
-    parts: Option<Parts>,
+    parts: Option<RepeatedParts>,
     flattener: Flattener,
     bytes: u64,
     files: Files,
@@ -71,14 +71,14 @@ pub struct Glb {
 /// A glTF mesh that is shown at several places.
 struct Shared {
     primitives: Vec<Primitive>,
-    places: Places,
+    places: Instances,
 }
 
-enum Places {
+enum Instances {
     /// A node each.
     Nodes(Vec<DAffine3>),
     /// One node for all.
-    Instances(Vec<Place>),
+    Instances(Vec<Instance>),
 }
 
 /// What the 32-bit lengths of the format allow, less room for the description.
@@ -120,10 +120,10 @@ impl Glb {
     ///
     /// let glb = Glb::new().with_instances();
     /// // … `grammar.generate_into(&shape, &settings, &mut glb)?`, then:
-    /// assert!(glb.finish().unwrap().starts_with(b"glTF"));
+    /// assert!(glb.into_bytes().unwrap().starts_with(b"glTF"));
     /// ```
     pub fn with_instances(mut self) -> Self {
-        self.parts = Some(Parts::default());
+        self.parts = Some(RepeatedParts::default());
         self
     }
 
@@ -131,7 +131,7 @@ impl Glb {
     ///
     /// # Errors
     /// [`WriteError::TooLarge`] for more than 4 GiB, [`WriteError::NotFinite`] for coordinates that are no `f32`.
-    pub fn finish(mut self) -> Result<Vec<u8>, WriteError> {
+    pub fn into_bytes(mut self) -> Result<Vec<u8>, WriteError> {
         let mut shared = self.place_assets();
         if let Some(parts) = self.parts.take() {
             shared.extend(self.place_parts(parts));
@@ -185,7 +185,7 @@ impl Glb {
 impl Sink for Glb {
     fn begin(&mut self) {
         self.numbers.begin();
-        self.parts.iter_mut().for_each(Parts::begin);
+        self.parts.iter_mut().for_each(RepeatedParts::begin);
     }
 
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
@@ -223,7 +223,7 @@ impl Sink for Glb {
         }
         let (mut leaf, origin) = (0, four(self.origin));
         for (filled, mark) in replay.marks() {
-            let (rule, material) = self.numbers.with_material(&filled, mark.material);
+            let (rule, material) = self.numbers.with_look(&filled, mark.look);
             let leaves = leaf..leaf + mark.leaves;
             leaf = leaves.end;
             self.plain(material).repeat(rule, replay, leaves, mark.corners / 4, origin);
@@ -274,19 +274,19 @@ impl Model {
     /// The model as a GLB file; see [`Glb`]. A model far from the origin of the world is stored about its own middle.
     ///
     /// # Errors
-    /// As [`Glb::finish`].
+    /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
         let glb = Glb::new().with_origin(near_origin(self.bounds()));
         let mut glb = Glb { files: self.files().clone(), ..glb };
         // It stops when it is full; finishing tells.
         let _ = self.replay(&mut glb);
-        glb.finish()
+        glb.into_bytes()
     }
 
     /// Writes the model as a GLB file; see [`Model::to_glb`].
     ///
     /// # Errors
-    /// As [`Glb::finish`], and what the file system says.
+    /// As [`Glb::into_bytes`], and what the file system says.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_glb()?)?)
     }
@@ -296,19 +296,19 @@ impl super::parts::Parts<Model> {
     /// All models as one GLB file, the same as that of one model with all leaves.
     ///
     /// # Errors
-    /// As [`Glb::finish`].
+    /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
         let glb = Glb::new().with_origin(near_origin(self.bounds()));
         let mut glb =
             Glb { files: self.sinks().next().map_or_else(Files::default, |model| model.files().clone()), ..glb };
         let _ = self.replay(&mut glb);
-        glb.finish()
+        glb.into_bytes()
     }
 
     /// Writes all models as one GLB file.
     ///
     /// # Errors
-    /// As [`Glb::finish`], and what the file system says.
+    /// As [`Glb::into_bytes`], and what the file system says.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_glb()?)?)
     }

@@ -9,7 +9,9 @@
 //! a seed that is affine in the seed of the repetition. A derivation that leaves a fault or a mesh makes no template, and is
 //! run as any other.
 
+mod part_id;
 mod record;
+mod repeat;
 mod replay;
 
 use std::ops::Range;
@@ -21,12 +23,13 @@ use crate::geometry::Axis;
 use crate::run::sink::corners::{Placed, four};
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
-use crate::shape::look_ids::MaterialId;
+use crate::shape::look_id::LookId;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
 
+pub use part_id::PartId;
 pub(crate) use record::Tape;
-pub use replay::{PartId, Replay};
+pub use replay::Replay;
 
 /// The templates of a place in the rules that are kept, the last ones used.
 const KEPT: usize = 16;
@@ -59,7 +62,7 @@ struct Key {
     size: DVec3,
     form: Form,
     unit: UnitMesh,
-    material: MaterialId,
+    look: LookId,
     /// A look without a number may have texture coordinates or not.
     has_coordinates: bool,
     /// The axes along which coordinates are constant: moves along others make a shape with another base.
@@ -92,7 +95,7 @@ struct Body {
     /// The stretches of leaves before, between and after the holes.
     segments: Vec<Segment>,
     marks: Vec<Mark>,
-    rows: Vec<Row>,
+    rows: Vec<LeafRow>,
 }
 
 /// A leaf at its place in a template.
@@ -106,7 +109,7 @@ pub(crate) struct Record {
     /// Counts in the frames.
     frame: u32,
     rule: u32,
-    material: MaterialId,
+    look: LookId,
 }
 
 /// Leaves without a hole between them.
@@ -127,7 +130,7 @@ struct Segment {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mark {
     pub(crate) rule: u32,
-    pub(crate) material: MaterialId,
+    pub(crate) look: LookId,
     /// The number of leaves, and that of their vertices when faces share none.
     pub(crate) leaves: usize,
     pub(crate) corners: usize,
@@ -137,7 +140,7 @@ pub(crate) struct Mark {
 
 /// Leaves after each other that are rectangles, or boxes, along the same axes.
 #[derive(Clone, Debug)]
-pub(crate) struct Row {
+pub(crate) struct LeafRow {
     pub(crate) is_box: bool,
     frame: u32,
     leaves: Range<usize>,
@@ -154,7 +157,7 @@ struct Hole<C> {
     form: Form,
     /// True if its axes are those of the base after it has grown.
     is_raised: bool,
-    material: MaterialId,
+    look: LookId,
     /// The factor and the sum that lead from the seed of the repetition to its own.
     seed: [u64; 2],
     split: Counter,
@@ -184,7 +187,7 @@ impl Key {
             size: part.size.get(),
             form: part.form,
             unit: part.unit.get(),
-            material: part.material.get(),
+            look: part.look.get(),
             has_coordinates: part.has_coordinates(),
             constant: part.base.constant(),
             has_sides: part.has_sides(),
@@ -195,7 +198,7 @@ impl Key {
     #[inline]
     fn fits(&self, part: &ShapeRef<'_>, too_small: f64) -> bool {
         self.size == part.size.get()
-            && self.material == part.material.get()
+            && self.look == part.look.get()
             && self.has_coordinates == part.has_coordinates()
             && self.constant == part.base.constant()
             && self.has_sides == part.has_sides()
