@@ -1,8 +1,8 @@
-//! The cost of rules in a build: a program with 1,000 rules in release, with one sink and with three, and a façade with and
+//! The build cost of rules: a program with 1,000 rules in release, with one sink and with three, and a façade with and
 //! without styles.
 //!
-//! `cargo bench --bench build`; a number after `--` is another count of rules. The program is written to a temporary folder
-//! and built there; what it depends on is built before and not counted.
+//! `cargo bench --bench build`; a number after `--` changes the count of rules. The program is written to a temporary
+//! folder and built there. Its dependencies are built before and not counted.
 
 mod common;
 #[path = "build/facade.rs"]
@@ -20,7 +20,7 @@ use cga_lang::compile::compile_text;
 use common::clock::fastest;
 use common::table::{Table, number};
 
-/// A program with one rule. Its size is subtracted from that of the others.
+/// A program with one rule. Its size is subtracted from that of the other programs.
 const EMPTY: &str = r##"
 cga::cga! { pub grammar Rules = "Lot --> Leaf."; }
 "##;
@@ -37,10 +37,10 @@ const STYLES: &str = r##"
 cga::cga! { pub grammar Rules in "src/styles.cga"; }
 "##;
 
-/// Styles of the façade, beside `Default`.
+/// The number of styles of the façade, beside `Default`.
 const STYLE_COUNT: usize = 14;
 
-/// The rest of a program. Its argument is the rule to begin with.
+/// The rest of a program. Its argument is the start rule.
 const MAIN: &str = r##"
 use cga::sink::{buffers::Buffers, stats::Stats};
 use cga::{Model, Settings, Shape};
@@ -105,11 +105,11 @@ fn styles(project: &Project, empty: u64) {
     table.print();
 }
 
-/// Times everything up to the IR, and gives the number of rules.
+/// Measures the front half of the compiler, up to the IR. Returns the number of rules.
 fn front_half(text: &str) -> usize {
     let source = compile_text(text);
     assert!(source.compiled.diags.is_empty(), "{:?}", source.compiled.diags.first().map(|diag| &diag.message));
-    // With those that blocks of a split or comp become.
+    // This count includes the rules made from blocks of splits and comps.
     let lowered = source.compiled.grammar.expect("there are no errors").rules.len();
     let count = text.matches("-->").count();
     let [best] = fastest(2.0, [&mut || drop(black_box(compile_text(black_box(text))))]);
@@ -156,7 +156,8 @@ impl Project {
         fs::write(path, text).expect("a file that can be written");
     }
 
-    /// Builds a program; gives the time and the size of the binary in bytes. The program must run from `first_rule`.
+    /// Builds a program. Returns the time and the size of the binary in bytes. Checks that the program runs from
+    /// `first_rule`.
     fn build(&self, program: &str, first_rule: Option<&str>) -> (Duration, u64) {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let target = self.folder.join("target");
@@ -178,7 +179,7 @@ impl Project {
 
 impl Drop for Project {
     fn drop(&mut self) {
-        // A folder that stays behind does no harm.
+        // A remaining folder does no harm.
         let _ = fs::remove_dir_all(&self.folder);
     }
 }

@@ -1,7 +1,7 @@
 //! The component split: a large mesh by direction, and boxes, whose faces need no mesh.
 //!
-//! `cargo bench --bench comp`. Beside each other: the grammar, and a loop by hand that computes each face's normal and sorts
-//! the face into a list of its direction.
+//! `cargo bench --bench comp`. It compares the grammar with a hand-written loop that computes each face's normal and
+//! adds the face to the list of its direction.
 
 mod common;
 
@@ -17,13 +17,13 @@ use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 
 cga! {
-    /// Every face alone.
+    /// Every face as a shape.
     grammar Each;
     Ball --> comp(f) { top : Top. | side : Side. | all : Rest. }
 }
 
 cga! {
-    /// The faces of a direction together.
+    /// All faces of a direction as one shape.
     grammar Together;
     Ball --> comp(f) { top = Top. | side = Side. | all = Rest. }
 }
@@ -36,7 +36,7 @@ cga! {
 }
 
 cga! {
-    /// The same, and every face asked for its width; one that no box has would be handed out.
+    /// The same, with a test of every face's width. The test never passes.
     grammar Asked;
     attr n = 1000
     Row --> split(x) { ~(scope.sx / n) : comp(f) { front : Face | side : Face | all : Face } }*
@@ -44,7 +44,7 @@ cga! {
 }
 
 cga! {
-    /// Rows of boxes of which nothing is left.
+    /// Rows of boxes that leave nothing.
     grammar Nothing;
     attr n = 1000
     Row --> split(x) { ~(scope.sx / n) : Box }*
@@ -52,13 +52,13 @@ cga! {
 }
 
 cga! {
-    /// Rows of boxes that are left alone.
+    /// Rows of boxes as leaves.
     grammar Whole;
     attr n = 1000
     Row --> split(x) { ~(scope.sx / n) : Box. }*
 }
 
-/// Counts the faces it gets.
+/// Counts its faces.
 #[derive(Default)]
 struct Count(usize);
 
@@ -105,7 +105,7 @@ fn ball(rows: u32) -> Mesh {
     builder.build().expect("a ball")
 }
 
-/// Each face's normal, and a list for each direction.
+/// Computes each face's normal and makes a list for each direction.
 fn by_hand(mesh: &Mesh) -> [Vec<u32>; 3] {
     let mut lists = [Vec::new(), Vec::new(), Vec::new()];
     for face in mesh.faces() {
@@ -158,7 +158,7 @@ fn balls() {
 }
 
 fn boxes() {
-    // From templates a box would cost no more than its leaves, whatever its rule does.
+    // With templates, a box would cost no more than its leaves, independent of its rule.
     let settings = Settings { repeats: Repeats::Direct, ..Settings::default() };
     let row = Shape::cuboid(1000.0, 1.0, 1.0);
     let run = |expected: usize, work: &dyn Fn(&mut Count)| {

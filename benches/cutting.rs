@@ -1,7 +1,7 @@
 //! Workload C: closed meshes cut into closed pieces, with caps.
 //!
-//! `cargo bench --bench cutting`. Beside each other: the grammar, the cutter alone, and a copy of what they make. Volumes and
-//! areas are held to formulas, areas of caps to the sum over the edges in which faces meet the planes.
+//! `cargo bench --bench cutting`. It compares the grammar, the cutter alone, and a copy of their output. Volumes and
+//! areas are checked against formulas, areas of caps against the sum over the edges in which faces meet the planes.
 
 mod common;
 #[path = "../cga-runtime/tests/cut_support/section.rs"]
@@ -93,7 +93,8 @@ fn torus(around: u32, across: u32) -> Mesh {
     builder.build().expect("a torus")
 }
 
-/// Upright tubes of 1 by 1, in no order and over each other: one a unit of the ground. The walls are 0.05 thick.
+/// Upright tubes of 1 by 1 at random places, which overlap: one for each unit of the ground. The walls are 0.05
+/// thick.
 fn overlapping_tubes(count: u32) -> Mesh {
     let mut builder = MeshBuilder::new();
     let (mut seed, side) = (1u32, f64::from(count).sqrt());
@@ -129,7 +130,7 @@ fn overlaps(table: &mut Table, count: u32) {
         parts = timed(&mut best, || cut::slabs(&mesh, Axis::Z, black_box(&[0.5])).parts);
     }
     for part in parts.iter().flatten() {
-        // Every outline has a cap, and every hole is in one of those.
+        // Every outline has a cap, and every hole is in a cap.
         let holes = part.faces().filter(|face| face.tag().cap).map(|cap| cap.holes().len());
         assert!(holes.clone().count() == count as usize && holes.sum::<usize>() == count as usize);
         assert!(part.is_closed() && (part.volume() / f64::from(count) - 0.095).abs() < 1e-9);
@@ -139,7 +140,7 @@ fn overlaps(table: &mut Table, count: u32) {
     table.row(&count.to_string(), &[number(time * 1e9 / made as f64, 1), number(time * 1e6, 1)]);
 }
 
-/// Points and corners of all parts, one after the other, in memory that is there.
+/// The points and corners of all parts, copied one after the other into existing memory.
 #[derive(Default)]
 struct Copy {
     points: Vec<DVec3>,
@@ -174,7 +175,7 @@ fn triangles(mesh: &Mesh) -> usize {
         .sum()
 }
 
-/// The sums over all pieces: areas to the four digits of the documents.
+/// The sums over all pieces; areas to the four digits of the documents.
 struct Documented {
     volume: f64,
     area: f64,

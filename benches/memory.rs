@@ -1,4 +1,4 @@
-//! Memory of workloads A, B, B2 and D: the peak of a run beside its output, and the peak of buffers that grow.
+//! The memory of workloads A, B, B2 and D: the peak of a run beside its output, and the peak of growing buffers.
 //!
 //! `cargo bench --bench memory`. A counting allocator gives the same bytes in every run and on every system. The stack is not
 //! counted.
@@ -39,7 +39,7 @@ fn main() {
         let (vertices, indices) = (expected.vertices, 3 * expected.triangles);
         let output = vertices * size_of::<Vertex>() + indices * size_of::<u32>();
 
-        // A process makes some meshes once and keeps them; they are made here.
+        // A process makes some meshes once and keeps them. They are made here, before the measurement.
         workloads::check(&mut *scene);
         let mut out = Buffers::with_capacity(vertices, indices);
         let beside = peak(|| scene.buffers(&mut out));

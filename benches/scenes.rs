@@ -1,7 +1,7 @@
-//! Workloads A, B, B2 and D: the cost of a grammar beside a hand-written loop that makes the same output.
+//! Workloads A, B, B2 and D: the cost of a grammar relative to a hand-written loop with the same output.
 //!
-//! `cargo bench --bench scenes` prints times; `-- --instructions` counts instructions instead. Any other argument chooses the
-//! scenes whose name contains it, as in `-- "A(40"`.
+//! `cargo bench --bench scenes` prints times; `-- --instructions` counts instructions instead. Any other argument
+//! selects the scenes whose name contains it, as in `-- "A(40"`.
 
 mod common;
 #[path = "scenes/instructions.rs"]
@@ -39,7 +39,7 @@ fn main() {
     sinks(&mut scenes);
 }
 
-/// A table with a row for each scene: the ratios, then the costs behind them.
+/// A table with a row for each scene: the ratios, then the absolute costs.
 fn ratios(title: &str, unit: &str) -> Table {
     let columns = [
         "scene",
@@ -53,7 +53,7 @@ fn ratios(title: &str, unit: &str) -> Table {
     Table::new(title, &columns)
 }
 
-/// The cells of such a row. `each` is the cost of one terminal by hand, into buffers, and without buffers.
+/// The cells of a row. `each` is the cost of one terminal by hand, into buffers, and without buffers.
 fn ratio_cells(terminals: usize, each: [f64; 3], digits: usize) -> Vec<String> {
     let [hand, buffers, fold] = each;
     let mut cells = vec![number(buffers / hand, 2), number(fold / hand, 2), terminals.to_string()];
@@ -67,7 +67,7 @@ fn times(scenes: &mut [Box<dyn Scene>]) {
     for scene in scenes {
         let expected = scene.expected();
         workloads::check(&mut **scene);
-        // Large enough that no run has to grow them.
+        // Large enough that no run must grow them.
         let (vertices, indices) = (expected.vertices, 3 * expected.triangles);
         let mut raw = Raw::with_capacity(vertices, indices);
         let mut out = Buffers::with_capacity(vertices, indices);
@@ -95,12 +95,12 @@ fn times(scenes: &mut [Box<dyn Scene>]) {
     growth.print();
 }
 
-/// The cost of a terminal in larger and larger sizes of a workload.
+/// The cost of a terminal at increasing sizes of a workload.
 #[derive(Default)]
 struct Growth(Vec<(String, Vec<[f64; 3]>)>);
 
 impl Growth {
-    /// Takes the sizes of a workload in order.
+    /// Adds the next size of a workload.
     fn add(&mut self, scene: &str, each: [f64; 3]) {
         let workload = scene.split('(').next().unwrap_or(scene);
         match self.0.last_mut() {
@@ -123,7 +123,7 @@ impl Growth {
     }
 }
 
-/// Models and files, beside the hand-written loop that fills buffers.
+/// Measures models and files, relative to the hand-written loop that fills buffers.
 fn sinks(scenes: &mut [Box<dyn Scene>]) {
     let columns = ["scene", "model / by hand", "GLB / by hand", "by hand, ns a terminal", "model, ns", "GLB bytes, ns"];
     let mut table = Table::new("Scenes: other sinks", &columns);

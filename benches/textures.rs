@@ -1,5 +1,5 @@
-//! Texture coordinates: a façade without, with a projection that is only set up, and with coordinates on walls, on all of the façade and
-//! on each window.
+//! Texture coordinates on a façade: none, a projection that is only set up, and coordinates on walls, on the whole
+//! façade and on each window.
 //!
 //! `cargo bench --bench textures`. The façade is that of workload A, 40 bays wide and 40 floors high.
 
@@ -11,7 +11,7 @@ use cga::{Settings, Shape, cga};
 use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 
-/// The façade of workload A with steps before its parts: on the façade, on walls, on windows.
+/// The façade of workload A with further steps: on the façade, on walls, on windows.
 macro_rules! facades {
     ($name:ident, [$($facade:tt)*], [$($wall:tt)*], [$($window:tt)*]) => {
         cga! {
@@ -35,7 +35,7 @@ facades!(OnWalls, [setupProjection(0, scope.xy, 2, 1)], [projectUV(0)], []);
 facades!(OnFacade, [setupProjection(0, scope.xy, 2, 1) projectUV(0)], [], []);
 facades!(OnWindows, [], [], [setupProjection(0, scope.xy, ^1, ^1) projectUV(0)]);
 
-/// A run: the number of its leaves.
+/// A run, which returns the number of its leaves.
 type Way<'w> = Box<dyn FnMut() -> u64 + 'w>;
 
 /// The seconds for which each row is repeated.

@@ -1,7 +1,7 @@
-//! Triangles of faces: small ones, and caps of up to a million corners.
+//! Triangles of faces: small faces, and caps with up to a million corners.
 //!
-//! `cargo bench --bench triangles`. Time grows as the corners times their logarithm, whatever the shape. A face of a
-//! million corners is written to vertex buffers, GLB and OBJ as well.
+//! `cargo bench --bench triangles`. The time is proportional to n log n for n corners, for every shape. A face with a
+//! million corners is also written to vertex buffers, GLB and OBJ.
 
 mod common;
 
@@ -19,16 +19,16 @@ use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 
 cga! {
-    /// A shape as it is.
+    /// The unchanged shape.
     grammar Plain;
 
     Lot --> Leaf.
 }
 
-/// Loops, the outline first.
+/// The loops of a polygon, the outline first.
 type Polygon = Vec<Vec<DVec2>>;
 
-/// Teeth that point up, with tips and roots at heights that a function of their number gives.
+/// Teeth that point up. A function of the index gives the heights of tips and roots.
 fn comb(corners: usize, height: impl Fn(usize) -> f64) -> Polygon {
     let teeth = corners / 2 - 1;
     let mut outline = vec![DVec2::ZERO, DVec2::new(teeth as f64, 0.0)];
@@ -39,7 +39,7 @@ fn comb(corners: usize, height: impl Fn(usize) -> f64) -> Polygon {
     vec![outline]
 }
 
-/// Numbers from 0 to 1 without order.
+/// Pseudo-random numbers from 0 to 1.
 fn mixed(i: usize) -> f64 {
     let mixed = (i as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     ((mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 11) as f64 / (1u64 << 53) as f64
@@ -78,7 +78,7 @@ fn row(table: &mut Table, name: &str, polygon: &Polygon) {
     let ends: Vec<u32> = ends.collect();
     let mut triangulator = Triangulator::new();
     let mut triangles = Vec::new();
-    // The clock does not see a small face alone.
+    // The clock is too coarse for a single small face.
     let times = 1 + 10_000 / points.len();
     let mut work = || {
         for _ in 0..times {

@@ -1,7 +1,7 @@
-//! Real building outlines → a district: `district.glb` and `district.png`.
+//! A district from building outlines: `district.glb` and `district.png`.
 //!
-//! `cargo run --release --example district -- outlines.geojson` reads GeoJSON polygons in longitude and latitude; without
-//! a path a small sample of made-up outlines is used.
+//! `cargo run --release --example district -- outlines.geojson` reads GeoJSON polygons in longitude and latitude.
+//! Without a path it uses a small sample of made-up outlines.
 
 use std::error::Error;
 use std::io::{IsTerminal, Write};
@@ -12,15 +12,15 @@ use cga::{Model, Settings, Shape, Sink, cga};
 use serde_json::Value;
 
 cga! {
-    /// A town house on any footprint. Storeys and colours are drawn once a building, from its seed.
+    /// A town house on any footprint. Storeys and colours are random values of each building, from its seed.
     pub grammar House;
 
-    /// Number of storeys above the ground floor.
+    /// The number of storeys above the ground floor.
     @Range(min = 0, max = 30)
     attr storeys = rint(rand(2, 5))
     attr wall = 22% : "#e6d3b1" 20% : "#d8c3a5" 16% : "#c9d1c8" 14% : "#d9b8a0" 12% : "#cfc6bd" else : "#eadfca"
     attr roof = 60% : "#9a5a44" 25% : "#7c4a3c" else : "#5d5f63"
-    /// Whether the ground floor has shops.
+    /// True if the ground floor has shops.
     attr shops = p(0.4)
 
     const ground = 3.9
@@ -114,9 +114,9 @@ fn progress(done: usize, all: usize) {
     }
 }
 
-/// The polygons of a GeoJSON file in metres about their middle, and a line for each feature that has none.
+/// The polygons of a GeoJSON file in metres relative to their middle, and a line for each feature without polygons.
 fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn Error>> {
-    let file: Value = serde_json::from_str(text).map_err(|error| format!("the outlines are no JSON: {error}"))?;
+    let file: Value = serde_json::from_str(text).map_err(|error| format!("the outlines are not JSON: {error}"))?;
     let features = file["features"].as_array().ok_or("no `features`: is it a GeoJSON feature collection?")?;
     let (mut footprints, mut problems) = (Vec::new(), Vec::new());
     for (number, feature) in features.iter().enumerate() {
@@ -128,7 +128,7 @@ fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn Error>> {
             other => {
                 problems.push(format!(
                     "{label}: skipped: {}",
-                    other.map_or("no geometry".into(), |kind| format!("a {kind} is no polygon"))
+                    other.map_or("no geometry".into(), |kind| format!("a {kind} is not a polygon"))
                 ));
                 continue;
             }
@@ -156,7 +156,8 @@ fn ring(ring: &Value) -> Option<Vec<[f64; 2]>> {
     Some(points)
 }
 
-/// Longitude and latitude → metres east and south of the middle: for a district the earth is flat.
+/// Converts longitude and latitude to metres east and south of the middle. At the size of a district the earth is
+/// flat.
 fn project(footprints: &mut [Footprint]) {
     const METRES_A_DEGREE: f64 = 111_319.490_8;
     let all = || footprints.iter().flat_map(|footprint| &footprint.outer);

@@ -1,9 +1,9 @@
-//! Draws the worked examples of the documents as sheets, `out/documented-*.png`: a picture each, its rules and the pieces
-//! that come out. The rules are those that `tests/documented.rs` checks. Where a page's picture marks scopes and pivots, so
-//! does the sheet: x red, y green, z blue.
+//! Draws the worked examples of the documents as sheets, `out/documented-*.png`: for each a picture, its rules and
+//! the resulting pieces. `tests/documented.rs` checks these rules. The sheets mark scopes and pivots where the
+//! pictures of the pages do: x red, y green, z blue.
 //!
-//! The pages are *split operation*, *split attribute*, *splitArea operation*, *Subdivision split*, *comp operation* and, with the
-//! test texture, those on texture coordinates and primitives.
+//! The pages are *split operation*, *split attribute*, *splitArea operation*, *Subdivision split*, *comp operation*
+//! and, with the test texture, the pages on texture coordinates and primitives.
 //!
 //! `cargo run --release --example documented` also cuts a ball; `-- mesh.obj` cuts that mesh instead.
 
@@ -37,20 +37,20 @@ use pages::{
 };
 use sheet::Cell;
 
-/// Pieces thinner than this share of the model are not drawn: about a tenth of a pixel.
+/// The share of the model below which pieces are not drawn: about a tenth of a pixel.
 const THINNEST: f64 = 1e-4;
 
-/// One view for all pictures of a sheet, so that they can be compared: x runs to the right and away, as on the pages.
+/// One view for all pictures of a sheet, so that they are comparable. x runs to the right and away, as on the pages.
 fn camera(bounds: Bounds) -> Camera {
     Camera { margin: 0.04, ..Camera::auto(bounds) }.looking_from(-33.0, 22.0).field_of_view(12.0)
 }
 
-/// What a row of boxes of that size fills, the highest box included.
+/// The view of a row of boxes of that size, the highest box included.
 fn row(length: f64, height: f64, depth: f64) -> Camera {
     camera(Shape::cuboid(length, height, depth).to_mesh().bounds())
 }
 
-/// From above, x to the right and z down.
+/// The view from above, x to the right and z down.
 fn plan(bounds: Bounds) -> Camera {
     Camera::auto(bounds).looking_from(0.0, 90.0).orthographic()
 }
@@ -62,8 +62,8 @@ fn cell(example: &Example, settings: &Settings, camera: Camera, measured: fn(&Mo
     Cell { model: marks::marked(&visible(&model), example), camera, borders: true, caption }
 }
 
-/// The model without pieces that are far thinner along x than a pixel. The last piece of a recursive split has no colour, and its end would
-/// hide the coloured pieces next to it.
+/// The model without pieces that are far thinner along x than a pixel. The last piece of a recursive split has no
+/// colour, and its end would hide the coloured pieces next to it.
 fn visible(model: &Model) -> Model {
     let mut out = Model::new();
     let least = model.bounds().size().max_element() * THINNEST;
@@ -83,7 +83,7 @@ fn comp_cell(example: &Example, settings: &Settings) -> Cell {
     cell(example, settings, view, counts)
 }
 
-/// The page shows façades and edges from the front right, the other examples from the front left.
+/// The angle of the view. The page shows façades and edges from the front right, other examples from the front left.
 fn azimuth(example: &Example) -> f64 {
     let from_the_right = [Mark::InitialPivot, Mark::Pivots("Right"), Mark::Initial];
     if from_the_right.iter().any(|mark| example.marks.contains(mark)) { 40.0 } else { -33.0 }
@@ -122,7 +122,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: Vec<Cell> = split_area::ALL.iter().map(|example| area_cell(example, &plain)).collect();
     save("split-area", sheet::draw(&cells, 3))?;
 
-    // The cylinder, and the same rules on a hollow one.
+    // The cylinder, and the same rules on a hollow cylinder.
     let tube = cutting::settings_with(meshes::lying_tube(cutting::SIDES, [0.3, 0.5], 4.0));
     let view = camera(cutting::cylinder::EXAMPLE.model(&cutting::settings()).bounds());
     let mut cells: Vec<Cell> =

@@ -1,6 +1,6 @@
-//! Rules in a file of their own, in plain CGA: `cargo run --example from_file` writes `house.png`.
+//! Rules in a separate file of plain CGA: `cargo run --example from_file` writes `house.png`.
 //!
-//! The rules are compiled with the program; changing the file rebuilds it, and mistakes are shown with its lines.
+//! The rules are compiled with the program. A change of the file rebuilds it, and errors show the lines of the file.
 
 use std::error::Error;
 

@@ -1,6 +1,7 @@
-//! Hashes of many outputs, one line each: equal wherever and however the program was built.
+//! Hashes of many outputs, one on each line: equal on every platform and in every build.
 //!
-//! `cargo run --release --example hashes` prints them, `.ci/wasm` compares them with those of the same program on wasm.
+//! `cargo run --release --example hashes` prints them. `.ci/wasm` compares them with those of the same program on
+//! wasm.
 
 use std::error::Error;
 use std::fmt::Debug;
@@ -19,10 +20,10 @@ mod tower;
 #[path = "../benches/workloads/mod.rs"]
 mod workloads;
 
-/// Larger workloads do not fit into 4 GB, or take long.
+/// Larger workloads exceed 4 GB or take long.
 const TERMINALS: usize = 200_000;
 
-/// The hash of FNV-1a.
+/// An FNV-1a hash.
 struct Hash(u64);
 
 impl Hash {
@@ -39,7 +40,7 @@ impl Hash {
     }
 }
 
-/// The hash of all that buffers hold.
+/// The hash of all contents of buffers.
 fn buffers(buffers: &Buffers) -> u64 {
     let mut hash = Hash(Hash::of(b""));
     let mut text = |text: &dyn Debug| hash.add(format!("{text:?}").as_bytes());
@@ -68,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Runs a grammar on some lots, in every way.
 fn grammar(name: &str, grammar: &(dyn Grammar + Sync)) -> Result<(), Box<dyn Error>> {
-    // Corners whose sines and cosines are no round numbers, and a courtyard.
+    // Corners with irrational sines and cosines, and a courtyard.
     let outline = |lot: usize| {
         let corner = move |at: usize| {
             let angle = at as f64 / (5 + lot) as f64 * std::f64::consts::TAU;

@@ -1,5 +1,5 @@
-//! A city of any size, streamed in parallel and in constant memory: each chunk of triangles is measured, or written to a file, and
-//! forgotten.
+//! A city of any size, streamed in parallel and in constant memory: each chunk of triangles is measured, or written
+//! to a file, and dropped.
 //!
 //! `cargo run --release --features rayon --example metropolis -- 100000` derives 100,000 buildings with 59 million parts. A
 //! folder as second argument gets a GLB file for each chunk.
@@ -26,10 +26,10 @@ cga! {
     Mid    --> split(y) { ~1 : Wall. | 1.5 : Window. | ~0.8 : Wall. }
 }
 
-/// Vertices of a chunk: about 2 MB with its indices.
+/// The vertices of a chunk: about 2 MB with its indices.
 const CHUNK: usize = 1 << 16;
 
-/// Lots that are held at a time. The list of initial shapes need not be in memory either.
+/// The number of lots in memory at a time. The list of initial shapes need not be in memory as a whole.
 const BATCH: usize = 8192;
 
 /// One building of 2 to 10 storeys, 40 in a row.
@@ -89,7 +89,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The most memory that the process ever had, where the system tells.
+/// The peak memory of the process, if the system reports it.
 fn peak_memory() -> Option<String> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     Some(status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?.trim().to_owned())

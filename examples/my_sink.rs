@@ -1,4 +1,4 @@
-//! A sink of one's own: how much glass a building has and how much wall, without keeping any geometry.
+//! A custom sink: the glass and wall areas of a building, without storing any geometry.
 //!
 //! `cargo run --example my_sink`
 
@@ -22,7 +22,7 @@ cga! {
     Bay    --> split(y) { ^(1 - glazing) : Wall. | ~1 : split(x) { 0.2 : Wall. | ~1 : Window. | 0.2 : Wall. } }
 }
 
-/// Square metres by rule, and how many leaves that was.
+/// The square metres and the number of leaves by rule.
 #[derive(Debug, Default)]
 struct Surfaces {
     by_rule: BTreeMap<&'static str, (f64, usize)>,
@@ -42,12 +42,12 @@ impl Surfaces {
 }
 
 impl Sink for Surfaces {
-    // Most of a façade is rectangles: these need no mesh.
+    // Most of a façade consists of rectangles, which need no mesh.
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         self.add(leaf, quad.u.cross(quad.v).length())
     }
 
-    // Everything else comes as a mesh.
+    // All other geometry comes as a mesh.
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         self.add(leaf, mesh.map(placement).area())
     }

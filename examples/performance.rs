@@ -1,7 +1,7 @@
-//! Runs all benches and writes their tables to `docs/performance.md`, with the machine named.
+//! Runs all benches and writes their tables to `docs/performance.md`, with a description of the machine.
 //!
-//! `cargo run --example performance`. Leave the machine alone meanwhile: times are the best of many runs, but all runs of a
-//! busy machine are slow.
+//! `cargo run --example performance`. Leave the machine idle meanwhile: times are the best of many runs, but on a
+//! busy machine all runs are slow.
 
 use std::error::Error;
 use std::fs;
@@ -9,11 +9,12 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Packages, benches and their arguments, in the order of the page.
-const BENCHES: [(&str, &str, &[&str]); 9] = [
+const BENCHES: [(&str, &str, &[&str]); 10] = [
     ("cga", "scenes", &[]),
     ("cga", "scenes", &["--instructions"]),
     ("cga", "memory", &[]),
     ("cga", "cutting", &[]),
+    ("cga", "offset", &[]),
     ("cga", "comp", &[]),
     ("cga", "triangles", &[]),
     ("cga", "textures", &[]),

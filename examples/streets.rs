@@ -1,7 +1,7 @@
-//! Centre lines of streets → roadways, sidewalks and junctions: `streets.glb` and `streets.png`.
+//! Roadways, sidewalks and junctions from the centre lines of streets: `streets.glb` and `streets.png`.
 //!
-//! `cargo run --release --example streets -- lines.geojson` reads GeoJSON lines in longitude and latitude; without a path a
-//! small made-up network is used.
+//! `cargo run --release --example streets -- lines.geojson` reads GeoJSON lines in longitude and latitude. Without a
+//! path it uses a small made-up network.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -14,7 +14,7 @@ use cga::{Model, Sink, cga};
 use serde_json::Value;
 
 cga! {
-    /// Streets by CityEngine's start rules.
+    /// Streets with CityEngine's start rules.
     pub grammar Streets;
 
     const kerb = 0.15
@@ -66,9 +66,9 @@ fn run() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The lines of a GeoJSON file in metres about their middle, and a note for each feature that has none.
+/// The lines of a GeoJSON file in metres relative to their middle, and a note for each feature without lines.
 fn read(text: &str) -> Result<(Vec<Centerline>, Vec<String>), Box<dyn Error>> {
-    let file: Value = serde_json::from_str(text).map_err(|error| format!("the lines are no JSON: {error}"))?;
+    let file: Value = serde_json::from_str(text).map_err(|error| format!("the lines are not JSON: {error}"))?;
     let features = file["features"].as_array().ok_or("no `features`: is it a GeoJSON feature collection?")?;
     let (mut lines, mut problems) = (Vec::new(), Vec::new());
     for (number, feature) in features.iter().enumerate() {
@@ -94,7 +94,7 @@ fn read(text: &str) -> Result<(Vec<Centerline>, Vec<String>), Box<dyn Error>> {
         ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
     });
     let middle = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
-    // For a district the earth is flat.
+    // At the size of a district the earth is flat.
     const METRES_A_DEGREE: f64 = 111_319.490_8;
     let shrink = libm::cos(middle[1].to_radians());
     let metres = |p: &[f64; 2]| [(p[0] - middle[0]) * shrink * METRES_A_DEGREE, (middle[1] - p[1]) * METRES_A_DEGREE];

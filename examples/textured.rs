@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release --example textured`
 //!
-//! The images are drawn by this program and written into `out/textured`. The bricks are projected once for each façade, so they
-//! run through around its windows; each window has an image of its own.
+//! This program draws the images and writes them to `out/textured`. The bricks are projected once for each façade, so
+//! their pattern continues around its windows. Each window has its own image.
 
 use std::error::Error;
 use std::path::Path;
@@ -42,7 +42,7 @@ cga! {
 }
 
 cga! {
-    /// Streets by CityEngine's start rules, with markings along texture coordinates.
+    /// Streets with CityEngine's start rules, with markings along texture coordinates.
     @Allow(missing_asset)
     pub grammar Streets;
 
@@ -107,7 +107,7 @@ fn noise(x: i64, y: i64) -> f64 {
     ((state ^ (state >> 32)) >> 40) as f64 / (1u64 << 24) as f64
 }
 
-/// A colour made lighter or darker.
+/// A lighter or darker colour.
 fn shade([r, g, b]: [u8; 3], by: f64) -> [u8; 4] {
     let channel = |value: u8| (f64::from(value) + by).clamp(0.0, 255.0) as u8;
     [channel(r), channel(g), channel(b), 255]

@@ -1,4 +1,4 @@
-//! The main job: rules → a tower → `tower.glb` and `tower.png`.
+//! The main use: from rules to a tower, `tower.glb` and `tower.png`.
 //!
 //! `cargo run --release --example tower`
 
@@ -8,16 +8,17 @@ use std::time::Instant;
 use cga::{Settings, Shape, cga};
 
 cga! {
-    /// An office tower on a podium: every storey is a slab of the mass, every window has frames and set-back glass.
+    /// An office tower on a podium. Every storey is a slab of the mass, and every window has frames and set-back
+    /// glass.
     pub grammar Tower;
 
-    /// Height of the whole building in metres.
+    /// The height of the whole building in metres.
     @Range(min = 30, max = 200)
     attr height = 74
-    /// Height of a storey in metres.
+    /// The height of a storey in metres.
     @Range(min = 2.6, max = 5)
     attr storey = 3.3
-    /// Width that a bay should have, in metres; the façade decides how many fit.
+    /// The desired width of a bay, in metres. The façade determines the number of bays.
     @Range(min = 1.5, max = 6)
     attr bay = 2.6
     attr stone = "#d9cdb8"
@@ -27,7 +28,7 @@ cga! {
     const crown = 5
     glass = 12% : "#f3d58a" 20% : "#5d7f92" else : "#48697d"
 
-    // The mass: podium, shaft and crown, each a solid cut from the one before.
+    // The mass: podium, shaft and crown, each a solid cut from the previous one.
     @StartRule
     Lot     --> extrude(height) split(y) { podium : Podium | ~1 : Shaft | crown : Crown }
     Podium  --> split(y) { ~1 : Arcade | 0.5 : Ledge(1.02) }
@@ -65,7 +66,7 @@ cga! {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // A block with cut corners, the first edge on the street.
+    // A block with cut corners. Its first edge is at the street.
     let outline =
         [[4.0, 24.0], [28.0, 24.0], [32.0, 20.0], [32.0, 4.0], [28.0, 0.0], [4.0, 0.0], [0.0, 4.0], [0.0, 20.0]];
     let lot = Shape::footprint(&outline, &[])?.seed(7);

@@ -75,7 +75,7 @@ pub mod texture {
     pub use cga_runtime::geometry::uv_map::{SetMap, UvMap};
 }
 
-/// Where leaves go: the trait and the sinks that come with the crate.
+/// The sink trait, and the sinks of this crate.
 pub mod sink {
     #[cfg(feature = "gltf")]
     pub use cga_runtime::output::gltf;
@@ -83,10 +83,11 @@ pub mod sink {
     pub use cga_runtime::run::sink::{Cuboid, Filled, Flow, Leaf, PartId, Quad, Replay, Sink};
 }
 
-/// Many initial shapes at once, on several threads with the feature `rayon`. The results are those of a loop, to the byte.
+/// Runs on many initial shapes, on several threads with the feature `rayon`. The results equal those of a loop, to
+/// the byte.
 ///
-/// [`generate_all`](parallel::generate_all) gives a model of each shape. Its parts can be written as one file, without being
-/// joined first:
+/// [`generate_all`](parallel::generate_all) returns a model of each shape. Its parts can be written as one file,
+/// without being joined first:
 ///
 /// ```
 /// use cga::{Error, Settings, Shape, cga};
@@ -104,7 +105,7 @@ pub mod sink {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// [`run_all`](parallel::run_all) has a sink for each stretch of shapes. A grammar has the same as a method:
+/// [`run_all`](parallel::run_all) has a sink for each stretch of shapes. Grammars have a method that does the same:
 ///
 /// ```
 /// # use cga::{Error, Settings, Shape, cga};
@@ -133,7 +134,7 @@ pub mod sink {
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// A [`ShapeError`] names the shape:
+/// A [`ShapeError`] has the index of the shape:
 ///
 /// ```
 /// # use cga::{Settings, Shape, cga};
@@ -166,7 +167,7 @@ pub mod parallel {
 /// for part in Network::new(&lines, &NetworkOptions::default())?.parts() {
 ///     let _ = Streets::default().generate_from(part.start_rule(), &part.shape())?.replay(&mut model as &mut dyn Sink);
 /// }
-/// // Four streets and the crossing; four times two sidewalks and four corners.
+/// Four streets and the crossing; four times two sidewalks, and four corners.
 /// assert_eq!((model.count("Roadway"), model.count("Pavement")), (5, 12));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -174,12 +175,12 @@ pub mod street {
     pub use cga_runtime::street::{Centerline, Kind, Network, NetworkOptions, Part, Side, StreetError};
 }
 
-/// The split solver on its own: sizes and an extent → pieces.
+/// The split solver: pieces from sizes and an extent.
 pub mod split {
     pub use cga_runtime::split::{Item, Piece, Prefix, Size, Solution, solve};
 }
 
-/// What generated code uses. No promise is made about it.
+/// The interface of generated code, without a promise of stability.
 #[doc(hidden)]
 pub mod __rt {
     pub use cga_runtime::rt::*;

@@ -126,7 +126,7 @@ fn runs_start_where_they_are_told_to() {
     assert_eq!(starts.collect::<Vec<_>>(), [("Lot", true, false), ("Storey", false, false), ("Other", false, false)]);
     assert_eq!(house.generate_from("Other", &lot()).expect("no limit").len(), 2);
     let error = house.generate_from("Named", &lot()).expect_err("it has a parameter");
-    assert_eq!(error.to_string(), "no rule `Named` to start with; there is Lot, Storey, Other");
+    assert_eq!(error.to_string(), "`Named` is not a start rule; the start rules are Lot, Storey, Other");
     cga! { grammar First; Helper(_n) --> X. First --> Helper(1) Second --> Y. }
     assert_eq!(names(&First::default().generate(&lot()).expect("no limit")), ["X"]);
 }

@@ -191,12 +191,12 @@ fn what_a_person_types_is_set_or_refused_with_a_reason() {
     let refused = [
         ("height", "61", "attribute `height`: 61 is outside of 3 to 60"),
         ("height", "tall", "attribute `height` is a number, and `tall` is not"),
-        ("style", "gothic", "attribute `style`: `gothic` is none of plain, ornate, ruined"),
-        ("use", "flats", "attribute `use`: `flats` is none of barns"),
-        ("floors", r#"["shops", "barns"]"#, "attribute `floors`: `barns` is none of flats, shops, offices"),
+        ("style", "gothic", "attribute `style`: `gothic` is not one of plain, ornate, ruined"),
+        ("use", "flats", "attribute `use`: `flats` is not one of barns"),
+        ("floors", r#"["shops", "barns"]"#, "attribute `floors`: `barns` is not one of flats, shops, offices"),
         ("floorHeights", "[3, 8, 9]", "attribute `floorHeights`: 8 is outside of 2.5 to 7"),
         ("floorHeights", "[3, [4]]", "attribute `floorHeights` is an array of numbers, and `[3, [4]]` is not"),
-        ("dormers", "2", "attribute `dormers`: `2` is none of 1, 3, 9"),
+        ("dormers", "2", "attribute `dormers`: `2` is not one of 1, 3, 9"),
         ("lit", "yes", "attribute `lit` is true or false, and `yes` is not"),
         ("hieght", "3", "there is no attribute `hieght`; did you mean `height`?"),
     ];
@@ -223,14 +223,14 @@ fn a_run_checks_what_the_fields_hold() {
     let refused: [(Change, &str, &str); 6] = [
         (|house| house.old = 98.0, "old", "98 is outside of 0 to 10"),
         (|house| house.floorHeights = [3.0, f64::NAN].into(), "floorHeights", "NaN is outside of 2.5 to 7"),
-        (|house| house.style = String::new(), "style", "`` is none of plain, ornate, ruined"),
+        (|house| house.style = String::new(), "style", "`` is not one of plain, ornate, ruined"),
         (
             |house| house.floors = ["shops", "x"].map(cga::Text::from).into(),
             "floors",
-            "`x` is none of flats, shops, offices",
+            "`x` is not one of flats, shops, offices",
         ),
-        (|house| house.r#use = Some("x".into()), "use", "`x` is none of flats, shops, offices"),
-        (|house| house.dormers = 2.0, "dormers", "`2` is none of 1, 3, 9"),
+        (|house| house.r#use = Some("x".into()), "use", "`x` is not one of flats, shops, offices"),
+        (|house| house.dormers = 2.0, "dormers", "`2` is not one of 1, 3, 9"),
     ];
     for (change, name, message) in refused {
         assert_eq!(run(change), Err(Error::Attribute { name, message: message.into() }));
@@ -248,7 +248,7 @@ fn a_run_can_start_with_a_hidden_rule_though_nobody_offers_it() {
     let model = house.generate_from("Debug", &Shape::rectangle(1.0, 1.0)).expect("a model");
     assert_eq!(model.prints()[0].to_string(), "debug");
     let error = house.generate_from("Nowhere", &Shape::rectangle(1.0, 1.0)).expect_err("no such rule");
-    assert_eq!(error.to_string(), "no rule `Nowhere` to start with; there is Lot, Mass, Floor");
+    assert_eq!(error.to_string(), "`Nowhere` is not a start rule; the start rules are Lot, Mass, Floor");
 }
 
 #[test]
@@ -287,7 +287,7 @@ fn attributes_of_imports_are_in_the_table_with_what_they_say() {
     assert_eq!(rules.set_text("some.height", "4"), Ok(()));
     assert_eq!(rules.set_text("some.colours", r##"["#000000"]"##), Ok(()));
     let refused = rules.set_text("some.colour", "#ff0000").expect_err("none of the import's own");
-    assert_eq!(refused.to_string(), "attribute `some.colour`: `#ff0000` is none of #000000");
+    assert_eq!(refused.to_string(), "attribute `some.colour`: `#ff0000` is not one of #000000");
     assert!(rules.set_text("annotated.height", "6").is_err());
     let model = rules.generate(&Shape::rectangle(1.0, 1.0)).expect("a model");
     assert_eq!(model.prints().iter().map(|line| line.to_string()).collect::<Vec<_>>(), ["2", "4", "2"]);

@@ -67,3 +67,15 @@ fn the_readme_has_the_two_commands() {
         assert!(readme.contains(command), "{command}");
     }
 }
+
+#[test]
+fn the_files_that_docs_name_exist() {
+    let sources: Vec<String> = sources().iter().map(|path| path.display().to_string()).collect();
+    for page in ["cutting", "offset", "decisions", "glossary"] {
+        let text = fs::read_to_string(root().join(format!("docs/{page}.md"))).expect("a page");
+        for name in text.split('`').filter(|name| name.ends_with(".rs") && !name.contains('*')) {
+            let end = format!("/{name}");
+            assert!(sources.iter().any(|path| path.ends_with(&end)), "docs/{page}.md names {name}");
+        }
+    }
+}

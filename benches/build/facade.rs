@@ -1,5 +1,5 @@
-//! A façade file with styles, of the kind that is published: elements with attributes, constants, functions and rules. Each
-//! style has other values for a quarter of the attributes, and two rules of its own.
+//! A façade file with styles, similar to published ones: elements with attributes, constants, functions and rules.
+//! Each style changes a quarter of the attributes and has two rules of its own.
 
 use std::fmt::Write;
 
@@ -7,7 +7,7 @@ use std::fmt::Write;
 const ELEMENTS: [&str; 12] =
     ["Window", "Door", "Balcony", "Cornice", "Pillar", "Arcade", "Loggia", "Dormer", "Shop", "Frieze", "Plinth", "Bay"];
 
-/// The rules, with so many styles beside `Default`.
+/// The rules, with `styles` styles beside `Default`.
 pub(crate) fn rules(styles: usize) -> String {
     let mut text = String::from(HEAD);
     for (number, name) in ELEMENTS.iter().enumerate() {

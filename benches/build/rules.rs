@@ -1,9 +1,9 @@
-//! Many rules: styles of a building, ten rules each, with the operations that such rules use. No two styles have the same
-//! numbers, so no two rules are the same function.
+//! Many rules: styles of a building with ten rules each and typical operations. No two styles have the same numbers,
+//! so no two rules are the same function.
 
 use std::fmt::Write;
 
-/// CGA text with about `count` rules, and never fewer.
+/// CGA text with `count` rules or a few more.
 pub(crate) fn rules(count: usize) -> String {
     let mut text = String::from(
         "version \"2025.1\"\n\

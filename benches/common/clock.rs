@@ -1,10 +1,11 @@
-//! Times of several ways to do the same work, best of many.
+//! Times of several implementations of the same work, best of many.
 
 use std::time::{Duration, Instant};
 
-/// The best time of each way. The ways run in turn, so that a change in the machine's load meets all of them alike.
+/// The best time of each implementation. They run in turn, so that a change in the machine's load affects all
+/// equally.
 ///
-/// There are at least three rounds, and as many more as fit into `seconds`.
+/// There are at least three rounds, and further rounds as long as `seconds` have not passed.
 pub(crate) fn fastest<const N: usize>(seconds: f64, mut ways: [&mut dyn FnMut(); N]) -> [Duration; N] {
     let mut best = [Duration::MAX; N];
     let begin = Instant::now();
@@ -20,7 +21,7 @@ pub(crate) fn fastest<const N: usize>(seconds: f64, mut ways: [&mut dyn FnMut();
     best
 }
 
-/// Nanoseconds for each of `count` things.
+/// The nanoseconds for each of `count` items.
 pub(crate) fn nanoseconds_each(time: Duration, count: usize) -> f64 {
     time.as_secs_f64() * 1e9 / count as f64
 }

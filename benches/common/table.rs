@@ -1,4 +1,4 @@
-//! Tables in Markdown with aligned columns: readable on a terminal, and copied as they are to `docs/performance.md`.
+//! Markdown tables with aligned columns, for the terminal and for `docs/performance.md`.
 
 /// A table with a heading. The first column is text, the others are numbers.
 pub(crate) struct Table {
@@ -15,7 +15,7 @@ impl Table {
         Table { title: title.to_owned(), columns, rows: Vec::new(), note: None }
     }
 
-    /// Adds a row; cells that are missing at its end stay empty.
+    /// Adds a row. Missing cells at its end stay empty.
     pub(crate) fn row(&mut self, name: &str, cells: &[String]) {
         let mut row = vec![name.to_owned()];
         row.extend_from_slice(cells);
@@ -23,12 +23,12 @@ impl Table {
         self.rows.push(row);
     }
 
-    /// A sentence below the heading.
+    /// Adds a sentence below the heading.
     pub(crate) fn note(&mut self, note: &str) {
         self.note = Some(note.to_owned());
     }
 
-    /// Writes the table to standard output. Without rows there is only the note, and nothing without one.
+    /// Writes the table to standard output. A table without rows is printed as its note, or not at all.
     pub(crate) fn print(&self) {
         if self.rows.is_empty() {
             return self.note.iter().for_each(|note| println!("\n## {}\n\n{note}", self.title));
@@ -58,7 +58,7 @@ impl Table {
     }
 }
 
-/// A cell with `digits` after the point.
+/// A cell with `digits` decimal digits.
 pub(crate) fn number(value: f64, digits: usize) -> String {
     format!("{value:.digits$}")
 }

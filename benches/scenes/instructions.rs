@@ -1,7 +1,7 @@
-//! Instructions instead of times: the same number in every run, on a busy machine as well.
+//! Instructions instead of times: equal numbers in every run, even on a busy machine.
 //!
-//! Each scene runs in a child process under callgrind: once to warm up, then once more inside [`counted_by_callgrind`], the
-//! only function that callgrind collects.
+//! Each scene runs in a child process under callgrind: once to warm up, then once inside [`counted_by_callgrind`],
+//! the only function that callgrind counts.
 
 use std::hint::black_box;
 use std::process::Command;
@@ -21,7 +21,7 @@ pub(crate) const CHILD: &str = "--counted";
 
 const WAYS: [&str; 3] = ["by hand", "buffers", "terminals"];
 
-/// The other sinks. Each run makes a new one, and writes its bytes where there are any.
+/// The other sinks. Each run makes a new sink, and writes its bytes if it has any.
 const SINKS: [&str; 5] = ["new buffers", "model", "GLB bytes", "OBJ text", "stats"];
 
 /// Prints a row for each scene.
@@ -50,7 +50,7 @@ fn sinks(scenes: &[Box<dyn Scene>]) {
     table.print();
 }
 
-/// The instructions of one run.
+/// The number of instructions of one run.
 fn count(scene: &str, way: &str) -> u64 {
     let program = std::env::current_exe().expect("the path of this program");
     let output = Command::new("valgrind")
@@ -64,7 +64,7 @@ fn count(scene: &str, way: &str) -> u64 {
     collected.unwrap_or_else(|| panic!("callgrind counted nothing for {scene} {way}:\n{text}"))
 }
 
-/// The child process: one scene in one way.
+/// The child process: one scene in one implementation.
 pub(crate) fn run(scene: &str, way: &str) {
     let mut scene = workloads::all().into_iter().find(|other| other.name() == scene).expect("a scene of this name");
     let expected = scene.expected();

@@ -1,4 +1,4 @@
-//! Workload A-chance: the façade of workload A with glass that is lit by chance.
+//! Workload A-chance: the façade of workload A with randomly lit glass.
 
 use cga::{Settings, Shape, Sink, cga};
 

@@ -1,4 +1,4 @@
-//! Workload D: a city of façaded boxes, each façade in one of three colours by chance.
+//! Workload D: a city of façaded boxes, each façade in a random one of three colours.
 
 use cga::{Settings, Shape, Sink, cga};
 
@@ -17,7 +17,7 @@ cga! {
     Mid    --> split(y) { ~1 : Wall. | 1.5 : Window. | ~0.8 : Wall. }
 }
 
-/// A building on each of some lots.
+/// A building on each lot.
 pub(crate) struct City {
     lots: Vec<Shape>,
     grammar: Buildings,
@@ -69,13 +69,13 @@ fn corner(lot: usize) -> [f64; 3] {
     [20.0 * (lot % 40) as f64, 0.0, 20.0 * (lot / 40) as f64]
 }
 
-/// Rules by number, as the loop notes them.
+/// The rules by number, as recorded by the loop.
 const SHOP: u32 = 0;
 const WALL: u32 = 1;
 const WINDOW: u32 = 2;
 const ROOF: u32 = 3;
 
-/// One building: the loop knows all sizes. Material 0 is that of the roof, which has no colour.
+/// One building, by a loop that knows all sizes. Material 0 belongs to the roof, which has no colour.
 fn building(lot: usize, out: &mut Raw) {
     let (m, c) = (floors(lot), corner(lot));
     let (w, h, d) = (13.5, 4.0 + 3.0 * m as f64, 11.0);

@@ -57,12 +57,12 @@ impl Workload for Facade {
 /// The material of a rule that sets none.
 pub(crate) const PLAIN: u32 = 0;
 
-/// Rules by number, as the hand-written loop notes them.
+/// The rules by number, as recorded by the hand-written loop.
 const SHOP: u32 = 0;
 const WALL: u32 = 1;
 const FRAME: u32 = 2;
 const ROOF: u32 = 3;
-/// The rule of the glass; numbers from here on are free for others.
+/// The rule of the glass. Other workloads may use the numbers from here on.
 pub(crate) const GLASS: u32 = 4;
 
 /// The number of bays and floors of a façade.
@@ -89,7 +89,7 @@ impl Size {
         self.k == 40
     }
 
-    /// Width and depth, and height.
+    /// The width, which is also the depth, and the height.
     fn extent(self) -> (f64, f64) {
         (1.0 + 2.5 * self.k as f64, 4.0 + 3.0 * self.m as f64)
     }
@@ -105,7 +105,7 @@ impl Size {
         Expected { terminals, triangles: 2 * terminals + 160 * k * m, vertices: 4 * terminals + 320 * k * m, checksum }
     }
 
-    /// A loop that knows all sizes. `bay` is the material of the bays, `glass` gives rule and material of a pane.
+    /// A loop that knows all sizes. `bay` is the material of the bays, `glass` returns rule and material of a pane.
     #[inline]
     pub(crate) fn by_hand(self, bay: u32, mut glass: impl FnMut() -> (u32, u32), out: &mut Raw) {
         let (w, h) = self.extent();
@@ -136,7 +136,7 @@ impl Size {
                     let left = left + 0.65;
                     out.quad(at(left, level, 0.0), along(1.2), up(below), n);
                     let sill = level + below;
-                    // A frame's scope: y outwards, z downwards, the origin at its upper corner.
+                    // The scope of a frame: y outwards, z downwards, the origin at its upper corner.
                     let down = [0.0, -1.0, 0.0];
                     let frame = |out: &mut Raw, left: f64, bottom: f64, width: f64, height: f64| {
                         out.cuboid(at(left, bottom + height, 0.0), [x, n, down], [width, 0.08, height]);

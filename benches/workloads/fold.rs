@@ -1,4 +1,4 @@
-//! A sink that keeps nothing, for the cost of terminals without buffers.
+//! A sink without storage, for the cost of terminals without buffers.
 
 use std::hint::black_box;
 use std::sync::Arc;

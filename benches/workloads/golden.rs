@@ -1,11 +1,11 @@
-//! Workload B2: a box that is divided in the golden ratio again and again.
+//! Workload B2: a box that is repeatedly divided in the golden ratio.
 
 use cga::{Settings, Shape, Sink, cga};
 
 use super::{Expected, Raw, Workload, run};
 
 cga! {
-    /// A box divided in the golden ratio, `level` times over.
+    /// A box divided in the golden ratio on `level` levels.
     grammar Divided;
 
     attr level = 12
@@ -14,7 +14,7 @@ cga! {
     B(n) --> case n == 0 : Box. else : split(y) { ^0.382 : B(n - 1) | ^0.618 : A(n - 1) }
 }
 
-/// A box of 5 x 1 x 1 in `2^n` boxes, or a few less where lengths get too short to be divided.
+/// A box of 5 x 1 x 1 in `2^n` boxes, or slightly fewer where lengths get too short to be divided.
 pub(crate) struct Golden {
     n: u32,
     lot: [Shape; 1],
@@ -52,13 +52,14 @@ impl Workload for Golden {
     }
 }
 
-/// Lengths that are not above this are not divided: a millionth of the longest side of the lot.
+/// Lengths up to this are not divided: a millionth of the longest side of the lot.
 const TOO_SHORT: f64 = 5e-6;
 
-/// The rule of a box that is divided as often as wanted; others are leaves of the rule that would divide them, `A` or `B`.
+/// The rule of a box that was divided `level` times. Other boxes are leaves of the rule that would divide them, `A`
+/// or `B`.
 const BOX: u32 = 2;
 
-/// Divides along y if `upright`, else along x. The smaller part is divided as its parent was.
+/// Divides along y if `upright`, otherwise along x. The smaller part is divided along the same axis.
 fn golden(n: u32, upright: bool, o: [f64; 3], size: [f64; 3], out: &mut Raw) {
     let axis = usize::from(upright);
     if n == 0 || size[axis] <= TOO_SHORT {

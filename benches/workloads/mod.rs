@@ -1,6 +1,6 @@
-//! The workloads: each is a grammar and a hand-written loop that makes the same output.
+//! The workloads: each is a grammar and a hand-written loop with the same output.
 //!
-//! A new one is a file with a [`Workload`] for each size, and a line in [`all`].
+//! A new workload is a file with a [`Workload`] for each size, and a line in [`all`].
 
 #![allow(dead_code, reason = "not every program uses all of it")]
 
@@ -25,7 +25,7 @@ pub(crate) use check::{Expected, check};
 pub(crate) use fold::Fold;
 pub(crate) use raw::Raw;
 
-/// Runs a grammar on shapes, one after the other. The only place that does, so that all workloads run in the same way.
+/// Runs a grammar on shapes, one after the other. All workloads run through this macro, so that they are comparable.
 macro_rules! run {
     ($grammar:expr, $settings:expr, $shapes:expr, $sink:expr) => {
         let mut session = $grammar.session($settings).expect("the attributes are in their ranges");
@@ -42,7 +42,7 @@ pub(crate) trait Workload {
     fn name(&self) -> String;
     /// The counts and sums of its output.
     fn expected(&self) -> Expected;
-    /// `true` for the size that goes into tables with one row a workload.
+    /// True for the size that is in tables with one row for each workload.
     fn is_main(&self) -> bool;
     /// Makes the output with a loop that knows all sizes.
     fn by_hand(&mut self, out: &mut Raw);
@@ -50,7 +50,7 @@ pub(crate) trait Workload {
     fn derive<S: Sink>(&mut self, sink: &mut S);
 }
 
-/// A workload with each sink that is measured.
+/// A workload with each measured sink.
 pub(crate) trait Scene {
     fn name(&self) -> String;
     fn expected(&self) -> Expected;

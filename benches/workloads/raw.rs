@@ -27,7 +27,7 @@ fn add(a: V, b: V) -> V {
 }
 
 impl Raw {
-    /// Empty, with room for this many vertices and indices.
+    /// Empty buffers with room for numbers of vertices and indices.
     pub(crate) fn with_capacity(vertices: usize, indices: usize) -> Self {
         Raw { vertices: Vec::with_capacity(vertices), indices: Vec::with_capacity(indices), runs: Vec::new() }
     }
@@ -45,7 +45,7 @@ impl Raw {
         self.runs.push(run);
     }
 
-    /// Starts a new run unless rule and material are those of the last one.
+    /// Starts a new run unless the last one has the same rule and material.
     #[inline(always)]
     pub(crate) fn start_run_if_new(&mut self, rule: u32, material: u32) {
         match self.runs.last() {
@@ -54,7 +54,7 @@ impl Raw {
         }
     }
 
-    /// A rectangle with a known normal.
+    /// Adds a rectangle with a known normal.
     #[inline(always)]
     pub(crate) fn quad(&mut self, o: V, u: V, v: V, n: V) {
         let start = self.vertices.len() as u32;
@@ -64,7 +64,7 @@ impl Raw {
         self.indices.extend_from_slice(&[start, start + 1, start + 2, start, start + 2, start + 3]);
     }
 
-    /// A box with known unit axes.
+    /// Adds a box with known unit axes.
     #[inline(always)]
     pub(crate) fn cuboid(&mut self, o: V, axes: [V; 3], size: V) {
         let scaled = |axis: V, by: f64| [axis[0] * by, axis[1] * by, axis[2] * by];

@@ -1,11 +1,11 @@
-//! Workload B: the Menger sponge, rules that call themselves.
+//! Workload B: the Menger sponge, with recursive rules.
 
 use cga::{Settings, Shape, Sink, cga};
 
 use super::{Expected, Raw, Workload, run};
 
 cga! {
-    /// A cube with holes, `level` times over.
+    /// A cube with holes on `level` levels.
     grammar Menger;
 
     attr level = 3

@@ -2,9 +2,10 @@
 //!
 //! `cargo bench -p cga-lang --bench front`
 
-use cga_lang::compile::{Door, Source, compile_after, compile_text};
+use cga_lang::compile::{Door, Source, compile, compile_text};
 use cga_lang::diag::Diags;
 use cga_lang::lex::lex;
+use cga_lang::link::{NoFiles, Unit};
 use cga_lang::parse::parse;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -66,7 +67,11 @@ fn times(text: &str) -> [Duration; 3] {
             },
             &|| {
                 let lexed = lex(black_box(text));
-                black_box(compile_after(&lexed.tokens, Door::Text, &[], lexed.diags));
+                black_box(compile(
+                    Unit { found: lexed.diags, ..Unit::new(lexed.tokens, Door::Text) },
+                    &mut NoFiles,
+                    &[],
+                ));
             },
         ];
         for (way, best) in ways.into_iter().zip(&mut best) {

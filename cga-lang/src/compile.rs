@@ -49,24 +49,9 @@ impl Compiled {
     }
 }
 
-/// Compiles tokens.
-pub fn compile(tokens: &Tokens, door: Door) -> Compiled {
-    compile_with(tokens, door, &[])
-}
-
-/// Compiles tokens, with levels of findings for the grammar as a whole (`@Allow` and its like before the header).
-pub fn compile_with(tokens: &Tokens, door: Door, levels: &[(Code, Level)]) -> Compiled {
-    compile_after(tokens, door, levels, Vec::new())
-}
-
-/// Compiles tokens; `found` are the findings of whoever made them. An error among these leaves no grammar.
-pub fn compile_after(tokens: &Tokens, door: Door, levels: &[(Code, Level)], found: Vec<Diag>) -> Compiled {
-    let root = Unit { name: String::new(), tokens: tokens.clone(), door, found };
-    compile_files(root, &mut NoFiles, levels)
-}
-
-/// Compiles a file and what it imports.
-pub fn compile_files(root: Unit, files: &mut dyn Files, levels: &[(Code, Level)]) -> Compiled {
+/// Compiles a file and what it imports, with levels of diagnostics for the grammar as a whole (`@Allow` and its like before
+/// the header). An error that was found in the tokens leaves no grammar.
+pub fn compile(root: Unit, files: &mut dyn Files, levels: &[(Code, Level)]) -> Compiled {
     let mut diags = Diags::new();
     let mut program = link(root, files, &mut diags);
     let read = diags.finish();
@@ -127,14 +112,10 @@ pub struct Source {
     pub compiled: Compiled,
 }
 
-/// Compiles CGA text.
+/// Compiles CGA text that imports nothing.
 pub fn compile_text(text: &str) -> Source {
-    compile_text_with(text, &[])
-}
-
-/// Compiles CGA text, with levels of findings for the grammar as a whole.
-pub fn compile_text_with(text: &str, levels: &[(Code, Level)]) -> Source {
     let lexed = lex(text);
-    let compiled = compile_after(&lexed.tokens, Door::Text, levels, lexed.diags);
+    let root = Unit { found: lexed.diags, ..Unit::new(lexed.tokens.clone(), Door::Text) };
+    let compiled = compile(root, &mut NoFiles, &[]);
     Source { tokens: lexed.tokens, ranges: lexed.ranges, compiled }
 }

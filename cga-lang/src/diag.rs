@@ -1,8 +1,13 @@
 //! Findings, and a list of them that cannot be lost.
 
+mod basis;
+mod line;
+
 use crate::code::Code;
 pub use crate::code::Level;
 use crate::span::Span;
+pub use basis::Basis;
+pub use line::{Line, RELATIVE};
 
 /// A finding: what is wrong, where, why, and what to type instead.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,38 +18,59 @@ pub struct Diag {
     pub level: Level,
     /// The guilty tokens.
     pub span: Span,
-    /// What is wrong here: lower case, no full stop, names in backticks.
-    pub message: String,
-    /// Why.
+    /// What is wrong here.
+    pub message: Line,
+    /// The content of the message that programs read.
+    pub detail: Detail,
+    /// The reason why it holds, if it is a claim about runs.
+    pub basis: Basis,
+    /// Why. [`reasons`](Diag::reasons) has these and the basis.
     pub notes: Vec<Note>,
     /// What to type.
-    pub help: Vec<String>,
+    pub help: Vec<Line>,
+}
+
+/// The content of a message that programs read, beyond the code of the diagnostic.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Detail {
+    /// None.
+    #[default]
+    None,
+    /// The value that a condition always has.
+    Condition(bool),
+    /// The name of what is not implemented.
+    Later(String),
 }
 
 /// A line that says why, and perhaps points to a second place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
     /// The line.
-    pub text: String,
-    /// The second place: a door shows its line number after the text.
+    pub text: Line,
+    /// The second place: its line number is shown after the text.
     pub related: Option<Span>,
 }
 
 impl Diag {
+    /// Why it is reported: the notes, then the basis.
+    pub fn reasons(&self) -> impl Iterator<Item = Note> {
+        self.notes.iter().cloned().chain(self.basis.notes())
+    }
+
     /// Adds a reason.
-    pub fn note(&mut self, text: impl Into<String>) -> &mut Self {
+    pub fn note(&mut self, text: impl Into<Line>) -> &mut Self {
         self.notes.push(Note { text: text.into(), related: None });
         self
     }
 
-    /// Adds a reason that lies elsewhere. The door shows `text` and the line, as in "first declared in line 3".
-    pub fn related(&mut self, text: impl Into<String>, place: Span) -> &mut Self {
+    /// Adds a reason that lies elsewhere. It is shown with its line, as in "first declared in line 3".
+    pub fn related(&mut self, text: impl Into<Line>, place: Span) -> &mut Self {
         self.notes.push(Note { text: text.into(), related: Some(place) });
         self
     }
 
     /// Adds what to type.
-    pub fn help(&mut self, text: impl Into<String>) -> &mut Self {
+    pub fn help(&mut self, text: impl Into<Line>) -> &mut Self {
         self.help.push(text.into());
         self
     }
@@ -55,6 +81,7 @@ impl Diag {
         for note in &mut self.notes {
             note.related = note.related.map(&to);
         }
+        self.basis = self.basis.moved(&to);
         self
     }
 
@@ -81,13 +108,22 @@ impl Diags {
     }
 
     /// Adds a finding of the code's own level.
-    pub fn report(&mut self, code: Code, span: Span, message: impl Into<String>) -> &mut Diag {
+    pub fn report(&mut self, code: Code, span: Span, message: impl Into<Line>) -> &mut Diag {
         self.report_as(code, code.level(), span, message)
     }
 
     /// Adds a finding of another level than the code's own.
-    pub fn report_as(&mut self, code: Code, level: Level, span: Span, message: impl Into<String>) -> &mut Diag {
-        self.list.push(Diag { code, level, span, message: message.into(), notes: Vec::new(), help: Vec::new() });
+    pub fn report_as(&mut self, code: Code, level: Level, span: Span, message: impl Into<Line>) -> &mut Diag {
+        self.list.push(Diag {
+            code,
+            level,
+            span,
+            message: message.into(),
+            detail: Detail::None,
+            basis: Basis::Rules,
+            notes: Vec::new(),
+            help: Vec::new(),
+        });
         self.list.last_mut().expect("one was pushed")
     }
 
@@ -101,21 +137,9 @@ impl Diags {
         self.list.iter().any(|diag| diag.level == Level::Error)
     }
 
-    /// What was found since there were as many.
-    pub(crate) fn since(&self, count: usize) -> &[Diag] {
-        self.list.get(count..).unwrap_or_default()
-    }
-
-    /// Adds what to type to the first diagnostic since there were as many.
-    pub(crate) fn help_since(&mut self, count: usize, help: &str) {
-        if let Some(diag) = self.list.get_mut(count) {
-            diag.help(help);
-        }
-    }
-
-    /// How many there are.
-    pub(crate) fn count(&self) -> usize {
-        self.list.len()
+    /// The diagnostics so far, in the order of the reports.
+    pub(crate) fn so_far(&mut self) -> &mut [Diag] {
+        &mut self.list
     }
 
     /// Changes what has been collected so far.

@@ -1,10 +1,10 @@
 //! What a checked grammar means, ready to be written as Rust.
 //!
-//! Every name is an index, every split or comp block is a rule of its own with the parameters it captures, every
+//! Every name is an index, the operations of each part in braces are a rule of their own with the parameters it captures, every
 //! expression has a type. Code generation reads this and decides nothing. `ir_print` shows it as text.
 
 mod attr;
-mod comp;
+mod block;
 mod expr;
 
 use crate::ops::{Operation, ShapeAttr};
@@ -13,8 +13,9 @@ use crate::span::Span;
 pub use crate::types::Type;
 pub use cga_split::{Item, Piece, Prefix};
 
+pub use crate::ast::ArmMode;
 pub use attr::{Attr, ChoiceValues, Choices, Presentation, Range};
-pub use comp::{Align, Comp, CompArm, CompMode, Selector};
+pub use block::{Arm, Block, Comp, Parts, Selector, Slots, Solved};
 pub use expr::{Binary, EachUnary, Expr, ExprKind};
 
 /// Index into [`Grammar::rules`].
@@ -164,7 +165,7 @@ pub struct Param {
     pub span: Span,
 }
 
-/// `Name(params) --> body`, or a block lowered to a rule.
+/// `Name(params) --> body`, or the operations of a part in braces.
 #[derive(Clone, Debug)]
 pub struct Rule {
     /// `Facade`; blocks inside it are `Facade/1`, `Facade/2`, … Several rules may share a name with other parameters.
@@ -215,10 +216,8 @@ pub enum Step {
     Rust(String, Vec<Expr>, Span),
     /// A successor: hands a copy of the current shape on.
     Give(Target),
-    /// Divides the current shape along an axis. The shape itself goes on unchanged.
-    Split(Split),
-    /// Divides the current shape into components. The shape itself goes on unchanged.
-    Comp(Comp<Target>),
+    /// Makes parts of the current shape, each with a successor.
+    Block(Block),
     /// `[ … ]`: works on a copy.
     Push(Vec<Step>),
     /// `import( … ).Rule`: a copy on which the attributes and constants of an import start anew.
@@ -279,58 +278,6 @@ pub enum Target {
     Leaf(String, Span),
     /// `NIL`: makes no leaf. It is a child all the same.
     Nil,
-}
-
-/// `split(axis, adjust) { … }`.
-#[derive(Clone, Debug)]
-pub struct Split {
-    /// Across which scope axis.
-    pub axis: Axis,
-    /// What its sizes measure.
-    pub measure: Measure,
-    /// Whether parts shrink to their geometry.
-    pub adjust: bool,
-    /// One a written slot, evaluated once, in order, on the whole shape.
-    pub sizes: Vec<Size>,
-    /// How slots repeat. Groups without `*` are gone.
-    pub pattern: Vec<Item>,
-    /// One a written slot.
-    pub slots: Vec<Target>,
-    /// The solution, where the extent and the sizes are known.
-    pub solved: Option<Solved>,
-    /// The operation's name.
-    pub span: Span,
-}
-
-/// What the sizes of a split measure.
-#[derive(Clone, Debug)]
-pub enum Measure {
-    /// `split`: lengths along the axis.
-    Length,
-    /// `splitArea`: areas of the geometry.
-    Area,
-    /// `split(u, …)`, `split(v, …)`: texture coordinates. The axis is not used.
-    Texture(TextureSplit),
-}
-
-/// How texture space is split.
-#[derive(Clone, Debug)]
-pub struct TextureSplit {
-    /// True for `v`, false for `u`.
-    pub along_v: bool,
-    /// True if sizes are metres on the surface, false if they are coordinates.
-    pub in_metres: bool,
-    /// The number of the uv set.
-    pub set: Expr,
-}
-
-/// A split that was solved while compiling.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Solved {
-    /// The extent along the axis, never negative.
-    pub extent: f64,
-    /// All pieces, from the low end to the high end.
-    pub pieces: Vec<Piece>,
 }
 
 /// A scope axis.

@@ -1,13 +1,12 @@
 //! A grammar as text, one line a step: for snapshots and traces.
 
-mod comp;
+mod block;
 mod facts;
 
 use crate::facts::{Facts, RuleFacts};
 use crate::ir::{
     Anew, Arg, Attr, Binary, Childless, ChoiceValues, Choices, Const, EachUnary, Expr, ExprKind, Function, FunctionId,
-    Global, Grammar, Init, Item, Measure, Param, Prefix, Presentation, Renewal, Rule, RuleId, Size, Split, Start, Step,
-    Target, TextureSplit, Value,
+    Global, Grammar, Init, Param, Prefix, Presentation, Renewal, Rule, RuleId, Size, Start, Step, Target, Value,
 };
 use crate::token::push_quoted;
 use std::fmt::Write;
@@ -219,7 +218,7 @@ impl<'g> Printer<'g> {
         self.depth -= 1;
     }
 
-    fn block(&mut self, head: &str, steps: &'g [Step]) {
+    fn headed(&mut self, head: &str, steps: &'g [Step]) {
         self.line(head);
         self.steps(steps);
     }
@@ -246,22 +245,21 @@ impl<'g> Printer<'g> {
                 let text = format!("give {}", self.target(target));
                 self.line(&text);
             }
-            Step::Split(split) => self.split(split),
-            Step::Comp(comp) => self.comp(comp),
-            Step::Push(steps) => self.block("push", steps),
+            Step::Block(block) => self.block(block),
+            Step::Push(steps) => self.headed("push", steps),
             Step::Anew(anew) => self.anew(anew),
             Step::Case { arms, otherwise } => {
                 for (condition, steps) in arms {
                     let head = format!("case {}", self.expr(condition));
-                    self.block(&head, steps);
+                    self.headed(&head, steps);
                 }
-                self.block("else", otherwise);
+                self.headed("else", otherwise);
             }
             Step::Chance { arms, otherwise } => {
                 for (percent, steps) in arms {
-                    self.block(&format!("chance {percent}%"), steps);
+                    self.headed(&format!("chance {percent}%"), steps);
                 }
-                self.block("else", otherwise);
+                self.headed("else", otherwise);
             }
             Step::Later(what, _) => self.line(&format!("later {what}")),
         }
@@ -289,33 +287,6 @@ impl<'g> Printer<'g> {
         }
         let text = format!("give {}", self.target(&anew.target));
         self.line(&text);
-        self.depth -= 1;
-    }
-
-    fn split(&mut self, split: &'g Split) {
-        let axis = ["x", "y", "z"][split.axis as usize];
-        let adjust = if split.adjust { "" } else { " noAdjust" };
-        let head = match &split.measure {
-            Measure::Length => format!("split {axis}{adjust}"),
-            Measure::Area => format!("splitArea {axis}{adjust}"),
-            Measure::Texture(TextureSplit { along_v, in_metres, set }) => {
-                let (along, space) =
-                    (if *along_v { "v" } else { "u" }, if *in_metres { "unitSpace" } else { "uvSpace" });
-                format!("split {along} {space} {}", self.expr(set))
-            }
-        };
-        self.line(&format!("{head} {}", pattern(&split.pattern)));
-        self.depth += 1;
-        if let Some(solved) = &split.solved {
-            let pieces = solved.pieces.iter().map(|piece| format!("{}: {}..{}", piece.slot, piece.start, piece.end));
-            let pieces = pieces.collect::<Vec<_>>().join(", ");
-            let text = format!("in {}: {}", solved.extent, if pieces.is_empty() { "nothing" } else { &pieces });
-            self.line(&text);
-        }
-        for (index, (own, target)) in split.sizes.iter().zip(&split.slots).enumerate() {
-            let text = format!("{index}: {} -> {}", self.size(own), self.target(target));
-            self.line(&text);
-        }
         self.depth -= 1;
     }
 
@@ -427,31 +398,6 @@ fn params(params: &[Param]) -> String {
     }
     let list: Vec<String> = params.iter().map(|param| format!("{}: {}", param.name, param.ty.word())).collect();
     format!("({})", list.join(", "))
-}
-
-/// Slots by number: `{0 {1 2}*}`.
-fn pattern(items: &[Item]) -> String {
-    let (mut text, mut ends, mut slot) = (String::from("{"), Vec::new(), 0);
-    for (at, item) in items.iter().enumerate() {
-        while ends.pop_if(|end| *end <= at).is_some() {
-            text.push_str("}*");
-        }
-        if !text.ends_with('{') {
-            text.push(' ');
-        }
-        match item {
-            Item::Slot => {
-                let _ = write!(text, "{slot}");
-                slot += 1;
-            }
-            Item::Repeat(len) => {
-                text.push('{');
-                ends.push(at + 1 + *len as usize);
-            }
-        }
-    }
-    ends.iter().for_each(|_| text.push_str("}*"));
-    text + "}"
 }
 
 fn sign(op: Binary) -> &'static str {

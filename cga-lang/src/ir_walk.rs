@@ -1,33 +1,136 @@
 //! Over the steps and expressions of a grammar.
 
-use crate::ir::{Anew, Arg, CompArm, Expr, ExprKind, Grammar, Measure, Rule, RuleId, Selector, Step, Target};
+use crate::ir::{Anew, Arg, Arm, Block, Expr, ExprKind, Grammar, Parts, Rule, RuleId, Selector, Step, Target};
 
-/// Every step of a body, those in brackets and branches included.
-pub fn steps<'g>(list: &'g [Step], visit: &mut dyn FnMut(&'g Step)) {
-    for step in list {
-        visit(step);
-        match step {
-            Step::Push(inner) => steps(inner, visit),
-            Step::Case { arms, otherwise } => {
-                arms.iter().for_each(|(_, inner)| steps(inner, visit));
-                steps(otherwise, visit);
+macro_rules! step_walkers {
+    ($($life:lifetime)?, $iter:ident, [$($mutable:tt)?], $(#[$about:meta])* $steps:ident, $targets:ident, $exprs:ident, $args:ident) => {
+        /// Every step of a body, those in brackets and branches included.
+        $(#[$about])*
+        pub fn $steps$(<$life>)?(
+            list: &$($life)? $($mutable)? [Step],
+            visit: &mut dyn FnMut(&$($life)? $($mutable)? Step),
+        ) {
+            for step in list {
+                visit(step);
+                match step {
+                    Step::Push(inner) => $steps(inner, visit),
+                    Step::Case { arms, otherwise } => {
+                        arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
+                        $steps(otherwise, visit);
+                    }
+                    Step::Chance { arms, otherwise } => {
+                        arms.$iter().for_each(|(_, inner)| $steps(inner, visit));
+                        $steps(otherwise, visit);
+                    }
+                    Step::Do(..)
+                    | Step::SetAttr(..)
+                    | Step::SetShape(..)
+                    | Step::Later(..)
+                    | Step::Rust(..)
+                    | Step::Give(_)
+                    | Step::Block(_)
+                    | Step::Anew(_) => {}
+                }
             }
-            Step::Chance { arms, otherwise } => {
-                arms.iter().for_each(|(_, inner)| steps(inner, visit));
-                steps(otherwise, visit);
-            }
-            _ => {}
         }
+
+        /// The successors of a step.
+        $(#[$about])*
+        pub fn $targets(step: & $($mutable)? Step) -> Vec<& $($mutable)? Target> {
+            match step {
+                Step::Give(target) | Step::Anew(Anew { target, .. }) => vec![target],
+                Step::Block(Block { parts: Parts::Slots(slots), .. }) => slots.targets.$iter().collect(),
+                Step::Block(Block { parts: Parts::Arms(arms), .. }) => {
+                    arms.$iter().map(|arm| & $($mutable)? arm.then).collect()
+                }
+                Step::Do(..)
+                | Step::SetAttr(..)
+                | Step::SetShape(..)
+                | Step::Later(..)
+                | Step::Rust(..)
+                | Step::Push(_)
+                | Step::Case { .. }
+                | Step::Chance { .. } => Vec::new(),
+            }
+        }
+
+        /// The expressions of a step itself, without the arguments of its successors.
+        $(#[$about])*
+        pub fn $exprs(step: & $($mutable)? Step) -> Vec<& $($mutable)? Expr> {
+            match step {
+                Step::Do(_, args, _) => args.$iter().filter_map($args).collect(),
+                Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
+                Step::Rust(_, args, _) => args.$iter().collect(),
+                Step::Anew(anew) => anew.given.$iter().map(|(_, value)| value).collect(),
+                Step::Block(block) => {
+                    let mut list: Vec<_> = block.args.$iter().filter_map($args).collect();
+                    match & $($mutable)? block.parts {
+                        Parts::Slots(slots) => list.extend(slots.sizes.$iter().map(|size| & $($mutable)? size.value)),
+                        Parts::Arms(arms) => list.extend(arms.$iter().filter_map(|arm| match & $($mutable)? arm.selector {
+                            Selector::Index(asked) | Selector::When(asked) => Some(asked),
+                            Selector::Word(_) => None,
+                        })),
+                    }
+                    list
+                }
+                Step::Case { arms, .. } => arms.$iter().map(|(condition, _)| condition).collect(),
+                Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Later(..) => Vec::new(),
+            }
+        }
+
+        fn $args(arg: & $($mutable)? Arg) -> Option<& $($mutable)? Expr> {
+            match arg {
+                Arg::Value(value) => Some(value),
+                Arg::Length(size) => Some(& $($mutable)? size.value),
+                Arg::Word(_) => None,
+            }
+        }
+    };
+}
+
+step_walkers!('g, iter, [], steps, targets, in_step, of_arg);
+step_walkers!(, iter_mut, [mut], /// To change them.
+    steps_mut, targets_mut, in_step_mut, of_arg_mut);
+
+/// Every expression in a body, to change it, without its parts.
+pub(crate) fn exprs_mut(list: &mut [Step], visit: &mut dyn FnMut(&mut Expr)) {
+    steps_mut(list, &mut |step| {
+        in_step_mut(step).into_iter().for_each(&mut *visit);
+        for target in targets_mut(step) {
+            if let Target::Rule { args, .. } = target {
+                args.iter_mut().for_each(&mut *visit);
+            }
+        }
+    });
+}
+
+/// Every expression of a grammar, with its parts, to change it.
+pub(crate) fn all_exprs_mut(grammar: &mut Grammar, visit: &mut dyn FnMut(&mut Expr)) {
+    grammar.attrs.iter_mut().for_each(|it| parts_mut(&mut it.default, visit));
+    grammar.consts.iter_mut().for_each(|it| parts_mut(&mut it.value, visit));
+    for function in &mut grammar.functions {
+        function.locals.iter_mut().for_each(|local| parts_mut(local, visit));
+        parts_mut(&mut function.body, visit);
+    }
+    for rule in &mut grammar.rules {
+        rule.locals.iter_mut().for_each(|local| parts_mut(local, visit));
+        exprs_mut(&mut rule.body, &mut |expr| parts_mut(expr, visit));
     }
 }
 
-/// What a step hands shapes to.
-pub fn targets(step: &Step) -> Vec<&Target> {
-    match step {
-        Step::Give(target) | Step::Anew(Anew { target, .. }) => vec![target],
-        Step::Split(split) => split.slots.iter().collect(),
-        Step::Comp(comp) => comp.arms.iter().map(|arm| &arm.then).collect(),
-        _ => Vec::new(),
+/// The parameters that an expression reads, to change them.
+pub(crate) fn params_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut u32)) {
+    parts_mut(expr, &mut |part| {
+        if let ExprKind::Param(index) = &mut part.kind {
+            visit(index);
+        }
+    });
+}
+
+fn parts_mut(expr: &mut Expr, visit: &mut dyn FnMut(&mut Expr)) {
+    visit(expr);
+    for part in expr.parts_mut() {
+        parts_mut(part, visit);
     }
 }
 
@@ -69,40 +172,6 @@ pub fn in_rule<'g>(rule: &'g Rule, visit: &mut dyn FnMut(&'g Expr)) {
     });
 }
 
-/// The expressions of a step itself.
-pub fn in_step(step: &Step) -> Vec<&Expr> {
-    match step {
-        Step::Do(_, args, _) => args
-            .iter()
-            .filter_map(|arg| match arg {
-                Arg::Value(value) => Some(value),
-                Arg::Length(size) => Some(&size.value),
-                Arg::Word(_) => None,
-            })
-            .collect(),
-        Step::SetAttr(_, value, _) | Step::SetShape(_, value, _) => vec![value],
-        Step::Rust(_, args, _) => args.iter().collect(),
-        Step::Anew(anew) => anew.given.iter().map(|(_, value)| value).collect(),
-        Step::Split(split) => {
-            let set = match &split.measure {
-                Measure::Texture(texture) => Some(&texture.set),
-                Measure::Length | Measure::Area => None,
-            };
-            set.into_iter().chain(split.sizes.iter().map(|size| &size.value)).collect()
-        }
-        Step::Comp(comp) => comp
-            .arms
-            .iter()
-            .filter_map(|arm| match &arm.selector {
-                Selector::Index(asked) | Selector::When(asked) => Some(asked),
-                Selector::Word(_) => None,
-            })
-            .collect(),
-        Step::Case { arms, .. } => arms.iter().map(|(condition, _)| condition).collect(),
-        Step::Give(_) | Step::Push(_) | Step::Chance { .. } | Step::Later(..) => Vec::new(),
-    }
-}
-
 /// An expression and its parts.
 pub fn parts<'g>(expr: &'g Expr, visit: &mut dyn FnMut(&'g Expr)) {
     visit(expr);
@@ -134,7 +203,7 @@ macro_rules! parts {
             ExprKind::Binary(_, a, b) | ExprKind::Each(_, a, b) => vec![&$($mutable)? **a, &$($mutable)? **b],
             ExprKind::Array(rows) => rows.$iter().flatten().collect(),
             ExprKind::Comp(comp) => {
-                let parts = comp.arms.$iter().flat_map(|CompArm { selector, then, .. }| match selector {
+                let parts = comp.arms.$iter().flat_map(|Arm { selector, then, .. }| match selector {
                     Selector::Index(asked) | Selector::When(asked) => vec![asked, then],
                     Selector::Word(_) => vec![then],
                 });

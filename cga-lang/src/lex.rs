@@ -3,7 +3,7 @@
 //! Never fails: what cannot be read is reported and becomes [`Tok::Bad`], and reading goes on.
 
 use crate::code::Code;
-use crate::diag::{Diag, Diags};
+use crate::diag::{Diag, Diags, Line};
 use crate::span::Span;
 use crate::token::{Sym, Tok, Tokens};
 use std::ops::Range;
@@ -99,7 +99,7 @@ impl<'a> Lexer<'a> {
         Span::one(self.tokens.push(token))
     }
 
-    fn bad(&mut self, start: usize, code: Code, message: impl Into<String>) -> &mut Diag {
+    fn bad(&mut self, start: usize, code: Code, message: impl Into<Line>) -> &mut Diag {
         let span = self.push(start, Tok::Bad);
         self.diags.report(code, span, message)
     }

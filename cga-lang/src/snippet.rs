@@ -55,7 +55,7 @@ pub fn place(
     let carets = "^".repeat(marked.chars().count().max(1));
     let mut out = format!("{margin}--> {file}:{}:{}\n{margin} |\n", at.line, at.column);
     out.push_str(&format!("{} | {before}{marked}{after}\n{margin} | {}{carets}", at.line, blank(&before)));
-    for note in &diag.notes {
+    for note in diag.reasons() {
         out.push_str(&format!("\n{margin} = note: {}", note.text));
         if let Some(line) = note.related.and_then(related) {
             out.push_str(&format!(" in {line}"));

@@ -15,6 +15,7 @@
 //! Numbers are the other exception, because in CGA they are: `.5` stands close together and not close behind a name, and the
 //! dot of `1.==1` belongs to the operator, that of `1. == 1` to the number.
 
+use crate::diag::RELATIVE;
 use crate::span::Span;
 
 /// One token.
@@ -118,18 +119,20 @@ impl Tok {
             Tok::Host(_) => "a Rust value".into(),
             Tok::Path(path) => format!("`{path}`"),
             Tok::Doc(_) => "a doc comment".into(),
+            Tok::Sym(Sym::Quote) => format!("`{RELATIVE}`"),
             Tok::Sym(sym) => format!("`{}`", sym.text()),
             Tok::Joint => format!("`{}`", Sym::Dot.text()),
             Tok::Bad => "something unreadable".into(),
         }
     }
 
-    fn push_text(&self, out: &mut String) {
+    fn push_text(&self, out: &mut String, relative: char) {
         match self {
             Tok::Ident(text) | Tok::Path(text) => out.push_str(text),
             Tok::Number(value) => out.push_str(&value.to_string()),
             Tok::Str(text) => push_quoted(out, text),
             Tok::Host(_) => out.push_str("#…"),
+            Tok::Sym(Sym::Quote) => out.push(relative),
             Tok::Sym(sym) => out.push_str(sym.text()),
             Tok::Joint => out.push_str(Sym::Dot.text()),
             Tok::Doc(_) | Tok::Bad => {}
@@ -247,6 +250,15 @@ impl Tokens {
 
     /// The tokens of a span as one line of CGA text, cut short after `limit` bytes.
     pub fn text(&self, span: Span, limit: usize) -> String {
+        self.line(span, limit, '\'')
+    }
+
+    /// The same for the line of a diagnostic.
+    pub(crate) fn quoted(&self, span: Span, limit: usize) -> String {
+        self.line(span, limit, RELATIVE)
+    }
+
+    fn line(&self, span: Span, limit: usize, relative: char) -> String {
         let mut out = String::new();
         let mut before: Option<&Tok> = None;
         // Whether the token before is the dot of an operator like `.+`.
@@ -266,7 +278,7 @@ impl Tokens {
                 out.push('…');
                 break;
             }
-            token.push_text(&mut out);
+            token.push_text(&mut out, relative);
             before = Some(token);
         }
         out

@@ -45,8 +45,8 @@ fn messages_follow_the_house_style() {
         for path in common::fixtures(folder) {
             let text = common::strip(&fs::read_to_string(path).expect("readable fixture"));
             for diag in common::compiled(&text).0.diags {
-                let lines = diag.notes.iter().map(|note| &note.text).chain(&diag.help).chain([&diag.message]);
-                for line in lines {
+                let lines = diag.reasons().map(|note| note.text).chain(diag.help.clone()).chain([diag.message.clone()]);
+                for line in lines.map(|line| line.to_string()) {
                     assert!(!line.ends_with('.') && !line.is_empty(), "{line}");
                     assert!(!line.starts_with(char::is_uppercase), "{line}");
                 }

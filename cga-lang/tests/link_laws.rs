@@ -2,7 +2,8 @@
 
 mod common;
 
-use cga_lang::compile::{Compiled, Door, compile_files};
+use cga_lang::code::Code;
+use cga_lang::compile::{Compiled, Door, compile};
 use cga_lang::diag::Level;
 use cga_lang::ir_print::print;
 use cga_lang::lex::lex;
@@ -24,7 +25,7 @@ impl Disk {
 
     fn compile(&mut self, root: &str) -> Compiled {
         let unit = self.unit(root);
-        compile_files(unit, self, &[])
+        compile(unit, self, &[])
     }
 
     /// Whether what came out holds together.
@@ -203,9 +204,9 @@ fn disk_of(files: impl IntoIterator<Item = (String, String)>) -> Disk {
     Disk { files: files.into_iter().map(|(name, text)| (name, lex(&text).tokens)).collect(), opened: 0 }
 }
 
-/// Errors by what is said of them.
-fn said(compiled: &Compiled, what: &str) -> usize {
-    compiled.diags.iter().filter(|diag| diag.message.contains(what)).count()
+/// The number of diagnostics of a kind.
+fn count_of(compiled: &Compiled, code: Code) -> usize {
+    compiled.diags.iter().filter(|diag| diag.code == code).count()
 }
 
 #[test]
@@ -221,7 +222,7 @@ fn what_multiplies_by_imports_is_bounded() {
     let mut disk = disk_of((0..40).map(level));
     let compiled = disk.compile("f0.cga");
     disk.check(&compiled);
-    assert_eq!(said(&compiled, "more than"), 1);
+    assert_eq!(count_of(&compiled, Code::CannotImport), 1);
     assert!(disk.opened < 3000, "{} files opened", disk.opened);
     // As many styles, each with an import of its own.
     let styles: String = (0..2000).map(|number| format!("style S{number} attr h = {number} ")).collect();
@@ -231,14 +232,14 @@ fn what_multiplies_by_imports_is_bounded() {
     ]);
     let compiled = disk.compile("a.cga");
     disk.check(&compiled);
-    assert_eq!(said(&compiled, "more than"), 1);
+    assert_eq!(count_of(&compiled, Code::CannotImport), 1);
     // One large file in many places.
     let imports: String = (0..900).map(|number| format!("import i{number} : \"b.cga\" ")).collect();
     let large: String = (0..1000).map(|number| format!("R{number} --> extrude(1) X.\n")).collect();
     let mut disk = disk_of([("a.cga".into(), format!("{imports} Lot --> i0.R0")), ("b.cga".into(), large)]);
     let compiled = disk.compile("a.cga");
     disk.check(&compiled);
-    assert_eq!(said(&compiled, "more than"), 1);
+    assert_eq!(count_of(&compiled, Code::CannotImport), 1);
 }
 
 #[test]
@@ -269,7 +270,7 @@ fn chains_and_rings_of_files_and_styles_end() {
         let mut disk = disk_of([("a.cga".into(), format!("Lot --> X. {text}"))]);
         let compiled = disk.compile("a.cga");
         disk.check(&compiled);
-        assert_eq!(said(&compiled, "builds on itself"), 1, "{count} styles in a ring");
+        assert_eq!(count_of(&compiled, Code::UnknownStyle), 1, "{count} styles in a ring");
     }
 }
 
@@ -299,5 +300,36 @@ fn long_lists_take_time_in_proportion() {
     let mut disk = disk_of([("a.cga".into(), same)]);
     let compiled = disk.compile("a.cga");
     disk.check(&compiled);
-    assert_eq!(said(&compiled, "declared twice"), 2 * (count - 1));
+    assert_eq!(count_of(&compiled, Code::DuplicateName), 2 * (count - 1));
+}
+
+#[test]
+fn a_file_is_parsed_once() {
+    // Two styles, fifty imports, and a mistake in the imported file.
+    let imports: String = (0..50).map(|number| format!("import i{number} : \"b.cga\" ")).collect();
+    let calls: String = (0..50).map(|number| format!("i{number}.R ")).collect();
+    let main = format!("{imports} Lot --> {calls} style S attr h = 1");
+    let mut disk = disk_of([("a.cga".into(), main), ("b.cga".into(), "R --> X.  Q --> split(x) { ~1 }".into())]);
+    let compiled = disk.compile("a.cga");
+    disk.check(&compiled);
+    let names: Vec<&str> = compiled.files.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!(names, ["a.cga", "b.cga"]);
+    assert_eq!(compiled.diags.iter().filter(|diag| compiled.locate(diag.span.first).0 == 1).count(), 1);
+    // Without the mistake there is a rule for each import.
+    disk.files.insert("b.cga".into(), lex("R --> X.").tokens);
+    let compiled = disk.compile("a.cga");
+    assert_eq!(compiled.files.len(), 2);
+    assert_eq!(compiled.grammar.map(|grammar| grammar.rules.len()), Some(51));
+}
+
+#[test]
+fn a_declaration_with_several_tuples_of_types_has_one_tree() {
+    let text = "f(x) = x  R(x) --> print(f(x))  Lot --> R(1) R(\"a\") R(true) R([1])";
+    let mut disk = disk_of([("a.cga".into(), text.into())]);
+    let compiled = disk.compile("a.cga");
+    disk.check(&compiled);
+    assert_eq!(compiled.files[0].tokens.len(), lex(text).tokens.len());
+    let grammar = compiled.grammar.expect("no error");
+    assert_eq!((grammar.functions.len(), grammar.rules.len()), (4, 5));
+    assert!(grammar.functions.iter().all(|function| function.span == grammar.functions[0].span));
 }

@@ -2,10 +2,11 @@
 
 mod common;
 
-use cga_lang::compile::{Door, compile};
-use cga_lang::ir::{Anew, Item, RuleId, Step, Target, Type};
+use cga_lang::compile::{Compiled, Door, compile};
+use cga_lang::ir::{Anew, Item, Parts, RuleId, Step, Target, Type};
 use cga_lang::ir_print::print;
 use cga_lang::lex::lex;
+use cga_lang::link::{NoFiles, Unit};
 use cga_lang::token::{Tok, Tokens};
 
 #[test]
@@ -42,12 +43,17 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
     for step in steps {
         match step {
             Step::Give(target) | Step::Anew(Anew { target, .. }) => visit(target),
-            Step::Split(split) => {
-                assert_eq!(split.sizes.len(), split.slots.len());
-                assert_eq!(slots(&split.pattern), split.slots.len());
-                split.slots.iter().for_each(&mut *visit);
+            Step::Block(block) => {
+                assert_eq!(block.args.len(), block.row.params.len());
+                match &block.parts {
+                    Parts::Slots(own) => {
+                        assert_eq!(own.sizes.len(), own.targets.len());
+                        assert_eq!(slots(&own.pattern), own.targets.len());
+                        own.targets.iter().for_each(&mut *visit);
+                    }
+                    Parts::Arms(arms) => arms.iter().for_each(|arm| visit(&arm.then)),
+                }
             }
-            Step::Comp(comp) => comp.arms.iter().for_each(|arm| visit(&arm.then)),
             Step::Push(steps) => targets(steps, visit),
             Step::Case { arms, otherwise } => {
                 arms.iter().for_each(|(_, steps)| targets(steps, visit));
@@ -76,6 +82,11 @@ fn slots(pattern: &[Item]) -> usize {
     pattern.iter().filter(|item| matches!(item, Item::Slot)).count()
 }
 
+/// Compiles rules among Rust.
+fn inline(tokens: Tokens) -> Compiled {
+    compile(Unit::new(tokens, Door::Inline), &mut NoFiles, &[])
+}
+
 /// Tokens of a text in which names that begin with `HOST` stand for Rust values.
 fn with_hosts(text: &str) -> Tokens {
     let host = |name: &str| name.strip_prefix("HOST").and_then(|handle| handle.parse().ok()).map(Tok::Host);
@@ -86,7 +97,7 @@ fn with_hosts(text: &str) -> Tokens {
 fn rust_values_get_their_types_from_their_uses() {
     let text = "B(name) --> color(name)\n attr a = HOST7 + 1\n Lot --> case HOST3 : B(HOST4) else : extrude(HOST9 * a)\n\
                 c = HOST1 == \"x\"";
-    let compiled = compile(&with_hosts(text), Door::Inline);
+    let compiled = inline(with_hosts(text));
     assert_eq!(compiled.diags, []);
     let grammar = compiled.grammar.expect("no findings");
     let hosts: Vec<(u32, Type)> = grammar.hosts.iter().map(|host| (host.handle, host.ty)).collect();
@@ -97,14 +108,14 @@ fn rust_values_get_their_types_from_their_uses() {
 
 #[test]
 fn a_rust_value_cannot_be_an_operation() {
-    let compiled = compile(&with_hosts("Lot --> HOST1"), Door::Inline);
-    assert_eq!(compiled.diags[0].message, "expected an operation or a rule, found a Rust value");
+    let compiled = inline(with_hosts("Lot --> HOST1"));
+    assert_eq!(compiled.diags[0].message.to_string(), "expected an operation or a rule, found a Rust value");
 }
 
 #[test]
 fn public_names_are_known_despite_errors() {
     let text = "attr a = 3 attr b = nothing attr c = \"x\" attr d = a > 2 attr a = 4 attr e = 1 + Lot --> Nothing(";
-    let compiled = compile(&lex(text).tokens, Door::Inline);
+    let compiled = inline(lex(text).tokens);
     assert!(compiled.grammar.is_none());
     let names: Vec<(&str, Option<Type>)> =
         compiled.names.attrs.iter().map(|attr| (attr.name.as_str(), attr.ty)).collect();
@@ -119,10 +130,10 @@ fn a_declaration_with_a_rust_value_has_one_type() {
         let mut tokens: Vec<Tok> = lex("f(x) = x +").tokens.as_slice().to_vec();
         tokens.push(body);
         tokens.extend_from_slice(lex("Lot --> print(f(1)) print(f(\"a\"))").tokens.as_slice());
-        compile(&tokens.into_iter().collect::<Tokens>(), Door::Inline).diags
+        inline(tokens.into_iter().collect()).diags
     };
     assert_eq!(with_value(Tok::Number(2.0)), []);
     let found = with_value(Tok::Host(0));
     assert_eq!(found.len(), 1);
-    assert_eq!(found[0].message, "`x` of `f` is a float, got a string");
+    assert_eq!(found[0].message.to_string(), "`x` of `f` is a float, got a string");
 }

@@ -9,6 +9,7 @@ use cga_lang::compile::{Door, compile, compile_text};
 use cga_lang::diag::{Diags, Level};
 use cga_lang::ir_print::print;
 use cga_lang::lex::{decode, lex};
+use cga_lang::link::{NoFiles, Unit};
 use cga_lang::parse::parse;
 use cga_lang::snippet::render;
 use cga_lang::token::{Sym, Tok, Tokens};
@@ -88,7 +89,7 @@ fn token(random: &mut Random) -> Tok {
 
 fn try_tokens(tokens: &Tokens) {
     for door in [Door::Inline, Door::Text] {
-        let compiled = compile(tokens, door);
+        let compiled = compile(Unit::new(tokens.clone(), door), &mut NoFiles, &[]);
         for diag in &compiled.diags {
             let places = diag.notes.iter().filter_map(|note| note.related).chain([diag.span]);
             for place in places {

@@ -15,7 +15,7 @@ mod report;
 mod skeleton;
 mod source;
 
-use cga_lang::compile::compile_files;
+use cga_lang::compile::compile;
 use proc_macro2::TokenStream;
 
 /// Checks CGA rules and turns them into Rust.
@@ -74,7 +74,7 @@ fn expand(input: TokenStream) -> TokenStream {
         Err(problem) => return skeleton::behind(&problem, &header),
     };
     let mut imports = source::Imports::new();
-    let compiled = compile_files(source.unit(), &mut imports, &header.levels);
+    let compiled = compile(source.unit(), &mut imports, &header.levels);
     source.import(&compiled, imports.opened());
     let findings = report::findings(&compiled.diags, &source);
     let output = match &compiled.grammar {

@@ -1,7 +1,6 @@
 //! Diagnostics as compiler errors and warnings.
 
-use cga_lang::code::Code;
-use cga_lang::diag::{Diag, Level};
+use cga_lang::diag::{Basis, Diag, Level, Line};
 use cga_lang::snippet::place;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote_spanned;
@@ -51,41 +50,34 @@ pub(crate) fn findings(list: &[Diag], source: &Source) -> Findings {
 /// The lines of a diagnostic. Rules in text are quoted.
 fn message(diag: &Diag, source: &Source) -> String {
     // Warnings show their code anyway.
-    let mut diag = diag.clone();
-    if diag.level == Level::Error && diag.code.is_lint() {
-        diag.note(format!("this is `{}`, whose level can be changed", diag.code.name()));
-    }
-    let diag = &diag;
+    let is_lint = diag.level == Level::Error && diag.code.is_lint();
+    let level = is_lint.then(|| format!("this is `{}`, whose level can be changed", diag.code.name()));
     if let Some((text, first)) = source.text(diag.span.first) {
         let token = |token: u32| source.text(token).map_or(token, |(_, token)| token);
         let span = cga_lang::span::Span { first, last: token(diag.span.last) };
         let related = |place: cga_lang::span::Span| source.line(place.first);
-        return format!("{}\n{}", diag.message, place(&text.written, &text.ranges, &text.name, span, diag, &related));
+        let mut shown = diag.clone();
+        (shown.notes, shown.basis) = (diag.reasons().collect(), Basis::Rules);
+        level.into_iter().for_each(|level| _ = shown.note(level));
+        return format!("{}\n{}", diag.message, place(&text.written, &text.ranges, &text.name, span, &shown, &related));
     }
-    // A character that Rust cannot read either is quoted as written.
-    let spelled = |line: &str| if diag.code == Code::UnknownCharacter { line.to_owned() } else { spelled(line) };
     let mut message = spelled(&diag.message);
-    for note in &diag.notes {
+    for note in diag.reasons() {
         message.push_str(&format!("\nnote: {}", spelled(&note.text)));
         if let Some(line) = note.related.and_then(|place| source.line(place.first)) {
             message.push_str(&format!(" ({line})"));
         }
     }
+    level.into_iter().for_each(|level| message.push_str(&format!("\nnote: {level}")));
     for help in &diag.help {
         message.push_str(&format!("\nhelp: {}", spelled(help)));
     }
     message
 }
 
-/// A line in the spelling of inline rules: `^` for relative sizes, inside code only.
-pub(crate) fn spelled(line: &str) -> String {
-    let (mut out, mut is_code, mut is_text) = (String::with_capacity(line.len()), false, false);
-    for c in line.chars() {
-        is_code ^= c == '`';
-        is_text = is_code && (is_text ^ (c == '"'));
-        out.push(if c == '\'' && is_code && !is_text { '^' } else { c });
-    }
-    out
+/// A line in the spelling of inline rules: `^` for relative sizes.
+fn spelled(line: &Line) -> String {
+    line.spelled('^')
 }
 
 /// The error of a source that cannot be opened.
@@ -126,16 +118,5 @@ fn warning(place: Span, code: &str, message: &str) -> TokenStream {
             }
             #ours::#name!();
         };
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::spelled;
-
-    #[test]
-    fn code_is_spelled_as_among_rust() {
-        assert_eq!(spelled("write `'0.3` for 30 % of the rule's scope"), "write `^0.3` for 30 % of the rule's scope");
-        assert_eq!(spelled("`print(\"it's\") s('1, 1, 1)` isn't"), "`print(\"it's\") s(^1, 1, 1)` isn't");
     }
 }

@@ -1,4 +1,4 @@
-//! What can go wrong in a run: faults, which a model carries, and errors, which end a run.
+//! The faults of a run, which a model carries, and the errors, which end a run.
 
 use std::fmt;
 
@@ -6,36 +6,36 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FaultKind {
-    /// A number, colour or other value that cannot be used; what was done instead is in the message.
+    /// A number, colour or other value that cannot be used. The message names the value used instead.
     Value,
     /// An asset that is missing or cannot be read.
     Asset,
-    /// Geometry that an operation cannot handle as asked, such as a cut through a mesh that is not closed.
+    /// Geometry that an operation cannot handle, such as a mesh that is not closed in a cut.
     Geometry,
-    /// Something that a run may keep only so much of: reports, printed lines, files to search.
+    /// A limit on data that a run keeps: reports, printed lines, files to search.
     Limit,
-    /// A part of the language that this runtime has not yet.
+    /// A part of the language that this runtime does not implement yet.
     NotImplemented,
     /// Reported by an operation written in Rust.
     Host,
 }
 
-/// Something that went wrong with one shape. The run goes on; the model lists its faults.
+/// A problem with one shape. The run goes on; the model lists its faults.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Fault {
-    /// What kind.
+    /// The kind.
     pub kind: FaultKind,
-    /// What happened and what was done instead.
+    /// The problem, and the substitute that was used.
     pub message: String,
-    /// How often it happened: files that are missing are reported once each.
+    /// The number of occurrences: a missing file is reported once.
     pub count: u64,
-    /// The rules that led there the first time, from the start rule down.
+    /// The rules that led to the first occurrence, from the start rule down.
     pub trail: Vec<&'static str>,
 }
 
 impl Fault {
-    /// A fault for an operation written in Rust to return.
+    /// A fault returned by an operation written in Rust.
     pub fn new(message: impl Into<String>) -> Self {
         Fault { kind: FaultKind::Host, message: message.into(), count: 1, trail: Vec::new() }
     }
@@ -53,21 +53,21 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-/// What a limit counts.
+/// The quantity that a limit restricts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LimitKind {
-    /// Shapes derived.
+    /// Derived shapes.
     Shapes,
-    /// Nesting of rules that can reach themselves.
+    /// The nesting of recursive rules.
     Depth,
     /// Vertices in meshes that operations make.
     Vertices,
-    /// Calls of functions that can reach themselves.
+    /// Calls of recursive functions.
     Calls,
-    /// How deep calls of functions nest: fixed, and lower for functions that need much of the stack.
+    /// The nesting of function calls. This limit is fixed, and lower for functions that need much stack.
     Nesting,
-    /// Calls of rules that wait.
+    /// Waiting calls of rules.
     Waiting,
     /// Elements of an array.
     Array,
@@ -90,13 +90,13 @@ impl fmt::Display for LimitKind {
     }
 }
 
-/// Why a run ended without a model.
+/// The reason why a run ended without a model.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
     /// A limit of the [`Limits`](crate::run::settings::Limits) was reached.
     Limit {
-        /// Which.
+        /// The quantity.
         what: LimitKind,
         /// The limit.
         limit: u64,
@@ -105,21 +105,21 @@ pub enum Error {
     },
     /// An attribute's value is refused.
     Attribute {
-        /// Its name.
+        /// The name of the attribute.
         name: &'static str,
-        /// Why.
+        /// The reason.
         message: String,
     },
     /// Attributes and constants need each other, and no condition keeps the run from closing the cycle.
     Cycle {
-        /// Their names, each before one that it needs. The last one needs the first.
+        /// The names of the cycle, each before one that it needs. The last one needs the first.
         names: Vec<&'static str>,
     },
-    /// There is no rule of that name that a run can start with.
+    /// No start rule has that name.
     StartRule {
-        /// The name asked for.
+        /// The requested name.
         name: String,
-        /// The names there are, without those of hidden rules.
+        /// The names of the start rules, without hidden ones.
         known: Vec<&'static str>,
     },
     /// The initial shape cannot be used.
@@ -136,13 +136,13 @@ impl fmt::Display for Error {
             Error::Attribute { name, message } => write!(f, "attribute `{name}`: {message}"),
             Error::Cycle { names } => write_cycle(f, names),
             Error::StartRule { known, .. } if known.is_empty() => {
-                f.write_str("there is no rule that a run can start with: one without parameters that is not hidden")
+                f.write_str("the grammar has no visible start rule: a rule without parameters that is not hidden")
             }
             Error::StartRule { name, known } => {
                 const NAMED: usize = 12;
                 let more = if NAMED < known.len() { ", …" } else { "" };
                 let known = &known[..known.len().min(NAMED)];
-                write!(f, "no rule `{name}` to start with; there is {}{more}", known.join(", "))
+                write!(f, "`{name}` is not a start rule; the start rules are {}{more}", known.join(", "))
             }
             Error::Shape(message) => f.write_str(message),
         }
@@ -151,7 +151,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Names each attribute of a cycle with the next one; of long cycles the beginning.
+/// Writes each attribute of a cycle before the one that it needs; of a long cycle the beginning.
 fn write_cycle(f: &mut fmt::Formatter<'_>, names: &[&'static str]) -> fmt::Result {
     const NAMED: usize = 12;
     let Some(first) = names.first() else { return f.write_str("an attribute needs its own value") };
@@ -167,7 +167,7 @@ fn write_cycle(f: &mut fmt::Formatter<'_>, names: &[&'static str]) -> fmt::Resul
     write!(f, ": set {what}, or change the conditions that lead there")
 }
 
-/// Long trails are recursion: the beginning and the end say it.
+/// Writes a trail. Long trails are recursion, so their beginning and end are enough.
 fn write_trail(f: &mut fmt::Formatter<'_>, trail: &[&'static str]) -> fmt::Result {
     const ENDS: usize = 6;
     if trail.is_empty() {

@@ -1,5 +1,5 @@
-//! The names that generated code uses, and no others: `cga-macros/src/tests/rt.rs` compares the list with the code generator.
-//! Not part of the public promise, as the versions of the crates are pinned to each other.
+//! The names that generated code uses; `cga-macros/src/tests/rt.rs` compares this list with the code generator. The module
+//! is not part of the public promise, as the versions of the crates are pinned to each other.
 
 pub use std::boxed::Box;
 pub use std::string::String;

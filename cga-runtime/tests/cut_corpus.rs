@@ -1,4 +1,4 @@
-//! Cases that once failed, and any bytes as cases.
+//! Cases that once failed, and arbitrary bytes as cases.
 
 mod cut_support;
 
@@ -11,13 +11,13 @@ fn what_once_failed_holds() {
     assert!(!cases.is_empty());
     for case in &cases {
         case.check();
-        // And reads back as it prints.
+        // The printed case reads back as the same case.
         let again = Case::read(&case.to_string());
         assert_eq!(again[0].to_string(), case.to_string());
     }
 }
 
-/// The twin of `fuzz/fuzz_targets/cut.rs` that needs no nightly compiler.
+/// The equivalent of `fuzz/fuzz_targets/cut.rs` for a stable compiler.
 #[test]
 fn any_bytes_are_cut_without_harm() {
     let mut rng = Rng(0xc0ffee);

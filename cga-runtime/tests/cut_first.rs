@@ -1,4 +1,4 @@
-//! The face and the edge that parts begin with (*CGA changelog 2025.1*, split operation).
+//! The first face and the first edge of parts (*CGA changelog 2025.1*, split operation).
 
 mod cut_support;
 
@@ -21,8 +21,8 @@ enum First {
     Side(usize),
 }
 
-/// A building whose first face is that one, and whose first edges are those with that number. Texture coordinates say where
-/// their corners are.
+/// A building with the given first face, and the edge with the given index as first edge of its faces. Texture
+/// coordinates encode the positions of their corners.
 fn building(first: First, edge: usize, triangles: bool) -> Arc<Mesh> {
     let ring =
         |points: &[(f64, f64)], y: f64| -> Vec<DVec3> { points.iter().map(|&(x, z)| DVec3::new(x, y, z)).collect() };
@@ -75,7 +75,8 @@ fn first_edge(mesh: &Mesh) -> [DVec3; 2] {
     [0, 1].map(|i| mesh.points()[mesh.corners()[i] as usize])
 }
 
-/// What begins a part: its face looks where the first face of the whole looks, its edge runs as the whole's first edge.
+/// Checks the start of a part: its first face looks in the direction of the whole's first face, and so does its first
+/// edge.
 fn begins_alike(part: &Mesh, whole: &Mesh, what: &str) {
     let looks = |mesh: &Mesh| mesh.face(0).normal();
     assert!((looks(part) - looks(whole)).length() < 1e-9, "{what}: looks along {}", looks(part));
@@ -94,7 +95,7 @@ fn every_storey_begins_with_a_face_like_the_first() {
                 for (slab, part) in cut.parts.iter().flatten().enumerate() {
                     let what = format!("{first:?}, edge {edge}, storey {slab}");
                     begins_alike(part, &mesh, &what);
-                    // On the same wall: all of it, where it is one face.
+                    // The edge is on the same wall, and covers it if the wall is one face.
                     let flat = |mesh: &Mesh| first_edge(mesh).map(|p| p.with_y(0.0));
                     let ([a, b], [c, d]) = (flat(part), flat(&mesh));
                     let off = |p: DVec3| (p - c).cross((d - c).normalize()).length();
@@ -109,7 +110,8 @@ fn every_storey_begins_with_a_face_like_the_first() {
 
 #[test]
 fn slices_away_from_the_first_wall_begin_with_their_cap() {
-    // The first face looks along -x, its first edge lies on the ground. Slices along x: the far ones have nothing of it.
+    // The first face looks along -x, and its first edge is on the ground. Slices along x: the far ones contain none
+    // of it.
     let mesh = building(First::Side(0), 0, false);
     assert_eq!(mesh.face(0).normal(), DVec3::NEG_X);
     let cut = cut::slabs(&mesh, Axis::X, &[2.0, 4.5, 7.0]);
@@ -118,7 +120,7 @@ fn slices_away_from_the_first_wall_begin_with_their_cap() {
         let [a, b] = first_edge(part);
         assert!(a.y == 0.0 && b.y == 0.0, "slice {slice}");
     }
-    // By any plane the same.
+    // Cuts by a general plane give the same.
     let plane = Plane { point: DVec3::new(4.5, 0.0, 0.0), normal: DVec3::X };
     let halves = cut::halves(&mesh, &plane, 0.0);
     halves.parts.iter().flatten().for_each(|half| begins_alike(half, &mesh, "half"));
@@ -136,7 +138,7 @@ fn nothing_else_changes_its_place() {
                         let what = format!("{first:?}, {edge}, {triangles}, across {axis:?} at {planes:?}");
                         assert_eq!(part.check(), [], "{what}");
                         assert!(part.is_closed(), "{what}");
-                        // Texture coordinates stay with their corners, and caps have a tag of their own.
+                        // Texture coordinates stay with their corners, and caps have their own tag.
                         let mut from_source = Vec::new();
                         for (number, face) in part.faces().enumerate() {
                             let cap = face.tag() == FaceTag::CAP;
@@ -149,7 +151,7 @@ fn nothing_else_changes_its_place() {
                             }
                         }
                         assert!(from_source.is_sorted(), "{what}: {from_source:?}");
-                        // A cap comes first only where the first face left nothing.
+                        // A cap comes first only if the part contains nothing of the first face.
                         let has_first = from_source.first() == Some(&0);
                         assert!(has_first == (part.face(0).tag() != FaceTag::CAP), "{what}");
                     }
@@ -159,7 +161,7 @@ fn nothing_else_changes_its_place() {
     }
 }
 
-/// The face of the whole that a face of a part lies in.
+/// The face of the whole that contains a face of a part.
 fn source_of(mesh: &Mesh, part: &Mesh, face: usize) -> usize {
     let face = part.face(face);
     let first = face.loops().next().unwrap();
@@ -170,7 +172,7 @@ fn source_of(mesh: &Mesh, part: &Mesh, face: usize) -> usize {
         (source.normal() - face.normal()).length() < 1e-9 && (middle - on).dot(source.normal()).abs() < 1e-9
     };
     let holds = |of: usize| {
-        // By area: the triangles from the middle to the edges of a face that holds it sum up to the face.
+        // By area: if the face contains the middle, the triangles from the middle to the edges add up to the face.
         let source = mesh.face(of);
         let ring = source.loops().next().unwrap();
         let at = |i: usize| mesh.points()[ring[i % ring.len()] as usize];

@@ -1,4 +1,4 @@
-//! Meshes made to break the cutter, each of which once did.
+//! Meshes made to break the cutter. Each of them once did.
 
 mod cut_support;
 
@@ -21,7 +21,7 @@ fn mesh(points: &[[f64; 3]], faces: &[&[u32]]) -> Mesh {
     builder.build().unwrap()
 }
 
-/// A box, inside out when it is a cavity.
+/// A box; inside out if it is a cavity.
 fn block(low: [f64; 3], high: [f64; 3], cavity: bool) -> Mesh {
     let at = |i: usize| std::array::from_fn(|axis| if i >> axis & 1 == 0 { low[axis] } else { high[axis] });
     let points: Vec<[f64; 3]> = (0..8).map(at).collect();
@@ -34,7 +34,7 @@ fn twice(mesh: &Mesh) -> Mesh {
     together(&[mesh.clone(), mesh.clone()])
 }
 
-/// Areas of the caps, in rising order; every part is closed and has its holes in its outlines.
+/// The areas of the caps, in rising order. Checks that every part is closed and has its holes in its outlines.
 fn caps(mesh: &Arc<Mesh>, axis: Axis, at: f64) -> Vec<f64> {
     let cut = slabs(mesh, axis, &[at]);
     assert!(cut.open.is_empty());
@@ -64,7 +64,7 @@ fn an_island_that_touches_its_cavity_has_no_holes() {
 
 #[test]
 fn inside_out_the_caps_are_the_same_turned_over() {
-    // Four that touch in a ring.
+    // Four blocks that touch in a ring.
     let ring = [[1.0, 0.0], [0.0, 1.0], [2.0, 1.0], [1.0, 2.0]];
     let ring = together(&ring.map(|[x, y]| block([x, y, 0.0], [x + 1.0, y + 1.0, 1.0], false)));
     // A cavity with an island at each side.
@@ -134,14 +134,14 @@ fn a_fin_on_an_edge_leaves_the_solid_closed() {
         (caps.map(|cap| cap.area()).collect::<Vec<_>>(), cut.open.len())
     };
     assert_eq!(cut_with(&[6, 2, 8]), (vec![2.0, 2.0], 0));
-    // The other way round it is the partner that the edge of the solid below the plane would have: which of the two is
-    // open there nothing tells, and the section is said to be open.
+    // Reversed, the fin could be the partner of the solid's edge below the plane. The open one of the two cannot be
+    // determined, so the section is reported as open.
     assert_eq!(cut_with(&[2, 6, 8]), (vec![], 1));
 }
 
 #[test]
 fn many_edges_at_one_point_of_a_section_are_paired_without_harm() {
-    // Spikes around the origin; every other one lies in a line with it, so that its crossing is the point itself.
+    // Spikes around the origin. Every other one is collinear with it, so that its crossing is the point itself.
     let around = [[2, 1], [2, -1], [2, 1], [1, 1], [-1, 1], [0, 1], [1, 2], [2, -1], [-1, 1], [2, -1], [1, -2]];
     let spikes = |scale: f64| {
         let (mut points, mut faces) = (vec![[0.0; 3]], Vec::new());
@@ -167,7 +167,7 @@ fn many_edges_at_one_point_of_a_section_are_paired_without_harm() {
 
 #[test]
 fn a_face_that_coils_around_a_zigzag_does_not_multiply() {
-    // A band that goes round and round a zigzag whose corners lie in the plane.
+    // A band around a zigzag whose corners are in the plane.
     let turns = 400;
     let mut points: Vec<[f64; 3]> = Vec::new();
     for i in 0..turns {
@@ -200,7 +200,7 @@ fn a_cap_begins_with_an_edge_of_the_wall_itself() {
         [1.0, 1.0, 1.0],
         [1.0, 2.0, 1.0],
     ];
-    // The wall behind the first edge is a U, filled by another face.
+    // The wall at the back of the first edge is a U, filled by another face.
     let faces: [&[u32]; 7] = [
         &[2, 3, 0, 1],
         &[10, 9, 8, 11],
@@ -248,7 +248,7 @@ fn caps_of_any_plane_have_upright_textures() {
         found.sort_by(|a, b| a.partial_cmp(b).unwrap());
         found
     };
-    // As those of slabs, wherever the plane's point is.
+    // The results equal those of slabs for every point of the plane.
     for (axis, normal) in [(Axis::X, DVec3::X), (Axis::Y, DVec3::Y), (Axis::Z, DVec3::Z)] {
         for beside in [DVec3::ZERO, DVec3::new(0.25, -3.0, 7.0)] {
             let point = normal * 0.5 + beside * (DVec3::ONE - normal);

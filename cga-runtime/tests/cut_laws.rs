@@ -10,7 +10,7 @@ use cga_runtime::geometry::mesh::{Extrude, FaceTag, Mesh, MeshBuilder, extrude, 
 use cut_support::*;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-/// One of each kind.
+/// One mesh of each kind.
 fn zoo() -> Vec<(&'static str, Mesh)> {
     let teeth: Vec<(f64, f64)> = (0..40)
         .flat_map(|i| {
@@ -78,7 +78,7 @@ fn random_cells_cut_at_and_between_their_faces() {
         for axis in AXES {
             let offsets: Vec<f64> = (0..=2 * size).filter(|_| rng.below(3) != 0).map(|i| i as f64 / 2.0).collect();
             let cut = check_closed_cut("cells", &mesh, axis, &offsets);
-            // Cells are counted, too.
+            // The number of cells must match too.
             let bounds: Vec<f64> = [f64::NEG_INFINITY].into_iter().chain(offsets).chain([f64::INFINITY]).collect();
             for (slab, part) in cut.parts.iter().enumerate() {
                 let mut expected = 0.0;

@@ -1,4 +1,4 @@
-//! Holes find their outlines, however close rounding brings them to each other.
+//! Holes find their outlines, even where rounding brings them very close to each other.
 
 mod cut_support;
 
@@ -10,7 +10,8 @@ use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use cga_runtime::glam::{DMat3, DQuat, DVec2, DVec3, EulerRot};
 use cut_support::{AXES, Rng};
 
-/// A wing around a courtyard with a ridge half way: its outline at the ground, its depth, and the height of the ridge.
+/// A wing around a courtyard with a ridge in the middle: its outline at the ground, its depth, and the height of the
+/// ridge.
 fn courtyard(size: DVec2, depth: f64, height: f64, place: impl Fn(DVec3) -> DVec3) -> Arc<Mesh> {
     let mut builder = MeshBuilder::new();
     let mut ring = |inset: f64, z: f64| {

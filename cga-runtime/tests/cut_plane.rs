@@ -1,4 +1,4 @@
-//! Cutting by any plane.
+//! Cuts by general planes.
 
 mod cut_support;
 
@@ -84,7 +84,7 @@ fn halves_are_closed_and_add_up() {
     }
 }
 
-/// Turned over, the halves change places.
+/// Reversing the plane swaps the halves.
 #[test]
 fn the_normal_says_what_is_above() {
     let mut rng = Rng(2);
@@ -100,7 +100,7 @@ fn the_normal_says_what_is_above() {
     }
 }
 
-/// A plane across an axis gives what a slab cut gives.
+/// A plane across an axis gives the same result as a slab cut.
 #[test]
 fn a_plane_across_an_axis_is_a_slab_cut() {
     for (name, mesh) in solids() {
@@ -118,7 +118,7 @@ fn a_plane_across_an_axis_is_a_slab_cut() {
     }
 }
 
-/// Planes through edges and faces of a turned mesh miss them by rounding; a tolerance says that they were meant.
+/// Planes through edges and faces of a turned mesh miss them by rounding. A tolerance makes them count as hits.
 #[test]
 fn a_tolerance_makes_points_lie_in_the_plane_and_moves_none() {
     let mesh = Arc::new(turned(&cells(3, |x, y, z| (x + y + z) % 2 == 0 || y == 1)));
@@ -139,7 +139,8 @@ fn a_tolerance_makes_points_lie_in_the_plane_and_moves_none() {
     assert!(clean < rough, "{clean} points, {rough} without tolerance");
 }
 
-/// What both ends of an edge have in common its crossings have too, to the bit, so that what is cut next lies where it lay.
+/// A coordinate that both ends of an edge share is also the coordinate of its crossings, to the bit, so that later
+/// cuts find it in the same plane.
 #[test]
 fn crossings_stay_in_the_boxes_of_their_edges() {
     let (mesh, mut rng) = (Arc::new(primitive::cube()), Rng(3));
@@ -185,7 +186,7 @@ fn a_plane_that_misses_or_is_none_gives_the_same_mesh() {
     };
     same(Plane { point: DVec3::splat(2.0), normal: DVec3::ONE }, 0);
     same(Plane { point: DVec3::splat(-2.0), normal: DVec3::ONE }, 1);
-    // It touches a corner, an edge, a face.
+    // The plane touches a corner, an edge, a face.
     same(Plane { point: DVec3::ONE, normal: DVec3::ONE }, 0);
     same(Plane { point: DVec3::ONE, normal: DVec3::new(1.0, 1.0, 0.0) }, 0);
     same(Plane { point: DVec3::ONE, normal: DVec3::Y }, 0);
@@ -215,7 +216,7 @@ fn an_open_mesh_stays_open_and_says_where() {
     assert!(cut.open[0].points.iter().all(|point| ends.iter().any(|end| (*point - *end).length() < 1e-12)));
 }
 
-/// What corners carry is kept, and mixed at crossings; caps look along the plane's normal.
+/// Attributes of corners are kept, and interpolated at crossings. Caps look along the plane's normal.
 #[test]
 fn normals_and_texture_coordinates_come_through() {
     let mut builder = MeshBuilder::new();

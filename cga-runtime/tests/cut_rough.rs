@@ -1,4 +1,4 @@
-//! Faces that lie in a cut plane but for rounding, and meshes of any size.
+//! Faces that are in a cut plane except for rounding, and meshes of any size.
 
 mod cut_support;
 
@@ -10,7 +10,7 @@ use cga_runtime::geometry::mesh::{FaceTag, Flaw, Mesh, MeshBuilder, primitive};
 use cga_runtime::glam::{DAffine3, DQuat, DVec2, DVec3, EulerRot};
 use cut_support::{AXES, Rng, closed_by_position, even, own, prism, ring, square, turned};
 
-/// The mesh with other points, each corner with its point as texture coordinates and normal, each face with a group.
+/// The mesh with other points. Each corner has its point as texture coordinates and normal, each face has a group.
 fn with_points(mesh: &Mesh, place: impl Fn(DVec3) -> DVec3) -> Arc<Mesh> {
     let mut builder = MeshBuilder::new();
     let points: Vec<u32> = mesh.points().iter().map(|&point| builder.point(place(point))).collect();
@@ -26,15 +26,15 @@ fn with_points(mesh: &Mesh, place: impl Fn(DVec3) -> DVec3) -> Arc<Mesh> {
     Arc::new(builder.build().unwrap())
 }
 
-/// Each face's surface is in the parts once, by its group; parts are closed, and corners carry what is between those of the
-/// face.
+/// Checks that the parts contain each face's surface once, by its group, that they are closed, and that the
+/// attributes of their corners are interpolated from the face.
 #[track_caller]
 fn check(what: &str, mesh: &Mesh, cut: &Slabs) {
     assert!(cut.open.is_empty(), "{what}");
     let mut areas = vec![0.0; mesh.face_count()];
     for part in cut.parts.iter().flatten() {
         let flaws = part.check();
-        // A hole an ulp from its outline may seem to be outside.
+        // A hole that is an ulp from its outline may seem to be outside.
         assert!(flaws.iter().all(|flaw| matches!(flaw, Flaw::Hole { .. })), "{what}: {flaws:?}");
         assert!(part.is_closed() && closed_by_position(part), "{what}");
         for face in part.faces().filter(|face| !face.tag().cap) {
@@ -101,7 +101,8 @@ fn a_piece_of_a_rough_face_begins_with_its_first_edge() {
     assert_eq!(found, 1);
 }
 
-/// Turned, moved and turned back, faces lie across axes but for rounding; planes go through corners and faces.
+/// After turning, moving and turning back, faces are across axes except for rounding. Planes go through corners and
+/// faces.
 #[test]
 fn bodies_that_were_turned_and_turned_back_keep_their_surface() {
     let holes =
@@ -140,7 +141,7 @@ fn bodies_that_were_turned_and_turned_back_keep_their_surface() {
     }
 }
 
-/// A mesh that is a power of two larger or smaller is cut into the same parts, to the bit.
+/// Scaling a mesh by a power of two scales its parts, to the bit.
 #[test]
 fn size_alone_changes_nothing() {
     let solids = [

@@ -1,4 +1,4 @@
-//! Cuts with known answers, and cuts that are awkward on purpose.
+//! Cuts with known results, and cuts that are awkward on purpose.
 
 mod cut_support;
 
@@ -80,7 +80,7 @@ fn a_torus_along_its_axis_has_rings_for_caps() {
 
 #[test]
 fn a_face_in_the_plane_closes_the_part_below_it() {
-    // Steps: the plane lies in the tread.
+    // Steps: the plane contains the tread.
     let steps = Arc::new(cells(2, |x, y, _| x == 0 || y == 0));
     let parts = check_closed_cut("steps", &steps, Axis::Y, &[1.0]).parts;
     let [low, high] = [0, 1].map(|slab| parts[slab].as_ref().unwrap());
@@ -132,7 +132,7 @@ fn planes_through_corners_and_edges() {
 
 #[test]
 fn a_section_that_touches_itself_becomes_simple_loops() {
-    // Four cells around an edge, two of them filled: the section pinches at a point.
+    // Four cells around an edge, two of them filled. The section pinches at a point.
     let mesh = Arc::new(cells(2, |x, _, z| x == z));
     let parts = check_closed_cut("pinched", &mesh, Axis::Y, &[0.5]).parts;
     let caps: Vec<_> = parts[0].as_ref().unwrap().faces().filter(|f| f.tag().cap).collect();
@@ -165,7 +165,7 @@ fn islands_in_holes_in_islands() {
 
 #[test]
 fn a_star_of_long_points_keeps_its_thousand_holes() {
-    // Whichever way one looks, most edges reach far: holes are told by a sweep.
+    // In every direction most edges are long, so the sweep assigns the holes.
     let outline = ring(3000, |i| if i % 2 == 0 { 10.0 } else { 3.0 });
     let at = |i: usize| f64::from(i as u32) / 16.0 - 1.0;
     let holes: Vec<_> = (0..1024).map(|i| square(at(i % 32), at(i / 32), 0.03)).collect();
@@ -186,7 +186,7 @@ fn nested_tubes_keep_their_holes_also_inside_out_and_beside_boxes_that_touch() {
         square.map(|(x, z)| (x * cos - z * sin, x * sin + z * cos)).to_vec()
     };
     let tubes = (1..=count).map(|i| prism(&turned(f64::from(i) * 2.0), &[turned(f64::from(i) * 2.0 - 1.0)], 1.0));
-    // Twice the same tube, and two boxes with part of a side in common.
+    // The same tube twice, and two boxes with a common part of a side.
     let beside =
         [square(2000.0, 0.0, 1.0), square(2001.0, 0.5, 1.0), square(2100.0, 0.0, 1.0), square(2100.0, 0.0, 1.0)];
     let meshes: Vec<Mesh> = tubes.chain(beside.map(|outline| prism(&outline, &[], 1.0))).collect();
@@ -204,7 +204,7 @@ fn nested_tubes_keep_their_holes_also_inside_out_and_beside_boxes_that_touch() {
 
 #[test]
 fn an_open_mesh_stays_open() {
-    // A box without lid and a sheet.
+    // A box without a lid, and a sheet.
     let cube = primitive::cube();
     let all: Vec<u32> = (0..6).filter(|&face| face != 1).collect();
     let open = Arc::new(cga_runtime::geometry::mesh::extract(&cube, &all, &cga_runtime::geometry::Frame::WORLD));
@@ -216,7 +216,7 @@ fn an_open_mesh_stays_open() {
         assert!(part.check().is_empty());
     }
     assert_eq!(cut.parts.iter().flatten().map(|part| part.area()).sum::<f64>(), 5.0);
-    // Across, the section closes.
+    // Across this axis, the section closes.
     let cut = slabs(&open, Axis::Y, &[0.5]);
     assert!(cut.open.is_empty());
     assert_eq!(cut.parts.iter().flatten().map(|part| part.area()).sum::<f64>(), 7.0);
@@ -280,7 +280,7 @@ fn random_soups_are_cut_without_harm() {
         }
         let mut mesh = b.build().unwrap();
         if rng.below(2) == 0 {
-            // Everything twice, the second time turned over: closed, whatever it is.
+            // All faces twice, the second time reversed: always closed.
             mesh = together(&[mesh.clone(), mesh.reversed()]);
         }
         let mesh = Arc::new(mesh);

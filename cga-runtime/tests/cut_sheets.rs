@@ -12,7 +12,7 @@ use cut_support::{Rng, closed_by_position};
 
 type Rectangle = [f64; 4];
 
-/// Faces across z, by the corners of their rectangles, and boxes.
+/// Builds faces across z from the corners of their rectangles, and boxes.
 #[derive(Default)]
 struct Model(MeshBuilder);
 
@@ -25,7 +25,7 @@ impl Model {
         self.0.face(&corners, &[], FaceTag::PLAIN);
     }
 
-    /// A rectangle as one face, as two triangles along one diagonal, or the other.
+    /// A rectangle as one face, or as two triangles along one of the diagonals.
     fn side(&mut self, [x0, y0, x1, y1]: Rectangle, z: f64, up: bool, pattern: usize) {
         let [a, b, c, d] = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
         match pattern {
@@ -40,7 +40,7 @@ impl Model {
         self.side(rectangle, z, false, patterns[1]);
     }
 
-    /// A box, or, inside out, a cavity.
+    /// A box, or a cavity, which is inside out.
     fn cuboid(&mut self, [x0, y0, x1, y1]: Rectangle, [low, high]: [f64; 2], is_solid: bool) {
         self.side([x0, y0, x1, y1], high, is_solid, 0);
         self.side([x0, y0, x1, y1], low, !is_solid, 0);
@@ -62,7 +62,7 @@ impl Model {
     }
 }
 
-/// The area of the faces of a part in a plane: what looks up and what looks down of the mesh, and of the caps.
+/// The areas of a part's faces in a plane: of the mesh upwards and downwards, of caps upwards and downwards.
 fn areas(part: &Mesh, z: f64) -> [f64; 4] {
     let mut sums = [0.0; 4];
     for face in part.faces().filter(|face| face.loops().flatten().all(|&point| part.points()[point as usize].z == z)) {
@@ -72,7 +72,7 @@ fn areas(part: &Mesh, z: f64) -> [f64; 4] {
     sums
 }
 
-/// Cuts across z and checks what holds for every cut; gives the areas below and above each plane.
+/// Cuts across z and checks the laws of every cut. Returns the areas below and above each plane.
 fn cut(mesh: &Arc<Mesh>, planes: &[f64]) -> (Slabs, Vec<[[f64; 4]; 2]>) {
     let cut = slabs(mesh, Axis::Z, planes);
     let parts: Vec<&Arc<Mesh>> = cut.parts.iter().flatten().collect();
@@ -124,7 +124,7 @@ fn a_plane_in_any_direction_keeps_sheets_whole() {
 
 #[test]
 fn a_sheet_in_a_solid_goes_below_and_leaves_the_caps_whole() {
-    // Inside, half outside, and right around it.
+    // Inside, half outside, and all around it.
     for (sheet, area) in [([1.0, 1.0, 2.0, 2.0], 1.0), ([3.0, 1.0, 5.0, 2.0], 2.0), ([-1.0, -1.0, 5.0, 5.0], 36.0)] {
         let mut model = Model::default();
         model.cuboid([0.0, 0.0, 4.0, 4.0], [0.0, 4.0], true);
@@ -141,7 +141,7 @@ fn sheets_that_lie_on_each_other_all_go_below() {
             let mut model = Model::default();
             model.cuboid([0.0, 0.0, 4.0, 4.0], [0.0, 4.0], true);
             let x = if inside { 1.0 } else { 5.0 };
-            // Three in one place, one beside them with a common edge, one that lies over them in part.
+            // Three at one place, one beside them with a common edge, one that overlaps them partly.
             (0..3).for_each(|_| model.sheet([x, 1.0, x + 1.0, 2.0], 2.0, patterns));
             model.sheet([x + 1.0, 1.0, x + 2.0, 2.0], 2.0, patterns);
             model.sheet([x + 0.5, 1.5, x + 1.5, 3.0], 2.0, patterns);
@@ -162,7 +162,7 @@ fn sheets_in_several_planes_of_one_cut() {
     let (_, found) = cut(&mesh, &[2.0, 3.0, 4.0, 6.0, 8.0]);
     let at = |area: f64| [[area, area, 16.0, 0.0], [0.0, 0.0, 0.0, 16.0]];
     assert_eq!(found, [at(1.0), at(0.0), at(2.0), at(3.0), at(4.0)]);
-    // One sheet crosses planes that another lies in.
+    // One sheet crosses planes that contain another sheet.
     let (_, found) = cut(&mesh, &[4.0]);
     assert_eq!(found, [at(2.0)]);
 }
@@ -172,7 +172,7 @@ fn solids_that_meet_in_a_plane_part_there_all_the_same() {
     let mut model = Model::default();
     model.cuboid([0.0, 0.0, 2.0, 2.0], [0.0, 2.0], true);
     model.cuboid([0.0, 0.0, 2.0, 2.0], [2.0, 4.0], true);
-    // The same with a sheet beside them, which shares an edge with both.
+    // The same with a further sheet, which shares an edge with both.
     let alone = [[[4.0, 0.0, 0.0, 0.0], [0.0, 4.0, 0.0, 0.0]]];
     let (_, found) = cut(&model.build(), &[2.0]);
     assert_eq!(found, alone);
@@ -186,7 +186,7 @@ fn solids_that_meet_in_a_plane_part_there_all_the_same() {
 
 #[test]
 fn a_room_below_a_plane_keeps_its_ceiling_above() {
-    // A cavity's ceiling in the plane; and a second one right above it, with nothing in between.
+    // A cavity's ceiling in the plane; and a second one directly above it, without a gap.
     for (second, expected) in [
         (false, [[0.0, 0.0, 15.0, 0.0], [0.0, 1.0, 0.0, 15.0]]),
         (true, [[1.0, 1.0, 15.0, 0.0], [0.0, 0.0, 0.0, 15.0]]),
@@ -204,7 +204,7 @@ fn a_room_below_a_plane_keeps_its_ceiling_above() {
 
 #[test]
 fn a_sheet_that_goes_on_from_a_roof_stays_with_it() {
-    // One face is the top of a box and of a canopy without thickness beside it.
+    // One face is the top of a box and of an adjacent canopy without thickness.
     let mut model = Model::default();
     let mut ring = |z: f64| [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| model.0.point([x, y, z]));
     let (low, high) = (ring(0.0), ring(2.0));
@@ -238,13 +238,13 @@ fn any_sheets_among_any_boxes_are_counted_once() {
         }
         for _ in 0..1 + rng.below(4) {
             let sheet = rectangle(&mut rng);
-            // In a place of its own, or not.
+            // Away from the boxes, or among them.
             let x = if rng.below(2) == 0 { 30.0 } else { 0.0 };
             model.sheet([sheet[0] + x, sheet[1], sheet[2] + x, sheet[3]], 3.0, [rng.below(3), rng.below(3)]);
             expected += if x == 0.0 { 0.0 } else { (sheet[2] - sheet[0]) * (sheet[3] - sheet[1]) };
         }
         let (cut, _) = cut(&model.build(), &[2.0, 3.0, 4.0]);
-        // What is far from all boxes is only sheets.
+        // Geometry far from all boxes consists of sheets only.
         let far = |part: &Option<Arc<Mesh>>| {
             let Some(part) = part else { return [0.0; 2] };
             let mut sums = [0.0; 2];

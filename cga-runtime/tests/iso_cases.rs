@@ -38,7 +38,7 @@ fn a_facade_of_any_size_is_halved() {
 
 #[test]
 fn pieces_in_unit_space_have_their_metres() {
-    // *split operation*, UV Split Basics: pieces of 5, and what is left.
+    // *split operation*, UV Split Basics: pieces of 5, and the rest.
     let mesh = facade(23.0, 4.0);
     let extent = mesh.uv_extent(0, DVec3::ONE).unwrap();
     let lines = [5.0, 10.0, 15.0, 20.0].map(|metres| extent.at_metres(UvAxis::U, metres));
@@ -81,7 +81,7 @@ fn a_mesh_that_no_line_meets_is_the_same_mesh() {
     assert_eq!([number(&[]), number(&[-1.0, -0.5]), number(&[2.0, 3.0]), number(&[-1.0, 2.0])], [0, 2, 0, 1]);
     assert_eq!([number(&[0.0]), number(&[1.0]), number(&[0.0, 1.0]), number(&[-0.0])], [1, 0, 1, 1]);
     assert_eq!([number(&[f64::NEG_INFINITY]), number(&[f64::INFINITY]), number(&[f64::NAN])], [1, 0, 1]);
-    // Without the set.
+    // Without that set.
     let without = iso_bands(&mesh, 5, UvAxis::U, &[0.25, 0.5], MOST).unwrap();
     assert!(Arc::ptr_eq(without[0].as_ref().unwrap(), &mesh) && without[1..].iter().all(Option::is_none));
     assert!(iso_bands(&Arc::default(), 0, UvAxis::U, &[0.5], MOST).unwrap().iter().all(Option::is_none));
@@ -103,7 +103,7 @@ fn a_face_of_one_coordinate_is_in_the_band_above_its_line() {
 
 #[test]
 fn the_last_piece_does_not_vanish() {
-    // 0.1 + 0.1 + … is not quite 1: the last line is just inside of the surface, and its piece is there.
+    // 0.1 + 0.1 + … is not quite 1: the last line is just inside the surface, and makes a piece.
     let lines: Vec<f64> = (0..9)
         .scan(0.0, |at, _| {
             *at += 0.1;
@@ -200,7 +200,7 @@ fn faces_keep_what_they_carry_and_their_first_edges() {
     let found = bands(&builder.build().unwrap(), UvAxis::U, &[0.25, 0.75]);
     let middle = found[1].as_ref().unwrap();
     assert_eq!(middle.faces().map(|face| face.tag().group).collect::<Vec<_>>(), [0, 1]);
-    // The first edge of the left face is whole, of the right one the cut stands in for it.
+    // The first edge of the left face is whole; on the right the cut replaces it.
     let first = |mesh: &Mesh, face: usize| [0, 1].map(|at| mesh.points()[mesh.face(face).outer()[at] as usize].x);
     assert_eq!([first(middle, 0), first(middle, 1)], [[4.0; 2], [6.0; 2]]);
     let shared: Vec<_> = middle.face(0).outer().iter().filter(|point| middle.face(1).outer().contains(point)).collect();
@@ -209,13 +209,13 @@ fn faces_keep_what_they_carry_and_their_first_edges() {
 
 #[test]
 fn seams_have_crossings_of_their_own() {
-    // Two squares with an edge between them, on which v agrees and u does not.
+    // Two squares with a common edge, on which v agrees and u does not.
     let mesh = grid(2, 1, false, |i, j| DVec3::new(i as f64, 0.0, -(j as f64)));
     let mesh = charted(&mesh, &[0], |face, n, _, _| {
         [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y][n] + DVec2::X * (5 * face) as f64
     });
     let across = bands(&mesh, UvAxis::V, &[0.5]);
-    // v is the same on both sides: the pieces stay connected.
+    // v is equal on both sides, so the pieces stay connected.
     assert!(across.iter().flatten().all(|band| band.points().len() == 6));
     let mirrored = charted(&mesh, &[0], |face, n, _, _| {
         [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y][if face == 0 { n } else { n ^ 1 }]

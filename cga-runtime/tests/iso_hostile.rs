@@ -1,4 +1,4 @@
-//! Cuts by texture coordinates of any mesh that a builder takes: nothing panics, nothing is lost that has edges.
+//! Cuts by texture coordinates of every mesh that a builder accepts: no panics, and no surface with edges is lost.
 
 mod cut_support;
 mod iso_support;

@@ -127,7 +127,7 @@ fn area_vector(mesh: &Mesh) -> DVec3 {
     mesh.faces().map(|face| face.normal() * face.area()).sum()
 }
 
-/// Cuts, and checks every law that holds for a single cut.
+/// Cuts, and checks every law of a single cut.
 fn check(sample: &Sample, axis: UvAxis, lines: &[f64]) -> Vec<Option<Arc<Mesh>>> {
     let what = format!("{} along {axis:?} at {lines:?}", sample.name);
     let mesh = Arc::new(sample.mesh.clone());
@@ -203,7 +203,7 @@ fn pieces_of_pieces_are_pieces() {
     let mut rng = Rng(5);
     for _ in 0..40 {
         for sample in samples(&mut rng).into_iter().filter(|sample| {
-            // Pieces of faces that were cut as triangulated may be triangulated otherwise.
+            // Pieces of faces that were cut as triangles may be triangulated differently.
             !["wild quads", "wild polygon", "wild plate with holes"].contains(&&*sample.name)
         }) {
             let (low, high) = range(&sample.mesh, UvAxis::U);

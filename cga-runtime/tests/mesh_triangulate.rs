@@ -11,8 +11,8 @@ use cga_runtime::geometry::triangulate::Triangulator;
 use cut_support::*;
 use glam::{DVec2, DVec3};
 
-/// The polygons that a random pattern of cells has for its section, with holes, pinched wherever cells meet at a corner.
-/// Every other one keeps the corners between cells.
+/// The section of a random pattern of cells as polygons, with holes, pinched where cells meet at a corner. Every
+/// other polygon keeps the corners between cells.
 fn footprints(rng: &mut Rng, count: usize) -> Vec<Vec<Vec<DVec2>>> {
     let mut all = Vec::new();
     while all.len() < count {
@@ -43,7 +43,7 @@ fn area(ring: &[DVec2]) -> f64 {
     0.5 * ring.windows(2).map(|w| (w[0] - ring[0]).perp_dot(w[1] - ring[0])).sum::<f64>()
 }
 
-/// Triangulates as a polygon, and as a face of a mesh too; `slack` is what crossing by rounding may cost.
+/// Triangulates a polygon, also as a face of a mesh. `slack` is the tolerance for loops that rounding makes cross.
 fn check(what: &str, polygon: &[Vec<DVec2>], slack: f64) {
     let points: Vec<DVec2> = polygon.iter().flatten().copied().collect();
     let ends: Vec<u32> = polygon
@@ -55,7 +55,7 @@ fn check(what: &str, polygon: &[Vec<DVec2>], slack: f64) {
         .collect();
     let mut found = Vec::new();
     Triangulator::new().polygon(&points, &ends, &mut found);
-    // Loops that cross need not hang together.
+    // The triangles of crossing loops need not be connected.
     assert!(what == "jittered" || found.len() == points.len() + 2 * ends.len() - 4, "{what}: {polygon:?}");
     let mut edges = std::collections::HashMap::new();
     let mut count = |a: u32, b: u32, by: i32| {
@@ -161,7 +161,7 @@ fn any_points_at_all_keep_their_rim() {
     }
 }
 
-/// Whether the edges of the triangles, by position, add up to those of the loops.
+/// Returns true if the edges of the triangles, by position, add up to those of the loops.
 fn rim_is_kept(polygon: &[Vec<DVec2>], points: &[DVec2], triangles: &[[u32; 3]]) -> bool {
     let mut net = std::collections::HashMap::new();
     let mut count = |ring: &[DVec2], by: i32| {
@@ -207,8 +207,8 @@ fn faces_far_away_in_any_direction() {
     }
 }
 
-/// A random disc of triangles that are not turned, each put onto an edge of those before; it may overlap itself. Returns its
-/// rim.
+/// A random disc of triangles of equal winding, each attached to an edge of an earlier one. It may overlap itself.
+/// Returns its rim.
 fn overlapping(rng: &mut Rng, count: usize, size: usize) -> Vec<DVec2> {
     let mut rim: Vec<DVec2> = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(DVec2::from).to_vec();
     while rim.len() < count {
@@ -235,7 +235,7 @@ fn loops_that_overlap_themselves_are_not_folded() {
     }
 }
 
-/// The triangles of the caps by position, those of the upper part turned over, each from its least corner on.
+/// The triangles of the caps by position, those of the upper part reversed, each from its least corner on.
 fn caps(part: &Mesh, is_upper: bool) -> Vec<[[u64; 3]; 3]> {
     let mut found = Vec::new();
     let mut triangulator = Triangulator::new();
@@ -246,7 +246,7 @@ fn caps(part: &Mesh, is_upper: bool) -> Vec<[[u64; 3]; 3]> {
     found.iter().map(|&triangle| from_least(turned(triangle).map(position))).collect()
 }
 
-/// The surface that an outline sweeps along y, with both ends. It crosses itself where the outline does.
+/// The surface swept by an outline along y, with both ends. It crosses itself if the outline does.
 fn tube(outline: &[(f64, f64)]) -> Mesh {
     let count = outline.len() as u32;
     let mut builder = MeshBuilder::new();

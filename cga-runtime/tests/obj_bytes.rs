@@ -1,5 +1,5 @@
-//! The twin of `fuzz/fuzz_targets/obj.rs` that needs no nightly compiler: files with a few bytes changed, and files made
-//! of the words that files have.
+//! The equivalent of `fuzz/fuzz_targets/obj.rs` for a stable compiler: files with a few changed bytes, and files made
+//! of the format's words.
 #![cfg(feature = "obj")]
 
 mod obj_support;

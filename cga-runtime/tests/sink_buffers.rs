@@ -1,4 +1,4 @@
-//! Buffers: what a leaf comes to, exactly.
+//! Buffers: the exact output for leaves.
 
 mod sink_support;
 
@@ -19,7 +19,7 @@ fn point(vertex: &[f32; 6]) -> [f32; 3] {
     [vertex[0], vertex[1], vertex[2]]
 }
 
-/// Every vertex's normal is the direction its triangles wind around.
+/// Checks that every vertex's normal agrees with the winding of its triangles.
 fn normals_follow_windings(buffers: &Buffers) {
     for triangle in buffers.indices().chunks_exact(3) {
         let corner = |i: usize| DVec3::from_array(point(&buffers.vertices()[triangle[i] as usize]).map(f64::from));
@@ -51,7 +51,7 @@ fn a_box_is_closed_and_looks_outwards() {
     assert_eq!((buffers.vertices().len(), buffers.triangle_count()), (24, 12));
     normals_follow_windings(&buffers);
     assert_eq!(checksum(buffers.vertices(), buffers.indices()), 120.0);
-    // Each edge of the twelve triangles is met by one in the other direction, bit for bit.
+    // Each edge of the twelve triangles occurs once in each direction, bit for bit.
     let edge = |t: &[u32], i: usize| [t[i], t[(i + 1) % 3]].map(|c| point(&buffers.vertices()[c as usize]));
     let edges: Vec<_> = buffers.indices().chunks_exact(3).flat_map(|t| [0, 1, 2].map(|i| edge(t, i))).collect();
     assert!(edges.iter().all(|[a, b]| edges.iter().filter(|&e| e == &[*b, *a]).count() == 1));
@@ -70,7 +70,7 @@ fn a_mesh_with_holes_keeps_its_volume() {
     let mut fill = Fill(Buffers::new());
     fill.mesh("Plate", &Arc::default(), &plate(), DAffine3::IDENTITY);
     let buffers = fill.0;
-    // 8 + 2 - 2 triangles for each of the two faces with a hole, two for each of the eight others.
+    // 8 + 2 - 2 triangles for each of the two faces with a hole, two for each of the other eight.
     assert_eq!((buffers.vertices().len(), buffers.triangle_count()), (48, 32));
     normals_follow_windings(&buffers);
     assert!((checksum(buffers.vertices(), buffers.indices()) - 10.0).abs() < 1e-5);
@@ -138,7 +138,7 @@ fn parts_are_runs_of_one_rule_and_material() {
 fn faces_of_a_mesh_show_their_own_materials_unless_the_shape_sets_one() {
     let mut fill = Fill(Buffers::new());
     fill.mesh("Plate", &Arc::default(), &plate(), DAffine3::IDENTITY);
-    // Both faces with holes, then sides and inner sides by turns.
+    // Both faces with holes, then outer and inner sides in turn.
     assert_eq!(fill.0.parts().count(), 9);
     fill.0.clear();
     fill.mesh("Plate", &color(0.1, 0.2, 0.3), &plate(), DAffine3::IDENTITY);

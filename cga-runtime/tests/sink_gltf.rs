@@ -11,7 +11,7 @@ use cga_runtime::output::model::Model;
 use glam::{DAffine3, DVec3, dvec3};
 use sink_support::{Fill, color, front, hash, mixed, plate, steady, textured, tower, upright};
 
-/// The description and the binary part, after a look at everything around them.
+/// The description and the binary part, after checks of the container.
 fn parts(file: &[u8]) -> (String, &[u8]) {
     let word = |at: usize| u32::from_le_bytes([file[at], file[at + 1], file[at + 2], file[at + 3]]) as usize;
     assert_eq!((&file[..4], word(4), word(8)), (&b"glTF"[..], 2, file.len()));
@@ -94,7 +94,7 @@ fn light_sides_and_alpha_modes_are_told_apart() {
             look.set_text(MaterialText::OpacityMode, "opaque");
             look.opacity = Some(0.5);
         }),
-        // What glTF does not know makes no other look.
+        // Attributes unknown to glTF do not make another look.
         material(&|look| look.set_number(MaterialNumber::Shininess, 3.0)),
     ];
     for material in &list {
@@ -136,7 +136,7 @@ fn assets_inserted_often_are_stored_once() {
         })
         .collect();
     assert!(sizes[2] - sizes[1] < 48 * 100, "{sizes:?}");
-    // A mirrored one would show its faces from the other side, so it is written out.
+    // A mirrored instance would show its faces from the other side, so it is written out.
     let mut fill = Fill(Model::new());
     for scale in [1.0, 1.0, -1.0] {
         fill.instance("Tree", &Arc::default(), &asset, DAffine3::from_scale(dvec3(scale, 1.0, 1.0)));
@@ -169,7 +169,7 @@ fn the_same_model_gives_the_same_bytes() {
     assert_eq!((file.len(), hash(&file)), (43424, 0x0dad_ac61_6183_8cfc));
 }
 
-/// Files for other programs to look at, when a folder is named.
+/// Writes files for other programs if a folder is given.
 #[test]
 fn samples_are_written_when_asked_for() {
     let Ok(folder) = std::env::var("CGA_WRITE_SAMPLES") else { return };

@@ -1,4 +1,4 @@
-//! Models: what goes in comes out.
+//! Models: the leaves come out as they went in.
 
 mod sink_support;
 
@@ -64,7 +64,7 @@ fn placed_meshes_measure_in_the_world() {
     fill.mesh("Plate", &Arc::default(), &plate(), place);
     let leaf = fill.0.leaves().next().expect("one leaf");
     assert!((leaf.volume() - 30.0).abs() < 1e-9);
-    // Two faces of 10, sides of 14 and inner sides of 6 running along x and y, each stretched in its own way.
+    // Two faces of 10, outer sides of 14 and inner sides of 6 along x and y, each stretched differently.
     let expected = 2.0 * 10.0 * 6.0 + 2.0 * (4.0 + 2.0) * 2.0 * 0.5 + 2.0 * (3.0 + 1.0) * 3.0 * 0.5;
     assert!((leaf.area() - expected).abs() < 1e-9);
     assert_eq!(leaf.bounds().low, dvec3(1e6, 0.0, 0.0));

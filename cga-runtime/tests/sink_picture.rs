@@ -1,4 +1,4 @@
-//! Pictures: the same on every machine, and showing what they should.
+//! Pictures: equal on every machine, with the expected contents.
 
 mod sink_support;
 
@@ -20,7 +20,7 @@ fn is_red(pixel: [u8; 4]) -> bool {
     2 * u32::from(pixel[1]) < u32::from(pixel[0]) && 2 * u32::from(pixel[2]) < u32::from(pixel[0])
 }
 
-/// Share of the pixels that are red, and the columns they span.
+/// The share of red pixels, and the columns that they span.
 fn red(image: &Image) -> (f64, usize, usize) {
     let columns: Vec<usize> = (0..image.width * image.height)
         .filter(|at| is_red(image.pixel(at % image.width, at / image.width).expect("inside")))
@@ -75,7 +75,7 @@ fn a_box_seen_from_the_front_is_a_rectangle_in_the_middle() {
 fn the_ground_is_darker_where_the_sun_does_not_reach() {
     let image = Picture::new(160, 120).render(&red_box());
     let bright = |x: usize, y: usize| image.pixel(x, y).map_or(0, |p| p.iter().map(|&c| u32::from(c)).sum::<u32>());
-    // The sun stands to the left: right of the foot of the box there is shadow.
+    // The sun is to the left, so the box casts a shadow to the right of its foot.
     assert!(bright(112, 86) + 60 < bright(20, 86), "{} {}", bright(112, 86), bright(20, 86));
 }
 
@@ -162,14 +162,14 @@ fn png_files_hold_the_pixels() {
 fn svg_paints_what_is_nearer_later() {
     let mut fill = Fill(Model::new());
     let far = upright(dvec3(0.0, 0.0, -9.0), dvec3(9.0, 9.0, 0.1));
-    // The near one first, and with its middle behind the middle of the far one's nearest face.
+    // The near box comes first. Its middle is behind the middle of the far box's nearest face.
     fill.cuboid("Near", &color(0.0, 0.0, 1.0), upright(dvec3(0.0, 0.0, -8.9), dvec3(0.5, 0.5, 0.1)));
     fill.cuboid("Far", &color(1.0, 0.0, 0.0), far);
     let svg = fill.0.to_svg(400, 300);
     let paths: Vec<&str> = svg.lines().filter(|line| line.starts_with("<path")).collect();
     let blue = |line: &&str| line.contains("fill=\"#0000");
     let first = paths.iter().position(blue);
-    // The large face behind it is first of all; its sides, which nothing overlaps, may come whenever they like.
+    // The large face behind it is painted first. Its sides overlap nothing, so their order is free.
     assert!(Some(0) < first, "{svg}");
     assert_eq!(paths.len(), 6);
 }

@@ -1,4 +1,4 @@
-//! Textures in files and buffers: images, sets of coordinates, and what becomes of missing files.
+//! Textures in files and buffers: images, sets of coordinates, and missing files.
 #![cfg(all(feature = "gltf", feature = "png"))]
 
 mod sink_support;
@@ -19,7 +19,7 @@ use cga_runtime::shape::scope::Scope;
 use glam::{DAffine3, DVec3, dvec2, dvec3, dvec4};
 use sink_support::{Fill, color, front, upright};
 
-/// A folder of its own for each test, gone afterwards.
+/// A separate folder for each test, removed at the end.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -46,7 +46,7 @@ fn png(width: usize, height: usize, color: [u8; 4]) -> Vec<u8> {
     Image::filled(width, height, color).to_png().expect("a file")
 }
 
-/// A square of two metres in front, with coordinates from 0 to 1 in some sets.
+/// A square of two metres in the front, with coordinates from 0 to 1 in some sets.
 fn square(sets: &[usize]) -> Arc<Mesh> {
     let mut builder = MeshBuilder::new();
     let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
@@ -66,7 +66,7 @@ fn map(look: &mut Material, layer: Layer, name: &str) {
     look.set_text(MaterialText::Map(layer), name);
 }
 
-/// A model of squares, and its file's description.
+/// A model of squares, and the description of its file.
 fn json(model: &Model) -> String {
     let file = model.to_glb().expect("a file");
     let length = u32::from_le_bytes([file[12], file[13], file[14], file[15]]) as usize;
@@ -88,9 +88,9 @@ fn maps(sets: &[usize]) -> Vec<SetMap> {
     sets.iter().map(|set| SetMap { set: *set, map: along(set) }).collect()
 }
 
-/// A rectangle and a box with maps, in any sink; `as_meshes` turns them into meshes first.
+/// Passes a rectangle and a box with maps to a sink; `as_meshes` converts them to meshes first.
 fn fill(sink: &mut impl Sink, sets: &[usize], as_meshes: bool) {
-    /// Passes on meshes alone.
+    /// Passes on meshes only.
     struct Meshes<'a, S>(&'a mut S);
     impl<S: Sink> Sink for Meshes<'_, S> {
         fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
@@ -126,7 +126,7 @@ fn rectangles_and_boxes_have_the_coordinates_of_their_meshes() {
             }
         }
     }
-    // The model keeps them, and hands them on as coordinates and as meshes.
+    // The model keeps the maps, and passes them on as coordinates and as meshes.
     let mut model = Model::new();
     fill(&mut model, &sets, false);
     let mut replayed = Buffers::new();
@@ -200,10 +200,10 @@ fn each_map_uses_its_own_set_or_set_0() {
     ] {
         assert!(text.contains(part), "{part} in {text}");
     }
-    // Sets that no map uses are left out, and the others follow each other.
+    // Sets that no map uses are left out, and the other sets are renumbered.
     assert!(text.contains("TEXCOORD_1") && !text.contains("TEXCOORD_2"));
     assert_eq!(text.matches("\"mimeType\":\"image/png\"").count(), 2);
-    // Without set 0 only the map with a set of its own is left.
+    // Without set 0 only the map with its own set is left.
     let text = json(&shown(&assets, &material, &[6]));
     assert!(text.contains("\"emissiveTexture\":{\"index\":0}") && !text.contains("baseColor\"Texture"), "{text}");
     assert!(!text.contains("occlusionTexture") && text.contains("TEXCOORD_0") && !text.contains("TEXCOORD_1"));
@@ -221,7 +221,7 @@ fn two_images_become_one_where_the_format_has_one() {
     ];
     let folder = Folder::new("joined", &files);
     let assets = folder.assets();
-    // The file's own bytes, and only once.
+    // The file's bytes are unchanged, and stored once.
     let material = look(|look| {
         map(look, Layer::Color, "a.png");
         map(look, Layer::Opacity, "a.png");
@@ -232,7 +232,7 @@ fn two_images_become_one_where_the_format_has_one() {
     assert!(text.contains("\"alphaMode\":\"BLEND\"") && text.matches("\"source\"").count() == 1, "{text}");
     let (file, image) = (model.to_glb().expect("a file"), png(2, 2, [9, 8, 7, 100]));
     assert!(file.windows(image.len()).any(|part| part == image));
-    // The opacity of another image, which is larger.
+    // The opacity of another, larger image.
     let material = look(|look| {
         map(look, Layer::Color, "a.png");
         map(look, Layer::Opacity, "grey.png");
@@ -243,7 +243,7 @@ fn two_images_become_one_where_the_format_has_one() {
     assert!(json(&model).contains("\"alphaMode\":\"MASK\",\"alphaCutoff\":0.25"));
     let (file, image) = (model.to_glb().expect("a file"), png(8, 4, [9, 8, 7, 77]));
     assert!(file.windows(image.len()).any(|part| part == image));
-    // A mode that takes no notice of opacity, and an alpha channel that is no opacity map.
+    // A mode that ignores opacity, and an alpha channel that is not an opacity map.
     for (mode, alpha, wanted) in [("opaque", "grey.png", [9, 8, 7, 100]), ("mask", "", [9, 8, 7, 255])] {
         let material = look(|look| {
             map(look, Layer::Color, "a.png");
@@ -354,10 +354,10 @@ fn a_library_has_a_word_for_each_map_and_built_in_images_beside_it() {
     assert!(folder.0.join("builtin_uvtest.png").is_file());
 }
 
-/// Pixels along a side of pictures.
+/// The pixels along a side of pictures.
 const SIDE: usize = 256;
 
-/// A picture from the front of a square of 2 metres that fills nearly all of it.
+/// A picture from the front of a square of 2 metres that fills nearly the whole picture.
 fn picture(model: &Model, side: usize) -> Image {
     let camera = Camera { margin: 0.0, ..Camera::auto(model.bounds()) }.looking_from(0.0, 0.0).orthographic();
     let picture = Picture { lines: Lines::None, ground: false, ..Picture::new(side, side) };
@@ -376,7 +376,7 @@ fn a_picture_shows_the_texture_the_right_way_round() {
     };
     assert_eq!([at(0, 0), at(1, 0)], [[false, true, false], [false, true, true]]);
     assert_eq!([at(0, 1), at(1, 1)], [[true, false, true], [true, false, false]]);
-    // A rectangle with maps looks as the mesh does.
+    // A rectangle with maps looks like the mesh.
     let maps = [SetMap { set: 0, map: UvMap { u: dvec4(0.5, 0.0, 0.0, 0.0), v: dvec4(0.0, 0.5, 0.0, 0.0) } }];
     let mut model = Model::new();
     let (scope, quad) = (Scope::new(dvec3(2.0, 2.0, 0.0)), front(DVec3::ZERO, 2.0, 2.0));
@@ -401,7 +401,7 @@ fn a_picture_is_as_transparent_as_the_opacity_map() {
             look.set_text(MaterialText::OpacityMode, mode);
         });
         let image = picture(&shown(&folder.assets(), &material, &[0]), SIDE);
-        // Where the image is transparent, and where it is opaque.
+        // At a transparent place of the image, and at an opaque one.
         [SIDE / 4, SIDE * 3 / 4].map(|x| {
             let [r, g, b, _] = image.pixel(x, SIDE / 2).expect("a pixel");
             r / 2 > g.max(b)

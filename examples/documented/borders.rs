@@ -1,4 +1,4 @@
-//! The borders of scopes, which the page draws with edges.
+//! The borders of scopes, which the page draws as edges.
 
 use std::sync::Arc;
 
@@ -6,11 +6,11 @@ use cga::{Color, Geometry, Leaf, Material, Model, Quad, Scope, Sink};
 
 use crate::captions::SCOPE;
 
-/// Metres above the scopes that are drawn.
+/// The height in metres above the drawn scopes.
 const LIFT: f64 = 0.02;
 
-/// The same model with black strips of that width inside the borders of the scopes that it draws (*splitArea operation*,
-/// adjust vs. noAdjust: `comp(e) { all : color(0, 0, 0) Edge. }`).
+/// The model with black strips of that width inside the borders of its drawn scopes (*splitArea operation*, adjust
+/// vs. noAdjust: `comp(e) { all : color(0, 0, 0) Edge. }`).
 pub(crate) fn with_scopes(model: &Model, width: f64) -> Model {
     let mut out = Model::new();
     let _ = model.replay(&mut out);

@@ -1,11 +1,12 @@
-//! What the pieces of a model measure, in a few lines.
+//! The measures of a model's pieces, in a few lines.
 
 use cga::{Color, LeafView, Model};
 
-/// From here on pieces are shown one by one.
+/// The length from which pieces are listed one by one.
 const SHORTEST: f64 = 0.02;
 
-/// `2 x X 3 | Y 0.5`, the pieces from the low end on: how many, the rule, the length. Very short ones are only counted.
+/// The pieces from the low end on, with number, rule and length, as in `2 x X 3 | Y 0.5`. Very short pieces are only
+/// counted.
 pub(crate) fn lengths(model: &Model) -> String {
     let mut leaves: Vec<_> = model.leaves().collect();
     leaves.sort_by(|a, b| a.scope().origin.x.total_cmp(&b.scope().origin.x));
@@ -15,7 +16,7 @@ pub(crate) fn lengths(model: &Model) -> String {
     }))
 }
 
-/// As [`lengths`], each piece with its index and the number of all.
+/// The pieces in the form of [`lengths`], each with its index and the total.
 pub(crate) fn numbered(model: &Model) -> String {
     runs(model.leaves().map(|leaf| {
         let name = leaf.material().name.as_ref().map(ToString::to_string).unwrap_or_default();
@@ -23,7 +24,7 @@ pub(crate) fn numbered(model: &Model) -> String {
     }))
 }
 
-/// From the lowest piece on: the rule, the height, the colour that a rule gave it.
+/// The pieces from the lowest on: the rule, the height, and the colour set by a rule.
 pub(crate) fn heights(model: &Model) -> String {
     runs(model.leaves().map(|leaf| {
         let color = leaf.material().color.map(hex).unwrap_or_default();
@@ -31,7 +32,7 @@ pub(crate) fn heights(model: &Model) -> String {
     }))
 }
 
-/// The areas, in the order in which the pieces come. Scopes that are drawn as pieces come last, all in one.
+/// The areas, in the order of the pieces. Scopes that are drawn as pieces come last, as one sum.
 pub(crate) fn areas(model: &Model) -> String {
     let area = |leaf: LeafView<'_>| format!("{} {}", leaf.rule(), short(leaf.area()));
     let pieces = runs(model.leaves().filter(|leaf| leaf.rule() != SCOPE).map(area));
@@ -46,12 +47,12 @@ pub(crate) fn areas(model: &Model) -> String {
 /// The rule that draws the scope of a piece (*splitArea operation*).
 pub(crate) const SCOPE: &str = "Pink";
 
-/// How many pieces of each rule.
+/// The number of pieces of each rule.
 pub(crate) fn counts(model: &Model) -> String {
     model.counts().iter().map(|(rule, count)| format!("{count} {rule}")).collect::<Vec<_>>().join(", ")
 }
 
-/// Equal ones that follow each other become one with their number.
+/// Joins consecutive equal pieces, with their number.
 fn runs(pieces: impl Iterator<Item = String>) -> String {
     let mut runs: Vec<(usize, String)> = Vec::new();
     for piece in pieces {

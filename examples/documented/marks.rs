@@ -1,4 +1,4 @@
-//! The marks of the pages' pictures: axes of scopes, pivots, boxes, the initial shape. x is red, y green, z blue.
+//! The marks in the pages' pictures: axes of scopes, pivots, boxes, the initial shape. x is red, y green, z blue.
 
 use std::sync::Arc;
 
@@ -12,13 +12,13 @@ const AXES: [[f64; 3]; 3] = [[0.9, 0.05, 0.05], [0.05, 0.75, 0.05], [0.1, 0.2, 0
 const BOX: [f64; 3] = [0.85, 0.75, 0.1];
 const INITIAL: [f64; 3] = [0.35; 3];
 
-/// Lengths as shares of the diagonal of what is marked.
+/// The lengths of marks, as shares of the diagonal of the marked model.
 const LINE: f64 = 0.005;
 const ARROW: f64 = 0.008;
 const HEAD: f64 = 0.03;
 const PIVOT: [f64; 2] = [0.07, 0.013];
 
-/// A model with the marks of an example.
+/// The model with the marks of an example.
 pub(crate) fn marked(model: &Model, example: &Example) -> Model {
     let start = (example.start)();
     let mut pen = Pen { unit: reach(model, &start).size().length(), out: Model::new() };
@@ -40,7 +40,7 @@ pub(crate) fn marked(model: &Model, example: &Example) -> Model {
     pen.out
 }
 
-/// The box of the model and the initial scope.
+/// The box around the model and the initial scope.
 fn reach(model: &Model, start: &Shape) -> Bounds {
     let scope = start.scope();
     let far = scope.origin + scope.axes * scope.size;
@@ -57,29 +57,30 @@ fn first_corner(leaf: &LeafView<'_>) -> Frame {
 
 /// Draws into a model.
 struct Pen {
-    /// The diagonal of what is marked.
+    /// The diagonal of the marked model.
     unit: f64,
     out: Model,
 }
 
 impl Pen {
-    /// The initial shape, a little below the model.
+    /// Draws the initial shape, a little below the model.
     fn initial(&mut self, shape: &Shape) {
         let scope = Scope { origin: shape.scope().origin - DVec3::Y * (LINE * self.unit * 0.1), ..*shape.scope() };
         let place = DAffine3 { matrix3: scope.axes, translation: scope.origin };
         self.mesh(shape.to_mesh(), INITIAL, &place);
     }
 
-    /// A short arrow along the x axis of a scope on the ground, in front of it.
+    /// Draws a short arrow along the x axis of a scope on the ground, in front of it.
     fn along_x(&mut self, scope: &Scope) {
         let front = scope.origin + scope.axes.z_axis * (scope.size.z + HEAD * self.unit);
         let size = DVec3::new(0.12 * self.unit, 0.0, 0.0);
         self.scope(&Scope { origin: front, size, ..*scope });
     }
 
-    /// Arrows along the axes of a scope, a head longer than the scope. Axes without a size have no arrow.
+    /// Draws arrows along the axes of a scope, longer than the scope by an arrowhead. An axis without a size has no
+    /// arrow.
     fn scope(&mut self, scope: &Scope) {
-        // Arrows on flat shapes lie on them.
+        // Arrows on a flat shape are on top of it.
         let lift = if scope.size.y == 0.0 { scope.axes.y_axis * (0.3 * HEAD * self.unit) } else { DVec3::ZERO };
         for (axis, color) in AXES.into_iter().enumerate() {
             let length = scope.size[axis].abs();
@@ -93,7 +94,7 @@ impl Pen {
         }
     }
 
-    /// Short bars along the axes of a pivot.
+    /// Draws short bars along the axes of a pivot.
     fn pivot(&mut self, pivot: &Frame) {
         let [length, width] = PIVOT.map(|share| share * self.unit);
         for (axis, color) in AXES.into_iter().enumerate() {
@@ -105,7 +106,7 @@ impl Pen {
         }
     }
 
-    /// The edges of a scope, thinner than arrows.
+    /// Draws the edges of a scope, thinner than arrows.
     fn edges(&mut self, scope: &Scope) {
         let (frame, width) = (scope.frame(), LINE * self.unit);
         for axis in 0..3 {

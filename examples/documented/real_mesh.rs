@@ -1,4 +1,4 @@
-//! A mesh from a file, inserted, cut into pieces, the pieces pulled apart.
+//! A mesh from a file, inserted and cut, with its pieces pulled apart.
 
 use std::error::Error;
 use std::path::Path;
@@ -38,7 +38,7 @@ Colour(n) --> case n % 3 == 0 : color("#d98c5f") Piece.
 "##;
 }
 
-/// Before the cut, and cut along the ground and upwards. Without a path, a ball.
+/// The mesh before the cut, and cut along the ground and upwards. Without a path, a ball.
 pub(crate) fn cells(path: Option<&Path>) -> Result<Vec<Cell>, Box<dyn Error>> {
     let (assets, file) = match path {
         Some(path) => {

@@ -3,25 +3,25 @@
 use cga::Model;
 use cga::sink::picture::{Camera, Image, Lines, Picture};
 
-/// A picture and what is written under it.
+/// A picture with its caption.
 pub(crate) struct Cell {
     pub(crate) model: Model,
     pub(crate) camera: Camera,
-    /// The borders between pieces that lie in one plane are drawn as well, and all lines strongly.
+    /// True to draw the borders between pieces in one plane too, and all lines strongly.
     pub(crate) borders: bool,
-    /// Lines; what is too long is broken at ` | ` or a space and goes on a little further in.
+    /// The lines of the caption. A long line is broken at ` | ` or a space, and continues with an indent.
     pub(crate) caption: String,
 }
 
-/// So many that the longest line of most examples fits.
+/// Wide enough for the longest line of most examples.
 const WIDTH: usize = 660;
 const HEIGHT: usize = 330;
 const SPACE: usize = 16;
-/// Pixels a dot of a character.
+/// The pixels per dot of a character.
 const SCALE: usize = 2;
 const INK: [u8; 4] = [0x22, 0x22, 0x22, 0xff];
 
-/// Draws cells in rows of that many.
+/// Draws cells in rows of `columns`.
 pub(crate) fn draw(cells: &[Cell], columns: usize) -> Image {
     let captions: Vec<String> = cells.iter().map(|cell| broken(&cell.caption)).collect();
     let rows: Vec<usize> = captions
@@ -53,7 +53,7 @@ fn broken(text: &str) -> String {
         let mut rest = line.to_owned();
         while most < rest.chars().count() {
             let fits = rest.char_indices().nth(most).map_or(rest.len(), |(at, _)| at);
-            // Not in the white space that the line begins with.
+            // A break must not be in the white space at the start of the line.
             let start = rest.len() - rest.trim_start().len();
             let last = |what: &str| rest[..fits].rfind(what).filter(|at| start < *at);
             let at = last(" | ").or(last(" ")).unwrap_or(fits);

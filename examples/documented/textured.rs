@@ -17,12 +17,13 @@ cga::cga! {
     Start --> color("#70747a") Initial.
 }
 
-/// The pages *split operation* (UV split), *tileUV*, *setupProjection*, *texture* and *rotateUV operation*.
+/// The cells of the pages *split operation* (UV split), *tileUV*, *setupProjection*, *texture* and *rotateUV
+/// operation*.
 pub(crate) fn texturing(settings: &Settings) -> Vec<Cell> {
     texturing::ALL.iter().map(|example| cell(example, settings)).collect()
 }
 
-/// The page *primitive operations*. The lot is drawn below, as on the page.
+/// The cells of the page *primitive operations*. The lot is drawn below, as on the page.
 pub(crate) fn primitives(settings: &Settings) -> Vec<Cell> {
     let cells = primitives::ALL.iter().map(|example| {
         let mut model = example.model(settings);
@@ -57,7 +58,7 @@ fn cell(example: &Example, settings: &Settings) -> Cell {
     Cell { model, camera, borders: false, caption: caption(example) }
 }
 
-/// The other shapes of the page's picture: a smaller façade, the second segment of the street.
+/// The other shapes in the page's picture: a smaller façade, the second segment of the street.
 fn further(example: &Example) -> Vec<Shape> {
     match example.title {
         title if title.contains("UV Split Basics") => vec![Shape::rectangle(9.0, 5.0).at([24.0, 0.0, 3.0])],
@@ -66,18 +67,18 @@ fn further(example: &Example) -> Vec<Shape> {
     }
 }
 
-/// Draws an initial shape in grey, a little lower than what is made of it.
+/// Draws an initial shape in grey, a little below its results.
 fn put_below(model: &mut Model, shape: Shape, settings: &Settings) {
     let below = Initial::default().generate_with(&shape.at([0.0, -0.1, 0.0]), settings);
     let _ = below.expect("an initial shape").replay(model);
 }
 
-/// The page's picture shows the borders of the pieces or of the faces.
+/// Returns true if the page's picture shows the borders of the pieces or of the faces.
 fn has_borders(example: &Example) -> bool {
     ["UV Split", "Street Tiling: default"].iter().any(|title| example.title.contains(title))
 }
 
-/// The same model with black strips of that width along all edges, inside the faces.
+/// The model with black strips of that width along all edges, inside the faces.
 fn outlined(model: &Model, width: f64) -> Model {
     let mut out = Model::new();
     let _ = model.replay(&mut out);

@@ -13,8 +13,10 @@ mod write;
 
 use cga::Grammar;
 use cga_lang::code::Code;
-use cga_lang::compile::compile_text_with;
-use cga_lang::diag::{Diags, Level};
+use cga_lang::compile::{Door, compile};
+use cga_lang::diag::{Basis, Diags, Level};
+use cga_lang::lex::lex;
+use cga_lang::link::{NoFiles, Unit};
 use cga_lang::parse::parse;
 use cga_lang::snippet::render;
 use judge::{Verdict, judge};
@@ -118,9 +120,10 @@ fn play(seed: u64, make: Make, counts: &mut BTreeMap<Code, usize>, broken: &mut 
     let text = write::write(seed);
     // What is an error of this kind runs all the same.
     let levels = [(Code::RepeatNoProgress, Level::Warning), (Code::EndlessRules, Level::Warning)];
-    let source = compile_text_with(&text, &levels);
+    let lexed = lex(&text);
+    let compiled = compile(Unit::new(lexed.tokens.clone(), Door::Text), &mut NoFiles, &levels);
     let mut diags = Diags::new();
-    let places = Places::new(&parse(&source.tokens, &mut diags));
+    let places = Places::new(&parse(&lexed.tokens, &mut diags));
     assert!(diags.finish().is_empty(), "{text}");
     let random = |number| Random(seed << 32 | number);
     let usual = |number| number % 4 == 0;
@@ -134,8 +137,8 @@ fn play(seed: u64, make: Make, counts: &mut BTreeMap<Code, usize>, broken: &mut 
             }
         }
     }
-    for diag in &source.compiled.diags {
-        let defaults = diag.notes.iter().any(|note| note.text.starts_with("so it is with the default"));
+    for diag in &compiled.diags {
+        let defaults = matches!(diag.basis, Basis::Defaults(_));
         let mut verdicts: Vec<(String, Verdict)> = match diag.code {
             Code::NoEffect => (0..RUNS).map(|number| tails::judge(make, &mut random(number), usual(number))).collect(),
             _ => {
@@ -147,7 +150,7 @@ fn play(seed: u64, make: Make, counts: &mut BTreeMap<Code, usize>, broken: &mut 
         *counts.entry(diag.code).or_default() += usize::from(proved);
         verdicts.retain(|(_, verdict)| matches!(verdict, Verdict::Broken(_)));
         if let Some((given, Verdict::Broken(why))) = verdicts.first() {
-            let finding = render(&text, &source.ranges, &format!("{seed}.cga"), diag);
+            let finding = render(&text, &lexed.ranges, &format!("{seed}.cga"), diag);
             let _ = writeln!(broken, "{finding}\nnot so in {} runs, as in {given}: {why}\n", verdicts.len());
         }
     }

@@ -4,8 +4,8 @@ use crate::count::count;
 use crate::files::Library;
 use crate::options::Options;
 use cga_lang::code::Code;
-use cga_lang::compile::compile_files;
-use cga_lang::diag::{Diag, Diags, Level};
+use cga_lang::compile::compile;
+use cga_lang::diag::{Detail, Diag, Diags, Level, Line};
 use cga_lang::parse::parse;
 use cga_lang::snippet::render_in;
 use std::collections::{BTreeMap, HashSet};
@@ -16,7 +16,7 @@ use std::time::Duration;
 const MOST_SHOWN: usize = 1000;
 
 /// A finding: file, first and last token there, code, message.
-type Place = (String, u32, u32, Code, String);
+type Place = (String, u32, u32, Code, Line);
 
 /// Prints findings and summaries, and adds up.
 pub(crate) struct Report<'o> {
@@ -49,7 +49,7 @@ impl<'o> Report<'o> {
         let counts = count(&parse(&root.tokens, &mut again));
         // The compiler says the same.
         again.finish();
-        let compiled = compile_files(root, library, &[]);
+        let compiled = compile(root, library, &[]);
         let mut own = Own::default();
         let mut more = 0;
         let is_imported = self.imported.contains(&compiled.files[0].name);
@@ -61,8 +61,8 @@ impl<'o> Report<'o> {
                 continue;
             }
             *self.codes.entry((diag.level, diag.code)).or_default() += 1;
-            if let Some(name) = later(diag) {
-                *self.later.entry(name).or_default() += 1;
+            if let Detail::Later(name) = &diag.detail {
+                *self.later.entry(name.clone()).or_default() += 1;
             }
             if self.options.quiet || !(self.options.warnings || diag.level == Level::Error) {
                 continue;
@@ -130,17 +130,12 @@ impl Own {
             (_, true) => self.warnings += 1,
             (_, false) => {}
         }
-        if let Some(name) = later(diag).filter(|_| here) {
-            *self.later.entry(name).or_default() += 1;
+        if let Detail::Later(name) = &diag.detail
+            && here
+        {
+            *self.later.entry(name.clone()).or_default() += 1;
         }
     }
-}
-
-/// What is not implemented, if the finding says that.
-fn later(diag: &Diag) -> Option<String> {
-    let what = diag.message.strip_suffix(" is not implemented yet").filter(|_| diag.code == Code::NotImplemented)?;
-    let name = what.strip_prefix('`').and_then(|name| name.strip_suffix('`')).filter(|name| !name.contains('`'));
-    Some(name.unwrap_or(what).replace('`', ""))
 }
 
 /// Names with numbers, the most frequent first.

@@ -13,11 +13,11 @@ mod slots;
 mod texts;
 mod uvs;
 mod value;
+mod waiting;
 mod walk;
 
 use crate::ast::{Body, Op, OpKind};
 use crate::ast_walk::ops;
-use crate::graph::components;
 use crate::resolve::globals::{Globals, Item};
 use crate::resolve::tables::{Tables, Use};
 
@@ -29,6 +29,8 @@ pub(crate) use uvs::UvSets;
 pub(crate) use value::Value;
 pub(crate) use walk::{Site, Turn, called};
 
+use std::cell::RefCell;
+use waiting::Waiting;
 use walk::{Visit, Walk};
 
 /// How often what a rule is called with may change before its ends move on as far as there is.
@@ -41,9 +43,11 @@ const MOST_VISITS: u32 = 12;
 pub(crate) struct Flow<'f> {
     pub(crate) known: &'f Known<'f>,
     /// By rule: what is known where it begins. `None`: nobody calls it.
-    entries: Vec<Option<Facts>>,
+    entries: RefCell<Vec<Option<Facts>>>,
     /// By rule: whether another calls it.
     called: Vec<bool>,
+    /// The rules that no shape was followed through yet.
+    waiting: RefCell<Waiting>,
     forgets: bool,
 }
 
@@ -92,32 +96,22 @@ pub(crate) fn body<'a>(item: &Item<'a>) -> &'a [Op] {
 }
 
 impl<'f> Flow<'f> {
-    /// Finds out what is known. Without `calls` each rule stands alone.
+    /// Finds out what is known of a rule when it is visited. Without `calls` each rule stands alone.
     pub(crate) fn new(globals: &Globals, known: &'f Known<'f>, calls: Option<&Calls>) -> Flow<'f> {
-        let mut flow = Flow {
-            known,
-            entries: vec![None; globals.rules.len()],
-            called: vec![false; globals.rules.len()],
-            forgets: false,
-        };
-        let Some(calls) = calls else { return flow };
-        for &start in &calls.starts {
-            flow.entries[start] = Some(Facts::initial(&globals.rules[start]));
-        }
-        for (caller, callees) in calls.edges.iter().enumerate() {
-            callees.iter().filter(|callee| **callee != caller).for_each(|&callee| flow.called[callee] = true);
-        }
-        // Whoever calls comes before the called.
-        for component in components(&calls.edges).into_iter().rev() {
-            for &rule in &component {
-                // Nobody knows how a rule that no other calls is used.
-                if !flow.called[rule] && flow.entries[rule].is_none() {
-                    flow.entries[rule] = Some(Facts::initial(&globals.rules[rule]));
-                }
+        let mut called = vec![false; globals.rules.len()];
+        let mut entries = vec![None; globals.rules.len()];
+        if let Some(calls) = calls {
+            for (caller, callees) in calls.edges.iter().enumerate() {
+                callees.iter().filter(|callee| **callee != caller).for_each(|&callee| called[callee] = true);
             }
-            flow.settle(globals, component);
+            // Nobody knows how a rule that no other calls is used.
+            let uncalled = (0..called.len()).filter(|rule| !called[*rule]);
+            for rule in calls.starts.iter().copied().chain(uncalled) {
+                entries[rule] = Some(Facts::initial(&globals.rules[rule]));
+            }
         }
-        flow
+        let waiting = RefCell::new(calls.map(|calls| Waiting::new(&calls.edges)).unwrap_or_default());
+        Flow { known, entries: RefCell::new(entries), called, waiting, forgets: false }
     }
 
     /// What values and conditions alone say: sizes that steps set are forgotten.
@@ -126,9 +120,9 @@ impl<'f> Flow<'f> {
     }
 
     /// Follows shapes through the rules of a cycle until nothing new is known.
-    fn settle(&mut self, globals: &Globals, component: Vec<usize>) {
+    fn settle(&self, globals: &Globals, component: Vec<usize>) {
         let mut visits = vec![0u32; component.len()];
-        let mut waits: Vec<bool> = component.iter().map(|rule| self.entries[*rule].is_some()).collect();
+        let mut waits: Vec<bool> = component.iter().map(|rule| self.entries.borrow()[*rule].is_some()).collect();
         let mut work: Vec<usize> = (0..component.len()).rev().filter(|at| waits[*at]).collect();
         while let Some(at) = work.pop() {
             waits[at] = false;
@@ -136,7 +130,7 @@ impl<'f> Flow<'f> {
             let mut handed = Handed { list: Vec::new() };
             self.follow(globals, rule, &mut handed);
             for (callee, facts) in handed.list {
-                let before = self.entries[callee].clone();
+                let before = self.entries.borrow()[callee].clone();
                 let mut after = before.as_ref().map_or_else(|| facts.clone(), |before| before.or(&facts));
                 if before.as_ref() == Some(&after) {
                     continue;
@@ -155,7 +149,7 @@ impl<'f> Flow<'f> {
                         work.push(at);
                     }
                 }
-                self.entries[callee] = Some(after);
+                self.entries.borrow_mut()[callee] = Some(after);
             }
         }
     }
@@ -163,7 +157,8 @@ impl<'f> Flow<'f> {
     /// Goes once through a rule with what is known where it begins.
     fn follow<'a>(&self, globals: &Globals<'a>, rule: usize, visit: &mut dyn Visit<'a>) {
         let item = &globals.rules[rule];
-        let mut facts = self.entries[rule].clone().unwrap_or_else(|| Facts::any(item.own, item.decl.params.len()));
+        let entry = self.entries.borrow()[rule].clone();
+        let mut facts = entry.unwrap_or_else(|| Facts::any(item.own, item.decl.params.len()));
         for (_, local) in &item.decl.locals {
             visit.meet(&Site::Value(local), &facts);
             let value = self.known.value(local, &facts);
@@ -180,6 +175,8 @@ impl<'f> Flow<'f> {
 
     /// Shows what is met on the way through a rule.
     pub(crate) fn visit<'a>(&self, globals: &Globals<'a>, rule: usize, meet: &mut dyn FnMut(&Site<'_, 'a>, &Facts)) {
+        let waiting = self.waiting.borrow_mut().take(rule);
+        waiting.into_iter().for_each(|component| self.settle(globals, component));
         self.follow(globals, rule, &mut Met(meet));
     }
 

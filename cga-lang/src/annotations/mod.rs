@@ -205,7 +205,7 @@ fn known(cx: &mut Cx, annotation: &Annotation) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use crate::compile::{Door, compile_files, compile_text};
+    use crate::compile::{Door, compile, compile_text};
     use crate::lex::lex;
     use crate::link::{Files, Unit};
 
@@ -230,7 +230,7 @@ mod tests {
             let lexed = lex(&text);
             let root = Unit { name: "a.cga".into(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags };
             let library = "attr a = 1  attr b = 2  @Group(\"C\") attr c = 3  Lot --> t(a, b, c)";
-            let compiled = compile_files(root, &mut Library(library), &[]);
+            let compiled = compile(root, &mut Library(library), &[]);
             assert_eq!(compiled.diags, []);
             let grammar = compiled.grammar.expect("no error");
             let shown: Vec<(&str, &str, bool)> =

@@ -5,7 +5,7 @@ use super::switch::is_switch;
 use crate::analysis::{Facts, Flow, Turn, Value};
 use crate::ast::{Binary, Expr, ExprKind, Unary};
 use crate::code::Code;
-use crate::diag::{Diag, Diags};
+use crate::diag::{Detail, Diag, Diags};
 use crate::hash::FastMap;
 use crate::ir::ChoiceValues;
 use crate::link::InstanceId;
@@ -50,7 +50,9 @@ pub(crate) fn check(turn: &Turn, facts: &Facts, flow: &Flow, cx: &Cx, diags: &mu
 
 fn always<'d>(condition: &Expr, truth: bool, diags: &'d mut Diags) -> &'d mut Diag {
     let word = if truth { "true" } else { "false" };
-    diags.report(Code::CaseAlways, condition.span, format!("this condition is always {word}"))
+    let diag = diags.report(Code::CaseAlways, condition.span, format!("this condition is always {word}"));
+    diag.detail = Detail::Condition(truth);
+    diag
 }
 
 /// A comparison of an attribute with a text that it never has.

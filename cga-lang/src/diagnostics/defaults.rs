@@ -5,7 +5,7 @@ use super::{repeat, size};
 use crate::analysis::{Attrs, Calls, Flow, Known, Site, Slots};
 use crate::ast::{Expr, ExprKind};
 use crate::code::Code;
-use crate::diag::{Diag, Diags, Level};
+use crate::diag::{Basis, Diag, Diags, Level};
 use crate::resolve::context::Cx;
 use crate::resolve::tables::{Entries, Use};
 use crate::span::Span;
@@ -29,7 +29,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
     let flow = Flow::new(&cx.globals, &known, Some(calls));
     let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
-        if !program.roots.contains(&item.instance) {
+        if !program.roots.contains(&item.instance) || agreed.is_settled(item) {
             continue;
         }
         let mut list = Vec::new();
@@ -39,9 +39,8 @@ pub(crate) fn check(cx: &Cx, calls: &Calls, certain: &[Diag]) -> Vec<Diag> {
             size::check(slots, facts, &cx.tables, &mut diags);
             repeat::check(slots, &mut diags);
             list.extend(diags.finish().into_iter().filter(|diag| is_told(diag, slots)).map(|diag| {
-                let mut diag = Diag { level: Level::Warning, ..diag };
-                reason(&mut diag, slots, cx.tables.at(item.own), cx);
-                diag
+                let basis = Basis::Defaults(defaults(diag.span, slots, cx.tables.at(item.own), cx));
+                Diag { level: Level::Warning, basis, ..diag }
             }));
         });
         agreed.add(item, list);
@@ -57,22 +56,17 @@ fn is_told(diag: &Diag, slots: &Slots) -> bool {
     TOLD.contains(&diag.code) && !off
 }
 
-/// Says which defaults it is.
-fn reason(diag: &mut Diag, slots: &Slots, names: Entries, cx: &Cx) {
+/// The attributes whose defaults a diagnostic about a slot follows from.
+fn defaults(span: Span, slots: &Slots, names: Entries, cx: &Cx) -> Vec<(String, Span)> {
     let mut attrs = Vec::new();
     // A slot depends on those before it, one that floats on all.
-    let at = slots.list.iter().position(|slot| slot.size.span == diag.span && !slot.floats());
+    let at = slots.list.iter().position(|slot| slot.size.span == span && !slot.floats());
     let count = at.map_or(slots.list.len(), |at| at + 1);
     slots.list[..count].iter().for_each(|slot| read(&slot.size.value, names, &mut attrs));
     attrs.sort_unstable();
     attrs.dedup();
-    for &attr in &attrs {
-        let name = &cx.globals.attrs[attr as usize].decl.name;
-        diag.related(format!("so it is with the default of `{}`", name.text), name.span);
-    }
-    if attrs.is_empty() {
-        diag.note("so it is with the defaults of the attributes");
-    }
+    let names = attrs.into_iter().map(|attr| &cx.globals.attrs[attr as usize].decl.name);
+    names.map(|name| (name.text.clone(), name.span)).collect()
 }
 
 /// The attributes that an expression reads.

@@ -5,7 +5,7 @@ use crate::analysis::{Calls, body};
 use crate::ast::{Block, BlockPart, ExprKind, Op, OpKind, Prefix, SplitItem};
 use crate::ast_walk::ops;
 use crate::code::Code;
-use crate::diag::{Diag, Diags, Level};
+use crate::diag::{Basis, Diag, Diags, Level};
 use crate::graph::{components, is_cycle};
 use crate::ops::Effect;
 use crate::resolve::context::Cx;
@@ -58,6 +58,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
             Ends::ButWholeSplits => {
                 let message = format!("{what}, and nothing gets smaller on the way");
                 let diag = diags.report_as(Code::EndlessRules, Level::Warning, name.span, message);
+                diag.basis = Basis::Extent;
                 diag.note("its split hands on all of the shape, so only one without an extent ends it")
             }
             Ends::ButChance => {

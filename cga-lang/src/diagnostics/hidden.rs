@@ -14,6 +14,9 @@ use crate::span::Span;
 pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
+        if agreed.is_settled(item) {
+            continue;
+        }
         let (names, mut diags) = (cx.tables.at(item.own), Diags::new());
         ast_walk::ops(body(item), &mut |op| {
             let OpKind::Block(block) = &op.kind else { return };

@@ -21,12 +21,11 @@ mod unused;
 
 use crate::analysis::{Attrs, Calls, Facts, Flow, Known, Site};
 use crate::ast::Expr;
-use crate::diag::{Diag, Diags};
+use crate::diag::{Basis, Diag, Diags};
 use crate::diagnostics::agreed::Agreed;
 use crate::diagnostics::texture::Projected;
 use crate::ops::ParamKind;
 use crate::resolve::context::Cx;
-use crate::resolve::globals::Item;
 
 pub(crate) fn check(cx: &mut Cx) {
     cx.tables.levels = branches::levels(cx);
@@ -40,6 +39,9 @@ pub(crate) fn check(cx: &mut Cx) {
     let projected = Projected::new(cx, &alone);
     let mut agreed = Agreed::default();
     for (rule, item) in cx.globals.rules.iter().enumerate() {
+        if agreed.is_settled(item) {
+            continue;
+        }
         let mut diags = Diags::new();
         // A rule may be made for more than what its calls give it today, and rules ask for sizes that they have set: conditions
         // are judged by values and other conditions.
@@ -72,14 +74,17 @@ pub(crate) fn check(cx: &mut Cx) {
         if is_root && !list.is_empty() {
             let anyway = divisions(rule, &alone, projected, cx);
             let is_so = |diag: &Diag| anyway.iter().any(|other| (other.code, other.span) == (diag.code, diag.span));
-            for diag in list.iter_mut().filter(|diag| !is_so(diag)) {
-                callers(diag, item, joined.is_called(rule));
+            for diag in list.iter_mut().filter(|diag| joined.is_called(rule) && !is_so(diag)) {
+                diag.basis = Basis::Calls { rule: item.decl.name.text.clone(), begins: item.decl.params.is_empty() };
             }
         }
         diags.append(list);
         agreed.add(item, diags.finish());
     }
     for item in cx.globals.values() {
+        if agreed.is_settled(item) {
+            continue;
+        }
         let mut diags = Diags::new();
         let own = item.value().map_or(item.own, |(_, own)| own);
         let facts = Facts::any(own, item.decl.params.len() + item.decl.locals.len());
@@ -112,13 +117,4 @@ fn divisions(rule: usize, flow: &Flow, projected: Projected, cx: &Cx) -> Vec<Dia
         _ => {}
     });
     diags.finish()
-}
-
-/// Says of what is so because of how a rule is called, that it is.
-fn callers(diag: &mut Diag, item: &Item, is_called: bool) {
-    let name = &item.decl.name.text;
-    if is_called {
-        let start = if item.decl.params.is_empty() { "; a run that begins with it may differ" } else { "" };
-        diag.note(format!("so it is wherever `{name}` is called{start}"));
-    }
 }

@@ -7,7 +7,7 @@ use super::agreed::Agreed;
 use crate::analysis::{Calls, body};
 use crate::ast::Role;
 use crate::code::Code;
-use crate::diag::{Diag, Diags};
+use crate::diag::{Basis, Diag, Diags};
 use crate::resolve::context::Cx;
 use crate::resolve::globals::{Item, Kind};
 use crate::suggest::nearest;
@@ -40,6 +40,7 @@ pub(crate) fn check(cx: &Cx, calls: &Calls) -> Vec<Diag> {
         if uncalled.contains(&rule) {
             let name = &item.decl.name;
             let diag = diags.report(Code::RuleNotReached, name.span, format!("no rule calls `{}`", name.text));
+            diag.basis = Basis::Start;
             if let Some(start) = calls.starts.first().map(|start| &globals.rules[*start].decl.name) {
                 diag.related(format!("runs begin with `{}`, which is marked `@StartRule`", start.text), start.span);
             }

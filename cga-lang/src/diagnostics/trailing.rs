@@ -14,6 +14,9 @@ use crate::resolve::tables::{Entries, Use};
 pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
     let mut agreed = Agreed::default();
     for item in &cx.globals.rules {
+        if agreed.is_settled(item) {
+            continue;
+        }
         let mut diags = Diags::new();
         sequence(body(item), false, false, cx.tables.at(item.own), &mut diags);
         agreed.add(item, diags.finish());

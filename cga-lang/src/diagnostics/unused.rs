@@ -39,6 +39,9 @@ pub(crate) fn check(cx: &Cx) -> Vec<Diag> {
         agreed.add(item, diags.finish());
     }
     for item in globals.rules.iter().chain(&globals.functions).filter(is_root) {
+        if agreed.is_settled(item) {
+            continue;
+        }
         let mut diags = Diags::new();
         inner(cx, item, &styled, &mut diags);
         agreed.add(item, diags.finish());

@@ -2,7 +2,7 @@
 
 use super::closure::closure;
 use super::{Facts, RuleFacts, Uses};
-use crate::ir::{Align, Comp, Global, Grammar, Measure, Renewal, Rule, Selector, Step, Target};
+use crate::ir::{Arm, Block, Global, Grammar, Parts, Renewal, Rule, Selector, Step, Target};
 use crate::{ir_walk, ops};
 
 /// The facts of a rule without the rules that it reaches.
@@ -50,7 +50,7 @@ impl Facts {
             own.uses = own.uses | exprs | itself;
             own.rigid &= exprs.without_counters().is_rigid();
             own.rigid &= match step {
-                Step::Comp(comp) => is_rigid(comp),
+                Step::Block(block @ Block { parts: Parts::Arms(arms), .. }) => is_rigid(block, arms),
                 _ => itself.without_counters().is_rigid(),
             };
         });
@@ -84,21 +84,16 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
         Step::Do(row, ..) => row.uses,
         Step::SetShape(row, ..) => row.set_uses,
         Step::Rust(..) => Uses::ALL,
-        Step::Comp(_) => Uses::WHOLE,
+        Step::Block(block) => block.row.uses,
         Step::Anew(anew) => renewals[anew.renewal.0 as usize],
         Step::Chance { .. } => Uses::DRAWS,
-        Step::Split(split) => match &split.measure {
-            Measure::Length => Uses::NONE,
-            Measure::Area => Uses::WHOLE,
-            Measure::Texture(_) => Uses::WHOLE.and(Uses::PLACE),
-        },
         Step::SetAttr(..) | Step::Later(..) | Step::Give(_) | Step::Push(_) | Step::Case { .. } => Uses::NONE,
     }
 }
 
 /// Returns true if the shapes that a step makes keep `split.index` and `split.total`.
 fn hands_counters_on(step: &Step) -> bool {
-    !matches!(step, Step::Split(_))
+    !matches!(step, Step::Block(Block { parts: Parts::Slots(_), .. }))
 }
 
 /// The rules that steps hand shapes to, by number.
@@ -116,13 +111,13 @@ fn called(rule: &Rule, from: fn(&Step) -> bool) -> Vec<usize> {
     list
 }
 
-/// Returns true if a comp divides a shape alike wherever it is. `noAlign` gives parts the axes of the pivot, and a condition asks
-/// about a whole shape.
-fn is_rigid(comp: &Comp<Target>) -> bool {
-    comp.align == Align::ZUp
-        && comp.arms.iter().all(|arm| match &arm.selector {
-            Selector::Word(word) => ops::selector(word).is_some_and(|row| row.rigid),
-            Selector::Index(_) => true,
-            Selector::When(_) => false,
-        })
+/// Returns true if an operation makes the same parts of a shape wherever the shape is. `noAlign` gives parts the axes of the pivot,
+/// and a condition asks about a whole shape.
+fn is_rigid(block: &Block, arms: &[Arm<Target>]) -> bool {
+    let selects = |arm: &Arm<Target>| match &arm.selector {
+        Selector::Word(word) => ops::selector(word).is_some_and(|row| row.rigid),
+        Selector::Index(_) => true,
+        Selector::When(_) => false,
+    };
+    block.is_plain() && !block.row.uses.place && arms.iter().all(selects)
 }

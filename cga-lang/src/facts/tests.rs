@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::compile::compile_text;
-use crate::ir::Step;
+use crate::ir::{Block, Parts, Slots, Step};
 
 fn grammar(text: &str) -> Grammar {
     let compiled = compile_text(text).compiled;
@@ -19,6 +19,14 @@ fn shown(text: &str) -> Vec<String> {
         format!("{}: {} | {}{}", rule.name, list(own), list(below), if rigid { " | rigid" } else { "" })
     };
     grammar.rules.iter().enumerate().map(line).collect()
+}
+
+/// The slots that a rule begins with.
+fn slots(grammar: &Grammar, rule: usize) -> &Slots {
+    match &grammar.rules[rule].body[0] {
+        Step::Block(Block { parts: Parts::Slots(slots), .. }) => slots,
+        other => panic!("{other:?} has no slots"),
+    }
 }
 
 /// The facts of a rule with these steps.
@@ -52,11 +60,11 @@ fn arguments_of_parts_read_the_counters_of_the_part() {
         "A --> split(x) { ~1 : B(rand(1)) | ~1 : X. }  B(i) --> split(x) { ~i : C }  C --> s(split.index, 1, 1)";
     let grammar = grammar(rules);
     let facts = Facts::new(&grammar);
-    let Step::Split(split) = &grammar.rules[0].body[0] else { panic!("a split") };
-    assert_eq!(facts.target(&split.slots[0]), Uses::DRAWS);
-    assert_eq!(facts.target(&split.slots[1]), Uses::NONE);
-    let Step::Split(split) = &grammar.rules[1].body[0] else { panic!("a split") };
-    assert_eq!(facts.target(&split.slots[0]), Uses::INDEX);
+    let split = slots(&grammar, 0);
+    assert_eq!(facts.target(&split.targets[0]), Uses::DRAWS);
+    assert_eq!(facts.target(&split.targets[1]), Uses::NONE);
+    let split = slots(&grammar, 1);
+    assert_eq!(facts.target(&split.targets[0]), Uses::INDEX);
 }
 
 #[test]

@@ -27,7 +27,7 @@ struct Wish {
 }
 
 impl Infer<'_, '_, '_> {
-    /// Whether it may be read again with other types.
+    /// Returns true if a declaration may have instances with other types.
     pub(super) fn is_generic(&self, found: Use) -> bool {
         let program = self.cx.globals.program;
         let item = match found {

@@ -14,7 +14,7 @@ mod unify;
 
 use crate::ast::{Body, Decl, Expr, Name};
 use crate::code::Code;
-use crate::diag::Diag;
+use crate::diag::{Diag, Line};
 use crate::door::Door;
 use crate::hash::FastMap;
 use crate::lex::without_unit;
@@ -42,7 +42,7 @@ pub(crate) struct Found {
 }
 
 pub(crate) fn infer(cx: &mut Cx) -> Found {
-    let before = cx.diags.count();
+    let before = cx.diags.so_far().len();
     let mut pass = Infer {
         cx,
         vars: Vars::default(),
@@ -77,14 +77,14 @@ pub(crate) fn infer(cx: &mut Cx) -> Found {
     let unsuited = if pass.wanted.is_empty() { pass.unsuited() } else { Vec::new() };
     let wanted = pass.wanted;
     let misfit = |diag: &Diag| matches!(diag.code, Code::TypeMismatch | Code::UndefinedRule);
-    Found { misfit: cx.diags.since(before).iter().any(misfit), wanted, unsuited }
+    Found { misfit: cx.diags.so_far()[before..].iter().any(misfit), wanted, unsuited }
 }
 
 /// A declaration in a style: its name and parameters.
 type InStyle = (u32, Vec<Key>);
 
 /// A mismatch of types: the instance in which it was found, and what is reported.
-type Misfit = (InstanceId, Span, String);
+type Misfit = (InstanceId, Span, Line);
 
 /// An argument of a rule or function of the grammar: joined with the parameter when all bodies are read.
 struct Argument {
@@ -127,11 +127,11 @@ impl<'a> Infer<'_, 'a, '_> {
     /// Does a part of the work in an instance, and notes the mismatches that it finds there.
     fn inside<T>(&mut self, own: InstanceId, part: impl FnOnce(&mut Self) -> T) -> T {
         let outside = std::mem::replace(&mut self.own, own);
-        let before = self.cx.diags.count();
+        let before = self.cx.diags.so_far().len();
         let result = part(self);
         self.own = outside;
         if self.cx.globals.program.typed.on {
-            let found = self.cx.diags.since(before).iter().filter(|diag| diag.code == Code::TypeMismatch);
+            let found = self.cx.diags.so_far()[before..].iter().filter(|diag| diag.code == Code::TypeMismatch);
             self.misfits.extend(found.map(|diag| (own, diag.span, diag.message.clone())));
         }
         result
@@ -142,8 +142,7 @@ impl<'a> Infer<'_, 'a, '_> {
         let program = self.cx.globals.program;
         let (typed, written): (Vec<&Misfit>, Vec<&Misfit>) =
             self.misfits.iter().partition(|(own, ..)| program.is_typed(*own));
-        let written: HashSet<(Span, &str)> =
-            written.into_iter().map(|(_, span, text)| (*span, text.as_str())).collect();
+        let written: HashSet<(Span, &Line)> = written.into_iter().map(|(_, span, text)| (*span, text)).collect();
         let alone = typed.into_iter().filter(|(_, span, text)| !written.contains(&(*span, text)));
         alone.map(|(own, ..)| *own).collect()
     }

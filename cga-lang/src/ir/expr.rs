@@ -37,7 +37,7 @@ pub enum ExprKind {
     /// An attribute of the current shape: `scope.sx`.
     Shape(&'static ShapeAttr),
     /// `comp(f) { … }`: an array with a value for each component.
-    Comp(Box<Comp<Expr>>),
+    Comp(Box<Comp>),
     /// Whether a selector's word takes the component that is asked about; in its newest spelling.
     Word(&'static str),
     /// Returns true if the style of the run is one of these numbers.

@@ -49,6 +49,13 @@ pub struct Unit {
     pub found: Vec<Diag>,
 }
 
+impl Unit {
+    /// Tokens without a name, in which nothing was found.
+    pub fn new(tokens: Tokens, door: Door) -> Unit {
+        Unit { name: String::new(), tokens, door, found: Vec::new() }
+    }
+}
+
 /// Where imported files come from.
 pub trait Files {
     /// The file of a path that stands in the file `from`.

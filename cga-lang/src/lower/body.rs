@@ -1,13 +1,11 @@
-//! Steps of a rule. Blocks of splits and comps that do more than name a successor become rules of their own.
+//! Steps of a rule. Operations of a part in braces become a rule of their own, unless they only name a successor.
 
-use super::{Lower, walk};
-use crate::ast::{self, BlockPart, OpKind, SplitItem};
+use super::Lower;
+use crate::ast::{self, OpKind};
 use crate::fold::fold;
-use crate::ir::{
-    Arg, AttrId, Axis, Childless, Expr, ExprKind, Item, Measure, Param, Prefix, Rule, RuleId, Size, Split, Step,
-    Target, TextureSplit, Type, Value,
-};
-use crate::ops::{self, Braces, ParamKind, Run, Words};
+use crate::ir::{Arg, AttrId, Childless, Expr, ExprKind, Param, Prefix, Rule, RuleId, Size, Step, Target, Type, Value};
+use crate::ir_walk;
+use crate::ops::{self, Operation, ParamKind, Run, Words};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 
@@ -23,7 +21,7 @@ impl<'c> Lower<'c> {
             OpKind::Nil => Step::Give(Target::Nil),
             OpKind::Path(name, args) => Step::Rust(name.text.clone(), self.values(args), name.span),
             OpKind::Push(ops) => Step::Push(self.steps(ops)),
-            OpKind::Block(block) => return self.divided(block, op.span),
+            OpKind::Block(block) => return self.block(block, op.span),
             OpKind::Dynamic { import, overrides, rule, args } => {
                 return self.dynamic((import, overrides), (rule, args), op.span);
             }
@@ -55,7 +53,7 @@ impl<'c> Lower<'c> {
         args.iter().map(|arg| self.folded(&arg.value)).collect()
     }
 
-    fn size(&mut self, arg: &ast::Arg) -> Size {
+    pub(super) fn size(&mut self, arg: &ast::Arg) -> Size {
         let prefix = match arg.prefix {
             None => Prefix::Absolute,
             Some((ast::Prefix::Relative, _)) => Prefix::Relative,
@@ -64,25 +62,31 @@ impl<'c> Lower<'c> {
         Size { prefix, value: self.folded(&arg.value) }
     }
 
+    /// The arguments of an operation, with the defaults of those that are left out.
+    pub(super) fn args(&mut self, row: &'static Operation, args: &[ast::Arg], span: Span) -> Vec<Arg> {
+        let given = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
+            ParamKind::Value(_)
+            | ParamKind::Any
+            | ParamKind::Color
+            | ParamKind::Channel
+            | ParamKind::Selector
+            | ParamKind::PerEdge => Arg::Value(self.folded(&arg.value)),
+            ParamKind::File(_) | ParamKind::Image(_) => Arg::Value(self.file(&arg.value)),
+            ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
+            ParamKind::Word(words) => Arg::Word(word(&arg.value, words)),
+        });
+        let mut list: Vec<Arg> = given.collect();
+        list.extend(row.params.iter().skip(args.len()).filter_map(|param| default(param, span)));
+        list
+    }
+
     fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<Step> {
         if self.is_later(name) {
             return Some(Step::Later(name.text.clone(), span));
         }
         Some(match self.used(name)? {
             Use::Operation(row) if row.run == Run::Later => Step::Later(name.text.clone(), span),
-            Use::Operation(row) => {
-                let left_out = row.params.iter().skip(args.len()).filter_map(|param| default(param, span));
-                let args = row.params.iter().zip(args).map(|(param, arg)| match &param.kind {
-                    ParamKind::Value(_) | ParamKind::Any | ParamKind::Color | ParamKind::Channel => {
-                        Arg::Value(self.folded(&arg.value))
-                    }
-                    ParamKind::File(_) | ParamKind::Image(_) => Arg::Value(self.file(&arg.value)),
-                    ParamKind::Length | ParamKind::Size => Arg::Length(self.size(arg)),
-                    ParamKind::Selector | ParamKind::PerEdge => Arg::Value(self.folded(&arg.value)),
-                    ParamKind::Word(words) => Arg::Word(word(arg, words)),
-                });
-                Step::Do(row, args.collect::<Vec<_>>().into_iter().chain(left_out).collect(), span)
-            }
+            Use::Operation(row) => Step::Do(row, self.args(row, args, span), span),
             Use::SetAttr(index) => {
                 self.out.attrs[index as usize].is_set = true;
                 Step::SetAttr(AttrId(index), self.folded(&args.get(1)?.value), span)
@@ -102,71 +106,9 @@ impl<'c> Lower<'c> {
         }
     }
 
-    fn divided(&mut self, block: &'c ast::Block, span: Span) -> Option<Step> {
-        let Use::Operation(row) = self.used(&block.name)? else { return None };
-        let later = || Step::Later(block.name.text.clone(), span);
-        Some(match (row.run, row.braces, block.parts.as_slice()) {
-            (Run::Now(_), Braces::Slots(measure), [BlockPart::Slots(items, repeat)]) => {
-                Step::Split(self.split(block, measure, items, *repeat))
-            }
-            (Run::Now(_), Braces::Components, [BlockPart::Arms(arms)]) => Step::Comp(self.comp(block, arms)?),
-            _ => later(),
-        })
-    }
-
-    fn split(&mut self, block: &'c ast::Block, measure: ops::Measure, items: &'c [SplitItem], repeat: bool) -> Split {
-        let span = block.name.span;
-        let measure = match measure {
-            ops::Measure::Length => Measure::Length,
-            ops::Measure::Area => Measure::Area,
-            ops::Measure::Texture => {
-                let word = |at: usize| block.args.get(at).and_then(|arg| arg.value.word());
-                let set = match block.args.get(2) {
-                    Some(set) => self.folded(&set.value),
-                    None => Expr { kind: ExprKind::Value(Value::Float(0.0)), ty: Type::Float, span },
-                };
-                let (along_v, in_metres) = (word(0) == Some("v"), word(1) == Some("unitSpace"));
-                Measure::Texture(TextureSplit { along_v, in_metres, set })
-            }
-        };
-        let mut out = Split {
-            axis: block.axis().unwrap_or(Axis::X),
-            measure,
-            adjust: block.adjusts(),
-            sizes: Vec::new(),
-            pattern: Vec::new(),
-            slots: Vec::new(),
-            solved: None,
-            span,
-        };
-        self.group(items, repeat, &mut out);
-        out
-    }
-
-    fn group(&mut self, items: &'c [SplitItem], repeat: bool, out: &mut Split) {
-        let start = out.pattern.len();
-        if repeat {
-            out.pattern.push(Item::Repeat(0));
-        }
-        for item in items {
-            match item {
-                SplitItem::Slot(size, ops) => {
-                    out.pattern.push(Item::Slot);
-                    let size = self.size(size);
-                    out.sizes.push(size);
-                    let target = self.block(ops, block_span(ops, out.span));
-                    out.slots.push(target);
-                }
-                SplitItem::Group(items, repeat) => self.group(items, *repeat, out),
-            }
-        }
-        if repeat {
-            out.pattern[start] = Item::Repeat((out.pattern.len() - start - 1) as u32);
-        }
-    }
-
-    /// What a part becomes: a lone successor, leaf or `NIL` is that, anything else a rule of its own.
-    pub(super) fn block(&mut self, ops: &'c [ast::Op], span: Span) -> Target {
+    /// The successor of a part: a lone successor, leaf or `NIL` is that, anything else a rule of its own.
+    pub(super) fn part(&mut self, ops: &'c [ast::Op], owner: Span) -> Target {
+        let span = ops.first().map_or(owner, |op| Span::one(op.span.first));
         if let [op] = ops {
             match &op.kind {
                 OpKind::Leaf(name) => return Target::Leaf(name.text.clone(), name.span),
@@ -213,13 +155,11 @@ impl<'c> Lower<'c> {
 /// Numbers the parameters a body reads anew, without gaps; returns the old numbers in order.
 fn capture(body: &mut [Step]) -> Vec<u32> {
     let mut captured = Vec::new();
-    walk::exprs(body, &mut |expr| walk::params(expr, &mut |index| captured.push(*index)));
+    ir_walk::exprs_mut(body, &mut |expr| ir_walk::params_mut(expr, &mut |index| captured.push(*index)));
     captured.sort_unstable();
     captured.dedup();
-    walk::exprs(body, &mut |expr| {
-        walk::params(expr, &mut |index| {
-            *index = captured.binary_search(index).unwrap_or_default() as u32;
-        });
+    ir_walk::exprs_mut(body, &mut |expr| {
+        ir_walk::params_mut(expr, &mut |index| *index = captured.binary_search(index).unwrap_or_default() as u32);
     });
     captured
 }
@@ -239,12 +179,8 @@ fn default(param: &ops::Param, span: Span) -> Option<Arg> {
     })
 }
 
-/// Where a block stands: its first token, else what it belongs to.
-pub(super) fn block_span(ops: &[ast::Op], owner: Span) -> Span {
-    ops.first().map_or(owner, |op| Span::one(op.span.first))
-}
-
-fn word(arg: &ast::Arg, words: &Words) -> &'static str {
-    let text = arg.value.word().unwrap_or_default();
+/// The word that an argument says.
+fn word(arg: &ast::Expr, words: &Words) -> &'static str {
+    let text = arg.word().unwrap_or_default();
     words.list.iter().copied().find(|word| *word == text).unwrap_or_default()
 }

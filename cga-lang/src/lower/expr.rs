@@ -1,6 +1,6 @@
 //! Expressions, bottom up: each knows its type.
 
-use super::{Lower, comp};
+use super::{Lower, block};
 use crate::ast::{self, Unary};
 use crate::ir::{AttrId, Binary, ConstId, EachUnary, Expr, ExprKind, FunctionId, Type, Value};
 use crate::ops::{self, Run};
@@ -17,7 +17,7 @@ impl Lower<'_> {
                 None => nothing(),
             },
             ast::ExprKind::Name(name) => match self.used(name) {
-                Some(Use::Selector(word)) => (comp::word(word, name.span), Type::Bool),
+                Some(Use::Selector(word)) => (block::word(word, name.span), Type::Bool),
                 found => self.used_value(found, Vec::new()),
             },
             ast::ExprKind::Call(name, args) => {

@@ -4,8 +4,8 @@
 //! rule that is reached in several ways knows what all of them agree on, and one that the host program may start with knows
 //! nothing.
 
-use crate::ir::{Anew, Arg, Grammar, Measure, Prefix, RuleId, Size, Solved, Split, Step, Target, Value};
-use crate::ops::{Effect, MOST_SIZE};
+use crate::ir::{Anew, Arg, Axis, Block, Grammar, Parts, Prefix, RuleId, Size, Slots, Solved, Step, Target, Value};
+use crate::ops::{Braces, Effect, MOST_SIZE, Measure};
 use cga_split::solve;
 
 /// Splits with more pieces are solved while rules run: the pieces would take more room than the arithmetic takes time.
@@ -106,13 +106,7 @@ fn follow(steps: &mut [Step], mut known: Known, hand_on: &mut dyn FnMut(&Target,
     for step in steps {
         match step {
             Step::Give(target) | Step::Anew(Anew { target, .. }) => hand_on(target, known),
-            Step::Comp(comp) => comp.arms.iter().for_each(|arm| hand_on(&arm.then, NOTHING)),
-            Step::Split(split) => {
-                split.solved = solved(split, known);
-                for (slot, target) in split.slots.iter().enumerate() {
-                    hand_on(target, part(split, slot, known));
-                }
-            }
+            Step::Block(block) => divide(block, known, hand_on),
             Step::Push(inner) => {
                 follow(inner, known, hand_on);
             }
@@ -157,14 +151,27 @@ fn after(step: &Step, known: Known) -> Known {
     }
 }
 
-/// What is known of the parts in a slot.
-fn part(split: &Split, slot: usize, known: Known) -> Known {
-    if split.adjust && !known.solid {
-        return known.moved_on();
+/// Solves the slots of an operation if it can, and hands its parts on.
+fn divide(block: &mut Block, known: Known, hand_on: &mut dyn FnMut(&Target, Known)) {
+    let (axis, adjusts) = (block.axis(), block.adjusts());
+    match (&mut block.parts, block.row.braces, axis) {
+        (Parts::Slots(slots), Braces::Slots(measure @ (Measure::Length | Measure::Area)), Some(axis)) => {
+            slots.solved = if measure == Measure::Length { solved(slots, axis, known) } else { None };
+            for (slot, target) in slots.targets.iter().enumerate() {
+                let stays = known.solid || !adjusts;
+                hand_on(target, if stays { part(slots, axis, slot, known) } else { known.moved_on() });
+            }
+        }
+        (Parts::Slots(slots), ..) => slots.targets.iter().for_each(|target| hand_on(target, known.moved_on())),
+        (Parts::Arms(arms), ..) => arms.iter().for_each(|arm| hand_on(&arm.then, NOTHING)),
     }
+}
+
+/// The parts in a slot, where they fill their pieces.
+fn part(slots: &Slots, axis: Axis, slot: usize, known: Known) -> Known {
     let mut part = known;
-    let axis = split.axis as usize;
-    let pieces = split.solved.as_ref().map_or(&[][..], |solved| &solved.pieces);
+    let axis = axis as usize;
+    let pieces = slots.solved.as_ref().map_or(&[][..], |solved| &solved.pieces);
     let mut lengths = pieces.iter().filter(|piece| piece.slot as usize == slot).map(|piece| piece.length);
     let first = lengths.next().filter(|first| lengths.all(|length| length == *first));
     part.size[axis] = first.zip(known.size[axis]).map(|(length, size)| length.copysign(size));
@@ -172,12 +179,9 @@ fn part(split: &Split, slot: usize, known: Known) -> Known {
 }
 
 /// The solution of a split, where it can be known.
-fn solved(split: &Split, known: Known) -> Option<Solved> {
-    let extent = known.size[split.axis as usize]?.abs();
-    if !matches!(split.measure, Measure::Length) {
-        return None;
-    }
-    let sizes = split.sizes.iter().map(|size| {
+fn solved(slots: &Slots, axis: Axis, known: Known) -> Option<Solved> {
+    let extent = known.size[axis as usize]?.abs();
+    let sizes = slots.sizes.iter().map(|size| {
         let value = constant(size)?;
         Some(cga_split::Size { prefix: size.prefix, value })
     });
@@ -187,6 +191,6 @@ fn solved(split: &Split, known: Known) -> Option<Solved> {
         return None;
     }
     let mut lengths = vec![0.0; sizes.len()];
-    let solution = solve(&split.pattern, &sizes, &mut lengths, extent);
+    let solution = solve(&slots.pattern, &sizes, &mut lengths, extent);
     (solution.at_most() <= MOST_PIECES).then(|| Solved { extent, pieces: solution.pieces() })
 }

@@ -18,7 +18,7 @@ use crate::ir::{
 };
 use crate::{ir_print, ir_walk};
 
-use super::{childless, walk};
+use super::childless;
 
 /// The style that each definition belongs to, by kind. Blocks have none: they follow the rules.
 #[derive(Default)]
@@ -205,7 +205,7 @@ fn rule(mut variants: Vec<Variant<Rule>>) -> Rule {
         return variants.remove(0).own;
     }
     let own = first(&variants).clone();
-    let each = |it: &mut Rule, change: &mut dyn FnMut(&mut Expr)| walk::exprs(&mut it.body, change);
+    let each = |it: &mut Rule, change: &mut dyn FnMut(&mut Expr)| ir_walk::exprs_mut(&mut it.body, change);
     let (params, locals) = locals(&mut variants, |it| (&it.params, &mut it.locals), each);
     let mut bodies: Vec<(Expr, Vec<Step>)> =
         variants.into_iter().map(|it| (is_style(it.styles, own.span), it.own.body)).collect();
@@ -249,7 +249,7 @@ fn locals<T>(
         all_params.extend_from_slice(&params[given as usize..]);
         let before = all.len() as u32;
         let mut moved = |expr: &mut Expr| {
-            walk::params(expr, &mut |index| *index += if *index < given { 0 } else { before });
+            ir_walk::params_mut(expr, &mut |index| *index += if *index < given { 0 } else { before });
         };
         let mut own = std::mem::take(locals);
         own.iter_mut().for_each(&mut moved);
@@ -288,7 +288,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
     let attr = |id: &mut AttrId| *id = AttrId(merged.attrs[id.0 as usize] as u32);
     let constant = |id: &mut ConstId| *id = ConstId(merged.consts[id.0 as usize] as u32);
     let rule = |id: &mut RuleId| *id = RuleId(merged.rules[id.0 as usize] as u32);
-    walk::all_exprs(grammar, &|expr| match &mut expr.kind {
+    ir_walk::all_exprs_mut(grammar, &mut |expr| match &mut expr.kind {
         ExprKind::Attr(id) => attr(id),
         ExprKind::Const(id) => constant(id),
         ExprKind::Call(id, _) => *id = FunctionId(merged.functions[id.0 as usize] as u32),
@@ -303,7 +303,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
         *global = merged.global(*global);
     }
     for own in &mut grammar.rules {
-        walk::steps(&mut own.body, &mut |step| {
+        ir_walk::steps_mut(&mut own.body, &mut |step| {
             match step {
                 Step::SetAttr(id, ..) => attr(id),
                 Step::Anew(anew) => {
@@ -312,7 +312,7 @@ fn refer(grammar: &mut Grammar, merged: &Merged) {
                 }
                 _ => {}
             }
-            for target in walk::targets(step) {
+            for target in ir_walk::targets_mut(step) {
                 if let Target::Rule { rule: id, .. } = target {
                     rule(id);
                 }

@@ -1,14 +1,13 @@
 //! A checked program to [`ir`](crate::ir): names become indices, blocks become rules, constants are folded.
 
+mod block;
 mod body;
 mod childless;
-mod comp;
 mod expr;
 mod extent;
 mod globals;
 mod import;
 mod merge;
-mod walk;
 
 use crate::ast::{Body, Decl, Name};
 use crate::check::Checked;

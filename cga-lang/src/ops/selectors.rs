@@ -11,22 +11,20 @@ pub struct Component {
     pub name: &'static str,
     /// It, as a place of selectors.
     pub place: Places,
-    /// The runtime's variant.
-    pub rust: &'static str,
     /// What it is, in a line.
     pub about: &'static str,
 }
 
 /// Every kind of component.
 pub static COMPONENTS: &[Component] = &[
-    Component { name: "f", place: Places::FACES, rust: "Faces", about: "faces" },
-    Component { name: "e", place: Places::EDGES, rust: "Edges", about: "edges, shared ones once" },
-    Component { name: "fe", place: Places::FACE_EDGES, rust: "FaceEdges", about: "edges of each face" },
-    Component { name: "v", place: Places::VERTICES, rust: "Vertices", about: "vertices, shared ones once" },
-    Component { name: "fv", place: Places::FACE_VERTICES, rust: "FaceVertices", about: "vertices of each face" },
-    Component { name: "g", place: Places::GROUPS, rust: "Groups", about: "groups of an asset" },
-    Component { name: "m", place: Places::MATERIALS, rust: "Materials", about: "parts of one material" },
-    Component { name: "h", place: Places::HOLES, rust: "Holes", about: "holes of faces" },
+    Component { name: "f", place: Places::FACES, about: "faces" },
+    Component { name: "e", place: Places::EDGES, about: "edges, shared ones once" },
+    Component { name: "fe", place: Places::FACE_EDGES, about: "edges of each face" },
+    Component { name: "v", place: Places::VERTICES, about: "vertices, shared ones once" },
+    Component { name: "fv", place: Places::FACE_VERTICES, about: "vertices of each face" },
+    Component { name: "g", place: Places::GROUPS, about: "groups of an asset" },
+    Component { name: "m", place: Places::MATERIALS, about: "parts of one material" },
+    Component { name: "h", place: Places::HOLES, about: "holes of faces" },
 ];
 
 /// The kind of component of that name.

@@ -6,6 +6,7 @@
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::ast::{Arg, Binary, Expr, ExprKind, Prefix, Unary};
 use crate::code::Code;
+use crate::diag::RELATIVE;
 use crate::token::{Sym, Tok};
 
 /// A part and the depth of its tree.
@@ -65,7 +66,7 @@ impl Parser<'_> {
         if self.is(Sym::Quote) && (self.nth_is(1, Sym::Comma) || self.nth_is(1, Sym::RParen)) {
             let span = self.span();
             self.diags
-                .report(Code::StrayQuote, span, "`'` stands before a relative size, not behind it")
+                .report(Code::StrayQuote, span, format!("`{RELATIVE}` stands before a relative size, not behind it"))
                 .help("leave it out");
             self.bump();
         }
@@ -159,10 +160,10 @@ impl Parser<'_> {
         let second = matches!(before, Some(Tok::Sym(Sym::Quote | Sym::Tilde)));
         let diag = self.diags.report(Code::MisplacedPrefix, span, format!("{sign} cannot stand here"));
         if second {
-            diag.note("a size is relative or floating, never both").help("write `'0.5` or `~0.5`");
+            diag.note("a size is relative or floating, never both").help(format!("write `{RELATIVE}0.5` or `~0.5`"));
             return;
         }
-        diag.help("it begins the size of a slot or a length: `'0.5 * a`, `'-a`, `~(a + b)`");
+        diag.help(format!("it begins the size of a slot or a length: `{RELATIVE}0.5 * a`, `{RELATIVE}-a`, `~(a + b)`"));
     }
 
     fn primary(&mut self) -> Parsed<Part> {

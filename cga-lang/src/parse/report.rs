@@ -4,7 +4,7 @@ use super::type_words::is_type;
 use super::{MAX_DEPTH, Parsed, Parser, Reported};
 use crate::ast::{Ast, Body};
 use crate::code::Code;
-use crate::diag::Diag;
+use crate::diag::{Diag, Line, RELATIVE};
 use crate::lex::{NO_UNITS, without_unit};
 use crate::ops::{operations, selector};
 use crate::span::Span;
@@ -25,13 +25,13 @@ const ELSEWHERE: [&str; 8] = ["let", "var", "fn", "func", "function", "def", "st
 
 impl Parser<'_> {
     /// Reports a mistake at a position; not where the door has found something unreadable right beside it.
-    pub(super) fn syntax(&mut self, at: usize, message: impl Into<String>) -> &mut Diag {
+    pub(super) fn syntax(&mut self, at: usize, message: impl Into<Line>) -> &mut Diag {
         let span = self.span_at(at);
         self.syntax_over(at, span, message)
     }
 
     /// The same with more to underline.
-    pub(super) fn syntax_over(&mut self, at: usize, span: Span, message: impl Into<String>) -> &mut Diag {
+    pub(super) fn syntax_over(&mut self, at: usize, span: Span, message: impl Into<Line>) -> &mut Diag {
         let list = if self.layout.beside_bad(at) { &mut self.muted } else { &mut self.diags };
         list.report(Code::Syntax, span, message)
     }
@@ -118,7 +118,9 @@ impl Parser<'_> {
                 (Some(Tok::Ident(name)), true) => return Some(format!("write `{name}`: a value has no braces")),
                 _ => "a value has no braces: write `( … )` around a part of it",
             },
-            Tok::Sym(Sym::Quote) => "`'` stands before a relative size; a power is `pow(base, exponent)`",
+            Tok::Sym(Sym::Quote) => {
+                return Some(format!("`{RELATIVE}` stands before a relative size; a power is `pow(base, exponent)`"));
+            }
             Tok::Sym(Sym::Star) if follows(Sym::Star) => "a power is `pow(base, exponent)`",
             Tok::Sym(Sym::Star) if what == STEP => "`*` stands behind the `}` of what it repeats",
             _ => return None,

@@ -3,6 +3,7 @@
 use super::{Parsed, Parser, Reported};
 use crate::ast::{BlockPart, SplitItem};
 use crate::code::Code;
+use crate::diag::RELATIVE;
 use crate::token::{Sym, Tok};
 
 impl Parser<'_> {
@@ -31,9 +32,10 @@ impl Parser<'_> {
                 Some(Tok::Number(percent)) => Some((percent * 1e6).round() / 1e8),
                 _ => None,
             };
-            self.diags
-                .report(Code::Syntax, span, "the size of a slot is no percentage")
-                .help(written.map_or("write `'0.3` for 30 % of the scope".into(), |share| format!("write `'{share}`")));
+            self.diags.report(Code::Syntax, span, "the size of a slot is no percentage").help(written.map_or_else(
+                || format!("write `{RELATIVE}0.3` for 30 % of the scope"),
+                |share| format!("write `{RELATIVE}{share}`"),
+            ));
             return Err(Reported);
         }
         let size = self.arg()?;

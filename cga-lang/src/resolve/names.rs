@@ -9,6 +9,7 @@ use super::scope::Scope;
 use super::tables::Use;
 use crate::ast::{Expr, ExprKind, Name};
 use crate::code::Code;
+use crate::diag::Detail;
 use crate::door::Door;
 use crate::ops::{self, Function, Needs, ParamKind, Places, Run, Words};
 use crate::span::Span;
@@ -176,6 +177,7 @@ impl<'a> Scope<'_, 'a, '_> {
     /// Says that something known does nothing yet. `about` is its name and what it will do.
     pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: Option<(&str, &str)>) {
         let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
+        diag.detail = Detail::Later(what.replace('`', ""));
         if let Some((name, about)) = about.filter(|(_, about)| !about.is_empty()) {
             diag.note(format!("`{name}` {about}"));
         }

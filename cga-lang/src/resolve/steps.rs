@@ -9,7 +9,7 @@ use super::words::fitting;
 use super::{habits, overrides};
 use crate::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
 use crate::code::Code;
-use crate::diag::Level;
+use crate::diag::{Level, RELATIVE};
 use crate::door::Door;
 use crate::ops::{self, Braces, Operation, Param, ParamKind, Places, Run};
 use crate::span::Span;
@@ -126,7 +126,7 @@ impl<'a> Scope<'_, 'a, '_> {
     }
 
     fn no_prefix(&mut self, prefix: Prefix, span: Span) {
-        let sign = if prefix == Prefix::Relative { "'" } else { "~" };
+        let sign = if prefix == Prefix::Relative { RELATIVE } else { '~' };
         let diag = self.cx.diags.report(Code::MisplacedPrefix, span, format!("`{sign}` cannot stand here"));
         match prefix {
             Prefix::Relative => diag.note("only lengths can be relative to the scope"),
@@ -177,13 +177,14 @@ impl<'a> Scope<'_, 'a, '_> {
             if self.swapped(name, rows, args) {
                 return;
             }
-            let reported = self.cx.diags.count();
+            let before = self.cx.diags.so_far().len();
             self.operation(&rows[..1], args);
             if let [first, second] = args
                 && let Some(number) = decimal(first, second)
                 && ops::operations(&name.text).any(|row| row.takes(1))
             {
-                self.cx.diags.help_since(reported, &format!("write `{number}`: a number has a decimal point"));
+                let first = self.cx.diags.so_far().get_mut(before);
+                first.map(|diag| diag.help(format!("write `{number}`: a number has a decimal point")));
             }
             return;
         };
@@ -200,7 +201,7 @@ impl<'a> Scope<'_, 'a, '_> {
         let words = [word(second), word(first)];
         let Some(row) = rows.iter().find(|row| row.words(&words).is_some()) else { return false };
         let text = |arg: &Arg| {
-            let text = self.cx.globals.program.tokens.text(arg.span, LONGEST);
+            let text = self.cx.globals.program.tokens.quoted(arg.span, LONGEST);
             text.strip_prefix("- ").map_or(text.clone(), |rest| format!("-{rest}"))
         };
         let meant = format!("{}({}, {})", name.text, text(second), text(first));

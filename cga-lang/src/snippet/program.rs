@@ -18,7 +18,7 @@ pub struct Quote<'t> {
 }
 
 /// A finding as text, as [`render`](super::render) makes it, for what
-/// [`compile_files`](crate::compile::compile_files) has found. `quote` gives the files, numbered as in
+/// [`compile`](crate::compile::compile) has found. `quote` gives the files, numbered as in
 /// [`Compiled::files`]; of one that it does not have, only the name is shown.
 pub fn render_in<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<'t>>, diag: &Diag) -> String {
     let (file, first) = compiled.locate(diag.span.first);
@@ -39,7 +39,7 @@ pub fn render_in<'t>(compiled: &Compiled, quote: &dyn Fn(usize) -> Option<Quote<
 #[cfg(test)]
 mod tests {
     use super::{Quote, render_in};
-    use crate::compile::{Door, compile_files};
+    use crate::compile::{Door, compile};
     use crate::lex::lex;
     use crate::link::{Files, Unit};
 
@@ -58,7 +58,7 @@ mod tests {
             ["# own\nimport lib : \"lib.cga\" (h = \"x\")\nLot --> lib.Roof Wal", "attr h = 1\nRoof --> size(h)"];
         let lexed = texts.map(lex);
         let root = Unit { name: "a.cga".into(), tokens: lexed[0].tokens.clone(), door: Door::Text, found: Vec::new() };
-        let compiled = compile_files(root, &mut Library(texts[1]), &[]);
+        let compiled = compile(root, &mut Library(texts[1]), &[]);
         let quote = |file: usize| {
             let name = ["a.cga", "lib.cga"][file];
             Some(Quote { name, text: texts[file], ranges: &lexed[file].ranges })

@@ -15,9 +15,10 @@ pub(crate) mod parts;
 pub(crate) mod random;
 
 use cga_lang::ast::Ast;
-use cga_lang::compile::{Compiled, Door, compile_after};
+use cga_lang::compile::{Compiled, Door, compile};
 use cga_lang::diag::{Diag, Level};
 use cga_lang::lex::{Lexed, lex};
+use cga_lang::link::{NoFiles, Unit};
 use cga_lang::snippet::{bytes, position};
 use cga_lang::span::Span;
 use std::fmt::Write;
@@ -104,7 +105,8 @@ pub(crate) fn door(text: &str) -> Door {
 /// Compiles a fixture as its door would.
 pub(crate) fn compiled(text: &str) -> (Compiled, Lexed) {
     let lexed = lex(text);
-    let compiled = compile_after(&lexed.tokens, door(text), &[], lexed.diags.clone());
+    let unit = Unit { found: lexed.diags.clone(), ..Unit::new(lexed.tokens.clone(), door(text)) };
+    let compiled = compile(unit, &mut NoFiles, &[]);
     (compiled, lexed)
 }
 
@@ -133,7 +135,7 @@ fn annotate(text: &str, range: &dyn Fn(Span) -> Range<usize>, diags: &[Diag]) ->
             let margin = if column < 2 { format!("//{column}") } else { format!("//{}", " ".repeat(column - 2)) };
             let _ = writeln!(out, "{margin}{} {level}[{}]: {}", "^".repeat(marked), diag.code.name(), diag.message);
             let margin = format!("//{}", " ".repeat(column.max(3) - 2));
-            for note in &diag.notes {
+            for note in diag.reasons() {
                 let place = note.related.map(|span| position(text, range(span).start).line);
                 let place = place.map(|line| format!(" in line {line}")).unwrap_or_default();
                 let _ = writeln!(out, "{margin}note: {}{place}", note.text);

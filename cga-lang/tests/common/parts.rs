@@ -1,7 +1,7 @@
 //! Fixtures of several files.
 
 use super::{annotate, compare, door, fixtures, strip};
-use cga_lang::compile::{Compiled, Door, compile_files};
+use cga_lang::compile::{Compiled, Door, compile};
 use cga_lang::lex::{Lexed, lex};
 use cga_lang::link::{Asset, Files, Unit, candidates, folder};
 use cga_lang::snippet::bytes;
@@ -42,7 +42,7 @@ impl<'t> Parts<'t> {
 
     pub(crate) fn compile(&mut self) -> Compiled {
         let root = self.unit(0);
-        compile_files(root, self, &[])
+        compile(root, self, &[])
     }
 
     fn unit(&self, number: usize) -> Unit {

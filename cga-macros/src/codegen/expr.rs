@@ -8,7 +8,7 @@ use quote::{quote, quote_spanned};
 
 use super::public::captured;
 use super::types::{self, cloned, value};
-use super::{Cx, comp, local};
+use super::{Cx, arms, local};
 use crate::output::{HostType, conversion, convert};
 
 /// Where an expression is evaluated: how it gets at the run and at the current shape, both borrowed mutably.
@@ -128,7 +128,7 @@ impl Cx<'_> {
                     // Words stand in the call itself.
                     let mut values = args.iter();
                     let args = function.params.iter().zip(words(function, expr)).map(|(param, word)| match word {
-                        Some(word) => word_variant(&param.kind, word, &quote_spanned!(place=> func)),
+                        Some(word) => word_variant(&param.kind, word, &quote_spanned!(place=> func::)),
                         None => values.next().cloned().unwrap_or_default(),
                     });
                     quote_spanned!(place=> cga_rt::func::#name(#needs #(#args),*))
@@ -147,7 +147,7 @@ impl Cx<'_> {
                 quote_spanned!(place=> cga_rt::get::#get(#needs))
             }
             ExprKind::Comp(comp) => self.comp_value(comp, at),
-            ExprKind::Word(word) => comp::asked(word),
+            ExprKind::Word(word) => arms::asked(word),
             ExprKind::Style(styles) => is_style(styles, &quote_spanned!(place=> g.style)),
             ExprKind::Later(what) => {
                 let (later, env) = (types::later(expr.ty), &at.env);
@@ -373,7 +373,7 @@ pub(super) fn word_variant(kind: &ParamKind, word: &str, module: &TokenStream) -
     let ParamKind::Word(words @ Words { rust: Some(rust), .. }) = kind else { return TokenStream::new() };
     let place = Span::mixed_site();
     let (rust, variant) = (Ident::new(rust, place), Ident::new(&words.variant(word), place));
-    quote_spanned!(place=> cga_rt::#module::#rust::#variant)
+    quote_spanned!(place=> cga_rt::#module #rust::#variant)
 }
 
 /// The function of an operator that goes over elements.

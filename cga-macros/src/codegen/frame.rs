@@ -3,7 +3,7 @@
 //!
 //! They follow from the rules alone, so that a run is the same in every build.
 
-use cga_lang::ir::{CompArm, Expr, ExprKind, Function, Rule, Selector, Step, Target, Type, Value};
+use cga_lang::ir::{Arm, Expr, ExprKind, Function, Parts, Rule, Selector, Step, Target, Type, Value};
 use cga_lang::ir_walk;
 
 /// Kilobytes that a rule takes, with what the runtime's operations that call it back take.
@@ -13,8 +13,10 @@ pub(super) fn rule(rule: &Rule) -> u32 {
         bytes += match step {
             Step::Give(Target::Nil) => 100,
             Step::Give(_) => 700,
-            Step::Split(split) => 3000 + 500 * split.slots.len(),
-            Step::Comp(comp) => 4000 + 500 * comp.arms.len(),
+            Step::Block(block) => match &block.parts {
+                Parts::Slots(slots) => 3000 + 500 * slots.targets.len(),
+                Parts::Arms(arms) => 4000 + 500 * arms.len(),
+            },
             Step::Push(_) => 400,
             // A whole shape, a base and two slim shapes; steps after each other share them.
             Step::Do(..) | Step::SetAttr(..) | Step::SetShape(..) | Step::Rust(..) => 1300,
@@ -47,7 +49,7 @@ pub(super) fn lazy(value: &Expr) -> u32 {
 /// Bytes of what the runtime takes before it calls back for values of components, or to ask about them.
 fn divided(expr: &Expr) -> usize {
     let ExprKind::Comp(comp) = &expr.kind else { return 0 };
-    let asks = |arm: &CompArm<Expr>| matches!(arm.selector, Selector::When(_));
+    let asks = |arm: &Arm<Expr>| matches!(arm.selector, Selector::When(_));
     if comp.arms.iter().any(asks) { 10_000 } else { 5000 }
 }
 

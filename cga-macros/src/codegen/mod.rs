@@ -5,8 +5,8 @@
 //! calls that may wait, and one function a rule, generic over the sink. Local names are hygienic; rule functions carry
 //! the span of their definition so that editors find them.
 
+mod arms;
 mod calls;
-mod comp;
 mod expr;
 mod fields;
 mod frame;

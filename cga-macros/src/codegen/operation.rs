@@ -29,6 +29,24 @@ impl Cx<'_> {
         let place = Span::mixed_site();
         let name = Ident::new(operation.run.now().unwrap_or(operation.name), place);
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
+        let values = self.args(operation, args, at, expr, &quote_spanned!(place=> op::));
+        let base = operation.uses_base.then(|| quote_spanned!(place=> &base,));
+        (
+            quote_spanned!(place=> #(let #names = #values;)*),
+            quote_spanned!(place=> #name(cx.env, shape, #base #(#names),*)),
+        )
+    }
+
+    /// The values of an operation's arguments. Words are variants of enums in `module`.
+    pub(super) fn args(
+        &self,
+        operation: &Operation,
+        args: &[Arg],
+        at: &Place,
+        expr: fn(&Self, &Expr, &Place) -> TokenStream,
+        module: &TokenStream,
+    ) -> Vec<TokenStream> {
+        let place = Span::mixed_site();
         let values = args.iter().zip(operation.params).map(|(arg, param)| match (arg, &param.kind) {
             (Arg::Value(value), ParamKind::Length) => {
                 let value = expr(self, value, at);
@@ -45,12 +63,8 @@ impl Cx<'_> {
                     Prefix::Absolute | Prefix::Floating => quote_spanned!(place=> cga_rt::Length::Absolute(#value)),
                 }
             }
-            (Arg::Word(word), kind) => word_variant(kind, word, &quote_spanned!(place=> op)),
+            (Arg::Word(word), kind) => word_variant(kind, word, module),
         });
-        let base = operation.uses_base.then(|| quote_spanned!(place=> &base,));
-        (
-            quote_spanned!(place=> #(let #names = #values;)*),
-            quote_spanned!(place=> #name(cx.env, shape, #base #(#names),*)),
-        )
+        values.collect()
     }
 }

@@ -1,6 +1,6 @@
 //! One function a rule, one function a function.
 
-use cga_lang::ir::{Childless, Expr, ExprKind, Function, Global, Param, Rule, RuleId, Step, Target};
+use cga_lang::ir::{Block, Childless, Expr, ExprKind, Function, Global, Param, Parts, Rule, RuleId, Step, Target};
 use cga_lang::ir_walk;
 use cga_lang::ops::{Changes, Run, Uses};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -318,15 +318,15 @@ impl Cx<'_> {
                 let code = self.give(&anew.target, body.id, &copy, &successor(0));
                 quote_spanned!(place=> { #given #code } #made)
             }
-            Step::Split(split) => {
-                let code = self.split(split, body.id, number);
+            Step::Block(block @ Block { parts: Parts::Slots(slots), .. }) => {
+                let code = self.split(block, slots, body.id, number);
                 match body.rule.leaf {
                     Childless::Depends => quote_spanned!(place=> { #code childless &= !division.has_parts(); }),
                     _ => quote_spanned!(place=> { #code }),
                 }
             }
-            Step::Comp(comp) => {
-                let code = self.comp(comp, body.id, number);
+            Step::Block(block @ Block { parts: Parts::Arms(arms), .. }) => {
+                let code = self.divided(block, arms, body.id, number);
                 quote_spanned!(place=> { #code } #made)
             }
             Step::Push(steps) => {

@@ -1,8 +1,7 @@
 //! A split: its pattern and the known sizes as constants, then a statement a slot and a loop a group.
 
-use cga_lang::ir::{
-    Axis, ExprKind, Item, Measure, Piece, Prefix, RuleId, Size, Solved, Split, Target, TextureSplit, Value,
-};
+use cga_lang::ir::{self, Axis, Block, ExprKind, Item, Piece, Prefix, RuleId, Size, Solved, Target, Value};
+use cga_lang::ops::{Braces, Measure};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
@@ -11,7 +10,7 @@ use super::{Cx, local, templates};
 
 /// A split with what its slots have in common.
 struct Slots<'s> {
-    split: &'s Split,
+    slots: &'s ir::Slots,
     rule: RuleId,
     axis: TokenStream,
     /// True if the pieces are a list, false if they are laid out one by one.
@@ -56,35 +55,36 @@ struct At {
 impl Cx<'_> {
     /// Statements that divide the shape; whether they have done so is `division.has_parts()`. `number` counts the children that
     /// the rule makes.
-    pub(super) fn split(&self, split: &Split, rule: RuleId, number: u32) -> TokenStream {
+    pub(super) fn split(&self, block: &Block, slots: &ir::Slots, rule: RuleId, number: u32) -> TokenStream {
         let place = Span::mixed_site();
-        let axis = match split.axis {
-            Axis::X => quote_spanned!(place=> cga_rt::Axis::X),
-            Axis::Y => quote_spanned!(place=> cga_rt::Axis::Y),
-            Axis::Z => quote_spanned!(place=> cga_rt::Axis::Z),
+        let Braces::Slots(measure) = block.row.braces else { return TokenStream::new() };
+        // Parts in texture space do not come along an axis, and their scopes are found with them.
+        let axis = match block.axis() {
+            Some(Axis::X) | None => quote_spanned!(place=> cga_rt::Axis::X),
+            Some(Axis::Y) => quote_spanned!(place=> cga_rt::Axis::Y),
+            Some(Axis::Z) => quote_spanned!(place=> cga_rt::Axis::Z),
         };
-        // The scopes of parts in texture space are found with them.
-        let adjusts = split.adjust && !matches!(split.measure, Measure::Texture(_));
+        let adjusts = block.adjusts() && measure != Measure::Texture;
         let adjust = if adjusts { quote_spanned!(place=> Adjust) } else { quote_spanned!(place=> NoAdjust) };
         // A list cannot tell the repetitions of a group from those of a group around it.
-        let solved = split.solved.as_ref().filter(|_| !has_nested_groups(&split.pattern));
-        let in_place = self.is_in_place(split, rule);
-        let is_list = solved.is_some() || !matches!(split.measure, Measure::Length);
+        let solved = slots.solved.as_ref().filter(|_| !has_nested_groups(&slots.pattern));
+        let in_place = self.is_in_place(slots, rule);
+        let is_list = solved.is_some() || measure != Measure::Length;
         let row = if is_list { list() } else { quote_spanned!(place=> pieces.cursor()) };
-        let pieces = match (solved, &split.measure) {
+        let pieces = match (solved, measure) {
             (Some(solved), _) => known(solved, &axis),
-            (None, Measure::Area) => self.areas(split, &axis),
-            (None, Measure::Length) => self.lengths(split, &axis, in_place),
-            (None, Measure::Texture(texture)) => self.textures(split, texture),
+            (None, Measure::Area) => self.areas(slots, &axis),
+            (None, Measure::Length) => self.lengths(slots, &axis, in_place),
+            (None, Measure::Texture) => self.textures(block, slots),
         };
-        let is_counted = split.slots.iter().any(|target| self.facts.target(target).total);
+        let is_counted = slots.targets.iter().any(|target| self.facts.target(target).total);
         let total =
             if is_counted { quote_spanned!(place=> cga_rt::Row::total(&pieces)) } else { quote_spanned!(place=> 0) };
-        let slots = Slots { split, rule, axis, is_list, names: Names::new(in_place) };
-        let statements = self.items(&slots, &split.pattern, At::default(), false);
+        let slots = Slots { slots, rule, axis, is_list, names: Names::new(in_place) };
+        let statements = self.items(&slots, &slots.slots.pattern, At::default(), false);
         let (axis, number, Names { new, end, .. }) = (&slots.axis, Literal::u32_unsuffixed(number), &slots.names);
-        let made = match split.measure {
-            Measure::Texture(_) => TokenStream::new(),
+        let made = match measure {
+            Measure::Texture => TokenStream::new(),
             _ if in_place => {
                 let again = match is_list {
                     true => quote_spanned!(place=> pieces),
@@ -159,7 +159,7 @@ impl Cx<'_> {
     fn slot(&self, slots: &Slots<'_>, slot: usize, in_group: bool) -> TokenStream {
         let (place, axis, Names { part, leaf, skip, .. }) = (Span::mixed_site(), &slots.axis, &slots.names);
         let number = Literal::usize_unsuffixed(slot);
-        match &slots.split.slots[slot] {
+        match &slots.slots.targets[slot] {
             Target::Nil => quote_spanned!(place=> division.#skip(&mut row, #number);),
             Target::Leaf(name, _) => {
                 let name = self.leaves.number(name);
@@ -186,17 +186,17 @@ impl Cx<'_> {
     /// Returns true for few slots of constant sizes in a rule that can reach itself: the split is laid out in the rule, and the
     /// compiler folds what it knows. Such rules run most often; of rules that repeat there are templates, and the code of others
     /// would be large for what it gains.
-    fn is_in_place(&self, split: &Split, rule: RuleId) -> bool {
+    fn is_in_place(&self, slots: &ir::Slots, rule: RuleId) -> bool {
         let is_constant =
             |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
         self.grammar.rules[rule.0 as usize].cycle.is_some()
-            && split.slots.len() <= 3
-            && split.sizes.iter().all(is_constant)
+            && slots.targets.len() <= 3
+            && slots.sizes.iter().all(is_constant)
     }
 
     /// The rule that is repeated from a template if the slot is in a group.
     fn root(&self, slots: &Slots<'_>, slot: usize) -> Option<RuleId> {
-        templates::root(&slots.split.slots[slot], slots.rule, &self.facts, &self.plan)
+        templates::root(&slots.slots.targets[slot], slots.rule, &self.facts, &self.plan)
     }
 
     /// Runs a rule on a part that repeats; of type `Flow`.
@@ -212,9 +212,9 @@ impl Cx<'_> {
     }
 
     /// The solution of a split along lengths.
-    fn lengths(&self, split: &Split, axis: &TokenStream, in_place: bool) -> TokenStream {
-        let (place, count) = (Span::mixed_site(), split.sizes.len());
-        let (sizes, name) = self.sizes(split);
+    fn lengths(&self, slots: &ir::Slots, axis: &TokenStream, in_place: bool) -> TokenStream {
+        let (place, count) = (Span::mixed_site(), slots.sizes.len());
+        let (sizes, name) = self.sizes(slots, true);
         let solve = Ident::new(if in_place { "solve" } else { "solve_any" }, place);
         quote_spanned! { place=>
             #sizes
@@ -225,9 +225,9 @@ impl Cx<'_> {
     }
 
     /// The pieces of a split along areas.
-    fn areas(&self, split: &Split, axis: &TokenStream) -> TokenStream {
+    fn areas(&self, slots: &ir::Slots, axis: &TokenStream) -> TokenStream {
         let place = Span::mixed_site();
-        let (sizes, name) = self.sizes(split);
+        let (sizes, name) = self.sizes(slots, false);
         quote_spanned! { place=>
             #sizes
             let pieces = cga_rt::areas(cx.env, shape, #axis, PATTERN, #name);
@@ -236,24 +236,22 @@ impl Cx<'_> {
     }
 
     /// The pieces of a split in texture space, with their shapes.
-    fn textures(&self, split: &Split, texture: &TextureSplit) -> TokenStream {
+    fn textures(&self, block: &Block, slots: &ir::Slots) -> TokenStream {
         let place = Span::mixed_site();
-        let (sizes, name) = self.sizes(split);
-        let axis = Ident::new(if texture.along_v { "V" } else { "U" }, place);
-        let space = Ident::new(if texture.in_metres { "Unit" } else { "Uv" }, place);
-        let set = self.asked(&texture.set, &Place::rule());
+        let (sizes, name) = self.sizes(slots, false);
+        let args = self.args(block.row, &block.args, &Place::rule(), Cx::asked, &TokenStream::new());
         quote_spanned! { place=>
             #sizes
-            let axis = (cga_rt::UvAxis::#axis, cga_rt::TextureSpace::#space, #set);
+            let axis = (#(#args),*);
             let (pieces, made) = cga_rt::texture(cx.env, shape, axis, PATTERN, #name)?;
             let pieces = pieces.as_slice();
         }
     }
 
     /// The pattern and the sizes, with the name of these.
-    fn sizes(&self, split: &Split) -> (TokenStream, Ident) {
-        let (place, count) = (Span::mixed_site(), split.sizes.len());
-        let items = split.pattern.iter().map(|item| match item {
+    fn sizes(&self, slots: &ir::Slots, are_lengths: bool) -> (TokenStream, Ident) {
+        let (place, count) = (Span::mixed_site(), slots.sizes.len());
+        let items = slots.pattern.iter().map(|item| match item {
             Item::Slot => quote_spanned!(place=> cga_rt::Item::Slot),
             Item::Repeat(len) => {
                 let len = Literal::u32_unsuffixed(*len);
@@ -261,15 +259,14 @@ impl Cx<'_> {
             }
         });
         let place_of = Place::rule();
-        let values = split.sizes.iter().map(|size| prefixed(size.prefix, &self.asked(&size.value, &place_of)));
+        let values = slots.sizes.iter().map(|size| prefixed(size.prefix, &self.asked(&size.value, &place_of)));
         let constant =
             |size: &Size| matches!(size.value.kind, ExprKind::Value(Value::Float(value)) if value.is_finite());
-        let is_length = matches!(split.measure, Measure::Length);
-        let is_constant = is_length && split.sizes.iter().all(constant);
+        let is_constant = are_lengths && slots.sizes.iter().all(constant);
         let name = Ident::new(if is_constant { "SIZES" } else { "sizes" }, place);
         let sizes = if is_constant {
             quote_spanned!(place=> const SIZES: [cga_rt::Size; #count] = [#(#values),*];)
-        } else if is_length {
+        } else if are_lengths {
             quote_spanned! { place=>
                 let sizes: [cga_rt::Size; #count] = [#(#values),*];
                 let sizes = cga_rt::sizes(cx.env, sizes);

@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::collections::HashSet;
 
 use cga_lang::facts::Facts;
-use cga_lang::ir::{Grammar, Item, RuleId, Step, Target};
+use cga_lang::ir::{Block, Grammar, Item, Parts, RuleId, Step, Target};
 use cga_lang::ir_walk;
 
 use super::stack::Plan;
@@ -25,8 +25,8 @@ impl Templates {
         let mut todo: Vec<RuleId> = Vec::new();
         for (at, rule) in grammar.rules.iter().enumerate() {
             ir_walk::steps(&rule.body, &mut |step| {
-                if let Step::Split(split) = step {
-                    let repeated = split.slots.iter().zip(in_groups(&split.pattern)).filter(|(_, is_in)| *is_in);
+                if let Step::Block(Block { parts: Parts::Slots(slots), .. }) = step {
+                    let repeated = slots.targets.iter().zip(in_groups(&slots.pattern)).filter(|(_, is_in)| *is_in);
                     todo.extend(repeated.filter_map(|(target, _)| root(target, RuleId(at as u32), facts, plan)));
                 }
             });

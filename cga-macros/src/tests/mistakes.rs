@@ -14,14 +14,13 @@
 use std::fmt::Write;
 use std::ops::Range;
 
-use cga_lang::compile::{Door, compile_files};
+use cga_lang::compile::{Door, compile};
 use cga_lang::diag::Diag;
 use cga_lang::lex::lex;
 use cga_lang::link::{Files, Unit};
 use cga_lang::snippet::bytes;
 use proc_macro2::{Span, TokenStream};
 
-use crate::report::spelled;
 use crate::source::tokens::read;
 
 /// How many of the mistakes must be told well.
@@ -96,7 +95,7 @@ fn mistake(block: &str) -> Mistake {
 fn first_inline(rules: &str) -> Option<(Diag, Range<usize>)> {
     let stream: TokenStream = rules.parse().expect("Rust tokens");
     let source = read(stream, Span::call_site());
-    let diag = compile_files(source.unit(), &mut Library, &[]).diags.into_iter().next()?;
+    let diag = compile(source.unit(), &mut Library, &[]).diags.into_iter().next()?;
     let (first, last) = source.span(diag.span);
     // Spans count characters of the text of their own parse, which are bytes here.
     Some((diag, first.byte_range().start..last.byte_range().end))
@@ -106,7 +105,7 @@ fn first_inline(rules: &str) -> Option<(Diag, Range<usize>)> {
 fn first_in_text(rules: &str) -> Option<(Diag, Range<usize>)> {
     let lexed = lex(rules);
     let unit = Unit { name: String::new(), tokens: lexed.tokens, door: Door::Text, found: lexed.diags };
-    let diag = compile_files(unit, &mut Library, &[]).diags.into_iter().next()?;
+    let diag = compile(unit, &mut Library, &[]).diags.into_iter().next()?;
     let range = bytes(rules, &lexed.ranges, diag.span);
     Some((diag, range))
 }
@@ -117,11 +116,10 @@ fn is_good(spelling: &Spelling, first: Option<(Diag, Range<usize>)>, is_inline: 
         let _ = writeln!(out, "  nothing is reported");
         return false;
     };
-    let lines: Vec<&str> = std::iter::once(diag.message.as_str())
-        .chain(diag.notes.iter().map(|note| note.text.as_str()))
-        .chain(diag.help.iter().map(String::as_str))
-        .collect();
-    let shown = if is_inline { spelled(&lines.join("\n    ")) } else { lines.join("\n    ") };
+    let sign = if is_inline { '^' } else { '\'' };
+    let lines = std::iter::once(diag.message.clone()).chain(diag.reasons().map(|note| note.text));
+    let lines: Vec<String> = lines.chain(diag.help.clone()).map(|line| line.spelled(sign)).collect();
+    let shown = lines.join("\n    ");
     let _ = writeln!(out, "  `{}`: {shown}", &spelling.rules[range.clone()]);
     let missing: Vec<&String> = spelling.words.iter().filter(|word| !shown.contains(word.as_str())).collect();
     let is_marked = range == spelling.guilty;

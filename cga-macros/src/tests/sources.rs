@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::print::{Spelling, print};
-use cga_lang::compile::{Door, compile_files};
+use cga_lang::compile::{Door, compile};
 use cga_lang::diag::Diags;
 use cga_lang::ir_print;
 use cga_lang::lex::lex;
@@ -55,7 +55,7 @@ impl Files for Below {
 fn meaning(tokens: &Tokens, path: &Path) -> String {
     let name = path.strip_prefix(root()).expect("below the root").to_string_lossy().replace('\\', "/");
     let unit = Unit { name, tokens: tokens.clone(), door: Door::Text, found: Vec::new() };
-    let compiled = compile_files(unit, &mut Below, &[]);
+    let compiled = compile(unit, &mut Below, &[]);
     match &compiled.grammar {
         Some(grammar) => ir_print::print(grammar),
         None => compiled.diags.iter().map(|diag| format!("{}: {}\n", diag.code.name(), diag.message)).collect(),

@@ -5,14 +5,13 @@ use std::fs;
 use std::path::PathBuf;
 
 use cga_lang::code::Code;
-use cga_lang::compile::compile_files;
+use cga_lang::compile::compile;
 use cga_lang::diag::{Diag, Level};
 use cga_lang::link::Files;
 use proc_macro2::{TokenStream, TokenTree};
 
 use super::sources::{Below, root};
 use crate::header::{self, Body};
-use crate::report::spelled;
 
 /// What Rust cannot read, and no macro gets to see.
 const NO_RUST: [&str; 3] = ["missing_brace", "quote_before_bracket", "quote_before_digits"];
@@ -74,7 +73,7 @@ fn found(input: TokenStream) -> Vec<Diag> {
         Ok(body) => crate::source::open(&header, body).ok().map(|source| source.unit()),
         Err(_) => None,
     };
-    let diags = unit.map(|unit| compile_files(unit, &mut Below, &header.levels).diags);
+    let diags = unit.map(|unit| compile(unit, &mut Below, &header.levels).diags);
     diags.into_iter().flatten().filter(|diag| diag.level != Level::Allow).collect()
 }
 
@@ -83,12 +82,15 @@ fn cases_fail_with_our_first_lines() {
     for case in cases() {
         let shown = fs::read_to_string(case.path.with_extension("stderr")).expect("what is shown");
         for diag in case.grammars.into_iter().flat_map(found) {
-            let line = match diag.level {
-                Level::Error => format!("error: {}\n", diag.message),
-                _ => format!(": use of deprecated macro `cga::{}`: {}\n", diag.code.name(), diag.message),
+            let line = |sign| match diag.level {
+                Level::Error => format!("error: {}\n", diag.message.spelled(sign)),
+                _ => {
+                    let message = diag.message.spelled(sign);
+                    format!(": use of deprecated macro `cga::{}`: {message}\n", diag.code.name())
+                }
             };
-            let is_shown = shown.contains(&line) || shown.contains(&spelled(&line));
-            assert!(is_shown, "{}: {line}", case.path.display());
+            let is_shown = shown.contains(&line('\'')) || shown.contains(&line('^'));
+            assert!(is_shown, "{}: {}", case.path.display(), line('^'));
         }
     }
 }

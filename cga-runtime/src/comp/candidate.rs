@@ -1,4 +1,4 @@
-//! What conditions are asked about.
+//! The components that conditions test.
 
 use super::select::{Sense, Subcomponent, Word};
 use super::source::ComponentSource;
@@ -17,9 +17,9 @@ pub fn is_tagged_at(candidate: &mut Candidate<'_>, query: Text, of: Subcomponent
     candidate.tagged(&query, Some(of))
 }
 
-/// A component that no arm has yet. Functions in a condition are evaluated on its shape, which has the pivot and the axes of
-/// the shape that is divided: `geometry.isOriented(top)` means what the selector `top` means (*comp operation*, logical
-/// selection expressions).
+/// A component that no arm has taken yet. Functions in a condition are evaluated on its shape, which has the pivot
+/// and the axes of the divided shape: `geometry.isOriented(top)` means the same as the selector `top` (*comp
+/// operation*, logical selection expressions).
 #[derive(Debug)]
 pub struct Candidate<'c> {
     pub(super) source: &'c ComponentSource,
@@ -27,7 +27,7 @@ pub struct Candidate<'c> {
     pub(super) parent: &'c Shape,
     pub(super) number: usize,
     shape: Option<Shape>,
-    /// Whether it was found to be an edge of a roof.
+    /// True if it was found to be an edge of a roof.
     pub(super) as_roof: bool,
 }
 
@@ -36,7 +36,7 @@ impl<'c> Candidate<'c> {
         Candidate { source, looks, parent, number, shape: None, as_roof: false }
     }
 
-    /// Whether a selector takes it.
+    /// Returns true if a selector matches the component.
     #[inline]
     pub fn is(&mut self, word: Word) -> bool {
         let takes = self.source.is(self.looks, self.number, word);
@@ -44,7 +44,7 @@ impl<'c> Candidate<'c> {
         takes
     }
 
-    /// Whether a query finds one of its tags, or one of its subcomponents'.
+    /// Returns true if a query matches one of its tags, or one of its subcomponents' tags.
     fn tagged(&self, query: &str, of: Option<Subcomponent>) -> bool {
         match self.source {
             ComponentSource::Mesh(parts) => parts.tagged(self.number, of, query),
@@ -53,7 +53,7 @@ impl<'c> Candidate<'c> {
         }
     }
 
-    /// Its shape.
+    /// The shape of the component.
     pub fn shape(&mut self) -> &mut Shape {
         let Candidate { source, parent, number, shape, .. } = self;
         shape.get_or_insert_with(|| {

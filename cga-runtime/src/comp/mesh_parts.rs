@@ -18,23 +18,23 @@ use crate::geometry::provenance::Provenance;
 use crate::geometry::tol::{COPLANAR_EPSILON, UP_EPSILON};
 use crate::geometry::wire::Wire;
 
-/// A mesh in scope coordinates, seen as components of one kind.
+/// A mesh in scope coordinates, with its components of one kind.
 #[derive(Debug)]
 pub(super) struct MeshParts {
     pub(super) mesh: Arc<Mesh>,
     kind: Components,
-    /// Whether rectangles are held as meshes.
+    /// True if rectangles are held as meshes.
     as_meshes: bool,
-    /// Of the faces; zero for those without area.
+    /// The normals of the faces; zero for faces without area.
     normals: Vec<DVec3>,
-    /// Faces of each group or material.
+    /// The faces of each group or material.
     sets: Vec<Vec<u32>>,
-    /// Face and loop of each hole.
+    /// The face and the loop of each hole.
     holes: Vec<[u32; 2]>,
-    /// For each point whether an edge at the border ends there.
+    /// True for each point at the end of a border edge.
     border: OnceCell<Vec<bool>>,
     roof: OnceCell<Roof>,
-    /// The last query for tags, and which sets it finds.
+    /// The last query for tags, with the sets that match.
     found: RefCell<(String, Vec<bool>)>,
 }
 
@@ -80,7 +80,7 @@ impl MeshParts {
         }
     }
 
-    /// The corners at both ends of an edge, as its first face or the face itself runs it.
+    /// The corners at both ends of an edge, in the order of its first face or of the face itself.
     fn end_corners(&self, index: usize) -> [u32; 2] {
         let corner = if self.kind == Components::Edges { self.adjacency().uses(index)[0] } else { index as u32 };
         [corner, self.adjacency().next(corner)]
@@ -94,13 +94,13 @@ impl MeshParts {
         self.mesh.points()[self.mesh.corners()[corner as usize] as usize]
     }
 
-    /// Where a component looks, of length 1; zero for one that is never selected.
+    /// The direction of a component, of length 1; zero for a component that is never selected.
     fn normal(&self, index: usize) -> DVec3 {
         let mean = |faces: &mut dyn Iterator<Item = u32>| {
             let mut normals = faces.map(|face| self.normals[face as usize]).filter(|normal| *normal != DVec3::ZERO);
             let first = normals.next().unwrap_or_default();
             let sum = normals.fold(first, |sum, normal| sum + normal);
-            // What is left of normals that cancel out is rounding: the first face's is taken.
+            // The rest of cancelling normals is rounding, so the first face's normal is taken.
             if sum.length() <= COPLANAR_EPSILON { first } else { unit(sum) }
         };
         match self.kind {
@@ -110,7 +110,7 @@ impl MeshParts {
             Components::Edges => {
                 let [a, b] = self.ends(index);
                 let normal = mean(&mut self.adjacency().faces_at(index));
-                // Faces without area leave it open.
+                // Faces without area give no direction.
                 let normal = if normal == DVec3::ZERO { upright(unit(b - a)) } else { normal };
                 if a == b { DVec3::ZERO } else { normal }
             }
@@ -130,7 +130,7 @@ impl MeshParts {
         self.normals[self.adjacency().face(corner as u32) as usize]
     }
 
-    /// The direction in which an outline passes a corner.
+    /// The direction of an outline at a corner.
     fn tangent(&self, corner: usize) -> DVec3 {
         let (adjacency, corner) = (self.adjacency(), corner as u32);
         let [before, here, after] =
@@ -140,7 +140,7 @@ impl MeshParts {
         if both == DVec3::ZERO { from } else { both }
     }
 
-    /// Some place of a component.
+    /// A place of a component.
     fn place(&self, index: usize) -> DVec3 {
         match self.kind {
             Components::Edges | Components::FaceEdges => self.ends(index).into_iter().sum::<DVec3>() * 0.5,
@@ -158,11 +158,11 @@ impl MeshParts {
         face.outline().sum::<DVec3>() / face.outer().len() as f64
     }
 
-    /// Whether a word takes a component.
+    /// Returns true if a word matches a component.
     #[inline]
     pub(super) fn is(&self, looks: &Looks, index: usize, word: Word) -> bool {
         if let Components::Groups | Components::Materials = self.kind {
-            // *comp operation*: one face that is taken is enough.
+            // *comp operation*: one matching face is enough.
             return self.sets[index].iter().any(|&face| self.face_is(looks, face as usize, word.sense()));
         }
         if let Components::Faces = self.kind {
@@ -173,7 +173,7 @@ impl MeshParts {
             && match word.sense() {
                 Sense::All => true,
                 Sense::Looks(axes, direction) => {
-                    // Edges and vertices of a face look out of it within its plane, whichever way it looks.
+                    // Edges and vertices of a face look out of it within its plane, independently of its normal.
                     let within = matches!(self.kind, Components::FaceEdges | Components::FaceVertices);
                     let normal = if within { normal } else { looks.outwards(normal) };
                     looks.takes(axes, direction, normal, || self.place(index))
@@ -200,8 +200,8 @@ impl MeshParts {
             }
     }
 
-    /// Whether a tag of a component is found. Faces pass theirs on to their edges and vertices; those of subcomponents are asked
-    /// instead of the component's own when they are named (*comp operation*, isTagged).
+    /// Returns true if a tag of a component matches. Faces pass their tags on to their edges and vertices. If
+    /// subcomponents are named, their tags are tested instead of the component's own (*comp operation*, isTagged).
     pub(super) fn tagged(&self, index: usize, of: Option<Subcomponent>, query: &str) -> bool {
         let sets = self.mesh.tag_sets();
         if sets.is_empty() {
@@ -264,7 +264,7 @@ impl MeshParts {
         })
     }
 
-    /// The frame of a face that is a rectangle and carries nothing but where it comes from.
+    /// The frame of a rectangular face that has no attributes but its provenance.
     pub(super) fn rectangle(&self, index: usize) -> Option<(FaceFrame, Provenance)> {
         let mesh = &self.mesh;
         if self.as_meshes || self.kind != Components::Faces || !mesh.uvs.is_empty() || !mesh.normals.is_empty() {
@@ -274,8 +274,8 @@ impl MeshParts {
         face_frame(mesh, index).filter(|found| found.rectangle).map(|found| (found, provenance))
     }
 
-    /// The coordinate system of a component (*comp operation*); nothing for groups and materials, which keep that of the
-    /// shape, nor for what is degenerate.
+    /// The coordinate system of a component (*comp operation*). `None` for groups and materials, which keep that of
+    /// the shape, and for degenerate components.
     pub(super) fn frame(&self, index: usize, as_roof: bool) -> Option<Frame> {
         let frame = |origin, x: DVec3, looks: DVec3| Some(Frame { origin, axes: along(x, looks) });
         match self.kind {
@@ -298,8 +298,8 @@ impl MeshParts {
         }
     }
 
-    /// The ends of an edge. As one of a roof it runs upwards, or round the roof's face when it is an eave (*comp operation*, roof
-    /// edges).
+    /// The ends of an edge. As an edge of a roof it runs upwards, or around the roof's face if it is an eave (*comp
+    /// operation*, roof edges).
     fn directed(&self, edge: usize, as_roof: bool) -> [u32; 2] {
         let [a, b] = self.end_corners(edge);
         let Some(roof) = self.roof.get().filter(|_| as_roof) else { return [a, b] };
@@ -316,7 +316,7 @@ impl MeshParts {
         }
     }
 
-    /// The faces of some components, as a mesh seen from a frame; nothing for edges and vertices.
+    /// The faces of some components, as a mesh in the coordinates of a frame; `None` for edges and vertices.
     pub(super) fn surface(&self, indices: &[u32], frame: &Frame) -> Option<Mesh> {
         match self.kind {
             Components::Faces => Some(extract(&self.mesh, indices, frame)),
@@ -335,7 +335,8 @@ impl MeshParts {
         }
     }
 
-    /// Faces that fill holes, and look as the faces around them do. They begin with the first edges of the holes.
+    /// Faces that fill holes, with the direction of the faces around them. They begin with the first edges of the
+    /// holes.
     fn filled(&self, indices: &[u32]) -> Mesh {
         let mut builder = MeshBuilder::new();
         for &index in indices {
@@ -379,8 +380,8 @@ impl MeshParts {
         wire
     }
 
-    /// What two components of a kind share when they touch: edges for those with faces, else points. Calls with the number
-    /// of each (*comp operation*, `=:`).
+    /// Calls `bond` with the number of each edge of a component with faces, or of each point of another component.
+    /// Components with a common number are connected (*comp operation*, `=:`).
     pub(super) fn bonds(&self, index: usize, mut bond: impl FnMut(u32)) {
         let (adjacency, corners) = (self.adjacency(), self.mesh.corners());
         let mut of_face = |face: u32| {
@@ -389,7 +390,7 @@ impl MeshParts {
         match self.kind {
             Components::Faces => of_face(index as u32),
             Components::Groups | Components::Materials => self.sets[index].iter().for_each(|&face| of_face(face)),
-            // Holes share no edge.
+            // Holes share no edges.
             Components::Holes => {}
             Components::Edges | Components::FaceEdges => {
                 self.end_corners(index).iter().for_each(|&corner| bond(corners[corner as usize]));
@@ -400,7 +401,7 @@ impl MeshParts {
     }
 }
 
-/// Faces by the number of their group or material, in the order of numbers; those without one come last.
+/// Faces by the number of their group or material, in the order of numbers. Faces without a number come last.
 fn sets(mesh: &Mesh, count: usize, number: impl Fn(FaceTag) -> u32) -> Vec<Vec<u32>> {
     let mut sets = vec![Vec::new(); count + 1];
     for face in mesh.faces() {

@@ -1,4 +1,4 @@
-//! The component split: which component goes to which arm, and the shapes they make.
+//! The component split: the arms of components, and the shapes that they make.
 
 mod candidate;
 mod mesh_parts;
@@ -37,22 +37,22 @@ use part::Component;
 use select::Word;
 use source::{ComponentSource, Quads};
 
-/// What a shape is divided into (*comp operation*).
+/// The kind of components (*comp operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Components {
     /// Faces.
     Faces,
-    /// Edges, shared ones once.
+    /// Edges; a shared edge counts once.
     Edges,
-    /// Edges of each face.
+    /// The edges of each face.
     FaceEdges,
-    /// Vertices, shared ones once.
+    /// Vertices; a shared vertex counts once.
     Vertices,
-    /// Vertices of each face.
+    /// The vertices of each face.
     FaceVertices,
-    /// Groups of an asset; faces without a group are the last one.
+    /// Groups of an asset. Faces without a group form the last one.
     Groups,
-    /// Faces of one material; those without are the last ones.
+    /// The faces of each material. Faces without a material come last.
     Materials,
     /// Holes of faces, as faces that fill them.
     Holes,
@@ -61,47 +61,47 @@ pub enum Components {
 /// The coordinate system of the components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Align {
-    /// `zUp`: their own.
+    /// `zUp`: their own system.
     ZUp,
-    /// `noAlign`: pivot and axes of the shape.
+    /// `noAlign`: the pivot and the axes of the shape.
     Keep,
 }
 
-/// One `selector : …`, `selector = …` or `selector =: …` of a comp.
+/// A `selector : …`, `selector = …` or `selector =: …` of a comp.
 #[derive(Clone, Copy, Debug)]
 pub struct Arm {
-    /// Which components it takes.
+    /// The components that it takes.
     pub select: Select,
-    /// How many shapes they make.
+    /// The shapes that it makes of them.
     pub mode: Mode,
     /// `comp.sel`.
     pub text: &'static str,
 }
 
-/// Which components an arm takes.
+/// The components that an arm takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Select {
-    /// Those that a word says.
+    /// The components that a word matches.
     Word(Word),
-    /// By number, counted from 0. What is no whole number or too large takes nothing.
+    /// The component with a number, from 0. A number that is not an integer or out of range takes nothing.
     Index(f64),
-    /// Those for which the arm's condition holds.
+    /// The components for which the arm's condition holds.
     When,
 }
 
 /// The operator of an arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// `:`, one shape a component.
+    /// `:`, one shape for each component.
     Each,
-    /// `=`, one shape for all.
+    /// `=`, one shape for all components.
     Together,
-    /// `=:`, one shape for those that are connected: by edges of faces, else by points.
+    /// `=:`, one shape for each connected set: by edges of faces, otherwise by points.
     Connected,
 }
 
 impl Arm {
-    /// Whether it can be decided without knowing what is next to what.
+    /// Returns true if the arm can be decided without the adjacency of the mesh.
     fn looks_only(&self) -> bool {
         let looks = match self.select {
             Select::Word(word) => matches!(word.sense(), select::Sense::All | select::Sense::Looks(..)),
@@ -112,14 +112,14 @@ impl Arm {
     }
 }
 
-/// No arm has a condition.
+/// The condition of arms that have none.
 pub fn never(_: &mut Env, _: u32, _: &mut Candidate<'_>) -> bool {
     false
 }
 
 /// Divides a shape into its components and calls `visit` with every part's arm and shape: arms in writing order, the
-/// components of each by number (*comp operation*). `when` says whether the condition of an arm holds; `number` counts the
-/// children that the rule makes.
+/// components of each by number (*comp operation*). `when` returns true if the condition of an arm holds. `number`
+/// counts the children of the rule.
 #[allow(clippy::too_many_arguments, reason = "generated code calls it")]
 pub fn comp<C>(
     cx: &mut Cx<'_, C>,
@@ -142,7 +142,7 @@ pub fn comp<C>(
     })
 }
 
-/// The components of a shape, each given to an arm, ready to be handed out.
+/// The components of a shape, each assigned to an arm.
 #[derive(Debug)]
 struct AssignedComponents<'s> {
     parent: &'s Shape,
@@ -150,14 +150,14 @@ struct AssignedComponents<'s> {
     arms: &'s [Arm],
     owners: Owners,
     source: ComponentSource,
-    /// Whether each arm takes edges as those of a roof.
+    /// True for each arm that takes edges as edges of a roof.
     as_roof: Vec<bool>,
     trims: Option<Arc<Surface>>,
 }
 
 impl<'s> AssignedComponents<'s> {
-    /// Gives every component to the first arm that selects it. The seed of the shape is that of the step: components have theirs
-    /// from it. `Break` when a limit was reached.
+    /// Assigns every component to the first arm that selects it. The seed of the shape must be that of the step;
+    /// seeds of components follow from it. `Break` when a limit is reached.
     #[inline]
     fn of(
         env: &mut Env,
@@ -185,7 +185,7 @@ impl<'s> AssignedComponents<'s> {
                 candidate.as_roof = false;
                 match *select {
                     Select::Word(word) => candidate.is(word),
-                    // What is degenerate is never selected.
+                    // Degenerate components are never selected.
                     Select::Index(index) => index == number as f64 && candidate.is(Word::All),
                     Select::When => candidate.is(Word::All) && when(env, arm as u32, &mut candidate),
                 }
@@ -211,7 +211,7 @@ impl<'s> AssignedComponents<'s> {
         ControlFlow::Continue(AssignedComponents { parent, align, arms, owners, source, as_roof, trims })
     }
 
-    /// Calls with every part: its arm, the numbers of its components, and its shape.
+    /// Calls `visit` with every part: its arm, the numbers of its components, and its shape.
     #[inline]
     fn each(&self, mut visit: impl FnMut(u32, &[u32], Shape) -> Flow) -> Flow {
         for (number, arm) in self.arms.iter().enumerate() {
@@ -242,8 +242,8 @@ impl<'s> AssignedComponents<'s> {
         Flow::Continue(())
     }
 
-    /// The façade path: calls with the sides of a box one by one. Bases are made where they stay: what is copied right after it
-    /// was written has to wait until all that was written before is in the cache.
+    /// The façade path: calls `visit` with the sides of a box one by one. Bases are made in their final place: a copy
+    /// right after writing would have to wait until all earlier stores are in the cache.
     #[inline]
     fn each_side<C>(
         &self,

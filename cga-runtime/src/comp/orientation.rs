@@ -1,4 +1,4 @@
-//! Where components look, in the axes that a word asks for.
+//! The directions of components, in the axes of a selector word.
 
 use std::sync::Arc;
 
@@ -11,13 +11,13 @@ use crate::shape::direction::Direction;
 use crate::shape::scope::Scope;
 use crate::shape::street::Streets;
 
-/// How a shape stands.
+/// The orientation of a shape.
 #[derive(Clone, Debug)]
 pub(crate) struct Looks {
     pub(crate) scope: Scope,
     /// The axes of the initial shape.
     object: DMat3,
-    /// Whether the normals of faces point inwards.
+    /// True if the normals of faces point inwards.
     pub(crate) inwards: bool,
     streets: Option<Arc<Streets>>,
 }
@@ -32,20 +32,21 @@ impl Looks {
         }
     }
 
-    /// Outwards, of the normal of a face or of several.
+    /// The outward direction for a normal of the faces.
     #[inline]
     pub(crate) fn outwards(&self, normal: DVec3) -> DVec3 {
         if self.inwards { -normal } else { normal }
     }
 
-    /// Whether what has a unit normal, in scope axes, looks in a direction. Where it is, in scope coordinates, is asked for
-    /// only of streets.
+    /// Returns true if a component with a unit normal, in scope axes, has a direction. Its place, in scope
+    /// coordinates, is computed only for streets.
     #[inline]
     pub(crate) fn takes(&self, axes: Axes, direction: Direction, normal: DVec3, at: impl FnOnce() -> DVec3) -> bool {
         self.takes_at(axes, direction, normal, || self.scope.frame().to_world(at()))
     }
 
-    /// The same of what is somewhere in the world.
+    /// Returns true if a component with a unit normal, in scope axes, has a direction. `at` is its place in the
+    /// world.
     #[inline]
     pub(crate) fn takes_at(&self, axes: Axes, direction: Direction, normal: DVec3, at: impl FnOnce() -> DVec3) -> bool {
         match (axes, &self.streets) {

@@ -1,10 +1,10 @@
-//! Which arm has which component, and which of them are connected.
+//! The arms of components, and sets of connected components.
 
 use std::collections::HashMap;
 
 use super::source::ComponentSource;
 
-/// The arm that owns each component. Up to six need no allocation: `comp` of a box is the façade path.
+/// The arm of each component. Up to six components need no allocation: `comp` of a box is the façade path.
 #[derive(Debug)]
 pub(super) enum Owners {
     Few([Option<u16>; 6], usize),
@@ -12,7 +12,7 @@ pub(super) enum Owners {
 }
 
 impl Owners {
-    /// *comp operation*: arms from left to right, and what one has the next can't get.
+    /// *comp operation*: arms are tried from left to right, and the first match takes the component.
     #[inline]
     pub(super) fn choose(count: usize, arm: impl FnMut(usize) -> Option<u16>) -> Self {
         let owners = (0..count).map(arm);
@@ -44,10 +44,10 @@ impl Owners {
     }
 }
 
-/// Components in sets of those that are connected, in the order of the first of each (*comp operation*, `=:`).
+/// The sets of connected components, in the order of their first components (*comp operation*, `=:`).
 pub(super) fn connected(source: &ComponentSource, components: impl Iterator<Item = u32>) -> Vec<Vec<u32>> {
     let components: Vec<u32> = components.collect();
-    // The first component that has a bond, by the number of the bond; and of each component one it is connected with.
+    // The first component for each bond, and for each component an earlier one that it is connected with.
     let mut first: HashMap<u32, usize> = HashMap::new();
     let mut leads: Vec<usize> = (0..components.len()).collect();
     fn lead(leads: &mut [usize], mut at: usize) -> usize {
@@ -64,7 +64,7 @@ pub(super) fn connected(source: &ComponentSource, components: impl Iterator<Item
             leads[a.max(b)] = a.min(b);
         });
     }
-    // The lead of a set is its first component, as the lower always leads.
+    // The lead of a set is its first component, as the lower one always leads.
     let mut sets: Vec<Vec<u32>> = Vec::new();
     let mut numbers: Vec<usize> = vec![0; components.len()];
     for index in 0..components.len() {

@@ -1,4 +1,4 @@
-//! The shapes of components: where they stand, and what fills them.
+//! The shapes of components: scope, pivot and geometry.
 
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Placed, Shape};
 
-/// Scope, pivot and geometry of a component, or of several together.
+/// The scope, pivot and geometry of a component, or of several together.
 pub(super) struct Component {
     pub(super) scope: Scope,
     pub(super) pivot: Frame,
@@ -24,7 +24,8 @@ pub(super) struct Component {
 }
 
 impl ComponentSource {
-    /// Of components with those numbers, set up from the first; edges may be those of a roof (*comp operation*).
+    /// The part of the components with those numbers, aligned to the first. Edges may be edges of a roof (*comp
+    /// operation*).
     #[inline]
     pub(super) fn part(&self, parent: &Shape, align: Align, numbers: &[u32], as_roof: bool) -> Component {
         let first = numbers[0] as usize;
@@ -32,7 +33,7 @@ impl ComponentSource {
             return self.kept(parent, numbers, as_roof);
         }
         match self {
-            // Those are handed out as they are, unless a condition asks for their shapes.
+            // These are used unchanged, unless a condition needs their shapes.
             ComponentSource::Quads(_) => self.kept(parent, numbers, as_roof),
             ComponentSource::Mesh(parts) => {
                 if let [_] = numbers
@@ -62,7 +63,7 @@ impl ComponentSource {
         }
     }
 
-    /// With the pivot and the axes of the shape (*comp operation*, noAlign).
+    /// The part with the pivot and the axes of the shape (*comp operation*, noAlign).
     pub(super) fn kept(&self, parent: &Shape, numbers: &[u32], as_roof: bool) -> Component {
         let here = parent.scope.frame();
         let part = match self {
@@ -81,7 +82,8 @@ impl ComponentSource {
     }
 }
 
-/// What lies in the xy plane but for rounding, as one triangle always does, put there: the z size of a face is zero.
+/// Moves a mesh that is in the xy plane except for rounding, as a triangle always is, into it: a face has a z size of
+/// zero.
 fn levelled(mut mesh: Mesh) -> Mesh {
     let size = Bounds::of(mesh.points.iter().copied()).size();
     if mesh.corners.len() == 3 || size.z <= PLANAR_EPSILON * size.max_element() {
@@ -103,7 +105,7 @@ fn wire(pivot: Frame, wire: Wire) -> Component {
     let geometry = match (&placed.wire.edges[..], placed.wire.points.len()) {
         ([], 0) => Geometry::Empty,
         ([], 1) => Geometry::Vertex,
-        // Along x but for rounding.
+        // Along x except for rounding.
         ([[0, 1]], 2) if placed.wire.points[0] == DVec3::ZERO && is_along_x(placed.wire.points[1]) => {
             scope = Scope { origin: pivot.origin, axes: pivot.axes, size: placed.wire.points[1].length() * DVec3::X };
             Geometry::Edge

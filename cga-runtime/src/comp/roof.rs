@@ -1,8 +1,8 @@
 //! The edges of roofs: eaves, hips, valleys and ridges.
 //!
-//! A roof is what looks up. Of its edges, level ones that only one of its faces has are eaves, and those that two have are
-//! valleys where the faces slope towards each other, hips where they touch an eave, else ridges. What looks down or
-//! sideways below or beside the roof does not count, so it is the same for a roof that is a closed volume.
+//! A roof consists of the faces that look up. A level edge of one such face is an eave. An edge of two such faces is
+//! a valley if they slope towards each other, a hip if it touches an eave, otherwise a ridge. Faces that look down or
+//! sideways do not count, so the result is the same for a roof that is a closed volume.
 
 use std::sync::Arc;
 
@@ -12,20 +12,20 @@ use super::select::RoofEdge;
 use crate::geometry::mesh::{Mesh, unit};
 use crate::geometry::tol::UP_EPSILON;
 
-/// A mesh seen as a roof.
+/// A mesh as a roof.
 #[derive(Debug)]
 pub(super) struct Roof {
     mesh: Arc<Mesh>,
-    /// Of the faces, outwards.
+    /// The outward normals of the faces.
     normals: Vec<DVec3>,
-    /// Which way an edge runs as seen from outside: with its face, or against it where that looks inwards.
+    /// 1 if an edge seen from outside runs with its face; -1 if faces look inwards.
     sense: f64,
-    /// Whether an eave ends at each point.
+    /// True for each point at the end of an eave.
     eaves: Vec<bool>,
 }
 
 impl Roof {
-    /// With the normals of the faces, and whether these look inwards.
+    /// A roof with the normals of the faces, and true if these look inwards.
     pub(super) fn new(mesh: &Arc<Mesh>, normals: &[DVec3], inwards: bool) -> Self {
         let sense = if inwards { -1.0 } else { 1.0 };
         let normals = normals.iter().map(|normal| normal * sense).collect();
@@ -38,7 +38,7 @@ impl Roof {
         roof
     }
 
-    /// What an edge is.
+    /// The class of an edge.
     pub(super) fn edge(&self, edge: usize) -> Option<RoofEdge> {
         match self.faces(edge) {
             (Some(_), None) => self.is_level(edge).then_some(RoofEdge::Eave),
@@ -57,7 +57,7 @@ impl Roof {
         (faces.next(), faces.next())
     }
 
-    /// Where the first face at an edge that looks up begins with it.
+    /// The corner at which the first upward face at an edge begins with it.
     pub(super) fn corner(&self, edge: usize) -> Option<u32> {
         let adjacency = self.mesh.adjacency();
         let face = self.faces(edge).0?;
@@ -75,7 +75,7 @@ impl Roof {
         a != b && unit(b - a).y.abs() <= UP_EPSILON
     }
 
-    /// Whether two faces slope towards each other: the inside of one is in front of the other.
+    /// Returns true if two faces slope towards each other: the inside of one is in front of the other.
     fn is_concave(&self, edge: usize, one: u32, other: u32) -> bool {
         let adjacency = self.mesh.adjacency();
         let Some(corner) = self.corner(edge) else { return false };

@@ -1,4 +1,4 @@
-//! The words that select components, as far as they look at directions.
+//! The words that select components.
 
 use crate::shape::direction::Direction;
 
@@ -43,42 +43,42 @@ pub enum Word {
     StreetLeft,
     StreetRight,
     StreetSide,
-    /// `noStreetSide`, as it was written before 2012.1.
+    /// `noStreetSide`, a spelling of versions before 2012.1.
     NotStreetFront,
 }
 
-/// The subcomponents that `isTagged` looks at instead of the component itself.
+/// The parts of a component that `isTagged` tests instead of the component itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subcomponent {
-    /// Its edges.
+    /// The edges.
     Edges,
-    /// Its vertices.
+    /// The vertices.
     Vertices,
 }
 
-/// What a word looks at.
+/// The test of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sense {
-    /// Nothing: all components.
+    /// No test: all components.
     All,
-    /// Where a component looks, in some axes.
+    /// The direction of a component, in some axes.
     Looks(Axes, Direction),
-    /// Whether it is at the border.
+    /// True for components at the border, false for all others.
     Border(bool),
-    /// Which edge of a roof it is.
+    /// The class of an edge of a roof.
     Roof(RoofEdge),
 }
 
-/// The axes that a direction is of.
+/// The axes of a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Axes {
-    /// Of the current shape's scope.
+    /// The axes of the current shape's scope.
     Scope,
-    /// Of the initial shape.
+    /// The axes of the initial shape.
     Object,
-    /// y is up, z south, x east.
+    /// The world: y is up, z south, x east.
     World,
-    /// By the streets at the initial shape, else as of the object.
+    /// The streets at the initial shape; without any, the axes of the object.
     Street,
 }
 

@@ -1,4 +1,4 @@
-//! What a comp divides: the sides of a box, a mesh, or edges and points.
+//! The sources of components: the sides of a box, a mesh, or edges and points.
 
 use std::ops::ControlFlow;
 
@@ -19,14 +19,14 @@ use crate::shape::{Geometry, Shape};
 /// A shape's components of one kind, by number.
 #[derive(Debug)]
 pub(super) enum ComponentSource {
-    /// The faces of a box or a rectangle, handed out one by one.
+    /// The faces of a box or a rectangle, used one by one.
     Quads(Quads),
     Mesh(Box<MeshParts>),
     Wire(WireParts),
 }
 
 impl ComponentSource {
-    /// Of a shape. `Break` when a limit was reached.
+    /// The components of a shape. `Break` when a limit is reached.
     #[inline]
     pub(super) fn of(
         env: &mut Env,
@@ -48,7 +48,7 @@ impl ComponentSource {
             Geometry::Vertex => Wire::point(),
             geometry => {
                 if let Geometry::Mesh(placed) = geometry {
-                    // Found on the mesh itself, what is next to what is there for all its copies.
+                    // Computed on the mesh itself, the adjacency is available to all its copies.
                     let alone = components == Components::Faces && arms.iter().all(|arm| arm.looks_only());
                     (!alone).then(|| placed.mesh.adjacency());
                 }
@@ -73,7 +73,7 @@ impl ComponentSource {
         }
     }
 
-    /// Whether a word takes a component.
+    /// Returns true if a word matches a component.
     #[inline]
     pub(super) fn is(&self, looks: &Looks, number: usize, word: Word) -> bool {
         match self {
@@ -83,7 +83,7 @@ impl ComponentSource {
         }
     }
 
-    /// Calls with the numbers of what a component has: those that have one in common are connected.
+    /// Calls `bond` with the numbers of a component's edges or points. Components with a common number are connected.
     pub(super) fn bonds(&self, number: usize, bond: impl FnMut(u32)) {
         match self {
             ComponentSource::Quads(_) => {}
@@ -93,8 +93,8 @@ impl ComponentSource {
     }
 }
 
-/// Sides of a box, or the one of a rectangle, that is neither flat nor turned inside out. They need no mesh, and all that is
-/// asked of them follows from the scope.
+/// The sides of a box, or the only one of a rectangle, that is neither flat nor inside out. They need no mesh, and
+/// all their properties follow from the scope.
 #[derive(Debug)]
 pub(super) struct Quads {
     unit: UnitMesh,
@@ -123,7 +123,7 @@ impl Quads {
         &self.unit.sides()[number]
     }
 
-    /// The scope of a side, in a box or a rectangle with that scope: x along its first edge, z outwards.
+    /// The scope of a side, in a box or a rectangle with the scope `whole`: x along its first edge, z outwards.
     #[inline(always)]
     pub(super) fn scope(&self, whole: &Scope, number: usize) -> Scope {
         let (Scope { origin, axes, size }, face) = (*whole, self.face(number));
@@ -141,13 +141,13 @@ impl Quads {
                 let normal = self.face(number).side.normal();
                 looks.takes_at(axes, direction, normal, || self.scope(&looks.scope, number).centre())
             }
-            // A rectangle alone has no neighbours.
+            // A rectangle has no neighbours.
             Sense::Border(border) => border == self.is_rectangle(),
             Sense::Roof(_) => false,
         }
     }
 
-    /// Whether a tag of a side is found, or of one beside it.
+    /// Returns true if a tag of a side matches, or a tag of a neighbour.
     pub(super) fn tagged(&self, number: usize, of: Option<Subcomponent>, query: &str) -> bool {
         if of.is_none() {
             return self.face(number).provenance.is_tagged(query);
@@ -163,7 +163,7 @@ impl Quads {
         Geometry::Rect(Axis::Z, UnitMesh::face(Axis::Z, self.face(number).provenance))
     }
 
-    /// Whether it is one face, without neighbours.
+    /// Returns true if it is one face, without neighbours.
     #[inline]
     pub(super) fn is_rectangle(&self) -> bool {
         self.len() == 1

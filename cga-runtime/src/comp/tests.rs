@@ -1,4 +1,5 @@
-//! Laws and facts of the component split, on boxes, prisms with holes, spheres, concave lots and edges.
+//! Laws and documented behaviour of the component split, on boxes, prisms with holes, spheres, concave lots and
+//! edges.
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -191,7 +192,7 @@ fn no_align_keeps_pivot_and_axes() {
                 assert!(close(world_area(kept), world_area(aligned)));
                 let length = crate::query::geometry_boundary_length;
                 assert!(close(length(kept), length(aligned)), "{kind:?}");
-                // Both boxes hold the same.
+                // Both boxes contain the same geometry.
                 assert!((kept.scope.centre() - aligned.scope.centre()).length() < 20.0);
             }
         }
@@ -238,7 +239,7 @@ fn fact_48_opposite_sides_are_connected_through_what_is_between() {
     assert_eq!(sets(&[Word::Horizontal, Word::All], Mode::Connected), [1, 1, 4]);
     assert_eq!(sets(&[Word::Side], Mode::Connected), [4]);
     assert_eq!(sets(&[Word::Top, Word::All], Mode::Together), [1, 5]);
-    // A U-shaped lot: five walls face front or back or aside, some of them apart.
+    // A U-shaped lot: five walls look to the front, the back or a side, some of them disconnected.
     let u = Shape::mesh_axis_aligned(concave_prism());
     let fronts = parts(&u, Components::Faces, Align::ZUp, &[arm(Word::Front, Mode::Each)]);
     let connected = parts(&u, Components::Faces, Align::ZUp, &[arm(Word::Front, Mode::Connected)]);
@@ -348,7 +349,7 @@ fn roof_edges_of_a_hip_roof_open_or_closed() {
         for (arm, _, part) in &found {
             let x = part.scope.axes.x_axis;
             match arm {
-                // Anti-clockwise around the roof's own face, which is left of it.
+                // Anti-clockwise around the roof's own face, which is left of the edge.
                 0 => assert!(0.0 < DVec3::Y.cross(x).dot(DVec3::new(5.0, 0.0, 2.0) - part.scope.origin)),
                 _ => assert!(0.0 <= x.y),
             }
@@ -372,7 +373,7 @@ fn a_valley_is_concave() {
 
 #[test]
 fn streets_decide_what_is_front() {
-    // The street runs along the right side of the lot, which has no front otherwise.
+    // The street runs along the right side of the lot. Otherwise the lot has no front.
     let lot = Shape::rectangle(6.0, 4.0).streets([0.0, 8.0, 0.0, 0.0]);
     let words = [Word::StreetFront, Word::StreetBack, Word::StreetLeft, Word::StreetRight];
     let env_of = |lot: &Shape| Env::new(&crate::run::settings::Settings::default(), &["Lot"], lot, "Lot");
@@ -387,7 +388,7 @@ fn streets_decide_what_is_front() {
     // Edges: front, right, back, left of the object.
     assert_eq!(numbers(&lot), [2.0, 0.0, 3.0, 1.0]);
     assert_eq!(numbers(&Shape::rectangle(6.0, 4.0)), [0.0, 3.0, 1.0, 2.0], "without streets, as of the object");
-    // Walls over the lot look as its edges do.
+    // Walls over the lot have the directions of its edges.
     let mut walls = lot.clone();
     walls.geometry = Geometry::Box(UnitMesh::cuboid());
     walls.scope.size.y = 3.0;

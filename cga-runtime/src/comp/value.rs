@@ -1,4 +1,4 @@
-//! `comp` as a value: an array with an element a component.
+//! `comp` as a value: an array with an element for each component.
 
 use std::ops::ControlFlow;
 
@@ -8,8 +8,9 @@ use crate::run::sink::Flow;
 use crate::shape::Shape;
 use crate::value::array::{Array, Element};
 
-/// `comp(…) { selector : value | … }`: an element for each component by number; those that no arm takes have the default,
-/// those that are put together the same value (*comp function*). `value` gets the number of the arm and the shape.
+/// `comp(…) { selector : value | … }`: an element for each component by number. Components that no arm takes have the
+/// default, and components of one shape have the same value (*comp function*). `value` gets the number of the arm and
+/// the shape.
 pub fn comp_values<T: Element>(
     env: &mut Env,
     shape: &mut Shape,

@@ -12,12 +12,12 @@ use crate::geometry::face_frame::{along, beside, upright};
 use crate::geometry::mesh::{point_normals, unit};
 use crate::geometry::wire::Wire;
 
-/// A wire in scope coordinates, seen as components of one kind.
+/// A wire in scope coordinates, with its components of one kind.
 #[derive(Debug)]
 pub(super) struct WireParts {
     wire: Wire,
     kind: Components,
-    /// Where each point looks: the mean of the edges that end there.
+    /// The direction of each point: the mean of the edges that end there.
     points: Vec<DVec3>,
 }
 
@@ -27,7 +27,8 @@ impl WireParts {
         WireParts { wire, kind, points }
     }
 
-    /// Edges of faces are the edges themselves, vertices of faces their ends, one after the other.
+    /// The number of components. Edges of faces are the edges themselves, vertices of faces their ends, one after the
+    /// other.
     pub(super) fn len(&self) -> usize {
         match self.kind {
             Components::Edges | Components::FaceEdges => self.wire.edges.len(),
@@ -44,7 +45,7 @@ impl WireParts {
         }
     }
 
-    /// Where a component looks, of length 1.
+    /// The direction of a component, of length 1.
     fn normal(&self, index: usize) -> DVec3 {
         let own = match self.kind {
             Components::Edges | Components::FaceEdges => self.wire.normals[index],
@@ -54,7 +55,7 @@ impl WireParts {
         if own == DVec3::ZERO { upright(self.along(index)) } else { own }
     }
 
-    /// Along the edge; zero for points of no edge.
+    /// The direction along the edge; zero for points without an edge.
     fn along(&self, index: usize) -> DVec3 {
         let edge = match self.kind {
             Components::Edges | Components::FaceEdges => index,
@@ -65,7 +66,7 @@ impl WireParts {
         unit(b - a)
     }
 
-    /// Whether a word takes a component. With no face, all is at the border.
+    /// Returns true if a word matches a component. As there are no faces, all components are at the border.
     pub(super) fn is(&self, looks: &Looks, index: usize, word: Word) -> bool {
         match word.sense() {
             Sense::All => true,
@@ -114,7 +115,7 @@ impl WireParts {
         wire
     }
 
-    /// The points that a component has: those that share one are connected.
+    /// Calls `bond` with the points of a component. Components with a common point are connected.
     pub(super) fn bonds(&self, index: usize, bond: impl FnMut(u32)) {
         match self.kind {
             Components::Edges | Components::FaceEdges => self.wire.edges[index].into_iter().for_each(bond),

@@ -6,9 +6,9 @@ use crate::value::text::Text;
 
 /// A field that holds an attribute. Used by generated code.
 pub trait Field {
-    /// Its value; `None` while it is to be computed.
+    /// The value; `None` while it is computed for each initial shape.
     fn get(&self) -> Option<Value>;
-    /// Takes a value of its type; others change nothing.
+    /// Sets the value, if it has the type of the field.
     fn set(&mut self, value: Value);
 }
 

@@ -1,4 +1,4 @@
-//! Attributes and constants on a cycle of declarations: each is computed when it is first read, so that conditions may keep a
+//! Attributes and constants on a cycle of declarations. Each is computed on the first read, so conditions may keep a
 //! run from closing the cycle (*attribute*, *const*).
 
 use std::cell::{Cell, OnceCell};
@@ -8,11 +8,11 @@ use crate::op::set;
 use crate::run::env::Env;
 use crate::shape::Shape;
 
-/// A value that is computed when it is first read.
+/// A value that is computed on the first read.
 #[derive(Clone, Debug)]
 pub struct Lazy<T> {
     value: OnceCell<T>,
-    /// Whether it is being computed: a read then closes the cycle.
+    /// True while it is being computed: a read then closes the cycle.
     is_open: Cell<bool>,
 }
 
@@ -23,20 +23,21 @@ impl<T> Default for Lazy<T> {
 }
 
 impl<T> Lazy<T> {
-    /// A value that is known.
+    /// A value that is already known.
     pub fn known(value: T) -> Self {
         Lazy { value: OnceCell::from(value), ..Lazy::default() }
     }
 
-    /// The value that the host program gave, if it gave one.
+    /// The value from the host program, if it gave one.
     pub fn given(value: Option<T>) -> Self {
         value.map_or_else(Lazy::default, Lazy::known)
     }
 }
 
 impl<T: Clone + Default> Lazy<T> {
-    /// The value. The first read computes it and needs so many bytes of the stack for functions. Where the computation reads
-    /// the value itself the run ends with an error that names the cycle, and where the stack ends with that of a limit.
+    /// The value. The first read computes it and reserves `stack` bytes for functions. If the computation reads the
+    /// value itself, the run ends with an error that names the cycle. If the stack has no room, the run ends with the
+    /// error of a limit.
     #[inline]
     pub fn get(&self, env: &mut Env, name: &'static str, stack: u32, compute: impl FnOnce(&mut Env) -> T) -> T {
         match self.value.get() {
@@ -64,10 +65,10 @@ impl<T: Clone + Default> Lazy<T> {
     }
 }
 
-/// Marks a place where a value is computed that others read.
+/// Marks a place in generated code where a value is computed for other declarations.
 pub fn computed<T>(_value: T) {}
 
-/// The shape on which such values are computed: the initial shape, or the one on which an import starts anew.
+/// The shape on which such values are computed: the initial shape, or the shape on which an import starts again.
 #[derive(Clone, Debug)]
 pub struct Origin(Shape);
 
@@ -83,7 +84,8 @@ impl Origin {
         Origin(shape.clone())
     }
 
-    /// A shape on which an import starts anew, without the values that it has of these attributes and constants.
+    /// A shape on which an import starts again, without the values that `set` gave these attributes and constants on
+    /// it.
     pub fn anew(shape: &Shape, numbers: &[u32]) -> Self {
         let mut own = shape.clone();
         set::forget(&mut own, numbers);

@@ -1,4 +1,4 @@
-//! What every grammar is: a set of attributes and rules that can be run on a shape.
+//! Grammars: attributes and rules that can be run on a shape.
 
 pub mod attribute;
 mod field;
@@ -22,31 +22,31 @@ use crate::run::start_rule::StartRule;
 use crate::shape::Shape;
 use crate::value::Value;
 
-/// A grammar, for programs that choose among several at run time. `cga!` implements it for the struct it makes.
+/// A grammar, for programs that choose one of several at run time. `cga!` implements it for the struct it makes.
 ///
-/// What user interfaces need is here: [`attributes`](Grammar::attributes) with names, groups, ranges, values to choose
-/// from and defaults; [`start_rules`](Grammar::start_rules); values by name, from text where a person typed them. None of
-/// it changes what rules make.
+/// User interfaces build on [`attributes`](Grammar::attributes) (names, groups, ranges, choices, defaults), on
+/// [`start_rules`](Grammar::start_rules), and on reading and setting values by name, also as text. Annotations for
+/// user interfaces do not change the results of rules.
 pub trait Grammar {
-    /// The grammar's name; empty for one without a header.
+    /// The grammar's name; empty for a grammar without a header.
     fn name(&self) -> &'static str;
 
-    /// Its attributes, in source order, for building a user interface.
+    /// The attributes, in source order.
     fn attributes(&self) -> &'static [Attribute];
 
-    /// What it makes, in Markdown (`@RuleFileDescription`); empty when nothing is said.
+    /// A description in Markdown (`@RuleFileDescription`); empty if there is none.
     fn about(&self) -> &'static str {
         ""
     }
 
-    /// The rules a run can start with, all of them; the first is the default.
+    /// All rules that a run can start with. The first is the default.
     fn start_rules(&self) -> &'static [StartRule];
 
-    /// The value of an attribute by its number in [`attributes`](Grammar::attributes); `None` while it is to be computed for
-    /// each initial shape, and for other numbers. [`get`](Grammar::get) is the same by name.
+    /// The value of the attribute with an index in [`attributes`](Grammar::attributes). `None` while it is computed
+    /// for each initial shape, and for an index out of range. [`get`](Grammar::get) reads by name.
     fn attribute_get(&self, index: usize) -> Option<Value>;
 
-    /// Sets an attribute by its number, unchecked; a value of another type changes nothing. [`set`](Grammar::set) is the same
+    /// Sets an attribute by its index, unchecked. A value of another type changes nothing. [`set`](Grammar::set) sets
     /// by name.
     fn attribute_set(&mut self, index: usize, value: Value);
 
@@ -56,14 +56,14 @@ pub trait Grammar {
     /// See [`Error`].
     fn derive(&self, shape: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error>;
 
-    /// Opens a session: several runs with the same settings, which share what is made once. The grammars that `cga!` makes check
-    /// attributes and start rule here; others when a run begins.
+    /// Opens a session: several runs with the same settings that share their preparations. Grammars made by `cga!`
+    /// check attributes and start rule here, other grammars when a run begins.
     ///
-    /// A concrete grammar has a method `session` of its own, whose [`Session`](crate::grammar::session::Session) calls no sink through a
-    /// pointer.
+    /// A concrete grammar has its own method `session`. Its [`Session`](crate::grammar::session::Session) calls sinks
+    /// without a pointer.
     ///
     /// # Errors
-    /// An attribute that is refused, an unknown start rule.
+    /// An attribute is refused, or the start rule is unknown.
     fn session<'g>(&'g self, settings: &Settings) -> Result<Box<dyn DynSession + 'g>, Error> {
         Ok(Box::new(session::Plain { grammar: self, settings: settings.clone() }))
     }
@@ -71,7 +71,7 @@ pub trait Grammar {
     /// The value of an attribute by its name.
     ///
     /// # Errors
-    /// There is no such attribute, or its default is computed for each initial shape and it is not set.
+    /// The attribute does not exist, or its default is computed for each initial shape and it is not set.
     fn get(&self, name: &str) -> Result<Value, AttributeError> {
         let (index, attribute) = attribute::find(self.attributes(), name)?;
         self.attribute_get(index).ok_or(AttributeError::Computed { name: attribute.name })
@@ -80,8 +80,8 @@ pub trait Grammar {
     /// Sets an attribute by its name.
     ///
     /// # Errors
-    /// There is no such attribute, or the value is of another type, outside of a restricted range or none of restricted
-    /// choices. A default is never refused.
+    /// The attribute does not exist, or the value has another type, is outside of a restricted range or is not among
+    /// restricted choices. A default is never refused.
     fn set(&mut self, name: &str, value: Value) -> Result<(), AttributeError> {
         let (index, attribute) = attribute::find(self.attributes(), name)?;
         attribute.allows(&value, self)?;
@@ -89,10 +89,10 @@ pub trait Grammar {
         Ok(())
     }
 
-    /// Sets an attribute by its name to what a text says: see [`Value::parse`].
+    /// Sets an attribute by its name to the value of a text, as [`Value::parse`] reads it.
     ///
     /// # Errors
-    /// As for [`set`](Grammar::set); and the text is no value of the attribute's type.
+    /// As [`set`](Grammar::set), and if the text cannot be read as a value of the attribute's type.
     fn set_text(&mut self, name: &str, text: &str) -> Result<(), AttributeError> {
         let (_, attribute) = attribute::find(self.attributes(), name)?;
         let value = Value::parse(text, attribute.ty()).ok_or_else(|| attribute.no_value(text))?;

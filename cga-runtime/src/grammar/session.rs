@@ -1,7 +1,7 @@
 //! Several runs of one grammar with the same settings.
 //!
-//! A [`Session`] checks the attributes and finds the start rule once, and keeps what runs can share. Runs of one session make
-//! the same as runs of their own. A session belongs to one thread; runs in parallel have one each, see
+//! A [`Session`] checks the attributes and finds the start rule once, and keeps data that runs can share. The results
+//! of its runs equal those of single runs. A session belongs to one thread; parallel runs have one session each, see
 //! [`parallel`](crate::grammar::parallel).
 
 use std::borrow::Cow;
@@ -29,7 +29,7 @@ impl<G: Rules> fmt::Debug for Session<'_, G> {
     }
 }
 
-/// The decisions before the first run. Unlike a session it can be shared by threads.
+/// The decisions before the first run. Threads can share them, unlike a session.
 #[derive(Debug)]
 pub(crate) struct Setup<'g, G> {
     grammar: &'g G,
@@ -54,10 +54,10 @@ impl<'g, G: Rules> Setup<'g, G> {
 }
 
 impl<'g, G: Rules> Session<'g, G> {
-    /// Opens a session. Generated grammars have the method `session`, which is the same.
+    /// Opens a session. The method `session` of generated grammars does the same.
     ///
     /// # Errors
-    /// [`Error::Attribute`] and [`Error::StartRule`]: what does not depend on the initial shape is found here.
+    /// [`Error::Attribute`] and [`Error::StartRule`], as they do not depend on the initial shape.
     pub fn new(grammar: &'g G, settings: &Settings) -> Result<Self, Error> {
         Ok(Session { setup: Setup::new(grammar, Cow::Owned(settings.clone()))?, kept: Kept::default() })
     }
@@ -129,10 +129,10 @@ impl<G: Grammar + ?Sized> DynSession for Plain<'_, G> {
     }
 }
 
-/// Runs a grammar on a shape: a session of one run. Used by generated code.
+/// Runs a grammar on a shape, in a session of one run. Used by generated code.
 ///
 /// # Errors
-/// See [`Error`]: a limit, an attribute out of its range, a shape that is no shape.
+/// See [`Error`].
 pub fn run<G: Rules, S: Sink + ?Sized>(
     grammar: &G,
     shape: &Shape,

@@ -5,7 +5,7 @@ use crate::grammar::attribute::{AttributeDefault, ChoiceValues, Choices, Range};
 use crate::value::array::Array;
 use crate::value::text::Text;
 
-/// What `cga!` writes for a grammar, by hand.
+/// A hand-written equivalent of the code that `cga!` generates.
 struct Tower {
     height: f64,
     lit: bool,
@@ -140,8 +140,8 @@ fn what_is_refused_is_taught() {
             "attribute `lit` is true or false, and `yes` is not",
             "attribute `height`: NaN is outside of 3 to 60",
             "attribute `height`: 61 is outside of 3 to 60",
-            "attribute `style`: `plian` is none of plain, ornate",
-            "attribute `storeys`: `4` is none of 12",
+            "attribute `style`: `plian` is not one of plain, ornate",
+            "attribute `storeys`: `4` is not one of 12",
             "attribute `odd`: -2 is outside of 0 to 1",
         ]
     );
@@ -163,14 +163,14 @@ fn elements_of_arrays_are_checked_one_by_one() {
     assert_eq!(said(tower.set_text("storeys_each", "[99]")), Ok(()), "a default is never refused");
     assert!(said(tower.set_text("storeys_each", "[99; 99]")).is_err());
     assert_eq!(said(tower.set_text("uses", r#"["shop", "flat"]"#)), Ok(()));
-    let refused = Err("attribute `uses`: `barn` is none of shop, flat".to_owned());
+    let refused = Err("attribute `uses`: `barn` is not one of shop, flat".to_owned());
     assert_eq!(said(tower.set_text("uses", r#"["shop"; "barn"]"#)), refused);
     assert_eq!(said(tower.set_text("use", "flat")), Ok(()), "the elements of another attribute");
     assert_eq!(said(tower.set_text("uses", r#"["shop"]"#)), Ok(()));
-    let refused = Err("attribute `use`: `flat` is none of shop".to_owned());
+    let refused = Err("attribute `use`: `flat` is not one of shop".to_owned());
     assert_eq!(said(tower.set_text("use", "flat")), refused);
     assert_eq!(said(tower.set_text("uses", "[]")), Ok(()));
-    let refused = Err("attribute `use`: `shop` is not to be had, there is nothing to choose from".to_owned());
+    let refused = Err("attribute `use`: `shop` is not allowed: the list of choices is empty".to_owned());
     assert_eq!(said(tower.set_text("use", "shop")), refused);
 }
 
@@ -184,12 +184,12 @@ fn a_run_checks_what_fields_hold() {
     rules.odd = 0.5;
     rules.style = "gothic".into();
     let error = attribute::check(&rules).expect_err("none of them");
-    assert_eq!(error.to_string(), "attribute `style`: `gothic` is none of plain, ornate");
+    assert_eq!(error.to_string(), "attribute `style`: `gothic` is not one of plain, ornate");
     rules.style = "ornate".into();
     rules.name = Some("anything".into());
     rules.storeys = Some(3.0);
     let error = attribute::check(&rules).expect_err("not the height");
-    assert_eq!(error.to_string(), "attribute `storeys`: `3` is none of 12");
+    assert_eq!(error.to_string(), "attribute `storeys`: `3` is not one of 12");
 }
 
 #[test]

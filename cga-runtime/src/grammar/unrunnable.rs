@@ -8,8 +8,8 @@ use crate::run::sink::Flow;
 use crate::run::start_rule::StartRule;
 use crate::shape::{Shape, ShapeRef};
 
-/// Marks a grammar whose rules have errors: sessions and parallel runs of it compile, so that the errors in the rules are the only
-/// ones that are reported. It never runs, as the program that it belongs to never builds.
+/// Marks a grammar whose rules have errors. Its sessions and parallel runs compile, so rustc reports the errors in
+/// the rules only. It never runs, as its program never builds.
 pub trait Unrunnable {}
 
 impl<T: Unrunnable> Rules for T {

@@ -1,6 +1,6 @@
 //! The attributes of a material by name (*material attribute*, *material.map attribute*).
 
-/// One part of a colour.
+/// A channel of a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Channel {
     /// Red.
@@ -11,10 +11,10 @@ pub enum Channel {
     B,
 }
 
-/// One of the colours: `MaterialNumber::Color` and so on.
+/// The constructor of a colour's channels: `MaterialNumber::Color` and so on.
 pub type ColorOf = fn(Channel) -> MaterialNumber;
 
-/// A texture layer. The number of each is that of the uv set it uses.
+/// A texture layer. Its number is the number of its uv set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Layer {
     /// `colormap`.
@@ -54,13 +54,13 @@ impl Layer {
         Layer::Metallic,
     ];
 
-    /// The set of texture coordinates that the layer uses, 0 to 9.
+    /// The number of its uv set, 0 to 9.
     pub fn uv_set(self) -> usize {
         self as usize
     }
 }
 
-/// How a texture lies on its layer: `su`, `sv` scale it, `tu`, `tv` move it, `rw` turns it, in degrees.
+/// The placement of a texture on its layer: `su`, `sv` scale it, `tu`, `tv` move it, `rw` turns it, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[allow(missing_docs, reason = "see above")]
 pub enum LayerPart {
@@ -71,11 +71,11 @@ pub enum LayerPart {
     Rw,
 }
 
-/// An attribute of a material that is a number.
+/// A numeric attribute of a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum MaterialNumber {
-    /// `color.r` and so on, the diffuse colour.
+    /// `color.r` and so on: the diffuse colour.
     Color(Channel),
     /// `ambient.r` and so on.
     Ambient(Channel),
@@ -83,17 +83,17 @@ pub enum MaterialNumber {
     Specular(Channel),
     /// `emissive.r` and so on.
     Emissive(Channel),
-    /// 1 is opaque.
+    /// The opacity; 1 is opaque.
     Opacity,
-    /// 1 reflects everything.
+    /// The reflectivity; 1 reflects everything.
     Reflectivity,
     /// Phong's exponent, up to 128.
     Shininess,
-    /// Scale of the bump map.
+    /// The scale of the bump map.
     BumpValue,
-    /// 1 is a metal.
+    /// The metalness; 1 is a metal.
     Metallic,
-    /// 0 is smooth.
+    /// The roughness; 0 is smooth.
     Roughness,
     /// `opacitymap.cutoff`.
     Cutoff,
@@ -101,7 +101,7 @@ pub enum MaterialNumber {
     Map(Layer, LayerPart),
 }
 
-/// An attribute of a material that is text.
+/// A textual attribute of a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum MaterialText {
@@ -116,7 +116,7 @@ pub enum MaterialText {
 }
 
 impl MaterialNumber {
-    /// What it is when nothing sets it.
+    /// The value of an unset attribute.
     pub fn default_value(self) -> f64 {
         use LayerPart::{Su, Sv};
         match self {
@@ -131,7 +131,7 @@ impl MaterialNumber {
         }
     }
 
-    /// A number that it can be: what is outside of the range of the attribute is moved to its end.
+    /// The number moved into the range of the attribute.
     pub(crate) fn clamp(self, value: f64) -> f64 {
         match self {
             MaterialNumber::BumpValue | MaterialNumber::Map(..) => value,
@@ -142,7 +142,7 @@ impl MaterialNumber {
 }
 
 impl MaterialText {
-    /// What it is when nothing sets it.
+    /// The value of an unset attribute.
     pub fn default_value(self) -> &'static str {
         match self {
             MaterialText::Shader => "CityEngineShader",
@@ -151,13 +151,13 @@ impl MaterialText {
         }
     }
 
-    /// Whether it can be that.
+    /// Returns true if the attribute may have that value.
     pub(crate) fn accepts(self, value: &str) -> bool {
         self != MaterialText::OpacityMode || matches!(value, "blend" | "mask" | "opaque")
     }
 }
 
-/// What is named so, without `material.` in front.
+/// The attribute with a name, without the prefix `material.`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Named {
     Number(MaterialNumber),
@@ -186,9 +186,9 @@ macro_rules! names {
     };
 }
 
-/// Names and what they mean, without `material.` in front.
+/// The names of numeric attributes, without the prefix `material.`.
 pub(crate) const MATERIAL_NUMBERS: &[(&str, MaterialNumber)] = super::list::each_material_number!(names);
-/// Names and what they mean, without `material.` in front.
+/// The names of textual attributes, without the prefix `material.`.
 pub(crate) const MATERIAL_TEXTS: &[(&str, MaterialText)] = super::list::each_material_text!(names);
 
 #[cfg(test)]

@@ -1,12 +1,13 @@
-//! Texture layers of a material: which image, which set of coordinates, and how the image lies on them.
+//! Texture layers of a material: image, set of coordinates, and placement of the image.
 
 use glam::DVec2;
 
 use crate::material::{Layer, LayerPart, Material, MaterialNumber, MaterialText};
 use crate::value::text::Text;
 
-/// How a texture lies on its layer (*material.map attribute*). Coordinates are scaled by `su`, `sv`, then turned about (0, 0) by
-/// `rw`, anticlockwise as `rotateUV` turns them, then moved by `tu`, `tv`. The order and the direction are inferred.
+/// The placement of a texture on its layer (*material.map attribute*). Coordinates are scaled by `su`, `sv`, then
+/// turned about (0, 0) by `rw`, anticlockwise as `rotateUV` turns them, then moved by `tu`, `tv`. The order and the
+/// direction are inferred.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Placement {
     pub(crate) scale: DVec2,
@@ -18,13 +19,13 @@ pub(crate) struct Placement {
 /// The affine form of a placement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PlacementMap {
-    /// The factors of u and v in the first coordinate, and in the second.
+    /// The coefficients of u and v in the first coordinate, and in the second.
     pub(crate) rows: [DVec2; 2],
     pub(crate) offset: DVec2,
 }
 
 impl Placement {
-    /// An image as its coordinates have it.
+    /// The placement that does not change coordinates.
     #[cfg(feature = "gltf")]
     pub(crate) const PLAIN: Placement = Placement { scale: DVec2::ONE, turn: 0.0, offset: DVec2::ZERO };
 
@@ -32,7 +33,7 @@ impl Placement {
     pub(crate) fn of(material: &Material, layer: Layer) -> Self {
         let number = |part| {
             let which = MaterialNumber::Map(layer, part);
-            // Beyond that 32-bit floats would not be finite.
+            // Beyond this, 32-bit floats would not be finite.
             material.number(which).filter(|number| number.abs() <= 1e30).unwrap_or(which.default_value())
         };
         Placement {
@@ -53,7 +54,7 @@ impl Placement {
         }
     }
 
-    /// The same as an affine map.
+    /// The affine form.
     pub(crate) fn map(&self) -> PlacementMap {
         let ((sin, cos), scale) = (self.sin_cos(), self.scale);
         let rows = [DVec2::new(cos * scale.x, -sin * scale.y), DVec2::new(sin * scale.x, cos * scale.y)];
@@ -62,30 +63,30 @@ impl Placement {
 }
 
 impl PlacementMap {
-    /// The place in the image of coordinates of a surface.
+    /// The image coordinates for coordinates of a surface.
     #[inline]
     pub(crate) fn at(&self, uv: DVec2) -> DVec2 {
         DVec2::new(self.rows[0].dot(uv), self.rows[1].dot(uv)) + self.offset
     }
 }
 
-/// The image of a layer, if there is one.
+/// The image of a layer, if it has one.
 pub(crate) fn image(material: &Material, layer: Layer) -> Option<&Text> {
     material.text(MaterialText::Map(layer)).filter(|name| !name.is_empty())
 }
 
-/// The set that a layer uses on a mesh that has some sets: its own, else set 0; nothing if that is missing too (*Texturing:
-/// essential knowledge*).
+/// The set that a layer uses on a mesh with the sets `sets`: its own, otherwise set 0. `None` if both are missing
+/// (*Texturing: essential knowledge*).
 pub(crate) fn set(layer: Layer, sets: SetMask) -> Option<usize> {
     [layer.uv_set(), 0].into_iter().find(|&set| sets.has(set))
 }
 
-/// The sets that a mesh or a leaf has.
+/// The sets of a mesh or a leaf.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(crate) struct SetMask(pub(crate) u16);
 
 impl SetMask {
-    /// Sets for which a condition holds, of 0 to 9.
+    /// The sets among 0 to 9 for which a condition holds.
     pub(crate) fn of(has: impl Fn(usize) -> bool) -> Self {
         SetMask((0..10).filter(|&set| has(set)).fold(0, |mask, set| mask | 1 << set))
     }
@@ -94,7 +95,7 @@ impl SetMask {
         self.0 >> set & 1 == 1
     }
 
-    /// How many sets there are below one.
+    /// The number of sets below `set`.
     #[cfg(feature = "gltf")]
     pub(crate) fn rank(self, set: usize) -> usize {
         (self.0 & ((1 << set) - 1)).count_ones() as usize

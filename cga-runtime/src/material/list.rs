@@ -1,7 +1,7 @@
-//! The one list of material attributes: the functions that rules call, the names, and what they mean. Getters, setters and
-//! the look-up by name are made of it.
+//! The single list of material attributes: the functions that rules call, the names, and their meanings. Getters,
+//! setters and the look-up by name are generated from it.
 
-/// Calls a macro with all attributes that are numbers: function, name, attribute.
+/// Calls a macro with all numeric attributes: function, name, attribute.
 macro_rules! each_material_number {
     ($make:ident) => {
         $make! {
@@ -17,7 +17,7 @@ macro_rules! each_material_number {
             material_emissive_r "emissive.r" MaterialNumber::Emissive(Channel::R);
             material_emissive_g "emissive.g" MaterialNumber::Emissive(Channel::G);
             material_emissive_b "emissive.b" MaterialNumber::Emissive(Channel::B);
-            // Deprecated, and the same as the opacity.
+            // A deprecated synonym of the opacity.
             material_color_a "color.a" MaterialNumber::Opacity;
             material_opacity "opacity" MaterialNumber::Opacity;
             material_reflectivity "reflectivity" MaterialNumber::Reflectivity;
@@ -80,7 +80,7 @@ macro_rules! each_material_number {
     };
 }
 
-/// Calls a macro with all attributes that are text: function, name, attribute.
+/// Calls a macro with all textual attributes: function, name, attribute.
 macro_rules! each_material_text {
     ($make:ident) => {
         $make! {

@@ -26,28 +26,28 @@ impl Color {
     /// CGA's default colour.
     pub const WHITE: Color = Color { r: 1.0, g: 1.0, b: 1.0 };
 
-    /// From three channels, clamped to 0..=1; a channel that is not a number counts as 0.
+    /// A colour of three channels, clamped to 0..=1. NaN counts as 0.
     pub fn new(r: f64, g: f64, b: f64) -> Self {
         let clamp = |c: f64| if c.is_nan() { 0.0 } else { c.clamp(0.0, 1.0) };
         Color { r: clamp(r), g: clamp(g), b: clamp(b) }
     }
 }
 
-/// The look of a shape or of faces of a mesh. What is `None` is not set: a shape's unset attribute lets the mesh's own
-/// material through, and what neither sets has CGA's default (white, opaque, roughness 1, metallic 0).
+/// The material of a shape or of faces of a mesh. `None` means unset: a shape's unset attributes come from the mesh's
+/// own material, and attributes unset in both have CGA's defaults (white, opaque, roughness 1, metallic 0).
 ///
-/// What most models use is a field. The rest of the *material attribute* page is there by name: [`Material::number`] and
-/// [`Material::text`], which know the fields too.
+/// Frequent attributes are fields. The rest of the *material attribute* page has access by name: [`Material::number`]
+/// and [`Material::text`], which also cover the fields.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Material {
-    /// `material.name`; of an imported mesh, the name in its file.
+    /// `material.name`; for an imported mesh, the name in its file.
     pub name: Option<Text>,
-    /// Diffuse colour, `material.color`.
+    /// The diffuse colour, `material.color`.
     pub color: Option<Color>,
-    /// 1 is opaque, `material.opacity`.
+    /// The opacity, `material.opacity`; 1 is opaque.
     pub opacity: Option<f64>,
-    /// Path of the colour map, `texture(…)`. Empty text means "no texture".
+    /// The path of the colour map, `texture(…)`. Empty text means "no texture".
     pub texture: Option<Text>,
     /// `material.metallic`.
     pub metallic: Option<f64>,
@@ -58,7 +58,7 @@ pub struct Material {
     pub(crate) more: Option<Arc<More>>,
 }
 
-/// Attributes that are no fields, as far as they are set, each list sorted. Materials are cloned often, and few have any.
+/// The set attributes that are not fields, in sorted lists. Materials are cloned often, and few have any.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct More {
     numbers: Vec<(MaterialNumber, f64)>,
@@ -66,7 +66,7 @@ pub(crate) struct More {
 }
 
 impl Material {
-    /// Nothing set.
+    /// The material without set attributes.
     pub const UNSET: Material = Material {
         name: None,
         color: None,
@@ -78,24 +78,24 @@ impl Material {
         more: None,
     };
 
-    /// Nothing set but what `change` sets.
+    /// The material with the attributes that `change` sets.
     pub fn with(change: impl FnOnce(&mut Material)) -> Self {
         let mut material = Material::UNSET;
         change(&mut material);
         material
     }
 
-    /// The diffuse colour, white when unset.
+    /// The diffuse colour; white if unset.
     pub fn color(&self) -> Color {
         self.color.unwrap_or(Color::WHITE)
     }
 
-    /// The opacity, 1 when unset.
+    /// The opacity; 1 if unset.
     pub fn opacity(&self) -> f64 {
         self.opacity.unwrap_or(1.0)
     }
 
-    /// A numeric attribute, if it is set.
+    /// The value of a numeric attribute, if it is set.
     pub fn number(&self, which: MaterialNumber) -> Option<f64> {
         match which {
             MaterialNumber::Color(Channel::R) => self.color.map(|color| color.r),
@@ -108,8 +108,8 @@ impl Material {
         }
     }
 
-    /// Sets a numeric attribute, moved into its range; what is no number is ignored. The first channel that is set of the
-    /// diffuse colour makes the other two white.
+    /// Sets a numeric attribute, moved into its range. NaN is ignored. The first channel that is set of the diffuse
+    /// colour sets the other two to white.
     pub fn set_number(&mut self, which: MaterialNumber, value: f64) {
         if value.is_nan() {
             return;
@@ -131,7 +131,7 @@ impl Material {
         }
     }
 
-    /// A textual attribute, if it is set.
+    /// The value of a textual attribute, if it is set.
     pub fn text(&self, which: MaterialText) -> Option<&Text> {
         match which {
             MaterialText::Name => self.name.as_ref(),
@@ -150,7 +150,7 @@ impl Material {
         }
     }
 
-    /// A colour of three channels, if one of them is set; the others have their defaults.
+    /// The colour of three channels, if one of them is set. Unset channels have their defaults.
     pub fn channels(&self, which: ColorOf) -> Option<Color> {
         let set = [Channel::R, Channel::G, Channel::B].map(|channel| self.number(which(channel)));
         let value = |at: usize, channel| set[at].unwrap_or(which(channel).default_value());
@@ -161,7 +161,8 @@ impl Material {
         })
     }
 
-    /// This material with everything it leaves unset taken from `base` (*i*: attributes set in rules win over the asset's).
+    /// This material with unset attributes taken from `base` (*i operation*: attributes set by rules override those
+    /// of the asset).
     pub fn over(&self, base: &Material) -> Material {
         let mut sum = Material {
             name: self.name.clone().or_else(|| base.name.clone()),
@@ -182,12 +183,12 @@ impl Material {
         sum
     }
 
-    /// Numeric attributes that are no fields, sorted.
+    /// The numeric attributes that are not fields, sorted.
     pub(crate) fn more_numbers(&self) -> &[(MaterialNumber, f64)] {
         self.more.as_ref().map_or(&[], |more| &more.numbers)
     }
 
-    /// Textual attributes that are no fields, sorted.
+    /// The textual attributes that are not fields, sorted.
     pub(crate) fn more_texts(&self) -> &[(MaterialText, Text)] {
         self.more.as_ref().map_or(&[], |more| &more.texts)
     }

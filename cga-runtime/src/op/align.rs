@@ -8,7 +8,7 @@ use crate::geometry::rotation::turn;
 use crate::run::env::Env;
 use crate::shape::Shape;
 
-/// Axes that a scope is aligned to: one of them or all three, of the world or of the object.
+/// The axes that a scope is aligned to: one or all three, of the world or of the object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "the names say it")]
 pub enum AlignAxes {
@@ -22,8 +22,8 @@ pub enum AlignAxes {
     ObjectXyz,
 }
 
-/// `alignScopeToAxes(axes)`: the scope becomes the box of the geometry along those axes, and the pivot its corner
-/// (*alignScopeToAxes operation*).
+/// `alignScopeToAxes(axes)`: the scope becomes the box of the geometry along those axes, and the pivot moves to its
+/// origin corner (*alignScopeToAxes operation*).
 pub fn align_to_axes(env: &mut Env, shape: &mut Shape, to: AlignAxes) {
     use AlignAxes::{ObjectX, ObjectXyz, ObjectY, ObjectZ, WorldX, WorldXyz, WorldY, WorldZ};
     let system = match to {
@@ -41,11 +41,11 @@ pub fn align_to_axes(env: &mut Env, shape: &mut Shape, to: AlignAxes) {
     }
 }
 
-/// Axes of which one is given, and a second is the old one projected across it: x, for x itself z. Where that has no
-/// direction the third is projected in its place.
+/// Axes of which `axis` has the direction `to`. A second one is the old axis projected across it: x, or z if `axis`
+/// is x. If that projection has no direction, the third axis is projected instead.
 pub(super) fn upright(old: &DMat3, to: DVec3, axis: usize) -> DMat3 {
     let across = |other: usize| unit(old.col(other) - to * to.dot(old.col(other)));
-    // Too short to have a direction.
+    // The projection is too short to have a direction.
     let short = |other: usize| 1.0 - old.col(other).dot(to).abs() < crate::geometry::tol::ANGLE_EPSILON;
     match axis {
         0 if short(2) => from_xy(to, across(1)),
@@ -69,8 +69,8 @@ fn from_zx(z: DVec3, x: DVec3) -> DMat3 {
     DMat3::from_cols(x, z.cross(x), z)
 }
 
-/// `rotateScope(x, y, z)`: turns the scope about the pivot's axes, x then y then z, in degrees; it becomes the box of the
-/// geometry, and the pivot stays (*rotateScope operation*).
+/// `rotateScope(x, y, z)`: turns the scope about the pivot's axes, x then y then z, in degrees. It becomes the box of
+/// the geometry, and the pivot stays (*rotateScope operation*).
 pub fn rotate_scope(env: &mut Env, shape: &mut Shape, x: f64, y: f64, z: f64) {
     let [x, y, z] = [(x, "x"), (y, "y"), (z, "z")].map(|(angle, axis)| match angle.is_finite() {
         true => angle,

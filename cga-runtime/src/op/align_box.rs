@@ -1,4 +1,4 @@
-//! `alignScopeToGeometryBBox`: the smallest rectangle around what is seen along an axis.
+//! `alignScopeToGeometryBBox`: the smallest rectangle around the geometry as seen along an axis.
 
 use glam::{DVec2, DVec3};
 
@@ -21,7 +21,7 @@ pub enum BoxAxes {
 }
 
 impl BoxAxes {
-    /// The first, the second, and the one that stays.
+    /// The first axis, the second, and the one that stays.
     fn order(self) -> [usize; 3] {
         match self {
             BoxAxes::Xy => [0, 1, 2],
@@ -34,17 +34,17 @@ impl BoxAxes {
     }
 }
 
-/// `alignScopeToGeometryBBox(axes)`: turns the scope about the third axis until the two named span the smallest rectangle
-/// around the geometry as seen from there, and the pivot becomes its corner (*alignScopeToGeometryBBox operation*). Of the
-/// two directions along the longer side the one nearer to the old axis is taken, and of equal rectangles the first turned
-/// least.
+/// `alignScopeToGeometryBBox(axes)`: turns the scope about the third axis until the first two span the smallest
+/// rectangle around the geometry as seen along the third. The pivot moves to its corner (*alignScopeToGeometryBBox
+/// operation*). Of the two directions along the longer side the one nearer to the old axis is taken, and of equal
+/// rectangles the first with the smallest turn.
 pub fn align_to_box(env: &mut Env, shape: &mut Shape, axes: BoxAxes) {
     let [first, second, third] = axes.order();
     let along = longer_side(&mut seen(shape, first, second));
     let old = shape.scope.axes;
     let mut new = old;
     let direction = old.col(first) * along.x + old.col(second) * along.y;
-    // Right-handed: two axes in the order x y z x give the third.
+    // Right-handed: two consecutive axes in the order x y z x give the third.
     let other =
         if (first + 1) % 3 == second { old.col(third).cross(direction) } else { direction.cross(old.col(third)) };
     *new.col_mut(first) = direction;
@@ -68,7 +68,7 @@ fn seen(shape: &Shape, first: usize, second: usize) -> Vec<DVec2> {
         Geometry::Wire(placed) => placed.in_scope(size).points.into_iter().map(flat).collect(),
         Geometry::Vertex => Vec::new(),
         Geometry::Rect(across, _) => {
-            // It lies at the low end of what may be a thick scope.
+            // It is at the low end of a scope that may be thick.
             let mut size = size;
             size[across.index()] = 0.0;
             CORNERS.map(|corner| flat(size * corner)).to_vec()
@@ -85,7 +85,7 @@ fn longer_side(points: &mut Vec<DVec2>) -> DVec2 {
     let [mut far, mut deep, mut near] = [0; 3];
     for at in 0..count {
         let Some(along) = (points[(at + 1) % count] - points[at]).try_normalize() else { continue };
-        // The points that are furthest along the edge, away from it and back, each never behind where it was.
+        // The extreme points along the edge, away from it and back. Each only moves forward.
         let walk = |from: &mut usize, direction: DVec2| {
             for _ in 0..count {
                 let next = (*from + 1) % count;
@@ -112,7 +112,7 @@ fn longer_side(points: &mut Vec<DVec2>) -> DVec2 {
     let (along, length, width) = best;
     let longer = if length < width { along.perp() } else { along };
     let towards = if longer.x < 0.0 || longer.x == 0.0 && longer.y < 0.0 { -longer } else { longer };
-    // Nearly as it was is as it was.
+    // A direction that is nearly the old one is replaced by the old one.
     if towards.abs_diff_eq(DVec2::X, ANGLE_EPSILON) { DVec2::X } else { towards }
 }
 

@@ -14,30 +14,30 @@ use crate::shape::place;
 use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Shape};
 
-/// Which face is taken.
+/// The choice of the face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AlignFace {
-    /// The one whose corners are lowest in the world, on average.
+    /// The face whose corners are lowest in the world, on average.
     WorldLowest,
-    /// The one with the largest area.
+    /// The face with the largest area.
     Largest,
-    /// The one with the best edge. With an edge by number, the first.
+    /// The face with the best edge. With an edge by number, the first face.
     Any,
 }
 
-/// Which edge of the face is taken.
+/// The choice of the edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AlignEdge {
-    /// The one whose middle is lowest in the world.
+    /// The edge whose middle is lowest in the world.
     WorldLowest,
-    /// The longest.
+    /// The longest edge.
     Longest,
 }
 
 /// The word of the old form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AlignAuto {
-    /// The lowest edge of all faces; the longest of those equally low.
+    /// The lowest edge of all faces; of equally low edges the longest.
     Auto,
 }
 
@@ -74,20 +74,22 @@ pub fn align_to_selected(env: &mut Env, shape: &mut Shape, up: UpAxis, face: Ali
     align(env, shape, up, FacePick::Word(face), EdgePick::Word(edge));
 }
 
-/// `alignScopeToGeometry(up, faceIndex)`, the old form: with the first edge (*CGA changelog 2010.1*).
+/// `alignScopeToGeometry(up, faceIndex)`, the old form: the first edge (*CGA changelog 2010.1*).
 pub fn align_to_first_edge(env: &mut Env, shape: &mut Shape, up: UpAxis, face: f64) {
     align(env, shape, up, FacePick::Number(face), EdgePick::Number(0.0));
 }
 
-/// `alignScopeToGeometry(up, auto)`, the old form: the lowest edge, of several the longest (*CGA changelog 2010.1*).
+/// `alignScopeToGeometry(up, auto)`, the old form: the lowest edge, or the longest of several (*CGA changelog
+/// 2010.1*).
 pub fn align_to_auto(env: &mut Env, shape: &mut Shape, up: UpAxis, _: AlignAuto) {
     align(env, shape, up, FacePick::Word(AlignFace::Any), EdgePick::Auto);
 }
 
-/// The scope's x axis goes along the edge and its up axis along the face's normal; it is the box of the geometry along
-/// these. The pivot is where the edge starts: the page says so beside its second picture and all pictures show it, though its
-/// description has it at the corner of the box. Of equals the first is taken (*CGA changelog 2018.1*); numbers count round,
-/// forwards and backwards. A point or a line has no face: only the pivot goes to its scope.
+/// Turns the scope so that its x axis runs along the edge and its up axis along the face's normal. It becomes the box
+/// of the geometry along these axes. The pivot moves to the start of the edge: the page says so beside its second
+/// picture and all pictures show it, although its description has the pivot at the corner of the box. Of equal
+/// candidates the first is taken (*CGA changelog 2018.1*). Numbers wrap around in both directions. A point or a line
+/// has no face: only the pivot moves to its scope.
 fn align(env: &mut Env, shape: &mut Shape, up: UpAxis, face: FacePick, edge: EdgePick) {
     if !shape.geometry.has_surface() {
         if !matches!(shape.geometry, Geometry::Empty) {
@@ -100,7 +102,7 @@ fn align(env: &mut Env, shape: &mut Shape, up: UpAxis, face: FacePick, edge: Edg
         return env.fault(FaultKind::Geometry, what);
     };
     let axes = shape.scope.axes;
-    // The edge lies in its face but for rounding.
+    // The edge is in its face except for rounding.
     let x = unit(found.edge - found.normal * found.normal.dot(found.edge));
     let turned = match up {
         UpAxis::YUp => DMat3::from_cols(x, found.normal, x.cross(found.normal)),
@@ -122,7 +124,7 @@ struct Found {
 fn pick(env: &mut Env, shape: &Shape, face: FacePick, edge: EdgePick) -> Option<Found> {
     let faces = Faces::of(shape);
     let size = shape.scope.size.abs().max_element();
-    // Heights in the world are those along this direction, but for a constant.
+    // Heights in the world are coordinates along this direction, up to a constant.
     let rise = shape.scope.axes.transpose() * DVec3::Y;
     let face = match face {
         FacePick::Number(number) => Some(whole(env, number, "the number of the face", faces.count())?),
@@ -176,10 +178,10 @@ fn pick(env: &mut Env, shape: &Shape, face: FacePick, edge: EdgePick) -> Option<
     best.best.map(|(_, found)| found)
 }
 
-/// The first of those with the largest value; where that is the same, with the largest second one.
+/// The first candidate with the largest value; of equal values, the one with the largest second value.
 struct Best<T> {
     best: Option<([f64; 2], T)>,
-    /// Values this near to each other are the same.
+    /// Values that differ by less than this are equal.
     near: f64,
 }
 
@@ -198,7 +200,7 @@ impl<T> Best<T> {
     }
 }
 
-/// A number that counts round.
+/// An integer that wraps around.
 fn whole(env: &mut Env, number: f64, what: &str, count: usize) -> Option<usize> {
     let wanted = env.finite(number, what);
     if wanted != wanted.floor() {
@@ -235,7 +237,7 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// Twice the area, along the normal.
+    /// Twice the area vector: twice the area times the normal.
     fn area(&self, face: usize) -> DVec3 {
         let twice = |quad: &Quad| 2.0 * quad.u.cross(quad.v);
         match self {
@@ -249,7 +251,7 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// The edges of a face, outline first, each with its two ends.
+    /// Calls `each` with both ends of every edge of a face, outline first.
     fn edges(&self, face: usize, mut each: impl FnMut(DVec3, DVec3)) {
         let mut around = |quad: &Quad| {
             let corners = quad.corners();

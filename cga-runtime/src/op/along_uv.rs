@@ -8,8 +8,9 @@ use crate::geometry::mesh::{AlongUv, HeightAlignment, HeightDirection, Mesh, ins
 use crate::run::env::Env;
 use crate::shape::Shape;
 
-/// `insertAlongUV(uvSet, filePath, height)`: copies of an asset, bent along texture coordinates, take the place of the triangles and
-/// quads of the geometry (*insertAlongUV operation*). A missing asset, and geometry without coordinates in the set, leave a fault.
+/// `insertAlongUV(uvSet, filePath, height)`: copies of an asset, bent along texture coordinates, replace the
+/// triangles and quads of the geometry (*insertAlongUV operation*). A missing asset, or geometry without coordinates
+/// in the set, is a fault.
 pub fn insert_along_uv(env: &mut Env, shape: &mut Shape, set: f64, file: File, height: f64) {
     insert_along_uv_with(env, shape, set, file, height, HeightDirection::ScopeY, HeightAlignment::AlignPosition);
 }

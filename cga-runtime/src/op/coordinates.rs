@@ -1,4 +1,4 @@
-//! `translate` and `rotate`: the scope moves in the coordinate system that is named, and the geometry with it.
+//! `translate` and `rotate`: the scope moves in a named coordinate system, and the geometry with it.
 
 use glam::DVec3;
 
@@ -10,17 +10,17 @@ use crate::shape::Shape;
 /// A coordinate system.
 pub use crate::query::System;
 
-/// Whether numbers say where to or how far.
+/// The meaning of the numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TransformMode {
-    /// Where to.
+    /// A position.
     Abs,
-    /// How far from here.
+    /// A difference from the current position.
     Rel,
 }
 
-/// `translate(abs | rel, system, x, y, z)`: puts the scope's origin to a position of the system, or moves it along the
-/// system's axes (*translate operation*). In the scope's own system both are the same.
+/// `translate(abs | rel, system, x, y, z)`: moves the scope's origin to a position in the system, or by a vector
+/// along the system's axes (*translate operation*). In the scope's own system both mean the same.
 pub fn translate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: System, x: f64, y: f64, z: f64) {
     let by = finite(env, "`translate`", [x, y, z]);
     let frame = system.frame(env, shape);
@@ -35,7 +35,7 @@ pub fn translate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, syste
 
 /// `rotate(abs | rel, system, x, y, z)`: turns the scope about its origin, to angles in the system or by angles about the
 /// system's axes, x then y then z, in degrees (*rotate operation*; *r operation*: `r` is `rotate(rel, pivot, …)`). In the
-/// scope's own system both are the same.
+/// scope's own system both mean the same.
 pub fn rotate_in(env: &mut Env, shape: &mut Shape, mode: TransformMode, system: System, x: f64, y: f64, z: f64) {
     let angles = finite(env, "`rotate`", [x, y, z]);
     let frame = system.frame(env, shape).axes;

@@ -28,7 +28,7 @@ pub enum ExtrudeAlong {
     WorldUpFlatTop,
 }
 
-/// An axis to extrude along, in the old form: with or without `world.`, those of the world.
+/// An axis of an extrusion in the old form. With and without `world.` it is the world's axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "the names say it")]
 pub enum ExtrudeAxis {
@@ -44,11 +44,12 @@ pub fn extrude(env: &mut Env, shape: &mut Shape, distance: Length) {
     extrude_along(env, shape, ExtrudeAlong::FaceNormal, distance);
 }
 
-/// `extrude(face.normal | vertex.normal | world.up | world.up.flatTop, distance)` (*extrude operation*). The new scope's y
-/// axis points along the extrusion, for normals that of the first face or vertex; its x axis stays as near to the old one
-/// as it can, and the pivot stays. A distance of 0 changes nothing, except that a flat top still is made.
+/// `extrude(face.normal | vertex.normal | world.up | world.up.flatTop, distance)` (*extrude operation*). The new
+/// scope's y axis points along the extrusion, or along the normal of the first face or vertex. Its x axis stays as
+/// near as possible to the old one, and the pivot stays. A distance of 0 changes nothing, except that a flat top is
+/// still made.
 pub fn extrude_along(env: &mut Env, shape: &mut Shape, along: ExtrudeAlong, distance: Length) {
-    // Relative to the height: the direction in which a shape grows is its y axis afterwards.
+    // Relative to the height: a shape grows along its new y axis.
     let distance = distance.of(shape.scope.size.y, env, "the distance of `extrude`");
     if distance == 0.0 && along != ExtrudeAlong::WorldUpFlatTop {
         return;
@@ -98,7 +99,7 @@ fn extrude_edges(env: &mut Env, shape: &mut Shape, wire: &Wire, how: Extrude, di
     }
 }
 
-const BEYOND: &str = "`extrude` leads beyond the largest number; the shape stays as it is";
+const BEYOND: &str = "`extrude` overflows; the shape stays as it is";
 
 /// `extrude(x | y | z | world.x | world.z, distance)`, the old form (*CGA changelog 2009.2*).
 pub fn extrude_axis(env: &mut Env, shape: &mut Shape, axis: ExtrudeAxis, distance: Length) {
@@ -114,7 +115,8 @@ pub fn extrude_axis(env: &mut Env, shape: &mut Shape, axis: ExtrudeAxis, distanc
     }
 }
 
-/// Whether a rectangle across `axis` grows along that axis into a box. It must have an area, and not be mirrored.
+/// Returns true if a rectangle across `axis` grows along that axis into a box. It must have an area and not be
+/// mirrored.
 fn straight(scope: &Scope, axis: Axis, along: ExtrudeAlong) -> bool {
     let upwards = matches!(along, ExtrudeAlong::WorldUp | ExtrudeAlong::WorldUpFlatTop);
     let has_area = (0..3).all(|other| match other == axis.index() {
@@ -165,7 +167,7 @@ fn extrude_any(env: &mut Env, shape: &mut Shape, how: Extrude, distance: f64) {
     stand(env, shape, extrude_mesh(&mesh, how, distance), up, distance);
 }
 
-/// Gives the shape what has grown, in its old scope's coordinates, with a scope whose y axis is `up`.
+/// Gives the shape the extruded mesh, in the coordinates of its old scope, with a scope whose y axis is `up`.
 fn stand(env: &mut Env, shape: &mut Shape, grown: Mesh, up: DVec3, distance: f64) {
     if grown.is_empty() {
         // Nothing moved.
@@ -217,7 +219,7 @@ mod tests {
         assert_eq!(shape.pivot, before.pivot);
         let (axes, mesh) = (shape.scope.axes, shape.to_mesh());
         assert!((axes.transpose() * axes).abs_diff_eq(DMat3::IDENTITY, 1e-12) && 0.0 < axes.determinant());
-        // The scope fits, its size along y negative where the distance was.
+        // The scope fits. Its size along y is negative for a negative distance.
         let (low, high) = (DVec3::ZERO.min(shape.scope.size), DVec3::ZERO.max(shape.scope.size));
         assert!((mesh.bounds().low - low).length() < 1e-9 && (mesh.bounds().high - high).length() < 1e-9);
         assert_eq!(shape.scope.size.y < 0.0, distance < 0.0);
@@ -227,7 +229,7 @@ mod tests {
     #[test]
     fn upright_extrusion_follows_the_slope_or_ends_flat() {
         use ExtrudeAlong::{WorldUp, WorldUpFlatTop};
-        // *extrude operation*, along the world's axis: what there is above the ground, top and bottom in the world.
+        // *extrude operation*, along the world's axis: the height above the ground, top and bottom in the world.
         for (along, distance, volume, low, high) in [
             (WorldUp, 10.0, 200.0, 0.0, 13.0),
             (WorldUpFlatTop, 10.0, 170.0, 0.0, 10.0),
@@ -325,7 +327,7 @@ mod tests {
 
     #[test]
     fn edges_become_faces() {
-        // Two edges at a right angle that look up and aside, as those of a comp do.
+        // Two edges at a right angle that look up and aside, like edges of a comp.
         let wire = Wire {
             points: vec![DVec3::ZERO, DVec3::X * 3.0, DVec3::new(3.0, 0.0, -2.0)],
             edges: vec![[0, 1], [1, 2]],
@@ -355,7 +357,7 @@ mod tests {
         let (env, mut line) = (&mut Env::for_tests(), Shape::line([0.0; 3], [2.0, 0.0, 0.0]).unwrap());
         extrude(env, &mut line, Length::Absolute(3.0));
         assert!((line.to_mesh().area() - 6.0).abs() < 1e-12);
-        // Its front looks to the new z axis, and its first edge is the line.
+        // Its front looks along the new z axis, and its first edge is the line.
         assert!((line.to_mesh().face(0).normal() - DVec3::Z).length() < 1e-12);
         let along_z = line.scope.axes.y_axis;
         assert!((along_z - DVec3::Z).length() < 1e-12, "an edge looks along its z axis");

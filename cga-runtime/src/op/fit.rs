@@ -1,11 +1,11 @@
-//! How a scope meets geometry that is inserted.
+//! The fit of inserted geometry to a scope.
 
 use glam::DVec3;
 
 use crate::shape::Shape;
 
-/// Sets the scope for geometry with that low corner and size (*i operation*, zero sizes):
-/// with three sizes the geometry is fitted; the sizes that are zero follow from the others.
+/// Sets the scope for geometry with that low corner and size (*i operation*, zero sizes). With three sizes the
+/// geometry is fitted to them; sizes that are zero follow from the others.
 pub(super) fn fit(shape: &mut Shape, low: DVec3, size: DVec3) {
     let scope = &mut shape.scope;
     let zero: [bool; 3] = scope.size.cmpeq(DVec3::ZERO).into();

@@ -1,4 +1,4 @@
-//! `i(file, …)`, and how inserted geometry meets a scope.
+//! `i(file, …)`, and the fit of inserted geometry to a scope.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use crate::run::env::Env;
 use crate::shape::place::Cuboid;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
-/// Which axis of an asset, or of an aligned scope, is its height.
+/// The up axis of an asset or of an aligned scope.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UpAxis {
     /// y.
@@ -24,36 +24,36 @@ pub enum UpAxis {
     ZUp,
 }
 
-/// How an asset meets the scope.
+/// The fit of an asset to the scope.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InsertMode {
-    /// Fitted to the scope.
+    /// The asset is fitted to the scope.
     AlignSizeAndPosition,
-    /// As large as in its file and where it is there, from the origin of the scope: as with a scope of no size.
+    /// The size and position from the file, relative to the origin of the scope, as in a scope without sizes.
     KeepSizeAndPosition,
-    /// As large as in its file, in the middle of the scope's xz plane and on its floor.
+    /// The size from the file, in the middle of the scope's xz plane and on its floor.
     KeepSizeAlignPosition,
 }
 
-/// What is cleaned up in an asset.
+/// The clean-up of an asset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CleanupMode {
-    /// What the importer does to every asset: equal points become one, and corners that repeat the one before them go.
+    /// The clean-up of every asset on import: equal points are merged, and repeated corners removed.
     NumericalCleanup,
-    /// The same: edges and angles are never so small that cutting needs them gone, so nothing else is removed anyway.
+    /// The same clean-up. Cutting handles small edges and angles, so nothing else is ever removed.
     NoCleanup,
 }
 
-/// `i(file)`: replaces the geometry by an asset, fitted to the scope (*i operation*). A missing asset leaves a fault and
-/// a small box to mark its place.
+/// `i(file)`: replaces the geometry by an asset, fitted to the scope (*i operation*). For a missing asset it leaves a
+/// fault and a small box at its place.
 pub fn insert(env: &mut Env, shape: &mut Shape, file: File) {
     insert_with(env, shape, file, UpAxis::YUp, InsertMode::AlignSizeAndPosition, CleanupMode::NumericalCleanup);
 }
 
-/// `i(file, yUp | zUp, insertMode, cleanupMode)` (*i operation*). Both modes of cleaning up give the same geometry; see
+/// `i(file, yUp | zUp, insertMode, cleanupMode)` (*i operation*). Both clean-up modes give the same geometry; see
 /// [`CleanupMode`].
 pub fn insert_with(env: &mut Env, shape: &mut Shape, file: File, up: UpAxis, mode: InsertMode, _: CleanupMode) {
-    // Old rule files are full of it.
+    // Old rule files often insert it.
     if CUBES.contains(&file.name.as_str()) {
         let is_textured = !file.name.as_str().ends_with(":notex");
         return insert_box(env, shape, mode, is_textured);
@@ -96,18 +96,19 @@ fn insert_box(env: &mut Env, shape: &mut Shape, mode: InsertMode, is_textured: b
     fill_with_cube(env, shape, is_textured);
 }
 
-/// The edges of what marks the place of a missing asset, in metres and as a share of the scope: on a very large scope rounding
-/// would make nothing of the former.
+/// The edges of the marker of a missing asset: in metres, and at least as a share of the scope, as rounding would
+/// lose 0.1 m on a very large scope.
 const MARKER: (f64, f64) = (0.1, 1e-6);
 
-/// Marks the place of a missing asset: a box of 0.1 m, less along an axis where the scope has less, in the middle of the
-/// scope's xz plane and on its floor. A box as large as the scope would hide what is there. The scope is that of an asset
-/// of 1 m, so that it is as large as rules expect. The box is not trimmed, so that it is seen.
+/// Marks the place of a missing asset by a box of 0.1 m, or less along an axis where the scope is smaller, in the
+/// middle of the scope's xz plane and on its floor. A box as large as the scope would hide other geometry. The scope
+/// becomes that of an asset of 1 m, so that it is as large as rules expect. The box is not trimmed, so that it is
+/// visible.
 fn mark(env: &mut Env, shape: &mut Shape, mode: InsertMode) {
     arrange(env, shape, DVec3::ZERO, DVec3::ONE, mode);
     let size = shape.scope.size.abs();
     let edges = (size * MARKER.1).max(DVec3::splat(MARKER.0)).min(size);
-    // As shares of the scope: a mesh of a very small size cannot be stretched far.
+    // As shares of the scope: a mesh of a very small size cannot be stretched much.
     let share = DVec3::select(size.cmpgt(DVec3::ZERO), edges / size, DVec3::ONE);
     let origin = (DVec3::ONE - share) * DVec3::new(0.5, 0.0, 0.5);
     let mesh = Cuboid::new(origin, DMat3::from_diagonal(share)).to_mesh();
@@ -159,7 +160,7 @@ mod tests {
     use crate::run::settings::Settings;
     use crate::shape::Shape;
 
-    /// The asset of *i operation*, example 2: 2 by 4 by 6, away from the origin. Its tip shows which way is up.
+    /// The asset of *i operation*, example 2: 2 by 4 by 6, away from the origin. Its tip is on top.
     const LOW: DVec3 = DVec3::new(12.3, 4.3, 7.2);
     const SIZE: DVec3 = DVec3::new(2.0, 4.0, 6.0);
 
@@ -178,7 +179,7 @@ mod tests {
         let env = &mut env();
         insert_with(env, &mut shape, "asset.obj".into(), up, mode, CleanupMode::NoCleanup);
         assert!(env.take_faults().0.is_empty());
-        // What is there fills the scope.
+        // The geometry fills the scope.
         let bounds = shape.to_mesh().bounds();
         let (low, high) = (DVec3::ZERO.min(shape.scope.size), DVec3::ZERO.max(shape.scope.size));
         assert!((bounds.low - low).length() < 1e-12 && (bounds.high - high).length() < 1e-12);
@@ -207,7 +208,7 @@ mod tests {
         stands(&kept, LOW.to_array(), SIZE.to_array());
         let kept = inserted([9.0, 8.0, 7.0], UpAxis::YUp, InsertMode::KeepSizeAlignPosition);
         stands(&kept, [3.5, 0.0, 0.5], SIZE.to_array());
-        // Larger than the scope, which has no size at all.
+        // Larger than the scope, which has no size.
         let kept = inserted([0.0; 3], UpAxis::YUp, InsertMode::KeepSizeAlignPosition);
         stands(&kept, [-1.0, 0.0, -3.0], SIZE.to_array());
     }
@@ -215,7 +216,7 @@ mod tests {
     #[test]
     fn an_asset_with_z_up_is_stood_up() {
         let lying = inserted([0.0; 3], UpAxis::ZUp, InsertMode::AlignSizeAndPosition);
-        // y of the file goes to the back, z up.
+        // y of the file becomes the direction to the back, z up.
         stands(&lying, [12.3, 7.2, -4.3 - 4.0], [2.0, 6.0, 4.0]);
         let tip = |shape: &Shape| shape.to_mesh().points()[4];
         assert!((tip(&lying) - DVec3::new(1.0, 3.0, 0.0)).length() < 1e-12);
@@ -246,7 +247,7 @@ mod tests {
         use InsertMode::{
             AlignSizeAndPosition as Align, KeepSizeAlignPosition as KeepSize, KeepSizeAndPosition as Keep,
         };
-        // Scope, mode; lowest corner and size of the scope afterwards; lowest corner and size of the box in it.
+        // Scope, mode; lowest corner and size of the new scope; lowest corner and size of the box in it.
         for (scope, mode, [at, size], [low, edges]) in [
             ([2.0, 3.0, 4.0], Align, [[0.0; 3], [2.0, 3.0, 4.0]], [[0.95, 0.0, 1.95], [0.1; 3]]),
             ([2.0, -3.0, 0.05], Align, [[0.0; 3], [2.0, -3.0, 0.05]], [[0.95, -0.1, 0.0], [0.1, 0.1, 0.05]]),
@@ -280,7 +281,7 @@ mod tests {
         let (faults, left_out) = env.take_faults();
         assert_eq!((faults.iter().map(|fault| fault.count).collect::<Vec<_>>(), left_out), (vec![12, 12], 0));
         assert!(faults[0].to_string().ends_with("a small box marks the place (12 times)"), "{}", faults[0]);
-        // Beyond what is kept they are only counted.
+        // Beyond the limit, faults are only counted.
         for number in 0..3000 {
             insert(env, shape, format!("{}.obj", number % 1500).as_str().into());
         }

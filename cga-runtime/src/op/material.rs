@@ -12,16 +12,14 @@ use crate::shape::{Geometry, Placed, Shape};
 use crate::value::array::Array;
 use crate::value::text::Text;
 
-/// `color("#rrggbb")` or `color("#rrggbboo")` (*color operation*). The short form leaves the opacity alone.
+/// `color("#rrggbb")` or `color("#rrggbboo")` (*color operation*). The short form keeps the opacity.
 pub fn color_hex(env: &mut Env, shape: &mut Shape, hex: Text) {
     match parse_hex(&hex) {
         Some((color, opacity)) => shape.change_material(|material| {
             material.color = Some(color);
             material.opacity = opacity.or(material.opacity);
         }),
-        None => {
-            env.fault(FaultKind::Value, format!("`{hex}` is no colour like \"#ff8000\"; the colour stays as it is"))
-        }
+        None => env.fault(FaultKind::Value, format!("`{hex}` is not a colour like \"#ff8000\"; the old colour stays")),
     }
 }
 
@@ -43,8 +41,8 @@ pub fn opacity(env: &mut Env, shape: &mut Shape, value: f64) {
     set::material_opacity(env, shape, value);
 }
 
-/// `texture(file)`: the colour map; empty text takes it away (*texture operation*). The file is the opacity map as well if it has
-/// an alpha channel, and otherwise the opacity map is reset. Without an asset folder the file is not looked at.
+/// `texture(file)`: sets the colour map; empty text removes it (*texture operation*). A file with an alpha channel
+/// also becomes the opacity map; otherwise the opacity map is reset. Without an asset folder the file is not read.
 pub fn texture(env: &mut Env, shape: &mut Shape, file: Text) {
     let (file, has_alpha) = image(env, file);
     shape.change_material(|material| {
@@ -58,9 +56,9 @@ pub fn texture(env: &mut Env, shape: &mut Shape, file: Text) {
     });
 }
 
-/// The name of an image as a material has it, and whether the image has an alpha channel. A missing file is a fault and becomes
-/// `builtin:unknowntexture.png` (*CGA changelog*); a broken one is a fault and keeps its name. Without an asset folder no file is
-/// looked for.
+/// The image name for a material, and true if the image has an alpha channel. A missing file is a fault and becomes
+/// `builtin:unknowntexture.png` (*CGA changelog*). A broken file is a fault and keeps its name. Without an asset
+/// folder no file is read.
 pub(crate) fn image(env: &mut Env, file: Text) -> (Text, bool) {
     if file.is_empty() {
         return (file, false);
@@ -77,7 +75,7 @@ pub(crate) fn image(env: &mut Env, file: Text) -> (Text, bool) {
 }
 
 /// `setMaterial(material)`: attributes by name, without `material.`, each followed by its value as text (*setMaterial
-/// operation*). It is as if each was set alone; what has no such name, and a name without a value, leaves a fault.
+/// operation*). The effect is that of setting each alone. An unknown name, and a name without a value, is a fault.
 pub fn set_material(env: &mut Env, shape: &mut Shape, material: Array<Text>) {
     let (pairs, rest) = material.as_slice().as_chunks::<2>();
     for [name, value] in pairs {
@@ -89,26 +87,26 @@ pub fn set_material(env: &mut Env, shape: &mut Shape, material: Array<Text>) {
             Some(Named::Text(which)) => set::material_text(env, shape, which, value.clone()),
             Some(Named::Rgb) => color_hex(env, shape, value.clone()),
             Some(Named::DoubleSided) => set::material_double_sided(env, shape, func::text_to_bool(value.clone())),
-            None => env.fault(FaultKind::Value, format!("`{name}` is no attribute of a material; it is left out")),
+            None => env.fault(FaultKind::Value, format!("`{name}` is not an attribute of a material; it is ignored")),
         }
     }
     for name in rest {
-        env.fault(FaultKind::Value, format!("`setMaterial` has no value for `{name}`; it is left out"));
+        env.fault(FaultKind::Value, format!("`setMaterial` has no value for `{name}`; it is ignored"));
     }
 }
 
-/// What `resetMaterial` resets.
+/// The material that `resetMaterial` resets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MaterialTarget {
-    /// What rules have set.
+    /// The attributes set by rules.
     Shape,
-    /// What the geometry brought along.
+    /// The material of the geometry.
     Geometry,
     /// Both.
     All,
 }
 
-/// `resetMaterial(shape | geometry | all)`: back to the defaults (*resetMaterial operation*).
+/// `resetMaterial(shape | geometry | all)`: restores the defaults (*resetMaterial operation*).
 pub fn reset_material(env: &mut Env, shape: &mut Shape, target: MaterialTarget) {
     if target != MaterialTarget::Geometry && *shape.material() != Material::UNSET {
         shape.change_material(|material| *material = Material::UNSET);
@@ -124,7 +122,7 @@ pub fn reset_material(env: &mut Env, shape: &mut Shape, target: MaterialTarget) 
     shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, ..Placed::clone(placed) }));
 }
 
-/// Channels of `#rrggbb` or `#rrggbboo`.
+/// The channels of `#rrggbb` or `#rrggbboo`.
 fn parse_hex(hex: &str) -> Option<(Color, Option<f64>)> {
     let digits = hex.strip_prefix('#')?;
     if !matches!(digits.len(), 6 | 8) || !digits.bytes().all(|byte| byte.is_ascii_hexdigit()) {
@@ -146,7 +144,7 @@ mod tests {
         list.iter().map(|text| Text::fixed(text)).collect()
     }
 
-    /// A triangle with a material of its own.
+    /// A triangle with its own material.
     fn own() -> Shape {
         let mut builder = MeshBuilder::new();
         let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|p| builder.point(p));
@@ -196,7 +194,7 @@ mod tests {
         let files = [("clear.png", png(6)), ("solid.png", png(2)), ("early.png", png(2)[..30].to_vec())];
         files.iter().for_each(|(name, bytes)| std::fs::write(folder.join(name), bytes).expect("a file"));
         let (env, shape) = (&mut Env::for_tests(), &mut Shape::cuboid(1.0, 1.0, 1.0));
-        // Without a folder no file is looked at.
+        // Without a folder no file is read.
         texture(env, shape, "clear.png".into());
         assert_eq!((get::material_opacitymap(shape).as_str(), env.take_faults().0.len()), ("", 0));
         env.settings.assets = Arc::new(crate::asset::Assets::below(&folder));

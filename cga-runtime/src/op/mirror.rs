@@ -10,8 +10,8 @@ use crate::run::env::Env;
 use crate::shape::PlacedWire;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
-/// `mirror(x, y, z)`: mirrors the geometry about the middle of its scope, which stays (*mirror operation*). What looked
-/// outwards does so afterwards; texture coordinates stay with their corners.
+/// `mirror(x, y, z)`: mirrors the geometry about the middle of its scope, which stays (*mirror operation*). Faces
+/// still look outwards, and texture coordinates stay with their corners.
 pub fn mirror(env: &mut Env, shape: &mut Shape, x: bool, y: bool, z: bool) {
     let flips = [x, y, z];
     if let Geometry::Wire(placed) = &shape.geometry {
@@ -42,7 +42,8 @@ pub fn mirror(env: &mut Env, shape: &mut Shape, x: bool, y: bool, z: bool) {
     shape.geometry = Geometry::Mesh(Arc::new(Placed { inserted: Inserted::No, ..new }));
 }
 
-/// A box or a rectangle mirrored, unless it becomes a mesh: a rectangle begins with its lowest edge and stays at the low end.
+/// A mirrored box or rectangle. `None` if it becomes a mesh: a rectangle must begin with its lowest edge and stay at
+/// the low end.
 fn unit_mirrored(geometry: &Geometry, flips: [bool; 3]) -> Option<Geometry> {
     match *geometry {
         Geometry::Box(unit) => Some(Geometry::Box(unit.mirrored(flips))),
@@ -55,7 +56,7 @@ fn unit_mirrored(geometry: &Geometry, flips: [bool; 3]) -> Option<Geometry> {
     }
 }
 
-/// `reverseNormals()`: turns every face over. The first edge of each stays, its ends changing places (*reverseNormals
+/// `reverseNormals()`: reverses every face. The first edge of each stays, with its ends swapped (*reverseNormals
 /// operation*).
 pub fn reverse_normals(env: &mut Env, shape: &mut Shape) {
     let Some(placed) = as_placed(shape) else { return };

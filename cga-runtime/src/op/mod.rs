@@ -1,7 +1,7 @@
-//! Operations that change the current shape, as the language's table names them.
+//! Operations that change the current shape, named as in the table of the language.
 //!
-//! Every function takes the run's [`Env`] first and the shape second; numbers that are not finite count as 0 and leave a
-//! fault.
+//! Every function takes the run's [`Env`] first and the shape second. Numbers that are not finite count as 0 and
+//! leave a fault.
 
 mod align;
 mod align_box;
@@ -61,7 +61,7 @@ use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::scope::Scope;
 
-/// Goes back to the scope before an operation when numbers that are finite one by one have led out of what a number holds.
+/// Restores the scope before an operation if finite arguments have led to an overflow.
 pub(crate) fn settle(env: &mut Env, shape: &mut Shape, before: &Scope, what: &str) {
     if !shape.scope.is_bounded() {
         shape.scope = *before;
@@ -69,7 +69,7 @@ pub(crate) fn settle(env: &mut Env, shape: &mut Shape, before: &Scope, what: &st
     }
 }
 
-/// Returns true if an origin is not out of what a number holds; leaves a fault otherwise.
+/// Returns true if an origin is in range; leaves a fault otherwise.
 #[inline]
 fn settle_origin(env: &mut Env, origin: DVec3, what: &str) -> bool {
     let fits = origin.abs().element_sum() <= Scope::MOST_DISTANCE;
@@ -81,7 +81,7 @@ fn settle_origin(env: &mut Env, origin: DVec3, what: &str) -> bool {
 
 #[cold]
 fn leads_beyond(env: &mut Env, what: &str) {
-    env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
+    env.fault(FaultKind::Value, format!("{what} overflows; the shape stays as it is"));
 }
 
 /// Marks geometry that does not come from the initial shape: its groups do not have that shape's name.
@@ -94,14 +94,14 @@ pub(crate) fn inserted(env: &Env, shape: &mut Shape) {
 /// A length in metres, or relative to the scope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Length {
-    /// In metres.
+    /// A length in metres.
     Absolute(f64),
-    /// A share of the scope's size on the axis it is for.
+    /// A share of the scope's size along the axis of the length.
     Relative(f64),
 }
 
 impl Length {
-    /// In metres, given the scope's size; it need not be a number.
+    /// The length in metres, for a size of the scope; it may be NaN or infinite.
     #[inline]
     fn plain(self, size: f64) -> f64 {
         match self {
@@ -110,7 +110,7 @@ impl Length {
         }
     }
 
-    /// In metres, given the scope's size.
+    /// The length in metres, for a size of the scope.
     #[inline]
     pub(crate) fn of(self, size: f64, env: &mut Env, what: &str) -> f64 {
         match self {

@@ -1,4 +1,4 @@
-//! `offset`: outlines of faces moved in or out.
+//! `offset`: moves the outlines of faces inwards or outwards.
 
 use crate::fault::FaultKind;
 use crate::geometry::mesh::OffsetFaces;
@@ -8,17 +8,17 @@ use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Shape};
 
-/// `offset(distance, all | inside | border)`: each face becomes what is inside its outline moved inwards (a negative
-/// distance) or outwards, with mitred corners, and border faces for the difference, one an edge (*offset operation*). The
-/// scope is fitted to what there is then, its axes and the pivot stay. Where `inside` finds nothing, because the distance
-/// is too large, the geometry stays (*CGA changelog 2022.1*).
+/// `offset(distance, all | inside | border)`: replaces each face by the inside of its outline, moved inwards (a
+/// negative distance) or outwards with mitred corners, and by border faces for the difference, one for each edge
+/// (*offset operation*). The scope is fitted to the result; its axes and the pivot stay. If `inside` leaves nothing,
+/// because the distance is too large, the geometry stays (*CGA changelog 2022.1*).
 ///
-/// Each face is moved on its own: neighbours that shared an edge no longer do, so what is `inside` and what `border` can be
-/// told face by face. Texture coordinates and normals of new corners continue those of the face. A face that is not planar
-/// is moved across its normal and stays as bent as it was: its corners keep their places, and new points lie as high above
-/// its plane as its edges do beside them.
+/// Each face is moved separately. Neighbours no longer share an edge, so `inside` and `border` are defined face by
+/// face. Texture coordinates and normals of new corners continue those of the face. A face that is not planar is
+/// moved across its normal and keeps its bend: its corners keep their places, and new points are as high above its
+/// plane as its edges beside them.
 ///
-/// A face that cannot be moved stays as it is, with a fault that names it: one without a normal, one that touches itself,
+/// A face that cannot be moved stays, with a fault that names it: a face without a normal, one that touches itself,
 /// one with more than 5000 corners. The time grows with the square of a face's corners, to a second at most for 5000.
 pub fn offset(env: &mut Env, shape: &mut Shape, distance: f64, keep: OffsetFaces) {
     let distance = env.finite(distance, "the distance of `offset`");
@@ -41,9 +41,9 @@ pub fn offset(env: &mut Env, shape: &mut Shape, distance: f64, keep: OffsetFaces
     shape.set_mesh(mesh);
 }
 
-/// Says which faces stay, and why.
+/// Reports the faces that stay, and the reasons.
 fn report(env: &mut Env, refused: &[(usize, OffsetError)]) {
-    /// So many are named.
+    /// The number of faces that are named.
     const NAMED: usize = 8;
     for (why, one, more) in [
         (OffsetError::NoNormal, "has no normal", "have no normal"),
@@ -68,7 +68,7 @@ fn report(env: &mut Env, refused: &[(usize, OffsetError)]) {
     }
 }
 
-/// A rectangle stays one: no mesh is needed. Whether that was so, or there is nothing to be done.
+/// Offsets a rectangle that stays a rectangle, without a mesh. Returns true if it did, or if nothing is to be done.
 fn rectangle(shape: &mut Shape, distance: f64) -> bool {
     let Geometry::Rect(across, unit) = shape.geometry else { return false };
     let mut to = Scope { ..shape.scope };
@@ -84,7 +84,7 @@ fn rectangle(shape: &mut Shape, distance: f64) -> bool {
     }
     to.size[across.index()] = 0.0;
     shape.scope = to;
-    // Its corners are new ones, in order.
+    // The corners are new and in order.
     shape.geometry = Geometry::Rect(across, UnitMesh::face(across, unit.sides()[0].provenance));
     true
 }

@@ -1,4 +1,4 @@
-//! `setPivot` and `mirrorScope`: other corners and axes of the same box, exactly.
+//! `setPivot` and `mirrorScope`: other corners and axes of the same box, without rounding.
 
 use std::sync::Arc;
 
@@ -14,10 +14,10 @@ use crate::shape::PlacedWire;
 use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Placed, Shape};
 
-/// Which old axes the new ones are, at corner 0.
+/// The old axes that become the new ones, at corner 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxisMap {
-    /// The same.
+    /// Unchanged.
     Xyz,
     /// x is the old z, y the old x, z the old y.
     Yzx,
@@ -25,14 +25,14 @@ pub enum AxisMap {
     Zxy,
 }
 
-/// `setPivot(xyz | yzx | zxy, corner)`: the pivot goes to a corner of the scope, its axes along the edges there; scope and
-/// geometry stay, with these axes (*setPivot operation*). Corners 0 to 3 go around the floor from the origin over x, 4 to
-/// 7 are above them. What words leave open, the pictures show: y (for `xyz`) stays upright, and the order of the other two
-/// makes the axes right-handed. Of a mirrored scope the sizes keep their signs.
+/// `setPivot(xyz | yzx | zxy, corner)`: moves the pivot to a corner of the scope, with its axes along the edges
+/// there. Scope and geometry stay, with these axes (*setPivot operation*). Corners 0 to 3 go around the floor from
+/// the origin over x, 4 to 7 are above them. The pictures show the rest: y (for `xyz`) stays upright, and the order
+/// of the other two makes the axes right-handed. The sizes of a mirrored scope keep their signs.
 pub fn set_pivot(env: &mut Env, shape: &mut Shape, map: AxisMap, corner: f64) {
     let wanted = env.finite(corner, "the corner of `setPivot`");
     if wanted != wanted.floor() || !(0.0..=7.0).contains(&wanted) {
-        env.fault(FaultKind::Value, format!("`setPivot` has no corner {wanted}, only 0 to 7; the pivot stays"));
+        env.fault(FaultKind::Value, format!("`setPivot` has corners 0 to 7, not {wanted}; the pivot stays"));
         return;
     }
     let (far, from) = corner_axes(map, wanted as usize);
@@ -76,7 +76,7 @@ fn seen_from(wire: Wire, old: &Scope, new: &Scope) -> Geometry {
     Geometry::Wire(Arc::new(PlacedWire { wire, low: DVec3::ZERO, size: new.size }))
 }
 
-/// For a corner: along which axes it is at the far end, and which old axis each new one runs along.
+/// The axes along which a corner is at the far end, and for each new axis the old axis that it runs along.
 fn corner_axes(map: AxisMap, corner: usize) -> ([bool; 3], [usize; 3]) {
     let far = [matches!(corner % 4, 1 | 2), 4 <= corner, matches!(corner % 4, 2 | 3)];
     // All axes point inwards, so only their order can make them right-handed.
@@ -90,7 +90,7 @@ fn corner_axes(map: AxisMap, corner: usize) -> ([bool; 3], [usize; 3]) {
     (far, from)
 }
 
-/// Puts the geometry into a scope of which each axis is an old one, some of them turned round.
+/// Moves the geometry into a scope whose axes are old ones, some of them reversed.
 fn rearrange(env: &mut Env, shape: &mut Shape, from: [usize; 3], turned: [bool; 3]) -> bool {
     let Some(placed) = as_placed(shape) else { return true };
     if env.count_vertices(&placed.mesh).is_break() {
@@ -100,14 +100,14 @@ fn rearrange(env: &mut Env, shape: &mut Shape, from: [usize; 3], turned: [bool; 
     true
 }
 
-/// The same geometry with its coordinates in another order, and some counted from the other end.
+/// The geometry with its coordinates in another order, and some of them reversed.
 pub(super) fn rearranged(placed: &Placed, scope: DVec3, from: [usize; 3], turned: [bool; 3]) -> Placed {
     let mut rows = DMat3::ZERO;
     let (mut low, mut size) = (DVec3::ZERO, DVec3::ZERO);
     for new in 0..3 {
         let old = from[new];
         rows.col_mut(new)[old] = if turned[new] { -1.0 } else { 1.0 };
-        // What is flat is not stretched: it lies at the low end, in metres.
+        // A flat axis is not stretched: the geometry is at the low end, in metres.
         let extent = if placed.size[old] == 0.0 { scope[old] } else { placed.size[old] };
         low[new] = if turned[new] { -(placed.low[old] + extent) } else { placed.low[old] };
         size[new] = placed.size[old];
@@ -116,8 +116,8 @@ pub(super) fn rearranged(placed: &Placed, scope: DVec3, from: [usize; 3], turned
     Placed { mesh: Arc::new(placed.mesh.map(&map)), low, size, ..placed.clone() }
 }
 
-/// `mirrorScope(x, y, z)`: the scope begins at its other end along the axes named and runs back, so that its size changes
-/// sign; geometry and pivot stay (*mirrorScope operation*).
+/// `mirrorScope(x, y, z)`: the scope begins at its other end along the named axes and runs back, so that its size
+/// changes sign. Geometry and pivot stay (*mirrorScope operation*).
 pub fn mirror_scope(env: &mut Env, shape: &mut Shape, x: bool, y: bool, z: bool) {
     let (before, size) = (shape.scope, shape.scope.size);
     let flips = |axis: usize| [x, y, z][axis] && size[axis] != 0.0;
@@ -129,7 +129,8 @@ pub fn mirror_scope(env: &mut Env, shape: &mut Shape, x: bool, y: bool, z: bool)
         if env.count_vertices(&placed.mesh).is_break() {
             return;
         }
-        // A negative size mirrors, so what is to stay is mirrored before. What is flat is only moved to the other end.
+        // A negative size mirrors, so geometry is mirrored first to stay. Flat geometry is only moved to the other
+        // end.
         let mirrored = |axis: usize| flips(axis) && placed.size[axis] != 0.0;
         let mut new = rearranged(&placed, size, [0, 1, 2], [mirrored(0), mirrored(1), mirrored(2)]);
         for axis in (0..3).filter(|&axis| flips(axis) && !mirrored(axis)) {

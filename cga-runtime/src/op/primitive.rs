@@ -1,8 +1,9 @@
 //! `primitiveQuad`, `primitiveDisk`, `primitiveCube`, `primitiveSphere`, `primitiveCylinder` and `primitiveCone`.
 //!
-//! Without sizes they fill the scope, zero sizes following the rules of `i`; with sizes they stand in the middle of the
-//! scope's xz plane on y = 0. Quad and disk lie across the one axis along which the scope has no size, if there is one,
-//! and else across y. A radius is that of the circle that the corners are on; the scope is the box of what is there.
+//! Without sizes they fill the scope, and zero sizes follow the rules of `i`. With sizes they are in the middle of
+//! the scope's xz plane on y = 0. Quad and disk are across the only axis along which the scope has no size, if there
+//! is one, otherwise across y. A radius is that of the circle through the corners. The scope is the box of the
+//! geometry.
 
 use std::sync::Arc;
 
@@ -19,11 +20,11 @@ use crate::shape::texture::UvSource;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
-/// Sides and divisions when none are given.
+/// The default number of sides and divisions.
 const USUAL: u32 = 16;
-/// More sides than this are cut down, with a fault.
+/// The largest number of sides. Larger numbers are reduced to it, with a fault.
 const MOST_SIDES: u32 = 100_000;
-/// A sphere has fewer of them, as it has a row for each division.
+/// The largest number for a sphere: it is smaller, as a sphere has a row for each division.
 const MOST_OF_SPHERE: u32 = 1000;
 
 /// `primitiveCube()`: faces are bottom, top, front, right, back, left (*primitiveCube operation*).
@@ -121,8 +122,8 @@ pub fn quad(env: &mut Env, shape: &mut Shape) {
     put_quad(env, shape, across);
 }
 
-/// `primitiveQuad(width, length)` (*primitiveQuad operation*). The width is along x, or along y where the scope has no size
-/// along x; the length along z, or along y.
+/// `primitiveQuad(width, length)` (*primitiveQuad operation*). The width is along x, or along y if the scope has no
+/// size along x. The length is along z, or along y.
 pub fn quad_sized(env: &mut Env, shape: &mut Shape, width: f64, length: f64) {
     let (width, length) = (env.finite(width, "the width"), env.finite(length, "the length"));
     let across = across(shape);
@@ -135,7 +136,7 @@ pub fn quad_sized(env: &mut Env, shape: &mut Shape, width: f64, length: f64) {
     put_quad(env, shape, across);
 }
 
-/// The one axis along which the scope has no size, else y.
+/// The only axis along which the scope has no size, otherwise y.
 fn across(shape: &Shape) -> Axis {
     let flat: [bool; 3] = shape.scope.size.cmpeq(DVec3::ZERO).into();
     match flat {
@@ -145,7 +146,7 @@ fn across(shape: &Shape) -> Axis {
     }
 }
 
-/// Sets the scope for something flat across an axis.
+/// Sets the scope for flat geometry across an axis.
 fn fit_flat(shape: &mut Shape, across: Axis) {
     if across == Axis::Y {
         fit(shape, DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0));
@@ -153,7 +154,7 @@ fn fit_flat(shape: &mut Shape, across: Axis) {
     shape.scope.size[across.index()] = 0.0;
 }
 
-/// A rectangle. Rectangles without a mesh begin otherwise where they lie across x.
+/// Makes a rectangle. Across x it needs a mesh, as rectangles without a mesh have another first edge there.
 fn put_quad(env: &mut Env, shape: &mut Shape, across: Axis) {
     if across != Axis::X {
         let coordinates = UvSource::of_quad(&shape.scope, across);
@@ -163,14 +164,14 @@ fn put_quad(env: &mut Env, shape: &mut Shape, across: Axis) {
     }
 }
 
-/// Fills the scope, zero sizes following the rules of `i`.
+/// Fills the scope with a primitive; zero sizes follow the rules of `i`.
 fn fill(env: &mut Env, shape: &mut Shape, made: Made) {
     let Some(mesh) = env.primitive(made) else { return };
     fit(shape, DVec3::ZERO, DVec3::ONE);
     put(env, shape, mesh);
 }
 
-/// Puts a primitive into the scope that is made in a box of that size.
+/// Puts a primitive, made in a box of that size, into the scope.
 fn fill_to_size(env: &mut Env, shape: &mut Shape, made: Made, size: DVec3, across: Axis) {
     let Some(mesh) = env.primitive(made) else { return };
     stand(env, shape, mesh.bounds().size() * size, across);
@@ -207,7 +208,7 @@ fn put(env: &mut Env, shape: &mut Shape, mesh: Arc<Mesh>) {
     super::trim(env, shape);
 }
 
-/// How many sides and such there are: a whole number that makes sense.
+/// A number of sides or the like: an integer within limits.
 fn count(env: &mut Env, wanted: f64, what: &str, least: u32, most: u32) -> u32 {
     let wanted = env.finite(wanted, &format!("the number of {what}"));
     let count = wanted.clamp(f64::from(least), f64::from(most)) as u32;
@@ -250,7 +251,7 @@ mod tests {
 
     type Fill = fn(&mut Env, &mut Shape);
 
-    /// All that are solid, without sizes.
+    /// All solid primitives without sizes.
     const SOLID: [Fill; 4] =
         [cube, cylinder, |env, shape| cone(env, shape, 16.0), |env, shape| sphere_sides(env, shape, 16.0, 16.0)];
 
@@ -290,7 +291,7 @@ mod tests {
     fn primitives_with_sizes_stand_in_the_middle() {
         let (env, shape) = (&mut Env::for_tests(), &mut lot());
         cone_sized(env, shape, 8.0, 10.0, 15.0);
-        // The radius is that of the circle around; eight sides in front, right, … do not reach as far.
+        // The radius is that of the circumcircle; eight sides, one in front, do not reach as far.
         let wide = 20.0 * libm::cos(std::f64::consts::PI / 8.0);
         assert!((shape.scope.size - DVec3::new(wide, 15.0, wide)).length() < 1e-12);
         let middle = DVec3::new(11.0, 9.5, 8.0);
@@ -310,7 +311,7 @@ mod tests {
 
     #[test]
     fn flat_ones_lie_where_the_scope_is_flat() {
-        // *primitiveQuad*, *primitiveDisk*: with a scope of no size along one axis.
+        // *primitiveQuad*, *primitiveDisk*: a scope without a size along one axis.
         for (flat, disk_size, quad_size) in [
             ([0.0, 20.0, 30.0], [0.0, 16.0, 16.0], [0.0, 10.0, 20.0]),
             ([20.0, 0.0, 30.0], [16.0, 0.0, 16.0], [10.0, 0.0, 20.0]),
@@ -333,7 +334,7 @@ mod tests {
                 assert!((mesh.face(0).normal() - DMat3::IDENTITY.col(axis)).length() < 1e-12);
             }
         }
-        // Across x, they begin at the far top: u goes against y, v against z.
+        // Across x, they begin at the far top: u is opposite to y, v to z.
         let shape = &mut sized(0.0, 2.0, 3.0);
         quad(&mut Env::for_tests(), shape);
         let first: Vec<DVec3> = shape.to_mesh().points()[..2].to_vec();

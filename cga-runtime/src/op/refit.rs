@@ -1,4 +1,4 @@
-//! New axes around geometry that stays where it is in the world.
+//! New axes around geometry that stays in the world.
 
 use std::sync::Arc;
 
@@ -16,12 +16,12 @@ use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Placed, Shape};
 
-/// Gives the scope other axes and makes it the box of the geometry along these. Says whether it did: not so with a fault,
-/// or at a limit. A box whose axes stay is a box still, and a rectangle whose edges follow the new axes as they would have
-/// to is a rectangle.
+/// Gives the scope other axes and makes it the box of the geometry along them. Returns false if it did not, because
+/// of a fault or a limit. A box whose axes stay is still a box. A rectangle whose edges follow the new axes stays a
+/// rectangle.
 pub(super) fn refit(env: &mut Env, shape: &mut Shape, axes: DMat3, what: &str) -> bool {
     let scope = shape.scope;
-    // The new axes as the old scope sees them.
+    // The new axes in the coordinates of the old scope.
     let turn = scope.axes.transpose() * axes;
     let stays = turn.abs_diff_eq(DMat3::IDENTITY, ANGLE_EPSILON);
     let found = match &shape.geometry {
@@ -61,7 +61,7 @@ pub(super) fn refit(env: &mut Env, shape: &mut Shape, axes: DMat3, what: &str) -
         }
     };
     if !(found.0.is_bounded() && axes.is_finite()) {
-        env.fault(FaultKind::Value, format!("{what} leads beyond the largest number; the shape stays as it is"));
+        env.fault(FaultKind::Value, format!("{what} overflows; the shape stays as it is"));
         return false;
     }
     (shape.scope, shape.geometry) = found;
@@ -80,8 +80,8 @@ pub(super) const CORNERS: [DVec3; 8] = [
     DVec3::new(1.0, 1.0, 1.0),
 ];
 
-/// Whether the scope of a mesh is stretched from the mesh's own box, as it is not where a split did not adjust it, nor where
-/// a flat mesh stands in a thick scope.
+/// Returns true if the scope of a mesh is stretched from the mesh's own box. It is not after a split with `noAdjust`,
+/// nor for a flat mesh in a thick scope.
 fn fits(placed: &Placed, size: DVec3) -> bool {
     let bounds = placed.mesh.bounds();
     let thick = placed.size.cmpeq(DVec3::ZERO) & size.cmpne(DVec3::ZERO);
@@ -105,7 +105,7 @@ fn wire(scope: &Scope, turn: &DMat3, axes: DMat3, wire: Wire) -> (Scope, Geometr
     (new, Geometry::Wire(Arc::new(placed)))
 }
 
-/// The directions of a rectangle's first two edges, as [`place::rectangle`] has them.
+/// The directions of a rectangle's first two edges, as in [`place::rectangle`].
 fn directions(axes: &DMat3, axis: Axis) -> [DVec3; 2] {
     match axis {
         Axis::X => [-axes.z_axis, axes.y_axis],
@@ -114,7 +114,7 @@ fn directions(axes: &DMat3, axis: Axis) -> [DVec3; 2] {
     }
 }
 
-/// A rectangle along other axes, if it is one there, with the same first edge and looking the same way.
+/// The rectangle along other axes, if it is one there, with the same first edge and the same normal.
 pub(super) fn rectangle(scope: &Scope, axis: Axis, unit: UnitMesh, axes: DMat3) -> Option<(Scope, Geometry)> {
     let quad = place::rectangle(scope, axis, unit);
     let (across, up) = (quad.u.length(), quad.v.length());
@@ -130,8 +130,8 @@ pub(super) fn rectangle(scope: &Scope, axis: Axis, unit: UnitMesh, axes: DMat3) 
     })
 }
 
-/// Points that are flat but for rounding along an axis, made flat: operations look at sizes that are zero. Nothing when
-/// they need not be.
+/// Points that are flat along an axis except for rounding, made flat, as operations test for sizes of zero. `None` if
+/// no axis needs it.
 fn flattened(points: &[DVec3]) -> Option<Vec<DVec3>> {
     let bounds = Bounds::of(points.iter().copied());
     let size = bounds.size();
@@ -139,8 +139,8 @@ fn flattened(points: &[DVec3]) -> Option<Vec<DVec3>> {
     flat.any().then(|| points.iter().map(|&p| DVec3::select(flat, bounds.low, p)).collect())
 }
 
-/// The geometry of a shape with a surface as a mesh and the box that the scope stretches it from, whatever the signs of
-/// the sizes.
+/// The geometry of a shape with a surface as a mesh, and the box that the scope stretches, for all signs of the
+/// sizes.
 pub(super) fn as_placed(shape: &Shape) -> Option<Placed> {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => None,

@@ -8,7 +8,7 @@ use crate::value::Value;
 use crate::value::text::Text;
 
 /// `report(key, value)`: adds a number, a truth value or text to the collection of that key and type (*report
-/// operation*). Numbers need not be finite: those that are none are counted.
+/// operation*). Numbers need not be finite; NaN is counted separately.
 pub fn report(env: &mut Env, _: &mut impl View, key: Text, value: impl Into<Value>) {
     env.report(key, value.into());
 }
@@ -18,8 +18,8 @@ pub fn print(env: &mut Env, _: &mut impl View, value: impl Into<Value>) {
     env.print(value.into());
 }
 
-/// `label(name)`: a labelled copy of the shape for context and occlusion queries (*label operation*). There are no such
-/// queries yet, so nothing is stored; a name that is empty leaves a fault.
+/// `label(name)`: a labelled copy of the shape for context and occlusion queries (*label operation*). These queries
+/// are not implemented yet, so nothing is stored. An empty name is a fault.
 pub fn label(env: &mut Env, _: &mut Shape, name: Text) {
     if name.is_empty() {
         env.fault(FaultKind::Value, "a label must not be empty; the shape gets none");

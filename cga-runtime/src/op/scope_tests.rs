@@ -29,7 +29,7 @@ fn same(a: &[Vec<DVec3>], b: &[Vec<DVec3>], what: &str) {
     assert!(a.len() == b.len() && a.iter().zip(b).all(|(a, b)| near(a, b)), "{what}\n{a:?}\n{b:?}");
 }
 
-/// The frame is right-handed and orthonormal, and the geometry is between 0 and the size of the scope.
+/// Checks that frames are right-handed and orthonormal, and that the geometry is between 0 and the size of the scope.
 #[track_caller]
 fn sound(shape: &Shape, filled: bool, what: &str) {
     for axes in [shape.scope.axes, shape.pivot.axes] {
@@ -58,7 +58,7 @@ fn rect(axis: Axis, size: [f64; 3]) -> Shape {
     shape
 }
 
-/// Shapes of every kind, each where it was made.
+/// Shapes of every kind.
 fn kinds() -> Vec<(&'static str, Shape)> {
     let env = &mut Env::for_tests();
     let mut body = with_hole();
@@ -68,7 +68,7 @@ fn kinds() -> Vec<(&'static str, Shape)> {
     let (mut mirrored, mut inside_out) = (round.clone(), Shape::cuboid(2.0, 3.0, 4.0));
     mirrored.resize(DVec3::new(-2.0, 3.0, -1.0));
     inside_out.resize(DVec3::new(2.0, -3.0, 4.0));
-    // As a split leaves it that does not adjust: larger than what is in it.
+    // As after a split with `noAdjust`: larger than its geometry.
     let mut loose = round.clone();
     if let Geometry::Mesh(placed) = &mut loose.geometry {
         let placed = Arc::make_mut(placed);
@@ -158,7 +158,7 @@ fn alignment_moves_no_geometry_and_fits_the_scope() {
             check(format!("{up:?} auto"), &|env, shape| align_to_auto(env, shape, up, AlignAuto::Auto));
             for (face, edge) in [(0.0, 0.0), (-1.0, -1.0), (7.0, 9.0)] {
                 let shape = check(format!("{face} {edge}"), &|env, shape| align_to_indices(env, shape, up, face, edge));
-                // The edge starts where the pivot is and goes along x.
+                // The edge starts at the pivot and runs along x.
                 let mesh = start.to_mesh();
                 let ring = mesh.face((face as isize).rem_euclid(mesh.face_count() as isize) as usize);
                 let loops = &before[..];
@@ -202,7 +202,7 @@ fn other_corners_and_mirrored_scopes_move_no_geometry() {
             let signs = [x, y, z].map(|flip| if flip { -1.0 } else { 1.0 });
             assert_eq!(shape.scope.size, old * DVec3::from_array(signs));
             assert!((shape.scope.centre() - start.scope.centre()).length() < 1e-12);
-            // Again, and it is as it was.
+            // A second call restores the shape.
             mirror_scope(env, &mut shape, x, y, z);
             assert!((shape.scope.origin - start.scope.origin).length() < 1e-12 && shape.scope.size == old);
             same(&before, &world(&shape), &what);
@@ -269,7 +269,7 @@ fn boxes_and_rectangles_stay_what_they_are_where_they_can() {
     assert!(env.take_faults().0.is_empty());
 }
 
-/// To the first edge of the first face, the way it lies.
+/// Aligns to the first edge of the first face, in its direction.
 fn align_to_geometry_of(env: &mut Env, shape: &mut Shape) {
     align_to_indices(env, shape, UpAxis::ZUp, 0.0, 0.0);
 }
@@ -286,7 +286,7 @@ fn the_scope_of_a_turned_box_is_upright_again() {
         assert!(shape.scope.axes.abs_diff_eq(DMat3::from_cols(x, DVec3::Y, x.cross(DVec3::Y)), 1e-12));
         assert_eq!(crate::query::get::scope_ty(shape), 0.0);
     }
-    // Nothing to project: the old x stands along the axis.
+    // The projection fails, as the old x is along the axis.
     for (axes, angles) in [
         (AlignAxes::WorldY, [0.0, 0.0, 90.0]),
         (AlignAxes::WorldX, [0.0, 90.0, 0.0]),
@@ -303,7 +303,7 @@ fn the_scope_of_a_turned_box_is_upright_again() {
 
 #[test]
 fn a_scope_turned_with_its_geometry_left_flat_has_no_size_there() {
-    // *primitiveQuad operation*, its examples: `rotateScope(0, 0, 90)` on a lot leaves nothing along x.
+    // *primitiveQuad operation*, its examples: `rotateScope(0, 0, 90)` on a lot leaves no size along x.
     for (angles, flat) in [([0.0, 0.0, 90.0], 0), ([-90.0, 0.0, 0.0], 2)] {
         for mut lot in [Shape::rectangle(27.0, 19.0), with_hole()] {
             let env = &mut Env::for_tests();
@@ -328,7 +328,7 @@ fn edges_and_faces_are_found_by_words() {
     align_to_selected(env, shape, UpAxis::ZUp, AlignFace::Any, AlignEdge::WorldLowest);
     assert!((shape.scope.axes.z_axis - normal).length() < 1e-12 && 0.5 < shape.scope.axes.y_axis.y, "y goes up");
     assert_eq!((shape.pivot.origin, shape.scope.size.z), (ramp[2], 0.0));
-    // The largest face of a box, its longest edge; the lowest face is the bottom though the sides reach as low.
+    // The largest face of a box, its longest edge. The lowest face is the bottom, although the sides reach as low.
     let shape = &mut Shape::cuboid(2.0, 3.0, 9.0);
     align_to_selected(env, shape, UpAxis::YUp, AlignFace::Largest, AlignEdge::Longest);
     assert_eq!((shape.scope.axes.y_axis, shape.scope.axes.x_axis.abs()), (DVec3::X, DVec3::Z));
@@ -337,7 +337,7 @@ fn edges_and_faces_are_found_by_words() {
     assert_eq!(shape.scope.axes.y_axis, DVec3::NEG_Y);
     align_to_edge(env, shape, UpAxis::ZUp, -2.0, AlignEdge::WorldLowest);
     assert_eq!(shape.scope.axes.z_axis, DVec3::Y);
-    // Of several equally low the first, in the old form the longest.
+    // Of several equally low edges the first; in the old form the longest.
     let shape = &mut Shape::cuboid(2.0, 3.0, 9.0);
     align_to_selected(env, shape, UpAxis::ZUp, AlignFace::Any, AlignEdge::WorldLowest);
     assert_eq!(shape.scope.size.to_array(), [2.0, 3.0, 9.0]);
@@ -363,7 +363,7 @@ fn the_smallest_rectangle_has_its_longer_side_along_the_first_axis() {
         assert!((shape.scope.size - DVec3::from_array(size)).length() < 1e-9, "{axes:?} {}", shape.scope.size);
         assert_eq!(shape.scope.axes.y_axis, DVec3::Y);
     }
-    // No rectangle at a hull's edge is smaller; tried at many angles.
+    // No rectangle at other angles is smaller.
     let (env, mut shape) = (&mut Env::for_tests(), with_hole());
     align_to_axes(env, &mut shape, AlignAxes::WorldXyz);
     align_to_box(env, &mut shape, BoxAxes::Xz);
@@ -387,7 +387,7 @@ fn shapes_without_faces_have_scopes_too() {
     rotate_scope(env, &mut shape, 0.0, 0.0, 0.0);
     align_to_geometry_of(env, &mut shape);
     assert!(matches!(shape.geometry, Geometry::Edge) && shape.scope.size.x == 5.0);
-    // Lines along other axes are lines still: their ends stay in the world.
+    // Lines along other axes are still lines, with their ends at the same places in the world.
     let ends = |shape: &Shape| match &shape.geometry {
         Geometry::Wire(placed) => {
             let wire = placed.in_scope(shape.scope.size);
@@ -436,7 +436,7 @@ fn mirrored_geometry_stays_in_its_scope_and_looks_outwards() {
             sound(&shape, false, &what);
             let (old, new) = (start.to_mesh(), shape.to_mesh());
             assert!((old.volume() - new.volume()).abs() < 1e-9 && old.face_count() == new.face_count(), "{what}");
-            // Every point's mirror image was there.
+            // Every point is the mirror image of an old one.
             let image = |p: &DVec3| {
                 DVec3::from_array(
                     [0, 1, 2].map(|axis| if [x, y, z][axis] { shape.scope.size[axis] - p[axis] } else { p[axis] }),
@@ -446,7 +446,7 @@ fn mirrored_geometry_stays_in_its_scope_and_looks_outwards() {
                 new.points().iter().all(|p| old.points().iter().any(|q| (image(p) - *q).length() < 1e-9)),
                 "{what}"
             );
-            // And faces look where their images looked: a flat one turned over looks back.
+            // Faces look in the mirrored directions: a flat one that is reversed looks back.
             if old.face_count() == 1 {
                 let normal =
                     old.face(0).normal() * DVec3::from_array([x, y, z].map(|flip| if flip { -1.0 } else { 1.0 }));

@@ -53,29 +53,29 @@ macro_rules! rotations {
 }
 
 sizes! {
-    /// Width.
+    /// The width.
     scope_sx = x;
-    /// Height.
+    /// The height.
     scope_sy = y;
-    /// Depth.
+    /// The depth.
     scope_sz = z;
 }
 
 offsets! {
-    /// Offset from the pivot, along its x axis.
+    /// The offset from the pivot, along its x axis.
     scope_tx = x;
-    /// Offset from the pivot, along its y axis.
+    /// The offset from the pivot, along its y axis.
     scope_ty = y;
-    /// Offset from the pivot, along its z axis.
+    /// The offset from the pivot, along its z axis.
     scope_tz = z;
 }
 
 rotations! {
-    /// Rotation about the pivot's x axis, in degrees.
+    /// The rotation about the pivot's x axis, in degrees.
     scope_rx = x;
-    /// Rotation about the pivot's y axis, in degrees.
+    /// The rotation about the pivot's y axis, in degrees.
     scope_ry = y;
-    /// Rotation about the pivot's z axis, in degrees.
+    /// The rotation about the pivot's z axis, in degrees.
     scope_rz = z;
 }
 
@@ -102,7 +102,7 @@ each_material_text!(material_texts);
 
 pub(crate) fn material_number(env: &mut Env, shape: &mut Shape, which: MaterialNumber, value: f64) {
     let value = env.finite(value, "the material's value");
-    // One channel leaves the other two as they are seen.
+    // Setting one channel keeps the other two at their visible values.
     let seen = matches!(which, MaterialNumber::Color(_)) && shape.material().color.is_none();
     let own = if seen { shape.own_material().and_then(|own| own.color) } else { None };
     shape.change_material(|material| {
@@ -116,11 +116,11 @@ pub(crate) fn material_text(env: &mut Env, shape: &mut Shape, which: MaterialTex
         let value = if matches!(which, MaterialText::Map(_)) { crate::op::image(env, value).0 } else { value };
         shape.change_material(|material| material.set_text(which, value));
     } else {
-        env.fault(FaultKind::Value, format!("`{value}` is no mode of an opacity map; it stays as it is"));
+        env.fault(FaultKind::Value, format!("`{value}` is not a mode of an opacity map; the mode stays as it is"));
     }
 }
 
-/// `material.color.rgb`, as `color` reads it (*material.color attribute*).
+/// `material.color.rgb`, in the form for `color` (*material.color attribute*).
 pub fn material_color_rgb(env: &mut Env, shape: &mut Shape, value: Text) {
     crate::op::color_hex(env, shape, value);
 }
@@ -130,18 +130,19 @@ pub fn material_double_sided(_: &mut Env, shape: &mut Shape, value: bool) {
     shape.change_material(|material| material.double_sided = Some(value));
 }
 
-/// `trim.vertical`, for this shape and its descendants (*trim attribute*). There are no trim planes yet.
+/// `trim.vertical`, for this shape and its descendants (*trim attribute*).
 pub fn trim_vertical(_: &mut Env, shape: &mut Shape, value: bool) {
     shape.state.change().trim.vertical = value;
 }
 
-/// `trim.horizontal`, for this shape and its descendants (*trim attribute*). There are no trim planes yet.
+/// `trim.horizontal`, for this shape and its descendants (*trim attribute*).
 pub fn trim_horizontal(_: &mut Env, shape: &mut Shape, value: bool) {
     shape.state.change().trim.horizontal = value;
 }
 
-/// `seedian`: random numbers begin anew, for this shape and for what is derived from it afterwards (*seedian attribute*). Equal
-/// seeds give equal numbers. A number that is not whole makes a seed of its own, which reads as another number.
+/// `seedian`: restarts the random numbers of this shape and of the shapes derived from it afterwards (*seedian
+/// attribute*). Equal seeds give equal numbers. A number that is not an integer gives its own seed, which reads as
+/// another number.
 pub fn seedian(env: &mut Env, shape: &mut Shape, value: f64) {
     let value = env.finite(value, "the seed");
     let whole = value.fract() == 0.0 && value.abs() <= get::SEED_MAX as f64;
@@ -161,20 +162,20 @@ macro_rules! pivots {
     )*};
 }
 
-// *pivot attribute*: in object coordinates. The scope is relative to the pivot and keeps its translation and rotation, so
-// the shape goes with it.
+// *pivot attribute*: in object coordinates. The scope is relative to the pivot and keeps its translation and
+// rotation, so the shape moves with it.
 pivots! {
-    /// Where the pivot is: x.
+    /// The x coordinate of the pivot.
     pivot_px = |position, _rotation| &mut position.x;
-    /// Where the pivot is: y.
+    /// The y coordinate of the pivot.
     pivot_py = |position, _rotation| &mut position.y;
-    /// Where the pivot is: z.
+    /// The z coordinate of the pivot.
     pivot_pz = |position, _rotation| &mut position.z;
-    /// How the pivot is turned, in degrees: about x.
+    /// The rotation of the pivot about x, in degrees.
     pivot_ox = |_position, rotation| &mut rotation.x;
-    /// How the pivot is turned, in degrees: about y.
+    /// The rotation of the pivot about y, in degrees.
     pivot_oy = |_position, rotation| &mut rotation.y;
-    /// How the pivot is turned, in degrees: about z.
+    /// The rotation of the pivot about z, in degrees.
     pivot_oz = |_position, rotation| &mut rotation.z;
 }
 
@@ -186,7 +187,7 @@ fn move_pivot(env: &mut Env, shape: &mut Shape, position: DVec3, rotation: DVec3
         Frame { origin: object.to_world(position), axes: object.axes * turn(rotation.x, rotation.y, rotation.z) };
     let scope = Scope { origin: pivot.to_world(offset), axes: pivot.axes * turned, size: shape.scope.size };
     if !(pivot.origin.is_finite() && scope.is_bounded()) {
-        return env.fault(FaultKind::Value, "the pivot leads beyond the largest number; the shape stays as it is");
+        return env.fault(FaultKind::Value, "the pivot overflows; the shape stays as it is");
     }
     let before = shape.scope;
     shape.set_pivot(pivot);
@@ -194,10 +195,10 @@ fn move_pivot(env: &mut Env, shape: &mut Shape, position: DVec3, rotation: DVec3
     shape.carry(&before);
 }
 
-/// An attribute of the grammar, for this shape and its descendants.
+/// Sets an attribute of the grammar, for this shape and its descendants.
 pub fn attribute(shape: &mut Shape, number: u32, value: Value) {
     let attributes = &mut shape.state.change().attributes;
-    // Mostly they come in order.
+    // They usually come in order.
     if attributes.last().is_none_or(|(last, _)| *last < number) {
         return attributes.push((number, value));
     }
@@ -265,7 +266,7 @@ mod tests {
             assert_eq!((first.0, first), (value, drawn(env, value)));
         }
         assert_ne!(drawn(env, 1.0).1, drawn(env, 2.0).1);
-        // Not whole: a seed of its own, which stays itself.
+        // A number that is not an integer: its own seed, which reads as itself.
         let odd = drawn(env, 0.5);
         assert_eq!((odd.0.fract(), odd), (0.0, drawn(env, odd.0)));
         assert_ne!(odd.1, drawn(env, 0.25).1);
@@ -296,7 +297,7 @@ mod tests {
         assert!(get::trim_horizontal(shape));
     }
 
-    /// A lot somewhere, and a run that starts with it.
+    /// A lot away from the origin, and a run that starts with it.
     fn moved() -> (Env, Shape) {
         let outline = [[10.0, 5.0], [14.0, 8.0], [12.0, 1.0]];
         let shape = Shape::footprint(&outline, &[]).expect("a triangle").at([0.0, 3.0, 0.0]).named("Lot 7");

@@ -1,7 +1,7 @@
-//! Operations on slim shapes: what façades are full of costs no whole shape.
+//! Operations on slim shapes: the common operations of façades need no whole shape.
 //!
-//! Each changes a slim rectangle or box as the operation of its name changes the whole shape. Where that does not suffice it
-//! makes the shape whole and gives the base of the result, which takes the place of the shape.
+//! Each function changes a slim rectangle or box as the operation of its name changes the whole shape. If that is not
+//! enough, it makes the shape whole and returns the base of the result, which replaces the shape.
 
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
 use crate::shape::{Shape, ShapeRef};
 
-/// The shape after an operation: the slim one, or the shape of the base that takes its place.
+/// The shape after an operation: the slim one, or the shape of the base that replaces it.
 #[inline]
 pub fn after<'a>(shape: ShapeRef<'a>, changed: &'a Option<Box<Base>>) -> ShapeRef<'a> {
     match changed {
@@ -29,13 +29,13 @@ fn of_base(base: &Base) -> ShapeRef<'_> {
     base.shape()
 }
 
-/// The shape that takes the place of a painted one, if one does.
+/// The shape that replaces a painted one, if there is one.
 #[inline]
 pub fn instead(changed: &Option<Box<Base>>) -> Option<ShapeRef<'_>> {
     changed.as_ref().map(|base| of_base(base))
 }
 
-/// `t(x, y, z)`, as [`super::translate`].
+/// `t(x, y, z)`, see [`super::translate`].
 #[inline]
 pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
     let size = shape.size.get();
@@ -54,7 +54,7 @@ pub fn translate(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, 
     None
 }
 
-/// `s(x, y, z)`, as [`super::size`].
+/// `s(x, y, z)`, see [`super::size`].
 #[inline]
 pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Length) -> Option<Box<Base>> {
     let size = shape.size.get();
@@ -62,7 +62,7 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
     let (zero, most) = (DVec3::ZERO, DVec3::splat(Scope::MOST_SIZE));
     let mut fits = size.cmpgt(zero) & size.cmple(most);
     match shape.form {
-        // The size across a rectangle is not the rectangle's own.
+        // The size across a rectangle does not belong to the rectangle.
         Form::Rect(Axis::X) => fits.set(0, 0.0 <= size.x && size.x <= most.x),
         Form::Rect(Axis::Y) => fits.set(1, 0.0 <= size.y && size.y <= most.y),
         Form::Rect(Axis::Z) => fits.set(2, 0.0 <= size.z && size.z <= most.z),
@@ -77,7 +77,7 @@ pub fn size(env: &mut Env, shape: &mut ShapeRef<'_>, x: Length, y: Length, z: Le
     None
 }
 
-/// `extrude(distance)`, as [`super::extrude`].
+/// `extrude(distance)`, see [`super::extrude`].
 #[inline]
 pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Option<Box<Base>> {
     let s = shape.size.get();
@@ -104,8 +104,8 @@ pub fn extrude(env: &mut Env, shape: &mut ShapeRef<'_>, distance: Length) -> Opt
     None
 }
 
-/// An operation that changes the material alone. With constant arguments its result is found once for each material before:
-/// `place` counts such operations in the rules.
+/// An operation that changes only the material. With constant arguments its result is found once for each previous
+/// material; `place` counts such operations in the rules.
 #[inline(never)]
 pub fn paint<G>(
     env: &mut Env,
@@ -121,8 +121,8 @@ pub fn paint<G>(
         return None;
     }
     let base = whole(env, shape, |env, shape| change(g, env, shape))?;
-    // A number tells no less than the material before did: a template is kept for each number, and one number stands for all
-    // materials without one.
+    // If the material before has no number, the new one must not get one: templates are kept by number, and all
+    // materials without a number share `OF_BASE`.
     if before == LookId::OF_BASE || faults != env.fault_count() {
         return Some(base);
     }
@@ -135,7 +135,7 @@ pub fn paint<G>(
     Some(base)
 }
 
-/// The same on the whole shape.
+/// Applies the operation to the whole shape.
 #[cold]
 #[inline(never)]
 fn whole(env: &mut Env, shape: &ShapeRef<'_>, change: impl FnOnce(&mut Env, &mut Shape)) -> Option<Box<Base>> {

@@ -1,7 +1,7 @@
 //! Texture coordinates: projections, and operations on whole sets.
 //!
-//! A set is a number from 0 to 9. All of these leave geometry alone: what they make is a function of the place
-//! ([`crate::shape::texture`]), so a rectangle or a box stays one.
+//! A set is a number from 0 to 9. These operations do not change the geometry: their result is a function of the
+//! position ([`crate::shape::texture`]), so a rectangle or a box stays one.
 
 use cga_split::{Prefix, Size};
 use glam::{DAffine2, DVec2, DVec3, DVec4};
@@ -54,8 +54,8 @@ impl ProjectionAxes {
     }
 }
 
-/// `setupProjection(uvSet, axes, textureWidth, textureHeight)`: stores how a texture is laid on the shape and on what is made
-/// of it (*setupProjection operation*). [`project_uv`] writes coordinates with it.
+/// `setupProjection(uvSet, axes, textureWidth, textureHeight)`: stores the projection of a texture onto the shape and
+/// its descendants (*setupProjection operation*). [`project_uv`] writes coordinates with it.
 pub fn setup_projection(env: &mut Env, shape: &mut Shape, set: f64, axes: ProjectionAxes, width: Size, height: Size) {
     setup_projection_at(env, shape, set, axes, width, height, Length::Absolute(0.0), Length::Absolute(0.0), 0.0);
 }
@@ -79,14 +79,15 @@ pub fn setup_uv(env: &mut Env, shape: &mut Shape, set: f64, width: f64, height: 
     setup_projection_uw(env, shape, set, ProjectionAxes::ScopeXy, width, height, uw_factor);
 }
 
-/// `setupProjection(uvSet, axes, textureWidth, textureHeight, widthOffset, heightOffset, uwFactor)`: u is the distance along the
-/// first axis from the origin of the scope or the world, plus the offset, minus `uwFactor` times the distance along the axis
-/// that is left over, in texture widths; v in the same way without the factor (*setupProjection operation*). On the page's
-/// picture of a doorway bricks go on around the corner into the reveal on the left, where u grows inwards: with `scope.xy` from
-/// the front to the back. The sign of the offsets is not documented: here they are added.
+/// `setupProjection(uvSet, axes, textureWidth, textureHeight, widthOffset, heightOffset, uwFactor)`: u is the
+/// distance along the first axis from the origin of the scope or the world, plus the offset, minus `uwFactor` times
+/// the distance along the remaining axis, in texture widths; v is the same without the factor (*setupProjection
+/// operation*). In the page's picture of a doorway, bricks continue around the corner into the reveal on the left,
+/// where u grows inwards: with `scope.xy` from the front to the back. The sign of the offsets is not documented; here
+/// they are added.
 ///
-/// A relative width is a share of the scope's size along that axis; a floating one is the width nearest to it of which a whole
-/// number fill the scope. With `world` it is the scope's axis of the same letter.
+/// A relative width is a share of the scope's size along that axis. A floating width becomes the nearest width of
+/// which an integer number fills the scope. With `world` it refers to the scope's axis of the same letter.
 #[allow(clippy::too_many_arguments, reason = "the parameters of the operation")]
 pub fn setup_projection_at(
     env: &mut Env,
@@ -101,7 +102,7 @@ pub fn setup_projection_at(
 ) {
     let Some(set) = env.uv_set(set, "setupProjection") else { return };
     let (a, b) = axes.axes();
-    // A size that is rounding alone is none, so that its shares are none.
+    // A size that is only rounding counts as zero, so that its shares are zero.
     let (size, least) = (shape.scope.size, PLANAR_EPSILON * shape.scope.size.abs().max_element());
     let size = DVec3::select(size.abs().cmple(DVec3::splat(least)), DVec3::ZERO, size);
     let sizes = [(width, a, "the texture width"), (height, b, "the texture height")];
@@ -134,8 +135,8 @@ pub fn setup_projection_at(
     shape.state.change().projections.set(set, map);
 }
 
-/// `projectUV(uvSet)`: gives the geometry the coordinates of the projection that was set up (*projectUV operation*). Without
-/// one the set has none.
+/// `projectUV(uvSet)`: gives the geometry the coordinates of its stored projection (*projectUV operation*). Without a
+/// projection the set is empty.
 pub fn project_uv(env: &mut Env, shape: &mut Shape, set: f64) {
     let Some(set) = env.uv_set(set, "projectUV") else { return };
     shape.state.change_look().coordinates.set(set, UvSource::Stored(set));
@@ -192,13 +193,13 @@ pub enum NormalizeMode {
     Uv,
     /// Both by the larger range.
     UvUniform,
-    /// The first one.
+    /// The first coordinate.
     U,
-    /// The second one.
+    /// The second coordinate.
     V,
 }
 
-/// The faces that `normalizeUV` takes together.
+/// The faces that `normalizeUV` treats together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NormalizeType {
     /// Each face by its own range.
@@ -207,8 +208,8 @@ pub enum NormalizeType {
     CollectiveAllFaces,
 }
 
-/// `normalizeUV(uvSet, normalizeMode, normalizeType)`: moves and scales coordinates to 0 to 1; a coordinate without a range becomes
-/// 0 (*normalizeUV operation*).
+/// `normalizeUV(uvSet, normalizeMode, normalizeType)`: moves and scales coordinates to 0 to 1. A coordinate without a
+/// range becomes 0 (*normalizeUV operation*).
 pub fn normalize_uv(env: &mut Env, shape: &mut Shape, set: f64, mode: NormalizeMode, faces: NormalizeType) {
     let Some(set) = env.uv_set(set, "normalizeUV") else { return };
     let mesh = shape.to_mesh();
@@ -230,7 +231,7 @@ pub fn normalize_uv(env: &mut Env, shape: &mut Shape, set: f64, mode: NormalizeM
     }
 }
 
-/// The change that fits a range of coordinates between 0 and 1.
+/// The change that maps a range of coordinates to 0 to 1.
 fn normalized(mode: NormalizeMode, [low, high]: [DVec2; 2]) -> DAffine2 {
     let share = |size: f64| if size * UvMap::MOST < 1.0 { 0.0 } else { 1.0 / size };
     let size = spread([low, high]);
@@ -244,9 +245,9 @@ fn normalized(mode: NormalizeMode, [low, high]: [DVec2; 2]) -> DAffine2 {
     DAffine2::from_scale_angle_translation(factor, 0.0, -by * factor)
 }
 
-/// `tileUV(uvSet, textureWidth, textureHeight)`: scales coordinates about (0, 0) so that a texture has that size in metres on the
-/// surface (*tileUV operation*). A relative width is a share of the surface's extent in u; with a floating one a whole number of
-/// tiles fills it. 0 leaves the coordinate as it is, and a negative size mirrors.
+/// `tileUV(uvSet, textureWidth, textureHeight)`: scales coordinates about (0, 0) so that a texture has that size in
+/// metres on the surface (*tileUV operation*). A relative width is a share of the surface's extent in u; with a
+/// floating width, an integer number of tiles fills it. 0 keeps the coordinate, and a negative size mirrors.
 pub fn tile_uv(env: &mut Env, shape: &mut Shape, set: f64, width: Size, height: Size) {
     let Some(set) = env.uv_set(set, "tileUV") else { return };
     let Some(extent) = shape.to_mesh().uv_extent(usize::from(set), DVec3::ONE) else { return };
@@ -270,7 +271,7 @@ pub(crate) fn tile_size(env: &mut Env, tile: Size, extent: f64, what: &str) -> f
         Prefix::Relative => value * extent,
         Prefix::Floating if value == 0.0 || extent == 0.0 => extent,
         Prefix::Floating => {
-            // Of the two whole numbers of tiles, that whose size is nearer, and at least one.
+            // Of the two neighbouring integers, the one with the nearer tile size; at least one.
             let exact = (extent / value).abs();
             let (fewer, more) = (libm::floor(exact).max(1.0), libm::ceil(exact).max(1.0));
             let stretch = |count: f64| (exact / count - 1.0).abs();

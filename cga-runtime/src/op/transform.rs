@@ -24,8 +24,8 @@ pub fn translate(env: &mut Env, shape: &mut Shape, x: Length, y: Length, z: Leng
     shape.carry(&before);
 }
 
-/// `s(x, y, z)`: sets the size; the origin corner stays (*s operation*). A size beyond 1e149 m leaves the scope's own along
-/// that axis.
+/// `s(x, y, z)`: sets the size; the origin corner stays (*s operation*). A size beyond 1e149 m keeps the old size
+/// along that axis.
 pub fn size(env: &mut Env, shape: &mut Shape, x: Length, y: Length, z: Length) {
     let old = shape.scope.size;
     let mut new =
@@ -33,7 +33,7 @@ pub fn size(env: &mut Env, shape: &mut Shape, x: Length, y: Length, z: Length) {
     let too_large = new.abs().cmpgt(DVec3::splat(Scope::MOST_SIZE));
     if too_large.any() {
         new = DVec3::select(too_large, old, new);
-        env.fault(FaultKind::Value, "`s` leads beyond 1e149 metres; such a size stays as it is");
+        env.fault(FaultKind::Value, "a size of `s` exceeds 1e149 metres; it stays as it is");
     }
     shape.resize(new);
 }
@@ -77,8 +77,8 @@ pub enum CenterAxes {
     Xyz,
 }
 
-/// `center(axes)`: moves the scope so that its centre is that of `base`, along the axes named (*center operation*).
-/// `base` is the scope at the start of the rule, bracket or part.
+/// `center(axes)`: moves the scope along the named axes so that its centre is the centre of `base` (*center
+/// operation*). `base` is the scope at the start of the rule, bracket or part.
 pub fn center(env: &mut Env, shape: &mut Shape, base: &Scope, axes: CenterAxes) {
     use CenterAxes::{X, Xy, Xyz, Xz, Y, Yz, Z};
     let along = DVec3::new(

@@ -1,4 +1,4 @@
-//! `trim`, and what happens to geometry that is put at a face with trim planes.
+//! `trim`, and the trimming of geometry that is inserted at a face with trim planes.
 
 use std::sync::Arc;
 
@@ -11,8 +11,8 @@ use crate::run::env::Env;
 use crate::shape::trim::{TrimPlane, Trims};
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
-/// `trim()`: cuts the geometry at the shape's trim planes, those that `trim.vertical` and `trim.horizontal` have switched on
-/// (*trim operation*). It stays open where it is cut, and the scope stays as it is.
+/// `trim()`: cuts the geometry at the shape's trim planes that `trim.vertical` and `trim.horizontal` switch on (*trim
+/// operation*). The cuts stay open, and the scope stays.
 pub fn trim(_: &mut Env, shape: &mut Shape) {
     if matches!(shape.trims, Trims::None) || !shape.geometry.has_surface() {
         return;
@@ -29,13 +29,13 @@ fn cut(shape: &mut Shape, plane: &TrimPlane) {
     let scope = shape.scope;
     let local = Plane { point: scope.frame().to_local(plane.point), normal: scope.axes.transpose() * plane.normal };
     let near = PLANAR_EPSILON * scope.size.abs().max_element();
-    // Mostly all of the scope is on the near side.
+    // Usually the whole scope is on the near side.
     let below =
         (DVec3::ZERO - local.point).dot(local.normal) + (scope.size * local.normal).min(DVec3::ZERO).element_sum();
     if -near <= below {
         return;
     }
-    // In a scope whose sizes are positive: negative ones mirror what is in it.
+    // In a scope with positive sizes, as negative sizes mirror the contents.
     let (size, sign) = (scope.size.abs(), DVec3::ONE.copysign(scope.size));
     let Some(placed) = as_placed(shape) else { return };
     let place = placed.to_scope(size);
@@ -66,7 +66,7 @@ mod tests {
     use crate::shape::Shape;
     use crate::shape::unit::UnitMesh;
 
-    /// What some work makes of each face, by number.
+    /// The results of `work` for each face, by number.
     fn on_faces(shape: &Shape, mut work: impl FnMut(&mut Env, &mut Shape) -> f64) -> Vec<f64> {
         let arms = [Arm { select: Select::Word(Word::All), mode: Mode::Each, text: "all" }];
         let (env, mut shape) = (&mut Env::for_tests(), shape.clone());
@@ -97,7 +97,7 @@ mod tests {
             on_faces(&shape, |env, part| {
                 let width = part.scope.size.x;
                 cover(env, part);
-                // In front of the face it may be wider by as much as it is ahead; upwards nothing cuts.
+                // Its width in front of the face may be larger by the distance to the face. Upwards nothing cuts.
                 let mesh = part.to_mesh();
                 let middle = part.scope.size.x * 0.5;
                 for point in mesh.points() {
@@ -154,7 +154,7 @@ mod tests {
         let near = |found: Vec<f64>, expected: f64| {
             assert!(found.iter().all(|found| (found - expected).abs() < 1e-9), "{found:?} {expected}");
         };
-        // One metre ahead there is a metre more on each side.
+        // At one metre in front of the face there is one more metre on each side.
         near(both(true, false), 2.0 + 400.0);
         near(both(false, true), 4.0 + 200.0);
         near(both(true, true), 2.0 + 200.0);
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn fact_63_edges_below_40_degrees_make_horizontal_planes() {
         for (degrees, horizontal) in [(39.0, true), (39.999, true), (40.0, false), (41.0, false)] {
-            // A wall in the xy plane whose top rises by so much, and a roof behind it.
+            // A wall in the xy plane whose top rises by `degrees`, and a roof at its back.
             let rise = 2.0 * libm::tan(f64::to_radians(degrees));
             let mut builder = MeshBuilder::new();
             let p =
@@ -212,7 +212,7 @@ mod tests {
             let planes = part.trims.planes(&part.pivot);
             assert!(!planes.is_empty());
             for plane in &*planes {
-                // The face is on the near side, the middle of the whole too: it is convex.
+                // The face is on the near side, and so is the middle of the whole, which is convex.
                 assert!(
                     part.to_mesh()
                         .points()

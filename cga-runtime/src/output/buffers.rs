@@ -1,8 +1,8 @@
 //! Vertex and index buffers for a graphics card.
 //!
-//! A vertex is six `f32`: position, then unit normal. Vertices are not shared between faces: a quad takes 4 and two
-//! triangles, a box 24 and twelve. Coordinates are computed as `f64` and rounded last. Front faces are counter-clockwise.
-//! Texture coordinates are lists beside the vertices, one a set.
+//! A vertex is six `f32`: position, then unit normal. Faces do not share vertices: a quad has 4 vertices and 2
+//! triangles, a box 24 and 12. Coordinates are computed as `f64` and rounded at the end. Front faces are
+//! counter-clockwise. Texture coordinates are separate lists beside the vertices, one for each set.
 
 mod chunks;
 mod part;
@@ -39,7 +39,7 @@ use crate::shape::unit::UnitMesh;
 /// Position x, y, z and normal x, y, z.
 pub type Vertex = [f32; 6];
 
-/// Collects leaves as triangles. Can be cleared and used again without giving memory back.
+/// Collects leaves as triangles. It can be cleared and used again without releasing its memory.
 #[derive(Debug)]
 pub struct Buffers {
     vertices: Room<Vertex>,
@@ -48,7 +48,7 @@ pub struct Buffers {
     runs: Vec<Run>,
     numbers: Numbers,
     replayed: Replayed,
-    /// Rule and material of the last leaf that fills its scope, unless another leaf came after it.
+    /// The rule and the material of the last leaf that fills its scope, unless another leaf came after it.
     last: Option<(u32, u32)>,
     /// With a fourth coordinate of 0.
     origin: DVec4,
@@ -69,7 +69,7 @@ impl Buffers {
         Buffers::default()
     }
 
-    /// Empty buffers with room for this many vertices and indices.
+    /// Empty buffers with room for numbers of vertices and indices.
     pub fn with_capacity(vertices: usize, indices: usize) -> Self {
         Buffers {
             vertices: Room::with_capacity(vertices),
@@ -87,19 +87,19 @@ impl Buffers {
     }
 
     /// Subtracts a point of the world, in metres, from every position before it is rounded. Far from the world's
-    /// origin (map coordinates) `f32` alone is not fine enough.
+    /// origin (map coordinates) `f32` alone is too coarse.
     pub fn with_origin(mut self, origin: DVec3) -> Self {
         self.origin = four(origin);
         self
     }
 
-    /// Ends the run once there would be more than this many vertices. Never more than a `u32` can count.
+    /// Ends the run at the first leaf that would exceed this number of vertices. The largest limit is `u32::MAX`.
     pub fn with_limit(mut self, vertices: usize) -> Self {
         self.limit = vertices.min(u32::MAX as usize);
         self
     }
 
-    /// Forgets the contents, keeps memory, origin and limit.
+    /// Removes the contents but keeps memory, origin and limit.
     pub fn clear(&mut self) {
         self.vertices.clear();
         self.indices.clear();
@@ -116,18 +116,19 @@ impl Buffers {
         self.vertices.items()
     }
 
-    /// Three a triangle.
+    /// The indices, three for each triangle.
     pub fn indices(&self) -> &[u32] {
         self.indices.items()
     }
 
-    /// Texture coordinates of set 0, one pair a vertex, v upwards; empty when no geometry has any, (0, 0) where it has none.
+    /// The texture coordinates of set 0, one pair for each vertex, v upwards. The list is empty if no geometry has
+    /// any. A vertex without coordinates has (0, 0).
     pub fn uvs(&self) -> &[[f32; 2]] {
         self.uv_set(0)
     }
 
-    /// Texture coordinates of a set, 0 to 9, as [`Buffers::uvs`]. A material shows each of its maps in the set with the number of
-    /// the [`Layer`](crate::material::Layer), or in set 0 where that is empty.
+    /// The texture coordinates of a set, 0 to 9, in the form of [`Buffers::uvs`]. A material shows each of its maps
+    /// in the set with the number of the [`Layer`](crate::material::Layer), or in set 0 where that is empty.
     pub fn uv_set(&self, set: usize) -> &[[f32; 2]] {
         self.uvs.get(set)
     }
@@ -137,7 +138,7 @@ impl Buffers {
         self.origin.truncate()
     }
 
-    /// The parts, in order; together they are everything.
+    /// The parts, in order. Together they cover all triangles.
     pub fn parts(&self) -> impl ExactSizeIterator<Item = Part> + '_ {
         self.runs.iter().enumerate().map(|(i, run)| {
             let (index, vertex) = match self.runs.get(i + 1) {
@@ -153,22 +154,22 @@ impl Buffers {
         })
     }
 
-    /// Rule names by number.
+    /// The rule names by number.
     pub fn rules(&self) -> &[&'static str] {
         self.numbers.table.rules()
     }
 
-    /// Materials by number.
+    /// The materials by number.
     pub fn materials(&self) -> &[Arc<Material>] {
         self.numbers.table.materials()
     }
 
-    /// How many triangles there are.
+    /// The number of triangles.
     pub fn triangle_count(&self) -> usize {
         self.indices.len() / 3
     }
 
-    /// Whether everything that was handed over is in here.
+    /// An error if leaves are missing because of the limit.
     pub fn check(&self) -> Result<(), WriteError> {
         match self.full {
             true => Err(WriteError::TooLarge { what: "vertices", limit: self.limit as u64 }),
@@ -176,7 +177,7 @@ impl Buffers {
         }
     }
 
-    /// Starts a new part unless the last one goes on.
+    /// Starts a new part unless the last one continues.
     #[inline]
     fn run(&mut self, rule: u32, material: u32) {
         self.run_at((rule, material), self.indices.len() / 3, self.vertices.len() as u32);
@@ -198,7 +199,8 @@ impl Buffers {
         self.run(rule, material);
     }
 
-    /// Returns true if a leaf with that many vertices has the rule and the material of the last one, and there is room for it.
+    /// Returns true if a leaf with that number of vertices has the rule and the material of the last one, and there
+    /// is room for it.
     #[inline(always)]
     fn goes_on(&self, leaf: &Filled<'_>, vertices: usize) -> bool {
         self.last == Some((leaf.rule, leaf.shape.look.get().0))
@@ -208,8 +210,8 @@ impl Buffers {
             && self.uvs.is_empty()
     }
 
-    /// Writes a leaf with that many vertices that does not go on. Not a part of the way on which the others go, so that it needs
-    /// no more registers than there are.
+    /// Writes a leaf that does not continue the last part, or needs memory. A separate function, so that the fast
+    /// path needs fewer registers.
     #[inline(never)]
     fn other(&mut self, leaf: &Filled<'_>, vertices: usize) -> Flow {
         self.room(vertices)?;
@@ -217,7 +219,7 @@ impl Buffers {
         self.indices.reserve(vertices / 4 * 6);
         let (rule, material) = self.numbers.filled(leaf);
         let (uvs, start) = (leaf.uvs(), self.vertices.len());
-        // A leaf that goes on has the same number, and so it has no coordinates either.
+        // A leaf that continues the part has the same number, so it has no coordinates either.
         self.last = if uvs.is_empty() { leaf.material_number().map(|material| (leaf.rule, material)) } else { None };
         self.run(rule, material);
         let block = (leaf.shape.form == Form::Box).then(|| leaf.shape.unit.get());
@@ -272,7 +274,7 @@ impl Buffers {
         replay.each(self)
     }
 
-    /// Writes leaves of a part that repeats, for which there is room.
+    /// Writes the leaves of a part that repeats, for which there is room.
     #[inline(never)]
     fn repeat(&mut self, replay: &Replay<'_>, count: usize) -> Flow {
         let start = self.vertices.len() as u32;
@@ -303,7 +305,7 @@ impl Buffers {
         ControlFlow::Continue(())
     }
 
-    /// Notes rules and materials of leaves that repeat.
+    /// Records the rules and materials of leaves that repeat.
     #[inline]
     fn mark_all(&mut self, replay: &Replay<'_>, start: u32, triangle: usize) {
         self.last = None;
@@ -335,7 +337,7 @@ impl Buffers {
         }
     }
 
-    /// Writes a box; `normals` are those of its sides.
+    /// Writes a box; `normals` are the normals of its sides.
     #[inline(always)]
     fn write_box(&mut self, placed: Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
         let (origin, start) = (self.origin, self.vertices.len() as u32);
@@ -346,7 +348,7 @@ impl Buffers {
         write_quad_indices(self.indices.take(36), start);
     }
 
-    /// `Break` if so many vertices more do not fit.
+    /// `Break` if `more` vertices do not fit.
     #[inline]
     fn room(&mut self, more: usize) -> Flow {
         if self.limit - self.vertices.len() < more {
@@ -417,7 +419,7 @@ impl Sink for Buffers {
     }
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
-        // A face with holes may have more triangles than vertices, but less than twice as many.
+        // A face with holes may have more triangles than vertices, but less than twice the number.
         let corners = mesh.corners.len();
         self.full |= u32::MAX as usize - self.triangle_count() < 2 * corners;
         self.room(corners)?;

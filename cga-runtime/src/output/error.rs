@@ -1,22 +1,22 @@
-//! What can go wrong when a model is written.
+//! The errors of writing a model.
 
 use std::fmt;
 use std::io;
 
-/// Why a file or a buffer could not be written.
+/// The reason why a file or a buffer could not be written.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum WriteError {
-    /// The disk, the pipe, the encoder.
+    /// An error of the disk, the pipe or the encoder.
     Io(io::Error),
-    /// More than the format or the buffer can hold.
+    /// The output exceeds the capacity of the format or the buffer.
     TooLarge {
-        /// What there is too much of, in the plural: `vertices`, `bytes`.
+        /// The counted items, in the plural: `vertices`, `bytes`.
         what: &'static str,
-        /// How many there may be.
+        /// The largest possible number.
         limit: u64,
     },
-    /// A coordinate is not a number or lies beyond what 32-bit floats can express.
+    /// A coordinate is NaN or beyond the range of 32-bit floats.
     NotFinite,
 }
 

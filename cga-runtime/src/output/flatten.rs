@@ -1,6 +1,6 @@
-//! Meshes as triangles in the world: what every sink that writes triangles shares.
+//! Meshes as triangles in the world, shared by all sinks that write triangles.
 //!
-//! Vertices are not shared between faces, so a face's vertices are its corners: the outline's, then its holes'.
+//! Faces do not share vertices, so a face's vertices are its corners: those of the outline, then those of its holes.
 
 use std::ops::Range;
 
@@ -10,27 +10,27 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::geometry::triangulate::Triangulator;
 
-/// Cuts faces into triangles, keeping its buffers from mesh to mesh.
+/// Cuts faces into triangles. It keeps its buffers from mesh to mesh.
 #[derive(Debug, Default)]
 pub(crate) struct Flattener {
     triangulator: Triangulator,
     triangles: Vec<[u32; 3]>,
 }
 
-/// One face, placed in the world.
+/// A face, placed in the world.
 pub(crate) struct FlatFace<'a> {
-    /// Which of the mesh's faces.
+    /// The index of the face in the mesh.
     pub(crate) index: usize,
-    /// Its corners within the mesh's.
+    /// The range of its corners in the mesh.
     pub(crate) corners: Range<usize>,
-    /// Triangles as indices counted from the start of `corners`.
+    /// The triangles, as indices relative to the start of `corners`.
     pub(crate) triangles: &'a [[u32; 3]],
-    /// Unit normal in the world, to the side from which the outline goes counter-clockwise.
+    /// The unit normal in the world, towards the side from which the outline is counter-clockwise.
     pub(crate) normal: DVec3,
 }
 
 impl Flattener {
-    /// Hands over the faces of a mesh in order, until `each` returns `false`.
+    /// Passes the faces of a mesh to `each` in order, until it returns false.
     pub(crate) fn faces(&mut self, mesh: &Mesh, placement: &DAffine3, mut each: impl FnMut(FlatFace<'_>) -> bool) {
         let turn = normal_map(&placement.matrix3);
         for face in mesh.faces() {
@@ -54,7 +54,7 @@ pub(crate) fn corner_point(mesh: &Mesh, corner: usize) -> DVec3 {
     mesh.points[mesh.corners[corner] as usize]
 }
 
-/// A vector of length one; up, when there is no direction to keep.
+/// A vector of length one; upwards if the vector is zero.
 #[inline]
 pub(crate) fn unit(v: DVec3) -> DVec3 {
     v.normalize_or(DVec3::Y)

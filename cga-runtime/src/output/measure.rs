@@ -1,6 +1,7 @@
 //! Areas and volumes of leaves.
 //!
-//! Volumes are signed: positive for a closed surface whose faces look outwards. Of an open surface they mean nothing.
+//! Volumes are signed: positive for a closed surface whose faces look outwards. The volume of an open surface has no
+//! meaning.
 
 use glam::DAffine3;
 
@@ -8,29 +9,29 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::run::sink::{Cuboid, Quad};
 
-/// In square metres.
+/// The area in square metres.
 pub(crate) fn quad_area(quad: &Quad) -> f64 {
     quad.u.cross(quad.v).length()
 }
 
-/// In square metres.
+/// The surface of a box in square metres.
 pub(crate) fn cuboid_area(cuboid: &Cuboid) -> f64 {
     let [x, y, z] = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
     2.0 * (x.cross(y).length() + y.cross(z).length() + z.cross(x).length())
 }
 
-/// In cubic metres.
+/// The volume of a box in cubic metres.
 pub(crate) fn cuboid_volume(cuboid: &Cuboid) -> f64 {
     cuboid.sides.determinant()
 }
 
-/// In square metres, as placed. Holes do not count.
+/// The surface of a placed mesh in square metres, without holes.
 pub(crate) fn mesh_area(mesh: &Mesh, placement: &DAffine3) -> f64 {
     let turn = normal_map(&placement.matrix3);
     mesh.faces().map(|face| (turn * face.area_vector()).length()).sum::<f64>() * 0.5
 }
 
-/// In cubic metres, as placed.
+/// The volume of a placed mesh in cubic metres.
 pub(crate) fn mesh_volume(mesh: &Mesh, placement: &DAffine3) -> f64 {
     mesh.volume() * placement.matrix3.determinant()
 }

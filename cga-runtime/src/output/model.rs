@@ -1,8 +1,8 @@
-//! What a run returns: all leaves, in memory.
+//! Models: all leaves of a run, in memory.
 //!
-//! A model is a sink as well, and it can be played into any other sink, in the order in which it was filled. A leaf
-//! takes about 140 bytes while its geometry follows from its scope, as it does for most; otherwise the geometry is
-//! stored beside it.
+//! A model is a sink too, and it can be replayed into any other sink, in the order in which it was filled. A leaf
+//! takes about 140 bytes if its geometry follows from its scope, as for most leaves. Other geometry is stored in
+//! addition.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -35,7 +35,7 @@ pub struct Model {
     quads: Vec<Quad>,
     cuboids: Vec<Cuboid>,
     meshes: Vec<(Arc<Mesh>, DAffine3)>,
-    /// The texture coordinates of rectangles and boxes that have some.
+    /// The texture coordinates of rectangles and boxes, where they have any.
     uvs: LeafUvs,
     numbers: Numbers,
     report: Report,
@@ -50,7 +50,7 @@ struct Record {
     stored: Stored,
 }
 
-/// Where the geometry of a leaf is: implied by its scope, or a place in one of the model's lists.
+/// The source of a leaf's geometry: its scope, or an index in one of the model's lists.
 #[derive(Clone, Copy, Debug)]
 enum Stored {
     /// The rectangle in the scope's low plane across an axis.
@@ -82,23 +82,23 @@ pub enum Geometry<'a> {
     Quad(Quad),
     /// A closed box.
     Cuboid(Cuboid),
-    /// A mesh of its own.
+    /// A mesh that belongs to this leaf.
     Mesh {
-        /// In local coordinates.
+        /// The mesh in local coordinates.
         mesh: &'a Arc<Mesh>,
-        /// From local coordinates to the world.
+        /// The map from local coordinates to the world.
         placement: &'a DAffine3,
     },
     /// An inserted asset that nothing has cut, possibly shared by many leaves.
     Instance {
-        /// In local coordinates.
+        /// The mesh in local coordinates.
         mesh: &'a Arc<Mesh>,
-        /// From local coordinates to the world.
+        /// The map from local coordinates to the world.
         placement: &'a DAffine3,
     },
 }
 
-/// A look at one leaf of a model.
+/// A leaf of a model.
 #[derive(Clone, Copy, Debug)]
 pub struct LeafView<'a> {
     model: &'a Model,
@@ -112,27 +112,27 @@ impl<'a> LeafView<'a> {
         self.model.numbers.table.rules()[self.record.rule as usize]
     }
 
-    /// What the rules set.
+    /// The material set by rules.
     pub fn material(&self) -> &'a Arc<Material> {
         &self.model.numbers.table.materials()[self.record.material as usize]
     }
 
-    /// Counts in [`Model::materials`].
+    /// The index of the material in [`Model::materials`].
     pub fn material_index(&self) -> usize {
         self.record.material as usize
     }
 
-    /// Where it is and how large, in the world.
+    /// The place and the size, in the world.
     pub fn scope(&self) -> &'a Scope {
         &self.record.scope
     }
 
-    /// The size of its scope, in metres; negative where it is mirrored.
+    /// The size of the scope, in metres; a negative size mirrors.
     pub fn size(&self) -> DVec3 {
         self.record.scope.size
     }
 
-    /// Its geometry.
+    /// The geometry.
     pub fn geometry(&self) -> Geometry<'a> {
         let model = self.model;
         let placed = |index: u32| {
@@ -155,13 +155,13 @@ impl<'a> LeafView<'a> {
         }
     }
 
-    /// The maps of the sets that it has as a rectangle or a box, sorted by set. A mesh has its sets itself.
+    /// The maps of the texture coordinate sets of a rectangle or a box, sorted by set. A mesh contains its sets.
     pub fn uvs(&self) -> &'a [SetMap] {
         self.model.uvs.of(self.number)
     }
 
-    /// The signed volume it encloses, in cubic metres: 0 for a rectangle, negative for what is turned inside out,
-    /// without meaning for a mesh that is not closed.
+    /// The signed enclosed volume, in cubic metres: 0 for a rectangle, negative for geometry that is inside out. It
+    /// has no meaning for a mesh that is not closed.
     pub fn volume(&self) -> f64 {
         match self.geometry() {
             Geometry::Quad(_) => 0.0,
@@ -170,7 +170,7 @@ impl<'a> LeafView<'a> {
         }
     }
 
-    /// Its surface in square metres; of a closed box all six faces.
+    /// The surface in square metres; for a closed box the area of all six faces.
     pub fn area(&self) -> f64 {
         match self.geometry() {
             Geometry::Quad(quad) => quad_area(&quad),
@@ -183,8 +183,8 @@ impl<'a> LeafView<'a> {
         Leaf::new(self.rule(), self.material(), self.scope()).with_uvs(self.uvs())
     }
 
-    /// Its geometry as a mesh with its texture coordinates, and the map from the mesh's coordinates to the world. Made on the
-    /// spot for a rectangle or a box, shared otherwise.
+    /// The geometry as a mesh with its texture coordinates, and the map from the mesh's coordinates to the world.
+    /// Created for a rectangle or a box, shared otherwise.
     pub fn mesh(&self) -> (Arc<Mesh>, DAffine3) {
         match self.geometry() {
             Geometry::Quad(quad) => (quad_mesh(&self.leaf(), &quad), DAffine3::IDENTITY),
@@ -193,7 +193,7 @@ impl<'a> LeafView<'a> {
         }
     }
 
-    /// The axis-aligned box around its geometry, in the world.
+    /// The axis-aligned bounding box of the geometry, in the world.
     pub fn bounds(&self) -> Bounds {
         match self.geometry() {
             Geometry::Quad(quad) => Bounds::of(quad.corners()),
@@ -204,7 +204,7 @@ impl<'a> LeafView<'a> {
         }
     }
 
-    /// Hands it to a sink.
+    /// Passes the leaf to a sink.
     pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let leaf = self.leaf();
         match self.geometry() {
@@ -217,17 +217,17 @@ impl<'a> LeafView<'a> {
 }
 
 impl Model {
-    /// What went wrong with single shapes while the model was made, each with the rules that led there.
+    /// The faults of single shapes, each with the rules that led there.
     pub fn faults(&self) -> &[Fault] {
         &self.report.faults
     }
 
-    /// What rules reported, sorted by key (*report operation*). `to_string` makes a table of it.
+    /// The reported values, sorted by key (*report operation*). `to_string` makes a table of them.
     pub fn reports(&self) -> &Reports {
         self.report.reports()
     }
 
-    /// What rules reported under one key; of several types the first, see [`Reports::of_type`].
+    /// The values reported under one key. If they have several types, the first type, see [`Reports::of_type`].
     pub fn reported(&self, key: &str) -> Option<&Collection> {
         self.report.reported(key)
     }
@@ -237,7 +237,7 @@ impl Model {
         self.report.prints()
     }
 
-    /// What the run said besides its leaves: counts, faults, reports.
+    /// The report of the run: counts, faults, reported values, printed lines.
     pub fn report(&self) -> &Report {
         &self.report
     }
@@ -246,7 +246,7 @@ impl Model {
         Model { report, ..self }
     }
 
-    /// The same model with its images in an asset folder. The model of a run has the assets of its settings; without assets, or
+    /// Sets the asset folder of the images. The model of a run has the assets of its settings. Without assets, or
     /// without a folder, files and pictures do not contain images.
     #[must_use]
     pub fn with_assets(self, assets: Arc<Assets>) -> Self {
@@ -258,22 +258,22 @@ impl Model {
         &self.files
     }
 
-    /// The assets in which its images are found.
+    /// The assets that contain its images.
     pub fn assets(&self) -> Option<&Arc<Assets>> {
         self.files.get()
     }
 
-    /// Without leaves.
+    /// A model without leaves.
     pub fn new() -> Self {
         Model::default()
     }
 
-    /// How many leaves there are.
+    /// The number of leaves.
     pub fn len(&self) -> usize {
         self.records.len()
     }
 
-    /// Whether there is no leaf.
+    /// Returns true if there are no leaves.
     pub fn is_empty(&self) -> bool {
         self.records.is_empty()
     }
@@ -288,7 +288,7 @@ impl Model {
         self.leaves().filter(move |leaf| leaf.rule() == rule)
     }
 
-    /// The names of the rules that made leaves, in the order in which they first did.
+    /// The names of the rules that made leaves, in the order of their first leaf.
     pub fn rules(&self) -> &[&'static str] {
         self.numbers.table.rules()
     }
@@ -298,7 +298,7 @@ impl Model {
         self.numbers.table.materials()
     }
 
-    /// How many leaves each rule made, in the order of [`Model::rules`].
+    /// The number of leaves of each rule, in the order of [`Model::rules`].
     pub fn counts(&self) -> Vec<(&'static str, usize)> {
         let mut counts: Vec<_> = self.rules().iter().map(|&rule| (rule, 0)).collect();
         for record in &self.records {
@@ -307,7 +307,7 @@ impl Model {
         counts
     }
 
-    /// How many leaves one rule made.
+    /// The number of leaves of one rule.
     pub fn count(&self, rule: &str) -> usize {
         match self.rules().iter().position(|&name| name == rule) {
             Some(id) => self.records.iter().filter(|record| record.rule as usize == id).count(),
@@ -315,7 +315,7 @@ impl Model {
         }
     }
 
-    /// The axis-aligned box around all geometry, in the world.
+    /// The axis-aligned bounding box of all geometry, in the world.
     pub fn bounds(&self) -> Bounds {
         self.leaves().fold(Bounds::EMPTY, |sum, leaf| {
             let bounds = leaf.bounds();
@@ -333,7 +333,7 @@ impl Model {
         self.leaves().map(|leaf| leaf.volume()).sum()
     }
 
-    /// How many triangles a writer makes of it.
+    /// The number of triangles that a writer makes of it.
     pub fn triangle_count(&self) -> usize {
         self.stats().total().triangles as usize
     }
@@ -346,7 +346,7 @@ impl Model {
         stats
     }
 
-    /// Hands every leaf to a sink, in order, until it ends the run.
+    /// Passes every leaf to a sink, in order, until it ends the run.
     pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         self.leaves().try_for_each(|leaf| leaf.replay(sink))
     }

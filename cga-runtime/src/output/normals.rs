@@ -29,6 +29,6 @@ pub(super) fn of_cuboid(leaf: &Leaf<'_>, cuboid: &Cuboid) -> [Vec4; 6] {
         return Axes::new(scope.axes).normals;
     }
     let [x, y, z] = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis];
-    // From cross products, not from the sides: they turn round together with the winding when a side is negative.
+    // From cross products, as they follow the winding when a side is negative.
     Axes::new(DMat3::from_cols(unit(y.cross(z)), unit(z.cross(x)), unit(x.cross(y)))).normals
 }

@@ -3,7 +3,8 @@
 use std::fmt;
 use std::io::Write as _;
 
-/// The shortest decimal that reads back as the same value, without exponent; −0 as 0 and what is not finite as 0.
+/// The shortest decimal that reads back as the same value, without exponent. −0 and numbers that are not finite are
+/// written as 0.
 pub(crate) struct Short<T>(pub(crate) T);
 
 impl fmt::Display for Short<f64> {
@@ -38,13 +39,13 @@ where
     text
 }
 
-/// The texts of numbers that were printed lately: coordinates of neighbours are equal, and finding shortest digits is slow.
+/// The texts of recently printed numbers: neighbours have equal coordinates, and finding the shortest digits is slow.
 #[derive(Debug)]
 pub(crate) struct Texts {
     places: Vec<CachedText>,
 }
 
-/// A number as bits and its text. No number that is looked up has the bits 0.
+/// A number as bits, and its text. The bits 0 mark an unused entry, as 0 is never looked up.
 #[derive(Clone, Copy, Debug, Default)]
 struct CachedText {
     bits: u64,
@@ -52,7 +53,7 @@ struct CachedText {
     text: [u8; 23],
 }
 
-/// The places are a power of two, of 32 bytes each.
+/// The number of entries is a power of two; each has 32 bytes.
 const PLACE_BITS: u32 = 10;
 
 impl Default for Texts {
@@ -81,7 +82,7 @@ impl Texts {
 #[inline(never)]
 fn print(known: &mut CachedText, to: &mut Vec<u8>, value: f64) {
     let start = to.len();
-    // Writing into memory does not fail.
+    // Writing to memory does not fail.
     let _ = write!(to, "{value}");
     let text = &to[start..];
     if let Some(place) = known.text.get_mut(..text.len()) {
@@ -90,7 +91,7 @@ fn print(known: &mut CachedText, to: &mut Vec<u8>, value: f64) {
     }
 }
 
-/// Appends a whole number.
+/// Appends an integer.
 #[inline]
 pub(crate) fn push_whole(to: &mut Vec<u8>, mut value: u64) {
     let mut digits = [0; 20];
@@ -105,7 +106,7 @@ pub(crate) fn push_whole(to: &mut Vec<u8>, mut value: u64) {
     }
 }
 
-/// From an sRGB channel to linear light, both in 0..=1.
+/// Converts an sRGB channel to linear light, both in 0..=1.
 pub(crate) fn linear(srgb: f64) -> f64 {
     match srgb {
         c if c <= 0.04045 => c / 12.92,

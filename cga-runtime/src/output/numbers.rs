@@ -1,7 +1,7 @@
-//! Rules and materials of leaves as numbers of a sink.
+//! The numbers of leaves' rules and materials in a sink.
 //!
-//! Leaves that fill their scopes have numbers that are those of the run. A list leads from these to the numbers of the sink's
-//! table, so that a leaf costs two loads, however often rules and materials alternate.
+//! Leaves that fill their scopes have numbers of the run. A list maps these to the numbers of the sink's table, so a
+//! leaf costs two loads, even if rules and materials alternate.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use super::table::Table;
 use crate::run::sink::{Filled, Leaf};
 use crate::shape::look_id::LookId;
 
-/// A table of rule names and materials, and the numbers of the run under way as numbers of the table.
+/// A table of rule names and materials, and a map from numbers of the current run to numbers of the table.
 #[derive(Clone, Default)]
 pub(crate) struct Numbers {
     pub(crate) table: Table,
@@ -17,24 +17,24 @@ pub(crate) struct Numbers {
     materials: Vec<u32>,
 }
 
-/// Not yet known.
+/// The mark of a number that is not known yet.
 const UNKNOWN: u32 = u32::MAX;
 
 impl fmt::Debug for Numbers {
-    /// The table alone: the numbers of a run tell nothing about the leaves.
+    /// Writes the table alone: the numbers of a run are irrelevant for the leaves.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.table.fmt(f)
     }
 }
 
 impl Numbers {
-    /// Another run begins, with numbers of its own. The table keeps its numbers.
+    /// Begins another run, whose numbers have other meanings. The table keeps its numbers.
     pub(crate) fn begin(&mut self) {
         self.rules.clear();
         self.materials.clear();
     }
 
-    /// Forgets everything, keeps the memory.
+    /// Removes all entries but keeps the memory.
     pub(crate) fn clear(&mut self) {
         self.table.clear();
         self.begin();
@@ -52,7 +52,7 @@ impl Numbers {
         self.with_look(leaf, leaf.shape.look.get())
     }
 
-    /// The rule of a leaf, for sinks that do not show materials.
+    /// The rule of a leaf, for sinks that ignore materials.
     #[inline]
     pub(crate) fn rule(&mut self, leaf: &Filled<'_>) -> u32 {
         match self.rules.get(leaf.rule as usize) {
@@ -74,7 +74,7 @@ impl Numbers {
         }
     }
 
-    /// Asks the table, and keeps its answer if the look has a number.
+    /// Looks the leaf up in the table, and keeps the result if the material has a number.
     #[cold]
     #[inline(never)]
     fn find(&mut self, leaf: &Filled<'_>, look: LookId) -> (u32, u32) {

@@ -1,12 +1,12 @@
 //! OBJ and MTL text.
 //!
-//! Polygons stay polygons; faces with holes, which the format does not know, become triangles. Every run of leaves with
-//! one rule and one material starts a `g` and a `usemtl`. Coordinates are in the world, with as many digits as it takes
-//! to read the same values back. Colours are written as they are set, in sRGB.
+//! Polygons stay polygons. Faces with holes become triangles, as the format has no holes. Consecutive leaves with one
+//! rule and one material share a `g` and a `usemtl`. Coordinates are in the world, with all digits needed to read the
+//! same values back. Colours are written unchanged, in sRGB.
 //!
-//! A corner has one pair of texture coordinates in this format: those of set 0, or of the first set that a mesh has. The library
-//! refers to images by the paths that rules use, from the asset folder, with scale and offset (`-s`, `-o`); it has no word for a
-//! turn (`rw`) and for other sets. Built-in textures are written as files beside the library.
+//! A corner has one pair of texture coordinates in this format: of set 0, or of the first set of a mesh. The library
+//! refers to images by the paths in the rules, relative to the asset folder, with scale and offset (`-s`, `-o`). It
+//! cannot express rotation (`rw`) and other sets. Built-in textures are written as files beside the library.
 
 mod mtl;
 
@@ -31,19 +31,19 @@ use crate::output::parts::Parts;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
 use crate::value::text::Text;
 
-/// The bytes of text that are handed over at once, or somewhat more.
+/// The size of text, in bytes, from which it is written out.
 const MUCH: usize = 1 << 15;
 
-/// Writes leaves as they come, in constant memory; materials are kept for the end.
+/// Writes leaves as they come, in constant memory. Materials are kept until the end.
 #[derive(Debug)]
 pub struct Obj<W: Write> {
     out: W,
-    /// Text for `out`, handed over in pieces of some size.
+    /// Text for `out`, written in larger pieces.
     text: Vec<u8>,
     texts: Texts,
     numbers: Numbers,
     names: Names,
-    /// Rule and material of what was written last.
+    /// The rule and the material written last.
     run: Option<(u32, u32)>,
     points: u64,
     uvs: u64,
@@ -53,9 +53,9 @@ pub struct Obj<W: Write> {
 }
 
 impl<W: Write> Obj<W> {
-    /// Starts a file whose materials will be found in `library`, a file name.
+    /// Starts a file with the material library `library`, a file name.
     pub fn new(mut out: W, library: &str) -> Self {
-        // Smoothing off: without normals of their own faces are flat.
+        // Smoothing off: faces without normals are flat.
         let failed = write!(out, "mtllib {library}\ns off\n").err();
         Obj {
             out,
@@ -72,10 +72,10 @@ impl<W: Write> Obj<W> {
         }
     }
 
-    /// Ends the file and gives the text of the material library.
+    /// Ends the file and returns the text of the material library.
     ///
     /// # Errors
-    /// What `out` said, if anything, at any time.
+    /// The first error of `out`.
     pub fn finish(mut self) -> Result<String, WriteError> {
         let _ = self.hand_over();
         if let Some(error) = self.failed.take() {
@@ -92,7 +92,7 @@ impl<W: Write> Obj<W> {
         Ok(library)
     }
 
-    /// Starts a group unless the last one goes on.
+    /// Starts a group unless the last one continues.
     fn run(&mut self, rule: u32, material: u32) {
         if self.run == Some((rule, material)) {
             return;
@@ -110,7 +110,7 @@ impl<W: Write> Obj<W> {
         self.points += 1;
     }
 
-    /// A line of a key and numbers.
+    /// Writes a line of a key and numbers.
     fn line(&mut self, key: &str, numbers: &[f64]) {
         self.text.extend_from_slice(key.as_bytes());
         for &number in numbers {
@@ -129,7 +129,7 @@ impl<W: Write> Obj<W> {
         self.text.push(b'\n');
     }
 
-    /// Hands over what leaves have come to, once it is much.
+    /// Writes the collected text out once there is enough.
     fn flush(&mut self) -> Flow {
         if self.text.len() < MUCH && self.failed.is_none() { ControlFlow::Continue(()) } else { self.hand_over() }
     }
@@ -219,7 +219,7 @@ impl<W: Write> Sink for Obj<W> {
     }
 }
 
-/// Names of materials: what the format can carry, each once.
+/// The names of materials: unique, and valid in the format.
 #[derive(Debug, Default)]
 struct Names {
     list: Vec<Option<String>>,
@@ -236,7 +236,7 @@ impl Names {
         self.list[id].get_or_insert_with(|| {
             let plain = plain_name(material);
             let name = match taken.contains(&plain) {
-                // The number makes it unique unless somebody chose that name himself.
+                // The number makes it unique unless another material has that name.
                 true => (id..).map(|n| format!("{plain}_{n}")).find(|name| !taken.contains(name)).unwrap_or_default(),
                 false => plain,
             };
@@ -246,7 +246,7 @@ impl Names {
     }
 }
 
-/// The material's own name without spaces and signs, or one after its colour.
+/// The material's own name without spaces and special characters, or a name after its colour.
 fn plain_name(material: &Material) -> String {
     let allowed = |c: char| if c.is_alphanumeric() || "_.-".contains(c) { c } else { '_' };
     let name: String = material.name.as_ref().map_or("", |name| name.as_str()).chars().map(allowed).collect();
@@ -264,10 +264,10 @@ impl Model {
         to_text(library, |obj| self.replay(obj))
     }
 
-    /// Writes an OBJ file and beside it, with the ending `.mtl`, its materials.
+    /// Writes an OBJ file, and beside it its materials in a file with the ending `.mtl`.
     ///
     /// # Errors
-    /// What the file system says.
+    /// Errors of the file system.
     pub fn write_obj(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         to_files(path.as_ref(), |obj| self.replay(obj))
     }
@@ -279,10 +279,10 @@ impl Parts<Model> {
         to_text(library, |obj| self.replay(obj))
     }
 
-    /// Writes all models as one OBJ file and beside it, with the ending `.mtl`, their materials.
+    /// Writes all models as one OBJ file, and beside it their materials in a file with the ending `.mtl`.
     ///
     /// # Errors
-    /// What the file system says.
+    /// Errors of the file system.
     pub fn write_obj(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         to_files(path.as_ref(), |obj| self.replay(obj))
     }
@@ -292,7 +292,7 @@ fn to_text(library: &str, replay: impl FnOnce(&mut Obj<&mut Vec<u8>>) -> Flow) -
     let mut bytes = Vec::new();
     let mut obj = Obj::new(&mut bytes, library);
     let _ = replay(&mut obj);
-    // Writing into memory does not fail, and what was written is text.
+    // Writing to memory does not fail, and all that was written is UTF-8.
     let materials = obj.finish().unwrap_or_default();
     (String::from_utf8(bytes).unwrap_or_default(), materials)
 }

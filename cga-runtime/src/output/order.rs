@@ -1,7 +1,7 @@
 //! The order in which flat faces are painted over each other.
 //!
-//! Where two faces overlap in the picture, depth at a common point tells which comes first. Faces that overlap nothing
-//! need no order; the farther one comes first then. Cycles, which only cutting could undo, are broken at the farthest.
+//! If two faces overlap in the picture, their depth at a common point decides. Faces that do not overlap need no
+//! order, and the farther one comes first. Cycles, which only cutting could resolve, are broken at the farthest face.
 
 /// A face in the picture. Depth grows towards the viewer.
 #[derive(Debug)]
@@ -9,13 +9,13 @@ pub(crate) struct Face {
     outline: Vec<[f64; 3]>,
     low: [f64; 2],
     high: [f64; 2],
-    /// Depth as a plane over the picture: at the middle, and its slopes.
+    /// The depth as a plane over the picture: the middle, and the slopes.
     middle: [f64; 3],
     slope: [f64; 2],
 }
 
 impl Face {
-    /// From corners in the picture with depth. More than two, not on a line.
+    /// A face from corners in the picture with depth: at least three, not on a line.
     pub(crate) fn new(outline: Vec<[f64; 3]>) -> Face {
         let (mut low, mut high, mut middle) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2], [0.0; 3]);
         for point in &outline {
@@ -43,16 +43,16 @@ impl Face {
     }
 }
 
-/// Touching is not overlapping: less than this, in the units of the picture.
+/// Faces that overlap by less than this, in the units of the picture, only touch.
 const SLIGHT: f64 = 0.05;
 
-/// How much nearer `a` is than `b` where they overlap; 0 where they do not or where it cannot be told.
+/// The amount by which `a` is nearer than `b` where they overlap; 0 if they do not overlap or the order is unclear.
 fn nearer(a: &Face, b: &Face) -> f64 {
     let apart = |i: usize| a.high[i] - SLIGHT <= b.low[i] || b.high[i] - SLIGHT <= a.low[i];
     if apart(0) || apart(1) {
         return 0.0;
     }
-    // The common part of the convex hulls of small faces is close enough to that of the faces themselves.
+    // For small faces, the common part of the convex hulls is close enough to the common part of the faces.
     let common = clip(&a.outline, &b.outline);
     let area = area(&common).abs();
     if area < SLIGHT * SLIGHT {
@@ -69,7 +69,7 @@ fn area(ring: &[[f64; 2]]) -> f64 {
     0.5 * twice
 }
 
-/// The part of one outline within another, which is taken as convex.
+/// The part of one outline within another, which is treated as convex.
 fn clip(subject: &[[f64; 3]], window: &[[f64; 3]]) -> Vec<[f64; 2]> {
     let flat = |p: &[f64; 3]| [p[0], p[1]];
     let mut kept: Vec<[f64; 2]> = subject.iter().map(flat).collect();
@@ -95,13 +95,13 @@ fn clip(subject: &[[f64; 3]], window: &[[f64; 3]]) -> Vec<[f64; 2]> {
     kept
 }
 
-/// Positions of the faces in the order of painting.
+/// The indices of the faces in the order of painting.
 pub(crate) fn back_to_front(faces: Vec<&Face>) -> Vec<usize> {
-    // Farther middles first, as a start and wherever nothing else decides; equal ones as they came.
+    // Farther middles first, as a start and wherever other rules do not decide; equal ones in their given order.
     let mut start: Vec<usize> = (0..faces.len()).collect();
     start.sort_by(|&a, &b| faces[a].middle[2].total_cmp(&faces[b].middle[2]).then(a.cmp(&b)));
     let behind = behind(&faces, &start);
-    // Paint what lies behind a face before it: a walk in depth, without recursion.
+    // Paints the faces behind a face before it: a depth-first walk, without recursion.
     let mut order = Vec::with_capacity(faces.len());
     let mut state = vec![0u8; faces.len()];
     let mut stack: Vec<(usize, usize)> = Vec::new();
@@ -127,7 +127,7 @@ pub(crate) fn back_to_front(faces: Vec<&Face>) -> Vec<usize> {
     order
 }
 
-/// For each face those it must be painted over, found among neighbours on a grid.
+/// For each face the faces behind it, found among neighbours on a grid.
 fn behind(faces: &[&Face], start: &[usize]) -> Vec<Vec<usize>> {
     let mut behind = vec![Vec::new(); faces.len()];
     let reach = faces.iter().fold(([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]), |(l, h), f| {
@@ -144,7 +144,7 @@ fn behind(faces: &[&Face], start: &[usize]) -> Vec<Vec<usize>> {
             for x in cell(0, low[0])..=cell(0, high[0]) {
                 let list: &mut Vec<usize> = &mut grid[y * cells + x];
                 for &other in list.iter() {
-                    // Once for each pair: in the cell where the common part of their boxes begins.
+                    // Each pair is compared once: in the cell where the common part of their boxes begins.
                     let first = |i: usize| cell(i, faces[other].low[i].max(low[i]));
                     if (first(0), first(1)) != (x, y) {
                         continue;

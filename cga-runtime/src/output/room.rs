@@ -1,7 +1,7 @@
-//! A list that is written in place.
+//! A list whose next items are written in place.
 
-/// Items that are used, and after them items that were made before their turn: a writer gets a place for the next items and
-/// fills it. That is faster than to build items elsewhere and copy them.
+/// Used items, followed by default items: a writer gets a slice of the next items and fills it. This is faster than
+/// to build items elsewhere and copy them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Room<T> {
     items: Vec<T>,
@@ -9,7 +9,7 @@ pub(super) struct Room<T> {
 }
 
 impl<T: Copy + Default> Room<T> {
-    /// A list with room for that many items.
+    /// A list with room for `count` items.
     pub(super) fn with_capacity(count: usize) -> Self {
         Room { items: Vec::with_capacity(count), used: 0 }
     }
@@ -26,25 +26,25 @@ impl<T: Copy + Default> Room<T> {
         self.used
     }
 
-    /// Forgets the items, keeps the memory.
+    /// Removes the items but keeps the memory.
     pub(super) fn clear(&mut self) {
         self.used = 0;
     }
 
-    /// True if that many items more need no memory.
+    /// Returns true if `count` further items need no memory.
     #[inline(always)]
     pub(super) fn has(&self, count: usize) -> bool {
         count <= self.items.len() - self.used
     }
 
-    /// Makes room for that many items more.
+    /// Makes room for `count` further items.
     pub(super) fn reserve(&mut self, count: usize) {
         if !self.has(count) {
             self.grow(count);
         }
     }
 
-    /// The places of the next items.
+    /// Adds `count` items and returns the slice to fill.
     #[inline]
     pub(super) fn take(&mut self, count: usize) -> &mut [T] {
         if !self.has(count) {
@@ -60,12 +60,12 @@ impl<T: Copy + Default> Room<T> {
         self.take(items.len()).iter_mut().zip(items).for_each(|(to, item)| *to = item);
     }
 
-    /// Makes room for exactly that many items in all.
+    /// Makes room for exactly `count` items in all.
     pub(super) fn reserve_exact(&mut self, count: usize) {
         self.items.reserve_exact(count.saturating_sub(self.items.len()));
     }
 
-    /// The number of items that there is memory for.
+    /// The number of items that fit in the reserved memory.
     pub(super) fn capacity(&self) -> usize {
         self.items.capacity()
     }
@@ -76,7 +76,7 @@ impl<T: Copy + Default> Room<T> {
         self.take(1)[0] = item;
     }
 
-    /// Makes room for at least that many items more: twice as much as before, and never less than the list has room for.
+    /// Makes room for at least `count` further items: at least double the length, and all reserved memory.
     #[cold]
     #[inline(never)]
     fn grow(&mut self, count: usize) {

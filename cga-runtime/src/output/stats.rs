@@ -1,4 +1,4 @@
-//! Counts and measures, without keeping anything: for tests, benches and a look at what a rule costs. Texture coordinates are not
+//! Counts and measures without storage: for tests, benches and the cost of a rule. Texture coordinates are not
 //! counted.
 
 use std::ops::ControlFlow;
@@ -15,22 +15,22 @@ use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
 use crate::shape::place;
 
-/// Sums over some leaves. Triangles and vertices are counted as [`super::buffers::Buffers`] makes them.
+/// Sums over leaves. Triangles and vertices are counted as [`super::buffers::Buffers`] makes them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measures {
-    /// How many leaves.
+    /// The number of leaves.
     pub leaves: u64,
-    /// How many triangles.
+    /// The number of triangles.
     pub triangles: u64,
-    /// How many unshared vertices.
+    /// The number of unshared vertices.
     pub vertices: u64,
-    /// Surface in square metres, both ends of a closed box included, holes not.
+    /// The surface in square metres. It includes all six sides of a box, but not holes.
     pub area: f64,
-    /// Enclosed volume in cubic metres. Rectangles add nothing; other open geometry adds something without meaning.
+    /// The enclosed volume in cubic metres. Rectangles add nothing; the volume of other open geometry has no meaning.
     pub volume: f64,
 }
 
-/// Measures what it is handed.
+/// A sink that measures its leaves.
 #[derive(Debug)]
 pub struct Stats {
     numbers: Numbers,
@@ -53,12 +53,12 @@ impl Default for Stats {
 }
 
 impl Stats {
-    /// Nothing measured yet.
+    /// Statistics without leaves.
     pub fn new() -> Self {
         Stats::default()
     }
 
-    /// Everything together.
+    /// The measures of all leaves.
     pub fn total(&self) -> Measures {
         self.rules.iter().fold(Measures::default(), |sum, m| Measures {
             leaves: sum.leaves + m.leaves,
@@ -69,23 +69,23 @@ impl Stats {
         })
     }
 
-    /// Rule names with their measures, in the order in which the rules first made a leaf.
+    /// The rule names with their measures, in the order of the rules' first leaves.
     pub fn rules(&self) -> impl ExactSizeIterator<Item = (&'static str, &Measures)> + '_ {
         self.numbers.table.rules().iter().copied().zip(&self.rules)
     }
 
-    /// The measures of one rule; of nothing, when it made no leaf.
+    /// The measures of one rule; all zero if it made no leaf.
     pub fn rule(&self, name: &str) -> Measures {
         self.rules().find(|&(rule, _)| rule == name).map_or(Measures::default(), |(_, measures)| *measures)
     }
 
-    /// The sum of the signed tetrahedra between the origin of the world and every triangle, in cubic metres: the volume
-    /// when everything together is closed, and in any case a number that changes when a vertex or a winding does.
+    /// The sum of the signed tetrahedra between the origin of the world and every triangle, in cubic metres. It is
+    /// the volume if all geometry together is closed. In any case it changes with every vertex and winding.
     pub fn checksum(&self) -> f64 {
         self.checksum
     }
 
-    /// The axis-aligned box around everything, in the world.
+    /// The axis-aligned bounding box of all geometry, in the world.
     pub fn bounds(&self) -> Bounds {
         self.bounds
     }
@@ -106,7 +106,7 @@ impl Stats {
 
     #[inline]
     fn reach(&mut self, points: impl IntoIterator<Item = DVec3>) {
-        // NaN is not less than anything, so it does not count.
+        // NaN is not less than any number, so it does not count.
         let less = |a: f64, b: f64| if a < b { a } else { b };
         let more = |a: f64, b: f64| if b < a { a } else { b };
         let Bounds { mut low, mut high } = self.bounds;
@@ -121,7 +121,7 @@ impl Stats {
     fn rectangle(&mut self, rule: u32, quad: &Quad) {
         let across = quad.u.cross(quad.v);
         self.add(rule, 2, 4, across.length(), 0.0);
-        // Of both triangles together.
+        // The sum for both triangles.
         self.checksum += quad.origin.dot(across) / 3.0;
         self.reach(quad.corners());
     }
@@ -135,7 +135,7 @@ impl Stats {
     }
 }
 
-/// Six times the tetrahedron between the origin and a triangle.
+/// Six times the volume of the tetrahedron between the origin and a triangle.
 fn tetrahedron(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     a.dot(b.cross(c))
 }
@@ -207,7 +207,7 @@ impl Sink for Stats {
     }
 }
 
-/// [`Stats::checksum`] of finished buffers: coordinates read as `f32`, summed as `f64`.
+/// The [`Stats::checksum`] of finished buffers: coordinates read as `f32`, summed as `f64`.
 pub fn checksum(vertices: &[Vertex], indices: &[u32]) -> f64 {
     let point = |index: u32| {
         let [x, y, z, ..] = vertices[index as usize];

@@ -1,7 +1,8 @@
 //! Flat vector pictures, for documents.
 //!
-//! Parallel projection, faces as polygons filled by how they face the light, farther ones first. Nothing is cut where
-//! faces pass through each other. The same model gives the same text. Textures are not drawn: faces have their material's colour.
+//! The projection is parallel. Faces are polygons shaded by their direction to the light, farther ones first. Faces
+//! that pass through each other are not cut. Equal models give equal text. Textures are not drawn: faces have their
+//! material's colour.
 
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
@@ -23,39 +24,39 @@ use crate::material::Material;
 use crate::output::model::Model;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 
-/// How a vector picture is made.
+/// The settings of a vector picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Svg {
-    /// In user units, which most programs take as pixels.
+    /// The width in user units, which most programs take as pixels.
     pub width: usize,
-    /// In user units.
+    /// The height in user units.
     pub height: usize,
-    /// Where from; of a camera with perspective only the direction counts.
+    /// The viewpoint; only the direction of a perspective camera counts.
     pub view: Viewpoint,
-    /// Where the light is, in degrees around the model, counted from the camera.
+    /// The azimuth of the light in degrees around the model, relative to the camera.
     pub light_azimuth: f64,
-    /// How high the light is, in degrees.
+    /// The elevation of the light, in degrees.
     pub light_elevation: f64,
-    /// Width of the lines, in user units; none for 0.
+    /// The width of the lines, in user units; 0 for no lines.
     pub line_width: f64,
-    /// Colour of the lines, as SVG has it.
+    /// The colour of the lines, in SVG notation.
     pub line_color: String,
-    /// Colour of the background, as SVG has it; empty for none.
+    /// The colour of the background, in SVG notation; empty for none.
     pub background: String,
 }
 
-/// A face on the picture.
+/// A face in the picture.
 struct Shown {
     face: order::Face,
     /// Outline and holes, in user units.
     rings: Vec<Vec<[f64; 2]>>,
     material: u32,
-    /// How much light it gives back, 0 to 1.
+    /// The share of light that it reflects, 0 to 1.
     light: f64,
 }
 
 impl Svg {
-    /// A picture of that size with everything else as it usually is.
+    /// A picture of that size, with default settings.
     pub fn new(width: usize, height: usize) -> Self {
         Svg {
             width,
@@ -121,7 +122,7 @@ fn write_face(svg: &mut String, shown: &Shown, material: &Material) {
     svg.push_str("/>\n");
 }
 
-/// A number with one digit after the point at most.
+/// A number with at most one decimal digit.
 struct Tenths(i64);
 
 fn tenths(value: f64) -> Tenths {
@@ -139,7 +140,7 @@ impl std::fmt::Display for Tenths {
     }
 }
 
-/// Collects the faces that are to be seen.
+/// Collects the visible faces.
 struct Faces {
     view: View,
     light: DVec3,
@@ -148,7 +149,7 @@ struct Faces {
 }
 
 impl Faces {
-    /// `solid`: only the outside can be seen.
+    /// Adds a face. If `solid`, only its outside can be visible.
     fn add(&mut self, rings: Vec<Vec<DVec3>>, normal: DVec3, material: u32, solid: bool) {
         let finite = rings.iter().flatten().all(|p| p.is_finite());
         let Some(&first) = rings.first().and_then(|ring| ring.first()) else { return };
@@ -179,7 +180,7 @@ impl Sink for Faces {
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
         let material = self.table.material(leaf.material);
-        // One turned inside out shows its far sides, from within.
+        // A box that is inside out shows its far sides, from within.
         cuboid.faces().iter().for_each(|face| self.rectangle(face, material, 0.0 < cuboid.sides.determinant()));
         ControlFlow::Continue(())
     }
@@ -199,15 +200,15 @@ impl Sink for Faces {
 }
 
 impl Model {
-    /// The model as SVG text, in the usual view.
+    /// The model as SVG text, in the default view.
     pub fn to_svg(&self, width: usize, height: usize) -> String {
         Svg::new(width, height).render(self)
     }
 
-    /// Writes the model as an SVG file of 800 by 600 in the usual view; see [`Svg`] for others.
+    /// Writes the model as an SVG file of 800 by 600 in the default view; see [`Svg`] for others.
     ///
     /// # Errors
-    /// What the file system says.
+    /// Errors of the file system.
     pub fn write_svg(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_svg(800, 600))?)
     }

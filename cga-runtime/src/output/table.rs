@@ -1,7 +1,8 @@
-//! Numbers for rule names and materials, given out in the order in which they are first seen.
+//! Numbers for rule names and materials, in the order of first use.
 //!
-//! A leaf usually has the rule or the material of a recent leaf, at the same address, so addresses are asked first and
-//! text or values only when they are new. An address is only trusted while the table itself keeps what lives there alive.
+//! A leaf usually has the rule or the material of a recent leaf, at the same address. So addresses are looked up
+//! first, and text or values only for new addresses. An address is valid only while the table itself keeps the value
+//! at it alive.
 
 use std::fmt;
 use std::sync::Arc;
@@ -9,22 +10,22 @@ use std::sync::Arc;
 use crate::material::{Color, Material, MaterialNumber};
 use crate::value::text::Text;
 
-/// Interned rule names and materials. The same leaves in the same order give the same numbers.
+/// Interned rule names and materials. Equal leaves in equal order give equal numbers.
 #[derive(Clone, Default)]
 pub struct Table {
     rules: Vec<&'static str>,
-    /// Address, length and number of every name met so far: names are static, so an address keeps its meaning.
+    /// The address, length and number of every name so far: names are static, so an address keeps its meaning.
     rule_places: Slots<(usize, usize, u32)>,
     last_rule: (usize, usize, u32),
     materials: Vec<Arc<Material>>,
-    /// Hash and number of every material.
+    /// The hash and number of every material.
     material_values: Slots<(u64, u32)>,
-    /// Materials that were asked for lately, by address. Holding them keeps their addresses from being given to others.
+    /// Recently used materials, by address. Holding them keeps their addresses from being reused.
     recent: Vec<Option<(Arc<Material>, u32)>>,
     faces: FaceMaterials,
 }
 
-/// The materials of a mesh's faces under a shape's material, as found the last time.
+/// The materials of a mesh's faces under a shape's material, from the last look-up.
 #[derive(Clone, Debug, Default)]
 struct FaceMaterials {
     shape: u32,
@@ -32,13 +33,13 @@ struct FaceMaterials {
     ids: Vec<u32>,
 }
 
-/// Not yet known.
+/// The mark of a number that is not known yet.
 const UNKNOWN: u32 = u32::MAX;
 
-/// The places for materials that were asked for lately. Leaves of a façade alternate between a few.
+/// The number of recent materials. Leaves of a façade alternate between a few.
 const RECENT: usize = 16;
 
-/// The place of a material among those that were asked for lately.
+/// The index of a material among the recent ones.
 #[inline]
 fn recent_place(material: &Arc<Material>) -> usize {
     let address = Arc::as_ptr(material).addr() as u64;
@@ -46,7 +47,7 @@ fn recent_place(material: &Arc<Material>) -> usize {
 }
 
 impl fmt::Debug for Table {
-    /// The contents, without the ways to find them, which differ between equal tables.
+    /// Writes the contents, without the look-up tables, which differ between equal tables.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Table { rules, materials, .. } = self;
         f.debug_struct("Table").field("rules", rules).field("materials", materials).finish_non_exhaustive()
@@ -54,22 +55,22 @@ impl fmt::Debug for Table {
 }
 
 impl Table {
-    /// Nothing seen yet.
+    /// An empty table.
     pub fn new() -> Self {
         Table::default()
     }
 
-    /// Rule names by number.
+    /// The rule names by number.
     pub fn rules(&self) -> &[&'static str] {
         &self.rules
     }
 
-    /// Materials by number.
+    /// The materials by number.
     pub fn materials(&self) -> &[Arc<Material>] {
         &self.materials
     }
 
-    /// Forgets everything, keeps the memory.
+    /// Removes all entries but keeps the memory.
     pub fn clear(&mut self) {
         self.rules.clear();
         self.rule_places.clear();
@@ -101,8 +102,8 @@ impl Table {
         self.other_material(material)
     }
 
-    /// The number of what a face shows: the shape's material over the one the mesh gives the face. `index` counts in
-    /// `materials`; beyond their end the shape's own material is meant.
+    /// The number of a face's visible material: the shape's material over the mesh's material of the face. `index`
+    /// refers to `materials`; an index out of range means the shape's own material.
     pub fn face_material(&mut self, shape: u32, materials: &Arc<[Material]>, index: u32) -> u32 {
         let Some(base) = materials.get(index as usize) else { return shape };
         let same = self.faces.shape == shape && self.faces.of.as_ref().is_some_and(|of| Arc::ptr_eq(of, materials));
@@ -128,7 +129,8 @@ impl Table {
         let id = match found {
             Some(&(_, _, id)) => id,
             None => {
-                // The same name at another address is rare (two grammars, two crates): a scan per new address will do.
+                // The same name at another address is rare (two grammars, two crates), so a scan for each new address
+                // is enough.
                 let id = match self.rules.iter().position(|&known| known == name) {
                     Some(id) => id as u32,
                     None => {
@@ -168,7 +170,8 @@ impl Table {
     }
 }
 
-/// Open addressing over a power of two of places, at most half of them taken. Never walked, so its order never shows.
+/// A hash table with open addressing over a power of two of places, at most half of them used. It is never iterated,
+/// so its order has no effect.
 #[derive(Clone, Debug)]
 struct Slots<T> {
     places: Vec<Option<T>>,
@@ -222,7 +225,7 @@ impl<T: Copy> Slots<T> {
     }
 }
 
-/// Everything about a material that can be compared without text, an unset attribute as a pattern no value has.
+/// The numbers of a material for comparison. An unset attribute is a bit pattern that no value has.
 fn number_bits(material: &Material) -> [u64; 6] {
     const UNSET: u64 = 0x7ff4_dead_beef_0000;
     let bits = |value: Option<f64>| value.map_or(UNSET, f64::to_bits);
@@ -237,7 +240,7 @@ fn number_bits(material: &Material) -> [u64; 6] {
     ]
 }
 
-/// Equality by bits: unlike `==` it also finds a material with NaN in it again.
+/// Equality by bits. Unlike `==`, it also recognises a material that contains NaN.
 fn same_bits(a: &Material, b: &Material) -> bool {
     let more = |material: &Material| (material.more_numbers().len(), material.more_texts().len());
     let same = |a: &(MaterialNumber, f64), b: &(MaterialNumber, f64)| a.0 == b.0 && a.1.to_bits() == b.1.to_bits();
@@ -258,7 +261,7 @@ fn material_hash(material: &Material) -> u64 {
     for text in [&material.name, &material.texture] {
         hash = mix(hash ^ text.as_ref().map_or(1, text_hash));
     }
-    // Which attribute it is may be left to the comparison.
+    // The hash omits the attribute; the comparison checks it.
     for (_, value) in material.more_numbers() {
         hash = mix(hash ^ value.to_bits());
     }
@@ -272,7 +275,7 @@ fn text_hash(text: &Text) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
-/// A bijection that spreads every bit over all others.
+/// A bijection in which every bit affects all others.
 fn mix(mut bits: u64) -> u64 {
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

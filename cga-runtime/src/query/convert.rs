@@ -1,4 +1,4 @@
-//! `convert`: positions and orientations from one coordinate system to another.
+//! `convert`: positions and orientations in another coordinate system.
 
 use glam::DVec3;
 
@@ -12,18 +12,18 @@ use crate::value::array::Array;
 /// A coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum System {
-    /// From the scope's origin along its axes, in metres.
+    /// The scope's origin and axes, in metres.
     Scope,
-    /// Of the pivot.
+    /// The pivot's coordinates.
     Pivot,
-    /// Of the initial shape.
+    /// The object coordinates of the initial shape.
     Object,
-    /// The world.
+    /// The world's coordinates.
     World,
 }
 
 impl System {
-    /// Where it starts and how it lies.
+    /// The frame of the coordinate system in the world.
     pub(crate) fn frame(self, env: &Env, shape: &Shape) -> Frame {
         match self {
             System::Scope => shape.scope.frame(),
@@ -34,7 +34,7 @@ impl System {
     }
 }
 
-/// What three numbers are.
+/// The meaning of three numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConvertWhat {
     /// A position, in metres.
@@ -59,8 +59,8 @@ pub fn convert(
     convert_all(env, shape, from, to, what, [x, y, z])[axis.index()]
 }
 
-/// `convert(from, to, pos | orient, coordinates)`: all three (*convert function*). Coordinates that are missing count as 0 and
-/// more than three are left out, both with a fault.
+/// `convert(from, to, pos | orient, coordinates)`: all three coordinates (*convert function*). Missing coordinates
+/// count as 0 and further ones are ignored, both with a fault.
 pub fn convert_array(
     env: &mut Env,
     shape: &Shape,
@@ -70,7 +70,7 @@ pub fn convert_array(
     coordinates: Array<f64>,
 ) -> Array<f64> {
     if coordinates.len() != 3 {
-        env.fault(FaultKind::Value, format!("`convert` needs 3 coordinates and has {}", coordinates.len()));
+        env.fault(FaultKind::Value, format!("`convert` needs 3 coordinates, but has {}", coordinates.len()));
     }
     let given = [0, 1, 2].map(|at| coordinates.get(at).copied().unwrap_or_default());
     Array::from(convert_all(env, shape, from, to, what, given))
@@ -96,6 +96,6 @@ pub(super) fn convert_all(
     if found.is_finite() {
         return found.to_array();
     }
-    env.fault(FaultKind::Value, "`convert` leads beyond the largest number; 0 is used instead");
+    env.fault(FaultKind::Value, "`convert` overflows; 0 is used instead");
     [0.0; 3]
 }

@@ -1,4 +1,4 @@
-//! How many vertices, edges, faces and holes; the names of groups and materials.
+//! Numbers of vertices, edges, faces and holes; the names of groups and materials.
 
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::run::env::Env;
@@ -6,7 +6,7 @@ use crate::shape::{Geometry, Shape};
 use crate::value::array::Array;
 use crate::value::text::Text;
 
-/// `geometry.nVertices()` (*geometry.nVertices function*): those that faces share count once.
+/// `geometry.nVertices()` (*geometry.nVertices function*): a shared vertex counts once.
 pub fn geometry_n_vertices(shape: &Shape) -> f64 {
     match &shape.geometry {
         Geometry::Empty => 0.0,
@@ -29,7 +29,7 @@ pub fn geometry_n_faces(shape: &Shape) -> f64 {
     }
 }
 
-/// `geometry.nEdges()` (*geometry.nEdges function*): those that faces share count once.
+/// `geometry.nEdges()` (*geometry.nEdges function*): a shared edge counts once.
 pub fn geometry_n_edges(shape: &Shape) -> f64 {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex => 0.0,
@@ -41,7 +41,7 @@ pub fn geometry_n_edges(shape: &Shape) -> f64 {
     }
 }
 
-/// `geometry.nHoles()`: holes in faces (*geometry.nHoles function*).
+/// `geometry.nHoles()`: the number of holes in faces (*geometry.nHoles function*).
 pub fn geometry_n_holes(shape: &Shape) -> f64 {
     match &shape.geometry {
         Geometry::Mesh(placed) => placed.mesh.faces().map(|face| face.holes().len()).sum::<usize>() as f64,
@@ -50,16 +50,16 @@ pub fn geometry_n_holes(shape: &Shape) -> f64 {
 }
 
 /// `geometry.groups()`: the names of the groups that have faces, in their order; faces without a group come last
-/// (*geometry.groups function*). Those of the initial shape are under its name (*CGA changelog 2021.0*), inserted ones under
-/// an empty name.
+/// (*geometry.groups function*). Such faces of the initial shape have its name (*CGA changelog 2021.0*), inserted
+/// ones an empty name.
 pub fn geometry_groups(env: &Env, shape: &Shape) -> Array<Text> {
     let is_foreign = shape.state.get().is_some_and(|state| state.foreign);
     let nameless = if is_foreign { Text::default() } else { env.initial.name.clone() };
     names(shape, |tag| tag.group, |mesh, id| mesh.groups().get(id).map(|name| Text::from(name.as_str())), nameless)
 }
 
-/// `geometry.materials()`: the names of the materials that faces have, in their order; faces without a material come last,
-/// under an empty name (*geometry.materials function*).
+/// `geometry.materials()`: the names of the materials that faces have, in their order; faces without a material come
+/// last, with an empty name (*geometry.materials function*).
 pub fn geometry_materials(shape: &Shape) -> Array<Text> {
     let name = |mesh: &Mesh, id: usize| mesh.materials().get(id).and_then(|look| look.name.clone());
     names(shape, |tag| tag.material, name, Text::default())

@@ -1,4 +1,4 @@
-//! The faces of a shape as functions see them: where they look and how large they are.
+//! The directions and areas of a shape's faces, for functions.
 
 use glam::DVec3;
 
@@ -8,8 +8,9 @@ use crate::run::env::Env;
 use crate::shape::place;
 use crate::shape::{Geometry, Shape};
 
-/// Calls with the area, in square metres, of every face that looks where a word says (*geometry.area function*,
-/// *geometry.isOriented function*); other words than those for directions take all. A face without area looks nowhere.
+/// Calls `each` with the area, in square metres, of every face in the direction of a selector word (*geometry.area
+/// function*, *geometry.isOriented function*). A word without a direction selects all faces. A face without area has
+/// no direction.
 pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMut(f64)) {
     let looks = Looks::of(env, shape);
     area_vectors(shape, |vector, at| {
@@ -24,7 +25,8 @@ pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMu
     });
 }
 
-/// Calls with the area of every face along its normal, and a point of it, in scope coordinates.
+/// Calls `each` with the area vector of every face (its normal times its area) and a point of the face, in scope
+/// coordinates.
 pub(super) fn area_vectors(shape: &Shape, mut each: impl FnMut(DVec3, DVec3)) {
     let local = crate::shape::scope::Scope::new(shape.scope.size);
     match &shape.geometry {
@@ -38,7 +40,7 @@ pub(super) fn area_vectors(shape: &Shape, mut each: impl FnMut(DVec3, DVec3)) {
         }
         Geometry::Mesh(placed) => {
             let stretch = placed.stretch(shape.scope.size);
-            // What cross products of stretched vectors are stretched by.
+            // The factor of cross products of stretched vectors.
             let across = DVec3::new(stretch.y * stretch.z, stretch.z * stretch.x, stretch.x * stretch.y);
             let to_scope = placed.to_scope(shape.scope.size);
             placed.mesh.faces().for_each(|face| {

@@ -7,23 +7,23 @@ use crate::shape::view::View;
 use crate::value::array::Array;
 use crate::value::text::Text;
 
-/// The longest text that is read, in bytes.
+/// The largest size of a text file, in bytes.
 const LONGEST_TEXT: u64 = 4 << 20;
 
-/// `fileExists(file)`: whether there is such a file, of a kind that can be used (*fileExists function*).
+/// `fileExists(file)`: true if there is such a file of a supported kind (*fileExists function*).
 pub fn file_exists(env: &Env, file: File) -> bool {
     env.settings.assets.exists(&file)
 }
 
-/// `fileSearch(query)`: the files that it finds as a list, sorted, each with `;` behind it (*fileSearch / filesSearch
-/// functions*). Paths are those from the asset folder, with a slash in front where the rule file would find another file by
-/// the path without it.
+/// `fileSearch(query)`: the files found as a sorted list, each followed by `;` (*fileSearch / filesSearch
+/// functions*). Paths are relative to the asset folder. A path begins with a slash if the rule file would find
+/// another file by the path without it.
 pub fn file_search(env: &mut Env, query: File) -> Text {
     let found = env.files(&query);
     list(env, &found)
 }
 
-/// Texts as a list.
+/// The texts as a list.
 fn list(env: &mut Env, texts: &[Text]) -> Text {
     if !env.may_write(texts.iter().map(|text| text.len() + 1).sum()) {
         return Text::default();
@@ -36,20 +36,20 @@ fn list(env: &mut Env, texts: &[Text]) -> Text {
     Text::from(list)
 }
 
-/// `filesSearch(query)`: the files that it finds, sorted (*fileSearch / filesSearch functions*).
+/// `filesSearch(query)`: the files found, sorted (*fileSearch / filesSearch functions*).
 pub fn files_search(env: &mut Env, query: File) -> Array<Text> {
     let found = env.files(&query);
     if env.may_hold(found.len()) { found.iter().cloned().collect() } else { Array::default() }
 }
 
-/// `fileRandom(query)`: one of the files that it finds, by chance; empty without any (*fileRandom*). It uses up one random
-/// number in any case.
+/// `fileRandom(query)`: a random file of those found; empty if there are none (*fileRandom*). It always draws one
+/// random number.
 pub fn file_random(env: &mut Env, shape: &mut impl View, query: File) -> Text {
     let (draw, found) = (shape.draw(), env.files(&query));
     found.get((draw * found.len() as f64) as usize).cloned().unwrap_or_default()
 }
 
-/// What `assetInfo` gives.
+/// The result of `assetInfo`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "sizes and lowest coordinates along each axis")]
 pub enum AssetDimension {
@@ -61,8 +61,8 @@ pub enum AssetDimension {
     Tz,
 }
 
-/// `assetInfo(file, sx | sy | sz | tx | ty | tz)`: sizes and lowest corner of the box around an asset, in metres (*assetInfo
-/// function*). Without such an asset it is 0, with a fault.
+/// `assetInfo(file, sx | sy | sz | tx | ty | tz)`: size and lowest corner of an asset's bounding box, in metres
+/// (*assetInfo function*). If the asset is missing, 0 with a fault.
 pub fn asset_info(env: &mut Env, file: File, dimension: AssetDimension) -> f64 {
     let bounds = match env.settings.assets.mesh_of(&file) {
         Ok(mesh) => mesh.bounds(),
@@ -79,7 +79,7 @@ pub fn asset_info(env: &mut Env, file: File, dimension: AssetDimension) -> f64 {
     }
 }
 
-/// What `assetNamingInfo` names.
+/// The names that `assetNamingInfo` lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AssetNaming {
     /// Groups.
@@ -88,13 +88,13 @@ pub enum AssetNaming {
     Materials,
 }
 
-/// `assetNamingInfos(file, g | m)`: the names of an asset's groups or materials, in its order (*assetNamingInfo / assetNamingInfos
-/// functions*). Without such an asset there are none, with a fault.
+/// `assetNamingInfos(file, g | m)`: the names of an asset's groups or materials, in its order (*assetNamingInfo /
+/// assetNamingInfos functions*). If the asset is missing, an empty array with a fault.
 pub fn asset_naming_infos(env: &mut Env, file: File, what: AssetNaming) -> Array<Text> {
     let mesh = match env.settings.assets.mesh_of(&file) {
         Ok(mesh) => mesh,
         Err(why) => {
-            env.asset_fault(format!("`{file}` cannot be looked into: {why}; no names are used instead"));
+            env.asset_fault(format!("`{file}` cannot be read: {why}; the list of names is empty"));
             return Array::default();
         }
     };
@@ -105,14 +105,14 @@ pub fn asset_naming_infos(env: &mut Env, file: File, what: AssetNaming) -> Array
     if env.may_hold(names.len()) { Array::from(names) } else { Array::default() }
 }
 
-/// `assetNamingInfo(file, g | m)`: the same as a list, each name with `;` behind it (*assetNamingInfo / assetNamingInfos
-/// functions*).
+/// `assetNamingInfo(file, g | m)`: the names of an asset's groups or materials as a list, each followed by `;`
+/// (*assetNamingInfo / assetNamingInfos functions*).
 pub fn asset_naming_info(env: &mut Env, file: File, what: AssetNaming) -> Text {
     let names = asset_naming_infos(env, file, what);
     list(env, names.as_slice())
 }
 
-/// What `imageInfo` gives.
+/// The result of `imageInfo`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImageDimension {
     /// Width.
@@ -121,15 +121,15 @@ pub enum ImageDimension {
     Sy,
 }
 
-/// `imageInfo(file, sx | sy)`: width or height in pixels of a PNG or JPEG file (*imageInfo function*). Of others it is 0, with
-/// a fault.
+/// `imageInfo(file, sx | sy)`: the width or height in pixels of a PNG or JPEG file (*imageInfo function*). For other
+/// files, 0 with a fault.
 pub fn image_info(env: &mut Env, file: File, dimension: ImageDimension) -> f64 {
     let assets = &env.settings.assets;
     let size = if BUILTINS.contains(&file.name.as_str()) {
         assets.image_header(&file.name).map(|header| (header.width, header.height))
     } else {
         let read = assets.bytes(&file, header::LOOKED_AT);
-        read.and_then(|(bytes, _)| header::size(&bytes).ok_or(AssetError::Format("it is no PNG or JPEG file")))
+        read.and_then(|(bytes, _)| header::size(&bytes).ok_or(AssetError::Format("it is not a PNG or JPEG file")))
     };
     match (size, dimension) {
         (Ok((width, _)), ImageDimension::Sx) => width.into(),
@@ -143,9 +143,9 @@ fn unknown(env: &mut Env, file: &File, why: &AssetError) -> f64 {
     0.0
 }
 
-/// `readTextFile(file)`: what is in a text file, line ends as `\n` and other control characters as `?` (*readTextFile
-/// function*). UTF-8, and UTF-16 with a mark at its beginning; what is neither becomes `U+FFFD`. Without such a file it is
-/// empty, with a fault.
+/// `readTextFile(file)`: the contents of a text file, with line ends as `\n` and other control characters as `?`
+/// (*readTextFile function*). The file is UTF-8, or UTF-16 with a byte order mark; other bytes become `U+FFFD`. If
+/// the file is missing, empty text with a fault.
 pub fn read_text_file(env: &mut Env, file: File) -> Text {
     match read_text(env, &file, "txt") {
         Ok(text) => Text::from(text),
@@ -156,10 +156,10 @@ pub fn read_text_file(env: &mut Env, file: File) -> Text {
     }
 }
 
-/// The text of a file whose name ends so.
+/// The text of a file, whose name must have the ending `end`.
 pub(super) fn read_text(env: &Env, file: &File, end: &str) -> Result<String, AssetError> {
     if !file.name.rsplit_once('.').is_some_and(|(_, found)| found.eq_ignore_ascii_case(end)) {
-        return Err(AssetError::Format("its name does not end as those of such files do"));
+        return Err(AssetError::Format("its name has another ending"));
     }
     let (bytes, all) = env.settings.assets.bytes(file, LONGEST_TEXT)?;
     if all { Ok(plain_text(&bytes)) } else { Err(AssetError::TooLong { most: LONGEST_TEXT }) }

@@ -1,4 +1,4 @@
-//! What the faces of a shape are like: concave, rectangular, planar, closed, looking somewhere.
+//! Properties of a shape's faces: concave, rectangular, planar, closed, oriented.
 
 use glam::DVec3;
 
@@ -9,8 +9,8 @@ use crate::geometry::tol::{ANGLE_EPSILON, STRAIGHT_EPSILON};
 use crate::run::env::Env;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
-/// `geometry.isConcave()`: whether a face turns inwards somewhere (*geometry.isConcave function*). Corners that go straight
-/// on do not; a face with a hole does.
+/// `geometry.isConcave()`: true if a face has a reflex corner (*geometry.isConcave function*). A straight corner is
+/// not reflex. The corners of a hole are.
 pub fn geometry_is_concave(shape: &Shape) -> bool {
     let Geometry::Mesh(placed) = &shape.geometry else { return false };
     let stretch = placed.stretch(shape.scope.size);
@@ -21,8 +21,8 @@ pub fn geometry_is_concave(shape: &Shape) -> bool {
     })
 }
 
-/// `geometry.isRectangular(tolerance)`: whether there are faces, and all have four vertices and right angles within so many
-/// degrees (*geometry.isRectangular function*). A side without length has no angles.
+/// `geometry.isRectangular(tolerance)`: true if there are faces, and all have four vertices and right angles within
+/// `tolerance` degrees (*geometry.isRectangular function*). A side without length has no angles.
 pub fn geometry_is_rectangular(env: &mut Env, shape: &Shape, tolerance: f64) -> bool {
     let tolerance = env.finite(tolerance, "the tolerance");
     let long = |axis: usize| shape.scope.size[axis] != 0.0;
@@ -43,8 +43,9 @@ pub fn geometry_is_rectangular(env: &mut Env, shape: &Shape, tolerance: f64) -> 
     }
 }
 
-/// `geometry.isPlanar(tolerance)`: whether there are faces, and none has a corner whose two edges lie in a plane that is off
-/// its own by more than so many degrees (*geometry.isPlanar function*). Corners that go straight on say nothing.
+/// `geometry.isPlanar(tolerance)`: true if there are faces, and at no corner the plane of the two edges differs from
+/// the plane of the face by more than `tolerance` degrees (*geometry.isPlanar function*). Straight corners do not
+/// count.
 pub fn geometry_is_planar(env: &mut Env, shape: &Shape, tolerance: f64) -> bool {
     let tolerance = env.finite(tolerance, "the tolerance");
     match &shape.geometry {
@@ -62,21 +63,22 @@ fn is_planar(placed: &Placed, size: DVec3, tolerance: f64) -> bool {
         normal == DVec3::ZERO
             || corners(&face, stretch).all(|[before, after]| {
                 let local = before.cross(after);
-                // Where a face turns inwards, the local normal looks the other way.
+                // At a reflex corner, the local normal points the other way.
                 local.length() <= STRAIGHT_EPSILON || least <= unit(local).dot(normal).abs()
             })
     };
     !placed.mesh.is_empty() && placed.mesh.faces().all(flat)
 }
 
-/// `geometry.isOriented(selector)`: whether a face looks there (*geometry.isOriented function*).
+/// `geometry.isOriented(selector)`: true if a face has that direction (*geometry.isOriented function*).
 pub fn geometry_is_oriented(env: &Env, shape: &Shape, selector: Word) -> bool {
     let mut any = false;
     selected(env, shape, selector, |_| any = true);
     any
 }
 
-/// `geometry.isClosedSurface()`: whether there are faces, and two of them at every edge (*geometry.isClosedSurface function*).
+/// `geometry.isClosedSurface()`: true if there are faces, and every edge has two of them (*geometry.isClosedSurface
+/// function*).
 pub fn geometry_is_closed_surface(shape: &Shape) -> bool {
     match &shape.geometry {
         Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) | Geometry::Rect(..) => false,
@@ -88,13 +90,13 @@ pub fn geometry_is_closed_surface(shape: &Shape) -> bool {
     }
 }
 
-/// `geometry.isInstanced()`: whether the geometry is an asset or a primitive that nothing has changed since it was inserted
-/// (*geometry.isInstanced function*; *Built-in assets* has the primitives). A new size or place changes nothing.
+/// `geometry.isInstanced()`: true if the geometry is an asset or a primitive that has not changed since its insertion
+/// (*geometry.isInstanced function*; *Built-in assets* has the primitives). A new size or place is not a change.
 pub fn geometry_is_instanced(shape: &Shape) -> bool {
     shape.geometry.inserted() != Inserted::No
 }
 
-/// For each corner the directions of the edge to it and of the edge from it, made one long, in scope coordinates.
+/// The unit directions of the edges to and from each corner, in scope coordinates.
 fn corners<'a>(face: &FaceRef<'a>, stretch: DVec3) -> impl Iterator<Item = [DVec3; 2]> + 'a {
     let face = *face;
     face.loop_ranges().flat_map(move |ring| {

@@ -1,4 +1,5 @@
-//! Attributes of the current shape, as the language's table names them (*scope attribute*, *split attribute*, …).
+//! The attributes of the current shape, named as in the table of the language (*scope attribute*, *split attribute*,
+//! …).
 
 use glam::DVec3;
 
@@ -23,36 +24,36 @@ macro_rules! numbers {
 }
 
 numbers! { (impl View)
-    /// Width.
+    /// The width.
     scope_sx = |shape| shape.size().x;
-    /// Height.
+    /// The height.
     scope_sy = |shape| shape.size().y;
-    /// Depth.
+    /// The depth.
     scope_sz = |shape| shape.size().z;
-    /// Height of the scope's origin above the world's ground.
+    /// The height of the scope's origin above the world's ground.
     scope_elevation = |shape| shape.origin().y;
-    /// Number of the part in the last split, from 0; -1 before any.
+    /// The index of the part in the last split, from 0; -1 before any split.
     split_index = |shape| f64::from(shape.split_index());
-    /// Parts of the last split.
+    /// The number of parts of the last split.
     split_total = |shape| f64::from(shape.split_total());
 }
 
 numbers! { (Shape)
-    /// Offset from the pivot, along its x axis.
+    /// The offset from the pivot, along the pivot's x axis.
     scope_tx = |shape| offset(shape).x;
-    /// Offset from the pivot, along its y axis.
+    /// The offset from the pivot, along the pivot's y axis.
     scope_ty = |shape| offset(shape).y;
-    /// Offset from the pivot, along its z axis.
+    /// The offset from the pivot, along the pivot's z axis.
     scope_tz = |shape| offset(shape).z;
-    /// Rotation about the pivot's x axis, in degrees.
+    /// The rotation about the pivot's x axis, in degrees.
     scope_rx = |shape| rotation(shape).x;
-    /// Rotation about the pivot's y axis, in degrees.
+    /// The rotation about the pivot's y axis, in degrees.
     scope_ry = |shape| rotation(shape).y;
-    /// Rotation about the pivot's z axis, in degrees.
+    /// The rotation about the pivot's z axis, in degrees.
     scope_rz = |shape| rotation(shape).z;
-    /// Number of the component in its selector, from 0; -1 before any.
+    /// The index of the component within its selector, from 0; -1 before any comp.
     comp_index = |shape| f64::from(shape.comp.index());
-    /// Components of its selector.
+    /// The number of components of its selector.
     comp_total = |shape| f64::from(shape.comp.total());
 }
 
@@ -82,7 +83,8 @@ macro_rules! material_texts {
 each_material_number!(material_numbers);
 each_material_text!(material_texts);
 
-/// What the rules set, else what the geometry's own material has (*CGA changelog 2010.3*), else the default.
+/// The value set by rules, otherwise that of the geometry's own material (*CGA changelog 2010.3*), otherwise the
+/// default.
 fn material_number(shape: &Shape, which: MaterialNumber) -> f64 {
     let set = shape.material().number(which);
     set.or_else(|| shape.own_material()?.number(which)).unwrap_or(which.default_value())
@@ -93,7 +95,7 @@ fn material_text(shape: &Shape, which: MaterialText) -> Text {
     set.cloned().unwrap_or(Text::fixed(which.default_value()))
 }
 
-/// `material.color.rgb`: as in `#ff8000`.
+/// `material.color.rgb`: text such as `#ff8000`.
 pub fn material_color_rgb(shape: &Shape) -> Text {
     let channel = |channel| {
         let share = material_number(shape, MaterialNumber::Color(channel));
@@ -108,25 +110,25 @@ pub fn material_double_sided(shape: &Shape) -> bool {
     shape.material().double_sided.or_else(|| shape.own_material()?.double_sided).unwrap_or(true)
 }
 
-/// `trim.vertical`: whether vertical trim planes cut (*trim attribute*). There are no trim planes yet.
+/// `trim.vertical`: true if vertical trim planes cut (*trim attribute*).
 pub fn trim_vertical(shape: &Shape) -> bool {
     shape.state.trim().vertical
 }
 
-/// `trim.horizontal`: whether horizontal trim planes cut (*trim attribute*). There are no trim planes yet.
+/// `trim.horizontal`: true if horizontal trim planes cut (*trim attribute*).
 pub fn trim_horizontal(shape: &Shape) -> bool {
     shape.state.trim().horizontal
 }
 
-/// `seedian`: the seed that random numbers of this shape follow from (*seedian attribute*). Seeds have 64 bits; those that
-/// are no whole number a float can hold read as one that is.
+/// `seedian`: the seed of the random numbers of this shape (*seedian attribute*). Seeds have 64 bits; a seed that a
+/// float cannot hold exactly reads as another integer.
 pub fn seedian(shape: &impl View) -> f64 {
     let seed = shape.seed_value();
     let exact = (seed as i64).unsigned_abs() <= SEED_MAX;
     if exact { seed as i64 as f64 } else { (seed >> 11) as f64 }
 }
 
-/// Whole numbers up to this are exact in a float.
+/// The largest integer up to which all integers are exact in a float.
 pub(crate) const SEED_MAX: u64 = 1 << 53;
 
 /// `initialShape.name`: see [`Shape::named`](crate::shape::Shape::named) (*initialShape attribute*).
@@ -150,32 +152,32 @@ macro_rules! placed {
 
 // *initialShape attribute*: object coordinates in the world. *pivot attribute*: the pivot in object coordinates.
 placed! { (impl View)
-    /// Where object coordinates begin, in the world: x.
+    /// The x coordinate of the origin of object coordinates, in the world.
     initial_shape_origin_px = |env, _| env.initial.object.origin.x;
-    /// Where object coordinates begin, in the world: y.
+    /// The y coordinate of the origin of object coordinates, in the world.
     initial_shape_origin_py = |env, _| env.initial.object.origin.y;
-    /// Where object coordinates begin, in the world: z.
+    /// The z coordinate of the origin of object coordinates, in the world.
     initial_shape_origin_pz = |env, _| env.initial.object.origin.z;
-    /// How object coordinates are turned in the world, in degrees: about x.
+    /// The rotation of object coordinates in the world about x, in degrees.
     initial_shape_origin_ox = |env, _| angles(&env.initial.object.axes).x;
-    /// How object coordinates are turned in the world, in degrees: about y.
+    /// The rotation of object coordinates in the world about y, in degrees.
     initial_shape_origin_oy = |env, _| angles(&env.initial.object.axes).y;
-    /// How object coordinates are turned in the world, in degrees: about z.
+    /// The rotation of object coordinates in the world about z, in degrees.
     initial_shape_origin_oz = |env, _| angles(&env.initial.object.axes).z;
 }
 
 placed! { (Shape)
-    /// Where the pivot is in object coordinates: x.
+    /// The x coordinate of the pivot in object coordinates.
     pivot_px = |env, shape| pivot_position(env, shape).x;
-    /// Where the pivot is in object coordinates: y.
+    /// The y coordinate of the pivot in object coordinates.
     pivot_py = |env, shape| pivot_position(env, shape).y;
-    /// Where the pivot is in object coordinates: z.
+    /// The z coordinate of the pivot in object coordinates.
     pivot_pz = |env, shape| pivot_position(env, shape).z;
-    /// How the pivot is turned in object coordinates, in degrees: about x.
+    /// The rotation of the pivot in object coordinates about x, in degrees.
     pivot_ox = |env, shape| pivot_rotation(env, shape).x;
-    /// How the pivot is turned in object coordinates, in degrees: about y.
+    /// The rotation of the pivot in object coordinates about y, in degrees.
     pivot_oy = |env, shape| pivot_rotation(env, shape).y;
-    /// How the pivot is turned in object coordinates, in degrees: about z.
+    /// The rotation of the pivot in object coordinates about z, in degrees.
     pivot_oz = |env, shape| pivot_rotation(env, shape).z;
 }
 
@@ -205,27 +207,27 @@ macro_rules! array_attributes {
 }
 
 array_attributes! {
-    /// An attribute of the grammar that is an array of floats, as this shape sees it.
+    /// The value on this shape of a grammar attribute that is an array of floats.
     floats_attribute: f64 = Floats;
-    /// An attribute of the grammar that is an array of bools, as this shape sees it.
+    /// The value on this shape of a grammar attribute that is an array of bools.
     bools_attribute: bool = Bools;
-    /// An attribute of the grammar that is an array of texts, as this shape sees it.
+    /// The value on this shape of a grammar attribute that is an array of texts.
     texts_attribute: Text = Texts;
 }
 
-/// A float attribute of the grammar as this shape sees it.
+/// The value on this shape of a float attribute of the grammar.
 #[inline]
 pub fn float_attribute(shape: &impl View, number: u32, initial: f64) -> f64 {
     if let Some(Value::Float(value)) = shape.attribute(number) { *value } else { initial }
 }
 
-/// A bool attribute of the grammar as this shape sees it.
+/// The value on this shape of a bool attribute of the grammar.
 #[inline]
 pub fn bool_attribute(shape: &impl View, number: u32, initial: bool) -> bool {
     if let Some(Value::Bool(value)) = shape.attribute(number) { *value } else { initial }
 }
 
-/// A text attribute of the grammar as this shape sees it.
+/// The value on this shape of a text attribute of the grammar.
 #[inline]
 pub fn text_attribute(shape: &impl View, number: u32, initial: &Text) -> Text {
     if let Some(Value::Text(value)) = shape.attribute(number) { value.clone() } else { initial.clone() }

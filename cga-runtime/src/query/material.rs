@@ -7,28 +7,28 @@ use crate::shape::Shape;
 use crate::value::array::Array;
 use crate::value::text::Text;
 
-/// Which material `getMaterial` reads.
+/// The material that `getMaterial` reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MaterialSource {
-    /// What is seen: what rules have set over what the geometry brought along.
+    /// The visible material: attributes set by rules over those of the geometry.
     Used,
-    /// What rules have set.
+    /// The attributes set by rules.
     Shape,
-    /// What the geometry brought along; of several the first.
+    /// The material of the geometry; if there are several, the first.
     Geometry,
 }
 
-/// Which attributes `getMaterial` reads.
+/// The attributes that `getMaterial` reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MaterialMode {
-    /// Those that are set.
+    /// The attributes that are set.
     Changed,
-    /// All, with their defaults.
+    /// All attributes, with their defaults.
     All,
 }
 
-/// `getMaterial(used | shape | geometry, changed | all)`: a row for each attribute, its name and its value, sorted by name
-/// (*getMaterial function*). `setMaterial` takes it.
+/// `getMaterial(used | shape | geometry, changed | all)`: a row with name and value for each attribute, sorted by
+/// name (*getMaterial function*). `setMaterial` takes this array.
 pub fn get_material(env: &mut Env, shape: &Shape, source: MaterialSource, mode: MaterialMode) -> Array<Text> {
     let own = || shape.own_material().unwrap_or(&Material::UNSET);
     let material = match source {
@@ -38,7 +38,7 @@ pub fn get_material(env: &mut Env, shape: &Shape, source: MaterialSource, mode: 
     };
     let all = mode == MaterialMode::All;
     let mut rows: Vec<[Text; 2]> = Vec::new();
-    // The deprecated name says nothing that the other does not.
+    // The deprecated name is a synonym of `opacity`.
     for (name, which) in MATERIAL_NUMBERS.iter().filter(|(name, _)| *name != "color.a") {
         let value = material.number(*which).or_else(|| all.then(|| which.default_value()));
         rows.extend(value.map(|value| [Text::fixed(name), float_to_text(value)]));

@@ -9,7 +9,7 @@ use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
 
-/// `geometry.area(selector)`: the sum of the areas of the faces, holes taken off, in square metres (*geometry.area
+/// `geometry.area(selector)`: the sum of the areas of the faces without their holes, in square metres (*geometry.area
 /// function*).
 pub fn geometry_area(env: &Env, shape: &Shape, selector: Word) -> f64 {
     let size = shape.scope.size.abs();
@@ -28,9 +28,9 @@ pub fn geometry_area(env: &Env, shape: &Shape, selector: Word) -> f64 {
     }
 }
 
-/// `geometry.volume()`: what the faces enclose, in cubic metres (*geometry.volume function*). Never negative: a shape that is
-/// inside out holds as much as before. Flat geometry has none; of an open mesh it is that of the cones from the faces to the
-/// middle.
+/// `geometry.volume()`: the volume enclosed by the faces, in cubic metres (*geometry.volume function*). It is never
+/// negative, even for a shape that is inside out. Flat geometry has none. For an open mesh it is the volume of the
+/// cones from the faces to the middle.
 pub fn geometry_volume(shape: &Shape) -> f64 {
     let size = shape.scope.size;
     match &shape.geometry {
@@ -44,7 +44,8 @@ pub fn geometry_volume(shape: &Shape) -> f64 {
     }
 }
 
-/// `geometry.height()`: from the lowest to the highest point in the world, in metres (*geometry.height function*).
+/// `geometry.height()`: the height from the lowest to the highest point in the world, in metres (*geometry.height
+/// function*).
 pub fn geometry_height(shape: &Shape) -> f64 {
     let (size, axes) = (shape.scope.size, shape.scope.axes);
     let rise = DVec3::new(axes.x_axis.y, axes.y_axis.y, axes.z_axis.y);
@@ -72,8 +73,8 @@ pub fn geometry_height(shape: &Shape) -> f64 {
     }
 }
 
-/// `geometry.boundaryLength()`: the length of all edges that no more than one face has, in metres
-/// (*geometry.boundaryLength function*).
+/// `geometry.boundaryLength()`: the length of all edges with at most one face, in metres (*geometry.boundaryLength
+/// function*).
 pub fn geometry_boundary_length(shape: &Shape) -> f64 {
     let size = shape.scope.size;
     match &shape.geometry {
@@ -97,29 +98,29 @@ pub fn geometry_boundary_length(shape: &Shape) -> f64 {
     }
 }
 
-/// What `geometry.angle` gives.
+/// The result of `geometry.angle`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AngleType {
-    /// How steep the steepest face is: 0 is level, 90 upright.
+    /// The slope of the steepest face: 0 is level, 90 upright.
     MaxSlope,
-    /// Where that face looks: 0 is north (−z), 90 east (+x); 0 also for a level one.
+    /// The direction of that face: 0 is north (−z), 90 east (+x). A level face has 0.
     Azimuth,
-    /// 90 less the slope.
+    /// 90 minus the slope.
     Zenith,
 }
 
-/// `geometry.angle(maxSlope | azimuth | zenith)`, in degrees (*geometry.angle function*). Slopes are those of the world; of
-/// equally steep faces the first counts.
+/// `geometry.angle(maxSlope | azimuth | zenith)`, in degrees (*geometry.angle function*). Slopes are relative to the
+/// world. Of equally steep faces the first counts.
 pub fn geometry_angle(shape: &Shape, angle: AngleType) -> f64 {
     let mut steepest = (0.0, 0.0);
     area_vectors(shape, |vector, _| {
         let normal = shape.scope.axes * crate::geometry::mesh::unit(vector);
         let level = (normal.x * normal.x + normal.z * normal.z).sqrt();
         let slope = libm::atan2(level, normal.y.abs()).to_degrees();
-        // Opposite faces are equally steep but for rounding.
+        // Opposite faces are equally steep except for rounding.
         if steepest.0 + TIE_EPSILON < slope && ANGLE_EPSILON < level {
             let azimuth = libm::atan2(normal.x, -normal.z).to_degrees().rem_euclid(360.0);
-            // Just below 0 rounds to 360.
+            // Angles just below 0 round to 360.
             steepest = (slope, if azimuth < 360.0 { azimuth } else { 0.0 });
         }
     });

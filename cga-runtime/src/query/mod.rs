@@ -1,7 +1,7 @@
-//! Functions that look at the current shape, its geometry, the run or files, as the language's table names them.
+//! Functions that read the current shape, its geometry, the run or files, named as in the table of the language.
 //!
-//! Geometry is measured where it stands: in metres, in the world. Boxes and rectangles answer by formula and make no mesh;
-//! the answer is the one that their mesh would give.
+//! Geometry is measured in metres, in the world. Boxes and rectangles are measured by formula, without a mesh. The
+//! result equals that of their mesh.
 
 mod convert;
 mod count;
@@ -40,7 +40,7 @@ pub use texture::{
     geometry_v_min,
 };
 
-/// The coordinate that `convert` gives.
+/// The coordinate that `convert` returns.
 pub use crate::geometry::Axis;
 
 #[cfg(test)]

@@ -7,10 +7,10 @@ use crate::run::env::Env;
 use crate::value::array::Array;
 use crate::value::text::Text;
 
-/// `readStringTable(file)`: the cells of a table, a line a row (*readTable functions*). What stands between cells is found out:
-/// whichever of comma, semicolon and tab is most frequent in the first line, else space. Cells may stand between double quotes,
-/// which are doubled inside. Shorter rows are filled with empty text, and lines with nothing in them are left out. Without such
-/// a file there are no cells, with a fault.
+/// `readStringTable(file)`: the cells of a table, with a line for each row (*readTable functions*). The delimiter is
+/// the most frequent of comma, semicolon and tab in the first line, otherwise space. Cells may be in double quotes; a
+/// quote inside is doubled. Shorter rows are filled with empty text, and empty lines are left out. If the file is
+/// missing, an empty array with a fault.
 pub fn read_string_table(env: &mut Env, file: File) -> Array<Text> {
     if let Some(known) = env.tables.get(&file) {
         return known.clone();
@@ -31,7 +31,8 @@ pub fn read_string_table(env: &mut Env, file: File) -> Array<Text> {
     table
 }
 
-/// `readFloatTable(file)`: the same as numbers (*readTable functions*). What is no number is not a number.
+/// `readFloatTable(file)`: the cells of a table as numbers (*readTable functions*). Text that is not a number becomes
+/// NaN.
 pub fn read_float_table(env: &mut Env, file: File) -> Array<f64> {
     floats_from_texts(read_string_table(env, file))
 }

@@ -1,4 +1,4 @@
-//! Laws of measuring, on random shapes, and the facts of the reference.
+//! Laws of measurement on random shapes, and documented behaviour.
 
 use std::sync::Arc;
 
@@ -53,7 +53,7 @@ const SELECTORS: [Word; 28] = {
 
 const ANGLES: [AngleType; 3] = [AngleType::MaxSlope, AngleType::Azimuth, AngleType::Zenith];
 
-/// Small whole numbers as often as others, negative ones and now and then zero.
+/// Half of the numbers are small integers, also negative ones and sometimes zero.
 fn number(seed: &mut Seed) -> f64 {
     let value = 20.0 * seed.draw() - 10.0;
     if seed.draw() < 0.5 { value.round() } else { value }
@@ -68,7 +68,7 @@ fn random_scope(seed: &mut Seed) -> Scope {
     Scope { origin: point(seed), axes, size: point(seed) }
 }
 
-/// The same shape with a mesh for its geometry.
+/// The same shape with a mesh as its geometry.
 fn meshed(shape: &Shape) -> Shape {
     let mut other = shape.clone();
     other.geometry = Geometry::Mesh(Arc::new(Placed {
@@ -81,7 +81,7 @@ fn meshed(shape: &Shape) -> Shape {
     other
 }
 
-/// All numbers that functions give for a shape.
+/// All numbers that functions return for a shape.
 fn measures(env: &mut Env, shape: &Shape) -> Vec<f64> {
     let flag = |truth: bool| f64::from(u8::from(truth));
     let mut list: Vec<f64> = SELECTORS.iter().map(|&selector| geometry_area(env, shape, selector)).collect();
@@ -110,7 +110,7 @@ fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-9 * (1.0 + a.abs().max(b.abs()))
 }
 
-/// A courtyard house: a concave footprint with a hole, 10 m high. Area of the footprint 100 - 16 - 4.
+/// A courtyard house: a concave footprint with a hole, 10 m high. The footprint has the area 100 - 16 - 4.
 fn courtyard() -> Mesh {
     let on = |list: &[(f64, f64)]| list.iter().map(|&(x, z)| DVec3::new(x, 0.0, -z)).collect::<Vec<_>>();
     let outer = on(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (4.0, 10.0), (4.0, 6.0), (0.0, 6.0)]);
@@ -125,7 +125,7 @@ fn boxes_and_rectangles_answer_as_their_meshes_do() {
     env.initial.object = Frame { origin: DVec3::ONE, axes: turn(10.0, 20.0, 30.0) };
     for round in 0..600 {
         let scope = random_scope(&mut seed);
-        // Where two directions are equally near, rounding decides: turned scopes have no such ties.
+        // Rounding decides between two equally near directions. Turned scopes have no such ties.
         let scope = if round % 2 == 0 { Scope { axes: DMat3::IDENTITY, ..scope } } else { scope };
         for geometry in [Geometry::Empty, Geometry::Box(UnitMesh::cuboid())]
             .into_iter()
@@ -210,7 +210,7 @@ fn fact_100_zenith_and_slope_make_a_right_angle() {
 #[test]
 fn azimuths_run_clockwise_from_the_north() {
     let env = &mut Env::for_tests();
-    // Looking up, then leaned by 30 degrees towards a side.
+    // A shape that looks up, then leans by 30 degrees towards a side.
     let leaned = |env: &mut Env, x: f64, z: f64| {
         let mut shape = Shape::rectangle(2.0, 3.0);
         rotate(env, &mut shape, x, 0.0, z);
@@ -231,7 +231,7 @@ fn selectors_follow_their_axes() {
     let area = |env: &mut Env, shape: &Shape, selector| geometry_area(env, shape, selector);
     use Word as F;
     assert_eq!([F::Front, F::Right, F::Top, F::Side].map(|s| area(env, shape, s)), [6.0, 15.0, 10.0, 42.0]);
-    // A quarter turn: what looked along z looks east.
+    // A quarter turn: faces in the direction of z now look east.
     shape.scope.axes = turn(0.0, 90.0, 0.0);
     assert_eq!([F::Front, F::WorldEast, F::WorldSouth].map(|s| area(env, shape, s)), [6.0, 6.0, 15.0]);
     env.initial.object.axes = turn(0.0, 90.0, 0.0);
@@ -262,7 +262,7 @@ fn faces_are_concave_rectangular_and_planar_within_their_tolerance() {
     let off = libm::atan(0.05).to_degrees();
     assert!(!geometry_is_rectangular(env, &leaning, off - 1e-6) && geometry_is_rectangular(env, &leaning, off + 1e-6));
     assert!(!geometry_is_concave(&leaning) && geometry_is_planar(env, &leaning, 0.0));
-    // A corner that goes straight on is neither a fifth angle nor a turn inwards.
+    // A straight corner is neither a fifth angle nor a reflex corner.
     let straight = polygon(&[(0.0, 0.0), (0.1, 0.1), (0.3, 0.3), (0.0, 4.0)]);
     assert!(!geometry_is_concave(&straight) && geometry_is_planar(env, &straight, 0.0));
     assert!(geometry_is_concave(&polygon(&[(0.0, 0.0), (4.0, 0.0), (1.0, 1.0), (0.0, 4.0)])));
@@ -341,7 +341,7 @@ fn an_inserted_asset_is_an_instance_until_it_is_changed() {
 
 type Step = fn(&mut Env, &mut crate::shape::Shape);
 
-/// Operations that change no geometry, then operations that do. Some insert another.
+/// Operations that do not change geometry, then operations that do. Some insert other geometry.
 const STEPS: [Step; 18] = [
     |env, shape| op::size(env, shape, Absolute(3.0), Absolute(2.0), Absolute(-1.0)),
     |env, shape| op::size(env, shape, Absolute(3.0), Absolute(0.0), Absolute(1.0)),
@@ -393,7 +393,7 @@ fn a_cube_and_a_quad_are_instances_until_they_are_changed() {
 
 #[test]
 fn coordinates_go_from_system_to_system_and_back() {
-    // *convert function*, its example: a turned lot, of which the middle is moved and turned.
+    // *convert function*, its example: a turned lot whose scope is moved and turned.
     let mut shape = Shape::cuboid(1.0, 3.0, 1.0);
     let start = Frame { origin: DVec3::new(0.34, 0.0, 1.5), axes: turn(0.0, -46.540_214_537, 0.0) };
     (shape.pivot, shape.scope.origin, shape.scope.axes) =

@@ -1,4 +1,4 @@
-//! Texture coordinates as functions ask for them (*geometry functions*): implicit ones count.
+//! Texture coordinates for functions (*geometry functions*), implicit ones included.
 
 use glam::{DVec2, DVec3};
 
@@ -8,13 +8,13 @@ use crate::geometry::mesh::uv::spread;
 use crate::run::env::Env;
 use crate::shape::Shape;
 
-/// `geometry.du(uvSet, space)`: the largest u minus the smallest, as coordinates or about in metres; 0 without coordinates
-/// (*geometry.du, dv functions*).
+/// `geometry.du(uvSet, space)`: the largest u minus the smallest, in texture coordinates or approximately in metres;
+/// 0 without coordinates (*geometry.du, dv functions*).
 pub fn geometry_du(env: &mut Env, shape: &Shape, set: f64, space: TextureSpace) -> f64 {
     extent(env, shape, set, space, UvAxis::U, "geometry.du")
 }
 
-/// `geometry.dv(uvSet, space)`: the same for v.
+/// `geometry.dv(uvSet, space)`: the largest v minus the smallest, see [`geometry_du`].
 pub fn geometry_dv(env: &mut Env, shape: &Shape, set: f64, space: TextureSpace) -> f64 {
     extent(env, shape, set, space, UvAxis::V, "geometry.dv")
 }

@@ -1,8 +1,8 @@
-//! A run as rules see it: rules call each other directly, leaves go to the sink as they appear.
+//! A run as seen by rules: rules call each other directly, and leaves go to the sink as they appear.
 //!
-//! Order of leaves: depth first, in writing order. Only where rules go so deep that [`STACK`] is used up, calls wait on
-//! a list and run, first in first out, when the direct ones are through. What a call takes of the stack is an estimate
-//! of the code generator that follows from the rules alone, so the order is the same in every run and every build.
+//! Leaves come depth first, in writing order. Only where rules nest so deeply that [`STACK`] is used up, calls wait
+//! in a list. They run, first in first out, after the direct calls. The stack use of a call is an estimate of the
+//! code generator that follows from the rules alone, so the order is the same in every run and every build.
 
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -14,35 +14,35 @@ use crate::run::template::{Tape, Templates};
 use crate::shape::base::Form;
 use crate::shape::{Geometry, Inserted, Shape, ShapeRef, place};
 
-/// How much of the stack direct calls may use, in the units of generated code: about a kilobyte each in a build without
-/// optimisation, much less with it. Threads have two megabytes, of which functions (`FUNCTIONS` in
-/// `run/env`), sinks and Rust operations need their share.
+/// The stack that direct calls may use, in the units of generated code: about a kilobyte each in a build without
+/// optimisation, much less with it. Threads have two megabytes, of which functions (`FUNCTIONS` in `run/env`), sinks
+/// and Rust operations need their share.
 pub(crate) const STACK: u32 = 640;
 
-/// A run under way: what generated code hands from rule to rule.
+/// The state of a run, passed from rule to rule by generated code.
 #[expect(missing_debug_implementations, reason = "sinks need not be printable")]
 pub struct Cx<'r, C> {
-    /// The part that does not depend on the sink.
+    /// The part of the state that does not depend on the sink.
     pub env: &'r mut Env,
     pub(crate) sink: &'r mut dyn Sink,
     pub(crate) waiting: VecDeque<Waiting<C>>,
-    /// What direct calls take of [`STACK`] at the moment.
+    /// The part of [`STACK`] that direct calls use at present.
     pub(crate) stack: u32,
-    /// Nesting of rules that can reach themselves.
+    /// The nesting of recursive rules.
     pub(crate) depth: u32,
-    /// Parts that repeat.
+    /// The templates of parts that repeat.
     pub(crate) templates: &'r mut Templates<C>,
-    /// The template that is made, if one is.
+    /// The recording of the template under construction.
     pub(crate) tape: Option<Tape<'r, C>>,
 }
 
-/// A rule without parameters, as generated code has it.
+/// A rule without parameters in generated code.
 pub(crate) type RuleFn<G, C> = fn(&G, &mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
 
-/// A call that waited, or that a template left out.
+/// A call that waited, or a hole of a template.
 pub(crate) type ResumeFn<G, C> = fn(&G, &mut Cx<'_, C>, &ShapeRef<'_>, C) -> Flow;
 
-/// The run inside an operation that changes a material: expressions get at it as in a rule.
+/// The run inside an operation that changes a material, for the expressions among its arguments.
 #[derive(Debug)]
 pub struct Painting<'r> {
     /// The run.
@@ -58,7 +58,7 @@ pub(crate) struct Waiting<C> {
 }
 
 impl<C> Cx<'_, C> {
-    /// Enters a rule. Every rule that was entered is left again unless the run ends in it.
+    /// Enters a rule. Every rule that was entered is left again unless the run ends inside it.
     #[inline]
     pub fn enter(&mut self, rule: u32) -> Flow {
         self.env.enter(rule);
@@ -72,8 +72,8 @@ impl<C> Cx<'_, C> {
         Flow::Continue(())
     }
 
-    /// Returns true if a call may use the stack: one that goes down `levels` of recursion, 0 or 1, and takes so much of [`STACK`].
-    /// If so, [`Cx::ascend`] follows the call, else [`Cx::defer`].
+    /// Reserves stack for a call: `levels` of recursion, 0 or 1, and `stack` units of [`STACK`]. Returns true if they
+    /// are available; [`Cx::ascend`] then follows the call. Otherwise [`Cx::defer`] replaces the call.
     #[inline]
     pub fn descend(&mut self, levels: u32, stack: u32) -> bool {
         let may = self.stack + stack <= STACK && self.depth + levels <= self.env.settings.limits.depth;
@@ -84,14 +84,14 @@ impl<C> Cx<'_, C> {
         may
     }
 
-    /// Comes back from a direct call.
+    /// Releases the stack of a direct call.
     #[inline]
     pub fn ascend(&mut self, levels: u32, stack: u32) {
         self.stack -= stack;
         self.depth -= levels;
     }
 
-    /// Puts a call on the list.
+    /// Adds a call to the list of waiting calls.
     #[cold]
     pub fn defer(&mut self, shape: &ShapeRef<'_>, levels: u32, call: C) -> Flow {
         let depth = self.depth + levels;
@@ -106,7 +106,7 @@ impl<C> Cx<'_, C> {
         Flow::Continue(())
     }
 
-    /// Hands the shape of a rule to the sink as a leaf. A shape without faces leaves nothing.
+    /// Passes the shape of a rule to the sink as a leaf. A shape without faces makes no leaf.
     #[inline]
     pub fn leaf(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         if self.env.ended() {
@@ -117,19 +117,19 @@ impl<C> Cx<'_, C> {
         filled(self.env, self.sink, shape, rule)
     }
 
-    /// As [`Cx::leaf`], compiled once for a grammar: for leaves that are rare.
+    /// As [`Cx::leaf`], compiled once for a grammar, for rare leaves.
     #[inline(never)]
     pub fn any_leaf(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         self.leaf(shape, rule)
     }
 
-    /// As [`Cx::symbol`], compiled once for a grammar: for leaves that are rare.
+    /// As [`Cx::symbol`], compiled once for a grammar, for rare leaves.
     #[inline(never)]
     pub fn any_symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         self.symbol(shape, rule)
     }
 
-    /// A leaf symbol: counts as a shape of its own.
+    /// Passes a leaf symbol to the sink. It counts as a shape of its own.
     #[inline]
     pub fn symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Flow {
         if !self.env.has_room(1) {
@@ -139,7 +139,7 @@ impl<C> Cx<'_, C> {
     }
 }
 
-/// Hands a leaf symbol, for which there is room, to the sink.
+/// Passes a leaf symbol, for which there is room, to the sink.
 #[inline]
 pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     let is_filled = match shape.form {
@@ -154,7 +154,7 @@ pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, r
     sink.filled(&Filled { shape, tables: &env.leaf_tables, rule })
 }
 
-/// A leaf that does not simply fill its scope, or a box whose sides have texture coordinates of their own.
+/// A leaf that does not fill its scope, or a box whose sides have different texture coordinates.
 #[cold]
 #[inline(never)]
 fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {

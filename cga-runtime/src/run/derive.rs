@@ -1,4 +1,4 @@
-//! A run: rules call each other directly, leaves go to the sink as they appear.
+//! Runs: rules call each other directly, and leaves go to the sink as they appear.
 
 use std::collections::VecDeque;
 use std::io::Write as _;
@@ -22,7 +22,7 @@ pub(crate) struct Start {
     name: &'static str,
 }
 
-/// The part of a run that the next run of the session can use. No result depends on it.
+/// The state of a run that the next run of the session can reuse. No result depends on it.
 pub(crate) struct Kept<C> {
     templates: Templates<C>,
     materials: LookIds,
@@ -35,7 +35,8 @@ impl<C> Default for Kept<C> {
 }
 
 impl<C> Kept<C> {
-    /// A run begins. Templates and painted materials of attributes that are computed for each initial shape are of no use to it.
+    /// Prepares the next run. Templates and looks from attributes that are computed for each initial shape are of no
+    /// use to it.
     fn begin(&mut self, is_settled: bool) {
         if !is_settled || self.materials.is_full() {
             *self = Kept::default();
@@ -63,13 +64,13 @@ pub(crate) fn run<R: Rules>(
     env.leaf_tables.names = R::LEAVES;
     sink.begin();
     kept.begin(R::SETTLED);
-    // Both at once: templates have numbers of these materials. A sink that panics leaves neither in the session.
+    // Both are taken: templates contain numbers of these looks. If a sink panics, neither stays in the session.
     std::mem::swap(&mut env.leaf_tables.looks, &mut kept.materials);
     let mut templates = std::mem::take(&mut kept.templates);
     let mut cx =
         Cx { env: &mut env, sink, waiting: VecDeque::new(), stack: 0, depth: 0, templates: &mut templates, tape: None };
     let values = rules.values(cx.env, shape, style);
-    // A break with no error is the sink's or the watch's.
+    // A break without an error comes from the sink or the watch.
     let mut flow = if cx.env.ended() { Flow::Break(()) } else { Flow::Continue(()) };
     if flow.is_continue() {
         let base = cx.env.base(shape.without_trim_planes());
@@ -108,7 +109,7 @@ pub(crate) fn echo(prints: &[Print]) {
     let _ = prints.iter().try_for_each(|print| writeln!(out, "{print}"));
 }
 
-/// The start rule of a name, or the default one. `Default$Lot` is `Lot`.
+/// The start rule with a name, or the default one. `Default$Lot` means `Lot`.
 pub(crate) fn start_rule<R: Rules>(name: Option<&str>) -> Result<Start, Error> {
     let at = match name {
         None => Some(0),

@@ -1,28 +1,28 @@
-//! What a caller decides about a run: limits and where assets come from.
+//! The caller's settings of a run: start rule, limits, assets.
 
 use std::sync::Arc;
 
 use crate::asset::Assets;
 use crate::run::watch::Watch;
 
-/// Bounds on what one run may make. Reaching one ends the run with [`Error::Limit`](crate::fault::Error::Limit), unless it
-/// says otherwise.
+/// Limits of one run. A run that reaches a limit ends with [`Error::Limit`](crate::fault::Error::Limit), unless
+/// the limit's description differs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Shapes derived, leaves included.
+    /// Derived shapes, leaves included.
     pub shapes: u64,
-    /// Nesting of rules that can reach themselves.
+    /// The nesting of recursive rules.
     pub depth: u32,
-    /// Vertices in the meshes that operations make, those shared between faces counted for each (boxes and rectangles count
-    /// when they become meshes).
+    /// The vertices of meshes that operations make. A vertex counts once for each of its faces. Boxes and rectangles
+    /// count when they become meshes.
     pub vertices: u64,
     /// Calls of rules that wait because recursion is too deep for the stack. Each holds a shape.
     pub waiting: u64,
-    /// Calls in a run of functions that can reach themselves, or that lead to very many others.
+    /// Calls of functions that are recursive or lead to very many other calls.
     pub calls: u64,
-    /// Keys that are reported under, and different texts reported. What is beyond is left out, with a fault.
+    /// Keys of reports, and different reported texts. Further ones are left out, with a fault.
     pub reports: u64,
-    /// Lines printed. What is beyond is left out, with a fault.
+    /// Printed lines. Further ones are left out, with a fault.
     pub prints: u64,
     /// Elements of an array (*CGA changelog 2019.1*: 100,000).
     pub array: u64,
@@ -46,34 +46,34 @@ impl Default for Limits {
     }
 }
 
-/// How to run a grammar.
+/// The settings of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     /// The rule to start with; `None` for the grammar's own start rule.
     pub start: Option<String>,
-    /// Bounds on the run.
+    /// The limits of the run.
     pub limits: Limits,
-    /// What `i(…)` may insert.
+    /// The assets that `i(…)` may insert.
     pub assets: Arc<Assets>,
-    /// Whether printed lines are also written to standard output when the run ends, with or without an error. They have the
+    /// True to also write printed lines to standard output when the run ends, with or without an error. They have the
     /// order of [`Report::prints`](crate::run::report::Report::prints).
     pub echo: bool,
     /// Follows the progress of runs and can end them early.
     pub watch: Option<Watch>,
-    /// How parts that repeat are derived; tests compare the ways.
+    /// The derivation of parts that repeat; tests compare the variants.
     #[doc(hidden)]
     pub repeats: Repeats,
 }
 
-/// How parts that repeat are derived.
+/// The derivation of parts that repeat.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Repeats {
     /// From templates that are kept.
     #[default]
     Kept,
-    /// From templates that are made again for each repetition. The bytes are those of `Kept`.
+    /// From templates that are made again for each repetition. The results equal those of `Kept` to the byte.
     Again,
-    /// Each at its place in the world. Positions differ from those of `Kept` by rounding.
+    /// Each part at its place in the world. Positions differ from those of `Kept` by rounding.
     Direct,
 }

@@ -1,8 +1,8 @@
 //! Progress and cancellation of runs.
 //!
-//! A [`Watch`] is shared by a program and its runs, on any number of threads. A run asks it each [`STRIDE`] shapes or calls of
-//! functions that it makes, and when it begins and ends. The question costs the hot path nothing: it is asked where the
-//! counter of shapes passes a checkpoint, and without a watch the checkpoint is the limit itself.
+//! A [`Watch`] is shared by a program and its runs, on any number of threads. A run checks it every [`STRIDE`]
+//! derived shapes or function calls, and when it begins and ends. The check costs the hot path nothing: it happens
+//! where the counter of shapes passes a checkpoint, and without a watch the checkpoint is the limit itself.
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -10,10 +10,10 @@ use std::sync::{Arc, Mutex, TryLockError};
 
 use crate::run::sink::Flow;
 
-/// Shapes that a run derives, or calls of functions that it makes, between two questions to its watch.
+/// The number of derived shapes, or of function calls, between two checks of the watch.
 pub const STRIDE: u64 = 16_384;
 
-/// How far all runs with one [`Watch`] have come.
+/// The progress of all runs with one [`Watch`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Progress {
@@ -21,7 +21,7 @@ pub struct Progress {
     pub initial_shapes: u64,
     /// Shapes derived, leaves included.
     pub shapes: u64,
-    /// Leaves handed to sinks.
+    /// Leaves passed to sinks.
     pub leaves: u64,
 }
 
@@ -62,18 +62,20 @@ impl fmt::Debug for Watch {
 }
 
 impl Watch {
-    /// A watch without a callback: ask it for its [`progress`](Watch::progress) whenever you like.
+    /// A watch without a callback. Its [`progress`](Watch::progress) can be read at any time.
     pub fn new() -> Self {
         Watch::default()
     }
 
-    /// A watch that calls back about each `shapes` shapes derived, on the thread of a run. `Break` ends all runs.
+    /// A watch that calls `callback` every `shapes` derived shapes, on the thread of a run. `Break` ends all runs.
     ///
-    /// A run asks every [`STRIDE`] shapes at most, so calls come in steps of that. There is never more than one call at a time;
-    /// while one lasts, others are left out.
+    /// A run checks its watch every [`STRIDE`] shapes, so calls come at those steps. Calls never overlap: while one
+    /// lasts, others are left out.
     ///
     /// ```
-    ///     /// use cga_runtime::run::watch::Watch;
+    /// use std::ops::ControlFlow;
+    ///
+    /// use cga_runtime::run::watch::Watch;
     ///
     /// let watch = Watch::every(1_000_000, |progress| {
     ///     eprintln!("{} lots, {} parts", progress.initial_shapes, progress.leaves);
@@ -88,17 +90,18 @@ impl Watch {
         }
     }
 
-    /// Ends all runs with this watch, soon: each returns with `stopped` in its report. Later runs end before they begin.
+    /// Ends all runs with this watch soon. Each returns a report with `stopped` set. Later runs end before they
+    /// begin.
     pub fn stop(&self) {
         self.shared.stopped.store(true, Ordering::Relaxed);
     }
 
-    /// True if [`stop`](Watch::stop) was called or the callback returned `Break`.
+    /// Returns true if [`stop`](Watch::stop) was called or the callback returned `Break`.
     pub fn is_stopped(&self) -> bool {
         self.shared.stopped.load(Ordering::Relaxed)
     }
 
-    /// How far the runs have come, as of their last questions.
+    /// The progress of the runs, as of their last checks.
     pub fn progress(&self) -> Progress {
         let read = |counter: &AtomicU64| counter.load(Ordering::Relaxed);
         Progress {
@@ -108,7 +111,7 @@ impl Watch {
         }
     }
 
-    /// Adds what a run has made since it last told.
+    /// Adds the progress of a run since its last report.
     pub(super) fn advance(&self, more: Progress) {
         let add = |counter: &AtomicU64, more: u64| counter.fetch_add(more, Ordering::Relaxed);
         add(&self.shared.initial_shapes, more.initial_shapes);
@@ -121,7 +124,7 @@ impl Watch {
         let mut callback = match callback.try_lock() {
             Ok(callback) => callback,
             Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
-            // Also when the callback itself runs a grammar.
+            // Also if the callback itself runs a grammar.
             Err(TryLockError::WouldBlock) => return,
         };
         if callback(self.progress()).is_break() {

@@ -5,13 +5,14 @@ use glam::{DMat3, DVec3, DVec4, Vec4};
 use crate::geometry::Axis;
 use crate::shape::unit::Side;
 
-/// The axes of scopes, orthonormal, and the normals of whatever is aligned to them, rounded.
+/// The orthonormal axes of scopes, with the rounded normals of everything aligned to them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes {
     pub(crate) matrix: DMat3,
     /// The columns, each with a fourth coordinate of 0.
     columns: [DVec4; 3],
-    /// By side of a box, as [`Side`] counts them: front, right, back, left, top, bottom. Each after a 0, see [`normal`].
+    /// The normals by side of a box, in the order of [`Side`]: front, right, back, left, top, bottom. Each follows a
+    /// 0, see [`normal`].
     pub(crate) normals: [Vec4; 6],
 }
 
@@ -23,7 +24,7 @@ impl Axes {
         Axes { matrix, columns: columns(&matrix), normals: [z, x, back, left, y, bottom] }
     }
 
-    /// The axes of a rectangle across z that has grown: y points where z did, x stays.
+    /// The axes after a rectangle across z has grown: y is the old z, x stays.
     #[inline]
     pub(crate) fn raised(&self) -> Self {
         let [x, y, z] = [self.matrix.x_axis, self.matrix.y_axis, self.matrix.z_axis];
@@ -38,10 +39,10 @@ impl Axes {
         self.columns[axis.index()]
     }
 
-    /// Returns true if axes are the same to the last bit. Shapes along axes that differ in the sign of a 0 are told apart.
+    /// Returns true if all bits of the axes are equal. Axes that differ in the sign of a 0 are different.
     #[inline]
     pub(crate) fn is(&self, matrix: &DMat3) -> bool {
-        // One by one: arrays of bits would be written, and read again at once.
+        // One by one: arrays of bits would be stored in memory and loaded again at once.
         let columns = |matrix: &DMat3| [matrix.x_axis, matrix.y_axis, matrix.z_axis];
         let is_same = |a: DVec3, b: DVec3| {
             a.x.to_bits() == b.x.to_bits() && a.y.to_bits() == b.y.to_bits() && a.z.to_bits() == b.z.to_bits()
@@ -55,7 +56,7 @@ impl Axes {
         &self.matrix
     }
 
-    /// The direction of an axis, rounded: the normal of a rectangle across it.
+    /// The direction of an axis, rounded to f32: the normal of a rectangle across it.
     pub fn normal(&self, axis: Axis) -> [f32; 3] {
         let side = match axis {
             Axis::X => Side::Right,
@@ -71,13 +72,14 @@ fn columns(matrix: &DMat3) -> [DVec4; 3] {
     [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.extend(0.0))
 }
 
-/// A normal, rounded, after a 0, as writers of vertices add it to a coordinate. A number 0 has no sign.
+/// A normal rounded to f32, after a 0, in the form in which writers of vertices add it to a coordinate. A zero has no
+/// sign.
 #[inline]
 pub(crate) fn normal(v: DVec3) -> Vec4 {
     DVec4::new(0.0, v.x, v.y, v.z).as_vec4() + Vec4::ZERO
 }
 
-/// The three numbers of such a normal.
+/// The three numbers of a normal that follows a 0.
 #[inline]
 pub(crate) fn without_zero(normal: Vec4) -> [f32; 3] {
     [normal.y, normal.z, normal.w]

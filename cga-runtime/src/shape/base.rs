@@ -1,4 +1,4 @@
-//! The rarely changed part of shapes, and the ways between a slim shape and a whole one.
+//! The rarely changed part of shapes, and the conversion between slim and whole shapes.
 
 use glam::DVec3;
 
@@ -13,22 +13,22 @@ use crate::shape::texture::kept::KeptMaps;
 use crate::shape::trim::Trims;
 use crate::shape::unit::UnitMesh;
 
-/// A whole shape for slim ones to borrow from. It is on the stack of the rule that made it.
+/// A whole shape that slim shapes borrow from. It is on the stack of the rule that made it.
 #[derive(Debug)]
 pub struct Base {
     axes: Axes,
-    /// The axes of a rectangle across z that has grown.
+    /// The axes after a rectangle across z has grown.
     raised: Axes,
     pub(crate) shape: Shape,
     look: LookId,
     maps: KeptMaps,
-    /// For each axis true if all implicit coordinates are constant along it, now and after `projectUV`.
+    /// True for each axis along which all implicit coordinates are constant, now and after `projectUV`.
     constant: [bool; 3],
-    /// The number of the base in its run; 0 for one at the origin.
+    /// The number of the base in its run; 0 for a base at the origin.
     pub(crate) number: u64,
 }
 
-/// The geometry of a slim shape. All forms but `Other` have sizes of 0 or more.
+/// The geometry of a slim shape. The sizes of all forms except `Other` are 0 or more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
     /// A rectangle in the scope's low plane across an axis.
@@ -47,8 +47,8 @@ impl Base {
         ShapeRef::of(self, self.form(), self.look)
     }
 
-    /// The base of a shape whose look has that number, inlined. It calls nothing that could unwind, so that the shape need not be in
-    /// memory before it is in its base.
+    /// The base of a shape whose look has the number `material`. Inlined, and it calls nothing that can unwind, so
+    /// the shape need not be in memory before it is in its base.
     #[inline(always)]
     pub(crate) fn new(shape: Shape, look: LookId, number: u64) -> Self {
         let axes = Axes::new(shape.scope.axes);
@@ -59,7 +59,7 @@ impl Base {
         Base { axes, raised: axes.raised(), shape, look, maps: KeptMaps::default(), constant, number }
     }
 
-    /// The base of a shape that is moved to the origin, with the axes of the world.
+    /// A base at the origin with the axes of the world, for a part that is moved there.
     pub(crate) fn at_origin(part: &ShapeRef<'_>) -> Self {
         let scope = Scope::new(part.size.get());
         let shape = Shape {
@@ -97,7 +97,8 @@ impl Base {
         }
     }
 
-    /// The maps of the sets that a leaf below this base has, sorted by set. `look` is that of the number `id`; the base's own has none.
+    /// The maps of the texture coordinate sets of a leaf below this base, sorted by set. `look` has the number `id`;
+    /// `None` is the base's own look.
     #[cold]
     #[inline(never)]
     pub(crate) fn maps(&self, id: LookId, look: Option<&Look>, normal: DVec3) -> &[SetMap] {
@@ -117,7 +118,7 @@ impl Base {
         &self.axes
     }
 
-    /// For each axis true if all implicit coordinates are constant along it.
+    /// True for each axis along which all implicit coordinates are constant.
     #[inline]
     pub(crate) fn constant(&self) -> [bool; 3] {
         self.constant
@@ -130,7 +131,8 @@ impl Base {
     }
 }
 
-/// For each axis of a shape true if all implicit coordinates, and those that `projectUV` would make, are constant along it.
+/// True for each axis of a shape along which all implicit coordinates are constant, with those that `projectUV` would
+/// make.
 #[cold]
 #[inline(never)]
 fn constant(shape: &Shape) -> [bool; 3] {

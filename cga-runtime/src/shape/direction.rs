@@ -1,16 +1,16 @@
-//! Directions in which components look (*comp operation*).
+//! The directions of components (*comp operation*).
 
 use glam::DVec3;
 
 use super::unit;
 use crate::geometry::tol::TIE_EPSILON;
 
-/// Where a component looks.
+/// A direction that selects components by their normals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Direction {
     /// +z.
     Front,
-    /// Anything but +z.
+    /// Every direction except +z.
     NotFront,
     /// −z.
     Back,
@@ -22,25 +22,25 @@ pub(crate) enum Direction {
     Top,
     /// −y.
     Bottom,
-    /// Everything that is not horizontal.
+    /// Not horizontal.
     Side,
     /// Up or down within 11.25 degrees.
     Horizontal,
-    /// Looking up between 11.25 and 78.75 degrees.
+    /// Upwards, between 11.25 and 78.75 degrees.
     Aslant,
     /// Within 11.25 degrees of the horizon.
     Vertical,
-    /// Looking down between 11.25 and 78.75 degrees.
+    /// Downwards, between 11.25 and 78.75 degrees.
     Nutant,
 }
 
-/// The sine of 11.25 degrees above the horizon, where `vertical` ends.
+/// The sine of 11.25 degrees above the horizon: the end of `vertical`.
 const LEVEL: f64 = 0.195_090_322_016_128_25;
-/// The sine of 78.75 degrees above the horizon, where `horizontal` begins.
+/// The sine of 78.75 degrees above the horizon: the start of `horizontal`.
 const STEEP: f64 = 0.980_785_280_403_230_4;
 
 impl Direction {
-    /// Whether a unit normal, in the axes that this is a direction of, looks there.
+    /// Returns true if a unit normal has this direction. Both are in the same axes.
     #[inline]
     pub(crate) fn takes(self, normal: DVec3) -> bool {
         match self {
@@ -59,7 +59,7 @@ impl Direction {
         }
     }
 
-    /// Whether it takes a side of a box in those axes.
+    /// Returns true if the normal of a side of a box in those axes has this direction.
     #[inline]
     pub(crate) fn takes_side(self, side: unit::Side) -> bool {
         let sides = match self {
@@ -78,12 +78,12 @@ impl Direction {
     }
 }
 
-/// The axis that a normal follows most, and whether forwards. Where two are equal, z comes before x before y: the
-/// pictures of the reference leave ties to rounding.
+/// The axis with the largest component of a normal, and true if that component is positive. Ties are decided in the
+/// order z, x, y; in the pictures of the reference, rounding decides them.
 #[inline]
 fn quadrant(normal: DVec3) -> (usize, bool) {
     let size = normal.abs();
-    // At 45 degrees but for rounding, as at the mitres of an offset rectangle.
+    // Rounding must not decide at 45 degrees, as at the mitres of an offset rectangle.
     let is_most = |a: f64, b: f64| b <= a + TIE_EPSILON;
     let axis = if is_most(size.z, size.x) && is_most(size.z, size.y) {
         2
@@ -95,7 +95,7 @@ fn quadrant(normal: DVec3) -> (usize, bool) {
     (axis, 0.0 < normal[axis])
 }
 
-/// (78.75, 90] or [-90, -78.75] degrees.
+/// The normal is in (78.75, 90] or [-90, -78.75] degrees.
 #[inline]
 fn is_horizontal(normal: DVec3) -> bool {
     STEEP < normal.y || normal.y <= -STEEP
@@ -105,7 +105,7 @@ fn is_horizontal(normal: DVec3) -> bool {
 mod tests {
     use super::*;
 
-    /// Looks up by some degrees.
+    /// A normal that points up by some degrees.
     fn at(degrees: f64) -> DVec3 {
         let (sin, cos) = libm::sincos(degrees.to_radians());
         DVec3::new(0.0, sin, cos)

@@ -1,4 +1,4 @@
-//! The shapes that a run can begin with.
+//! Initial shapes.
 
 use std::sync::Arc;
 
@@ -19,7 +19,8 @@ use crate::shape::unit::UnitMesh;
 use crate::value::text::Text;
 
 impl Shape {
-    /// A lot: a rectangle on the ground, `width` along x and `depth` along z, its corner at the origin, facing up.
+    /// A lot: a rectangle on the ground that faces up, `width` along x and `depth` along z, with a corner at the
+    /// origin.
     pub fn rectangle(width: f64, depth: f64) -> Self {
         let scope = Scope::new(DVec3::new(width, 0.0, depth));
         // *comp operation*, coordinate systems: the first edge is the front, and the pivot its first vertex.
@@ -27,23 +28,24 @@ impl Shape {
         Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y))) }
     }
 
-    /// A box of that size, its corner at the origin. As of every shape, a run is an error when a size is negative or not finite.
+    /// A box of that size with a corner at the origin. A run reports an error if a size is negative or not finite, as
+    /// for every shape.
     pub fn cuboid(width: f64, height: f64, depth: f64) -> Self {
         Shape::with(Scope::new(DVec3::new(width, height, depth)), Geometry::Box(UnitMesh::cuboid()))
     }
 
-    /// A straight line in the world, in metres: its scope's x axis runs along it, the y axis is as upright as that lets it
-    /// be, and the scope has no height and no depth. Rules see an edge shape.
+    /// A straight line in the world, in metres. The x axis of its scope runs along it, the y axis is as upright as
+    /// possible, and the scope has no height and no depth. Rules see an edge shape.
     ///
     /// # Errors
-    /// [`Error::Shape`] when its length is no finite number above 0, or an end is no finite number.
+    /// [`Error::Shape`] if an end is not finite, or the length is 0 or not finite.
     pub fn line(from: impl Into<[f64; 3]>, to: impl Into<[f64; 3]>) -> Result<Self, Error> {
         let (from, to) = (DVec3::from_array(from.into()), DVec3::from_array(to.into()));
         let (x, length) = (crate::geometry::mesh::unit(to - from), (to - from).length());
         if !(from.is_finite() && length.is_finite() && 0.0 < length) {
-            return Err(Error::Shape("a line needs two ends that are finite numbers and not the same".into()));
+            return Err(Error::Shape("a line needs two different ends, both finite".into()));
         }
-        // An upright line has no side that faces up; its y axis points away from the viewer in front.
+        // An upright line has no side that faces up; its y axis points away from a viewer in front.
         let up = if x.x == 0.0 && x.z == 0.0 { DVec3::NEG_Z } else { DVec3::Y };
         let z = crate::geometry::mesh::unit(x.cross(up));
         let axes = DMat3::from_cols(x, z.cross(x), z);
@@ -51,28 +53,29 @@ impl Shape {
         Ok(Shape::with(scope, Geometry::Edge))
     }
 
-    /// A point in the world, in metres: its scope has no size. Rules see a vertex shape. A run from a point that is no finite
-    /// number is an error.
+    /// A point in the world, in metres. Its scope has no size. Rules see a vertex shape. A run from a point that is
+    /// not finite reports an error.
     pub fn point(at: impl Into<[f64; 3]>) -> Self {
         let scope = Scope { origin: DVec3::from_array(at.into()), ..Scope::new(DVec3::ZERO) };
         Shape::with(scope, Geometry::Vertex)
     }
 
-    /// A footprint on the ground: corners as (x, z) in metres, the first edge being the front, with holes. Outlines may
-    /// be given either way round; it faces up.
+    /// A footprint on the ground, with holes. Corners are (x, z) in metres, and the first edge is the front. Outlines
+    /// may have either winding; the footprint faces up.
     ///
     /// # Errors
-    /// [`Error::Shape`] when it is no polygon: too few corners, no area, numbers that are not finite.
+    /// [`Error::Shape`] if the outline is not a polygon: too few corners, no area, numbers that are not finite.
     pub fn footprint(outline: &[[f64; 2]], holes: &[Vec<[f64; 2]>]) -> Result<Self, Error> {
         let on_ground = |ring: &[[f64; 2]]| ring.iter().map(|p| DVec3::new(p[0], 0.0, p[1])).collect::<Vec<_>>();
         let mut outer = on_ground(outline);
-        // Seen from above, x to the right and z towards the viewer: counter-clockwise is negative in x-z terms.
+        // Seen from above, with x to the right and z towards the viewer, the area of a counter-clockwise outline is
+        // negative.
         let twice_area: f64 = (0..outline.len())
             .map(|i| (outline[i], outline[(i + 1) % outline.len()]))
             .map(|(a, b)| a[0] * b[1] - b[0] * a[1])
             .sum();
         if 0.0 < twice_area {
-            // Turn it over but keep the first edge in front.
+            // Reverses the winding but keeps the first edge in front.
             outer.reverse();
             let turn = 2.min(outer.len());
             outer.rotate_right(turn);
@@ -93,14 +96,14 @@ impl Shape {
         Shape { pivot, ..Shape::with(scope, Geometry::Rect(Axis::Y, UnitMesh::rectangle(Axis::Y))) }
     }
 
-    /// A mesh in world coordinates, aligned to its first face as CityEngine aligns initial shapes (*CGA essentials*, object
-    /// coordinate system; *alignScopeToGeometryBBox operation*, initial shape).
+    /// A mesh in world coordinates, aligned to its first face as CityEngine aligns initial shapes (*CGA essentials*,
+    /// object coordinate system; *alignScopeToGeometryBBox operation*, initial shape).
     ///
-    /// The x axis of scope and pivot runs along the first edge of the first face, the y axis along the normal of that face.
-    /// The pivot is at the start of the edge, and the scope is the box of the mesh along these axes. Rules that split along y
-    /// or select `top` work in this frame. That suits lots and roofs. A solid often begins with another face: if the first face
-    /// is a wall, y points out of the wall, and if it is the bottom, y points down. Use [`Shape::mesh_axis_aligned`] for solids
-    /// that stand upright in the world.
+    /// The x axis of scope and pivot runs along the first edge of the first face, the y axis along the normal of that
+    /// face. The pivot is at the start of the edge, and the scope is the box of the mesh along these axes. Rules that
+    /// split along y or select `top` work in this frame. This suits lots and roofs. The first face of a solid is
+    /// often another one: if it is a wall, y points out of the wall, and if it is the bottom, y points down. Use
+    /// [`Shape::mesh_axis_aligned`] for solids that are upright in the world.
     ///
     /// ```
     /// # use cga_runtime as cga;
@@ -123,8 +126,8 @@ impl Shape {
     /// assert_eq!(upright.scope().size.to_array(), [0.0, 3.0, 4.0]);
     /// ```
     ///
-    /// Faces without an area and edges without a length are skipped. A mesh that has no other face is aligned to the world's
-    /// axes.
+    /// Faces without an area and edges without a length are skipped. A mesh without other faces is aligned to the
+    /// world's axes.
     pub fn mesh(mesh: Mesh) -> Self {
         let Some(pivot) = face_frame::object_of(&mesh) else { return Shape::mesh_axis_aligned(mesh) };
         let to_local = pivot.axes.transpose();
@@ -134,8 +137,8 @@ impl Shape {
         Shape { pivot, ..Shape::with(scope, Geometry::Mesh(Arc::new(placed))) }
     }
 
-    /// A mesh in world coordinates, with its scope along the world's axes: the bounding box. The pivot is at the lowest corner
-    /// of the box. [`Shape::mesh`] aligns to the first face instead, as CityEngine does.
+    /// A mesh in world coordinates, with its bounding box along the world's axes as scope. The pivot is at the lowest
+    /// corner of the box. [`Shape::mesh`] aligns to the first face instead, as CityEngine does.
     pub fn mesh_axis_aligned(mesh: Mesh) -> Self {
         let placed = Placed::fitted(mesh);
         let scope = Scope { origin: placed.low, axes: DMat3::IDENTITY, size: placed.size };
@@ -160,7 +163,7 @@ impl Shape {
         shape
     }
 
-    /// The same shape elsewhere: moved by an offset in metres, in the world.
+    /// Moves the shape by an offset in metres, in the world.
     pub fn at(mut self, offset: impl Into<[f64; 3]>) -> Self {
         let offset = DVec3::from_array(offset.into());
         self.scope.origin += offset;
@@ -168,28 +171,27 @@ impl Shape {
         self
     }
 
-    /// The same shape with another seed: every random choice of a run follows from it.
+    /// Sets the seed. Every random choice of a run follows from it.
     pub fn seed(mut self, seed: u64) -> Self {
         self.seed = Seed::new(seed);
         self
     }
 
-    /// The same shape under a name: what rules read as `initialShape.name`.
+    /// Sets the name, which rules read as `initialShape.name`.
     pub fn named(mut self, name: impl Into<Text>) -> Self {
         self.state.change().name = name.into();
         self
     }
 
-    /// The same shape at streets: the width in metres of the street at each edge of its first face, from the first edge on;
-    /// 0, or nothing, where there is none. The selectors `street.front` and so on look at it (*comp operation*, street
-    /// selectors); without any street they are those of the object.
+    /// Sets the streets: the width in metres of the street at each edge of the first face, from the first edge on. An
+    /// edge with 0, or beyond the end of the list, has no street. The selectors `street.front` and so on use the
+    /// streets (*comp operation*, street selectors). Without any street they equal the selectors of the object.
     pub fn streets(mut self, widths: impl Into<Arc<[f64]>>) -> Self {
         self.state.change().street_widths = widths.into();
         self
     }
 
-    /// The same shape for a run in which every box and rectangle is held as a mesh. No result depends on it; tests compare
-    /// both.
+    /// Makes a run hold every box and rectangle as a mesh. No result depends on it; tests compare both.
     #[doc(hidden)]
     pub fn held_as_meshes(mut self) -> Self {
         self.state.change().as_meshes = true;
@@ -197,7 +199,7 @@ impl Shape {
         self
     }
 
-    /// How its edges lie to the streets.
+    /// The classes of the edges by their streets.
     pub(crate) fn find_streets(&self) -> Option<Arc<Streets>> {
         let widths = self.state.get().map(|state| &*state.street_widths).filter(|widths| !widths.is_empty())?;
         let mesh = self.to_mesh();
@@ -206,7 +208,7 @@ impl Shape {
         streets.map(Arc::new)
     }
 
-    /// Whether a run can start with it.
+    /// Checks that a run can use the shape: orthonormal axes, finite and bounded sizes and positions.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let scope = &self.scope;
         let square = (scope.axes.transpose() * scope.axes).abs_diff_eq(DMat3::IDENTITY, 1e-9);
@@ -219,7 +221,8 @@ impl Shape {
         }
     }
 
-    /// Whether a run can start with it. A negative size mirrors a shape inside a run; an initial shape has none.
+    /// Checks that a run can start with the shape. A negative size mirrors a shape inside a run, but an initial shape
+    /// has none.
     pub(crate) fn check_initial(&self) -> Result<(), Error> {
         if self.scope.size.min_element() < 0.0 {
             let message = format!("the initial shape has a negative size: {}", self.scope.size);
@@ -229,8 +232,9 @@ impl Shape {
     }
 }
 
-/// A mesh in the frame of its first face, with y exactly 0 where all points are in the plane of that face except for
-/// rounding: operations look at sizes that are zero. `world` is the box of the points that were rounded.
+/// A mesh in the frame of its first face. If all points are in the plane of that face except for rounding, their y
+/// becomes exactly 0, as operations test for sizes of zero. `world` is the box of the points before, which gives the
+/// size of the rounding.
 fn flat_on_ground(mesh: Mesh, world: Bounds) -> Mesh {
     let bounds = mesh.bounds();
     let largest = world.low.abs().max(world.high.abs()).max_element();

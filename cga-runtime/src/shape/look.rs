@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::material::Material;
 use crate::shape::texture::Coordinates;
 
-/// The material and the implicit texture coordinates that rules gave. Both change by operations with constant arguments, so that
+/// The material and the implicit texture coordinates set by rules. Operations with constant arguments change them, so
 /// few looks serve many leaves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Look {

@@ -1,10 +1,11 @@
-//! The numbers of a run's materials.
+//! The numbers of a run's looks.
 //!
-//! Slim shapes and sinks have numbers in place of materials: a colour that is a constant is one comparison, and a sink looks
-//! a material up only where the number changes. Random colours must not let the table grow without limit, so few materials
-//! have a number; others are those of their base.
+//! Slim shapes and sinks have numbers in place of looks. So a constant colour costs one comparison, and a sink looks
+//! a material up only where the number changes. Random colours must not let the table grow without limit, so few
+//! looks have a number; a shape with another look takes the look of its base.
 //!
-//! Templates are kept for numbers, so the materials that have one follow from the rules alone, whatever a session did before.
+//! Templates are kept by number. So the looks with a number follow from the rules alone, independently of earlier
+//! runs of the session.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -12,48 +13,49 @@ use std::sync::Arc;
 use super::look::Look;
 use crate::shape::state::UNSET;
 
-/// The number of a material among those of the run.
+/// The number of a look in the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct LookId(pub(crate) u32);
 
 impl LookId {
-    /// A material without a number: that of the base.
+    /// A look without a number: the look of the base.
     pub(crate) const OF_BASE: LookId = LookId(u32::MAX);
 
-    /// The bit of looks with implicit texture coordinates.
+    /// The flag of looks with implicit texture coordinates.
     const COORDINATES: u32 = 1 << 31;
 
-    /// The number in the list.
+    /// The index in the list.
     #[inline]
     pub(crate) fn index(self) -> u32 {
         self.0 & !LookId::COORDINATES
     }
 
-    /// Returns true if there may be implicit texture coordinates. Without a number there may be.
+    /// Returns true if the look may have implicit texture coordinates, as every look without a number may.
     #[inline]
     pub(crate) fn may_have_coordinates(self) -> bool {
         self.0 & LookId::COORDINATES != 0
     }
 }
 
-/// Materials that have a number in a run. More than rules can make with constant colours, in any sensible use.
+/// The largest number of looks with a number in a run: more than rules make with constant colours in any sensible
+/// use.
 const MOST: usize = 1 << 16;
 
-/// Materials that a session keeps for its next run.
+/// The number of looks that a session keeps for its next run.
 const MANY: usize = 1024;
 
-/// Materials added last that are compared with one that has no number yet. An equal one further back costs a second number.
+/// The number of recent looks that a new one is compared with. A look that equals an older one gets a second number.
 const COMPARED: usize = 64;
 
-/// The materials of a run by number, and the results of the material operations with constant arguments.
+/// The looks of a run by number, and the results of material operations with constant arguments.
 #[derive(Clone, Debug)]
 pub(crate) struct LookIds {
     list: Vec<Arc<Look>>,
-    /// The numbers of the list by address.
+    /// The numbers by the address of the look.
     by_address: BTreeMap<usize, u32>,
-    /// By place in the rules: the material before the operation and the one after it, as it was found last.
+    /// By place in the rules: the look before the operation and the look after it, as found last.
     paints: Vec<Option<(LookId, LookId)>>,
-    /// All of these: the material after an operation, by its place and by the number of the material before.
+    /// All such results: the look after an operation, by its place and the look before.
     painted: BTreeMap<(u32, u32), LookId>,
 }
 
@@ -69,13 +71,13 @@ impl LookIds {
         MANY <= self.list.len()
     }
 
-    /// The material with a number; nothing for that of the base.
+    /// The look with a number; `None` for the look of the base.
     #[inline]
     pub(crate) fn get(&self, id: LookId) -> Option<&Arc<Look>> {
         self.list.get(id.index() as usize)
     }
 
-    /// The number of a material, if it has one.
+    /// The number of a look, or `OF_BASE`.
     #[inline]
     pub(crate) fn id(&self, look: &Arc<Look>) -> LookId {
         if Arc::ptr_eq(&self.list[0], look) {
@@ -85,7 +87,7 @@ impl LookIds {
         self.by_address.get(&address).map_or(LookId::OF_BASE, |number| LookId(*number))
     }
 
-    /// The number of a look, which gets one if there is room. One with coordinates of its own place gets none.
+    /// The number of a look, which gets one if there is room. A look whose coordinates belong to one place gets none.
     pub(crate) fn intern(&mut self, look: &Arc<Look>) -> LookId {
         let bit = if look.coordinates.is_empty() { 0 } else { LookId::COORDINATES };
         let recent = self.list.iter().enumerate().rev().take(COMPARED);
@@ -101,7 +103,8 @@ impl LookIds {
         LookId(number)
     }
 
-    /// The result of the material operation at a place in the rules, if it is known for that material.
+    /// The result of the material operation at a place in the rules, if its last use there began with the look
+    /// `before`.
     #[inline]
     pub(crate) fn painted(&self, place: u32, before: LookId) -> Option<LookId> {
         match self.paints.get(place as usize) {
@@ -110,14 +113,14 @@ impl LookIds {
         }
     }
 
-    /// The same where another material was painted there last.
+    /// The result of the material operation at a place, if an earlier use there began with the look `before`.
     pub(crate) fn painted_before(&mut self, place: u32, before: LookId) -> Option<LookId> {
         let after = *self.painted.get(&(place, before.0))?;
         self.paints[place as usize] = Some((before, after));
         Some(after)
     }
 
-    /// Keeps such a result, if both materials have a number.
+    /// Keeps the result of a material operation, if both looks have a number. Returns true if it was kept.
     pub(crate) fn keep_paint(&mut self, place: u32, before: LookId, after: LookId) -> bool {
         let has_numbers = before != LookId::OF_BASE && after != LookId::OF_BASE;
         if has_numbers {

@@ -1,7 +1,7 @@
-//! The current shape: scope, pivot, geometry and what it inherits.
+//! The current shape: scope, pivot, geometry and inherited state.
 //!
-//! A shape is a value. Its geometry fills its scope: rectangles and boxes are nothing but the scope, and a mesh is shared
-//! and stretched lazily, so handing a copy to a rule costs a few machine words.
+//! A shape is a value. Its geometry fills its scope: rectangles and boxes consist of the scope alone, and a mesh is
+//! shared and stretched lazily. So a copy for a rule costs a few machine words.
 
 pub(crate) mod axes;
 pub(crate) mod base;
@@ -38,7 +38,7 @@ use crate::shape::unit::UnitMesh;
 pub(crate) use placed::{Inserted, Placed, PlacedWire};
 pub use slim::ShapeRef;
 
-/// A shape with all it has: the shape that a run starts with, and the shape that operations change.
+/// A whole shape: the initial shape of a run, and the shape that operations change.
 #[derive(Clone, Debug)]
 pub struct Shape {
     pub(crate) scope: Scope,
@@ -53,15 +53,15 @@ pub struct Shape {
     pub(crate) state: StateRef,
 }
 
-/// `split.index` and `split.total`, or those of comp.
+/// `split.index` and `split.total`, or `comp.index` and `comp.total`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Counter {
-    /// Index and total in one word: it is written and read as such.
+    /// Index and total in one word, which is written and read as such.
     word: u64,
 }
 
 impl Counter {
-    /// *split attribute*, *comp attribute*: before the first operation the index is -1 and the total 0.
+    /// Before the first operation the index is -1 and the total 0 (*split attribute*, *comp attribute*).
     pub(crate) const NONE: Counter = Counter::of(-1, 0);
 
     #[inline]
@@ -70,7 +70,7 @@ impl Counter {
         Counter::of(cap(index) as i32, cap(total) as u32)
     }
 
-    /// With these numbers.
+    /// A counter with these numbers.
     #[inline]
     pub(crate) const fn of(index: i32, total: u32) -> Self {
         Counter { word: index as u32 as u64 | (total as u64) << 32 }
@@ -87,18 +87,18 @@ impl Counter {
     }
 }
 
-/// What fills a scope.
+/// The geometry in a scope.
 #[derive(Clone, Debug)]
 pub(crate) enum Geometry {
-    /// Nothing: empty slots, what could not be made.
+    /// No geometry: an empty slot, or the result of an operation that failed.
     Empty,
     /// A point, at the scope's origin.
     Vertex,
     /// A line from the scope's origin to the end of its x axis.
     Edge,
-    /// Edges, or points alone.
+    /// Edges, or points alone, that do not fill the scope as above.
     Wire(Arc<PlacedWire>),
-    /// A rectangle in the scope's low plane across an axis, looking along that axis.
+    /// A rectangle in the scope's low plane across an axis, with its normal along that axis.
     Rect(Axis, UnitMesh),
     /// The scope itself, closed.
     Box(UnitMesh),
@@ -107,7 +107,7 @@ pub(crate) enum Geometry {
 }
 
 impl Geometry {
-    /// The unit mesh of a box or a rectangle that a scope of that size presses flat.
+    /// The unit mesh of a box or a rectangle, if a scope of that size flattens it.
     pub(crate) fn unit_pressed_flat(&self, size: DVec3) -> Option<UnitMesh> {
         match *self {
             Geometry::Rect(across, unit) => {
@@ -118,7 +118,7 @@ impl Geometry {
         }
     }
 
-    /// Whether there are faces, or may be.
+    /// Returns true if there may be faces.
     pub(crate) fn has_surface(&self) -> bool {
         matches!(self, Geometry::Rect(..) | Geometry::Box(_) | Geometry::Mesh(_))
     }
@@ -134,12 +134,12 @@ impl Geometry {
 }
 
 impl Shape {
-    /// Where the shape is and how large, in the world.
+    /// The place and the size of the shape in the world.
     pub fn scope(&self) -> &Scope {
         &self.scope
     }
 
-    /// Moves, turns or resizes the scope; the geometry goes with it.
+    /// Moves, turns or resizes the scope and the geometry in it.
     pub fn set_scope(&mut self, scope: Scope) {
         self.resize(scope.size);
         let before = self.scope;
@@ -152,30 +152,30 @@ impl Shape {
         &self.pivot
     }
 
-    /// Puts the pivot elsewhere; scope, geometry and trim planes stay.
+    /// Moves the pivot. Scope, geometry and trim planes stay.
     pub(crate) fn set_pivot(&mut self, pivot: Frame) {
         self.trims = self.trims.with(&self.pivot, Trims::None, &pivot);
         self.pivot = pivot;
     }
 
-    /// The seed that random choices of this shape follow from.
+    /// The seed of this shape, from which its random choices follow.
     pub fn seed_value(&self) -> u64 {
         self.seed.value()
     }
 
-    /// The material, as far as rules have set it.
+    /// The material, with the attributes that rules have set.
     pub fn material(&self) -> &Material {
         self.state.material()
     }
 
-    /// The geometry's own material; of several the first that a face has.
+    /// The geometry's own material. If faces have several, the first one.
     pub(crate) fn own_material(&self) -> Option<&Material> {
         let Geometry::Mesh(placed) = &self.geometry else { return None };
         let mesh = &placed.mesh;
         mesh.tags.runs().iter().find_map(|(_, tag)| mesh.materials.get(tag.material as usize))
     }
 
-    /// Changes the material of this shape and of what is derived from it.
+    /// Changes the material of this shape and of all shapes derived from it.
     pub fn change_material(&mut self, change: impl FnOnce(&mut Material)) {
         change(Arc::make_mut(&mut self.state.change_look().material));
     }
@@ -185,8 +185,8 @@ impl Shape {
         self.change_material(|material| material.color = Some(color));
     }
 
-    /// Whether the faces look inwards because a negative size mirrors them. What selectors mean is where faces are (*CGA changelog
-    /// 2010.3*).
+    /// Returns true if the faces look inwards because a negative size mirrors them. Selectors then go by the places
+    /// of faces (*CGA changelog 2010.3*).
     pub(crate) fn looks_inwards(&self) -> bool {
         let (mut stretch, mut mirrored) = (self.scope.size, false);
         match &self.geometry {
@@ -198,8 +198,8 @@ impl Shape {
         odd != mirrored
     }
 
-    /// The geometry as a mesh in scope coordinates: metres from the scope's origin corner, along its axes. It has all texture
-    /// coordinates.
+    /// The geometry as a mesh in scope coordinates: metres from the scope's origin corner, along its axes. It has all
+    /// texture coordinates as explicit sets.
     pub fn to_mesh(&self) -> Arc<Mesh> {
         match &self.geometry {
             Geometry::Empty | Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => Arc::default(),
@@ -214,16 +214,17 @@ impl Shape {
         }
     }
 
-    /// Makes a box or a rectangle a mesh.
+    /// Turns a box or a rectangle into a mesh.
     pub(crate) fn hold_as_mesh(&mut self) {
         if let Geometry::Rect(_, unit) | Geometry::Box(unit) = self.geometry {
             self.geometry = Geometry::Mesh(Arc::new(Placed::unit(unit)));
-            // A size of zero flattens it.
+            // A size of zero flattens the mesh.
             self.resize(self.scope.size);
         }
     }
 
-    /// Replaces the geometry: a mesh in scope coordinates, with the texture coordinates that it brings along. The scope becomes its bounding box.
+    /// Replaces the geometry by a mesh in scope coordinates with its own texture coordinates. The scope becomes its
+    /// bounding box.
     pub fn set_mesh(&mut self, mesh: Mesh) {
         let placed = Placed::fitted(mesh);
         self.scope.origin += self.scope.axes * placed.low;
@@ -234,16 +235,16 @@ impl Shape {
         }
     }
 
-    /// Sets the size. A size of zero flattens the geometry for good.
+    /// Sets the size. A size of zero flattens the geometry permanently.
     pub(crate) fn resize(&mut self, size: DVec3) {
         let flattens = self.scope.size.cmpne(DVec3::ZERO) & size.cmpeq(DVec3::ZERO);
         if flattens.any() {
-            // Points that fall together may have different coordinates.
+            // Points that become one may have different coordinates.
             self.bake();
         }
         let before = self.scope;
         if let Some(unit) = self.geometry.unit_pressed_flat(size) {
-            // What fills its scope would come back with it; a mesh does not.
+            // Geometry that fills its scope would grow again with the scope; a flat mesh stays flat.
             self.geometry = Geometry::Mesh(Arc::new(Placed::unit(unit)));
         }
         if let Geometry::Mesh(placed) = &self.geometry {
@@ -260,7 +261,7 @@ impl Shape {
         self.carry(&before);
     }
 
-    /// The same shape as one that a run begins with: trim planes are where earlier operations put them.
+    /// The shape as the start of a run: trim planes of earlier operations do not cut.
     pub(crate) fn without_trim_planes(&self) -> Shape {
         Shape { trims: Trims::None, ..self.clone() }
     }

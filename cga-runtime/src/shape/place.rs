@@ -1,4 +1,4 @@
-//! The rectangles and boxes that fill a scope, as sinks want them.
+//! The rectangles and boxes that fill a scope, in the form for sinks.
 
 use std::sync::Arc;
 
@@ -9,21 +9,21 @@ use crate::geometry::mesh::Mesh;
 use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
 
-/// A flat rectangle: corners `origin`, `origin + u`, `origin + u + v`, `origin + v`, counter-clockwise seen from
-/// where `u × v` points. A side may have length zero.
+/// A flat rectangle with the corners `origin`, `origin + u`, `origin + u + v` and `origin + v`. Its normal is `u ×
+/// v`. A side may have length zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quad {
-    /// First corner, in the world.
+    /// The first corner, in the world.
     pub origin: DVec3,
-    /// First side.
+    /// The first side.
     pub u: DVec3,
-    /// Last side, from the origin.
+    /// The last side, from the origin.
     pub v: DVec3,
     pub(crate) unit: UnitMesh,
 }
 
 impl Quad {
-    /// A rectangle with that corner and those sides.
+    /// A rectangle with the corner `origin` and the sides `u` and `v`.
     pub fn new(origin: DVec3, u: DVec3, v: DVec3) -> Self {
         Quad { origin, u, v, unit: UnitMesh::rectangle(Axis::Z) }
     }
@@ -33,7 +33,7 @@ impl Quad {
         [self.origin, self.origin + self.u, self.origin + self.u + self.v, self.origin + self.v]
     }
 
-    /// Its vertices, in the order in which `comp(v)` counts them.
+    /// The vertices, in the order of `comp(v)`.
     pub(crate) fn points(&self) -> [DVec3; 4] {
         let mut points = self.corners();
         for (corner, &point) in self.corners().into_iter().zip(self.unit.mesh().corners()) {
@@ -42,29 +42,29 @@ impl Quad {
         points
     }
 
-    /// A mesh of one face.
+    /// The rectangle as a mesh of one face.
     pub fn to_mesh(&self) -> Mesh {
         self.unit.mesh().with_points(self.points().to_vec())
     }
 }
 
-/// A closed box: `origin` and three edges. When `sides` is left-handed (a negative scope size) its faces look inwards.
+/// A closed box: `origin` and three edges. If `sides` is left-handed (a negative scope size), its faces look inwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cuboid {
     /// The corner at (0, 0, 0), in the world.
     pub origin: DVec3,
-    /// The three edges from it, as columns; orthogonal, not unit.
+    /// The three edges from that corner, as columns; orthogonal, not of unit length.
     pub sides: DMat3,
     pub(crate) unit: UnitMesh,
 }
 
 impl Cuboid {
-    /// A box with that corner and those edges, with its faces in the order front, right, back, left, top, bottom.
+    /// A box with that corner and those edges. The faces have the order front, right, back, left, top, bottom.
     pub fn new(origin: DVec3, sides: DMat3) -> Self {
         Cuboid { origin, sides, unit: UnitMesh::cuboid() }
     }
 
-    /// The six faces in the order in which `comp(f)` counts them, each from its first edge on.
+    /// The six faces in the order of `comp(f)`, each from its first edge on.
     pub fn faces(&self) -> [Quad; 6] {
         self.unit.sides().map(|face| {
             let axes = face.axes(&self.sides);
@@ -79,7 +79,7 @@ impl Cuboid {
         self.unit.sides().iter().flat_map(|face| face.corners).map(move |at| corners[usize::from(at & 7)])
     }
 
-    /// The eight corners, as numbers x + 2y + 4z count them.
+    /// The eight corners; the corner (x, y, z) has the index x + 2y + 4z.
     pub(crate) fn corners(&self) -> [DVec3; 8] {
         let [x, y, z] = [self.sides.x_axis, self.sides.y_axis, self.sides.z_axis];
         let low = [self.origin, self.origin + x, self.origin + y, self.origin + x + y];
@@ -87,13 +87,13 @@ impl Cuboid {
         [a, b, c, d, a + z, b + z, c + z, d + z]
     }
 
-    /// A closed mesh of eight vertices and six faces, numbered as `comp` counts them.
+    /// The box as a closed mesh of eight vertices and six faces, in the order of `comp`.
     pub fn to_mesh(&self) -> Mesh {
         self.unit.mesh().map(&DAffine3 { matrix3: self.sides, translation: self.origin })
     }
 }
 
-/// The rectangle in the low plane across `axis`, looking along it. The first side is the one that is the front or
+/// The rectangle in the low plane across `axis`, with its normal along that axis. Its first side is the front or
 /// bottom edge of the face.
 #[inline]
 pub(crate) fn rectangle(scope: &Scope, axis: Axis, unit: UnitMesh) -> Quad {
@@ -102,7 +102,7 @@ pub(crate) fn rectangle(scope: &Scope, axis: Axis, unit: UnitMesh) -> Quad {
     low_side(scope.origin, [x, y, z], axis, unit)
 }
 
-/// The same in a box with that corner and those sides.
+/// The rectangle in the low plane across `axis` of a box with that corner and those sides.
 #[inline]
 pub(crate) fn low_side(origin: DVec3, [x, y, z]: [DVec3; 3], axis: Axis, unit: UnitMesh) -> Quad {
     let (origin, u, v) = match axis {

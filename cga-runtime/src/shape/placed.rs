@@ -1,4 +1,4 @@
-//! Geometry with the box in its own coordinates that the scope stretches it from.
+//! Geometry with the box in its own coordinates that the scope stretches.
 
 use std::sync::Arc;
 
@@ -8,62 +8,62 @@ use super::unit::UnitMesh;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::wire::Wire;
 
-/// Whether geometry is as it was inserted (*geometry.isInstanced function*).
+/// The state of geometry since its insertion (*geometry.isInstanced function*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Inserted {
-    /// It was not inserted, or it was changed since.
+    /// It was not inserted, or it has changed since.
     No,
-    /// A box or a rectangle. Sinks get its mesh as any other.
+    /// A box or a rectangle. Sinks get its mesh like any other mesh.
     Plain,
     /// An asset or a primitive with a mesh of its own. Sinks get it as an instance.
     Asset,
 }
 
-/// A mesh and the box in its own coordinates that the scope stretches it from.
+/// A mesh, and the box in its own coordinates that the scope stretches.
 #[derive(Clone, Debug)]
 pub(crate) struct Placed {
     pub(crate) mesh: Arc<Mesh>,
     pub(crate) low: DVec3,
     pub(crate) size: DVec3,
     pub(crate) inserted: Inserted,
-    /// Whether the mesh is mirrored itself, so that a scope with a negative size mirrors it back.
+    /// True if the mesh itself is mirrored, so that a negative size of the scope mirrors it back.
     pub(crate) mirrored: bool,
 }
 
 impl Placed {
-    /// A mesh whose coordinates are scope coordinates, with the box of its points.
+    /// A mesh in scope coordinates, with its bounding box.
     pub(crate) fn fitted(mesh: Mesh) -> Self {
         let bounds = mesh.bounds();
         let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
         Placed { low, size: bounds.size(), mesh: Arc::new(mesh), inserted: Inserted::No, mirrored: false }
     }
 
-    /// A box or a rectangle.
+    /// The mesh of a box or a rectangle.
     pub(crate) fn unit(unit: UnitMesh) -> Self {
         let (mesh, bounds) = (unit.mesh().clone(), unit.mesh().bounds());
         let inserted = if unit.is_inserted() { Inserted::Plain } else { Inserted::No };
         Placed { mesh, low: bounds.low, size: bounds.size(), inserted, mirrored: false }
     }
 
-    /// Factor from mesh to scope lengths, for each axis.
+    /// The factor from mesh lengths to scope lengths, for each axis.
     pub(crate) fn stretch(&self, size: DVec3) -> DVec3 {
         stretch(self.size, size)
     }
 
-    /// From mesh coordinates to scope coordinates.
+    /// The map from mesh coordinates to scope coordinates.
     pub(crate) fn to_scope(&self, size: DVec3) -> DAffine3 {
         let stretch = self.stretch(size);
         DAffine3 { matrix3: DMat3::from_diagonal(stretch), translation: -self.low * stretch }
     }
 }
 
-/// Factor from one size to another, for each axis.
+/// The factor from one size to another, for each axis.
 fn stretch(from: DVec3, to: DVec3) -> DVec3 {
     let factor = |have: f64, want: f64| if have == want || have == 0.0 { 1.0 } else { want / have };
     DVec3::new(factor(from.x, to.x), factor(from.y, to.y), factor(from.z, to.z))
 }
 
-/// A wire and the box in its own coordinates that the scope stretches it from.
+/// A wire, and the box in its own coordinates that the scope stretches.
 #[derive(Clone, Debug)]
 pub(crate) struct PlacedWire {
     pub(crate) wire: Wire,
@@ -72,14 +72,14 @@ pub(crate) struct PlacedWire {
 }
 
 impl PlacedWire {
-    /// A wire whose coordinates are scope coordinates, with the box of its points.
+    /// A wire in scope coordinates, with its bounding box.
     pub(crate) fn fitted(wire: Wire) -> Self {
         let bounds = Bounds::of(wire.points.iter().copied());
         let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
         PlacedWire { low, size: bounds.size(), wire }
     }
 
-    /// In scope coordinates.
+    /// The wire in scope coordinates.
     pub(crate) fn in_scope(&self, size: DVec3) -> Wire {
         let stretch = stretch(self.size, size);
         self.wire.stretched(stretch, -self.low * stretch)

@@ -7,24 +7,24 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::{Axis, Frame};
 
-/// An oriented box: where a shape is and how large.
+/// An oriented box: the place and the size of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scope {
     /// The corner at (0, 0, 0), in the world.
     pub origin: DVec3,
     /// Orthonormal axes, as columns.
     pub axes: DMat3,
-    /// Extent along each axis; a negative one mirrors.
+    /// The extent along each axis; a negative extent mirrors.
     pub size: DVec3,
 }
 
 impl Scope {
-    /// A scope at the origin of the world with the world's axes.
+    /// A scope at the origin of the world, along the world's axes.
     pub const fn new(size: DVec3) -> Self {
         Scope { origin: DVec3::ZERO, axes: DMat3::IDENTITY, size }
     }
 
-    /// Its frame, without the size.
+    /// The frame, without the size.
     pub fn frame(&self) -> Frame {
         Frame { origin: self.origin, axes: self.axes }
     }
@@ -34,15 +34,15 @@ impl Scope {
         self.origin + self.axes * (self.size * 0.5)
     }
 
-    /// Sizes that a scope may have: squares of lengths must be numbers too. The macro counts on it (`lower/extent.rs`).
+    /// The largest size of a scope: squares of lengths must be finite. The macro relies on it (`lower/extent.rs`).
     pub(crate) const MOST_SIZE: f64 = 1e149;
 
-    /// Distances from the origin of the world that a scope may have, summed over the axes.
+    /// The largest distance of a scope from the origin of the world, summed over the axes.
     pub(crate) const MOST_DISTANCE: f64 = 1e150;
 
-    /// Whether what is in it, turned any way, is far from where numbers end.
+    /// Returns true if the scope's contents stay far from overflow under any rotation.
     pub(crate) fn is_bounded(&self) -> bool {
-        // Maxima skip NaN, sums and comparisons do not.
+        // Maxima ignore NaN; sums and comparisons do not.
         self.origin.abs().element_sum() <= Scope::MOST_DISTANCE
             && self.size.abs().cmple(DVec3::splat(Scope::MOST_SIZE)).all()
     }

@@ -1,11 +1,11 @@
-//! Random numbers that belong to a shape and not to the order of work.
+//! Random numbers of shapes. They do not depend on the order of work.
 //!
-//! The seed of a child is affine in the seed of its parent: `parent·K + key`. The key follows from the operation that makes
-//! the child, from its place in the rule, from the slot and from the repetition. Editing one branch of the rules leaves the
-//! others alone, and parallel, serial and foreign runs agree bit for bit. A seed is mixed (splitmix64) only when a number is
-//! drawn: most shapes are leaves and never draw.
+//! The seed of a child is affine in the seed of its parent: `parent·K + key`. The key follows from the operation that
+//! makes the child, from its place in the rule, from the slot and from the repetition. So an edit in one branch of
+//! the rules does not change the others, and parallel, serial and foreign runs agree bit for bit. A seed is mixed
+//! (splitmix64) only when a number is drawn: most shapes are leaves and never draw.
 
-/// The operation that made a child; part of its seed, so never renumber.
+/// The operation that made a child. It is part of the seed, so these numbers must never change.
 #[derive(Clone, Copy, Debug)]
 #[repr(u64)]
 pub(crate) enum Tag {
@@ -17,20 +17,20 @@ pub(crate) enum Tag {
     Candidate = 7,
 }
 
-/// The seed of a shape, and how many numbers it has drawn.
+/// The seed of a shape, and the number of its draws so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Seed {
     value: u64,
     draws: u32,
 }
 
-/// The factor from a seed to the seeds of its children: odd, so that no bit is lost.
+/// The factor from a seed to the seeds of its children. It is odd, so no bit is lost.
 const FACTOR: u64 = 0x9fb2_1c65_1e98_df25;
-/// From one number that a shape draws to the next.
+/// The step from one drawn number to the next.
 const DRAW: u64 = 0x9e37_79b9_7f4a_7c15;
-/// From one slot of a split, or component of a comp, to the next.
+/// The step from one slot of a split, or component of a comp, to the next.
 const SLOT: u64 = 0xd6e8_feb8_6659_fd93;
-/// From one repetition of a group to the next.
+/// The step from one repetition of a group to the next.
 const TURN: u64 = 0xe703_7ed1_a0b4_28db;
 
 const fn mix(mut x: u64) -> u64 {
@@ -39,7 +39,7 @@ const fn mix(mut x: u64) -> u64 {
     x ^ (x >> 31)
 }
 
-/// The key of the children that one step of a rule makes; `number` counts these steps. Generated code has it as a constant.
+/// The key of the children of one step of a rule; `number` counts these steps. It is a constant in generated code.
 pub(crate) const fn key(tag: Tag, number: u32) -> u64 {
     mix(((tag as u64) << 32 | number as u64).wrapping_add(DRAW))
 }
@@ -65,17 +65,17 @@ impl Seed {
         self.value
     }
 
-    /// A whole number that a float can hold, as good as the seed itself.
+    /// A random integer that a float can hold exactly.
     pub(crate) fn scattered(self) -> u64 {
         mix(self.value.wrapping_add(DRAW)) >> 11
     }
 
-    /// The seed of a child by its number.
+    /// The seed of the child with a number.
     pub(crate) fn child(self, tag: Tag, number: u32) -> Seed {
         Seed::new(step(self.value, key(tag, number)))
     }
 
-    /// The seed for the components that an expression makes. It uses up a random number.
+    /// The seed for the components that an expression makes. It counts as a draw.
     pub(crate) fn branch(&mut self) -> Seed {
         self.draws = self.draws.wrapping_add(1);
         self.child(Tag::Comp, self.draws | 1 << 31)

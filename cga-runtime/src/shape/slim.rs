@@ -1,9 +1,9 @@
-//! The shape that rules hand on.
+//! The shape that is passed between rules.
 //!
-//! A split changes the origin, one extent, the seed and the counters of a shape. A [`Division`](crate::split::division) changes
-//! them in place, for one part after the other, and puts them back in the end. The rest is borrowed from the last [`Base`]
-//! above: the start of a run, a component, the result of an operation, a piece of a mesh. So a part of a split costs a few
-//! machine words, is never copied, and has nothing to drop.
+//! A split changes the origin, one extent, the seed and the counters of a shape. A
+//! [`Division`](crate::split::division) changes them in place, for one part after the other, and restores them at the
+//! end. The rest is borrowed from the last [`Base`] above: the start of a run, a component, the result of an
+//! operation, a piece of a mesh. So a part of a split costs a few machine words, is never copied, and needs no drop.
 
 use std::cell::Cell;
 
@@ -20,14 +20,14 @@ use crate::shape::unit::UnitMesh;
 
 /// A shape while rules run: the fields that splits change, and a reference to the rest.
 ///
-/// A rule may leave another seed and another material in the shape that it was given.
+/// A rule may change the seed and the material of the shape that it gets.
 #[derive(Clone, Debug)]
 pub struct ShapeRef<'a> {
-    /// With a fourth coordinate of 0, so that it is written and read in the same two halves. Of three numbers the first two may be
-    /// written at once and the last two read at once, and that load waits until both stores are in the cache.
+    /// The fourth coordinate is 0, so it is stored and loaded in the same two halves. With three numbers, a store of
+    /// the first two and a load of the last two overlap, and the load waits until both stores are in the cache.
     pub(crate) origin: Cell<DVec4>,
     pub(crate) size: Extents,
-    /// The axes of the base, or those of the base when it has grown.
+    /// The axes of the base, before or after it has grown.
     pub(crate) axes: &'a Axes,
     pub(crate) base: &'a Base,
     /// The mesh of a box or a rectangle; unused in other forms.
@@ -38,7 +38,7 @@ pub struct ShapeRef<'a> {
     pub(crate) look: Cell<LookId>,
 }
 
-/// The size of a slim shape, in metres. Each extent is read and written alone, so that none waits for the others.
+/// The size of a slim shape, in metres. Each extent is read and written alone, so none waits for the others.
 #[derive(Clone, Debug)]
 pub(crate) struct Extents([Cell<f64>; 3]);
 
@@ -99,7 +99,7 @@ impl<'a> ShapeRef<'a> {
         self.origin.get().truncate()
     }
 
-    /// The place of the shape and its size, in the world.
+    /// The place and the size of the shape, in the world.
     #[inline]
     pub fn scope(&self) -> Scope {
         Scope { origin: self.origin(), axes: self.axes.matrix, size: self.size.get() }
@@ -115,7 +115,7 @@ impl<'a> ShapeRef<'a> {
         }
     }
 
-    /// Takes over the random numbers that the whole of this shape has drawn.
+    /// Takes over the draws of random numbers from the whole form of this shape.
     pub fn drawn(&self, whole: &Shape) {
         self.seed.set(whole.seed);
     }
@@ -133,23 +133,24 @@ impl<'a> ShapeRef<'a> {
         look.may_have_coordinates() && (look != LookId::OF_BASE || !self.base.shape.state.coordinates().is_empty())
     }
 
-    /// Returns true if a point that moves by that much along the axes keeps its implicit coordinates: they are constant there.
+    /// Returns true if a point that moves by `by` along the axes keeps its implicit coordinates.
     #[cold]
     #[inline(never)]
     pub(crate) fn keeps_coordinates(&self, by: DVec3) -> bool {
         let [x, y, z] = self.base.constant();
-        // The axes of the base when it has grown are x, z and -y.
+        // The axes of a base that has grown are its x, z and -y.
         let constant = if std::ptr::eq(self.axes, self.base.raised()) { [x, z, y] } else { [x, y, z] };
         by.to_array().into_iter().zip(constant).all(|(by, constant)| constant || by == 0.0)
     }
 
-    /// Returns true if the sides of a box may have texture coordinates of their own. A look with a number has none of that kind.
+    /// Returns true if the sides of a box may have different texture coordinates. A look with a number never has such
+    /// coordinates.
     #[inline]
     pub(crate) fn has_sides(&self) -> bool {
         self.look.get() == LookId::OF_BASE && self.base.shape.state.coordinates().has_cube()
     }
 
-    /// True if a split along an axis makes parts that simply fill their scopes.
+    /// Returns true if the parts of a split along an axis fill their scopes.
     #[inline]
     pub(crate) fn is_simple_along(&self, axis: Axis) -> bool {
         match self.form {
@@ -160,13 +161,13 @@ impl<'a> ShapeRef<'a> {
     }
 }
 
-/// A copy of the current shape for a successor. `number` counts the children that the rule makes.
+/// A copy of the current shape for a successor. `number` counts the children of the rule.
 #[inline]
 pub fn successor<'a>(shape: &ShapeRef<'a>, number: u32) -> ShapeRef<'a> {
     shape.child(seed::key(Tag::Successor, number))
 }
 
-/// Makes the current shape its own successor: the last one of a rule, after which nothing reads the shape.
+/// Turns the current shape into its last successor in a rule, after which nothing reads the shape.
 #[inline]
 pub fn become_successor(shape: &ShapeRef<'_>, number: u32) {
     shape.seed.set(Seed::new(seed::step(shape.seed.get().value(), seed::key(Tag::Successor, number))));
@@ -178,7 +179,8 @@ pub fn push<'a>(shape: &ShapeRef<'a>, number: u32) -> ShapeRef<'a> {
     shape.child(seed::key(Tag::Push, number))
 }
 
-/// A part that goes straight to a rule is the successor itself: `~1 : A` and `~1 : color(c) A` have the same seed in `A`.
+/// Makes a part that is passed straight to a rule the successor itself: `~1 : A` and `~1 : color(c) A` give `A` the
+/// same seed.
 #[inline]
 pub fn hand_on(part: &ShapeRef<'_>) {
     part.seed.set(part.seed.get().child(Tag::Successor, 0));

@@ -1,4 +1,4 @@
-//! What a shape inherits besides its geometry: material, attributes changed with `set`, trim switches, its name.
+//! The inherited state of a shape besides its geometry: material, attributes changed with `set`, trim switches, name.
 
 use std::sync::{Arc, LazyLock};
 
@@ -8,26 +8,27 @@ use crate::shape::texture::{Coordinates, Projections};
 use crate::value::Value;
 use crate::value::text::Text;
 
-/// Rarely changed and often inherited, therefore shared.
+/// The rarely changed and often inherited state, therefore shared.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct State {
     pub(crate) look: Arc<Look>,
-    /// What `setupProjection` stored.
+    /// The projections of `setupProjection`.
     pub(crate) projections: Projections,
-    /// Those that `set` changed, sorted by number: an import that starts anew has many.
+    /// The values of `set`, sorted by attribute number. After an import starts again there are many.
     pub(crate) attributes: Vec<(u32, Value)>,
     pub(crate) trim: Trim,
     /// `initialShape.name`.
     pub(crate) name: Text,
-    /// Whether the geometry was inserted and so does not come from the initial shape. Unused where that has no name.
+    /// True if the geometry was inserted, so that it does not come from the initial shape. Unused if the initial
+    /// shape has no name.
     pub(crate) foreign: bool,
-    /// Of the initial shape: the width of the street at each edge.
+    /// The width of the street at each edge of the initial shape.
     pub(crate) street_widths: Arc<[f64]>,
     /// True if a run from this shape holds boxes and rectangles as meshes. No result depends on it.
     pub(crate) as_meshes: bool,
 }
 
-/// Which trim planes cut what is inserted (*trim attribute*).
+/// The trim planes that cut inserted geometry (*trim attribute*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Trim {
     pub(crate) vertical: bool,
@@ -55,12 +56,12 @@ impl Default for State {
 
 pub(crate) static UNSET: LazyLock<Arc<Look>> = LazyLock::new(Arc::default);
 
-/// A share in a state; none as long as nothing was ever set.
+/// A shared state; empty until something is set.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct StateRef(Option<Arc<State>>);
 
 impl StateRef {
-    /// Nothing was ever set.
+    /// A state in which nothing was set.
     pub(crate) const UNSET: StateRef = StateRef(None);
 
     #[inline]
@@ -68,17 +69,17 @@ impl StateRef {
         self.0.as_deref()
     }
 
-    /// The state to change it, for this shape and its descendants alone.
+    /// The state for changes, which affect this shape and its descendants only.
     pub(crate) fn change(&mut self) -> &mut State {
         Arc::make_mut(self.0.get_or_insert_default())
     }
 
-    /// Which trim planes cut.
+    /// The trim planes that cut.
     pub(crate) fn trim(&self) -> Trim {
         self.get().map_or(Trim::DEFAULT, |state| state.trim)
     }
 
-    /// The material and the texture coordinates that rules gave.
+    /// The material and the texture coordinates set by rules.
     #[inline]
     pub(crate) fn look(&self) -> &Arc<Look> {
         match self.get() {
@@ -87,7 +88,7 @@ impl StateRef {
         }
     }
 
-    /// The same to change it.
+    /// The look for changes.
     pub(crate) fn change_look(&mut self) -> &mut Look {
         Arc::make_mut(&mut self.change().look)
     }

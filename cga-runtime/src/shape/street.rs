@@ -1,8 +1,8 @@
-//! Which way components look as seen from the streets at the initial shape (*comp operation*, street selectors).
+//! The directions of components as seen from the streets at the initial shape (*comp operation*, street selectors).
 //!
-//! Edges with a street are its front. The others are sorted by where they look, compared with the front as a whole:
-//! backwards within 45 degrees, else left or right. A component is of the class of the edge that looks most as it does,
-//! of equal ones the nearest. The reference shows this in pictures of lots and says no more.
+//! Edges with a street are the front. The other edges are sorted by their outward direction, compared with the front
+//! as a whole: back within 45 degrees, otherwise left or right. A component gets the class of the edge with the most
+//! similar direction; of equal edges, the nearest. The reference only shows pictures of lots.
 
 use glam::DVec3;
 
@@ -10,7 +10,7 @@ use crate::geometry::mesh::{FaceRef, unit};
 use crate::geometry::tol::ANGLE_EPSILON;
 use crate::shape::direction::Direction;
 
-/// The edges of a lot as its streets sort them, in the world.
+/// The edges of a lot with their classes, in the world.
 #[derive(Clone, Debug)]
 pub(crate) struct Streets {
     up: DVec3,
@@ -20,13 +20,14 @@ pub(crate) struct Streets {
 #[derive(Clone, Debug)]
 struct LotEdge {
     middle: DVec3,
-    /// Where it looks: out of the lot.
+    /// The outward direction.
     out: DVec3,
     class: Direction,
 }
 
 impl Streets {
-    /// Of the outline of a face, with the width of the street at each edge, 0 for none; nothing where no edge has one.
+    /// The streets of the outline of a face. `widths` has the width of the street at each edge, 0 for none. `None` if
+    /// no edge has a street.
     pub(crate) fn of(face: &FaceRef<'_>, widths: &[f64], to_world: impl Fn(DVec3) -> DVec3) -> Option<Self> {
         let ring: Vec<DVec3> = face.outline().map(to_world).collect();
         let from = ring[0];
@@ -42,7 +43,7 @@ impl Streets {
         let streets = || edges.iter().filter(|(i, ..)| is_street(*i));
         let first = streets().next()?.2;
         let sum: DVec3 = streets().map(|(_, _, out, length)| *out * *length).sum();
-        // Streets on opposite sides have no common front: the first one's is.
+        // Streets on opposite sides have no common front; the first street decides.
         let whole: f64 = streets().map(|(.., length)| length).sum();
         let front = if sum.length() <= ANGLE_EPSILON * whole { first } else { unit(sum) };
         let right = up.cross(front);
@@ -59,10 +60,10 @@ impl Streets {
         Some(Streets { up, edges: edges.collect() })
     }
 
-    /// Whether what is at a place and looks along a unit normal is in a class.
+    /// Returns true if a component at `at` with the unit normal `normal` is in a class.
     pub(crate) fn takes(&self, direction: Direction, normal: DVec3, at: DVec3) -> bool {
         let level = unit(normal - self.up * normal.dot(self.up));
-        // What looks straight up or down faces no street.
+        // A component with an upright normal faces no street.
         if normal.cross(self.up).length() <= ANGLE_EPSILON {
             return false;
         }

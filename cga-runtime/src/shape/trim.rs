@@ -1,9 +1,10 @@
-//! Trim planes: where the geometry that is put at a face ends, so that it meets that of the neighbours in a clean mitre
-//! (*comp operation*, trim planes; *trim attribute*).
+//! Trim planes: the ends of geometry that is inserted at a face, so that it meets the geometry of the neighbouring
+//! faces in a clean mitre (*comp operation*, trim planes; *trim attribute*).
 //!
-//! Each edge that a face shares with another has one. It contains the edge and bisects the angle between the two faces.
-//! Only planes with all of the face on their near side count: those at reflex corners and at holes would cut off what
-//! stands on the face itself. (The reference makes its planes of limited extent instead, and says no more.)
+//! Each edge that a face shares with another face has a trim plane. It contains the edge and bisects the angle
+//! between the two faces. Only planes with the whole face on their near side count: planes at reflex corners and at
+//! holes would cut geometry above the face itself. (The planes of the reference have a limited extent instead, which
+//! it does not specify.)
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::{Arc, OnceLock};
@@ -20,11 +21,11 @@ use crate::geometry::triangulate::Projection;
 /// A trim plane in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TrimPlane {
-    /// Some point of it.
+    /// A point of the plane.
     pub(crate) point: DVec3,
-    /// Towards what is kept, of length 1.
+    /// The unit normal, towards the side that is kept.
     pub(crate) normal: DVec3,
-    /// Whether `trim.horizontal` switches it; else `trim.vertical` does.
+    /// True if `trim.horizontal` switches the plane, false for `trim.vertical`.
     pub(crate) horizontal: bool,
 }
 
@@ -36,16 +37,17 @@ const HORIZONTAL: f64 = 40.0;
 pub(crate) enum Trims {
     #[default]
     None,
-    /// Of the side of a box: a rectangle of that size at the pivot, with neighbours at right angles behind it.
+    /// The planes of a side of a box: a rectangle of that size at the pivot, with neighbours at right angles on its
+    /// back.
     Side(DVec2),
-    /// Of a face of a mesh.
+    /// The planes of a face of a mesh.
     Face(Arc<Surface>, u32),
-    /// Any.
+    /// A list of planes.
     Planes(Arc<[TrimPlane]>),
 }
 
 impl Trims {
-    /// The planes, of a shape with that pivot.
+    /// The planes for a shape with that pivot.
     pub(crate) fn planes(&self, pivot: &Frame) -> Arc<[TrimPlane]> {
         match self {
             Trims::None => Arc::default(),
@@ -55,10 +57,10 @@ impl Trims {
         }
     }
 
-    /// These, of a shape with one pivot, and others, for a shape with another.
+    /// Joins these planes, of a shape with `pivot`, with `other`, of a shape with `other_pivot`.
     #[inline]
     pub(crate) fn with(&self, pivot: &Frame, other: Trims, other_pivot: &Frame) -> Trims {
-        // A copy, so that the pivot of those without planes need not be in memory.
+        // A copy, so that the pivot of a shape without planes need not be in memory.
         if matches!(self, Trims::None) { other } else { self.joined(pivot, other, *other_pivot) }
     }
 
@@ -72,7 +74,7 @@ impl Trims {
         }
     }
 
-    /// The same where the pivot no longer says where they are.
+    /// The same planes in a form that does not depend on the pivot.
     fn settled(&self, pivot: &Frame) -> Trims {
         match self {
             Trims::Side(_) => Trims::Planes(self.planes(pivot)),
@@ -81,27 +83,27 @@ impl Trims {
     }
 }
 
-/// Two level planes and two upright ones, all leaning out at 45 degrees.
+/// Two level planes and two upright ones, all leaning out by 45 degrees.
 fn side(size: DVec2, pivot: &Frame) -> [TrimPlane; 4] {
     let [x, y, z] = [pivot.axes.x_axis, pivot.axes.y_axis, pivot.axes.z_axis];
     let far = pivot.origin + x * size.x + y * size.y;
     let plane = |point, inwards: DVec3, horizontal| {
-        // What is kept lies inwards of the edge, and the more so the farther behind the face.
+        // The kept side is inwards of the edge, and extends further inwards at the back of the face.
         TrimPlane { point, normal: (inwards + z).normalize(), horizontal }
     };
-    // Round the face from its first edge on.
+    // Around the face from its first edge on.
     [plane(pivot.origin, y, true), plane(far, -x, false), plane(far, -y, true), plane(pivot.origin, x, false)]
 }
 
-/// A surface whose faces were handed out.
+/// A surface whose faces have become shapes.
 #[derive(Debug)]
 pub(crate) struct Surface {
     mesh: Arc<Mesh>,
-    /// The mesh's coordinates.
+    /// The frame of the mesh's coordinates.
     frame: Frame,
-    /// The y axis of the pivots, in these; nothing where each face has its own.
+    /// The y axis of the pivots, in the mesh's coordinates. `None` if each face has its own.
     up: Option<DVec3>,
-    /// Planes of each face, once they were asked for.
+    /// The planes of each face, made on first use.
     planes: OnceLock<Vec<OnceLock<Arc<[TrimPlane]>>>>,
 }
 
@@ -132,7 +134,7 @@ impl Surface {
             let along = unit(face_end(mesh, corner) - a);
             let (out, inwards) = (normal + mesh.face(other as usize).normal(), normal.cross(along));
             let across = unit(along.cross(out));
-            // A fold of no angle has no bisector.
+            // A fold without an angle has no bisector.
             if along == DVec3::ZERO || out.length() <= ANGLE_EPSILON || across == DVec3::ZERO {
                 continue;
             }
@@ -157,12 +159,12 @@ fn face_end(mesh: &Mesh, corner: usize) -> DVec3 {
     mesh.points()[mesh.corners()[next as usize] as usize]
 }
 
-/// The convex hull of a polygon: its corners decide on which side of a line all of it is.
+/// The convex hull of a polygon. Its corners decide on which side of a line the polygon is.
 struct Hull {
     projection: Projection,
-    /// Counter-clockwise from the one that is leftmost.
+    /// The corners, counter-clockwise from the leftmost one.
     corners: Vec<DVec3>,
-    /// Where the edges after them run; rising.
+    /// The angles of the edges after the corners, in rising order.
     angles: Vec<f64>,
 }
 
@@ -175,7 +177,7 @@ impl Hull {
         Hull { projection, corners, angles }
     }
 
-    /// The corner that is farthest to the right of a direction, and those beside it, lest rounding decides.
+    /// The corner that is farthest to the right of a direction, with its two neighbours, as rounding may swap them.
     fn right_of(&self, along: DVec3) -> impl Iterator<Item = DVec3> {
         let count = self.corners.len();
         let at = self.angles.partition_point(|&own| own < angle(self.projection.apply(along)));
@@ -183,7 +185,7 @@ impl Hull {
     }
 }
 
-/// Of a direction, from downwards, left out, to downwards.
+/// The angle of a direction, from downwards (exclusive) to downwards (inclusive).
 fn angle(along: DVec2) -> f64 {
     let angle = libm::atan2(along.y, along.x);
     if angle <= -FRAC_PI_2 { angle + TAU } else { angle }

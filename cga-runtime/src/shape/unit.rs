@@ -1,9 +1,10 @@
 //! The meshes of boxes and rectangles, with sides of length 1.
 //!
-//! A box or a rectangle needs no mesh of its own: its scope says where its corners are. The rest of its mesh (the order of
-//! faces and vertices, the first edge of each face, tags) is one of few unit meshes. They are shared by all boxes of a
-//! program, and equal ones are one, so a box carries no more than a reference. What a cut or an extrusion makes of a unit
-//! mesh is found once, by cutting or extruding that mesh: a box is numbered as the equal mesh is, by construction.
+//! A box or a rectangle needs no mesh of its own: its scope gives its corners. The rest of its mesh (the order of
+//! faces and vertices, the first edge of each face, tags) is one of few unit meshes. All boxes of a program share
+//! them, and equal unit meshes are one, so a box carries only a reference. The unit meshes that follow from a cut or
+//! an extrusion are found once, by cutting or extruding a unit mesh. So a box has the numbering of the equal mesh, by
+//! construction.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -15,23 +16,24 @@ use crate::geometry::cut;
 use crate::geometry::mesh::{Extrude, Mesh, extrude, primitive, solid};
 use crate::geometry::provenance::Provenance;
 
-/// The mesh of a box or a rectangle that is 1 long along each of its axes. The rectangle lies at 0 on the axis across it.
+/// The mesh of a box or a rectangle with a length of 1 along each of its axes. A rectangle is at 0 on the axis across
+/// it.
 #[derive(Clone, Copy)]
 pub(crate) struct UnitMesh(&'static Unit);
 
 struct Unit {
     mesh: Arc<Mesh>,
-    /// The faces in order; six equal ones for a rectangle.
+    /// The faces in order; six equal faces for a rectangle.
     faces: [UnitFace; 6],
     face_count: usize,
-    /// The parts that a split makes, by axis and [`Band`].
+    /// The parts of a split, by axis and [`Band`].
     parts: [OnceLock<UnitMesh>; 9],
-    /// By axis: true if a split makes parts with other unit meshes.
+    /// True for each axis along which the parts of a split have other unit meshes.
     has_bands: [OnceLock<bool>; 3],
     grown: OnceLock<UnitMesh>,
-    /// The same mesh as an operation inserts it.
+    /// The same mesh marked as inserted.
     inserted: OnceLock<UnitMesh>,
-    /// The unit that an inserted one was made from.
+    /// The unmarked unit of an inserted one.
     plain: Option<UnitMesh>,
 }
 
@@ -39,11 +41,11 @@ struct Unit {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnitFace {
     pub(crate) side: Side,
-    /// Its corners from the first edge on, as numbers x + 2y + 4z.
+    /// The corners from the first edge on, as numbers x + 2y + 4z.
     pub(crate) corners: [u8; 4],
     /// The first corner.
     pub(crate) origin: DVec3,
-    /// The axes of the box that its own are, each with a sign: x along the first edge, z outwards.
+    /// The axes of the face as axes of the box, each with a sign: x along the first edge, z outwards.
     pub(crate) along: [(Axis, f64); 3],
     pub(crate) provenance: Provenance,
 }
@@ -75,7 +77,7 @@ impl Side {
     }
 }
 
-/// The position of a piece in a box: at the low end of the axis, between two cuts, at the high end, or all of it.
+/// The position of a piece in a box: at the low end of the axis, between two cuts, at the high end, or the whole box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Band {
     Low,
@@ -98,24 +100,24 @@ impl Band {
 }
 
 impl UnitMesh {
-    /// The box that a run can begin with.
+    /// The initial box.
     pub(crate) fn cuboid() -> Self {
         static CUBOID: OnceLock<UnitMesh> = OnceLock::new();
         *CUBOID.get_or_init(|| UnitMesh::shared(solid::cuboid()))
     }
 
-    /// The box that `primitiveCube` makes.
+    /// The box of `primitiveCube`.
     pub(crate) fn cube() -> Self {
         static CUBE: OnceLock<UnitMesh> = OnceLock::new();
         *CUBE.get_or_init(|| UnitMesh::shared(primitive::cube()).as_inserted())
     }
 
-    /// The rectangle that `primitiveQuad` makes across an axis.
+    /// The rectangle of `primitiveQuad` across an axis.
     pub(crate) fn quad(across: Axis) -> Self {
         UnitMesh::rectangle(across).as_inserted()
     }
 
-    /// The same mesh as an operation inserts it (*geometry.isInstanced function*). Its parts are not inserted ones.
+    /// The same mesh marked as inserted (*geometry.isInstanced function*). Its parts do not have the mark.
     fn as_inserted(self) -> Self {
         *self.0.inserted.get_or_init(|| {
             let Unit { mesh, faces, face_count, .. } = self.0;
@@ -129,7 +131,7 @@ impl UnitMesh {
         self.0.plain.is_some()
     }
 
-    /// Returns true for the same unit mesh: equal ones are one.
+    /// Returns true for the same unit mesh, which equal unit meshes are.
     #[inline]
     pub(crate) fn is(self, other: Self) -> bool {
         std::ptr::eq(self.0, other.0)
@@ -141,12 +143,12 @@ impl UnitMesh {
         self.0.plain.unwrap_or(self)
     }
 
-    /// A rectangle across an axis, looking along it.
+    /// A rectangle across an axis, with its normal along that axis.
     pub(crate) fn rectangle(across: Axis) -> Self {
         UnitMesh::face(across, Provenance::Unknown)
     }
 
-    /// A face alone, as a rectangle across an axis that looks along it.
+    /// A single face, as a rectangle across an axis with its normal along that axis.
     #[inline]
     pub(crate) fn face(across: Axis, provenance: Provenance) -> Self {
         const COUNT: usize = 3 * Provenance::COUNT;
@@ -155,10 +157,10 @@ impl UnitMesh {
             .get_or_init(|| UnitMesh::shared(solid::square(across, provenance)))
     }
 
-    /// The shared unit mesh that equals a mesh whose corners are all at 0 or 1.
+    /// The shared unit mesh that equals a mesh with all corners at 0 or 1.
     fn shared(mesh: Mesh) -> Self {
         static ALL: Mutex<BTreeMap<Vec<u32>, UnitMesh>> = Mutex::new(BTreeMap::new());
-        // Nothing can be half done in the map when a thread ends.
+        // A panic in another thread cannot leave the map half changed.
         let mut all = ALL.lock().unwrap_or_else(PoisonError::into_inner);
         *all.entry(key(&mesh)).or_insert_with(|| UnitMesh(Box::leak(Box::new(Unit::new(mesh)))))
     }
@@ -183,12 +185,12 @@ impl UnitMesh {
         &self.0.faces
     }
 
-    /// The corners that its vertices are, in order, as numbers x + 2y + 4z.
+    /// The corners of the vertices, in order, as numbers x + 2y + 4z.
     pub(crate) fn numbers(self) -> impl Iterator<Item = u8> {
         self.0.mesh.points().iter().map(|&point| number_of(point))
     }
 
-    /// The part that a split across an axis makes, stretched to length 1 again.
+    /// The part of a split across an axis, stretched to length 1 again.
     #[inline]
     pub(crate) fn part(self, axis: Axis, band: Band) -> Self {
         if band == Band::All {
@@ -225,7 +227,8 @@ impl UnitMesh {
         *self.0.parts[3 * axis.index() + band as usize].get_or_init(made)
     }
 
-    /// The box that `extrude` makes of a rectangle: y is the direction in which it grew, x is as near as can be to the old x.
+    /// The box that `extrude` makes of a rectangle. Its y axis is the direction of growth, and its x axis is as near
+    /// as possible to the old one.
     #[inline]
     pub(crate) fn grown(self, across: Axis) -> Self {
         *self.0.grown.get_or_init(|| {
@@ -239,7 +242,7 @@ impl UnitMesh {
         })
     }
 
-    /// The same mirrored about its middle, its faces looking outwards as before.
+    /// The mesh mirrored about its middle, with its faces looking outwards as before.
     pub(crate) fn mirrored(self, flips: [bool; 3]) -> Self {
         let mesh = &self.0.mesh;
         let far = DVec3::from_array(flips.map(f64::from));
@@ -302,7 +305,7 @@ impl UnitFace {
         UnitFace { side, corners, origin, along: [x, y, outwards].map(along), provenance }
     }
 
-    /// Its own axes in a scope with those: x along the first edge, z outwards.
+    /// The axes of the face in a scope with the axes `scope`: x along the first edge, z outwards.
     #[inline]
     pub(crate) fn axes(&self, scope: &DMat3) -> DMat3 {
         let columns = [scope.x_axis, scope.y_axis, scope.z_axis];
@@ -310,7 +313,7 @@ impl UnitFace {
         DMat3::from_cols(x, y, z)
     }
 
-    /// How long it is along its first edge, and across, in a scope of that size.
+    /// The lengths along the first edge and across it, in a scope of that size.
     #[inline]
     pub(crate) fn extent(&self, size: DVec3) -> [f64; 2] {
         let sizes = [size.x, size.y, size.z];
@@ -323,7 +326,7 @@ fn number_of(point: DVec3) -> u8 {
     point.cmpgt(DVec3::splat(0.5)).bitmask() as u8
 }
 
-/// The mesh with its box stretched to length 1; what is flat is at 0.
+/// The mesh with its box stretched to length 1; a flat axis is at 0.
 fn stretched(mesh: &Mesh) -> Mesh {
     let bounds = mesh.bounds();
     let middle = (bounds.low + bounds.high) * 0.5;
@@ -331,7 +334,7 @@ fn stretched(mesh: &Mesh) -> Mesh {
     mesh.with_points(mesh.points().iter().map(at).collect())
 }
 
-/// All that tells unit meshes apart.
+/// The properties that distinguish unit meshes.
 fn key(mesh: &Mesh) -> Vec<u32> {
     let points = mesh.points().iter().map(|&point| u32::from(number_of(point)));
     let faces = mesh.faces().map(|face| Provenance::of(mesh, face.tag()).unwrap_or_default().number() as u32);

@@ -1,11 +1,11 @@
-//! The part of a shape that expressions of rules read without making it whole.
+//! The part of a shape that expressions of rules read without the whole shape.
 
 use glam::DVec3;
 
 use super::{Shape, ShapeRef};
 use crate::value::Value;
 
-/// A shape, slim or whole, as expressions of rules read it.
+/// A shape, slim or whole, for the expressions of rules.
 pub trait View {
     /// The origin of the scope, in the world.
     fn origin(&self) -> DVec3;
@@ -25,7 +25,7 @@ pub trait View {
     /// The next random number in 0..1.
     fn draw(&mut self) -> f64;
 
-    /// The value that rules gave an attribute of the grammar on this shape, if they did.
+    /// The value that rules set for an attribute of the grammar on this shape, if any.
     fn attribute(&self, number: u32) -> Option<&Value>;
 }
 

@@ -1,4 +1,4 @@
-//! How the area of a shape is spread along an axis: where to cut for parts of given areas.
+//! The distribution of a shape's area along an axis, which gives the cuts for parts of given areas.
 
 use glam::DVec3;
 
@@ -10,22 +10,22 @@ use crate::shape::{Geometry, Placed, Shape};
 /// The area up to a distance from the scope's low end, as a function of the distance.
 #[derive(Debug)]
 pub(super) enum Profile {
-    /// That much in all, the same everywhere.
+    /// A total area that is evenly distributed.
     Even(f64),
-    /// In pieces between which it grows quadratically; the last one ends the geometry.
+    /// Sections in which the area grows quadratically. The last one is at the end of the geometry.
     Sections(Vec<WidthSection>),
 }
 
-/// The stretch between two vertices that follow each other along the axis.
+/// The section between two consecutive vertices along the axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WidthSection {
-    /// Where it starts.
+    /// The start.
     at: f64,
     /// The area before it.
     before: f64,
-    /// How wide the geometry is where it starts.
+    /// The width of the geometry at the start.
     width: f64,
-    /// By how much the width grows a metre.
+    /// The growth of the width per metre.
     growth: f64,
 }
 
@@ -51,7 +51,7 @@ impl Profile {
         }
     }
 
-    /// All of the area.
+    /// The total area.
     pub(super) fn total(&self) -> f64 {
         match self {
             Profile::Even(area) => *area,
@@ -59,8 +59,8 @@ impl Profile {
         }
     }
 
-    /// How far from the low end so much of the area lies below: of a gap in the geometry the low end, and for all of the
-    /// area the scope's own end, so that parts fill the scope.
+    /// The distance from the low end up to which the area is `area`: at a gap in the geometry its low end, and for
+    /// the total area the end of the scope, so that parts fill the scope.
     pub(super) fn distance(&self, area: f64, extent: f64) -> f64 {
         let Profile::Sections(list) = self else { return 0.0 };
         let rounding = self.total() * AREA_EPSILON;
@@ -74,14 +74,14 @@ impl Profile {
             Some(index) if area + rounding < border.before => list[index],
             _ => return border.at,
         };
-        // width · h + growth / 2 · h² = rest, in the form that does not cancel.
+        // width · h + growth / 2 · h² = rest, in the form without cancellation.
         let rest = area - section.before;
         let root = (section.width * section.width + 2.0 * section.growth * rest).max(0.0).sqrt();
         (section.at + 2.0 * rest / (section.width + root)).clamp(section.at, border.at)
     }
 }
 
-/// How an edge adds to the width, between two places.
+/// The contribution of an edge to the width, from its start on.
 #[derive(Clone, Copy)]
 struct WidthChange {
     at: f64,
@@ -91,9 +91,9 @@ struct WidthChange {
 
 fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     let stretch = placed.stretch(size).abs();
-    // Edges that don't extend along the axis but for rounding.
+    // Edges without an extent along the axis, except for rounding.
     let across = size[axis.index()].abs() * EDGE_EPSILON;
-    // Where the scope begins.
+    // The start of the scope.
     let base = (placed.low * stretch)[axis.index()];
     let mut events = Vec::new();
     for face in placed.mesh.faces() {
@@ -103,7 +103,7 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     let mut list: Vec<WidthSection> = Vec::new();
     let (mut width, mut growth, mut area) = (Sum::default(), Sum::default(), Sum::default());
     for (index, event) in events.iter().enumerate() {
-        // The width at the place of the event, and the area between it and the one before.
+        // The width at the event, and the area between it and the previous one.
         if let Some(before) = index.checked_sub(1).map(|index| events[index]) {
             let step = event.at - before.at;
             let more = growth.value() * step;
@@ -122,7 +122,8 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     list
 }
 
-/// A running sum with twice the digits: what a steep edge adds and later takes away leaves the others as they were.
+/// A running sum with twice the digits, so that a steep edge, which adds a large number and subtracts it again,
+/// leaves no error.
 #[derive(Clone, Copy, Default)]
 struct Sum {
     high: f64,
@@ -133,7 +134,7 @@ impl Sum {
     fn add(&mut self, value: f64) {
         let sum = self.high + value;
         let part = sum - self.high;
-        // What rounding has lost of the sum (Knuth).
+        // The rounding error of the sum (Knuth).
         let lost = (self.high - (sum - part)) + (value - part);
         let low = self.low + lost;
         self.high = sum + low;
@@ -145,12 +146,13 @@ impl Sum {
     }
 }
 
-/// The edges of a face that are not shorter than `least` along the axis, as events, with places measured from `base`. The area below a place is the sum of those below the edges, with signs, as far as they
-/// go: what closes the face there runs across the axis and adds nothing.
+/// Adds the edges of a face that are at least `least` long along the axis, as events at places relative to `base`.
+/// The area below a place is the signed sum of the areas below the edges, each up to its end. The line that closes
+/// the face at the place runs across the axis and adds nothing.
 fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64, f64), events: &mut Vec<WidthChange>) {
     let at = axis.index();
     let normal = face.stretched_normal(stretch);
-    // Along the axis within the face: a metre there is `slant` along the axis.
+    // The direction of the axis within the face: a metre in it is `slant` along the axis.
     let mut axis_vector = DVec3::ZERO;
     axis_vector[at] = 1.0;
     let within = axis_vector - normal * normal[at];

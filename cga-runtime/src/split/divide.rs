@@ -1,4 +1,4 @@
-//! The pieces of a split: sizes are checked, and areas become lengths.
+//! The pieces of a split: checks sizes, and turns areas into lengths.
 
 use cga_split::{Item, Piece, Prefix, Size, Solution, solve};
 
@@ -9,7 +9,7 @@ use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::ShapeRef;
 
-/// Sizes of a split: NaN and infinite ones become zero, with a fault.
+/// The sizes of a split. NaN and infinite ones become zero, with a fault.
 #[inline]
 pub fn sizes<const N: usize>(env: &mut Env, mut sizes: [Size; N]) -> [Size; N] {
     check(env, &mut sizes, "a size of `split`");
@@ -23,7 +23,7 @@ pub(super) fn check(env: &mut Env, sizes: &mut [Size], what: &'static str) {
     }
 }
 
-/// The extent to split: zero when there is nothing to divide, or too little.
+/// The extent to split: zero if it is too small.
 #[inline]
 pub fn extent(env: &mut Env, shape: &ShapeRef<'_>, axis: Axis) -> f64 {
     let extent = shape.size.along(axis).abs();
@@ -33,7 +33,7 @@ pub fn extent(env: &mut Env, shape: &ShapeRef<'_>, axis: Axis) -> f64 {
     if env.too_small < extent { extent } else { 0.0 }
 }
 
-/// The pieces of a split that the macro has solved: none where the shape is too small to be split.
+/// The pieces of a split that the macro has solved; empty if the shape is too small to be split.
 #[inline]
 pub fn solved(
     env: &mut Env,
@@ -46,9 +46,9 @@ pub fn solved(
     if extent(env, shape, axis) == 0.0 { &[] } else { pieces }
 }
 
-/// The pieces of given areas (*splitArea operation*). A face across the axis has no extent along it and does not count, so
-/// of a box, which the reference does not mention, shares are those of its four sides along the axis. Caps that a cut makes
-/// do not count either.
+/// The pieces of given areas (*splitArea operation*). A face across the axis has no extent along it and does not
+/// count. So the areas of a box, which the reference does not mention, are those of its four sides along the axis.
+/// Caps of cuts do not count either.
 pub fn areas<const N: usize>(
     env: &mut Env,
     shape: &ShapeRef<'_>,
@@ -64,7 +64,7 @@ pub fn areas<const N: usize>(
         return Vec::new();
     }
     if let Profile::Even(area) = profile {
-        // The same area everywhere along the axis: areas are lengths.
+        // The area is evenly distributed along the axis, so areas are proportional to lengths.
         for size in sizes.iter_mut().filter(|size| size.prefix != Prefix::Relative) {
             size.value *= extent / area;
         }
@@ -74,7 +74,7 @@ pub fn areas<const N: usize>(
     let mut start = 0.0;
     pieces.retain_mut(|piece| {
         let end = profile.distance(piece.end, extent);
-        // An area may be too small to be told from none.
+        // An area may be too small to be distinguished from zero.
         let is_piece = start < end;
         if is_piece {
             (piece.start, piece.end, piece.length) = (start, end, end - start);
@@ -85,7 +85,7 @@ pub fn areas<const N: usize>(
     pieces
 }
 
-/// The pieces of a solution; none when there would be too many, which ends the run.
+/// The pieces of a solution; empty if there are too many, which ends the run.
 pub(super) fn listed(env: &mut Env, solution: &Solution<'_>) -> Vec<Piece> {
     let within: Flow = within_limit(env, solution);
     if within.is_continue() { solution.pieces() } else { Vec::new() }

@@ -1,4 +1,4 @@
-//! A split under way: pieces become shapes, one after the other.
+//! A split in progress: pieces become shapes, one after the other.
 
 use std::ops::ControlFlow;
 
@@ -18,22 +18,22 @@ use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::unit::{Band, UnitMesh};
 use crate::shape::{Counter, ShapeRef};
 
-/// A shape that is divided along an axis. Generated code asks for the shape of each piece, or hands a leaf on.
+/// A shape that is divided along an axis. Generated code takes the shape of each piece, or passes a leaf on.
 ///
-/// Functions whose names begin with `any` do the same as those without: they are compiled once, and the others become a part of
-/// the rule that calls them (`codegen/split.rs` of the macro chooses).
+/// The functions with the prefix `any` do the same as those without. They are compiled once, while the others are
+/// inlined into the calling rule (`codegen/split.rs` of the macro chooses).
 ///
-/// The parts have no shape of their own: while a division is under way, its shape is the current part. [`Division::end`] puts
-/// the whole back.
+/// The parts have no shape of their own: during a division, its shape is the current part. [`Division::end`] restores
+/// the whole.
 #[derive(Debug)]
 pub struct Division<'s> {
     shape: &'s ShapeRef<'s>,
-    /// The pieces, where they do not simply fill their scopes.
+    /// The pieces, if they do not simply fill their scopes.
     made: Option<Box<[ShapeRef<'s>]>>,
     whole: Whole,
     /// The seed of the step.
     seed: u64,
-    /// Repetitions begun, of all groups.
+    /// The repetitions begun so far, in all groups.
     turns: u64,
     index: usize,
     total: usize,
@@ -41,13 +41,13 @@ pub struct Division<'s> {
     has_bands: bool,
 }
 
-/// The properties of a shape that are others in its parts.
+/// The properties of a shape that differ in its parts.
 #[derive(Debug)]
 struct Whole {
     origin: DVec4,
-    /// Along the axis of the split.
+    /// The extent along the axis of the split.
     extent: f64,
-    /// Along the axis that a rectangle is flat across. Its parts have no thickness.
+    /// The thickness of a rectangle's scope across the rectangle, which parts do not have.
     thickness: f64,
     unit: UnitMesh,
     seed: Seed,
@@ -55,7 +55,7 @@ struct Whole {
     look: LookId,
 }
 
-/// The pieces of a shape that does not simply fill its scope, made at once; none of one that does.
+/// The pieces of a shape that does not simply fill its scope, made at once. Empty for other shapes.
 #[derive(Debug, Default)]
 pub struct Made(Option<Vec<Base>>);
 
@@ -65,12 +65,13 @@ impl Made {
         Made(Some(Vec::new()))
     }
 
-    /// Pieces that are there.
+    /// Pieces made elsewhere.
     pub(super) fn of(pieces: Vec<Base>) -> Self {
         Made(Some(pieces))
     }
 
-    /// Counts the pieces and cuts the geometry. `at_most` is no less than the number of pieces. `Break` when a limit was reached.
+    /// Counts the pieces and cuts the geometry. `at_most` is at least the number of pieces. `Break` when a limit is
+    /// reached.
     #[inline(always)]
     pub fn new(
         env: &mut Env,
@@ -116,21 +117,22 @@ impl Made {
     }
 }
 
-/// A slot of a split, as code generation knows it.
+/// A slot of a split, as known to the code generator.
 #[derive(Clone, Copy, Debug)]
 pub struct Slot {
-    /// Its number in the pattern.
+    /// The index in the pattern.
     pub number: u32,
     /// True if it is in a group that repeats.
     pub in_group: bool,
-    /// True if random numbers are drawn below: without, the part has no seed of its own.
+    /// True if the rules of the part draw random numbers. Otherwise the part has no seed of its own.
     pub draws: bool,
-    /// True if `split.index` or `split.total` is read below.
+    /// True if the rules of the part read `split.index` or `split.total`.
     pub counts: bool,
 }
 
 impl<'s> Division<'s> {
-    /// Before the first piece. `number` counts the children that the rule makes; `total` is `split.total`, if a rule reads it.
+    /// A division before the first piece. `number` counts the children of the rule; `total` is `split.total`, if a
+    /// rule reads it.
     #[inline(always)]
     pub fn new(shape: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
         let whole = Whole::of(shape, axis, adjust);
@@ -152,7 +154,7 @@ impl<'s> Division<'s> {
         self.end(axis);
     }
 
-    /// Makes the shape whole again. A division that the end of the run breaks off need not.
+    /// Restores the whole shape. It is not needed if the run ends within the division.
     #[inline(always)]
     pub fn end(&self, axis: Axis) {
         self.whole.put_back(self.shape, axis);
@@ -164,14 +166,14 @@ impl<'s> Division<'s> {
         0 < self.index
     }
 
-    /// Begins a repetition of a group. A split of many leaves may be stopped here.
+    /// Begins a repetition of a group. A split with many leaves may be stopped here.
     #[inline(always)]
     pub fn turn(&mut self, env: &mut Env) -> Flow {
         self.turns += 1;
         if env.has_room(0) { Flow::Continue(()) } else { env.make_room(0) }
     }
 
-    /// Leaves out the piece of a slot.
+    /// Skips the piece of a slot.
     #[inline(always)]
     pub fn skip(&mut self, slots: &mut impl Slots, slot: u32) {
         self.index += usize::from(slots.slot(slot).is_some());
@@ -205,7 +207,7 @@ impl<'s> Division<'s> {
         self.part(slots, axis, slot)
     }
 
-    /// Hands the piece of a slot on as a leaf, if the slot gets one.
+    /// Passes the piece of a slot on as a leaf, if the slot gets one.
     #[inline(always)]
     pub fn leaf<C>(&mut self, cx: &mut Cx<'_, C>, slots: &mut impl Slots, axis: Axis, slot: u32, rule: u32) -> Flow {
         match slots.slot(slot) {
@@ -227,7 +229,7 @@ impl<'s> Division<'s> {
         self.leaf(cx, slots, axis, slot, rule)
     }
 
-    /// Gives the shape the place of the next piece.
+    /// Moves the shape to the place of the next piece.
     #[inline(always)]
     fn place(&mut self, axis: Axis, piece: Piece) -> &ShapeRef<'s> {
         let index = self.index;
@@ -236,7 +238,7 @@ impl<'s> Division<'s> {
             return &made[index];
         }
         let (shape, whole) = (self.shape, &self.whole);
-        // The part before it may have been painted.
+        // An operation may have painted the previous part.
         shape.look.set(whole.look);
         shape.origin.set(whole.origin + shape.axes.along(axis) * piece.start);
         shape.size.set_along(axis, piece.length);
@@ -255,7 +257,7 @@ fn shapes(pieces: &[Base]) -> Box<[ShapeRef<'_>]> {
 }
 
 impl Whole {
-    /// The properties of a shape before it is divided. Its thickness, which parts do not have, is taken off.
+    /// The properties of a shape before its division. Removes its thickness, which parts do not have.
     #[inline(always)]
     fn of(shape: &ShapeRef<'_>, axis: Axis, adjust: Adjust) -> Self {
         let mut whole = Whole {
@@ -278,7 +280,7 @@ impl Whole {
         whole
     }
 
-    /// Gives them back.
+    /// Restores the properties.
     #[inline(always)]
     fn put_back(&self, shape: &ShapeRef<'_>, axis: Axis) {
         shape.origin.set(self.origin);
@@ -294,7 +296,7 @@ impl Whole {
         }
     }
 
-    /// The position of a piece. One that follows another is longer than the rounding.
+    /// The position of a piece in the shape. A piece after the first one is longer than the rounding.
     #[inline]
     fn band(&self, piece: Piece) -> Band {
         let is_last = self.extent - (piece.start + piece.length) <= PLANAR_EPSILON * self.extent;

@@ -1,4 +1,4 @@
-//! The split operation on a shape: which slots get room is arithmetic and found in `cga-split`; here pieces become shapes.
+//! The split operation on a shape. `cga-split` computes the pieces; here they become shapes.
 
 mod area;
 pub(crate) mod divide;
@@ -9,7 +9,7 @@ pub(crate) mod texture;
 
 pub use cga_split::{Item, Piece, Prefix, Size, Solution, solve, solve_any};
 
-/// Whether parts shrink to what is in them (*split operation*, adjustSelector).
+/// The scopes of parts (*split operation*, adjustSelector).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Adjust {
     /// `adjust`, the default: the scope is the bounding box of the part's geometry.

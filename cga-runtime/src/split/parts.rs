@@ -1,4 +1,4 @@
-//! The pieces of what does not simply fill its scope: meshes, wires, lines, mirrored boxes.
+//! The pieces of shapes that do not simply fill their scopes: meshes, wires, lines, mirrored boxes.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -26,17 +26,17 @@ pub(super) struct SplitParts<'s> {
     parent: &'s Shape,
     axis: Axis,
     adjust: Adjust,
-    /// Along the axis, the way the scope runs from its origin.
+    /// The direction of the scope along the axis, from its origin.
     along: DVec3,
     sign: f64,
     index: usize,
     total: usize,
-    /// One a piece, when the geometry is a mesh.
+    /// The meshes of the pieces, if the geometry is a mesh.
     slabs: Vec<Option<Arc<Mesh>>>,
 }
 
 impl<'s> SplitParts<'s> {
-    /// Counts the pieces and cuts the geometry. `Break` when a limit was reached.
+    /// Counts the pieces and cuts the geometry. `Break` when a limit is reached.
     pub(super) fn new(
         env: &mut Env,
         shape: &'s Shape,
@@ -49,7 +49,7 @@ impl<'s> SplitParts<'s> {
             Geometry::Mesh(placed) if 0 < total => slabs(env, placed, axis, shape.scope.size, row)?,
             _ => Vec::new(),
         };
-        // A negative size runs the other way from the origin.
+        // A negative size extends in the other direction from the origin.
         let sign = if shape.scope.size[axis.index()] < 0.0 { -1.0 } else { 1.0 };
         let along = shape.scope.axes.col(axis.index()) * sign;
         ControlFlow::Continue(SplitParts { parent: shape, axis, adjust, along, sign, index: 0, total, slabs })
@@ -73,10 +73,10 @@ impl<'s> SplitParts<'s> {
         Shape { scope, geometry, ..parent.clone() }
     }
 
-    /// What fills a part; shrinks its scope when asked to.
+    /// The geometry of a part. With `adjust`, its scope shrinks.
     ///
-    /// The reference does not say whether a slot without geometry is a part. It is one, with the slot as its scope, so that
-    /// what is inserted there has its place and `split.index` counts slots.
+    /// The reference does not say whether a slot without geometry is a part. Here it is one, with the slot as its
+    /// scope, so that inserted geometry has its place and `split.index` counts slots.
     #[inline]
     fn geometry(&self, index: usize, piece: Piece, scope: &mut Scope) -> Geometry {
         match &self.parent.geometry {
@@ -101,7 +101,7 @@ impl<'s> SplitParts<'s> {
                     scope,
                 )
             }
-            // What is flat along the axis in a thick scope stands at the low end.
+            // Geometry that is flat along the axis in a thick scope is at the low end.
             flat if piece.start == 0.0 => {
                 if self.adjust == Adjust::Adjust {
                     scope.size[self.axis.index()] = 0.0;
@@ -112,7 +112,7 @@ impl<'s> SplitParts<'s> {
         }
     }
 
-    /// Where the piece made last is in a box or a rectangle.
+    /// The position of the last piece in a box or a rectangle.
     #[inline]
     fn band(&self, piece: Piece) -> Band {
         let is_last = self.index == self.total && {
@@ -132,7 +132,7 @@ impl<'s> SplitParts<'s> {
             scope.origin = self.parent.scope.frame().to_world(placed.low);
             scope.size = placed.size;
         } else {
-            // The box that becomes the scope.
+            // The box that the scope stretches.
             let parent = &self.parent.scope;
             placed.low = parent.frame().to_local(scope.origin);
             placed.size = scope.size;
@@ -152,8 +152,8 @@ impl<'s> SplitParts<'s> {
             if !bounds.low.is_finite() {
                 return Geometry::Empty;
             }
-            // Along an axis that it spans but for rounding the slot is its scope, as of a box. What is flat has no thickness, as
-            // a rectangle.
+            // Along an axis that the part spans except for rounding, the slot is its scope, as for a box. Flat
+            // geometry has no thickness, as a rectangle.
             let near = PLANAR_EPSILON * fit;
             let spans = fit.cmpgt(DVec3::ZERO)
                 & (bounds.low - low).abs().cmple(near)
@@ -173,7 +173,7 @@ impl<'s> SplitParts<'s> {
     }
 }
 
-/// A size with another extent along an axis. Not by index: that would go through memory and stall there.
+/// A size with another extent along an axis. Without an index, which would go through memory and stall there.
 #[inline]
 fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
     match axis {
@@ -183,7 +183,7 @@ fn with(size: DVec3, axis: Axis, extent: f64) -> DVec3 {
     }
 }
 
-/// Whether there may be so many shapes, before anything is laid out. `Break` when not.
+/// `Break` if the pieces exceed the limit of shapes, before they are laid out.
 #[cold]
 #[inline(never)]
 pub(super) fn within_limit(env: &mut Env, row: impl Row) -> Flow {
@@ -194,7 +194,7 @@ pub(super) fn within_limit(env: &mut Env, row: impl Row) -> Flow {
     }
     let so_far = env.shape_count();
     if limit < so_far.saturating_add(bound) || env.measures_room() {
-        // The bound counts slots that get no room, so ask exactly when it is small enough to count.
+        // The bound counts slots that get no room. The exact number is computed if it is small enough to count.
         let exact = if bound <= limit.saturating_mul(4) { row.total() } else { bound };
         if limit < so_far.saturating_add(exact) {
             return env.limit(LimitKind::Shapes, limit);
@@ -206,22 +206,24 @@ pub(super) fn within_limit(env: &mut Env, row: impl Row) -> Flow {
     Flow::Continue(())
 }
 
-/// Where a mesh is cut.
+/// The cuts of a mesh.
 pub(super) struct Borders {
     /// The places of cuts in the coordinates of the mesh, so that no vertex moves.
     pub(super) rising: Vec<f64>,
-    /// For each piece whether rounding leaves nothing of it.
+    /// True for each piece that rounding reduces to nothing.
     flat: Vec<bool>,
 }
 
 impl Borders {
-    /// The borders of pieces of an extent. `place` leads from a distance to the coordinate of the mesh, and `high` is that of the end.
+    /// The borders of pieces of an extent. `place` maps a distance to the mesh's coordinate; `high` is the coordinate
+    /// of the end.
     pub(super) fn of(row: impl Row, extent: f64, high: f64, place: impl Fn(f64) -> f64) -> Self {
-        // Pieces touch, so after the first border every piece ends a slab, but for those that rounding leaves nothing.
+        // Pieces touch, so after the first border every piece ends a slab, except pieces that rounding reduces to
+        // nothing.
         let (mut rising, mut flat): (Vec<f64>, Vec<bool>) = (Vec::new(), Vec::new());
         let _ = row.each(|piece| {
             let end = place(piece.end);
-            // The extent's own end is no cut; rounding must not leave a sliver there.
+            // The end of the extent is not a cut; rounding must not leave a sliver there.
             let inside = PLANAR_EPSILON * extent < extent - piece.end && end < high;
             flat.push(inside && rising.last() == Some(&end));
             if inside && rising.last() != Some(&end) {
@@ -232,7 +234,7 @@ impl Borders {
         Borders { rising, flat }
     }
 
-    /// The mesh of each piece, counted. `Break` when that is too much.
+    /// The mesh of each piece, counted. `Break` when a limit is reached.
     pub(super) fn one_a_piece(
         self,
         env: &mut Env,
@@ -247,7 +249,8 @@ impl Borders {
     }
 }
 
-/// Cuts a mesh at the borders of all pieces in one pass; one slab a piece. `Break` when that is too much.
+/// Cuts a mesh at the borders of all pieces in one pass, into one slab for each piece. `Break` when a limit is
+/// reached.
 fn slabs(
     env: &mut Env,
     placed: &Placed,
@@ -259,10 +262,11 @@ fn slabs(
     let (extent, stretch) = (size[at].abs(), placed.stretch(size)[at].abs());
     let plane = |distance: f64| placed.low[at] + distance / stretch;
     let borders = Borders::of(row, extent, plane(extent), plane);
-    // Texture coordinates of caps are metres in the scope, however the mesh is stretched to fill it.
+    // Texture coordinates of caps are metres in the scope, for every stretch of the mesh.
     let stretch = placed.stretch(size.abs());
     let cut = cut::stretched_slabs(&placed.mesh, axis, &borders.rising, placed.low, stretch);
-    // *split operation*: surfaces get no caps. An asset that was meant to be a solid is worth a word, a face is not.
+    // *split operation*: surfaces get no caps. An asset is usually meant to be a solid, so it gets a fault; a single
+    // face does not.
     if !cut.open.is_empty() && placed.inserted == Inserted::Asset && 1 < placed.mesh.face_count() {
         env.fault(FaultKind::Geometry, "the inserted mesh is not closed where it is split; the cut stays open there");
     }

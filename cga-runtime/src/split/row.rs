@@ -1,4 +1,4 @@
-//! Pieces in a row, however they are known: solved in the run, solved by the macro, measured by area.
+//! Rows of pieces from all sources: solved in the run, solved by the macro, measured by area.
 
 use std::ops::ControlFlow;
 
@@ -6,18 +6,18 @@ use cga_split::{Cursor, Item, List, Size, solve_any};
 
 use super::{Piece, Solution};
 
-/// Pieces in a row, however they are known. Rows are handed on by value: the compiler keeps a value in memory once its address is
-/// handed on.
+/// A row of pieces from any source. Rows are passed by value: a value whose address is passed on is kept in memory by
+/// the compiler.
 pub trait Row: Copy {
-    /// No fewer than there are.
+    /// An upper bound of the number of pieces.
     fn at_most(&self) -> u64;
-    /// How many there are.
+    /// The number of pieces.
     fn total(&self) -> u64;
-    /// Calls `visit` for each, from the low end to the high end, until it says stop.
+    /// Calls `visit` for each piece, from the low end to the high end, until it breaks.
     fn each<B>(&self, visit: impl FnMut(Piece) -> ControlFlow<B>) -> ControlFlow<B>;
 }
 
-/// The pieces of a pattern, asked for slot by slot.
+/// The pieces of a pattern, slot by slot.
 pub trait Slots {
     /// The piece of the next slot, if it gets one.
     fn slot(&mut self, slot: u32) -> Option<Piece>;
@@ -37,12 +37,12 @@ impl Slots for List<'_> {
     }
 }
 
-/// A split with constant sizes. It is solved again where that is rare, so that the first solution need not be in memory.
+/// A split with constant sizes. Rare code solves it again, so that the first solution need not be in memory.
 #[derive(Clone, Copy, Debug)]
 pub struct Pattern {
     /// Slots and groups.
     pub items: &'static [Item],
-    /// One a slot.
+    /// The sizes of the slots.
     pub sizes: &'static [Size],
     /// The length to divide, in metres.
     pub extent: f64,

@@ -19,8 +19,9 @@ use crate::shape::{Geometry, Inserted, Placed, Shape, ShapeRef};
 /// The coordinate, the unit and the uv set of a split in texture space.
 pub(crate) type TextureAxis = (UvAxis, TextureSpace, f64);
 
-/// The pieces of a split in texture space, and their shapes. The borders are the smallest and the largest coordinate. There are no pieces,
-/// and there is a fault, without coordinates in the set; none where all coordinates are equal. `Break` when a limit was reached.
+/// The pieces of a split in texture space, and their shapes. The split is from the smallest to the largest
+/// coordinate. Without coordinates in the set there are no pieces, and a fault. If all coordinates are equal, there
+/// are no pieces. `Break` when a limit is reached.
 pub fn texture<const N: usize>(
     env: &mut Env,
     shape: &ShapeRef<'_>,
@@ -81,7 +82,7 @@ impl Chart {
         }
     }
 
-    /// Cuts the mesh at the borders of all pieces; one band a piece.
+    /// Cuts the mesh at the borders of all pieces, into one band for each piece.
     fn bands(
         &self,
         env: &mut Env,

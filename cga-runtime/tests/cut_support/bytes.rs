@@ -1,11 +1,11 @@
-//! Any bytes → a case for the cutter: what a fuzzer and its stable twin try.
+//! Cases for the cutter from arbitrary bytes, for a fuzzer and its stable equivalent.
 
 use cga_runtime::geometry::mesh::{FaceTag, MeshBuilder};
 
 use super::corpus::{Case, Quality};
 use super::{cells, prism, ring, together, turned};
 
-/// Reads bytes one by one; zeros behind the end.
+/// Reads bytes one by one; zeros after the end.
 struct Bytes<'b>(&'b [u8]);
 
 impl Bytes<'_> {
@@ -19,7 +19,7 @@ impl Bytes<'_> {
         self.next() % limit
     }
 
-    /// A small integer, a half or a quarter of one, or nearly one.
+    /// A small integer, a half or a quarter of one, or a number very close to one.
     fn number(&mut self) -> f64 {
         let number = f64::from(self.below(9));
         match self.below(8) {
@@ -33,7 +33,7 @@ impl Bytes<'_> {
     }
 }
 
-/// The case that the bytes stand for.
+/// The case encoded in the bytes.
 pub fn case(bytes: &[u8]) -> Case {
     let bytes = &mut Bytes(bytes);
     let axis = bytes.below(3) as usize;
@@ -50,7 +50,7 @@ pub fn case(bytes: &[u8]) -> Case {
         1 => {
             let corners = 3 + usize::from(bytes.below(12));
             let radii: Vec<f64> = (0..corners).map(|_| 1.0 + f64::from(bytes.below(8))).collect();
-            // Smaller than what fits into a triangle of radius 1.
+            // Smaller than the incircle of a triangle of radius 1.
             let court = f64::from(bytes.below(4)) / 8.0;
             let hole: Vec<(f64, f64)> = ring(4, |_| court).into_iter().rev().collect();
             let holes = if court == 0.0 { vec![] } else { vec![hole] };
@@ -70,13 +70,13 @@ pub fn case(bytes: &[u8]) -> Case {
                 builder.face(&corners, holes, FaceTag::PLAIN);
             }
             let mesh = builder.build().expect("finite numbers");
-            // Everything twice, the second time turned over: closed, whatever it is.
+            // All faces twice, the second time reversed: always closed.
             let mesh = if kind == 4 { mesh } else { together(&[mesh.clone(), mesh.reversed()]) };
             (mesh, if kind == 2 { Quality::Simple } else { Quality::Any })
         }
     };
     if bytes.below(8) == 0 {
-        // Rounding may make faces cross that touched.
+        // Rounding may make touching faces cross.
         let quality = if quality == Quality::Any { quality } else { Quality::Simple };
         return Case::of("turned", quality, &turned(&mesh), axis, &planes);
     }

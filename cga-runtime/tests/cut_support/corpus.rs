@@ -1,4 +1,5 @@
-//! Cases for the cutter as text: what once failed is kept in `tests/corpus/cut.txt`, and what fails prints itself like that.
+//! Cases for the cutter as text. Cases that once failed are kept in `tests/corpus/cut.txt`, and failing cases are
+//! printed in the same form.
 
 use std::fmt::{self, Write as _};
 use std::sync::Arc;
@@ -10,7 +11,7 @@ use glam::DVec3;
 use super::{AXES, check_closed_cut, closed_by_position};
 use cga_runtime::geometry::cut::slabs;
 
-/// A mesh and where it is cut.
+/// A mesh with its cuts.
 #[derive(Clone, Debug, Default)]
 pub struct Case {
     pub name: String,
@@ -18,19 +19,19 @@ pub struct Case {
     pub axis: usize,
     pub planes: Vec<f64>,
     pub points: Vec<[f64; 3]>,
-    /// Loops of corners: the outline, then holes.
+    /// The loops of a face as corners: the outline, then holes.
     pub faces: Vec<Vec<Vec<u32>>>,
 }
 
-/// What a mesh is known to be, and so which laws hold.
+/// The known quality of a mesh, which determines its laws.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Quality {
-    /// Anything.
+    /// Nothing is known.
     #[default]
     Any,
     /// No face crosses itself: volumes and areas add up.
     Simple,
-    /// Nor another one: every law holds.
+    /// No face crosses itself or another face: every law holds.
     Clean,
 }
 
@@ -82,7 +83,7 @@ impl Case {
         Arc::new(builder.build().unwrap())
     }
 
-    /// Cuts it and holds the parts against what must be so; a failure ends with the case as text.
+    /// Cuts the mesh and checks the laws of its quality. A failure prints the case as text.
     pub fn check(&self) {
         let print = PrintOnPanic(self);
         let (mesh, axis) = (self.mesh(), AXES[self.axis]);
@@ -95,7 +96,7 @@ impl Case {
     }
 }
 
-/// Prints the case when it is dropped: only a panic gets there.
+/// Prints the case when dropped, which only a panic does.
 struct PrintOnPanic<'c>(&'c Case);
 
 impl Drop for PrintOnPanic<'_> {
@@ -132,8 +133,9 @@ impl fmt::Display for Case {
     }
 }
 
-/// What holds for every mesh, whatever is wrong with it: closed stays closed, nothing reaches beyond its slab, and cutting at
-/// the same planes again changes nothing. When no face crosses itself, volumes add up and no surface is lost.
+/// Checks the laws of every mesh, even a flawed one: closed meshes stay closed, no part extends beyond its slab, and
+/// a second cut at the same planes changes nothing. If no face crosses itself, volumes add up and all surface is
+/// kept.
 pub fn check_any_cut(name: &str, mesh: &Arc<Mesh>, axis: Axis, planes: &[f64], simple: bool) {
     let what = format!("{name} across {axis:?} at {planes:?}");
     let cut = slabs(mesh, axis, planes);
@@ -153,7 +155,7 @@ pub fn check_any_cut(name: &str, mesh: &Arc<Mesh>, axis: Axis, planes: &[f64], s
         area += across(part, axis);
         let again = slabs(part, axis, planes);
         let same = again.parts[slab].as_ref().is_some_and(|same| Arc::ptr_eq(same, part));
-        // A part that lies in a plane is on neither side of it.
+        // A part in a plane is on neither side of it.
         assert!(same || low == high, "{what}: cutting part {slab} again changes it");
     }
     let scale = mesh.bounds().size().max_element();
@@ -162,12 +164,12 @@ pub fn check_any_cut(name: &str, mesh: &Arc<Mesh>, axis: Axis, planes: &[f64], s
         return;
     }
     assert!(!closed || near(volume, mesh.volume(), scale * scale * scale), "{what}: {volume}, not {}", mesh.volume());
-    // Caps look along the axis, so across it the sum of all areas as vectors is what it was.
+    // Caps look along the axis, so across it the sum of all area vectors is unchanged.
     let whole = across(mesh, axis);
     assert!((area - whole).length() <= 1e-11 * scale * scale * mesh.face_count() as f64, "{what}: {area}, not {whole}");
 }
 
-/// The sum of the areas of all faces along their normals, without what lies along the axis.
+/// The sum of the area vectors of all faces, without their component along the axis.
 fn across(mesh: &Mesh, axis: Axis) -> DVec3 {
     let mut sum: DVec3 = mesh.faces().map(|face| face.normal() * face.area()).sum();
     sum[axis.index()] = 0.0;

@@ -17,7 +17,7 @@ use glam::{DAffine3, DMat3, DVec3};
 
 pub const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// A small generator of pseudo-random numbers (splitmix64).
+/// A pseudo-random number generator (splitmix64).
 pub struct Rng(pub u64);
 
 impl Rng {
@@ -42,7 +42,7 @@ pub fn polygon(points: &[(f64, f64)]) -> Vec<DVec3> {
     points.iter().map(|&(x, z)| DVec3::new(x, 0.0, -z)).collect()
 }
 
-/// A footprint pulled up.
+/// An extruded footprint.
 pub fn prism(outline: &[(f64, f64)], holes: &[Vec<(f64, f64)>], height: f64) -> Mesh {
     let holes: Vec<Vec<DVec3>> = holes.iter().map(|hole| polygon(hole)).collect();
     extrude(&Mesh::from_polygon(&polygon(outline), &holes).unwrap(), Extrude::FaceNormal, height)
@@ -81,7 +81,7 @@ pub fn torus(around: usize, across: usize, large: f64, small: f64) -> Mesh {
     b.build().unwrap()
 }
 
-/// The surface of a set of unit cells; `filled` says which.
+/// The surface of the unit cells for which `filled` returns true.
 pub fn cells(size: usize, filled: impl Fn(i32, i32, i32) -> bool) -> Mesh {
     let mut b = MeshBuilder::new();
     let size = size as i32;
@@ -119,7 +119,7 @@ pub fn cells(size: usize, filled: impl Fn(i32, i32, i32) -> bool) -> Mesh {
     b.build().unwrap()
 }
 
-/// Several meshes as one.
+/// Several meshes in one.
 pub fn together(meshes: &[Mesh]) -> Mesh {
     let mut b = MeshBuilder::new();
     for mesh in meshes {
@@ -138,19 +138,20 @@ pub fn moved(mesh: &Mesh, by: DVec3) -> Mesh {
     mesh.map(&DAffine3::from_translation(by))
 }
 
-/// Turned about an odd axis, so that nothing is aligned.
+/// The mesh turned about an oblique axis, so that nothing is aligned.
 pub fn turned(mesh: &Mesh) -> Mesh {
     let (x, y) = (DVec3::new(0.36, 0.48, 0.8), DVec3::new(-0.8, 0.6, 0.0));
     mesh.map(&DAffine3::from_mat3(DMat3::from_cols(x, y, x.cross(y))))
 }
 
-/// Closed once positions are compared bit by bit, whatever the indices are; also when nothing is left then.
+/// Returns true if the mesh is closed when positions are compared bit by bit instead of indices; also for an empty
+/// mesh.
 pub fn closed_by_position(mesh: &Mesh) -> bool {
     let welded = together(std::slice::from_ref(mesh));
     welded.is_empty() || welded.is_closed()
 }
 
-/// Even cuts inside of a mesh, not at its own coordinates.
+/// Even cuts inside a mesh, not at its own coordinates.
 pub fn even(mesh: &Mesh, axis: Axis, count: usize) -> Vec<f64> {
     let (low, high) = (mesh.bounds().low[axis.index()], mesh.bounds().high[axis.index()]);
     (1..=count).map(|i| low + (high - low) * (i as f64 + 0.0123) / (count + 1) as f64).collect()
@@ -165,7 +166,7 @@ pub fn own(mesh: &Mesh, axis: Axis, count: usize) -> Vec<f64> {
     all.into_iter().step_by(step).collect()
 }
 
-/// Cuts a closed mesh and holds the result against every law.
+/// Cuts a closed mesh and checks the result against every law.
 pub fn check_closed_cut(name: &str, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64]) -> Slabs {
     let what = format!("{name} across {axis:?} at {offsets:?}");
     let cut = slabs(mesh, axis, offsets);
@@ -210,7 +211,7 @@ pub fn check_closed_cut(name: &str, mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64
     cut
 }
 
-/// Triangles have the rim of their face, and its area with none turned over.
+/// Checks that triangles have the rim of their face, and its area without reversed triangles.
 pub fn check_triangles(what: &str, mesh: &Mesh, scale: f64) {
     let mut triangulator = Triangulator::new();
     let mut found = Vec::new();

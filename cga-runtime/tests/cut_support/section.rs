@@ -1,11 +1,11 @@
-//! How large sections are, without following a loop. Also for `benches/cutting.rs`.
+//! The areas of sections, computed without loops. Also used by `benches/cutting.rs`.
 
 use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::mesh::Mesh;
 use cga_runtime::glam::{DVec2, DVec3};
 
-/// The area in which a plane meets a closed mesh of faces without holes, by Green's formula over the lines in which it meets
-/// the faces: no loop is followed. Points in the plane count as above it.
+/// The area of the section of a closed mesh by a plane, for faces without holes. Green's formula over the lines of
+/// the section needs no loops. Points in the plane count as above it.
 pub(crate) fn section(mesh: &Mesh, axis: Axis, at: f64) -> f64 {
     let index = axis.index();
     let mut sum = 0.0;

@@ -1,4 +1,4 @@
-//! Meshes with texture coordinates, and a slow way to cut them.
+//! Meshes with texture coordinates, and a slow reference cutter.
 #![allow(dead_code, unreachable_pub)]
 
 use cga_runtime::geometry::mesh::{FaceTag, Mesh, MeshBuilder, UvAxis};
@@ -7,18 +7,18 @@ use glam::{DVec2, DVec3};
 
 use crate::cut_support::Rng;
 
-/// A mesh and what is known of its texture coordinates.
+/// A mesh with known properties of its texture coordinates.
 pub struct Sample {
     pub name: String,
     pub mesh: Mesh,
     /// Every point has one pair of coordinates in each set.
     pub is_seamless: bool,
-    /// Faces are triangles, or their coordinates are affine: pieces are what the triangles say.
+    /// Faces are triangles, or their coordinates are affine, so the pieces follow from the triangles.
     pub is_as_triangulated: bool,
     pub is_planar: bool,
 }
 
-/// The same mesh with coordinates that follow from a corner: its face, its number there and its position.
+/// The mesh with coordinates that follow from a corner: its face, its number there and its position.
 pub fn charted(mesh: &Mesh, sets: &[usize], chart: impl Fn(usize, usize, DVec3, usize) -> DVec2) -> Mesh {
     let mut builder = MeshBuilder::new();
     builder.tag_sets(mesh.tag_sets().to_vec()).groups(mesh.groups().to_vec());
@@ -57,7 +57,7 @@ pub fn grid(columns: usize, rows: usize, triangles: bool, place: impl Fn(usize, 
     builder.build().unwrap()
 }
 
-/// The corners of a quad of a street, each with u along and v across in [0,1] of all of it.
+/// The corners of a quad of a street, each with its position along and across the whole street as (u, v) in [0, 1].
 pub fn street(bends: &[(f64, f64)], width: f64) -> Mesh {
     let mut builder = MeshBuilder::new();
     let mut uvs = Vec::new();
@@ -96,7 +96,7 @@ pub fn number(rng: &mut Rng, most: usize) -> f64 {
     }
 }
 
-/// The area that triangles of faces have between two values of a coordinate; faces of one value belong to the band above.
+/// The area of faces' triangles between two values of a coordinate. Faces of one value belong to the band above.
 pub fn area_between(mesh: &Mesh, set: usize, axis: UvAxis, low: f64, high: f64) -> f64 {
     let mut triangulator = Triangulator::new();
     let mut triangles = Vec::new();

@@ -1,4 +1,4 @@
-//! Any bytes as an OBJ file.
+//! Arbitrary bytes as an OBJ file.
 #![allow(unreachable_pub)]
 
 use std::sync::Arc;
@@ -8,8 +8,8 @@ use cga_runtime::geometry::Axis;
 use cga_runtime::geometry::cut::slabs;
 use cga_runtime::geometry::mesh::Flaw;
 
-/// Reads a file whose material libraries hold the same bytes. It may be refused; what is read has no flaw but those that any
-/// file may have, holds finite numbers, and can be cut.
+/// Reads a file whose material libraries contain the same bytes. It may be refused. A mesh that is read has only the
+/// flaws that any file may have, contains finite numbers, and can be cut.
 pub fn check(bytes: &[u8]) {
     let given = bytes.to_vec();
     let Ok(file) = read_obj(bytes, &mut |_| Some(given.clone())) else { return };

@@ -23,7 +23,7 @@ pub fn upright(origin: DVec3, size: DVec3) -> Cuboid {
     Cuboid::new(origin, DMat3::from_diagonal(size))
 }
 
-/// Adds leaves with less to write.
+/// Shortens adding leaves.
 pub struct Fill<S>(pub S);
 
 impl<S: Sink> Fill<S> {
@@ -109,7 +109,7 @@ pub fn tower(floors: usize) -> Model {
     fill.0
 }
 
-/// A little of everything.
+/// Some of each kind of leaf.
 pub fn mixed() -> Model {
     let mut fill = Fill(Model::new());
     let plain = Arc::new(Material::UNSET);
@@ -129,7 +129,7 @@ pub fn mixed() -> Model {
     fill.0
 }
 
-/// Something of everything but faces with holes, whose triangles may be chosen otherwise one day.
+/// Some of each kind of leaf except faces with holes, whose triangulation may change.
 pub fn steady() -> Model {
     let mut fill = Fill(tower(2));
     let sign = textured();
@@ -141,7 +141,7 @@ pub fn steady() -> Model {
     fill.0
 }
 
-/// FNV-1a: goldens in a few characters.
+/// FNV-1a: golden values in a few characters.
 pub fn hash(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }

@@ -6,7 +6,7 @@ use crate::places::Places;
 use crate::run::Run;
 use Verdict::{Broken, Silent, So};
 use cga_lang::code::Code;
-use cga_lang::diag::Diag;
+use cga_lang::diag::{Basis, Detail, Diag};
 
 /// What a run says of a finding.
 #[derive(PartialEq)]
@@ -24,13 +24,13 @@ pub(crate) fn judge(diag: &Diag, places: &Places, run: &Run) -> Verdict {
     match diag.code {
         Code::CaseAlways => condition(diag, places, run),
         // A run that is told to may begin there.
-        Code::RuleNotReached if diag.message.starts_with("no rule calls") => Silent,
+        Code::RuleNotReached if diag.basis == Basis::Start => Silent,
         Code::RuleNotReached => match places.rules.iter().find(|rule| rule.name == diag.span) {
             Some(rule) if heard(run, &rule.marks) => Broken("it is reached".into()),
             Some(_) if run.limit.is_none() => So,
             _ => Silent,
         },
-        Code::EndlessRules if diag.message.ends_with("never ends") => endless(diag, places, run),
+        Code::EndlessRules if diag.basis == Basis::Rules => endless(diag, places, run),
         Code::SelectorHidden => match places.arms.iter().find(|arm| arm.selector == diag.span) {
             Some(arm) if heard(run, &arm.own) => Broken("it found something".into()),
             Some(arm) if heard(run, &arm.all) => So,
@@ -47,7 +47,7 @@ fn heard(run: &Run, marks: &[u32]) -> bool {
 
 fn condition(diag: &Diag, places: &Places, run: &Run) -> Verdict {
     let Some(branch) = places.branches.iter().find(|branch| branch.condition == diag.span) else { return Silent };
-    let truth = diag.message.ends_with("true");
+    let Detail::Condition(truth) = diag.detail else { return Silent };
     let (so, not) = if truth { (&branch.then, &branch.otherwise) } else { (&branch.otherwise, &branch.then) };
     match (heard(run, so), heard(run, not)) {
         (_, true) => Broken(format!("it is {}", !truth)),

@@ -1,4 +1,4 @@
-//! Where faces are selected in mirrored shapes, and what they keep.
+//! The selection of faces in mirrored shapes, and their attributes.
 
 use std::ops::ControlFlow;
 
@@ -16,7 +16,8 @@ use crate::shape::{Geometry, Shape};
 
 #[test]
 fn what_looks_outwards_is_selected_by_where_it_looks() {
-    // `mirrorScope` and `alignScopeToAxes` leave the geometry where it is; a negative distance of `extrude` turns it inwards.
+    // `mirrorScope` and `alignScopeToAxes` do not move the geometry; a negative distance of `extrude` turns it
+    // inwards.
     let env = &mut Env::for_tests();
     let word_of = |shape: &Shape, word| {
         let found = parts(shape, Components::Faces, Align::ZUp, &[arm(word, Mode::Each)]);
@@ -86,7 +87,7 @@ fn faces_keep_what_they_carry() {
             );
         }
     }
-    // Texture coordinates do.
+    // Texture coordinates need a mesh.
     for (.., face) in parts(
         &Shape::mesh_axis_aligned(primitive::cylinder(4)),
         Components::Faces,
@@ -135,7 +136,7 @@ fn edges_of_a_roof_run_upwards_whoever_finds_them() {
 
 #[test]
 fn trim_planes_of_faces_that_keep_the_axes_are_level_as_seen_from_the_pivot() {
-    // All edges of the top are level, so nothing cuts what stands there.
+    // All edges of the top are level, so nothing cuts the geometry on it.
     for (word, faces) in [(Word::Top, 6), (Word::Front, 4)] {
         let (env, shape) = (&mut Env::for_tests(), Shape::cuboid(10.0, 10.0, 10.0));
         let (.., mut face) = parts(&shape, Components::Faces, Align::Keep, &[arm(word, Mode::Each)]).remove(0);
@@ -148,7 +149,7 @@ fn trim_planes_of_faces_that_keep_the_axes_are_level_as_seen_from_the_pivot() {
 
 #[test]
 fn a_hull_of_many_corners_decides_as_all_corners_do() {
-    // Every side of a prism has a plane at each of its edges; the top of one has them all, and switched on they cut.
+    // Every face of a prism has a plane at each of its edges. Switched on, all of them cut.
     for sides in [3, 4, 7, 100] {
         let (env, shape) = (&mut Env::for_tests(), Shape::mesh_axis_aligned(primitive::cylinder(sides)));
         for (.., mut face) in parts(&shape, Components::Faces, Align::ZUp, &[arm(Word::All, Mode::Each)]) {

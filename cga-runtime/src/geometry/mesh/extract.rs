@@ -1,15 +1,15 @@
-//! Faces taken out of a mesh.
+//! Extraction of faces from a mesh.
 
 use super::Mesh;
 use crate::geometry::Frame;
 
-/// A mesh of just these faces, in their order, in the coordinates of a frame. Points are shared as before, those no
-/// longer used are dropped; tags, texture coordinates and normals are kept. Faces that do not exist are left out.
+/// A mesh of the given faces, in their order, in the coordinates of a frame. Shared points stay shared, and unused
+/// points are dropped. Tags, texture coordinates and normals are kept. Faces that do not exist are ignored.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
     let into = to.axes.transpose();
     let mut part = mesh.alike(0);
     let mut new: Vec<u32> = Vec::new();
-    // A table of all points is only worth it when many are used.
+    // A table of all points pays off only if many are used.
     let few = faces.len() <= 4;
     if !few {
         new.resize(mesh.points.len(), u32::MAX);

@@ -1,4 +1,4 @@
-//! Why an attribute cannot be read or set.
+//! The reasons why an attribute cannot be read or set.
 
 use crate::value::text::shortened;
 use std::fmt;
@@ -6,62 +6,62 @@ use std::fmt;
 use super::Range;
 use crate::value::{Value, ValueType};
 
-/// Why an attribute cannot be read or set by its name.
+/// The reason why an attribute cannot be read or set by its name.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum AttributeError {
-    /// There is none of that name.
+    /// No attribute has that name.
     Unknown {
-        /// The name asked for.
+        /// The requested name.
         name: String,
-        /// The name that was meant, perhaps.
+        /// The nearest name of an attribute, if one is near enough.
         near: Option<&'static str>,
     },
-    /// It has no value before a run: each initial shape has its own.
+    /// The attribute has no value before a run: its default is computed for each initial shape.
     Computed {
-        /// Its name.
+        /// The name of the attribute.
         name: &'static str,
     },
-    /// The value is of another type.
+    /// The value has another type than the attribute.
     Type {
-        /// Its name.
+        /// The name of the attribute.
         name: &'static str,
-        /// The type it has.
+        /// The type of the attribute.
         wanted: ValueType,
         /// The type of the value.
         got: ValueType,
     },
-    /// The text is no value of its type.
+    /// The text cannot be read as a value of the attribute's type.
     Text {
-        /// Its name.
+        /// The name of the attribute.
         name: &'static str,
-        /// The type it has.
+        /// The type of the attribute.
         wanted: ValueType,
         /// The text.
         text: String,
     },
-    /// The value, or an element of it, is outside of its range, which is restricted.
+    /// The value, or an element of it, is outside of its restricted range.
     Range {
-        /// Its name.
+        /// The name of the attribute.
         name: &'static str,
         /// The number.
         value: f64,
         /// The range.
         range: Range,
     },
-    /// The value, or an element of it, is none of those to choose from, which are restricted.
+    /// The value, or an element of it, is not among its restricted choices.
     Choice {
-        /// Its name.
+        /// The name of the attribute.
         name: &'static str,
-        /// The value or element.
+        /// The value or the element.
         value: Value,
-        /// Those to choose from.
+        /// The choices.
         choices: Vec<Value>,
     },
 }
 
 impl AttributeError {
-    /// Why the value is refused, without the attribute's name where that stands in front.
+    /// The reason why a value is refused. It leaves out the attribute's name where the caller has written it already.
     pub(super) fn reason(&self) -> String {
         match self {
             AttributeError::Range { value, range, .. } => {
@@ -81,7 +81,7 @@ impl fmt::Display for AttributeError {
                 write!(f, "there is no attribute `{name}`; did you mean `{near}`?")
             }
             AttributeError::Computed { name } => {
-                write!(f, "attribute `{name}` is computed for each initial shape, as long as it is not set")
+                write!(f, "attribute `{name}` is computed for each initial shape unless it is set")
             }
             AttributeError::Type { name, wanted, got } => {
                 write!(f, "attribute `{name}` is {wanted}, and the value is {got}")
@@ -98,14 +98,14 @@ impl fmt::Display for AttributeError {
 
 impl std::error::Error for AttributeError {}
 
-/// As many choices as a message names.
+/// The number of choices that a message names.
 const NAMED: usize = 12;
 
 fn not_among(value: &Value, choices: &[Value]) -> String {
     if choices.is_empty() {
-        return format!("`{}` is not to be had, there is nothing to choose from", shortened(&value.to_string()));
+        return format!("`{}` is not allowed: the list of choices is empty", shortened(&value.to_string()));
     }
     let names: Vec<String> = choices.iter().take(NAMED).map(|choice| shortened(&choice.to_string())).collect();
     let more = if NAMED < choices.len() { ", …" } else { "" };
-    format!("`{}` is none of {}{more}", shortened(&value.to_string()), names.join(", "))
+    format!("`{}` is not one of {}{more}", shortened(&value.to_string()), names.join(", "))
 }

@@ -1,4 +1,4 @@
-//! Which values an attribute may have.
+//! The values that an attribute may have.
 
 use super::{Attribute, AttributeDefault, AttributeError};
 use crate::fault::Error;
@@ -7,30 +7,30 @@ use crate::value::Value;
 use crate::value::array::Array;
 use crate::value::text::Text;
 
-/// `@Range(min, max)`: what a slider may offer (*annotations*).
+/// The range of `@Range(min, max)`, for the slider of a user interface (*annotations*).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Range {
-    /// Smallest value.
+    /// The smallest value.
     pub min: f64,
-    /// Largest value.
+    /// The largest value.
     pub max: f64,
-    /// Step of a slider, 0 when free.
+    /// The step of a slider; 0 for any value.
     pub step: f64,
-    /// Whether a run refuses values outside. What the host program sets is checked, of an array each element; what rules
-    /// compute or `set` is not, and neither is a default.
+    /// True if a run refuses values outside of the range. Values of the host program are checked, for arrays each
+    /// element. Defaults, and values that rules compute or `set`, are not checked.
     pub restricted: bool,
 }
 
-/// `@Enum(…)`: values to choose from (*annotations*). Of an array each element is one of them.
+/// The choices of `@Enum(…)` (*annotations*). Each element of an array is one of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Choices {
     /// The values.
     pub values: ChoiceValues,
-    /// What they are called in old files, as in `@Range(few = 1, many = 5)`; none, or one for each.
+    /// The names of the values in old files, as in `@Range(few = 1, many = 5)`: empty, or one for each value.
     pub labels: &'static [&'static str],
-    /// Whether others are refused, as those outside of a [`Range`] are.
+    /// True if a run refuses other values, under the conditions of [`Range::restricted`].
     pub restricted: bool,
 }
 
@@ -42,36 +42,36 @@ pub enum ChoiceValues {
     Floats(&'static [f64]),
     /// Texts.
     Texts(&'static [&'static str]),
-    /// The value of another attribute of that name, or the elements of its array. While it is to be computed for each
-    /// initial shape nothing is refused.
+    /// The value of the attribute with that name, or the elements of its array. Every value is allowed while that
+    /// attribute is computed for each initial shape.
     Attribute(&'static str),
 }
 
 impl Range {
-    /// From the smallest to the largest value, in steps (0 when free); `restricted` when others are refused.
+    /// A range from `min` to `max` in steps of `step` (0 for any value). If `restricted`, other values are refused.
     pub const fn new(min: f64, max: f64, step: f64, restricted: bool) -> Self {
         Range { min, max, step, restricted }
     }
 
-    /// Whether a number lies in it, restricted or not.
+    /// Returns true if `min <= number <= max`, restricted or not.
     pub fn contains(&self, number: f64) -> bool {
         self.min <= number && number <= self.max
     }
 }
 
 impl Choices {
-    /// Values to choose from; `restricted` when others are refused.
+    /// The choices `values`. If `restricted`, other values are refused.
     pub const fn new(values: ChoiceValues, restricted: bool) -> Self {
         Choices { values, labels: &[], restricted }
     }
 
-    /// With names for the values.
+    /// Adds names for the values.
     #[must_use]
     pub const fn labels(self, labels: &'static [&'static str]) -> Self {
         Choices { labels, ..self }
     }
 
-    /// The values; of another attribute those it holds in that grammar, `None` while they are to be computed.
+    /// The values. For the values of another attribute, `None` while the grammar has no value of it.
     pub fn of<G: Grammar + ?Sized>(&self, grammar: &G) -> Option<Vec<Value>> {
         match self.values {
             ChoiceValues::Floats(list) => Some(list.iter().map(|&number| Value::Float(number)).collect()),
@@ -82,12 +82,13 @@ impl Choices {
 }
 
 impl Attribute {
-    /// Whether some values of its type are refused.
+    /// Returns true if some values of the attribute's type may be refused.
     fn is_restricted(&self) -> bool {
         self.range.is_some_and(|range| range.restricted) || self.choices.is_some_and(|choices| choices.restricted)
     }
 
-    /// Whether a value is its default. Old files have defaults that their annotations refuse: such a one is no mistake.
+    /// Returns true if the value is the attribute's default. Old files have defaults that their annotations refuse.
+    /// Setting such a default is not an error.
     fn is_default(&self, value: &Value) -> bool {
         fn same<T, U>(rows: &[&[T]], array: &Array<U>, equal: impl Fn(&T, &U) -> bool) -> bool {
             let columns = rows.first().map_or(0, |row| row.len());
@@ -109,7 +110,8 @@ impl Attribute {
         }
     }
 
-    /// Whether a program may set it to a value, with the others as the grammar has them.
+    /// Checks whether the host program may set the attribute to a value. Choices may depend on other attributes of
+    /// `grammar`.
     pub(crate) fn allows<G: Grammar + ?Sized>(&self, value: &Value, grammar: &G) -> Result<(), AttributeError> {
         let name = self.name;
         if value.ty() != self.ty() {
@@ -141,7 +143,7 @@ impl Attribute {
     }
 }
 
-/// The elements of an array; a single value is its own.
+/// The elements of an array; for a single value, the value.
 fn elements(value: &Value) -> Vec<Value> {
     match value {
         Value::Floats(array) => array.as_slice().iter().map(|&number| Value::Float(number)).collect(),
@@ -151,11 +153,11 @@ fn elements(value: &Value) -> Vec<Value> {
     }
 }
 
-/// Checks what the attributes of a grammar hold against what their annotations restrict. Used by generated code when a run
+/// Checks the attributes of a grammar against their restricted ranges and choices. Generated code calls it when a run
 /// begins.
 ///
 /// # Errors
-/// [`Error::Attribute`] for the first that is refused.
+/// [`Error::Attribute`] for the first value that is refused.
 pub fn check<G: Grammar + ?Sized>(grammar: &G) -> Result<(), Error> {
     for (index, attribute) in grammar.attributes().iter().enumerate() {
         if attribute.is_restricted()

@@ -1,4 +1,4 @@
-//! The attributes of a grammar as data: what there is, what it may be, and why a value is refused.
+//! The attributes of a grammar as data: types, defaults, limits, and the errors for refused values.
 
 mod error;
 mod limits;
@@ -11,40 +11,40 @@ use crate::value::ValueType;
 use crate::value::text::shortened;
 use nearest::nearest;
 
-/// An attribute of a grammar. Generated code makes them; programs read them.
+/// An attribute of a grammar. Generated code makes attributes; programs read them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Attribute {
-    /// As written, and the name of the field.
+    /// The name in the rules, and of the field.
     pub name: &'static str,
-    /// `@DisplayName`: what user interfaces show instead, if that is not empty.
+    /// `@DisplayName`: the name in user interfaces. If it is empty, they show [`name`](Attribute::name).
     pub display_name: &'static str,
-    /// Type and default.
+    /// The type and the default.
     pub default: AttributeDefault,
-    /// `@Range`; what `@Angle` and `@Percent` offer without one.
+    /// `@Range`. Without it, the range that `@Angle` or `@Percent` implies.
     pub range: Option<Range>,
     /// `@Enum`, or the list of values that `@Range` has in old files.
     pub choices: Option<Choices>,
-    /// What the value stands for.
+    /// The meaning of the value.
     pub kind: AttributeKind,
-    /// `@Group`, from the outermost to the innermost. It goes on until the next one, across imports.
+    /// `@Group`, from the outermost group to the innermost. A group holds until the next `@Group`, across imports.
     pub group: &'static [&'static str],
-    /// The number in `@Group("A", "B", 3)`: user interfaces show the innermost group before those with larger numbers, and
-    /// those without one last. Attributes of one group may say it differently; the first that says it counts.
+    /// The number in `@Group("A", "B", 3)`. User interfaces show the innermost groups in this order, and groups
+    /// without a number last. If attributes of one group have different numbers, the first one counts.
     pub group_order: Option<f64>,
-    /// `@Description` or doc comment.
+    /// `@Description`, or the doc comment.
     pub about: &'static str,
-    /// `@Order`: user interfaces show attributes with smaller numbers first, and those without one last.
+    /// `@Order`: user interfaces show attributes in this order, and attributes without a number last.
     pub order: Option<f64>,
-    /// `@Hidden`: user interfaces leave it out.
+    /// `@Hidden`: user interfaces leave the attribute out.
     pub hidden: bool,
 }
 
-/// The type of an attribute, and its default when that is a constant; of arrays row by row.
+/// The type of an attribute, and its default if that is a constant. Arrays are lists of rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum AttributeDefault {
-    /// A number; `None` when it is computed for each initial shape.
+    /// A number. In all variants, `None` is a default that is computed for each initial shape.
     Float(Option<f64>),
     /// A truth value.
     Bool(Option<bool>),
@@ -58,11 +58,11 @@ pub enum AttributeDefault {
     Texts(Option<&'static [&'static [&'static str]]>),
 }
 
-/// What a value stands for: how user interfaces show it and let it be changed (*Annotations*).
+/// The meaning of a value: how user interfaces show it and edit it (*annotations*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum AttributeKind {
-    /// Nothing in particular.
+    /// No particular meaning.
     Plain,
     /// `@Angle`, in degrees.
     Angle,
@@ -72,7 +72,7 @@ pub enum AttributeKind {
     Distance,
     /// `@Color`, as in `#ff8000`.
     Color,
-    /// `@File`, with the endings that are offered, all for none.
+    /// `@File`, with the file name endings that are offered; empty for all.
     File(&'static [&'static str]),
     /// `@Directory`.
     Directory,
@@ -81,7 +81,7 @@ pub enum AttributeKind {
 }
 
 impl Attribute {
-    /// An attribute about which nothing else is known.
+    /// An attribute with a name and a default, and no annotations.
     pub const fn new(name: &'static str, default: AttributeDefault) -> Self {
         Attribute {
             name,
@@ -98,61 +98,61 @@ impl Attribute {
         }
     }
 
-    /// With the name that user interfaces show.
+    /// Sets the name for user interfaces.
     #[must_use]
     pub const fn display_name(self, display_name: &'static str) -> Self {
         Attribute { display_name, ..self }
     }
 
-    /// With a range.
+    /// Sets the range.
     #[must_use]
     pub const fn range(self, range: Range) -> Self {
         Attribute { range: Some(range), ..self }
     }
 
-    /// With values to choose from.
+    /// Sets the choices.
     #[must_use]
     pub const fn choices(self, choices: Choices) -> Self {
         Attribute { choices: Some(choices), ..self }
     }
 
-    /// With what its value stands for.
+    /// Sets the meaning of the value.
     #[must_use]
     pub const fn kind(self, kind: AttributeKind) -> Self {
         Attribute { kind, ..self }
     }
 
-    /// In a group.
+    /// Sets the group.
     #[must_use]
     pub const fn group(self, group: &'static [&'static str]) -> Self {
         Attribute { group, ..self }
     }
 
-    /// In a group that has a place among the others.
+    /// Sets the place of its group among the groups.
     #[must_use]
     pub const fn group_order(self, order: f64) -> Self {
         Attribute { group_order: Some(order), ..self }
     }
 
-    /// With a description.
+    /// Sets the description.
     #[must_use]
     pub const fn about(self, about: &'static str) -> Self {
         Attribute { about, ..self }
     }
 
-    /// With a place among the others.
+    /// Sets its place among the attributes.
     #[must_use]
     pub const fn order(self, order: f64) -> Self {
         Attribute { order: Some(order), ..self }
     }
 
-    /// Left out by user interfaces.
+    /// Hides it from user interfaces.
     #[must_use]
     pub const fn hidden(self) -> Self {
         Attribute { hidden: true, ..self }
     }
 
-    /// The type of its value.
+    /// The type of the attribute's values.
     pub const fn ty(&self) -> ValueType {
         match self.default {
             AttributeDefault::Float(_) => ValueType::Float,
@@ -164,13 +164,13 @@ impl Attribute {
         }
     }
 
-    /// The text is no value for it.
+    /// The error for a text that cannot be read as a value of the attribute.
     pub(crate) fn no_value(&self, text: &str) -> AttributeError {
         AttributeError::Text { name: self.name, wanted: self.ty(), text: shortened(text) }
     }
 }
 
-/// The number and row of an attribute.
+/// The index and the row of the attribute with a name.
 pub(crate) fn find(
     attributes: &'static [Attribute],
     name: &str,

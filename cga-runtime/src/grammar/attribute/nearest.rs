@@ -1,10 +1,10 @@
-//! Did-you-mean for names that the host program asks for.
+//! Suggestions for misspelt names from the host program.
 
-/// Longer names are compared as far as this.
+/// The number of letters that are compared.
 const LONGEST: usize = 64;
 
-/// The name nearest to `word`, if one is near enough to have been meant: a third of its letters may differ. Case does
-/// not count; of equally near ones the first.
+/// The name nearest to `word`, if at most a third of its letters differ. Case does not count. Among equally near
+/// names the first is taken.
 pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let letters = |text: &str| text.chars().flat_map(char::to_lowercase).take(LONGEST).collect::<Vec<char>>();
     let word = letters(word);
@@ -13,7 +13,7 @@ pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) 
     (best.0 <= (word.len() / 3).max(1) && best.0 < word.len()).then_some(best.1)
 }
 
-/// Letters to insert, leave out or change to get from one word to the other.
+/// The number of letters to insert, remove or change to turn one word into the other.
 fn distance(from: &[char], to: &[char]) -> usize {
     let mut row: Vec<usize> = (0..=to.len()).collect();
     for (i, a) in from.iter().enumerate() {

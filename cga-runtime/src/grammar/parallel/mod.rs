@@ -1,13 +1,14 @@
-//! Many initial shapes at once.
+//! Runs on many initial shapes.
 //!
-//! The shapes are divided into *stretches*: neighbours in the list, with a sink of their own. With the feature `rayon` several
-//! threads derive stretches at the same time, each with a session of its own; without it, and where there are no threads, the
-//! same functions derive them one after the other. The number of shapes alone decides where stretches end. So the results
-//! never depend on the number of threads: they are the bytes that a loop over the shapes gives.
+//! The shapes are divided into *stretches*: neighbours in the list that share a sink. With the feature `rayon`,
+//! several threads derive stretches at the same time, each with its own session. Without it, and where threads are
+//! not available, the same functions derive them one after the other. The ends of stretches depend on the number of
+//! shapes alone. So the results do not depend on the number of threads: they are the bytes that a loop over the
+//! shapes gives.
 //!
-//! The sinks are kept apart, in order ([`Parts`]): nothing is joined by copying. Reports are merged shape by shape. The first
-//! error in the order of the shapes is the error of the whole, and nothing after it counts. The same holds for a sink that
-//! ends its run: parts up to there are kept, and later ones are dropped, even those that are complete.
+//! The sinks stay apart, in order ([`Parts`]); none is copied into another. Reports are merged shape by shape. The
+//! first error in the order of the shapes ends the whole, and all shapes after it are discarded. The same holds for a
+//! sink that ends its run: parts up to it are kept, and later ones are dropped, even complete ones.
 //!
 //! Threads take stretches in order, so a program that streams its parts gets them almost in order.
 
@@ -35,7 +36,7 @@ use crate::shape::Shape;
 /// Runs a grammar on all shapes, with a sink for each stretch. Each sink is [finished](Sink::finish) after its last shape.
 ///
 /// # Errors
-/// An error that does not depend on a shape, else the first one in the order of the shapes.
+/// An error that does not depend on a shape, otherwise the first one in the order of the shapes.
 pub fn run_all<G: Rules + Sync, S: Sink + Send>(
     grammar: &G,
     shapes: &[Shape],
@@ -47,7 +48,7 @@ pub fn run_all<G: Rules + Sync, S: Sink + Send>(
     Crew { shapes, settings, first: setup.session(), again: || Some(setup.session()) }.run_all(sink, run)
 }
 
-/// The same for a grammar that is chosen at run time.
+/// Does the same as [`run_all`] for a grammar that is chosen at run time.
 ///
 /// # Errors
 /// As [`run_all`].
@@ -66,8 +67,8 @@ pub fn derive_all<G: Grammar + Sync + ?Sized, S: Sink + Send>(
     })
 }
 
-/// Runs a grammar on all shapes and collects a model of each. A model is the one that the shape gives alone, its
-/// report included.
+/// Runs a grammar on all shapes and collects a model of each. Each model, with its report, equals the model of a run
+/// on that shape alone.
 ///
 /// # Errors
 /// As [`run_all`].
@@ -93,12 +94,12 @@ pub fn generate_all<G: Rules + Sync>(
     Crew { shapes, settings, first: setup.session(), again: || Some(setup.session()) }.work(job, put)
 }
 
-/// Settings of the runs: lines are echoed when the shapes before are through.
+/// The settings for workers: prints are echoed later, in the order of the shapes.
 fn quiet(settings: &Settings) -> Settings {
     Settings { echo: false, ..settings.clone() }
 }
 
-/// The workers: sessions of the grammar.
+/// The workers: sessions of one grammar.
 struct Crew<'a, W, A> {
     shapes: &'a [Shape],
     settings: &'a Settings,
@@ -107,7 +108,7 @@ struct Crew<'a, W, A> {
 }
 
 impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
-    /// With a sink for each stretch.
+    /// Derives all stretches, with a sink for each.
     fn run_all<S: Sink + Send>(
         self,
         sink: impl Fn(&Stretch) -> S + Sync,
@@ -126,7 +127,7 @@ impl<W, A: Fn() -> Option<W> + Sync> Crew<'_, W, A> {
         self.work(job, |parts, shapes, sink| parts.push(Part { shapes, sink }))
     }
 
-    /// Derives all stretches; `put` adds the output of one to the parts, in order.
+    /// Derives all stretches; `put` adds the output of each to the parts, in order.
     fn work<S, T: Send>(
         self,
         job: impl Fn(&mut W, &Stretch, &dyn Fn() -> bool) -> Done<T> + Sync,

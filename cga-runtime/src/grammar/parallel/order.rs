@@ -6,18 +6,19 @@ use std::sync::atomic::AtomicBool;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Results that are ready, and the next one in order.
+/// The results that wait for their turn, and the next number in order.
 struct Ready<T, F> {
     waiting: BTreeMap<usize, T>,
     next: usize,
     take: F,
 }
 
-/// Does the jobs `0..count` and hands their results to `take` in the order of their numbers.
+/// Does the jobs `0..count` and passes their results to `take` in the order of their numbers.
 ///
-/// A job gets the state of its worker, its number, and a question: whether a job before it has ended everything. Its second
-/// result says that it ends everything itself: results of later jobs are not taken. `first` is the state of the worker on
-/// the calling thread, `again` makes those of others. With one thread, jobs are done in order.
+/// A job gets the state of its worker, its number, and a function that returns true if an earlier job has ended
+/// everything. The second result of a job is true if the job ends everything itself: the results of later jobs are
+/// then not taken. `first` is the state of the worker on the calling thread, and `again` makes the states of other
+/// workers. On one thread, the jobs are done in order.
 pub(super) fn in_order<W, T: Send>(
     count: usize,
     mut first: W,
@@ -52,14 +53,14 @@ pub(super) fn in_order<W, T: Send>(
     {
         let others = rayon::current_num_threads().min(count).saturating_sub(1);
         if 0 < others {
-            // A thread that waits inside of a job, as sinks may, takes on other work. That must not be another worker: each may need
-            // all of a stack.
+            // A thread that waits inside a job, as sinks may, takes on other work. This must not be a second worker:
+            // each may need a whole stack.
             let busy: Vec<AtomicBool> = (0..rayon::current_num_threads()).map(|_| AtomicBool::new(false)).collect();
             let begin = || {
                 let place = rayon::current_thread_index().and_then(|index| busy.get(index));
                 place.is_none_or(|busy| !busy.swap(true, Ordering::Relaxed))
             };
-            // The calling thread works too, so that the work is done even if no other thread is free.
+            // The calling thread works too, so the work is done even if all other threads are busy.
             rayon::in_place_scope(|scope| {
                 begin();
                 for _ in 0..others {

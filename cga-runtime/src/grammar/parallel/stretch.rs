@@ -1,4 +1,4 @@
-//! Stretches of initial shapes, and how one is derived.
+//! Stretches of initial shapes, and their derivation.
 
 use std::ops::Range;
 
@@ -7,21 +7,21 @@ use crate::run::derive::Outcome;
 use crate::run::report::Report;
 use crate::shape::Shape;
 
-/// The most stretches that shapes are divided into: enough for any number of threads, few enough for a sink each.
+/// The largest number of stretches: enough for any number of threads, and few enough for one sink each.
 const MOST: usize = 256;
 
 /// Neighbours in the list of initial shapes that share a sink.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Stretch {
-    /// Counts from 0.
+    /// The index among the stretches, from 0.
     pub number: usize,
-    /// Its shapes, by their place in the list.
+    /// The indices of its shapes in the list.
     pub shapes: Range<usize>,
 }
 
 impl Stretch {
-    /// Shapes in each stretch but the last.
+    /// The number of shapes in each stretch but the last.
     fn length(shapes: usize) -> usize {
         shapes.div_ceil(MOST).max(1)
     }
@@ -43,36 +43,36 @@ impl Stretch {
     }
 }
 
-/// A stretch that was derived.
+/// The result of a stretch.
 pub(super) struct Done<T> {
     pub(super) output: T,
-    /// Shapes whose runs began.
+    /// The shapes whose runs began.
     pub(super) shapes: Range<usize>,
-    /// Reports that are more than counts, one a shape: sums of floats depend on the order in which they are added.
+    /// Reports with more than counts, one for each shape: sums of floats depend on the order of addition.
     pub(super) reports: Vec<Report>,
-    /// All others taken together.
+    /// All other reports, merged.
     pub(super) counts: Report,
-    /// Why it ended early, if it did.
+    /// The reason for an early end.
     pub(super) end: Option<EarlyEnd>,
 }
 
 impl Done<()> {
-    /// The same with an output.
+    /// Adds an output.
     pub(super) fn with<T>(self, output: T) -> Done<T> {
         let Done { output: (), shapes, reports, counts, end } = self;
         Done { output, shapes, reports, counts, end }
     }
 }
 
-/// Why nothing comes after a shape.
+/// The reason why no later shape is derived.
 pub(super) enum EarlyEnd {
     /// The sink or the watch ended its run.
     Stopped,
-    /// Its run, by the place of the shape in the list.
+    /// The run of a shape failed. The number is the index of the shape in the list.
     Failed(usize, Error),
 }
 
-/// Runs the shapes of a stretch one after the other, unless everything ended before it.
+/// Runs the shapes of a stretch one after the other, until an earlier stretch ends everything.
 pub(super) fn derive_stretch(
     shapes: &[Shape],
     stretch: &Stretch,

@@ -1,4 +1,4 @@
-//! Buffers of bounded size, handed out as they fill.
+//! Buffers of bounded size, passed on as they fill.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -12,20 +12,22 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::map::normal_map;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 
-/// The vertices of a box, which is never divided.
+/// The number of vertices of a box, which is never divided.
 const LEAST: usize = 24;
 
-/// The most vertices of a chunk. A face with holes may have more triangles than vertices, and both are counted in `u32`.
+/// The largest number of vertices in a chunk. A face with holes may have more triangles than vertices, and both are
+/// counted in `u32`.
 const MOST: usize = u32::MAX as usize / 2;
 
 /// Streams leaves as chunks of triangles in constant memory.
 ///
-/// Each chunk is complete in itself: indices count from 0, and rules and materials have numbers of their own. All chunks together
-/// have the triangles of [`Buffers`], in the same order. A chunk is handed out when the next leaf does not fit, and at
-/// [`finish`](Sink::finish). A run does not end a chunk: one chunk may have leaves of many initial shapes.
+/// Each chunk is complete in itself: indices count from 0, and rules and materials have their own numbers. All chunks
+/// together have the triangles of [`Buffers`], in the same order. A chunk is passed to `each` when the next leaf does
+/// not fit, and at [`finish`](Sink::finish). A run does not end a chunk: one chunk may have leaves of many initial
+/// shapes.
 ///
-/// A mesh with more vertices than a chunk is divided between faces, and a face with more vertices than a chunk between its
-/// triangles, which share no vertices then.
+/// A mesh with more vertices than a chunk is divided between faces. A face with more vertices than a chunk is divided
+/// into its triangles, which then share no vertices.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -46,7 +48,7 @@ const MOST: usize = u32::MAX as usize / 2;
 pub struct Chunks<F> {
     buffers: Buffers,
     capacity: usize,
-    /// The capacity; 0 before there is memory and after the end, so that adding a leaf makes one comparison.
+    /// The capacity; 0 before memory is reserved and after the end, so that adding a leaf needs one comparison.
     full: usize,
     each: F,
     chunks: u64,
@@ -60,7 +62,7 @@ impl<F> fmt::Debug for Chunks<F> {
 }
 
 impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
-    /// Chunks of at most that many vertices, and never less than 24. `each` gets them in order; `Break` ends the run.
+    /// Chunks of at most `max_vertices` vertices, but at least 24. `each` gets them in order; `Break` ends the run.
     pub fn new(max_vertices: usize, each: F) -> Self {
         let capacity = max_vertices.clamp(LEAST, MOST);
         Chunks { buffers: Buffers::new(), capacity, full: 0, each, chunks: 0, ended: false }
@@ -72,12 +74,12 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
         self
     }
 
-    /// The number of chunks handed out so far.
+    /// The number of chunks passed on so far.
     pub fn handed_out(&self) -> u64 {
         self.chunks
     }
 
-    /// Makes room for that many vertices.
+    /// Makes room for vertices.
     #[inline]
     fn room(&mut self, vertices: usize) -> Flow {
         if self.full < self.buffers.vertices.len() + vertices { self.make_room() } else { Flow::Continue(()) }
@@ -87,8 +89,8 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
     fn make_room(&mut self) -> Flow {
         self.hand_out()?;
         if self.full == 0 {
-            // All at once, so that a chunk does not grow beyond its size by doubling. Four vertices of a rectangle have six
-            // indices.
+            // One reservation, so that a chunk does not grow beyond its size by doubling. The four vertices of a
+            // rectangle have six indices.
             self.buffers.vertices.reserve_exact(self.capacity);
             self.buffers.indices.reserve_exact(self.capacity / 4 * 6);
             self.full = self.capacity;
@@ -96,7 +98,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
         Flow::Continue(())
     }
 
-    /// Hands out the chunk, unless it is empty, and begins another.
+    /// Passes the chunk to `each`, unless it is empty, and begins another.
     #[cold]
     fn hand_out(&mut self) -> Flow {
         if !self.ended && self.buffers.vertices.len() != 0 {
@@ -145,7 +147,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
         flow
     }
 
-    /// Continues or begins the part of a face; gives the number of its first vertex.
+    /// Continues or begins the part of a face. Returns the number of its first vertex.
     fn open_face(&mut self, leaf: &Leaf<'_>, mesh: &Mesh, face: usize) -> u32 {
         let buffers = &mut self.buffers;
         let (rule, material) = buffers.numbers.leaf(leaf);
@@ -156,7 +158,7 @@ impl<F: FnMut(&Buffers) -> Flow> Chunks<F> {
 }
 
 impl Buffers {
-    /// The bytes that are reserved for vertices, indices, texture coordinates and parts.
+    /// The bytes reserved for vertices, indices, texture coordinates and parts.
     pub fn memory(&self) -> usize {
         size_of::<Vertex>() * self.vertices.capacity()
             + size_of::<u32>() * self.indices.capacity()
@@ -177,7 +179,7 @@ impl<F: FnMut(&Buffers) -> Flow> Sink for Chunks<F> {
     }
 
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
-        // Leaves go one by one where a chunk ends between them.
+        // The leaves go one by one if the chunk ends between them.
         if self.full < self.buffers.vertices.len() + replay.corner_count() {
             return replay.each(self);
         }
@@ -196,7 +198,7 @@ impl<F: FnMut(&Buffers) -> Flow> Sink for Chunks<F> {
 
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         match mesh.corners.len() {
-            // Its material would stay in the table, and nothing ends a chunk of such meshes.
+            // Its material would stay in the table, and a chunk of such meshes would never end.
             0 => Flow::Continue(()),
             count if count <= self.capacity => {
                 self.room(count)?;
@@ -206,7 +208,7 @@ impl<F: FnMut(&Buffers) -> Flow> Sink for Chunks<F> {
         }
     }
 
-    /// Hands out the last chunk and gives its memory back.
+    /// Passes on the last chunk and releases its memory.
     fn finish(&mut self) -> Flow {
         let flow = self.hand_out();
         self.buffers = Buffers::new().with_origin(self.buffers.origin());

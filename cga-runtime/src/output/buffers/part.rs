@@ -1,21 +1,21 @@
-//! Stretches of triangles with one rule and one material.
+//! Ranges of triangles with one rule and one material.
 
 use std::ops::Range;
 
 /// Consecutive triangles with one rule and one material.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Counts in [`Buffers::rules`](super::Buffers::rules).
+    /// The index of the rule in [`Buffers::rules`](super::Buffers::rules).
     pub rule: u32,
-    /// Counts in [`Buffers::materials`](super::Buffers::materials).
+    /// The index of the material in [`Buffers::materials`](super::Buffers::materials).
     pub material: u32,
-    /// Its indices.
+    /// The range of its indices.
     pub indices: Range<usize>,
-    /// The vertices those name, and no others do.
+    /// The range of its vertices, which only these indices use.
     pub vertices: Range<usize>,
 }
 
-/// Where a part starts; it ends where the next one does.
+/// The start of a part, which ends at the start of the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Run {
     pub(super) rule: u32,
@@ -26,13 +26,13 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// True for one with the same rule and the same material.
+    /// Returns true for a part with the same rule and the same material.
     #[inline]
     pub(super) fn is_like(&self, other: &Run) -> bool {
         (self.rule, self.material) == (other.rule, other.material)
     }
 
-    /// The same after so many triangles and vertices more.
+    /// The start after further triangles and vertices.
     #[inline]
     pub(super) fn moved(&self, triangles: u32, vertices: u32) -> Run {
         Run { triangle: self.triangle + triangles, vertex: self.vertex + vertices, ..*self }

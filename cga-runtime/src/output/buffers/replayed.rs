@@ -5,10 +5,10 @@ use crate::output::numbers::Numbers;
 use crate::run::sink::Replay;
 use crate::shape::look_id::LookId;
 
-/// Parts whose marks are known.
+/// The number of parts whose marks are kept.
 const KNOWN: usize = 32;
 
-/// Parts that were replayed, each at the place that its number gives.
+/// The marks of replayed parts, at an index that follows from the part's number.
 #[derive(Debug, Default)]
 pub(super) struct Replayed([Marks; KNOWN]);
 
@@ -16,9 +16,9 @@ pub(super) struct Replayed([Marks; KNOWN]);
 #[derive(Debug, Default)]
 pub(super) struct Marks {
     part: (u64, usize),
-    /// True if no two after each other are equal.
+    /// True if no two consecutive marks are equal.
     pub(super) is_distinct: bool,
-    /// As if the part began the buffers.
+    /// The marks as starts of parts, relative to the first.
     pub(super) runs: Vec<Run>,
 }
 
@@ -45,7 +45,7 @@ impl Marks {
             Run { rule, material, triangle: mark.before / 2, vertex: mark.before }
         }));
         self.is_distinct = self.runs.windows(2).all(|pair| !pair[0].is_like(&pair[1]));
-        // The material of a base is another one for the next base.
+        // The next base may have another material.
         let is_known = replay.mark_list().iter().all(|mark| mark.look != LookId::OF_BASE);
         self.part = if is_known { replay.number() } else { (0, 0) };
     }

@@ -10,12 +10,13 @@ use crate::shape::base::Form;
 use crate::shape::texture::SETS;
 use crate::shape::unit::UnitMesh;
 
-/// Sets of coordinates: one pair a vertex in each that some geometry has, and nothing in the others.
+/// Lists of coordinates by set: one pair for each vertex in the sets that some geometry has, and empty lists
+/// otherwise.
 #[derive(Debug, Default)]
 pub(super) struct UvLists(Vec<Vec<[f32; 2]>>);
 
 impl UvLists {
-    /// Returns true as long as nothing had any.
+    /// Returns true while no geometry has coordinates.
     #[inline]
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()
@@ -29,12 +30,12 @@ impl UvLists {
         self.0.clear();
     }
 
-    /// The bytes that are reserved.
+    /// The bytes reserved.
     pub(super) fn memory(&self) -> usize {
         self.0.iter().map(|list| size_of::<[f32; 2]>() * list.capacity()).sum()
     }
 
-    /// The list of a set, with (0, 0) for vertices before `end` that have none.
+    /// The list of a set, filled with (0, 0) for vertices before `end` without coordinates.
     fn list(&mut self, set: usize, end: usize) -> Option<&mut Vec<[f32; 2]>> {
         if SETS <= set {
             return None;
@@ -49,7 +50,7 @@ impl UvLists {
         Some(list)
     }
 
-    /// Gives all lists as many pairs as there are vertices.
+    /// Extends all lists to the number of vertices.
     #[inline]
     pub(super) fn pad(&mut self, vertices: usize) {
         for list in &mut self.0 {
@@ -59,7 +60,7 @@ impl UvLists {
         }
     }
 
-    /// Adds the corner of a mesh that became a vertex.
+    /// Adds the coordinates of a mesh corner that became a vertex.
     #[inline]
     pub(super) fn corner(&mut self, mesh: &Mesh, corner: usize, vertex: usize) {
         for set in mesh.uv_numbers() {
@@ -69,7 +70,7 @@ impl UvLists {
         }
     }
 
-    /// Adds the corners of a rectangle, or of all faces of a box, whose vertices begin at one.
+    /// Adds the coordinates of a rectangle, or of all faces of a box, whose vertices begin at `vertex`.
     pub(super) fn place(&mut self, maps: &[SetMap], placed: &Placed, block: Option<UnitMesh>, vertex: usize) {
         let end = vertex + 4 * block.map_or(1, |unit| unit.face_count());
         for SetMap { set, map } in maps {
@@ -80,7 +81,7 @@ impl UvLists {
         }
     }
 
-    /// Adds those of leaves that repeat, whose `count` vertices begin at one.
+    /// Adds the coordinates of repeated leaves, whose `count` vertices begin at `vertex`.
     pub(super) fn replay(&mut self, replay: &Replay<'_>, vertex: usize, count: usize) {
         let (place, mut first) = (replay.origin(), 0);
         for (leaf, mark) in replay.marks() {
@@ -101,7 +102,8 @@ impl UvLists {
     }
 }
 
-/// A map by columns: the growth of both coordinates along each axis of the world, and their values at its origin.
+/// A map by columns: the growth of both coordinates along each axis of the world, and their values at the world's
+/// origin.
 struct Columns {
     axes: [DVec2; 3],
     origin: DVec2,
@@ -129,7 +131,7 @@ impl Corners {
         Corners { first: along(placed.origin) + map.origin, sides: placed.sides.map(along) }
     }
 
-    /// Writes those of a rectangle, or of the faces of a box.
+    /// Writes the coordinates of a rectangle, or of the faces of a box.
     #[inline]
     fn write(&self, faces: &mut [[[f32; 2]; 4]], block: Option<UnitMesh>) {
         if let Some(unit) = block {
@@ -142,7 +144,7 @@ impl Corners {
         }
     }
 
-    /// In the order of vertices.
+    /// The coordinates of a rectangle in the order of its vertices.
     #[inline]
     fn quad(&self) -> [[f32; 2]; 4] {
         let (a, [u, v, _]) = (self.first, self.sides);
@@ -150,7 +152,7 @@ impl Corners {
         [a, b, b + v, a + v].map(short)
     }
 
-    /// As numbers x + 2y + 4z count them.
+    /// The coordinates of a box; the corner (x, y, z) has the index x + 2y + 4z.
     #[inline]
     fn block(&self) -> [[f32; 2]; 8] {
         let (o, [x, y, z]) = (self.first, self.sides);

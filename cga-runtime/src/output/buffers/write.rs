@@ -6,14 +6,14 @@ use super::Vertex;
 use crate::run::sink::corners::Placed;
 use crate::shape::unit::UnitMesh;
 
-/// Writes the faces of a box; `normals` are those of its sides, each after a 0.
+/// Writes the faces of a box; `normals` are the normals of its sides, each after a 0.
 #[inline(always)]
 pub(super) fn write_box(to: &mut [[Vertex; 4]; 6], placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
     let corners = placed.box_corners();
     for (face, to) in unit.sides().iter().zip(to) {
         let n = normals[face.side as usize];
         let [a, b, c, d] = face.corners.map(|corner| corners[usize::from(corner & 7)]);
-        // Sums put numbers beside each other: the fourth coordinate of corners is 0, and so is the first of normals.
+        // Sums combine the numbers: the fourth coordinate of corners is 0, and so is the first of normals.
         let first = Vec4::new(n.x, n.x, n.x, n.y);
         let vectors = [
             a + first,
@@ -27,7 +27,7 @@ pub(super) fn write_box(to: &mut [[Vertex; 4]; 6], placed: &Placed, unit: UnitMe
     }
 }
 
-/// An origin with the first number of a normal as its fourth coordinate: so a corner is the vector that is written.
+/// An origin with the first number of a normal as its fourth coordinate, so that a corner is the vector to write.
 #[inline(always)]
 pub(super) fn marked(origin: DVec4, normal: Vec4) -> DVec4 {
     origin.with_w(f64::from(normal.y))
@@ -57,10 +57,11 @@ pub(super) fn write_quad(to: &mut [Vertex; 4], placed: &Placed, n: Vec4) {
     write(to, vectors);
 }
 
-/// Writes the indices of quads whose vertices follow each other.
+/// Writes the indices of consecutive quads.
 #[inline(always)]
 pub(in crate::output) fn write_quad_indices(to: &mut [u32], start: u32) {
-    // Two indices are one number, so that no sum is one with 0: the compiler writes two such numbers at once.
+    // Two indices form one number. A sum of two such numbers is never a sum with 0, so the compiler writes two of
+    // them at once.
     const PAIR: [u64; 6] = [two(0, 1), two(2, 0), two(2, 3), two(4, 5), two(6, 4), two(6, 7)];
     let split = |two: u64| [two as u32, (two >> 32) as u32];
     let mut first = two(start, start);
@@ -76,7 +77,7 @@ pub(in crate::output) fn write_quad_indices(to: &mut [u32], start: u32) {
     }
 }
 
-/// Two indices in the order in which they are written.
+/// Two indices in writing order.
 const fn two(first: u32, second: u32) -> u64 {
     first as u64 | (second as u64) << 32
 }

@@ -1,4 +1,4 @@
-//! Inserted assets: stored once where they are shown more than once.
+//! Inserted assets, stored once if they are shown more than once.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -8,15 +8,15 @@ use glam::{DAffine3, DVec3};
 use super::{Glb, Instances, Shared};
 use crate::geometry::mesh::Mesh;
 
-/// Assets by mesh, rule and material, in the order in which they come first.
+/// Assets by mesh, rule and material, in the order of their first use.
 #[derive(Debug, Default)]
 pub(super) struct AssetList {
     list: Vec<Asset>,
-    /// Only ever asked, never walked.
+    /// Only for look-ups, never iterated.
     by_mesh: HashMap<(usize, u32, u32), usize>,
 }
 
-/// One asset with one rule and one material, at one or more places.
+/// An asset with one rule and one material, at one or more places.
 #[derive(Debug)]
 struct Asset {
     mesh: Arc<Mesh>,
@@ -26,10 +26,10 @@ struct Asset {
 }
 
 impl AssetList {
-    /// Notes a place of an asset.
+    /// Records a place of an asset.
     pub(super) fn add(&mut self, mesh: &Arc<Mesh>, rule: u32, material: u32, placement: &DAffine3) {
         let list = &mut self.list;
-        // The address stays the mesh's own: the first one seen is kept in the list.
+        // The list keeps the first mesh, so its address belongs to no other mesh.
         let index = *self.by_mesh.entry((Arc::as_ptr(mesh).addr(), rule, material)).or_insert_with(|| {
             list.push(Asset { mesh: mesh.clone(), rule, material, placements: Vec::new() });
             list.len() - 1
@@ -39,13 +39,13 @@ impl AssetList {
 }
 
 impl Glb {
-    /// Assets at several places become meshes of their own; the others join the rest.
+    /// Turns assets at several places into separate meshes; the others join the rest.
     pub(super) fn place_assets(&mut self) -> Vec<Shared> {
         let mut shared = Vec::new();
         for Asset { mesh, rule, material, placements } in std::mem::take(&mut self.assets).list {
             let (own, loose): (Vec<_>, Vec<_>) = placements.into_iter().partition(is_node_transform);
             if 2 <= own.len() {
-                // Filled in the mesh's own coordinates, with a list of primitives of its own.
+                // Filled in the mesh's own coordinates, with a separate list of primitives.
                 let main = std::mem::take(&mut self.primitives);
                 let origin = std::mem::take(&mut self.origin);
                 self.add_mesh(rule, material, &mesh, &DAffine3::IDENTITY);
@@ -61,7 +61,8 @@ impl Glb {
     }
 }
 
-/// Returns true if a glTF node can express it: no shear, and no mirroring, which would turn the faces there.
+/// Returns true if a glTF node can express the placement: no shear, and no mirroring, which would turn the faces
+/// over.
 fn is_node_transform(placement: &DAffine3) -> bool {
     let [x, y, z] = [placement.matrix3.x_axis, placement.matrix3.y_axis, placement.matrix3.z_axis];
     let right = |a: DVec3, b: DVec3| a.dot(b).abs() <= 1e-9 * a.length() * b.length();

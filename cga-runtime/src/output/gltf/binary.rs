@@ -1,7 +1,7 @@
-//! The binary part of a file: views whose bytes are written once, when all lengths are known.
+//! The binary part of a file: views whose bytes are written once, after all lengths are known.
 //!
-//! Everything in a file begins at a multiple of four bytes, and a file is a list of words until it is complete: lists of numbers
-//! are copied at the speed of memory.
+//! Everything in a file begins at a multiple of four bytes. A file is a list of words until it is complete, so that
+//! lists of numbers are copied at the speed of memory.
 
 use std::fmt;
 
@@ -22,7 +22,7 @@ pub(super) type Word = [u8; 4];
 /// Appends the words of a view.
 type Write<'a> = Box<dyn Fn(&mut Vec<Word>) + 'a>;
 
-/// The place of a view, and what writes its bytes.
+/// The place of a view, and the function that writes its bytes.
 struct View<'a> {
     start: usize,
     write: Write<'a>,
@@ -40,7 +40,7 @@ impl<'a> Binary<'a> {
         self.length = self.length.next_multiple_of(8);
     }
 
-    /// Appends a view of that many bytes, on an 8-byte boundary; gives its number. `write` writes them later.
+    /// Appends a view of `length` bytes, on an 8-byte boundary. Returns its number. `write` writes the bytes later.
     pub(super) fn view(&mut self, length: usize, more: &str, write: impl Fn(&mut Vec<Word>) + 'a) -> usize {
         self.align();
         let start = self.length;
@@ -79,7 +79,8 @@ pub(super) fn text(to: &mut Vec<Word>, bytes: &[u8], padding: u8) {
     }
 }
 
-/// Header and chunks. The description is padded so that the binary part starts on an 8-byte boundary of the file.
+/// The header and the chunks. The description is padded so that the binary part starts on an 8-byte boundary of the
+/// file.
 pub(super) fn container(json: &str, binary: &Binary<'_>) -> Result<Vec<u8>, WriteError> {
     let json_length = (json.len() + 4).next_multiple_of(8) - 4;
     let binary_chunk = if binary.length == 0 { 0 } else { 8 + binary.length };

@@ -1,4 +1,4 @@
-//! GLB from buffers: chunks of a stream, or parts that were made in parallel.
+//! GLB files from buffers: chunks of a stream, or parts made in parallel.
 
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -14,8 +14,8 @@ use crate::output::parts::Parts;
 use crate::run::sink::Flow;
 
 impl Glb {
-    /// Adds all triangles of buffers. Several buffers make one file, without being joined first. Where a part of the buffers has
-    /// texture coordinates the others have (0, 0).
+    /// Adds all triangles of buffers. Several buffers make one file, without being joined first. In a set that only
+    /// some of the buffers' vertices use, the others have (0, 0).
     ///
     /// ```
     /// use cga_runtime::output::buffers::Buffers;
@@ -55,7 +55,7 @@ impl Primitive {
         self.positions.extend(vertices.iter().map(position));
         self.normals.extend(vertices.iter().map(|&[.., x, y, z]| [x, y, z]));
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
-            // glTF counts v downwards.
+            // The v axis of glTF points down.
             list.extend(buffers.uv_set(set)[part.vertices.clone()].iter().map(|&[u, v]| [u, 1.0 - v]));
         }
         self.indices.extend(buffers.indices()[part.indices.clone()].iter().map(|index| index - first + start));
@@ -70,7 +70,7 @@ impl Buffers {
     /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
         let mut glb = Glb::new().with_origin(self.origin());
-        // It stops when it is full; finishing tells.
+        // It stops when it is full; `into_bytes` reports that.
         let _ = glb.buffers(self);
         glb.into_bytes()
     }
@@ -95,7 +95,7 @@ impl Buffers {
     /// ```
     ///
     /// # Errors
-    /// As [`Glb::into_bytes`], and what the file system says.
+    /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_glb()?)?)
     }

@@ -1,5 +1,5 @@
-//! Images that are made of others, as the format keeps two layers in one image. Needs the feature `png`; without it the first file
-//! is taken as it is.
+//! Images made of other images, as the format keeps two layers in one image. Without the feature `png`, the first
+//! file is used unchanged.
 
 use super::textures::ImageKey;
 use crate::asset::Assets;
@@ -8,21 +8,21 @@ use crate::asset::image::header::MOST_PIXELS;
 use crate::output::texture::source::{self, Pixels};
 use crate::value::text::Text;
 
-/// The result for an image that is made of others.
+/// The image for a key.
 pub(super) enum Combined {
-    /// A file of its own.
+    /// A new PNG file.
     Png(Vec<u8>),
-    /// A file that has all of it.
+    /// An existing file that has all layers.
     File(Text),
 }
 
-/// Makes an image; nothing where there is nothing to make it of.
+/// Makes an image. `None` if its sources are missing.
 pub(super) fn combined(assets: Option<&Assets>, key: &ImageKey) -> Option<Combined> {
     let pixels = |name: &Option<Text>| name.as_ref().and_then(|name| source::pixels(assets, name));
     let made = match key {
         ImageKey::File(name) => return Some(Combined::File(name.clone())),
         ImageKey::Opaque(name) => {
-            // Decoding shows which files have an alpha channel; most have none and stay as they are.
+            // Decoding shows which files have an alpha channel; most have none and stay unchanged.
             let has_alpha = assets.is_some_and(|assets| assets.image_header(name).is_ok_and(|head| head.has_alpha));
             let image = if has_alpha { source::pixels(assets, name) } else { None };
             image.map(|pixels| joined([Some(&pixels), None], |[[r, g, b, _], _]| [r, g, b, 255]))
@@ -63,7 +63,7 @@ pub(super) fn encoded(_: &Image) -> Option<Vec<u8>> {
     None
 }
 
-/// Two images as one, with the larger width and the larger height; white where there is none.
+/// Two images as one, with the larger width and the larger height. A missing image counts as white.
 fn joined(images: [Option<&Pixels>; 2], pixel: impl Fn([[u8; 4]; 2]) -> [u8; 4]) -> Image {
     let sizes = || images.iter().flatten().map(|pixels| (pixels.image.width, pixels.image.height));
     let largest = sizes().fold((1, 1), |(w, h), (width, height)| (width.max(w), height.max(h)));
@@ -80,13 +80,14 @@ fn joined(images: [Option<&Pixels>; 2], pixel: impl Fn([[u8; 4]; 2]) -> [u8; 4])
     image
 }
 
-/// The pixel of an image that is stretched to a size, between its four neighbours. The image repeats at its borders.
+/// A pixel of an image that is stretched to a size, interpolated between its four neighbours. The image repeats at
+/// its borders.
 fn resized(image: &Image, at: [usize; 2], size: [usize; 2]) -> [u8; 4] {
     let own = [image.width, image.height];
     if own == size {
         return image.pixel(at[0], at[1]).unwrap_or([255; 4]);
     }
-    // In 256ths of a pixel, counted from the middle of the first.
+    // The place in 256ths of a pixel, relative to the middle of the first pixel.
     let place = |axis: usize| {
         let (at, own, size) = (at[axis] as i64, own[axis] as i64, size[axis] as i64);
         let place = (256 * (2 * at + 1) * own / (2 * size) - 128).rem_euclid(256 * own);
@@ -117,7 +118,7 @@ mod tests {
         let image = joined([Some(&a), Some(&b)], |[a, b]| [a[0], b[1], a[2], b[3]]);
         assert_eq!((image.width, image.height), (4, 3));
         assert!(image.rgba.as_chunks::<4>().0.iter().all(|pixel| *pixel == [10, 60, 30, 80]));
-        // Long images of one pixel's width would make a huge one.
+        // Two long images with a width of one pixel would make a huge one.
         let (a, b) = (pixels(1 << 16, 1, [1; 4]), pixels(1, 1 << 16, [2; 4]));
         assert_eq!(joined([Some(&a), Some(&b)], |[a, _]| a).height, 1);
     }

@@ -1,4 +1,4 @@
-//! The images of a file: embedded, or referenced by relative address, each once.
+//! The images of a file, each once: embedded, or referenced by relative address.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -12,15 +12,15 @@ use crate::asset::Assets;
 use crate::asset::image::header::ImageKind;
 use crate::output::texture::source::{self, ImageSource};
 
-/// Images in the order in which looks need them first. Every image has one texture with the same number.
+/// The images in the order in which looks first use them. Every image has one texture with the same number.
 #[derive(Debug, Default)]
 pub(super) struct Images<'a> {
     assets: Option<&'a Assets>,
     is_referenced: bool,
     list: Vec<Image>,
-    /// Only ever asked, never walked.
+    /// Only for look-ups, never iterated.
     by_key: HashMap<ImageKey, Option<usize>>,
-    /// Embedded images by a hash of their bytes. Only ever asked, never walked.
+    /// The embedded images by a hash of their bytes. Only for look-ups, never iterated.
     by_hash: HashMap<u64, Vec<usize>>,
 }
 
@@ -44,7 +44,7 @@ impl<'a> Images<'a> {
         images
     }
 
-    /// The number of an image, if there is such an image.
+    /// The number of an image, if the file has it.
     pub(super) fn number(&self, key: &ImageKey) -> Option<usize> {
         self.by_key.get(key).copied().flatten()
     }
@@ -78,7 +78,7 @@ impl<'a> Images<'a> {
         }
     }
 
-    /// The number of an image; an equal one has it already.
+    /// Adds an image unless an equal one is in the list. Returns its number.
     fn put(&mut self, image: Image) -> Option<usize> {
         let hash = match &image {
             Image::Embedded { bytes, .. } => BuildHasherDefault::<DefaultHasher>::default().hash_one(bytes),
@@ -115,10 +115,10 @@ impl<'a> Images<'a> {
     }
 }
 
-/// A path as a relative reference: forward slashes, everything but the unreserved characters escaped.
+/// A path as a relative reference: with forward slashes, and all but the unreserved characters escaped.
 fn uri(path: &str) -> String {
     let mut text = String::new();
-    // A slash at the beginning means the asset folder, which a reader does not know.
+    // A leading slash means the asset folder, which a reader does not know.
     for byte in path.strip_prefix('/').unwrap_or(path).bytes() {
         match byte {
             b'\\' => text.push('/'),

@@ -1,4 +1,4 @@
-//! The few pieces of JSON that a writer with a fixed order of keys needs.
+//! The parts of JSON that a writer with a fixed order of keys needs.
 
 use std::fmt::Write as _;
 
@@ -20,7 +20,7 @@ pub(super) fn quoted(text: &str) -> String {
     json
 }
 
-/// Members of an object or elements of an array, with the commas between.
+/// The members of an object or elements of an array, separated by commas.
 pub(super) fn joined(items: impl IntoIterator<Item = String>) -> String {
     items.into_iter().collect::<Vec<_>>().join(",")
 }

@@ -1,4 +1,4 @@
-//! Materials as glTF has them: what a face looks like, each look once.
+//! glTF materials: the looks of faces, each once.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -10,10 +10,11 @@ use crate::material::layer::SetMask;
 use crate::material::{Channel, Material, MaterialNumber, MaterialText};
 use crate::output::number::{Short, linear};
 
-/// The numbers of a look, see [`Look`], as bits; its alpha mode, its sides and its textures.
+/// The properties of a look that make it different: its numbers, see [`Look`], as bits, its alpha mode, its sides and
+/// its textures.
 type Key = ([u32; 9], Alpha, bool, Vec<LookTexture>);
 
-/// glTF's alpha modes. The cutoff as bits.
+/// The alpha modes of glTF. The cutoff is stored as bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Alpha {
     Opaque,
@@ -21,21 +22,21 @@ enum Alpha {
     Mask(u32),
 }
 
-/// Looks in the order in which they are first asked for.
+/// The looks in the order of their first use.
 #[derive(Debug, Default)]
 pub(super) struct Looks {
     list: Vec<Look>,
-    /// Only ever asked, never walked.
+    /// Only for look-ups, never iterated.
     by_key: HashMap<Key, u32>,
-    /// Looks by number of the material and sets of texture coordinates, with the sets that are needed. Only ever asked, never
-    /// walked.
+    /// The looks by material number and sets of texture coordinates, with the sets that are needed. Only for
+    /// look-ups, never iterated.
     by_material: HashMap<(u32, SetMask), (u32, SetMask)>,
 }
 
 #[derive(Debug)]
 struct Look {
     name: String,
-    /// Linear red, green, blue, opacity, metallic, roughness, emitted red, green, blue.
+    /// Linear red, green, blue, opacity, metallic, roughness, emissive red, green, blue.
     numbers: [f32; 9],
     alpha: Alpha,
     double_sided: bool,
@@ -43,8 +44,8 @@ struct Look {
 }
 
 impl Looks {
-    /// The look of a material, known by its number, on a mesh with some sets of texture coordinates, and the sets that a file needs
-    /// of those. A map without coordinates is left out.
+    /// The look of a material with the number `id` on a mesh with the sets `sets`, and those sets that the file
+    /// needs. A map without coordinates is left out.
     pub(super) fn of(&mut self, id: u32, material: &Material, sets: SetMask) -> (u32, SetMask) {
         if let Some(&known) = self.by_material.get(&(id, sets)) {
             return known;
@@ -63,7 +64,7 @@ impl Looks {
             light(Channel::G),
             light(Channel::B),
         ]
-        // Adding 0 takes the sign off −0, which would be a look of its own.
+        // Adding 0 removes the sign of −0, which would make another look.
         .map(|value| value as f32 + 0.0);
         let alpha = match material.text(MaterialText::OpacityMode).map(|mode| mode.as_str()) {
             Some("opaque") => Alpha::Opaque,
@@ -91,7 +92,7 @@ impl Looks {
         self.list.iter().flat_map(|look| &look.textures)
     }
 
-    /// The coordinates of the normal map of a look, if it shows one.
+    /// The coordinates of the normal map of a look, if it has one.
     pub(super) fn normal_space(&self, look: u32, images: &Images<'_>) -> Option<NormalSpace> {
         let textures = &self.list.get(look as usize)?.textures;
         let shown = textures.iter().filter(|texture| images.number(&texture.image).is_some());

@@ -1,17 +1,18 @@
 //! GLB 2.0: one binary file with geometry, materials and rule names.
 //!
-//! Triangles are grouped into one primitive a material. Each vertex carries the number of its rule (`_FEATURE_ID_0`,
-//! `EXT_mesh_features`), and a property table (`EXT_structural_metadata`) has the names. Assets inserted more than once
-//! are stored once and placed by nodes; on request, parts that rules repeat are stored once with a list of their places
-//! (`EXT_mesh_gpu_instancing`). Colours are turned from sRGB to linear light; materials are double sided, as
-//! CGA's are. The same leaves and images give the same bytes.
+//! Triangles are grouped into one primitive for each material. Each vertex has the number of its rule
+//! (`_FEATURE_ID_0`, `EXT_mesh_features`), and a property table (`EXT_structural_metadata`) has the names. Assets
+//! inserted more than once are stored once and placed by nodes. On request, parts that rules repeat are stored once
+//! with a list of their places (`EXT_mesh_gpu_instancing`). Colours are converted from sRGB to linear light.
+//! Materials are double sided by default, as in CGA. Equal leaves and images give equal bytes.
 //!
-//! Images are embedded if the assets are known ([`Glb::with_assets`]; a model of a run knows them), else they are referenced by
-//! relative address. Colour, opacity, normal, emissive, occlusion, roughness and metallic maps become those of glTF, each with the
-//! set of texture coordinates that it uses and its placement (`KHR_texture_transform`). glTF keeps opacity beside colour and
-//! roughness beside metal: where CGA has two images, one is made of them, as large as the larger. An opacity map without an
-//! alpha channel counts by its brightness. Two maps in one image share the set and the placement of the first.
-//! Bump, dirt and specular maps are left out: glTF has no such maps.
+//! Images are embedded if the assets are known ([`Glb::with_assets`]; a model of a run knows them), otherwise they
+//! are referenced by relative address. Colour, opacity, normal, emissive, occlusion, roughness and metallic maps
+//! become maps of glTF, each with its set of texture coordinates and its placement (`KHR_texture_transform`). glTF
+//! keeps opacity in the colour image and metallic in the roughness image. Two images of CGA are then combined into
+//! one, with the larger size. An opacity map without an alpha channel is read by its brightness. Two maps in one
+//! image share the set and the placement of the first. Bump, dirt and specular maps are left out: glTF has no such
+//! maps.
 
 mod assets;
 mod binary;
@@ -60,7 +61,7 @@ pub struct Glb {
     looks: Looks,
     primitives: Primitives,
     assets: AssetList,
-    /// Repeated parts, if they are to be instances.
+    /// The repeated parts, if they become instances.
     parts: Option<RepeatedParts>,
     flattener: Flattener,
     bytes: u64,
@@ -68,52 +69,53 @@ pub struct Glb {
     references_images: bool,
 }
 
-/// A glTF mesh that is shown at several places.
+/// A glTF mesh at several places.
 struct Shared {
     primitives: Vec<Primitive>,
     places: Instances,
 }
 
 enum Instances {
-    /// A node each.
+    /// A node for each place.
     Nodes(Vec<DAffine3>),
-    /// One node for all.
+    /// One node for all places.
     Instances(Vec<Instance>),
 }
 
-/// What the 32-bit lengths of the format allow, less room for the description.
+/// The largest 32-bit length of the format, less room for the description.
 const MAX_BYTES: u64 = u32::MAX as u64 - (1 << 24);
 
 impl Glb {
-    /// Without leaves.
+    /// A file without leaves.
     pub fn new() -> Self {
         Glb::default()
     }
 
-    /// Stores positions relative to a point of the world, in metres; a node moves them back. Far from the world's
-    /// origin 32-bit floats alone are not fine enough.
+    /// Stores positions relative to a point of the world, in metres. A node moves them back. Far from the world's
+    /// origin 32-bit floats alone are too coarse.
     pub fn with_origin(mut self, origin: DVec3) -> Self {
         self.origin = origin;
         self
     }
 
-    /// Embeds images, found in an asset folder. A file that is missing or broken becomes a checker pattern.
+    /// Embeds images from an asset folder. A missing or broken file becomes a checker pattern.
     pub fn with_assets(mut self, assets: Arc<Assets>) -> Self {
         self.files = Files::of(assets);
         self
     }
 
-    /// References image files by their names, relative to the file, and does not embed them. Only images that are in no file are
-    /// embedded: built-in textures, and those made of two images.
+    /// References image files by their names, relative to the file, instead of embedding them. Only images without a
+    /// file are embedded: built-in textures, and images combined from two.
     pub fn with_referenced_images(mut self) -> Self {
         self.references_images = true;
         self
     }
 
-    /// Stores each repeated part once, with the list of its places (`EXT_mesh_gpu_instancing`). The file is smaller and shows
-    /// the same triangles; a reader must know the extension.
+    /// Stores each repeated part once, with the list of its places (`EXT_mesh_gpu_instancing`). The file is smaller
+    /// and shows the same triangles; a reader must support the extension.
     ///
-    /// Parts are known while a run goes on: the sink must take the leaves of the run itself. A [`Model`] keeps single leaves.
+    /// Parts are known only during a run, so the sink must take the leaves of the run itself. A [`Model`] keeps
+    /// single leaves.
     ///
     /// ```
     /// use cga_runtime::output::gltf::Glb;
@@ -127,10 +129,11 @@ impl Glb {
         self
     }
 
-    /// The file.
+    /// Completes the file.
     ///
     /// # Errors
-    /// [`WriteError::TooLarge`] for more than 4 GiB, [`WriteError::NotFinite`] for coordinates that are no `f32`.
+    /// [`WriteError::TooLarge`] for more than 4 GiB, [`WriteError::NotFinite`] for coordinates beyond the range of
+    /// `f32`.
     pub fn into_bytes(mut self) -> Result<Vec<u8>, WriteError> {
         let mut shared = self.place_assets();
         if let Some(parts) = self.parts.take() {
@@ -271,14 +274,15 @@ impl Sink for Glb {
 }
 
 impl Model {
-    /// The model as a GLB file; see [`Glb`]. A model far from the origin of the world is stored about its own middle.
+    /// The model as a GLB file; see [`Glb`]. A model far from the origin of the world is stored relative to its own
+    /// middle.
     ///
     /// # Errors
     /// As [`Glb::into_bytes`].
     pub fn to_glb(&self) -> Result<Vec<u8>, WriteError> {
         let glb = Glb::new().with_origin(near_origin(self.bounds()));
         let mut glb = Glb { files: self.files().clone(), ..glb };
-        // It stops when it is full; finishing tells.
+        // It stops when it is full; `into_bytes` reports that.
         let _ = self.replay(&mut glb);
         glb.into_bytes()
     }
@@ -286,14 +290,14 @@ impl Model {
     /// Writes the model as a GLB file; see [`Model::to_glb`].
     ///
     /// # Errors
-    /// As [`Glb::into_bytes`], and what the file system says.
+    /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_glb()?)?)
     }
 }
 
 impl super::parts::Parts<Model> {
-    /// All models as one GLB file, the same as that of one model with all leaves.
+    /// All models as one GLB file, equal to that of one model with all leaves.
     ///
     /// # Errors
     /// As [`Glb::into_bytes`].
@@ -308,14 +312,14 @@ impl super::parts::Parts<Model> {
     /// Writes all models as one GLB file.
     ///
     /// # Errors
-    /// As [`Glb::into_bytes`], and what the file system says.
+    /// As [`Glb::into_bytes`], and errors of the file system.
     pub fn write_glb(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::write(path, self.to_glb()?)?)
     }
 }
 
-/// The origin of the world, or a point in whole metres near geometry of those bounds if 32-bit floats about the former would
-/// be off by more than a millimetre.
+/// The origin of the world. If 32-bit floats relative to it would be off by more than a millimetre, a point in whole
+/// metres near geometry with those bounds.
 fn near_origin(bounds: Bounds) -> DVec3 {
     const FINE: f64 = 8192.0;
     let reach = bounds.low.abs().max(bounds.high.abs()).max_element();

@@ -1,4 +1,4 @@
-//! Streams and description into one file.
+//! Combines streams and description into one file.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -16,20 +16,20 @@ use super::{Glb, Instances, MAX_BYTES, Shared};
 use crate::output::error::WriteError;
 use crate::output::number::list;
 
-/// Component and target numbers of the format.
+/// Component types and buffer targets of the format.
 const U32: u32 = 5125;
 const F32: u32 = 5126;
 const VERTICES: u32 = 34962;
 const INDICES: u32 = 34963;
 
-/// Accessors of one primitive.
+/// The accessors of one primitive.
 #[derive(Clone, Copy, Default)]
 struct Accessors {
     indices: usize,
     position: usize,
     normal: usize,
     rule: usize,
-    /// The first of as many as there are sets.
+    /// The first of its accessors of texture coordinates, one for each set.
     uv: usize,
     tangent: Option<usize>,
 }
@@ -75,13 +75,13 @@ pub(super) fn pack(glb: &Glb, main: &[Primitive], shared: &[Shared]) -> Result<V
     }
     let _ = write!(json, "\"accessors\":[{}],", binary.accessors.join(","));
     let _ = write!(json, "\"bufferViews\":[{}],", binary.views.join(","));
-    // The chunk is padded, and readers complain when the buffer is not as long as the chunk.
+    // The chunk is padded, and readers complain if the buffer is shorter than the chunk.
     binary.align();
     let _ = write!(json, "\"buffers\":[{{\"byteLength\":{}}}]}}", binary.length);
     container(&json, &binary)
 }
 
-/// Rule names: one string table, one row a rule.
+/// Writes the rule names: a string table with one row for each rule.
 fn write_rules(json: &mut String, binary: &mut Binary<'_>, rules: &[&str], has_transforms: bool, has_instances: bool) {
     let mut offsets = vec![0u32];
     let mut names = Vec::new();
@@ -106,7 +106,7 @@ fn write_rules(json: &mut String, binary: &mut Binary<'_>, rules: &[&str], has_t
     let _ = write!(json, "\"name\":{{\"values\":{values},\"stringOffsets\":{offsets}}}}}}}]}}}},");
 }
 
-/// The first node holds everything, so that one translation moves all.
+/// Writes the nodes. The first node contains all others, so that one translation moves everything.
 fn write_nodes(json: &mut String, origin: DVec3, has_main: bool, shared: &[Shared], places: &[[usize; 2]]) {
     let moved = match origin {
         DVec3::ZERO => String::new(),
@@ -152,7 +152,7 @@ fn primitive(primitive: &Primitive, at: &Accessors, rules: usize) -> String {
 }
 
 impl<'a> Binary<'a> {
-    /// One view a stream for all primitives together, and accessors for each.
+    /// Adds one view for each stream of all primitives together, and accessors for each primitive.
     fn primitives(&mut self, primitives: &[&'a Primitive]) -> Result<Vec<Accessors>, WriteError> {
         let mut all = vec![Accessors::default(); primitives.len()];
         if primitives.is_empty() {
@@ -204,13 +204,13 @@ impl<'a> Binary<'a> {
         Ok(all)
     }
 
-    /// A view with what `write` writes of each primitive.
+    /// Adds a view with the output of `write` for each primitive.
     fn stream(&mut self, length: usize, more: &str, primitives: &[&'a Primitive], write: Stream) -> usize {
         let primitives = primitives.to_vec();
         self.view(length, more, move |to| primitives.iter().for_each(|primitive| write(primitive, to)))
     }
 
-    /// The accessors of the translations and the rotations of instances, for each mesh that has some.
+    /// The accessors of the translations and the rotations of instances, for each mesh with instances.
     fn places(&mut self, shared: &'a [Shared]) -> Vec<[usize; 2]> {
         let lists = shared.iter().filter_map(|mesh| match &mesh.places {
             Instances::Instances(places) => Some(&places[..]),
@@ -240,7 +240,7 @@ impl<'a> Binary<'a> {
     }
 }
 
-/// The members `min` and `max`. Every digit of the `f32`s is written: readers compare.
+/// The members `min` and `max`. All digits of the `f32`s are written, as readers compare.
 fn extremes(positions: &[[f32; 3]]) -> Result<String, WriteError> {
     let (low, high) = bounds(positions).ok_or(WriteError::NotFinite)?;
     Ok(format!(",\"min\":[{}],\"max\":[{}]", list(&low.map(f64::from)), list(&high.map(f64::from))))
@@ -251,7 +251,7 @@ fn bounds(positions: &[[f32; 3]]) -> Option<([f32; 3], [f32; 3])> {
     // Four positions at once, as they are three whole vectors.
     let (chunks, rest) = positions.as_flattened().as_chunks::<12>();
     let (mut lows, mut highs) = ([Vec4::INFINITY; 3], [Vec4::NEG_INFINITY; 3]);
-    // Coordinates that are not finite become NaN, and the sum stays it.
+    // Coordinates that are not finite make the sum NaN.
     let mut zeros = [Vec4::ZERO; 3];
     for chunk in chunks {
         for (i, c) in chunk.as_chunks::<4>().0.iter().map(|c| Vec4::from_array(*c)).enumerate() {

@@ -1,7 +1,7 @@
-//! Repeated parts as instances: each is a mesh, and its places are a list (`EXT_mesh_gpu_instancing`).
+//! Repeated parts as instances: a mesh for each part, with a list of its places (`EXT_mesh_gpu_instancing`).
 //!
-//! Parts are equal when their triangles, looks and rules are, so the file does not depend on the templates that a session has
-//! kept. The identity of a part only saves making it again.
+//! Parts are equal if their triangles, looks and rules are. So the file does not depend on the templates that a
+//! session keeps. The identity of a part only saves making its mesh again.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
@@ -13,13 +13,13 @@ use super::{Glb, Instances, Shared};
 use crate::material::layer::SetMask;
 use crate::run::sink::{Flow, PartId, Replay};
 
-/// Parts in the order in which they come first.
+/// The parts in the order of their first use.
 #[derive(Debug, Default)]
 pub(super) struct RepeatedParts {
     list: Vec<RepeatedPart>,
-    /// The parts of the run under way. Only ever asked, never walked.
+    /// The parts of the current run. Only for look-ups, never iterated.
     by_id: HashMap<PartId, usize>,
-    /// Parts by a hash of their triangles. Only ever asked, never walked.
+    /// The parts by a hash of their triangles. Only for look-ups, never iterated.
     by_hash: HashMap<u64, Vec<usize>>,
 }
 
@@ -53,14 +53,14 @@ impl Instance {
 }
 
 impl RepeatedParts {
-    /// Another run begins: identities are those of a run.
+    /// Begins another run, in which identities have another meaning.
     pub(super) fn begin(&mut self) {
         self.by_id.clear();
     }
 
-    /// The number of a part, and whether it is new.
+    /// The number of a part, and true if the part is new.
     fn number(&mut self, primitives: Vec<Primitive>, first: &DAffine3) -> (usize, bool) {
-        // The same in every run of a program.
+        // The hash is the same in every run of a program.
         let hash = BuildHasherDefault::<DefaultHasher>::default().hash_one(&primitives);
         let equal = self.by_hash.entry(hash).or_default();
         if let Some(&known) = equal.iter().find(|&&at| self.list[at].primitives == primitives) {
@@ -73,10 +73,10 @@ impl RepeatedParts {
 }
 
 impl Glb {
-    /// Notes a place of a part that repeats.
+    /// Records a place of a part that repeats.
     pub(super) fn place_part(&mut self, parts: &mut RepeatedParts, replay: &Replay<'_>) -> Flow {
         let placement = replay.placement();
-        // A host program may set axes that are no rotation, which a list of places cannot express.
+        // A host program may set axes that are not a rotation, which a list of places cannot express.
         if 1e-6 < (placement.matrix3.determinant() - 1.0).abs() {
             return replay.each(self);
         }
@@ -100,13 +100,13 @@ impl Glb {
     fn local(&mut self, replay: &Replay<'_>) -> Vec<Primitive> {
         let main = std::mem::take(&mut self.primitives);
         let (origin, bytes) = (std::mem::take(&mut self.origin), self.bytes);
-        // A part is far smaller than a file may be.
+        // The part is far below the size limit of a file.
         let _ = replay.each_local(self);
         (self.origin, self.bytes) = (origin, bytes);
         std::mem::replace(&mut self.primitives, main).into_list()
     }
 
-    /// Parts at several places become meshes of their own; the others join the rest.
+    /// Turns parts at several places into separate meshes; the others join the rest.
     pub(super) fn place_parts(&mut self, parts: RepeatedParts) -> Vec<Shared> {
         let mut shared = Vec::new();
         for RepeatedPart { primitives, first, places } in parts.list {

@@ -20,52 +20,52 @@ use crate::shape::axes::without_zero;
 use crate::shape::base::Form;
 use crate::shape::unit::UnitMesh;
 
-/// The primitives of a glTF mesh, in the order in which they are first asked for.
+/// The primitives of a glTF mesh, in the order of their first use.
 #[derive(Debug, Default)]
 pub(super) struct Primitives {
     pub(super) list: Vec<Primitive>,
-    /// By look and sets of texture coordinates. Only ever asked, never walked.
+    /// The primitives by look and sets of texture coordinates. Only for look-ups, never iterated.
     by_look: HashMap<(u32, SetMask), usize>,
-    /// Those without texture coordinates, by number of the material.
+    /// The primitives without texture coordinates, by material number.
     plain: Vec<Option<u32>>,
 }
 
 /// The triangles of one glTF primitive. All vertices have the same sets of texture coordinates.
 ///
-/// A quad has four vertices, one normal, and indices that follow from its place; the faces of meshes have all of them. The
-/// streams of the file are made of both when it is written (`streams.rs`).
+/// A quad has four vertices, one normal, and indices that follow from its place. Faces of meshes have explicit
+/// normals and indices. The streams of the file are made of both when it is written (`streams.rs`).
 #[derive(Debug, Default)]
 pub(super) struct Primitive {
     pub(super) look: u32,
     pub(super) positions: Room<[f32; 3]>,
     pub(super) sets: SetMask,
-    /// One list a set, one pair a vertex.
+    /// One list for each set, one pair for each vertex.
     pub(super) uvs: Vec<Vec<[f32; 2]>>,
-    /// One a quad.
+    /// The normals of quads, one for each.
     pub(super) quad_normals: Room<[f32; 3]>,
-    /// One a vertex of a mesh.
+    /// The normals of mesh vertices, one for each.
     pub(super) normals: Vec<[f32; 3]>,
     /// The indices of meshes.
     pub(super) indices: Vec<u32>,
     pub(super) stretches: Vec<Stretch>,
 }
 
-/// Vertices after each other with one rule, of quads or of meshes. It ends where the next one begins.
+/// Consecutive vertices with one rule, of quads or of meshes. A stretch ends where the next one begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Stretch {
     pub(super) rule: u32,
     pub(super) is_quads: bool,
     /// The first vertex.
     pub(super) vertex: u32,
-    /// The first of the indices of meshes.
+    /// The first index, among those of meshes.
     pub(super) index: u32,
 }
 
-/// Bytes that a vertex without texture coordinates takes, and an index.
+/// The bytes of a vertex without texture coordinates, and of an index.
 pub(super) const VERTEX_BYTES: u64 = 28;
 pub(super) const INDEX_BYTES: u64 = 4;
 
-/// Bytes that a vertex takes for each set of texture coordinates.
+/// The bytes of a vertex for each set of texture coordinates.
 pub(super) const UV_BYTES: u64 = 8;
 
 impl Primitives {
@@ -79,7 +79,7 @@ impl Primitives {
         &mut self.list[index]
     }
 
-    /// The primitive for a material on a mesh with some sets of texture coordinates.
+    /// The primitive for a material on a mesh with the sets `sets`.
     pub(super) fn of(&mut self, looks: &mut Looks, table: &Table, material: u32, sets: SetMask) -> &mut Primitive {
         let index = self.find(looks, table, material, sets);
         &mut self.list[index]
@@ -100,7 +100,7 @@ impl Primitives {
         self.with_look(look, sets)
     }
 
-    /// The number of the primitive with a look and some sets.
+    /// The index of the primitive with a look and some sets.
     pub(super) fn with_look(&mut self, look: u32, sets: SetMask) -> usize {
         let list = &mut self.list;
         *self.by_look.entry((look, sets)).or_insert_with(|| {
@@ -110,7 +110,8 @@ impl Primitives {
         })
     }
 
-    /// Drops primitives without triangles: the format knows no empty lists, and a face can be too thin for a triangle.
+    /// The primitives with triangles: the format does not allow empty lists, and a face can be too thin for a
+    /// triangle.
     pub(super) fn into_list(self) -> Vec<Primitive> {
         let mut list = self.list;
         list.retain(|primitive| primitive.index_count() != 0);
@@ -122,7 +123,7 @@ fn short(v: DVec3) -> [f32; 3] {
     v.to_array().map(|c| c as f32)
 }
 
-/// glTF counts v downwards.
+/// Texture coordinates with v downwards, as in glTF.
 fn flipped(uv: DVec2) -> [f32; 2] {
     [uv.x as f32, (1.0 - uv.y) as f32]
 }
@@ -142,7 +143,7 @@ impl PartialEq for Primitive {
 
 impl Hash for Primitive {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        // Equal numbers have equal hashes: adding 0 takes the sign off −0.
+        // Equal numbers must have equal hashes: adding 0 removes the sign of −0.
         let bits = |c: &f32| (c + 0.0).to_bits();
         self.look.hash(state);
         self.stretches.hash(state);
@@ -162,7 +163,7 @@ impl Primitive {
         self.indices.len() + 6 * self.quad_normals.len()
     }
 
-    /// Begins a stretch unless the last one goes on.
+    /// Begins a stretch unless the last one continues.
     #[inline]
     pub(super) fn begin(&mut self, rule: u32, is_quads: bool) {
         match self.stretches.last() {
@@ -181,12 +182,12 @@ impl Primitive {
         }
     }
 
-    /// Adds a box, relative to the origin of the file; `normals` are those of its sides.
+    /// Adds a box, relative to the origin of the file; `normals` are the normals of its sides.
     pub(super) fn cuboid(&mut self, rule: u32, placed: &Placed, unit: UnitMesh, normals: &[Vec4; 6]) {
         write_box(self.quads(rule, 6), placed, unit, normals);
     }
 
-    /// Adds the texture coordinates of vertices that were added last, by their points in the world.
+    /// Adds the texture coordinates of the last vertices, from their points in the world.
     pub(super) fn uvs(&mut self, maps: &[SetMap], points: impl Iterator<Item = DVec3> + Clone) {
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
             if let Some(map) = uv_map::find(maps, set) {
@@ -195,7 +196,7 @@ impl Primitive {
         }
     }
 
-    /// Adds leaves of a part that repeats, with one rule and this many faces.
+    /// Adds leaves of a part that repeats, with one rule and `faces` faces.
     #[inline(never)]
     pub(super) fn repeat(&mut self, rule: u32, replay: &Replay<'_>, leaves: Range<usize>, faces: usize, origin: DVec4) {
         let (mut faces, place) = (self.quads(rule, faces), replay.origin());
@@ -217,7 +218,7 @@ impl Primitive {
         positions.iter_mut().zip(self.quad_normals.take(count))
     }
 
-    /// Adds the quads of another primitive, which has nothing else, moved to a place.
+    /// Adds the quads of another primitive that has only quads, moved to a place.
     pub(super) fn add_quads(&mut self, other: &Primitive, placement: &DAffine3, origin: DVec3) {
         let start = self.positions.len() as u32;
         let index = self.indices.len() as u32;

@@ -1,15 +1,15 @@
-//! The streams of a file: what it has of each vertex and each triangle, as words.
+//! The streams of a file: its data for each vertex and each triangle, as words.
 
 use std::ops::Range;
 
 use super::binary::Word;
 use super::primitive::{Primitive, Stretch};
 
-/// Appends what a file has of a primitive.
+/// Appends the data of a primitive.
 pub(super) type Stream = fn(&Primitive, &mut Vec<Word>);
 
 impl Primitive {
-    /// The stretches, each with its vertices and the indices of meshes.
+    /// The stretches, each with the ranges of its vertices and of the indices of meshes.
     fn walk(&self) -> impl Iterator<Item = (&Stretch, Range<usize>, Range<usize>)> {
         self.stretches.iter().enumerate().map(|(i, stretch)| {
             let (vertex, index) = match self.stretches.get(i + 1) {
@@ -54,14 +54,14 @@ impl Primitive {
         }
     }
 
-    /// Writes the number of the rule of each vertex.
+    /// Writes the rule number of each vertex.
     pub(super) fn write_rules(&self, to: &mut Vec<Word>) {
         for (stretch, vertices, _) in self.walk() {
             to.extend(std::iter::repeat_n((stretch.rule as f32).to_le_bytes(), vertices.len()));
         }
     }
 
-    /// Writes the texture coordinates of each set after those of the set before.
+    /// Writes the texture coordinates, set after set.
     pub(super) fn write_uvs(&self, to: &mut Vec<Word>) {
         for list in &self.uvs {
             to.extend(list.as_flattened().iter().map(|c| c.to_le_bytes()));

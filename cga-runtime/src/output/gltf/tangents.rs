@@ -1,4 +1,4 @@
-//! Tangents of vertices, for materials with a normal map: without them every reader makes its own.
+//! Tangents of vertices, for materials with a normal map: without them every reader computes its own.
 
 use glam::{Vec2, Vec3};
 
@@ -7,8 +7,8 @@ use super::primitive::Primitive;
 use super::textures::NormalSpace;
 
 impl Primitive {
-    /// Writes the direction in which u grows on the surface at each vertex, and the side to which v grows. Vertices belong to one
-    /// face, so the triangles around a vertex are nearly always in one plane.
+    /// Writes the direction of growing u on the surface at each vertex, and the side of growing v. A vertex belongs
+    /// to one face, so the triangles around it are nearly always in one plane.
     pub(super) fn write_tangents(&self, space: &NormalSpace, to: &mut Vec<Word>) {
         let words = |write: fn(&Primitive, &mut Vec<Word>)| {
             let mut words = Vec::new();
@@ -28,7 +28,7 @@ impl Primitive {
                 Vec2::new(space.rows[0].dot(uv), space.rows[1].dot(uv))
             });
             let ([e, f], [s, t]) = ([b - a, c - a], [q - p, r - p]);
-            // Only directions count, and these change their sign with the area in texture space.
+            // Only directions matter. Their sign is the sign of the area in texture space.
             let turn = (s.x * t.y - t.x * s.y).signum();
             let along = [(e * t.y - f * s.y) * turn, (f * s.x - e * t.x) * turn];
             for &at in triangle {
@@ -45,13 +45,13 @@ impl Primitive {
     }
 }
 
-/// The vector made one long; zero for one that has no direction.
+/// The vector scaled to length one; zero if it has no direction.
 fn unit(v: Vec3) -> Vec3 {
     let scale = v.abs().max_element();
     if 0.0 < scale && scale.is_finite() { (v / scale).normalize() } else { Vec3::ZERO }
 }
 
-/// Any unit vector across a normal.
+/// A unit vector perpendicular to a normal.
 fn across(normal: Vec3) -> Vec3 {
     let axis = if normal.x.abs() < 0.9 { Vec3::X } else { Vec3::Y };
     unit(axis - normal * normal.dot(axis))
@@ -68,7 +68,7 @@ mod tests {
             Primitive { indices: vec![0, 1, 2], normals: vec![[0.0, 0.0, 1.0]; 3], ..Primitive::default() };
         primitive.stretches.push(Stretch { rule: 0, is_quads: false, vertex: 0, index: 0 });
         primitive.positions.extend([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]].into_iter());
-        // Coordinates as the file has them, with v downwards.
+        // Coordinates as in the file, with v downwards.
         for (uvs, wanted) in [
             ([[0.0, 1.0], [1.0, 1.0], [0.0, 0.0]], [1.0, 0.0, 0.0, 1.0]),
             ([[0.0, 1.0], [-1.0, 1.0], [0.0, 0.0]], [-1.0, 0.0, 0.0, -1.0]),

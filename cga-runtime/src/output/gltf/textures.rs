@@ -1,8 +1,9 @@
-//! The textures of a look: which image each map of the format shows, and in which set of coordinates.
+//! The textures of a look: the image of each map of the format, and its set of coordinates.
 //!
-//! The format has five maps (*material attribute*): colour with opacity, roughness with metal, normals, occlusion and emitted light.
-//! Two layers of CGA that share a map of the format share its set and its placement: those of the colour map, or of the roughness
-//! map, where there is one. Bump, dirt and specular maps have no place in the core of the format and are left out.
+//! The format has five maps (*material attribute*): colour with opacity, roughness with metal, normals, occlusion and
+//! emitted light. Two layers of CGA that share a map of the format also share a set and a placement: those of the
+//! colour map, or of the roughness map, if there is one. Bump, dirt and specular maps are left out: the core of the
+//! format has no such maps.
 
 use std::fmt::Write as _;
 
@@ -13,16 +14,16 @@ use crate::material::{Layer, Material};
 use crate::output::number::Short;
 use crate::value::text::Text;
 
-/// An image of the file, by what it is made of.
+/// An image of the file, by its sources.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum ImageKey {
-    /// A file as it is.
+    /// An unchanged file.
     File(Text),
     /// A colour map without its alpha channel.
     Opaque(Text),
     /// A colour map, or white, with the opacity of another image.
     WithOpacity { color: Option<Text>, opacity: Text },
-    /// Roughness in the green and metal in the blue channel; all of it where there is no image.
+    /// Roughness in the green and metal in the blue channel. A missing image counts as 1.
     Metal { roughness: Option<Text>, metallic: Option<Text> },
 }
 
@@ -37,7 +38,7 @@ pub(super) enum Role {
 }
 
 impl Role {
-    /// The member of a material.
+    /// The name of the member in a material.
     pub(super) fn name(self) -> &'static str {
         match self {
             Role::BaseColor => "baseColorTexture",
@@ -48,7 +49,7 @@ impl Role {
         }
     }
 
-    /// True for the members of `pbrMetallicRoughness`.
+    /// Returns true for the members of `pbrMetallicRoughness`.
     pub(super) fn is_pbr(self) -> bool {
         matches!(self, Role::BaseColor | Role::MetallicRoughness)
     }
@@ -59,19 +60,19 @@ impl Role {
 pub(super) struct LookTexture {
     pub(super) role: Role,
     pub(super) image: ImageKey,
-    /// The number of its set among those that the primitive has.
+    /// The number of its set among the sets of the primitive.
     coordinates: usize,
-    /// Offset, rotation and scale of `KHR_texture_transform`, as bits, unless they change nothing.
+    /// Offset, rotation and scale of `KHR_texture_transform`, as bits; `None` for the identity.
     transform: Option<[u32; 5]>,
 }
 
-/// The opacity map of a material, if a mesh with those sets shows it.
+/// The opacity map of a material, if a mesh with the sets `sets` can show it.
 pub(super) fn opacity(material: &Material, sets: SetMask) -> Option<&Text> {
     layer::image(material, Layer::Opacity).filter(|_| layer::set(Layer::Opacity, sets).is_some())
 }
 
-/// The textures that a material shows on a mesh with those sets, and the sets that the mesh needs for them. `is_opaque`: the opacity
-/// map does not count. `metallic`: the factor of the metal map.
+/// The textures of a material on a mesh with the sets `sets`, and the sets that the mesh needs for them. If
+/// `is_opaque`, the opacity map is ignored. `metallic` is the factor of the metal map.
 pub(super) fn textures(
     material: &Material,
     sets: SetMask,
@@ -91,7 +92,7 @@ pub(super) fn textures(
     let metal = match (shown(Layer::Roughness), shown(Layer::Metallic)) {
         (None, None) => None,
         (Some(rough), Some(metal)) if rough == metal => Some((Layer::Roughness, ImageKey::File(rough))),
-        // A factor of 0 takes the metal channel away.
+        // A factor of 0 removes the metal channel.
         (Some(rough), None) if metallic == 0.0 => Some((Layer::Roughness, ImageKey::File(rough))),
         (roughness, metallic) => {
             let layer = if roughness.is_some() { Layer::Roughness } else { Layer::Metallic };
@@ -109,7 +110,7 @@ pub(super) fn textures(
     let all: Vec<_> =
         all.into_iter().filter_map(|(role, map)| map.map(|(layer, image)| (role, layer, image))).collect();
     let used: Vec<usize> = all.iter().filter_map(|(_, layer, _)| layer::set(*layer, sets)).collect();
-    // Set 0 is there in any case: a program may put another texture on.
+    // Set 0 is always written, as a program may add another texture.
     let written = SetMask::of(|set| sets.has(set) && (set == 0 || used.contains(&set)));
     let texture = |(role, layer, image)| LookTexture {
         role,
@@ -120,7 +121,7 @@ pub(super) fn textures(
     (all.into_iter().map(texture).collect(), written)
 }
 
-/// A placement as the extension has it: scaled, turned and moved in coordinates whose v runs downwards.
+/// A placement in the form of the extension: scaled, turned and moved in coordinates with v downwards.
 fn transform(placement: &Placement) -> Option<[u32; 5]> {
     if *placement == Placement::PLAIN {
         return None;
@@ -128,7 +129,7 @@ fn transform(placement: &Placement) -> Option<[u32; 5]> {
     let ((sin, cos), Placement { scale, offset, .. }) = (placement.sin_cos(), *placement);
     let offset = [offset.x - sin * scale.y, 1.0 - cos * scale.y - offset.y];
     let numbers = [offset[0], offset[1], placement.turn.to_radians(), scale.x, scale.y];
-    // Adding 0 takes the sign off −0.
+    // Adding 0 removes the sign of −0.
     Some(numbers.map(|number| (number as f32 + 0.0).to_bits()))
 }
 
@@ -151,12 +152,12 @@ impl LookTexture {
         (self.role == Role::Normal).then_some(NormalSpace { list: self.coordinates, rows })
     }
 
-    /// True if it needs `KHR_texture_transform`.
+    /// Returns true if the texture needs `KHR_texture_transform`.
     pub(super) fn is_transformed(&self) -> bool {
         self.transform.is_some()
     }
 
-    /// The texture as a member of a material, with a comma after it.
+    /// The texture as a member of a material, followed by a comma.
     pub(super) fn write(&self, json: &mut String, index: usize) {
         let _ = write!(json, "\"{}\":{{\"index\":{index}", self.role.name());
         if self.coordinates != 0 {
@@ -183,7 +184,7 @@ mod tests {
         let [x, y, turn, su, sv] =
             transform(&placement).expect("a transform").map(|bits| f64::from(f32::from_bits(bits)));
         for uv in [DVec2::ZERO, DVec2::new(1.0, 0.0), DVec2::new(0.0, 1.0), DVec2::new(-3.0, 0.7)] {
-            // As the extension says, with v downwards.
+            // As in the extension's specification, with v downwards.
             let (u, v) = (su * uv.x, sv * (1.0 - uv.y));
             let (sin, cos) = libm::sincos(turn);
             let [u, v] = [cos * u + sin * v + x, cos * v - sin * u + y];

@@ -1,4 +1,4 @@
-//! The library of materials beside an OBJ file.
+//! The material library of an OBJ file.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -11,7 +11,7 @@ use crate::material::{ColorOf, Layer, Material, MaterialNumber};
 use crate::output::number::Short;
 use crate::value::text::Text;
 
-/// The words for maps. There is none for a dirt map.
+/// The keywords of maps. The format has none for a dirt map.
 const MAPS: [(&str, Layer); 9] = [
     ("map_Kd", Layer::Color),
     ("map_d", Layer::Opacity),
@@ -66,7 +66,8 @@ fn write_map(text: &mut String, material: &Material, key: &str, layer: Layer, pa
     let _ = writeln!(text, " {}", file_name(path));
 }
 
-/// The path of an image in a library, with forward slashes: from the asset folder, or beside the library for a built-in texture.
+/// The path of an image in a library, with forward slashes: relative to the asset folder, or beside the library for a
+/// built-in texture.
 pub(super) fn file_name(name: &str) -> String {
     if let Some(name) = name.strip_prefix("builtin:") {
         let end = if name.ends_with(".png") { "" } else { ".png" };

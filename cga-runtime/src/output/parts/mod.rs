@@ -8,7 +8,7 @@ use std::ops::Range;
 use crate::fault::Error;
 use crate::run::report::Report;
 
-/// The sinks of all stretches, in order, and what the runs report together.
+/// The sinks of all stretches, in order, and the merged report of the runs.
 #[derive(Clone, Debug, Default)]
 pub struct Parts<S> {
     pub(crate) parts: Vec<Part<S>>,
@@ -19,9 +19,9 @@ pub struct Parts<S> {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Part<S> {
-    /// By their place in the list of initial shapes.
+    /// The indices of the shapes in the list.
     pub shapes: Range<usize>,
-    /// With all leaves of these shapes, in order.
+    /// The sink, with all leaves of these shapes, in order.
     pub sink: S,
 }
 
@@ -41,7 +41,7 @@ impl<S> Parts<S> {
         self.parts.len()
     }
 
-    /// True if there was no shape.
+    /// Returns true if there are no parts, as there were no shapes.
     pub fn is_empty(&self) -> bool {
         self.parts.is_empty()
     }
@@ -70,13 +70,13 @@ impl<'a, S> IntoIterator for &'a Parts<S> {
     }
 }
 
-/// An error of one of many runs. `?` turns it into an [`Error`] where a function returns that.
+/// An error of one of many runs. `?` converts it to an [`Error`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ShapeError {
-    /// The place of the initial shape in the list; `None` if the error does not depend on a shape.
+    /// The index of the initial shape in the list; `None` if the error does not depend on a shape.
     pub shape: Option<usize>,
-    /// Why its run ended.
+    /// The reason why its run ended.
     pub error: Error,
 }
 

@@ -1,4 +1,4 @@
-//! Models of many shapes: what a model of all of them would say.
+//! Models of many shapes, with the methods of one model of all shapes.
 
 use crate::geometry::mesh::Bounds;
 use crate::output::model::{LeafView, Model};
@@ -17,7 +17,7 @@ impl Parts<Model> {
         self.sinks().map(|model| model.count(rule)).sum()
     }
 
-    /// The axis-aligned box around all geometry, in the world.
+    /// The axis-aligned bounding box of all geometry, in the world.
     pub fn bounds(&self) -> Bounds {
         self.sinks()
             .map(Model::bounds)
@@ -32,7 +32,7 @@ impl Parts<Model> {
         stats
     }
 
-    /// Hands every leaf to a sink, in order, until it ends the run. The sink is not [finished](Sink::finish).
+    /// Passes every leaf to a sink, in order, until it ends the run. The sink is not [finished](Sink::finish).
     pub fn replay<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         self.sinks().try_for_each(|model| model.replay(sink))
     }

@@ -1,35 +1,35 @@
-//! Where a picture is taken from.
+//! The cameras of pictures.
 
 use glam::DVec3;
 
 use crate::geometry::mesh::Bounds;
 
-/// A camera that looks from a direction and stands as far away as it takes to see everything.
+/// A camera with a direction, at the distance from which everything is in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where the camera stands, in degrees around the model: 0 in front (on the side of +z), 90 to the right (+x).
+    /// The azimuth of the camera in degrees around the model: 0 in front (on the side of +z), 90 to the right (+x).
     pub azimuth: f64,
-    /// How high it stands, in degrees: 0 level with the model, 90 straight above.
+    /// The elevation of the camera in degrees: 0 level with the model, 90 straight above.
     pub elevation: f64,
-    /// How space becomes flat.
+    /// The projection.
     pub projection: Projection,
-    /// What must be in the picture, in the world.
+    /// The region of the world that must be in the picture.
     pub bounds: Bounds,
-    /// Free space around it, as a fraction of the picture's smaller side.
+    /// The free space around it, as a fraction of the picture's smaller side.
     pub margin: f64,
 }
 
-/// Where a picture is taken from.
+/// The viewpoint of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Viewpoint {
-    /// The usual three-quarter view of all of the model: [`Camera::auto`].
+    /// The default three-quarter view of the whole model: [`Camera::auto`].
     #[default]
     Auto,
-    /// All of the model, from a direction in degrees; see [`Camera::azimuth`] and [`Camera::elevation`].
+    /// The whole model, from a direction in degrees; see [`Camera::azimuth`] and [`Camera::elevation`].
     Around {
-        /// Around the model.
+        /// The azimuth.
         azimuth: f64,
-        /// Above it.
+        /// The elevation.
         elevation: f64,
     },
     /// A camera that does not depend on the model.
@@ -47,10 +47,10 @@ impl Viewpoint {
     }
 }
 
-/// How space becomes flat.
+/// A projection from space to the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
-    /// Far things are smaller. The vertical field of view in degrees, above 0 and below 180.
+    /// Distant things are smaller. The number is the vertical field of view in degrees, above 0 and below 180.
     Perspective(f64),
     /// Parallels stay parallel.
     Orthographic,
@@ -59,7 +59,7 @@ pub enum Projection {
 impl Camera {
     /// A three-quarter view from the front right and above that shows all of `bounds`.
     ///
-    /// What is flat and wide, a district, is seen from higher up than a tower.
+    /// A flat, wide model such as a district is seen from higher up than a tower.
     pub fn auto(bounds: Bounds) -> Self {
         let size = bounds.size();
         let flat = size.y < 0.25 * size.x.min(size.z);
@@ -83,14 +83,14 @@ impl Camera {
     }
 }
 
-/// The unit vector towards a place in the sky.
+/// The unit vector in a direction.
 pub(crate) fn direction(azimuth: f64, elevation: f64) -> DVec3 {
     let (a, e) = (azimuth.to_radians(), elevation.to_radians());
     DVec3::new(libm::sin(a) * libm::cos(e), libm::sin(e), libm::cos(a) * libm::cos(e))
 }
 
 /// A camera for a picture of a certain size: maps between the world and pixels. The third coordinate of a projected
-/// point is larger the nearer it is, and linear in the picture over any plane.
+/// point grows with nearness and is linear in the picture over any plane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     pub(crate) eye: DVec3,
@@ -98,12 +98,12 @@ pub(crate) struct View {
     pub(crate) up: DVec3,
     pub(crate) forward: DVec3,
     perspective: bool,
-    /// Pixels a unit: of tangent, or of length.
+    /// Pixels per unit of tangent (perspective) or of length.
     pub(crate) scale: f64,
     centre: (f64, f64),
 }
 
-/// Nearer things are not seen, in units of the distance to the middle of the model.
+/// The nearest visible distance, as a fraction of the distance to the middle of the model.
 const NEAR: f64 = 1e-3;
 
 impl View {
@@ -117,7 +117,8 @@ impl View {
         View::around(camera, (0..8).map(corner), width, height)
     }
 
-    /// A view that shows all of some points within the camera's bounds: closer than the bounds where they leave room.
+    /// A view that shows all given points, which are within the camera's bounds. It is closer than the bounds require
+    /// if possible.
     pub(crate) fn around(camera: &Camera, points: impl Iterator<Item = DVec3>, width: usize, height: usize) -> View {
         let bounds = match camera.bounds.low.cmple(camera.bounds.high).all() && camera.bounds.size().is_finite() {
             true => camera.bounds,
@@ -134,7 +135,7 @@ impl View {
         }
         let (w, h) = (width as f64, height as f64);
         let room = 1.0 - 2.0 * camera.margin.clamp(0.0, 0.4);
-        // Half the free extent in pixels, the margin being the same on all sides.
+        // Half the free extent in pixels. The margin is the same on all sides.
         let border = 0.5 * (1.0 - room) * w.min(h);
         let (half_w, half_h) = ((0.5 * w - border).max(1.0), (0.5 * h - border).max(1.0));
         let most = |of: &dyn Fn(&DVec3) -> f64| local.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
@@ -142,7 +143,7 @@ impl View {
             Projection::Perspective(degrees) => {
                 let scale = 0.5 * h / libm::tan(degrees.clamp(1.0, 170.0).to_radians() * 0.5);
                 let (tx, ty) = (half_w / scale, half_h / scale);
-                // The camera stands where the tightest pair of opposite sides of its pyramid touches the box.
+                // The camera is where the tightest pair of opposite sides of its pyramid touches the box.
                 let (r, l) = (most(&|p| p.x - tx * p.z), most(&|p| -p.x - tx * p.z));
                 let (t, b) = (most(&|p| p.y - ty * p.z), most(&|p| -p.y - ty * p.z));
                 let depth = (-(r + l) / (2.0 * tx)).min(-(t + b) / (2.0 * ty));
@@ -162,17 +163,17 @@ impl View {
         View { eye, right, up, forward, perspective, scale, centre: (0.5 * w, 0.5 * h) }
     }
 
-    /// Distance along the view.
+    /// The distance along the view.
     pub(crate) fn depth(&self, point: DVec3) -> f64 {
         (point - self.eye).dot(self.forward)
     }
 
-    /// What is nearer than this cannot be projected.
+    /// The nearest depth that can be projected.
     pub(crate) fn near(&self, middle: DVec3) -> f64 {
         if self.perspective { NEAR * self.depth(middle).abs().max(1e-9) } else { f64::NEG_INFINITY }
     }
 
-    /// To pixels from the upper left corner, and nearness.
+    /// The pixel coordinates of a point, from the upper left corner, and its nearness.
     #[inline]
     pub(crate) fn project(&self, point: DVec3) -> [f64; 3] {
         let d = point - self.eye;
@@ -181,7 +182,7 @@ impl View {
         [self.centre.0 + k * d.dot(self.right), self.centre.1 - k * d.dot(self.up), q]
     }
 
-    /// From pixels and nearness back to the world.
+    /// The point in the world with these pixel coordinates and nearness.
     #[inline]
     pub(crate) fn unproject(&self, x: f64, y: f64, q: f64) -> DVec3 {
         let (x, y) = ((x - self.centre.0) / self.scale, (self.centre.1 - y) / self.scale);
@@ -191,14 +192,14 @@ impl View {
         }
     }
 
-    /// Whether a surface with that normal is seen from its front.
+    /// Returns true if a surface with that normal shows its front.
     #[inline]
     pub(crate) fn faces(&self, point: DVec3, normal: DVec3) -> bool {
         let look = if self.perspective { point - self.eye } else { self.forward };
         look.dot(normal) <= 0.0
     }
 
-    /// Start and unnormalised direction of the ray through a pixel.
+    /// The start and the unnormalised direction of the ray through a pixel.
     pub(crate) fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         let (x, y) = ((x - self.centre.0) / self.scale, (self.centre.1 - y) / self.scale);
         let aside = self.right * x + self.up * y;

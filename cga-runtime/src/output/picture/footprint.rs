@@ -1,7 +1,8 @@
-//! The paint of a triangle at a sample, with the images on it.
+//! The paint of a triangle at a sample, with its images.
 //!
-//! A point that is seen is known in space, so its texture coordinates follow from its place in the triangle, and need no correction
-//! for the perspective. The points that the neighbours of a sample would show on the same plane tell how much of the image it shows.
+//! A visible point is known in space. So its texture coordinates follow from its place in the triangle, without
+//! correction for the perspective. The points of neighbouring samples on the same plane give the part of the image
+//! that a sample shows.
 
 use glam::{DVec2, DVec3};
 
@@ -15,7 +16,7 @@ use super::texture::Texture;
 struct Footprint {
     /// The point as weights of the second and the third corner of its triangle.
     at: DVec2,
-    /// Towards the samples to the right and below.
+    /// The differences to the samples to the right and below.
     sides: [DVec2; 2],
 }
 
@@ -47,7 +48,7 @@ impl Footprint {
 }
 
 impl Scene {
-    /// The paint of a triangle at a point that a sample shows, with the images on it.
+    /// The paint of a triangle at the point of a sample, with its images.
     pub(super) fn paint_at(&self, triangle: &Triangle, view: &View, sample: [f64; 2], point: DVec3) -> Paint {
         let mut paint = self.paints[triangle.paint as usize];
         let Some(corners) = self.textures.corners.get(triangle.uvs as usize) else { return paint };
@@ -67,7 +68,7 @@ impl Scene {
         paint
     }
 
-    /// The opacity of a triangle on the whole.
+    /// The mean opacity of a triangle.
     pub(super) fn mean_opacity(&self, triangle: &Triangle) -> f32 {
         let paint = &self.paints[triangle.paint as usize];
         match paint.maps.opacity {

@@ -1,6 +1,6 @@
-//! Linear light to sRGB.
+//! Conversion from linear light to sRGB.
 
-/// Linear channels to sRGB bytes, by table.
+/// A table from linear channels to sRGB bytes.
 pub(super) struct Gamma(Vec<u8>);
 
 impl Gamma {

@@ -1,8 +1,8 @@
-//! Sunlight and skylight: how much of each reaches what is seen.
+//! Sunlight and skylight: the share of each that reaches a visible surface.
 //!
-//! The sun and a few dozen lamps that make up the sky each have a map of what they see. Every other sample, as on a
-//! chessboard, asks the sun and some of the lamps, its neighbours the other lamps; averaging over a block of 4×4 samples
-//! on one surface then gives the whole answer without noise.
+//! The sun and a few dozen lamps that make up the sky each have a depth map. Every other sample, as on a chessboard,
+//! tests the sun and some of the lamps, and its neighbours test the other lamps. The average over a block of 4×4
+//! samples on one surface then covers all lamps, without noise.
 
 use glam::DVec3;
 
@@ -11,15 +11,15 @@ use super::raster;
 use super::scene::Scene;
 use super::visible::{GROUND, Layer, SKY};
 
-/// Samples along a side of a block, and those in it that ask.
+/// The samples along a side of a block, and the number of them with tests of their own.
 const BLOCK: usize = 4;
 const CLASSES: usize = BLOCK * BLOCK / 2;
-/// How far a point is moved off its surface before it is looked up, in texels.
+/// The distance, in texels, by which a point is moved off its surface before the look-up.
 const BIAS: f32 = 1.2;
-/// Degrees between lamps that follow each other: the golden angle never comes round to an earlier place.
+/// The degrees between consecutive lamps: with the golden angle, no two lamps are in the same place.
 const GOLDEN: f64 = 137.507_764_050_037_85;
 
-/// What reaches each sample, 0 to 1.
+/// The light that reaches each sample, 0 to 1.
 #[derive(Debug)]
 pub(super) struct Light {
     pub(super) sun: Vec<f32>,
@@ -37,20 +37,21 @@ fn short(v: DVec3) -> V {
     v.to_array().map(|c| c as f32)
 }
 
-/// A lamp far away and what it sees of the scene.
+/// A distant lamp and its depth map of the scene.
 struct Lamp {
     to: V,
-    /// From the scene to texels: a row each for x and y, and what is added.
+    /// The map from the scene to texels: a row each for x and y, and the summand.
     x: (V, f32),
     y: (V, f32),
-    /// Metres a texel.
+    /// The metres per texel.
     texel: f32,
     size: usize,
     near: Vec<f32>,
 }
 
 impl Lamp {
-    /// `half` is half the size of the scene, a box about the origin; `shift` moves the map's grid by a part of a texel.
+    /// A lamp. `half` is half the size of the scene, a box about the origin; `shift` moves the map's grid by a part
+    /// of a texel.
     fn new(casters: &[[V; 3]], half: DVec3, to: DVec3, size: usize, shift: [f64; 2], mut near: Vec<f32>) -> Lamp {
         let right = to.cross(if to.y.abs() < 0.99 { DVec3::Y } else { DVec3::X }).normalize();
         let up = right.cross(to);
@@ -68,23 +69,23 @@ impl Lamp {
         Lamp { to, x, y, texel, size, near }
     }
 
-    /// Whether light comes through at a place of the map.
+    /// The light at a place of the map: 1 or 0.
     #[inline]
     fn open(&self, x: f32, y: f32, near: f32) -> f32 {
         let size = self.size as f32;
-        // Light from beyond the map has met nothing.
+        // Light from outside the map is unobstructed.
         let inside = 0.0 <= x && 0.0 <= y && x < size && y < size;
         if inside && near < self.near[y as usize * self.size + x as usize] { 0.0 } else { 1.0 }
     }
 
-    /// Whether light reaches a point.
+    /// The light that reaches a point: 1 or 0.
     #[inline]
     fn hard(&self, point: V, normal: V) -> f32 {
         let p = [0, 1, 2].map(|i| point[i] + normal[i] * BIAS * self.texel);
         self.open(dot(p, self.x.0) + self.x.1, dot(p, self.y.0) + self.y.1, dot(p, self.to) + 0.5 * self.texel)
     }
 
-    /// The share of light that reaches a point: of the nine texels around it, weighted.
+    /// The share of light that reaches a point: a weighted mean of the nine texels around it.
     #[inline]
     fn soft(&self, point: V, normal: V) -> f32 {
         let p = [0, 1, 2].map(|i| point[i] + normal[i] * BIAS * self.texel);
@@ -98,13 +99,13 @@ impl Lamp {
     }
 }
 
-/// Texels along a side of the map of the sun and of a lamp in the sky: about as fine as the picture.
+/// The texels along a side of the maps of the sun and of a lamp in the sky: about as fine as the picture.
 fn map_sizes(layer: &Layer) -> (usize, usize) {
     let side = layer.width.max(layer.height);
     (side.clamp(256, 2048), (side / 5).clamp(96, 384))
 }
 
-/// Lamps in the sky asked by each sample: fewer for large models, whose detail is finer than what they would add.
+/// The number of sky lamps for each sample: fewer for large models, whose detail hides the difference.
 fn lamps(casters: usize) -> usize {
     match casters {
         0..80_000 => 6,
@@ -113,22 +114,22 @@ fn lamps(casters: usize) -> usize {
     }
 }
 
-/// The lamps of the sky, spread evenly over it.
+/// A lamp of the sky; all lamps are spread evenly.
 fn sky_lamp(index: usize, count: usize) -> DVec3 {
     let y = (index as f64 + 0.5) / count as f64;
     let around = direction(index as f64 * GOLDEN, 0.0) * (1.0 - y * y).sqrt();
     DVec3::new(around.x, y, around.z)
 }
 
-/// Relative brightness of the sky: more above than at the horizon.
+/// The relative brightness of the sky: higher above than at the horizon.
 fn sky_weight(up: f32) -> f32 {
     0.5 + 0.5 * up
 }
 
-/// What is lit is what `layer` shows; `half` is half the size of the scene.
+/// The light on the surfaces visible in `layer`; `half` is half the size of the scene.
 pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun: DVec3) -> Light {
     let mut raw = vec![Raw::default(); layer.seen.len()];
-    // Thin glass casts no shadow worth drawing.
+    // Thin glass casts no visible shadow.
     let casters: Vec<[V; 3]> =
         scene.triangles.iter().filter(|t| 0.6 <= scene.mean_opacity(t)).map(|t| t.corners().map(short)).collect();
     let count = lamps(casters.len());
@@ -136,7 +137,7 @@ pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun:
     let bright = Lamp::new(&casters, half, sun, sun_map, [0.0; 2], Vec::new());
     let mut spare = Vec::new();
     for class in 0..CLASSES {
-        // The grid of each map lies elsewhere, so that their steps do not add up.
+        // The grids of the maps differ, so that their steps do not add up.
         let (column, row) = (class % 2 * 2 + class / 2 % 2, class / 2);
         let shift = [column as f64, row as f64].map(|s| s / BLOCK as f64);
         let sky: Vec<Lamp> = (0..count)
@@ -173,8 +174,8 @@ pub(super) fn light(scene: &Scene, layer: &Layer, view: &View, half: DVec3, sun:
     light
 }
 
-/// What one sample was told: small, since all of them are visited many times. The sky's light is a part of what could
-/// come from its lamps.
+/// The light of one sample. It is small, as all samples are visited many times. The sky's light is a part of the
+/// possible light from its lamps.
 #[derive(Clone, Copy, Default)]
 struct Raw {
     sun: u8,
@@ -200,7 +201,7 @@ impl Sum {
     }
 }
 
-/// The point seen in a sample and the normal there, turned to the viewer.
+/// The visible point in a sample and the normal there, turned to the viewer.
 #[inline]
 pub(super) fn surface(scene: &Scene, layer: &Layer, view: &View, sample: usize) -> Option<(DVec3, DVec3)> {
     let seen = layer.seen[sample];
@@ -214,13 +215,13 @@ pub(super) fn surface(scene: &Scene, layer: &Layer, view: &View, sample: usize) 
     }
     let triangle = &scene.triangles[seen as usize];
     let flat = triangle.normal();
-    // The side that is seen; near a silhouette a smooth normal may look away all the same, and the flat one stands in.
+    // The visible side. Near a silhouette a smooth normal may still look away; the flat one then replaces it.
     let side = if view.faces(point, flat) { 1.0 } else { -1.0 };
     let smooth = scene.normal_at(triangle, point) * side;
     Some((point, if view.faces(point, smooth) { smooth } else { flat * side }))
 }
 
-/// Gathers the answers of a block of samples wherever they belong to one surface.
+/// Averages the light of a block of samples that belong to one surface.
 fn average(scene: &Scene, layer: &Layer, planes: &[u32], raw: &[Raw]) -> Light {
     let (width, height) = (layer.width, layer.height);
     let count = layer.seen.len();
@@ -246,7 +247,7 @@ fn average(scene: &Scene, layer: &Layer, planes: &[u32], raw: &[Raw]) -> Light {
                 }
             }
             if sum.count == 0 {
-                // A surface so thin that none of its samples asked.
+                // A surface so thin that none of its samples has a test.
                 for row in top..top + BLOCK {
                     (row * width + left + (row + left) % 2..)
                         .step_by(2)
@@ -261,8 +262,8 @@ fn average(scene: &Scene, layer: &Layer, planes: &[u32], raw: &[Raw]) -> Light {
     light
 }
 
-/// Evens out the sky's light within each plane, along rows and then columns: the edges of the faint shadows that single
-/// lamps cast go away.
+/// Smooths the sky's light within each plane, along rows and then columns. This removes the edges of the faint
+/// shadows of single lamps.
 fn smooth(layer: &Layer, planes: &[u32], sky: &mut [f32]) {
     let (width, height) = (layer.width, layer.height);
     let radius = height / 120;
@@ -275,7 +276,7 @@ fn smooth(layer: &Layer, planes: &[u32], sky: &mut [f32]) {
     }
 }
 
-/// One row or column: where it starts, how far it is from sample to sample, and how many there are.
+/// Smooths one row or column: `start` is its first sample, `step` the distance between samples, `count` their number.
 fn smooth_line(
     planes: &[u32],
     sky: &mut [f32],
@@ -307,7 +308,7 @@ fn smooth_line(
     }
 }
 
-/// Whether two samples that are not in one plane still belong to one smooth surface.
+/// Returns true if two samples in different planes still belong to one smooth surface.
 #[inline]
 fn alike(scene: &Scene, layer: &Layer, a: usize, b: usize) -> bool {
     if !scene.round {

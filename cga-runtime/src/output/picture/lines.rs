@@ -1,14 +1,14 @@
 //! Thin dark lines along silhouettes and creases.
 //!
-//! Nearness is linear in the picture over a plane: where its second difference is not zero there is a crease or a
-//! step. Normals tell the strength of creases.
+//! Nearness is linear in the picture over a plane. Where its second difference is not zero there is a crease or a
+//! step. Normals give the strength of creases.
 
 use glam::DVec3;
 
 use super::scene::Scene;
 use super::visible::{GROUND, Layer, SKY};
 
-/// For each sample how much of a line there is, 0 to 1.
+/// The strength of the line at each sample, 0 to 1.
 pub(super) fn lines(scene: &Scene, layer: &Layer, leaves: bool) -> Vec<f32> {
     let (width, height) = (layer.width, layer.height);
     let mut dark = vec![0.0f32; width * height];
@@ -32,7 +32,7 @@ pub(super) fn lines(scene: &Scene, layer: &Layer, leaves: bool) -> Vec<f32> {
                         strength(scene, layer, a, b, before, after)
                     }
                 };
-                // The line lies on the nearer side, where the edge is.
+                // The line is on the nearer side, where the edge is.
                 let near = if layer.near[a] < layer.near[b] { b } else { a };
                 let far = if near == a { b } else { a };
                 dark[near] = dark[near].max(strength);
@@ -57,7 +57,7 @@ fn normal(scene: &Scene, seen: u32) -> Option<DVec3> {
 
 fn strength(scene: &Scene, layer: &Layer, a: usize, b: usize, before: Option<usize>, after: Option<usize>) -> f32 {
     let (Some(na), Some(nb)) = (normal(scene, layer.seen[a]), normal(scene, layer.seen[b])) else { return 1.0 };
-    // A step: the surface on either side, carried on, does not meet the other.
+    // A step: neither surface, extended, meets the other.
     let (qa, qb) = (layer.near[a], layer.near[b]);
     let gap = |from: usize, side: Option<usize>, other: f32| match side {
         Some(side) if layer.seen[side] == layer.seen[from] => (2.0 * layer.near[from] - layer.near[side] - other).abs(),
@@ -65,7 +65,7 @@ fn strength(scene: &Scene, layer: &Layer, a: usize, b: usize, before: Option<usi
     };
     let step = gap(a, before, qb).min(gap(b, after, qa)) / qa.abs().max(qb.abs()).max(1e-12);
     let step = (step * 800.0 - 0.4).clamp(0.0, 1.0);
-    // A crease: surfaces that meet at an angle. Facets of something round do not count.
+    // A crease: surfaces that meet at an angle. The facets of a round surface do not count.
     let crease = ((0.94 - na.dot(nb).abs()) * 4.0).clamp(0.0, 1.0) as f32;
     step.max(0.75 * crease)
 }

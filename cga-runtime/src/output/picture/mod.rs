@@ -8,13 +8,13 @@
 //! println!("{} pixels", image.rgba.len() / 4);
 //! ```
 //!
-//! Sun, a soft sky and light from the ground; a ground that catches shadows; thin lines along edges. The same model
-//! gives the same bytes on every machine.
+//! A picture has sun, a soft sky and light from the ground, a ground that catches shadows, and thin lines along
+//! edges. The same model gives the same bytes on every machine.
 //!
-//! Faces with texture coordinates show the colour map of their material, and are as transparent as its opacity map: by degrees, or
-//! all or nothing where the mode is `mask`. Files are found in the assets of the model ([`Model::with_assets`]); without an asset
-//! folder faces have the colour of their material. Of several transparent
-//! surfaces behind each other the nearest is seen. Other maps are not drawn.
+//! Faces with texture coordinates show the colour map of their material. Their opacity map makes them transparent: by
+//! degrees, or fully or not at all if the mode is `mask`. Files are found in the assets of the model
+//! ([`Model::with_assets`]). Without an asset folder faces have the colour of their material. If several transparent
+//! surfaces overlap, the nearest is drawn. Other maps are not drawn.
 
 pub(crate) mod camera;
 mod footprint;
@@ -42,26 +42,26 @@ use self::shade::{Shader, display};
 use crate::geometry::mesh::Bounds;
 use crate::output::model::Model;
 
-/// How a picture is taken.
+/// The settings of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// In pixels.
+    /// The width in pixels.
     pub width: usize,
-    /// In pixels.
+    /// The height in pixels.
     pub height: usize,
-    /// Where from.
+    /// The viewpoint.
     pub view: Viewpoint,
-    /// Whether there is a ground that catches shadows, at the model's lowest point.
+    /// True for a ground that catches shadows, at the model's lowest point.
     pub ground: bool,
-    /// Which lines are drawn.
+    /// The lines that are drawn.
     pub lines: Lines,
-    /// Samples along a side of each pixel, 1 to 4.
+    /// The samples along a side of each pixel, 1 to 4.
     pub samples: usize,
-    /// Where the sun is, in degrees around the model, counted from the camera: −60 is to the left of the viewer.
+    /// The azimuth of the sun in degrees around the model, relative to the camera: −60 is to the left of the viewer.
     pub sun_azimuth: f64,
-    /// How high the sun is, in degrees.
+    /// The elevation of the sun, in degrees.
     pub sun_elevation: f64,
-    /// Colours of light and surroundings.
+    /// The colours of light and surroundings.
     pub style: Style,
 }
 
@@ -69,21 +69,21 @@ impl Model {
     /// Writes a picture of 1200 by 900 pixels as a PNG file; see [`Picture`] for others.
     ///
     /// # Errors
-    /// What the file system says.
+    /// Errors of the file system.
     #[cfg(feature = "png")]
     pub fn write_png(&self, path: impl AsRef<std::path::Path>) -> Result<(), crate::output::error::WriteError> {
         Picture::new(1200, 900).render(self).write_png(path)
     }
 }
 
-/// Which lines are drawn.
+/// The lines that are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lines {
-    /// None.
+    /// No lines.
     None,
     /// Silhouettes and creases.
     Edges,
-    /// Those and the borders between leaves that lie in one plane.
+    /// Silhouettes, creases, and the borders between leaves in one plane.
     Leaves,
 }
 
@@ -94,7 +94,7 @@ pub struct Style {
     pub sun: [f32; 3],
     /// Skylight on a roof that sees all of the sky.
     pub sky: [f32; 3],
-    /// Light from the ground on a surface that looks down.
+    /// Light from the ground on a surface that faces down.
     pub bounce: [f32; 3],
     /// The backdrop at the top and near the bottom.
     pub backdrop: [[f32; 3]; 2],
@@ -102,9 +102,9 @@ pub struct Style {
     pub ground: [f32; 3],
     /// The lines.
     pub line: [f32; 3],
-    /// How opaque the lines are, 0 to 1.
+    /// The opacity of the lines, 0 to 1.
     pub line_opacity: f32,
-    /// What white surfaces give back of the light, 0 to 1.
+    /// The share of light that white surfaces reflect, 0 to 1.
     pub albedo: f32,
 }
 
@@ -124,7 +124,7 @@ impl Default for Style {
 }
 
 impl Picture {
-    /// A picture of that many pixels with everything else as it usually is.
+    /// A picture of that size, with default settings.
     pub fn new(width: usize, height: usize) -> Self {
         Picture {
             width,
@@ -144,7 +144,7 @@ impl Picture {
         Picture { view: Viewpoint::Camera(camera), ..self }
     }
 
-    /// Takes the picture from a direction, in degrees (see [`Camera`]), with all of the model in it.
+    /// Takes the picture from a direction, in degrees (see [`Camera`]), with the whole model in it.
     pub fn looking_from(self, azimuth: f64, elevation: f64) -> Self {
         Picture { view: Viewpoint::Around { azimuth, elevation }, ..self }
     }
@@ -157,7 +157,7 @@ impl Picture {
         let camera = self.view.camera(bounds);
         let samples = self.samples.clamp(1, 4);
         let (width, height) = (self.width * samples, self.height * samples);
-        // The scene is drawn about its centre; the camera goes along.
+        // The scene is drawn relative to its centre, and so is the camera.
         let moved = |point: DVec3| point - scene.centre;
         let local = Bounds { low: moved(camera.bounds.low), high: moved(camera.bounds.high) };
         let camera = Camera { bounds: local, ..camera };
@@ -192,7 +192,7 @@ impl Picture {
         self.filtered(width, samples, color)
     }
 
-    /// Samples averaged to pixels, in linear light.
+    /// Averages samples to pixels, in linear light.
     fn filtered(&self, width: usize, samples: usize, color: impl Fn(usize) -> [f32; 3]) -> Image {
         let mut image = Image::filled(self.width, self.height, [0, 0, 0, 255]);
         let gamma = Gamma::new();

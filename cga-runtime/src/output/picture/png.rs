@@ -7,10 +7,10 @@ use crate::asset::image::Image;
 use crate::output::error::WriteError;
 
 impl Image {
-    /// The picture as the bytes of a PNG file.
+    /// The image as the bytes of a PNG file.
     ///
     /// # Errors
-    /// [`WriteError::TooLarge`] for more pixels along a side than the format can count.
+    /// [`WriteError::TooLarge`] for more pixels along a side than the format allows.
     pub fn to_png(&self) -> Result<Vec<u8>, WriteError> {
         let side = |pixels: usize| {
             u32::try_from(pixels)
@@ -28,10 +28,10 @@ impl Image {
         Ok(bytes)
     }
 
-    /// Writes the picture as a PNG file.
+    /// Writes the image as a PNG file.
     ///
     /// # Errors
-    /// As [`Image::to_png`], and what the file system says.
+    /// As [`Image::to_png`], and errors of the file system.
     pub fn write_png(&self, path: impl AsRef<Path>) -> Result<(), WriteError> {
         Ok(std::fs::File::create(path)?.write_all(&self.to_png()?)?)
     }

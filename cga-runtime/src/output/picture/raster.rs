@@ -1,14 +1,14 @@
-//! Triangles to pixels.
+//! Rasterisation of triangles.
 
-/// Corners are moved to multiples of this part of a pixel. Edge functions are then exact in `f64`, so triangles that
-/// share an edge share no pixel and leave none out.
+/// Corners are rounded to multiples of `1 / GRID` pixels. Edge functions are then exact in `f64`, so triangles that share
+/// an edge neither share nor omit a pixel.
 const GRID: f64 = 256.0;
 
-/// Calls `put` with index and nearness of each pixel whose centre lies in a triangle. Corners are x, y in pixels from
-/// the upper left and a third number that is interpolated. Either winding.
+/// Calls `put` with index and nearness of each pixel whose centre is in a triangle. Corners have x and y in pixels
+/// from the upper left and a third number that is interpolated. Both windings are allowed.
 #[inline]
 pub(super) fn triangle(corners: [[f64; 3]; 3], width: usize, height: usize, mut put: impl FnMut(usize, f64)) {
-    // Far outside the picture products would no longer be exact, and nothing of interest is there.
+    // Far outside the picture, products would no longer be exact; nothing there is visible.
     const FAR: f64 = 1e6;
     if corners.iter().any(|p| !(p[0].abs() < FAR && p[1].abs() < FAR)) {
         return;
@@ -31,7 +31,7 @@ pub(super) fn triangle(corners: [[f64; 3]; 3], width: usize, height: usize, mut 
     if x1 <= x0 || y1 <= y0 {
         return;
     }
-    // Inside is where all three are positive, or zero for an edge on the left or the top.
+    // A pixel is inside if all three are positive, or zero for an edge on the left or the top.
     let edge = |p: [f64; 3], q: [f64; 3]| {
         let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
         let owned = dy < 0.0 || (dy == 0.0 && 0.0 < dx);
@@ -56,7 +56,7 @@ pub(super) fn triangle(corners: [[f64; 3]; 3], width: usize, height: usize, mut 
                 }
                 continue;
             }
-            // The division may be off in the last place: the edge function itself decides between neighbours.
+            // The division may be off in the last digit; the edge function decides between neighbours.
             let at = (-value / along).clamp(-1.0, columns + 1.0);
             if 0.0 < along {
                 let mut x = at.ceil();
@@ -82,14 +82,14 @@ pub(super) fn triangle(corners: [[f64; 3]; 3], width: usize, height: usize, mut 
         let row = y * width + x0;
         let q_row = q0 + qy * dy;
         for x in from as usize..to as usize {
-            // Slivers have steep slopes; no pixel is nearer or farther than the corners.
+            // Slivers have steep slopes, but a pixel is never nearer or farther than all corners.
             put(row + x, (q_row + qx * x as f64).clamp(q_low, q_high));
         }
     }
 }
 
-/// Raises the texels of a map, `width` a row, to a triangle. Faster than [`triangle`] and without its promises: for maps
-/// of light, where a missing or doubled texel does not show. Corners must lie inside the map.
+/// Raises the texels of a map, `width` in a row, to a triangle. Faster than [`triangle`] but not exact: it is for
+/// depth maps of lights, where a missing or doubled texel does not show. Corners must be inside the map.
 #[inline]
 pub(super) fn raise([a, b, c]: [[f32; 3]; 3], width: usize, map: &mut [f32]) {
     let (y_low, y_high) = (a[1].min(b[1]).min(c[1]), a[1].max(b[1]).max(c[1]));
@@ -127,7 +127,7 @@ pub(super) fn raise([a, b, c]: [[f32; 3]; 3], width: usize, map: &mut [f32]) {
         let q = a[2] + (at - a[1]) * qy + (first as f32 + 0.5 - a[0]) * qx;
         let Some(row) = map.get_mut(y * width + first..y * width + last) else { continue };
         for (i, texel) in row.iter_mut().enumerate() {
-            // Written so that it becomes a minimum and two maxima without a branch.
+            // This form compiles to a minimum and two maxima without a branch.
             let q = q + i as i32 as f32 * qx;
             let q = if q < q_high { q } else { q_high };
             let q = if q_low < q { q } else { q_low };
@@ -152,7 +152,7 @@ mod tests {
                 state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
                 ((state >> 33) % 65) as f64 * 0.25
             };
-            // Inside, on edges, on pixel centres: the point common to the four is anywhere.
+            // The point common to the four may be inside, on edges, or on pixel centres.
             let m = [random(), random()];
             let corners = [[0.0, 0.0], [16.0, 0.0], [16.0, 16.0], [0.0, 16.0]];
             let mut hits = [0; 256];

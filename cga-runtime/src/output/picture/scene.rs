@@ -23,20 +23,20 @@ use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
 pub(super) struct Triangle {
     corners: [[f32; 3]; 3],
     normal: [f32; 3],
-    /// Counts in [`Scene::paints`].
+    /// The index in [`Scene::paints`].
     pub(super) paint: u32,
-    /// The same for all triangles in one plane.
+    /// The plane, equal for all triangles in one plane.
     pub(super) plane: u32,
     pub(super) leaf: u32,
-    /// Counts in the scene's smooth normals; [`FLAT`] for flat ones.
+    /// The index in the scene's smooth normals; [`FLAT`] for flat triangles.
     smooth: u32,
-    /// Counts in the places of corners in images; [`PLAIN`] without texture coordinates.
+    /// The index of the corners' places in images; [`PLAIN`] without texture coordinates.
     pub(super) uvs: u32,
 }
 
 const FLAT: u32 = u32::MAX;
 
-/// A material in numbers; colours are linear light.
+/// The numbers of a material; colours are linear light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Paint {
     pub(super) color: [f32; 3],
@@ -52,13 +52,13 @@ pub(super) struct Scene {
     pub(super) triangles: Vec<Triangle>,
     pub(super) paints: Vec<Paint>,
     pub(super) textures: Textures,
-    /// Whether there may be facets that stand for something round.
+    /// True if facets may represent round surfaces.
     pub(super) round: bool,
     smooth: Vec<[[f32; 3]; 3]>,
     table: Table,
-    /// Only ever asked, never walked.
+    /// Only for look-ups, never iterated.
     planes: HashMap<[i64; 4], u32>,
-    /// Coordinates closer than this are one plane's.
+    /// Coordinates closer than this belong to one plane.
     grain: f64,
     leaves: u32,
     flattener: Flattener,
@@ -100,7 +100,7 @@ impl Scene {
         }
     }
 
-    /// The normal at a point of a triangle, in the scene's coordinates; smooth ones are interpolated.
+    /// The normal at a point of a triangle, in the scene's coordinates. Smooth normals are interpolated.
     pub(super) fn normal_at(&self, triangle: &Triangle, point: DVec3) -> DVec3 {
         if triangle.smooth == FLAT {
             return triangle.normal();
@@ -115,7 +115,7 @@ impl Scene {
     }
 
     fn paint(&mut self, id: u32) -> u32 {
-        // Materials are numbered as they come, and so are paints.
+        // Materials are numbered in the order of their first use, and so are paints.
         for known in self.paints.len()..self.table.materials().len() {
             let material = &self.table.materials()[known];
             self.paints.push(paint(material, self.textures.maps(material)));
@@ -136,7 +136,7 @@ impl Scene {
         let plane = self.plane(first, normal);
         for triangle in triangles {
             let corners = triangle.map(|i| short(corners[i as usize]));
-            // What is not finite cannot be drawn.
+            // Coordinates that are not finite cannot be drawn.
             if corners.as_flattened().iter().all(|c| c.is_finite()) {
                 let leaf = self.leaves;
                 self.triangles.push(Triangle {
@@ -215,7 +215,7 @@ impl Sink for Scene {
             corners.extend(face.corners.clone().map(place));
             let first = self.triangles.len();
             self.flat(&corners, face.triangles, face.normal, paint);
-            // As many as there are triangles unless some were not finite; those have no normals and no coordinates either.
+            // One for each triangle, unless some were not finite. Then these have neither normals nor coordinates.
             if self.triangles.len() - first != face.triangles.len() {
                 return true;
             }

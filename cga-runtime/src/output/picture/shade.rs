@@ -1,4 +1,4 @@
-//! Light and surface to colour.
+//! Colours from light and surface.
 
 use glam::DVec3;
 
@@ -11,14 +11,14 @@ use super::visible::{GROUND, Layer, SKY};
 /// Linear red, green, blue.
 pub(super) type Rgb = [f32; 3];
 
-/// Everything that colours depend on.
+/// The data that colours depend on.
 pub(super) struct Shader<'a> {
     pub(super) scene: &'a Scene,
     pub(super) view: &'a View,
     pub(super) style: &'a Style,
-    /// To the sun.
+    /// The direction to the sun.
     pub(super) sun: DVec3,
-    /// Radius of the model, seen from above.
+    /// The radius of the model, seen from above.
     pub(super) radius: f64,
     pub(super) ground: f64,
 }
@@ -40,7 +40,7 @@ fn smooth(low: f64, high: f64, value: f64) -> f32 {
     (t * t * (3.0 - 2.0 * t)) as f32
 }
 
-/// Corners a little darker than they are: it makes small things stand out.
+/// Skylight with darker corners, which makes small details visible.
 fn deepened(sky: f32) -> f32 {
     0.05 + 0.95 * sky * (0.55 + 0.45 * sky)
 }
@@ -67,12 +67,12 @@ impl Shader<'_> {
         }
     }
 
-    /// The colour of a sample of the transparent layer over what is behind it.
+    /// The colour of a sample of the transparent layer over the colour behind it.
     pub(super) fn clear(&self, layer: &Layer, light: &Light, sample: usize, behind: Rgb) -> Rgb {
         let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return behind };
         let Some(triangle) = self.scene.triangles.get(layer.seen[sample] as usize) else { return behind };
         let paint = self.scene.paint_at(triangle, self.view, layer.place(sample), point);
-        // Shadows on glass are those on what is behind it: near enough, and hardly seen.
+        // Glass takes the shadows of the surface behind it: a good approximation, and hardly visible.
         let lit = self.lit(&paint, point, normal, light.sun[sample], light.sky[sample]);
         if paint.maps.has_opacity() {
             return mix(behind, lit, paint.opacity);
@@ -82,7 +82,7 @@ impl Shader<'_> {
         mix(mix(behind, lit, paint.opacity), mirror, share * (1.0 - paint.opacity))
     }
 
-    /// The ground is the backdrop itself, darker where less light falls: it has no edge and no horizon.
+    /// The colour of the ground: the backdrop, darker where less light falls. It has no edge and no horizon.
     fn ground(&self, backdrop: Rgb, point: DVec3, sun: f32, sky: f32) -> Rgb {
         let style = self.style;
         let slope = self.sun.y as f32;
@@ -99,13 +99,13 @@ impl Shader<'_> {
         let style = self.style;
         let sun_share = normal.dot(self.sun).max(0.0) as f32 * sun;
         let up = (0.5 + 0.5 * normal.y) as f32;
-        // The lower half of the surroundings is ground, lit by the sun; close to it there is more of it.
+        // The lower half of the surroundings is ground, lit by the sun. Its share is larger close to the ground.
         let height = (point.y - self.ground).max(0.0) / self.radius.max(1e-9);
         let bounce = (1.0 - up) * (1.0 - 0.35 * smooth(0.0, 2.0, height));
         let open = deepened(sky);
         let mut arriving = [0.0; 3];
         for (i, arriving) in arriving.iter_mut().enumerate() {
-            // White surroundings brighten each other's shade: more so the brighter the surface.
+            // White surroundings brighten each other's shade, and brighter surfaces more so.
             let brighter = open + (1.0 - open) * 0.35 * paint.color[i] * open;
             *arriving = style.sun[i] * sun_share + style.sky[i] * up * brighter + style.bounce[i] * bounce * brighter;
         }
@@ -118,7 +118,7 @@ impl Shader<'_> {
         plus(diffuse, times(mirror, tint), share * (0.35 + 0.65 * sky))
     }
 
-    /// What a surface mirrors and how much of it.
+    /// The mirrored colour of a surface and its share.
     fn reflection(&self, paint: &Paint, point: DVec3, normal: DVec3) -> (Rgb, f32) {
         if paint.gloss == 0.0 && paint.metallic == 0.0 {
             return ([0.0; 3], 0.0);
@@ -138,7 +138,7 @@ impl Shader<'_> {
     }
 }
 
-/// Linear light to an sRGB byte, with a shoulder so that bright surfaces keep their colour.
+/// Compresses bright linear light, so that bright surfaces keep their colour.
 pub(super) fn display(color: Rgb) -> [f32; 3] {
     color.map(|c| {
         let knee = 0.8;

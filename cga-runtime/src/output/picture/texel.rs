@@ -17,16 +17,16 @@ use crate::value::text::Text;
 pub(super) struct Textures {
     assets: Option<Arc<Assets>>,
     pub(super) list: Vec<Texture>,
-    /// By name and use: as colour or as opacity. Only ever asked, never walked.
+    /// The textures by name and use, colour or opacity. Only for look-ups, never iterated.
     by_name: HashMap<(Text, bool), Option<u32>>,
-    /// Places in images of the corners of triangles.
+    /// The places of triangles' corners in images.
     pub(super) corners: Vec<[Option<Corners>; 2]>,
 }
 
-/// The places of the corners of a triangle in an image, near 0: an image repeats.
+/// The places of a triangle's corners in an image, moved near 0, as an image repeats.
 pub(super) type Corners = [[f32; 2]; 3];
 
-/// No texture coordinates.
+/// The mark of a triangle without texture coordinates.
 pub(super) const PLAIN: u32 = u32::MAX;
 
 /// An image on a layer of a material.
@@ -37,15 +37,15 @@ pub(super) struct Map {
     placement: PlacementMap,
 }
 
-/// How an opacity map counts.
+/// The effect of an opacity map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Alpha {
     Blend,
-    /// All or nothing, from this opacity on.
+    /// Opaque from this opacity on, otherwise invisible.
     Mask(f32),
 }
 
-/// The images of a material that pictures show.
+/// The images of a material in pictures.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Maps {
     pub(super) color: Option<Map>,
@@ -94,7 +94,8 @@ impl Textures {
         texture
     }
 
-    /// Keeps the places of the corners of a triangle; gives their number. `uv` gives the coordinates of a corner in a set.
+    /// Keeps the places of a triangle's corners and returns their index. `uv` returns the coordinates of a corner in
+    /// a set.
     pub(super) fn add(
         &mut self,
         maps: &Maps,
@@ -118,7 +119,7 @@ impl Textures {
 }
 
 impl Maps {
-    /// True if an opacity map may make parts of a surface transparent.
+    /// Returns true if an opacity map may make parts of a surface transparent.
     pub(super) fn has_opacity(&self) -> bool {
         self.opacity.is_some()
     }

@@ -1,4 +1,4 @@
-//! Images on surfaces: smaller copies of each, and colours between their pixels.
+//! Images on surfaces: smaller copies of each, and interpolation between pixels.
 
 use glam::DVec2;
 
@@ -6,7 +6,7 @@ use super::Image;
 use super::gamma::Gamma;
 use crate::output::number::linear;
 
-/// An image and its smaller copies, each half as wide and high as the one before, down to one pixel.
+/// An image and its smaller copies, each half as wide and high as the last, down to one pixel.
 #[derive(Debug)]
 pub(super) struct Texture {
     levels: Vec<Image>,
@@ -15,7 +15,7 @@ pub(super) struct Texture {
 /// A texel: linear red, green and blue, and opacity.
 pub(super) type Texel = [f32; 4];
 
-/// Places that are averaged along the longer side of what a sample shows of an image, at most.
+/// The largest number of places that are averaged along the longer side of a sample's part of an image.
 const MOST_TAPS: f64 = 16.0;
 
 /// Linear channels of sRGB bytes.
@@ -44,15 +44,16 @@ impl Texture {
         Texture { levels }
     }
 
-    /// The colour and opacity of the whole image.
+    /// The mean colour and opacity of the image.
     pub(super) fn mean(&self) -> Texel {
         self.levels.last().and_then(|last| last.pixel(0, 0)).map_or([1.0; 4], texel)
     }
 
-    /// The colour of a part of the image that repeats without end: a parallelogram about a place, with two sides. v runs upwards.
+    /// The mean colour of a parallelogram in the endlessly repeated image, given by its centre and two sides. v runs
+    /// upwards.
     ///
-    /// Smaller copies are used for its shorter side, and several places are averaged along the longer one, so that surfaces seen at
-    /// an angle are neither blurred nor grainy.
+    /// The shorter side selects a smaller copy, and several places are averaged along the longer one. So surfaces
+    /// seen at an angle are neither blurred nor grainy.
     pub(super) fn sample(&self, at: DVec2, sides: [DVec2; 2]) -> Texel {
         let own = &self.levels[0];
         let size = DVec2::new(own.width as f64, own.height as f64);
@@ -86,7 +87,7 @@ impl Texture {
     }
 }
 
-/// The colour between four pixels.
+/// The colour interpolated between four pixels.
 fn between_pixels(image: &Image, at: DVec2) -> Texel {
     let place = |coordinate: f64, size: usize| {
         let place = (coordinate - libm::floor(coordinate)) * size as f64 - 0.5;
@@ -104,7 +105,7 @@ fn between_pixels(image: &Image, at: DVec2) -> Texel {
     })
 }
 
-/// The image at half its size: of an odd row or column the last pixel counts with the one before.
+/// The image at half its size. At an odd size the last row or column is used twice.
 fn halved(image: &Image, gamma: &Gamma) -> Image {
     let (width, height) = (image.width.div_ceil(2), image.height.div_ceil(2));
     let mut rgba = Vec::with_capacity(4 * width * height);
@@ -142,7 +143,7 @@ mod tests {
         let none = [DVec2::ZERO; 2];
         assert_eq!(texture.sample(centre(0.0, 0.0), none), [1.0; 4]);
         assert_eq!(texture.sample(centre(1.0, 0.0), none), [0.0, 0.0, 0.0, 1.0]);
-        // It repeats.
+        // The image repeats.
         assert_eq!(texture.sample(centre(-7.0, 24.0), none), [0.0, 0.0, 0.0, 1.0]);
         let far = texture.sample(DVec2::new(0.3, 0.4), [DVec2::X * 5.0, DVec2::Y * 5.0]);
         assert!((far[0] - 0.5).abs() < 0.01, "{far:?}");

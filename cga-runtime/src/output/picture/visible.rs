@@ -1,4 +1,4 @@
-//! What is seen in each sample of a picture.
+//! The visible surface in each sample of a picture.
 
 use glam::DVec3;
 
@@ -7,9 +7,9 @@ use super::raster;
 use super::scene::Scene;
 use super::texel::PLAIN;
 
-/// Nothing but background.
+/// The mark of the background.
 pub(super) const SKY: u32 = u32::MAX;
-/// The ground plane.
+/// The mark of the ground plane.
 pub(super) const GROUND: u32 = u32::MAX - 1;
 
 /// One layer of samples, row by row from the upper left.
@@ -17,9 +17,9 @@ pub(super) const GROUND: u32 = u32::MAX - 1;
 pub(super) struct Layer {
     pub(super) width: usize,
     pub(super) height: usize,
-    /// Larger is nearer; see [`View::project`].
+    /// The nearness of each sample; see [`View::project`].
     pub(super) near: Vec<f32>,
-    /// Triangles, or [`SKY`] or [`GROUND`].
+    /// The triangle of each sample, or [`SKY`] or [`GROUND`].
     pub(super) seen: Vec<u32>,
 }
 
@@ -29,18 +29,19 @@ impl Layer {
         Layer { width, height, near: vec![f32::NEG_INFINITY; count], seen: vec![SKY; count] }
     }
 
-    /// The middle of a sample, from the upper left.
+    /// The middle of a sample, from the upper left corner of the picture.
     pub(super) fn place(&self, sample: usize) -> [f64; 2] {
         [(sample % self.width) as f64 + 0.5, (sample / self.width) as f64 + 0.5]
     }
 
-    /// The plane of each sample: samples with the same one lie in one plane.
+    /// The plane of each sample: samples in one plane have equal numbers.
     pub(super) fn planes(&self, scene: &Scene) -> Vec<u32> {
         self.seen.iter().map(|&seen| scene.triangles.get(seen as usize).map_or(seen, |t| t.plane)).collect()
     }
 }
 
-/// The opaque triangles, and if there are any the nearest transparent ones in front of them.
+/// The layer of opaque triangles, and if there are any, the layer of the nearest transparent triangles in front of
+/// it.
 pub(super) fn layers(scene: &Scene, view: &View, width: usize, height: usize) -> (Layer, Option<Layer>) {
     let mut opaque = Layer::new(width, height);
     draw(scene, view, &mut opaque, |opacity| OPAQUE <= opacity);
@@ -57,8 +58,8 @@ pub(super) fn layers(scene: &Scene, view: &View, width: usize, height: usize) ->
     (opaque, Some(clear))
 }
 
-/// From this opacity on nothing is seen behind a surface, and below the other the surface itself is not seen: images are rarely
-/// exact.
+/// From `OPAQUE` on, a surface hides everything behind it. Below `CLEAR`, the surface itself is invisible. Images are
+/// rarely exact.
 const OPAQUE: f32 = 0.995;
 const CLEAR: f32 = 0.005;
 
@@ -72,7 +73,7 @@ fn draw(scene: &Scene, view: &View, layer: &mut Layer, wanted: impl Fn(f32) -> b
             continue;
         }
         let corners = triangle.corners();
-        // Of two faces back to back the one that looks this way is seen.
+        // Of two faces back to back, the one that faces the viewer is drawn.
         let away = 0.0 < (corners[0] - view.eye).dot(triangle.normal());
         let mut put = |corners: [DVec3; 3]| {
             raster::triangle(corners.map(|p| view.project(p)), width, height, |at, near| {
@@ -105,7 +106,7 @@ fn clipped(corners: [DVec3; 3], inside: impl Fn(DVec3) -> f64, mut put: impl FnM
             kept.push(a);
         }
         if (0.0 < da) != (0.0 < db) {
-            // A little inside, so that what divides by the distance stays finite.
+            // A little inside, so that divisions by the distance stay finite.
             kept.push(a.lerp(b, da / (da - db)));
         }
     }
@@ -114,7 +115,7 @@ fn clipped(corners: [DVec3; 3], inside: impl Fn(DVec3) -> f64, mut put: impl FnM
     }
 }
 
-/// Adds a horizontal ground wherever nothing else is seen. Nothing, when the camera is not above it.
+/// Adds a horizontal ground to all samples without a surface, if the camera is above it.
 pub(super) fn ground(layer: &mut Layer, view: &View, height: f64) {
     for sample in 0..layer.seen.len() {
         if layer.seen[sample] != SKY {

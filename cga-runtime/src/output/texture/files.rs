@@ -1,4 +1,4 @@
-//! The folder in which the images of a model are found.
+//! The source of a model's images.
 
 use std::fmt;
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use crate::asset::Assets;
 pub(crate) struct Files(Option<Arc<Assets>>);
 
 impl Files {
-    /// Those assets.
+    /// The given assets.
     pub(crate) fn of(assets: Arc<Assets>) -> Self {
         Files(Some(assets))
     }
@@ -22,7 +22,7 @@ impl Files {
 }
 
 impl fmt::Debug for Files {
-    /// Writes only that there are assets: the files that they have read so far tell nothing about a model.
+    /// Writes only that there are assets: the files read so far are irrelevant for a model.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(if self.0.is_some() { "Assets" } else { "None" })
     }

@@ -1,21 +1,21 @@
-//! The texture coordinates of a list of leaves: few lists of maps, and few leaves that have one.
+//! The texture maps of a list of leaves, where few leaves have maps and few lists of maps differ.
 
 use crate::geometry::uv_map::SetMap;
 
 /// The maps of leaves by number. Leaves without maps take no memory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LeafUvs {
-    /// Each list once where equal ones are near each other.
+    /// The lists of maps. Equal lists of neighbouring leaves are stored once.
     lists: Vec<Box<[SetMap]>>,
-    /// Numbers of leaves, in order, and their lists.
+    /// The numbers of leaves, in order, with the indices of their lists.
     leaves: Vec<(usize, usize)>,
 }
 
-/// Lists that a new one is compared with: leaves of a façade alternate between a few.
+/// The number of recent lists that a new one is compared with: leaves of a façade alternate between a few.
 const RECENT: usize = 8;
 
 impl LeafUvs {
-    /// Adds the maps of a leaf, whose number is larger than those before.
+    /// Adds the maps of a leaf, whose number is larger than all before.
     #[inline]
     pub(crate) fn add(&mut self, leaf: usize, maps: &[SetMap]) {
         if !maps.is_empty() {

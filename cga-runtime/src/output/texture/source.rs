@@ -1,4 +1,4 @@
-//! The image that a name of a material leads to, for sinks that show or embed it.
+//! The images that materials name, for sinks that show or embed them.
 
 use crate::asset::image::Image;
 use crate::asset::image::header::ImageHeader;
@@ -6,13 +6,13 @@ use crate::asset::{AssetError, Assets};
 
 use crate::asset::image::builtin;
 
-/// The image of a name.
+/// The image with a name.
 pub(crate) enum ImageSource {
-    /// A file as it is.
+    /// An unchanged file.
     File(ImageHeader, Vec<u8>),
-    /// A built-in texture, or the one in place of a file that is missing or broken.
+    /// A built-in texture, or the replacement of a missing or broken file.
     Drawn(Image),
-    /// Nothing: without an asset folder no file is looked for.
+    /// No image: without an asset folder, files are not looked for.
     Absent,
 }
 
@@ -31,12 +31,13 @@ pub(crate) fn find(assets: Option<&Assets>, name: &str) -> ImageSource {
 /// The pixels of an image.
 pub(crate) struct Pixels {
     pub(crate) image: Image,
-    /// True for an image with an alpha channel, opaque or not.
+    /// True if the image has an alpha channel.
     pub(crate) has_alpha: bool,
 }
 
 impl Pixels {
-    /// The opacity of a pixel, 0 to 255: the alpha channel of an image that has one, else the brightness (CCIR 601).
+    /// The opacity of a pixel, 0 to 255: its alpha if the image has an alpha channel, otherwise its brightness (CCIR
+    /// 601).
     pub(crate) fn opacity(&self, [r, g, b, a]: [u8; 4]) -> u8 {
         if self.has_alpha {
             return a;
@@ -45,7 +46,7 @@ impl Pixels {
     }
 }
 
-/// The pixels of the image of a name, if there is one. Without the feature `png` files cannot be read.
+/// The pixels of the image with a name, if there is one. Without the feature `png`, files cannot be read.
 pub(crate) fn pixels(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
     match find(assets, name) {
         ImageSource::File(header, bytes) => {
@@ -58,7 +59,7 @@ pub(crate) fn pixels(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
     }
 }
 
-/// The pixels of a file, if it is not broken; nothing at all if it cannot be read here.
+/// The pixels of a file; `Some(None)` if it is broken, `None` if this build cannot read files.
 #[cfg(feature = "png")]
 fn decoded(header: &ImageHeader, bytes: &[u8]) -> Option<Option<Image>> {
     Some(crate::asset::image::decode::decode(header, bytes).ok())

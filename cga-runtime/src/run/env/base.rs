@@ -1,4 +1,4 @@
-//! The ways between a slim shape and a whole one.
+//! The conversion between slim and whole shapes.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use crate::shape::look_id::LookId;
 use crate::shape::{Shape, ShapeRef};
 
 impl Env {
-    /// The whole of a shape.
+    /// The whole form of a shape.
     #[cold]
     #[inline(never)]
     pub fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
@@ -32,14 +32,14 @@ impl Env {
         }
     }
 
-    /// A base for slim shapes.
+    /// The base of a whole shape, for slim shapes.
     #[inline(never)]
     pub fn base(&self, shape: Shape) -> Base {
         let look = self.leaf_tables.looks.id(shape.state.look());
         self.base_painted(shape, look)
     }
 
-    /// The same of a shape whose material has that number, inlined.
+    /// The base of a whole shape whose look has the number `material`; inlined.
     #[inline(always)]
     pub(crate) fn base_painted(&self, shape: Shape, look: LookId) -> Base {
         self.bases.set(self.bases.get() + 1);

@@ -1,4 +1,4 @@
-//! The checkpoint of a run: where counting leaves the fast path, because a limit is reached or the watch is asked.
+//! The checkpoint of a run: the counts at which counting leaves the fast path, for a limit or for the watch.
 
 use std::ops::ControlFlow;
 
@@ -8,14 +8,15 @@ use crate::run::settings::Settings;
 use crate::run::sink::Flow;
 use crate::run::watch::{Progress, STRIDE, Watch};
 
-/// Where counting leaves the fast path, and what was told to the watch.
+/// The counts at which counting leaves the fast path, and the last progress that the watch got.
 #[derive(Debug)]
 pub(crate) struct Checkpoint {
     pub(crate) shapes: u64,
     pub(crate) calls: u64,
     /// The number of shapes at which the watch ended the run.
     pub(crate) stopped_at: Option<u64>,
-    /// The most shapes that were asked for while a template is made. The checkpoint is 0 then, so that all questions come here.
+    /// The highest count of shapes requested during the recording of a template. The checkpoint is then 0, so that
+    /// every request comes here.
     recorded: Option<u64>,
     told: Progress,
 }
@@ -36,7 +37,7 @@ impl Checkpoint {
 }
 
 impl Env {
-    /// That many shapes more pass the checkpoint.
+    /// Handles a request for `more` shapes that passes the checkpoint.
     #[cold]
     #[inline(never)]
     pub(crate) fn make_room(&mut self, more: u64) -> Flow {
@@ -52,29 +53,29 @@ impl Env {
         self.ask_watch()
     }
 
-    /// Returns true if that many shapes more do not pass the limit.
+    /// Returns true if `more` shapes do not pass the limit.
     pub(crate) fn is_within_limit(&self, more: u64) -> bool {
         self.shape_count().saturating_add(more) <= self.settings.limits.shapes
     }
 
-    /// Begins to measure the room that a derivation asks for; gives the checkpoint to go back to.
+    /// Begins to measure the room that a derivation requests. Returns the checkpoint to restore.
     pub(crate) fn measure_room(&mut self) -> u64 {
         self.checkpoint.recorded = Some(self.shape_count());
         std::mem::take(&mut self.checkpoint.shapes)
     }
 
-    /// Returns true between the two.
+    /// Returns true while room is measured.
     pub(crate) fn measures_room(&self) -> bool {
         self.checkpoint.recorded.is_some()
     }
 
-    /// Ends it: the most shapes that it asked for.
+    /// Ends the measurement. Returns the highest count of shapes requested.
     pub(crate) fn measured_room(&mut self, checkpoint: u64) -> u64 {
         self.checkpoint.shapes = checkpoint;
         self.checkpoint.recorded.take().unwrap_or_default()
     }
 
-    /// The counter of calls has passed its checkpoint.
+    /// Handles the counter of calls at its checkpoint.
     #[cold]
     pub(crate) fn at_calls(&mut self) -> Flow {
         let limit = self.settings.limits.calls;
@@ -85,7 +86,7 @@ impl Env {
         self.ask_watch()
     }
 
-    /// Tells the watch how far the run is, and ends the run if the watch is stopped.
+    /// Reports the progress to the watch, and ends the run if the watch is stopped.
     fn ask_watch(&mut self) -> Flow {
         if !self.ended() {
             self.tell_watch(false);
@@ -95,13 +96,14 @@ impl Env {
         }
         if !self.ended() {
             self.checkpoint.stopped_at = Some(self.shape_count());
-            // As in `limit`: everything that counts stops.
+            // As in `limit`: the next count ends the run.
             self.shapes = ENDED;
         }
         ControlFlow::Break(())
     }
 
-    /// Tells the watch what has been made since it was last told; `complete` at the end of a run that made everything.
+    /// Reports the progress since the last report to the watch. `complete` marks the end of a run that was not cut
+    /// short.
     pub(crate) fn tell_watch(&mut self, complete: bool) {
         let Some(watch) = &self.settings.watch else { return };
         let now =
@@ -114,7 +116,7 @@ impl Env {
         });
     }
 
-    /// Shapes derived so far. The counter itself is a mark once the run has ended.
+    /// The number of shapes derived so far. Once the run has ended, the counter itself is only a mark.
     pub(crate) fn shapes_made(&self) -> u64 {
         match self.checkpoint.stopped_at {
             Some(shapes) => shapes,

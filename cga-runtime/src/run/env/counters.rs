@@ -1,4 +1,4 @@
-//! The counters of a run, and the way back to them.
+//! The counters of a run, and their restoration.
 
 use super::Env;
 
@@ -19,7 +19,7 @@ pub(crate) struct Counters {
 }
 
 impl Env {
-    /// The counters of the run, to go back to.
+    /// The counters of the run, for [`Env::restore`].
     pub(crate) fn state(&self) -> Counters {
         Counters {
             shapes: self.shapes,
@@ -36,7 +36,7 @@ impl Env {
         }
     }
 
-    /// Goes back to counters. Returns true if nothing but shapes and leaves that fill their scopes was made since.
+    /// Restores the counters. Returns true if the run has since made only shapes and leaves that fill their scopes.
     pub(crate) fn restore(&mut self, before: Counters) -> bool {
         let now = self.state();
         let is_quiet = now == Counters { shapes: now.shapes, filled: now.filled, trail: now.trail, ..before };

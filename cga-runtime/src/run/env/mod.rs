@@ -1,4 +1,4 @@
-//! What a run keeps besides its sink: limits, faults, the trail of rules, assets.
+//! The state of a run besides its sink: limits, faults, the trail of rules, assets.
 
 mod base;
 mod checkpoint;
@@ -30,93 +30,93 @@ use crate::value::text::Text;
 use checkpoint::Checkpoint;
 pub(crate) use trail::Trail;
 
-/// How deep functions that ask may nest, as CGA documents (*CGA changelog 2014.1*).
+/// The largest nesting of functions that reserve stack, as CGA documents it (*CGA changelog 2014.1*).
 const DEEPEST_CALLS: u32 = 1024;
 
-/// How much of the stack functions may use, in bytes of a build without optimisation, by the estimate of the code
-/// generator. A function that takes more than that runs where no other does. Threads have two megabytes, and rules have
-/// their share: see `STACK` in `run/context.rs`.
+/// The stack that functions may use, in bytes of a build without optimisation, by the estimate of the code generator.
+/// A function that needs more can run only while no other does. Threads have two megabytes, of which rules have their
+/// share: see `STACK` in `run/context.rs`.
 const FUNCTIONS: u32 = 640 * 1024;
 
-/// Queries for files whose answers are kept: rules ask the same ones for every shape.
+/// The number of file searches whose results are kept: rules repeat them for every shape.
 const SEARCHES_KEPT: usize = 32;
 
-/// Files whose tables are kept: functions read the same ones again and again.
+/// The number of tables that are kept: functions read the same files again and again.
 const TABLES_KEPT: usize = 16;
 
-/// Primitives that are kept: rules insert the same few again and again.
+/// The number of primitives that are kept: rules insert the same few again and again.
 const PRIMITIVES_KEPT: usize = 32;
 
-/// Assets that are kept as they stand when their z axis is up.
+/// The number of assets that are kept in upright form.
 const ASSETS_RAISED: usize = 256;
 
-/// A share of the initial shape's largest extent below which a shape is not split any further, and the most that this
-/// may be, in metres: on a large site small things are as good as elsewhere, and a run may start from a point.
+/// A share of the initial shape's largest extent below which shapes are not split further, and an upper limit of that
+/// threshold in metres. The limit keeps small parts on large sites; it also serves runs that start from a point.
 pub(crate) const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
 
-/// A run can count this many shapes; a count of [`ENDED`] marks a run that has ended.
+/// The largest count of shapes in a run; a count of [`ENDED`] marks a run that has ended.
 pub(crate) const MOST_SHAPES: u64 = u64::MAX / 8;
 pub(crate) const ENDED: u64 = u64::MAX / 4;
 
-/// The run's state that does not depend on the sink.
+/// The state of a run that does not depend on the sink.
 #[derive(Debug)]
 pub struct Env {
     pub(crate) settings: Settings,
-    /// Extents below this are not split any further, so that recursive splits end (*Subdivision split*: "the recursion
-    /// stops when the geometry gets too small"). Relative to the initial shape.
+    /// The extent below which shapes are not split further, so that recursive splits end (*Subdivision split*: "the
+    /// recursion stops when the geometry gets too small"). It is relative to the initial shape.
     pub(crate) too_small: f64,
     pub(crate) initial: Initial,
     names: &'static [&'static str],
     /// The names and materials of leaves, by number.
     pub(crate) leaf_tables: LeafTables,
-    /// Rules entered and not yet left since the work list was last asked.
+    /// The rules entered and not yet left, since the last waiting call was resumed.
     trail: Vec<u32>,
-    /// Rules that led to the work item under way.
+    /// The rules that led to the waiting call that was resumed last.
     before: Option<Rc<Trail>>,
-    /// Shapes and leaves, without those of `filled`.
+    /// The counts of shapes and leaves without those of `filled`.
     pub(crate) shapes: u64,
     pub(crate) leaves: u64,
-    /// Leaf symbols that fill their scope: a shape and a leaf each.
+    /// The number of leaf symbols that fill their scopes: a shape and a leaf each.
     pub(crate) filled: u64,
-    /// Where counting leaves the fast path: at a limit, or where a watch is asked.
+    /// The counts at which counting leaves the fast path: a limit, or the next report to a watch.
     pub(crate) checkpoint: Checkpoint,
-    /// Bases made so far.
+    /// The number of bases made so far.
     pub(crate) bases: Cell<u64>,
-    /// The least extent that was to be split.
+    /// The smallest extent of a split so far.
     pub(crate) least_split: f64,
     vertices: u64,
-    /// Functions under way that asked.
+    /// The nesting of functions that have reserved stack.
     calls: u32,
-    /// What they take of [`FUNCTIONS`].
+    /// The part of [`FUNCTIONS`] that they use.
     call_stack: u32,
     pub(crate) calls_made: u64,
-    /// Lazy attributes and constants that are being computed, from the first on.
+    /// The lazy attributes and constants that are being computed, from the outermost on.
     pub(crate) open: Vec<&'static str>,
     faults: Vec<Fault>,
     faults_left_out: u64,
-    /// The faults of files by their messages, as numbers of those that are kept.
+    /// The faults of files by their messages, as indices of `faults`.
     asset_faults: BTreeMap<String, usize>,
     pub(crate) error: Option<Error>,
-    /// Primitives that were made.
+    /// The primitives made so far.
     primitives: Vec<(Made, Arc<Mesh>)>,
-    /// Assets whose z axis is up, each with what it is when it stands.
+    /// The assets that were raised, each with its raised form.
     raised: Vec<[Arc<Mesh>; 2]>,
     pub(crate) reports: Reports,
     pub(crate) prints: Prints,
-    /// What file searches found; see [`Env::files`].
+    /// The results of file searches; see [`Env::files`].
     searches: BTreeMap<File, Rc<[Text]>>,
-    /// Tables that were read, by file.
+    /// The tables read so far, by file.
     pub(crate) tables: BTreeMap<File, Array<Text>>,
-    /// Texts that are said once a run, and were, in order: names that are not implemented, messages.
+    /// The texts reported so far of those that are reported once a run: names that are not implemented, messages.
     said_once: Vec<&'static str>,
-    /// How often they were to be said, and how often a fault happened again that is counted.
+    /// The number of attempts to report such a text, and of repetitions of counted faults.
     said_again: u64,
 }
 
-/// What a run knows of the shape it started with.
+/// The properties of the initial shape that a run uses.
 #[derive(Clone, Debug)]
 pub(crate) struct Initial {
-    /// Object coordinates: they begin at the initial shape's pivot (*initialShape attribute*).
+    /// The frame of object coordinates: the initial shape's pivot (*initialShape attribute*).
     pub(crate) object: Frame,
     pub(crate) name: Text,
     pub(crate) start_rule: &'static str,
@@ -127,7 +127,7 @@ pub(crate) struct Initial {
 }
 
 impl Env {
-    /// For a run from that shape, with a start rule of that name; `names` are those of all rules.
+    /// The state of a run from that shape, with that start rule; `names` are the names of all rules.
     pub(crate) fn new(
         settings: &Settings,
         names: &'static [&'static str],
@@ -180,7 +180,7 @@ impl Env {
         }
     }
 
-    /// Of a run that starts with a box of 1 m.
+    /// The state of a run from a box of 1 m.
     #[cfg(test)]
     pub(crate) fn for_tests() -> Self {
         Env::new(&Settings::default(), &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
@@ -193,23 +193,23 @@ impl Env {
         if self.has_room(0) { Flow::Continue(()) } else { self.make_room(0) }
     }
 
-    /// Returns true if that many shapes more do not pass the checkpoint.
+    /// Returns true if `more` shapes do not pass the checkpoint.
     #[inline]
     pub(crate) fn has_room(&self, more: u64) -> bool {
         (self.shapes + self.filled).saturating_add(more) <= self.checkpoint.shapes
     }
 
-    /// All leaves so far.
+    /// The number of leaves so far.
     pub(crate) fn leaf_count(&self) -> u64 {
         self.leaves + self.filled
     }
 
-    /// All shapes so far.
+    /// The number of shapes so far.
     pub(crate) fn shape_count(&self) -> u64 {
         self.shapes + self.filled
     }
 
-    /// Counts the vertices of a mesh that an operation made, as sinks do: those that faces share count for each.
+    /// Counts the vertices of a mesh that an operation made. As in sinks, a vertex counts once for each of its faces.
     pub(crate) fn count_vertices(&mut self, mesh: &Mesh) -> Flow {
         self.count_corners(mesh.corners().len() as u64)
     }
@@ -223,20 +223,20 @@ impl Env {
         Flow::Continue(())
     }
 
-    /// Ends the run.
+    /// Ends the run with the error of a limit.
     #[cold]
     pub(crate) fn limit<T>(&mut self, what: LimitKind, limit: u64) -> ControlFlow<(), T> {
-        // A run that was stopped has no error.
+        // A run that the watch has stopped has no error.
         if self.checkpoint.stopped_at.is_none() {
             let trail = self.trail();
             self.error.get_or_insert(Error::Limit { what, limit, trail });
         }
-        // Whoever counts next stops too: operations and functions cannot break off by themselves.
+        // The next count ends the run: operations and functions cannot break off by themselves.
         self.shapes = ENDED;
         ControlFlow::Break(())
     }
 
-    /// Returns true if a limit was reached, or a watch ended the run.
+    /// Returns true if the run has ended by an error or by the watch.
     #[inline]
     pub fn ended(&self) -> bool {
         ENDED <= self.shapes
@@ -252,8 +252,8 @@ impl Env {
         self.trail.pop();
     }
 
-    /// Enters a function that asks, for so many bytes of `FUNCTIONS`. The answer is no at the depth of calls that CGA has
-    /// (*CGA changelog 2014.1*: function call depth), and where the stack ends before that. If it is yes,
+    /// Enters a function that needs `stack` bytes of `FUNCTIONS`. Returns false at the depth of calls that CGA allows
+    /// (*CGA changelog 2014.1*: function call depth), and if the stack has no room. If it returns true,
     /// [`Env::called`] follows.
     #[inline]
     pub fn call(&mut self, stack: u32) -> bool {
@@ -280,14 +280,14 @@ impl Env {
         self.shapes = ENDED;
     }
 
-    /// Leaves a function that asked for so many bytes.
+    /// Leaves a function that has reserved `stack` bytes.
     #[inline]
     pub fn called(&mut self, stack: u32) {
         self.calls -= 1;
         self.call_stack -= stack.min(FUNCTIONS);
     }
 
-    /// The files that a query finds, sorted.
+    /// The files found by a search, sorted.
     pub(crate) fn files(&mut self, query: &File) -> Rc<[Text]> {
         if let Some(known) = self.searches.get(query) {
             return known.clone();
@@ -296,7 +296,7 @@ impl Env {
         let (found, cut_short) = self.settings.assets.search(&asked, query.folder);
         let found: Rc<[Text]> = found.into();
         if let Some(why) = asked.trouble() {
-            self.fault(FaultKind::Value, format!("a search for files finds less than there is: {why}"));
+            self.fault(FaultKind::Value, format!("a search for files is incomplete: {why}"));
         }
         if cut_short {
             self.fault_once(FaultKind::Limit, "the asset folder is too large to be searched; some files are left out");
@@ -307,21 +307,18 @@ impl Env {
         found
     }
 
-    /// Keeps a table that was read, as one of a few.
+    /// Keeps a table that was read, if there is room.
     pub(crate) fn keep_table(&mut self, file: File, table: &Array<Text>) {
         if self.tables.len() < TABLES_KEPT {
             self.tables.insert(file, table.clone());
         }
     }
 
-    /// Adds a value to a collection.
+    /// Adds a value to the collection with a key.
     pub(crate) fn report(&mut self, key: Text, value: Value) {
         let limit = self.settings.limits.reports;
         if !self.reports.add(key, value, limit) && self.reports.left_out() == 1 {
-            self.fault(
-                FaultKind::Limit,
-                format!("there is no room for more than {limit} reports; others are left out"),
-            );
+            self.fault(FaultKind::Limit, format!("the limit of {limit} reports is reached; further ones are left out"));
         }
     }
 
@@ -331,25 +328,25 @@ impl Env {
         let rule = self.trail.last().or(before.last()).map_or("", |&rule| self.rule_name(rule));
         let (depth, limit) = (self.depth(), self.settings.limits.prints);
         if !self.prints.add(depth, rule, value, limit) && self.prints.left_out == 1 {
-            self.fault(FaultKind::Limit, format!("there is no room for more than {limit} lines; others are left out"));
+            self.fault(FaultKind::Limit, format!("the limit of {limit} lines is reached; further ones are left out"));
         }
     }
 
-    /// Notes a fault unless the same was noted before.
+    /// Records a fault unless it was recorded before.
     pub(crate) fn fault_once(&mut self, kind: FaultKind, message: &'static str) {
         if self.is_new(message) {
             self.fault(kind, message);
         }
     }
 
-    /// Notes that something is not implemented, once a run.
+    /// Records that something is not implemented, once a run.
     pub(crate) fn not_implemented(&mut self, name: &'static str, instead: &str) {
         if self.is_new(name) {
             self.fault(FaultKind::NotImplemented, format!("`{name}` is not implemented yet; {instead}"));
         }
     }
 
-    /// Returns true if a text that is said once a run was not said yet.
+    /// Returns true if a text that is reported once a run was not reported yet.
     fn is_new(&mut self, text: &'static str) -> bool {
         self.said_again += 1;
         let is_new = !self.said_once.contains(&text);
@@ -359,7 +356,7 @@ impl Env {
         is_new
     }
 
-    /// The number of faults so far, those that were counted again included.
+    /// The number of faults so far, repetitions included.
     pub(crate) fn fault_count(&self) -> u64 {
         self.faults.len() as u64 + self.faults_left_out + self.said_again
     }
@@ -368,13 +365,13 @@ impl Env {
         self.names.get(rule as usize).copied().unwrap_or("?")
     }
 
-    /// Notes a fault with the trail that led to it.
+    /// Records a fault with the trail that led to it.
     #[cold]
     pub fn fault(&mut self, kind: FaultKind, message: impl Into<String>) {
         self.add_fault(kind, message.into());
     }
 
-    /// Notes a fault of a file. One that happens again is counted: rules insert the same file thousands of times.
+    /// Records a fault of a file. Repetitions are only counted: rules insert the same file thousands of times.
     #[cold]
     pub(crate) fn asset_fault(&mut self, message: String) {
         if let Some(&at) = self.asset_faults.get(&message) {
@@ -387,7 +384,7 @@ impl Env {
         }
     }
 
-    /// Adds a fault, if there is room for it; gives its number.
+    /// Adds a fault, if there is room for it. Returns its index.
     fn add_fault(&mut self, kind: FaultKind, message: String) -> Option<usize> {
         if FAULTS_KEPT <= self.faults.len() {
             self.faults_left_out += 1;
@@ -398,14 +395,14 @@ impl Env {
         Some(self.faults.len() - 1)
     }
 
-    /// Notes a fault that an operation written in Rust returned.
+    /// Records a fault returned by an operation written in Rust.
     #[cold]
     pub(crate) fn host_fault(&mut self, fault: Fault) {
         self.fault(fault.kind, fault.message);
     }
 
-    /// A number that can be used: what is not finite counts as 0, with a fault (*CGA changelog 2013.1*: the default
-    /// policy for such arguments).
+    /// The number, or 0 with a fault if it is not finite (*CGA changelog 2013.1*: the default policy for such
+    /// arguments).
     #[inline]
     pub(crate) fn finite(&mut self, value: f64, what: &str) -> f64 {
         if value.is_finite() {
@@ -415,8 +412,7 @@ impl Env {
         0.0
     }
 
-    /// A primitive in the unit box, made once a run as long as there are few kinds; nothing when the limit of vertices is
-    /// reached.
+    /// A primitive in the unit box. The first few are kept for the run. `None` when the limit of vertices is reached.
     pub(crate) fn primitive(&mut self, what: Made) -> Option<Arc<Mesh>> {
         if let Some((_, mesh)) = self.primitives.iter().find(|(made, _)| *made == what) {
             return Some(mesh.clone());
@@ -431,7 +427,8 @@ impl Env {
         Some(mesh)
     }
 
-    /// An asset with its z axis up, made once a run as long as there are few; nothing when the limit of vertices is reached.
+    /// An asset with its z axis turned up. The first few are kept for the run. `None` when the limit of vertices is
+    /// reached.
     pub(crate) fn raised(&mut self, mesh: Arc<Mesh>) -> Option<Arc<Mesh>> {
         if let Some([_, known]) = self.raised.iter().find(|[lying, _]| Arc::ptr_eq(lying, &mesh)) {
             return Some(known.clone());

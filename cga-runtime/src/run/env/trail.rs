@@ -4,10 +4,10 @@ use std::rc::Rc;
 
 use super::Env;
 
-/// Rules that a trail names; of longer ones the middle is left out, so that memory stays bounded.
+/// The number of rules that a trail names. Longer trails lose their middle, so that memory stays bounded.
 const LONGEST_TRAIL: usize = 2048;
 
-/// Rules that led to a deferred call, shared by all calls deferred under them.
+/// The rules that led to a deferred call, shared by all calls deferred below them.
 #[derive(Debug)]
 pub(crate) struct Trail {
     pub(super) before: Option<Rc<Trail>>,
@@ -17,7 +17,7 @@ pub(crate) struct Trail {
 }
 
 impl Drop for Trail {
-    /// One after the other: a deep recursion makes a long list, and dropping it level by level would need as much stack.
+    /// Drops the list in a loop: a deep recursion makes a long list, and a recursive drop would need as much stack.
     fn drop(&mut self) {
         let mut next = self.before.take();
         while let Some(mut trail) = next.and_then(Rc::into_inner) {
@@ -32,7 +32,7 @@ impl Env {
         self.trail.len()
     }
 
-    /// The rules on the trail from a number on.
+    /// The rules on the trail from an index on.
     pub(crate) fn trail_from(&self, start: usize) -> Box<[u32]> {
         self.trail[start..].into()
     }
@@ -42,12 +42,12 @@ impl Env {
         self.trail.extend_from_slice(rules);
     }
 
-    /// Leaves the rules on the trail from a number on.
+    /// Truncates the trail to its first `len` rules.
     pub(crate) fn cut_trail(&mut self, len: usize) {
         self.trail.truncate(len);
     }
 
-    /// The trail so far, to be shared by deferred calls. It names at least one rule.
+    /// The trail so far, shared by deferred calls. It names at least one rule.
     pub(crate) fn keep_trail(&self) -> Rc<Trail> {
         // A deferred block enters no rule.
         if let (Some(before), []) = (&self.before, self.trail.as_slice()) {
@@ -56,7 +56,7 @@ impl Env {
         Rc::new(Trail { before: self.before.clone(), rules: self.trail.as_slice().into(), depth: self.depth() })
     }
 
-    /// Goes back to where a deferred call was made.
+    /// Returns to the trail of a deferred call.
     pub(crate) fn resume_trail(&mut self, trail: Rc<Trail>) {
         self.before = Some(trail);
         self.trail.clear();

@@ -1,4 +1,4 @@
-//! The reports of several runs as one, in the order of the runs.
+//! Merging the reports of several runs, in the order of the runs.
 
 use super::FAULTS_KEPT;
 use super::{Collection, MOST_BYTES, Reports, Summary};
@@ -7,11 +7,11 @@ use crate::run::report::Report;
 use crate::run::settings::Limits;
 
 impl Report {
-    /// Adds the report of the next run. Counts add up, faults and lines are appended, collections are joined. The same reports
-    /// in the same order give the same sum, bit for bit.
+    /// Adds the report of the next run. Counts are added, faults and lines appended, collections joined. Equal
+    /// reports in equal order give the same sum, bit for bit.
     ///
-    /// The limits of one run hold for the sum as well: what has no room is counted. A fault that a run reports once, such as a
-    /// missing file, is kept once for all runs, with a count.
+    /// The limits of one run also hold for the sum: entries beyond them are only counted. A fault that a run reports
+    /// once, such as a missing file, is kept once for all runs, with a count.
     ///
     /// ```
     /// use cga_runtime::run::report::Report;
@@ -51,7 +51,7 @@ impl Report {
         }
     }
 
-    /// True if merging it needs no more than its counts.
+    /// Returns true if merging this report needs its counts only.
     pub(crate) fn is_only_counts(&self) -> bool {
         self.faults.is_empty()
             && self.faults_left_out == 0
@@ -69,7 +69,7 @@ impl Reports {
         for (id, collection) in next.collections {
             if !self.collections.contains_key(&id) {
                 if !self.has_room(id.0.len(), limit) {
-                    // One value was counted as left out.
+                    // `has_room` has counted one of them.
                     self.left_out += collection.summary.count.saturating_sub(1);
                     continue;
                 }

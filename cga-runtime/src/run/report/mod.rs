@@ -1,4 +1,5 @@
-//! What rules report and print: data that a run collects beside its geometry (*report operation*, *print operation*).
+//! Reports and printed lines of rules: data collected by a run besides its geometry (*report operation*, *print
+//! operation*).
 
 mod merge;
 mod print;
@@ -14,10 +15,10 @@ pub use run::Report;
 use crate::value::text::Text;
 use crate::value::{Value, ValueType};
 
-/// Faults that are kept; later ones are only counted, so that memory stays bounded.
+/// The number of faults that are kept. Later ones are only counted, so that memory stays bounded.
 pub(crate) const FAULTS_KEPT: usize = 1000;
 
-/// Bytes of keys and texts that are kept in all; the limits count entries, not their length.
+/// The bytes of all keys and texts that are kept; the limits count entries, not their length.
 const MOST_BYTES: usize = 64 << 20;
 
 /// All collections of a run, sorted by key. `to_string` makes a table of them.
@@ -27,7 +28,7 @@ const MOST_BYTES: usize = 64 << 20;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reports {
     collections: BTreeMap<(Text, ValueType), Collection>,
-    /// Collections and different texts.
+    /// The number of collections and of different texts.
     entries: u64,
     bytes: usize,
     left_out: u64,
@@ -42,20 +43,20 @@ pub struct Collection {
     texts: BTreeMap<Text, u64>,
 }
 
-/// The statistics of a collection. Of numbers those that are not a number count and take no part in the rest; truth
-/// values are 1 and 0; of text only the count means anything.
+/// The statistics of a collection. NaN is counted but takes no part in sum and extremes. Truth values are 1 and 0.
+/// For text, only the count has a meaning.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Summary {
-    /// How many values were reported, `nans` included.
+    /// The number of values, `nans` included.
     pub count: u64,
-    /// How many of them were not a number.
+    /// The number of values that are NaN.
     pub nans: u64,
-    /// How many took part in `sum` and the extremes.
+    /// The number of values in `sum` and the extremes.
     pub numbers: u64,
     /// The sum, added up in the order of the run.
     pub sum: f64,
-    /// Smallest and largest.
+    /// The smallest and the largest value.
     extremes: Option<(f64, f64)>,
 }
 
@@ -105,7 +106,7 @@ impl Summary {
 }
 
 impl Collection {
-    /// What it was reported as.
+    /// The key.
     pub fn key(&self) -> &str {
         &self.key
     }
@@ -115,24 +116,24 @@ impl Collection {
         self.ty
     }
 
-    /// Count, sum, extremes.
+    /// The statistics.
     pub fn summary(&self) -> &Summary {
         &self.summary
     }
 
-    /// The different texts, sorted, with how often each was reported. Nothing unless the values are text.
+    /// The different texts, sorted, each with the number of its reports. Empty unless the values are text.
     pub fn texts(&self) -> impl ExactSizeIterator<Item = (&str, u64)> + '_ {
         self.texts.iter().map(|(text, count)| (text.as_str(), *count))
     }
 }
 
 impl Reports {
-    /// The collections, sorted by key; of one key numbers come before truth values before text.
+    /// The collections, sorted by key. Under one key, numbers come before truth values and truth values before text.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &Collection> + Clone + '_ {
         self.collections.values()
     }
 
-    /// The collection of a key; where values of several types were reported under it, the first of them.
+    /// The collection of a key. If the key has collections of several types, the first of them.
     pub fn get(&self, key: &str) -> Option<&Collection> {
         let from = (Text::from(key), ValueType::Float);
         self.collections.range(from..).next().map(|(_, found)| found).filter(|found| found.key() == key)
@@ -143,7 +144,7 @@ impl Reports {
         self.collections.get(&(Text::from(key), ty))
     }
 
-    /// All collections of a group taken together: those whose key is `name` or begins with `name` and a dot.
+    /// The statistics of a group: of all collections whose key is `name` or begins with `name` and a dot.
     pub fn group(&self, name: &str) -> Summary {
         let mut sum = Summary::default();
         let is_in = |key: &str| key.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
@@ -151,18 +152,18 @@ impl Reports {
         sum
     }
 
-    /// Whether nothing was reported.
+    /// Returns true if there are no reports.
     pub fn is_empty(&self) -> bool {
         self.collections.is_empty()
     }
 
-    /// Values that found no room, a new key or a new text; see [`Limits::reports`](crate::run::settings::Limits::reports). A fault
-    /// tells of the first.
+    /// The number of values beyond the limit, each a new key or a new text; see
+    /// [`Limits::reports`](crate::run::settings::Limits::reports). A fault reports the first.
     pub fn left_out(&self) -> u64 {
         self.left_out
     }
 
-    /// Adds a value. `false` when there was no room for all of it.
+    /// Adds a value. Returns false if there was no room for all of it.
     pub(crate) fn add(&mut self, key: Text, value: Value, limit: u64) -> bool {
         let id = (key, value.ty());
         if !self.collections.contains_key(&id) {
@@ -189,7 +190,7 @@ impl Reports {
         true
     }
 
-    /// Takes room for one more entry of so many bytes, or counts what is left out.
+    /// Takes room for one more entry of `bytes` bytes, or counts it as left out.
     fn has_room(&mut self, bytes: usize, limit: u64) -> bool {
         let room = self.entries < limit && self.bytes + bytes <= MOST_BYTES;
         if room {

@@ -1,17 +1,17 @@
-//! What rules print, line by line.
+//! The lines that rules print.
 
 use std::fmt;
 
 use super::MOST_BYTES;
 use crate::value::Value;
 
-/// One thing printed. `to_string` is the line as the language prints it.
+/// One printed value. `to_string` is the line as the language prints it.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Print {
     /// The rule that printed it; empty for attributes and constants, which are evaluated before any rule runs.
     pub rule: &'static str,
-    /// What it printed.
+    /// The printed value.
     pub value: Value,
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct Prints {
 }
 
 impl Prints {
-    /// Adds a line. `false` when there was no room for it.
+    /// Adds a line. Returns false if there was no room for it.
     pub(crate) fn add(&mut self, depth: usize, rule: &'static str, value: Value, limit: u64) -> bool {
         let bytes = match &value {
             Value::Text(text) => text.len(),
@@ -62,7 +62,7 @@ impl Prints {
         room
     }
 
-    /// The lines breadth first.
+    /// The lines, breadth first.
     pub(crate) fn in_order(mut self) -> Vec<Print> {
         self.lines.sort_by_key(|(depth, _)| *depth);
         self.lines.into_iter().map(|(_, print)| print).collect()

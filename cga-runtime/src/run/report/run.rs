@@ -9,39 +9,40 @@ use crate::fault::Fault;
 pub struct Report {
     /// Shapes derived, leaves included.
     pub shapes: u64,
-    /// Leaves handed to the sink. If the sink stops the run among the leaves of a part that repeats, all leaves of the part count.
+    /// The leaves passed to the sink. If the sink stops the run within a part that repeats, all leaves of that part
+    /// count.
     pub leaves: u64,
-    /// What went wrong on the way; the first thousand.
+    /// The first thousand faults.
     pub faults: Vec<Fault>,
-    /// Faults beyond those kept.
+    /// The number of further faults.
     pub faults_left_out: u64,
     /// True if the sink or a [`Watch`](crate::run::watch::Watch) ended the run.
     pub stopped: bool,
     pub(crate) reports: Reports,
     pub(crate) prints: Vec<Print>,
     pub(crate) prints_left_out: u64,
-    /// Bytes of the printed values.
+    /// The bytes of the printed values.
     pub(crate) prints_bytes: usize,
 }
 
 impl Report {
-    /// What rules reported, sorted by key (*report operation*).
+    /// The reported values, sorted by key (*report operation*).
     pub fn reports(&self) -> &Reports {
         &self.reports
     }
 
-    /// What rules reported under one key; of several types the first, see [`Reports::of_type`].
+    /// The values reported under one key. If they have several types, the first type, see [`Reports::of_type`].
     pub fn reported(&self, key: &str) -> Option<&Collection> {
         self.reports.get(key)
     }
 
-    /// The lines that rules printed, breadth first: by the depth of their shape in the tree of shapes, lines of equal depth
-    /// in order of derivation (*getTreeKey function*).
+    /// The lines that rules printed, breadth first: by the depth of their shape in the tree of shapes, and lines of
+    /// equal depth in order of derivation (*getTreeKey function*).
     pub fn prints(&self) -> &[Print] {
         &self.prints
     }
 
-    /// Printed lines that found no room; see [`Limits::prints`](crate::run::settings::Limits::prints).
+    /// The number of printed lines beyond the limit; see [`Limits::prints`](crate::run::settings::Limits::prints).
     pub fn prints_left_out(&self) -> u64 {
         self.prints_left_out
     }

@@ -1,4 +1,4 @@
-//! Reports as a table: a row a collection, and one for each group behind its members.
+//! Reports as a table: a row for each collection, and one for each group after its members.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -6,10 +6,10 @@ use std::fmt;
 use super::{Collection, Reports, Summary};
 use crate::value::number::Number;
 
-/// Groups within groups that are shown. Keys may have any number of dots.
+/// The number of nested groups that are shown. Keys may have any number of dots.
 const LEVELS: usize = 8;
 
-/// Of the columns; the first is as wide as its longest text, the others as wide as theirs.
+/// The titles of the columns.
 const HEAD: [&str; 9] = ["Report", "N", "%", "Sum", "%", "Avg", "Min", "Max", "NaNs"];
 
 type TableRow = [String; HEAD.len()];
@@ -19,8 +19,8 @@ fn groups(key: &str) -> impl Iterator<Item = &str> {
     key.match_indices('.').take(LEVELS).map(move |(at, _)| &key[..at])
 }
 
-/// The columns of the *report operation*'s picture: how many, their sum, both also as shares of the group, average,
-/// extremes, and how many were not a number. What a text has not is left blank.
+/// Writes the columns in the picture of the *report operation*: number, sum, both also as shares of the group,
+/// average, extremes, and the number of NaN. Cells that have no meaning for text are blank.
 impl fmt::Display for Reports {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rows = self.rows();
@@ -46,7 +46,7 @@ impl Reports {
         for collection in self.iter() {
             groups(collection.key()).for_each(|group| sums.entry(group).or_default().merge(&collection.summary));
         }
-        // What is reported under the very name of a group belongs to it.
+        // A collection with the name of a group belongs to the group.
         for collection in self.iter() {
             if let Some(sum) = sums.get_mut(collection.key()) {
                 sum.merge(&collection.summary);
@@ -87,7 +87,7 @@ fn row(name: String, summary: &Summary, group: Option<&Summary>) -> TableRow {
     let count = share(summary.count as f64, group.map(|group| group.count as f64));
     let sum = share(summary.sum, group.map(|group| group.sum));
     [
-        // A line a row, whatever is in the key.
+        // One line for each row, even if the key has control characters.
         name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect(),
         summary.count.to_string(),
         count,
@@ -100,7 +100,7 @@ fn row(name: String, summary: &Summary, group: Option<&Summary>) -> TableRow {
     ]
 }
 
-/// Per cent with one digit behind the point, cut off as in the reference's picture; 0 outside of any group.
+/// A percentage with one decimal digit, truncated as in the reference's picture; 0 outside of any group.
 fn share(part: f64, whole: Option<f64>) -> String {
     let share = whole.map_or(0.0, |whole| 100.0 * part / whole);
     if share.is_finite() { format!("{:.1}", (share * 10.0).trunc() / 10.0 + 0.0) } else { "0.0".to_owned() }

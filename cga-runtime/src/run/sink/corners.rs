@@ -1,4 +1,4 @@
-//! Places of rectangles and boxes, and their corners, rounded.
+//! The positions of rectangles and boxes, and their rounded corners.
 
 use glam::{DVec3, DVec4, Vec4};
 
@@ -6,9 +6,10 @@ use super::{Cuboid, Quad};
 use crate::geometry::Axis;
 use crate::shape::ShapeRef;
 
-/// The place of a rectangle or a box: its first corner and its sides from there. A rectangle has the first two sides.
+/// The position of a rectangle or a box: its first corner and the sides from there. A rectangle has the first two
+/// sides.
 ///
-/// Everything has a fourth coordinate of 0: a processor computes with two halves, and writes and reads them as such.
+/// All vectors have a fourth coordinate of 0: processors compute with two halves, and store and load them as such.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placed {
     pub(crate) origin: DVec4,
@@ -16,21 +17,21 @@ pub(crate) struct Placed {
 }
 
 impl Placed {
-    /// The place of a shape that fills its scope.
+    /// The position of a shape that fills its scope.
     #[inline(always)]
     pub(crate) fn of(shape: &ShapeRef<'_>) -> Self {
         let side = |axis| shape.axes.along(axis) * shape.size.along(axis);
         Placed { origin: shape.origin.get(), sides: [Axis::X, Axis::Y, Axis::Z].map(side) }
     }
 
-    /// The same moved.
+    /// The position moved by a vector.
     #[inline(always)]
     pub(crate) fn moved(self, by: DVec4) -> Self {
         Placed { origin: self.origin + by, ..self }
     }
 
-    /// The eight corners of a box, as numbers x + 2y + 4z count them. Each is rounded once, so the three faces that meet there
-    /// agree.
+    /// The eight corners of a box; the corner (x, y, z) has the index x + 2y + 4z. Each is rounded once, so the three
+    /// faces at a corner agree.
     #[inline(always)]
     pub(crate) fn box_corners(&self) -> [Vec4; 8] {
         let (o, [x, y, z]) = (self.origin, self.sides);
@@ -39,7 +40,7 @@ impl Placed {
         [o, o + x, p, p + x, q, q + x, r, r + x].map(|corner| corner.as_vec4())
     }
 
-    /// The four corners of a rectangle, counter-clockwise. The fourth coordinate of all is that of the origin.
+    /// The four corners of a rectangle, counter-clockwise. All have the fourth coordinate of the origin.
     #[inline(always)]
     pub(crate) fn quad_corners(&self) -> [Vec4; 4] {
         let (a, [u, v, _]) = (self.origin, self.sides);
@@ -63,7 +64,7 @@ impl From<&Cuboid> for Placed {
     }
 }
 
-/// The same with a fourth coordinate of 0.
+/// The vector with a fourth coordinate of 0.
 #[inline(always)]
 pub(crate) fn four(v: DVec3) -> DVec4 {
     v.extend(0.0)

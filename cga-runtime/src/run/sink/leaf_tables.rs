@@ -2,7 +2,7 @@
 
 use crate::shape::look_id::LookIds;
 
-/// The names and materials of a run's leaves, by number.
+/// The names and looks of a run's leaves, by number.
 #[derive(Clone, Debug)]
 pub(crate) struct LeafTables {
     pub(crate) names: &'static [&'static str],

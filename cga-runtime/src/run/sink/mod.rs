@@ -1,6 +1,6 @@
-//! Where leaves go.
+//! Sinks: the consumers of leaves.
 //!
-//! A run hands every leaf shape to a [`Sink`] as soon as it is known, in an order that depends on the rules alone.
+//! A run passes every leaf to a [`Sink`] as soon as it is known, in an order that depends on the rules alone.
 //! A sink may end the run by returning `ControlFlow::Break(())`.
 
 pub(crate) mod corners;
@@ -27,20 +27,21 @@ pub use crate::run::template::{PartId, Replay};
 pub use crate::shape::place::{Cuboid, Quad};
 pub(crate) use leaf_tables::LeafTables;
 
-/// Go on, or stop the run.
+/// Continue, or stop the run.
 pub type Flow = ControlFlow<()>;
 
 /// A leaf without its geometry: its rule, its material and its scope.
 #[derive(Clone, Copy, Debug)]
 pub struct Leaf<'a> {
-    /// The name of the rule or leaf symbol, without the dot. One address a name within a grammar.
+    /// The name of the rule or leaf symbol, without the dot. Within a grammar, equal names have equal addresses.
     pub rule: &'static str,
-    /// What the rules set; what it leaves unset comes from the mesh's own material or is the default.
+    /// The material set by rules. Unset attributes come from the mesh's own material, otherwise they have their
+    /// defaults.
     pub material: &'a Arc<Material>,
     source: LeafSource<'a>,
 }
 
-/// Where the scope and the texture coordinates of a leaf are: most sinks do not ask for them, so that they are not made before.
+/// The source of a leaf's scope and texture coordinates. Most sinks do not need them, so they are made on demand.
 #[derive(Clone, Copy, Debug)]
 enum LeafSource<'a> {
     Known(&'a Scope, &'a [SetMap]),
@@ -53,7 +54,7 @@ impl<'a> Leaf<'a> {
         Leaf { rule, material, source: LeafSource::Known(scope, &[]) }
     }
 
-    /// The same leaf with texture coordinates for a rectangle or a box, sorted by set, each set once. A mesh has its own.
+    /// Adds texture coordinates for a rectangle or a box, sorted by set, each set once. A mesh has its own sets.
     #[must_use]
     pub fn with_uvs(self, uvs: &'a [SetMap]) -> Self {
         match self.source {
@@ -70,13 +71,13 @@ impl<'a> Leaf<'a> {
         }
     }
 
-    /// The texture coordinates of a set, for a leaf that is a rectangle or a box; nothing for a set that it does not have. A
-    /// mesh has its sets itself.
+    /// The texture coordinates of a set on a rectangle or a box; `None` if it does not have the set. A mesh contains
+    /// its sets.
     pub fn uv(&self, set: usize) -> Option<UvMap> {
         uv_map::find(self.uvs(), set)
     }
 
-    /// The maps of all sets that a rectangle or a box has, sorted by set. A mesh has its sets itself.
+    /// The maps of all sets of a rectangle or a box, sorted by set. A mesh contains its sets.
     #[inline]
     pub fn uvs(&self) -> &'a [SetMap] {
         match self.source {
@@ -86,8 +87,8 @@ impl<'a> Leaf<'a> {
     }
 }
 
-/// A leaf that fills its scope: a rectangle in the low plane across an axis, or the box itself. Rule and material are numbers
-/// of the run, and normals are known, so that a sink need not compute or look them up.
+/// A leaf that fills its scope: a rectangle in the low plane across an axis, or the box itself. Rule and material are
+/// numbers of the run, and normals are known, so a sink need not compute or look them up.
 #[derive(Clone, Copy, Debug)]
 pub struct Filled<'a> {
     /// A rectangle or a box.
@@ -103,45 +104,45 @@ impl<'a> Filled<'a> {
         self.tables.names.get(self.rule as usize).copied().unwrap_or_default()
     }
 
-    /// The number of the name: equal names of a run have equal numbers, counted from 0.
+    /// The number of the name. Equal names of a run have equal numbers, from 0.
     #[inline]
     pub fn rule_number(&self) -> u32 {
         self.rule
     }
 
-    /// The material that the rules set.
+    /// The material set by rules.
     #[inline]
     pub fn material(&self) -> &'a Arc<Material> {
         self.of_id(self.shape.look.get())
     }
 
-    /// The material with a number; the leaf's own base has the one without.
+    /// The material with a number; without a number, the material of the leaf's base.
     #[inline]
     pub(crate) fn of_id(&self, id: LookId) -> &'a Arc<Material> {
         let own = self.shape.base.shape.state.material();
         self.tables.looks.get(id).map_or(own, |look| &look.material)
     }
 
-    /// The number of the material: equal numbers of a run are equal materials. Nothing for a material that few leaves have, such
-    /// as a random colour.
+    /// The number of the material. Equal numbers of a run are equal materials. `None` for a material that few leaves
+    /// have, such as a random colour.
     #[inline]
     pub fn material_number(&self) -> Option<u32> {
         Some(self.shape.look.get()).filter(|id| *id != LookId::OF_BASE).map(LookId::index)
     }
 
-    /// The texture coordinates of a set; nothing for a set that the leaf does not have. Leaves of a run with equal material
-    /// numbers have the same sets.
+    /// The texture coordinates of a set; `None` if the leaf does not have the set. Leaves of a run with equal
+    /// material numbers have the same sets.
     pub fn uv(&self, set: usize) -> Option<UvMap> {
         uv_map::find(self.uvs(), set)
     }
 
-    /// The maps of all sets that the leaf has, sorted by set.
+    /// The maps of all sets of the leaf, sorted by set.
     #[inline]
     pub fn uvs(&self) -> &'a [SetMap] {
         self.uvs_of(self.shape.look.get())
     }
 
-    /// The maps of a leaf with another material of the run.
+    /// The maps that the leaf has with another material of the run.
     #[inline]
     pub(crate) fn uvs_of(&self, look: LookId) -> &'a [SetMap] {
         if !look.may_have_coordinates() {
@@ -160,23 +161,23 @@ impl<'a> Filled<'a> {
         self.shape.scope()
     }
 
-    /// The axes of the scope with normals as sinks need them.
+    /// The axes of the scope, with normals in the form for sinks.
     #[inline]
     pub fn axes(&self) -> &'a Axes {
         self.shape.axes
     }
 
-    /// The number of its vertices when faces share none.
+    /// The number of its vertices if faces share none.
     #[inline]
     pub fn corner_count(&self) -> usize {
         4 * self.shape.unit.get().face_count()
     }
 
-    /// Hands the leaf to the method of a sink for rectangles or for boxes.
+    /// Passes the leaf to a sink as a rectangle or a box.
     #[inline]
     pub fn pass_to<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let leaf = Leaf { rule: self.rule(), material: self.material(), source: LeafSource::Filled(self) };
-        // Both forms have a place.
+        // Both forms have a position.
         let (placed, unit) = (Placed::of(self.shape), self.shape.unit.get());
         let (origin, [x, y, z]) = (placed.origin.truncate(), placed.sides.map(DVec4::truncate));
         match self.shape.form {
@@ -187,21 +188,22 @@ impl<'a> Filled<'a> {
     }
 }
 
-/// Takes the leaves of a run. Only [`Sink::mesh`] must be written; the others turn their geometry into a mesh by default.
+/// A consumer of the leaves of a run. Only [`Sink::mesh`] is required; other methods make a mesh by default.
 pub trait Sink {
-    /// A run begins: the numbers of rules and materials are those of this run. A sink that hands [`Filled`] or [`Replay`] on to
-    /// another sink hands this on as well, else the other takes the numbers for those of the run before.
+    /// A run begins: numbers of rules and materials are now numbers of this run. A sink that passes [`Filled`] or
+    /// [`Replay`] on to another sink must pass this call on too, otherwise the other sink confuses the numbers of two
+    /// runs.
     fn begin(&mut self) {}
 
-    /// A rectangle or a box that fills its scope. It becomes a [`Sink::quad`] or a [`Sink::cuboid`] by default; a sink that writes
-    /// many of them saves time with the axes and numbers that are known here.
+    /// A rectangle or a box that fills its scope. By default it becomes a [`Sink::quad`] or a [`Sink::cuboid`]. A
+    /// sink that writes many of them saves time with the axes and numbers that are known here.
     #[inline]
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         leaf.pass_to(self)
     }
 
-    /// Leaves of a part that repeats. They go one by one to [`Sink::filled`] by default; a sink that writes many of them saves time
-    /// with all of them at once.
+    /// The leaves of a part that repeats. By default they go one by one to [`Sink::filled`]. A sink that writes many
+    /// of them saves time with all of them at once.
     fn replay(&mut self, replay: &Replay<'_>) -> Flow {
         replay.each(self)
     }
@@ -216,19 +218,19 @@ pub trait Sink {
         self.mesh(leaf, &cuboid_mesh(leaf, cuboid), &DAffine3::IDENTITY)
     }
 
-    /// An inserted asset that nothing has cut since: the same mesh many times, each with a placement of its own.
+    /// An inserted asset that nothing has cut: the same mesh many times, each with its own placement.
     fn instance(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {
         self.mesh(leaf, mesh, placement)
     }
 
-    /// Any mesh, in local coordinates; `placement` takes them to the world.
+    /// Any mesh, in local coordinates; `placement` maps them to the world.
     fn mesh(&mut self, leaf: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow;
 
-    /// Hands on what the sink still holds. There are no more leaves after it.
+    /// Passes on the data that the sink still holds. No leaves follow.
     ///
-    /// The owner of a sink calls it, once, after the last run: the same sink may take the leaves of many runs, so a run never
-    /// calls it. [`parallel`](crate::grammar::parallel) owns the sinks of its stretches and finishes each, unless a run ended with an
-    /// error. `Break` ends what the owner would do next.
+    /// The owner of a sink calls this once, after the last run. A run never calls it, as a sink may take the leaves
+    /// of many runs. [`parallel`](crate::grammar::parallel) owns the sinks of its stretches and finishes each, unless
+    /// a run ended with an error. `Break` ends the further work of the owner.
     fn finish(&mut self) -> Flow {
         Flow::Continue(())
     }

@@ -1,13 +1,14 @@
-//! Repeated parts are derived once and replayed.
+//! Templates: repeated parts are derived once and replayed.
 //!
-//! A rule in a group that repeats is *rigid* when its result depends on the size of its shape alone, not on place, seed or
-//! counters; code generation knows which are. Such a rule is derived once at the origin, along the axes of the world, and its
-//! leaves are kept: a *template*. A template is turned once for each base (a façade), and a repetition is the template moved
-//! there. Positions below a repeat are defined in this way, whether a template was kept or is made again.
+//! A rule in a group that repeats is *rigid* if its result depends on the size of its shape alone, not on its place,
+//! seed or counters. The code generator knows the rigid rules. Such a rule is derived once at the origin, along the
+//! axes of the world, and its leaves are kept: a *template*. A template is turned once for each base (a façade), and
+//! a repetition is the template moved to its place. This defines the positions below a repeat, whether a template was
+//! kept or is made again.
 //!
-//! A rule that it calls and that is not rigid itself is a *hole*: a repetition calls it as any rule, with its place, and with
-//! a seed that is affine in the seed of the repetition. A derivation that leaves a fault or a mesh makes no template, and is
-//! run as any other.
+//! A rule called by a rigid rule may be non-rigid. The call is then a *hole*: each repetition makes the call itself,
+//! at its place and with a seed that is affine in the seed of the repetition. A derivation that makes a fault or a
+//! mesh makes no template, and is run like any other.
 
 mod part_id;
 mod record;
@@ -31,13 +32,14 @@ pub use part_id::PartId;
 pub(crate) use record::Tape;
 pub use replay::Replay;
 
-/// The templates of a place in the rules that are kept, the last ones used.
+/// The number of templates kept for a place in the rules, the last ones used.
 const KEPT: usize = 16;
 
-/// The axes that a template is kept along, the last ones that were new: four for buildings along the axes of the world.
+/// The number of axes for which a template is kept turned, the last new ones: four for buildings along the axes of
+/// the world.
 const KEPT_AXES: usize = 4;
 
-/// The leaves, and the holes, that a template has at most. The leaves of small ones stay in the nearest cache
+/// The largest number of leaves, and of holes, in a template. The leaves of small templates stay in the nearest cache
 /// while they are written again and again.
 const MOST: usize = 64;
 
@@ -47,38 +49,38 @@ pub(crate) struct Templates<C> {
     places: Vec<Vec<Entry<C>>>,
 }
 
-/// A template, or the knowledge that there is none.
+/// A template, or the knowledge that a shape has none.
 #[derive(Debug)]
 struct Entry<C> {
     key: Key,
     template: Option<Rc<Template<C>>>,
-    /// The template along the axes of bases.
+    /// The template turned to the axes of bases.
     turned: Vec<Rc<Turned>>,
 }
 
-/// The properties of a shape that its template depends on.
+/// The properties of a shape that determine its template.
 #[derive(Clone, Copy, Debug)]
 struct Key {
     size: DVec3,
     form: Form,
     unit: UnitMesh,
     look: LookId,
-    /// A look without a number may have texture coordinates or not.
+    /// True if the shape has texture coordinates. For a look without a number, `material` does not tell.
     has_coordinates: bool,
-    /// The axes along which coordinates are constant: moves along others make a shape with another base.
+    /// The axes along which coordinates are constant. A move along another axis makes a shape with another base.
     constant: [bool; 3],
-    /// Boxes whose sides have coordinates of their own are meshes in a sink.
+    /// True if boxes are meshes in a sink because their sides have different coordinates.
     has_sides: bool,
-    /// Extents up to this were not split any further; NaN if that made no difference.
+    /// The extent below which shapes were not split further; NaN if it made no difference.
     too_small: f64,
 }
 
 /// The result of a rigid rule on a shape at the origin.
 #[derive(Debug)]
 struct Template<C> {
-    /// Shapes derived, without leaves.
+    /// The number of derived shapes, without leaves.
     shapes: u64,
-    /// The most shapes that the derivation asked room for.
+    /// The highest count of shapes that the derivation requested room for.
     room: u64,
     body: Body,
     holes: Vec<Hole<C>>,
@@ -87,38 +89,38 @@ struct Template<C> {
 /// The leaves of a template.
 #[derive(Debug)]
 struct Body {
-    /// The number of the template among all of the process.
+    /// The number of the template in the process.
     number: u64,
     leaves: Vec<Record>,
-    /// The axes of leaves.
+    /// The axes of the leaves.
     frames: Vec<Axes>,
-    /// The stretches of leaves before, between and after the holes.
+    /// The ranges of leaves before, between and after the holes.
     segments: Vec<Segment>,
     marks: Vec<Mark>,
     rows: Vec<LeafRow>,
 }
 
-/// A leaf at its place in a template.
+/// A leaf with its position in a template.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Record {
     origin: DVec3,
     pub(crate) size: DVec3,
     pub(crate) unit: UnitMesh,
-    /// A rectangle or a box.
+    /// The form: a rectangle or a box.
     pub(crate) form: Form,
-    /// Counts in the frames.
+    /// The index of its axes in `frames`.
     frame: u32,
     rule: u32,
     look: LookId,
 }
 
-/// Leaves without a hole between them.
+/// The leaves between two holes.
 #[derive(Clone, Debug)]
 struct Segment {
     leaves: Range<usize>,
     marks: Range<usize>,
     rows: Range<usize>,
-    /// The number of vertices when faces share none.
+    /// The number of vertices if faces share none.
     corners: usize,
     /// True if all leaves are boxes or rectangles across z.
     is_plain: bool,
@@ -126,19 +128,19 @@ struct Segment {
     may_have_coordinates: bool,
 }
 
-/// Leaves after each other with equal rule and material.
+/// Consecutive leaves with equal rule and material.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mark {
     pub(crate) rule: u32,
     pub(crate) look: LookId,
-    /// The number of leaves, and that of their vertices when faces share none.
+    /// The number of leaves, and of their vertices if faces share none.
     pub(crate) leaves: usize,
     pub(crate) corners: usize,
-    /// Vertices of the segment before these leaves.
+    /// The vertices of the segment before these leaves.
     pub(crate) before: u32,
 }
 
-/// Leaves after each other that are rectangles, or boxes, along the same axes.
+/// Consecutive leaves that are all rectangles, or all boxes, along the same axes.
 #[derive(Clone, Debug)]
 pub(crate) struct LeafRow {
     pub(crate) is_box: bool,
@@ -146,10 +148,10 @@ pub(crate) struct LeafRow {
     leaves: Range<usize>,
 }
 
-/// A call of a rule that each repetition makes itself.
+/// A call that each repetition makes itself.
 #[derive(Clone, Debug)]
 struct Hole<C> {
-    /// The number of leaves before it.
+    /// The number of leaves before the call.
     at: usize,
     origin: DVec3,
     size: DVec3,
@@ -158,10 +160,10 @@ struct Hole<C> {
     /// True if its axes are those of the base after it has grown.
     is_raised: bool,
     look: LookId,
-    /// The factor and the sum that lead from the seed of the repetition to its own.
+    /// The factor and the summand that give its seed from the seed of the repetition.
     seed: [u64; 2],
     split: Counter,
-    /// The stack that the call asks for.
+    /// The stack that the call reserves.
     levels: u32,
     stack: u32,
     call: C,
@@ -169,16 +171,16 @@ struct Hole<C> {
     trail: Box<[u32]>,
 }
 
-/// A template along the axes of bases.
+/// A template turned to the axes of bases.
 #[derive(Debug)]
 struct Turned {
     axes: Vec<Axes>,
-    /// Relative to the origin of the repetition, along the axes of the world.
+    /// The leaves relative to the origin of the repetition, along the axes of the world.
     leaves: Vec<Placed>,
     holes: Vec<DVec3>,
 }
 
-/// The counters of a shape that is recorded: holes with these get those of the repetition.
+/// The counters of the recorded shape. A hole with these counters gets those of the repetition.
 const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
 impl Key {
@@ -246,7 +248,7 @@ impl<C> Templates<C> {
 }
 
 impl<C> Entry<C> {
-    /// The template along axes, if there is a template.
+    /// The template turned to axes, if there is a template.
     #[inline]
     fn turned(&mut self, axes: &Axes) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
         let template = self.template.clone()?;
@@ -270,7 +272,7 @@ impl<C> Entry<C> {
 }
 
 impl<C> Template<C> {
-    /// Turns it to axes.
+    /// Turns the template to axes.
     fn turned(&self, axes: &Axes) -> Turned {
         let turn = |frame: &Axes| match frame.matrix == DMat3::IDENTITY {
             true => *axes,

@@ -1,4 +1,4 @@
-//! Making a template: a rule runs at the origin, into a sink that keeps the leaves.
+//! The recording of templates: a rule runs at the origin, into a sink that keeps the leaves.
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
@@ -19,21 +19,21 @@ use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
 use crate::shape::seed::Seed;
 
-/// The number of the next template. Numbers are in no output: they tell templates of all sessions apart.
+/// The number of the next template. Numbers distinguish the templates of all sessions, and are in no output.
 static NUMBER: AtomicU64 = AtomicU64::new(1);
 
-/// The holes of a template that is made.
+/// The recording of a template under construction.
 pub(crate) struct Tape<'r, C> {
     /// The base of the shape at the origin.
     base: &'r Base,
-    /// Leaves of the run, and rules on its trail, before the template.
+    /// The number of leaves of the run, and of rules on its trail, before the template.
     leaves: u64,
     trail: usize,
     holes: Vec<Hole<C>>,
     has_failed: bool,
 }
 
-/// The reason that there is no template.
+/// The reason why there is no template.
 enum Lost {
     /// The rule makes something that templates do not hold.
     Never,
@@ -41,7 +41,7 @@ enum Lost {
     Ended,
 }
 
-/// Keeps leaves.
+/// A sink that keeps leaves.
 struct Recorder<'r> {
     base: &'r Base,
     leaves: Vec<Record>,
@@ -59,7 +59,7 @@ impl Recorder<'_> {
 impl Sink for Recorder<'_> {
     fn filled(&mut self, leaf: &Filled<'_>) -> Flow {
         let shape = leaf.shape;
-        // What has no number is the base's, and so are the projections that coordinates follow from.
+        // A look without a number is the base's, and coordinates follow from projections of the base.
         let is_known = !shape.look.get().may_have_coordinates() || std::ptr::eq(shape.base, self.base);
         if !is_known || MOST <= self.leaves.len() {
             return self.fail();
@@ -95,13 +95,14 @@ impl Sink for Recorder<'_> {
 }
 
 impl<C: Clone> Cx<'_, C> {
-    /// Returns true while a template is made: calls that are not rigid become holes.
+    /// Returns true while a template is recorded: calls that are not rigid become holes.
     #[inline]
     pub fn records(&self) -> bool {
         self.tape.is_some()
     }
 
-    /// Keeps a call as a hole of the template that is made. The call asks for levels of recursion and for so much of the stack.
+    /// Keeps a call as a hole of the recorded template. The call reserves `levels` of recursion and `stack` units of
+    /// the stack.
     #[cold]
     #[inline(never)]
     pub fn hole(&mut self, shape: &ShapeRef<'_>, levels: u32, stack: u32, call: C) -> Flow {
@@ -130,7 +131,7 @@ impl<C: Clone> Cx<'_, C> {
         ControlFlow::Continue(())
     }
 
-    /// Makes the template for a shape and keeps it, or keeps that there is none.
+    /// Makes the template for a shape and keeps it, or keeps the knowledge that there is none.
     #[cold]
     #[inline(never)]
     pub(super) fn prepare<G>(
@@ -151,7 +152,7 @@ impl<C: Clone> Cx<'_, C> {
             if template.holes.is_empty() {
                 return Ok(template);
             }
-            // A seed is affine in the seed of the repetition: two points give the line.
+            // A seed is affine in the seed of the repetition: two points determine the line.
             let other = self.record(g, part, rule, 1)?;
             for (hole, other) in template.holes.iter_mut().zip(&other.holes) {
                 let [_, at_zero] = hole.seed;
@@ -159,7 +160,7 @@ impl<C: Clone> Cx<'_, C> {
             }
             if template.holes.len() == other.holes.len() { Ok(template) } else { Err(Lost::Never) }
         });
-        // Of two runs whose limits differ, both make the same of extents above the largest limit.
+        // Two runs with different thresholds agree on extents above the largest possible threshold.
         let no_matter = crate::run::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
         let key = Key::of(part, if no_matter { f64::NAN } else { too_small });
@@ -172,7 +173,7 @@ impl<C: Clone> Cx<'_, C> {
         entry.turned(part.axes)
     }
 
-    /// Derives a rule at the origin. Nothing where it leaves more than leaves that fill their scopes and holes.
+    /// Derives a rule at the origin. An error if it makes anything but holes and leaves that fill their scopes.
     fn record<G>(&mut self, g: &G, part: &ShapeRef<'_>, rule: RuleFn<G, C>, seed: u64) -> Result<Template<C>, Lost> {
         let (before, count) = (self.env.state(), self.env.shape_count());
         let checkpoint = self.env.measure_room();
@@ -227,7 +228,7 @@ impl<C: Clone> Cx<'_, C> {
 }
 
 impl Body {
-    /// Divides the leaves at the holes, and finds those after each other that are alike.
+    /// Divides the leaves at the holes, and finds consecutive leaves that are alike.
     fn divided(mut self, holes: impl Iterator<Item = usize>) -> Self {
         let ends = holes.chain([self.leaves.len()]);
         let mut start = 0;

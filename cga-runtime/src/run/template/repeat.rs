@@ -37,7 +37,7 @@ impl<C> Default for Last<C> {
 }
 
 impl<C: Clone> Cx<'_, C> {
-    /// Runs a rigid rule on a part that repeats along an axis: from its template, which is made first if there is none yet.
+    /// Runs a rigid rule on a part that repeats along an axis, from its template, which is made on first use.
     #[inline]
     pub fn repeat<G>(
         &mut self,
@@ -95,7 +95,7 @@ impl<C: Clone> Cx<'_, C> {
         resume: ResumeFn<G, C>,
     ) -> Flow {
         if !self.env.has_room(template.room) {
-            // Where the limit is passed the rule runs directly: it ends at the same shape, whether a template is there or not.
+            // Beyond the limit the rule runs directly, so it ends at the same shape with and without a template.
             if !self.env.is_within_limit(template.room) {
                 return rule(g, self, part);
             }

@@ -12,9 +12,9 @@ use crate::shape::ShapeRef;
 use crate::shape::axes::Axes;
 use crate::shape::look_id::LookId;
 
-/// Leaves of a part that repeats, at one of its places. All of them fill their scopes.
+/// The leaves of a part that repeats, at one of its places. All of them fill their scopes.
 ///
-/// A sink can keep such a part once, with a list of its places, as programs that draw instances want it:
+/// A sink can keep such a part once, with a list of its placements, for programs that draw instances:
 ///
 /// ```
 /// use std::collections::HashMap;
@@ -76,37 +76,37 @@ impl<'a> Replay<'a> {
         self.segment.leaves.len()
     }
 
-    /// The number of vertices when faces share none.
+    /// The number of vertices if faces share none.
     pub fn corner_count(&self) -> usize {
         self.segment.corners
     }
 
-    /// Returns true if some of the leaves have texture coordinates. These follow from the place of a leaf in the world, so they may
-    /// differ from repetition to repetition.
+    /// Returns true if some of the leaves have texture coordinates. These follow from the position of a leaf in the
+    /// world, so they may differ between repetitions.
     pub fn has_uvs(&self) -> bool {
         self.segment.may_have_coordinates && self.marks().any(|(leaf, mark)| !leaf.uvs_of(mark.look).is_empty())
     }
 
-    /// The identity of the part, wherever it is repeated.
+    /// The identity of the part, which does not depend on its place.
     pub fn part(&self) -> PartId {
         let has_own = self.mark_list().iter().any(|mark| mark.look == LookId::OF_BASE);
         let base = if has_own { self.part.base.number } else { 0 };
         PartId { template: self.body.number, segment: self.segment.leaves.start, base }
     }
 
-    /// From the coordinates of the part to the world: a rotation and a translation.
+    /// The map from the coordinates of the part to the world: a rotation and a translation.
     pub fn placement(&self) -> DAffine3 {
         DAffine3 { matrix3: self.part.axes.matrix, translation: self.part.origin() }
     }
 
-    /// Hands the leaves one by one to [`Sink::filled`], in the coordinates of the part: the same at all of its places. Texture
-    /// coordinates are meant for points in the world; see [`Replay::has_uvs`].
+    /// Passes the leaves one by one to [`Sink::filled`], in the coordinates of the part, which are the same at all of
+    /// its places. Texture coordinates are meant for points in the world; see [`Replay::has_uvs`].
     pub fn each_local<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let placed = self.body.leaves[self.segment.leaves.clone()].iter().map(|record| four(record.origin));
         self.hand(sink, placed, &self.body.frames)
     }
 
-    /// Hands the leaves one by one to [`Sink::filled`].
+    /// Passes the leaves one by one to [`Sink::filled`].
     #[inline]
     pub fn each<S: Sink + ?Sized>(&self, sink: &mut S) -> Flow {
         let range = self.segment.leaves.clone();
@@ -114,7 +114,7 @@ impl<'a> Replay<'a> {
         self.hand(sink, placed, &self.turned.axes)
     }
 
-    /// Hands the leaves to a sink, with those origins and axes.
+    /// Passes the leaves to a sink, with those origins and axes.
     #[inline(always)]
     fn hand<S: Sink + ?Sized>(&self, sink: &mut S, origins: impl Iterator<Item = DVec4>, axes: &'a [Axes]) -> Flow {
         let mut shape = self.part.clone();
@@ -130,29 +130,29 @@ impl<'a> Replay<'a> {
         Flow::Continue(())
     }
 
-    /// True if all leaves are boxes or rectangles across z.
+    /// Returns true if all leaves are boxes or rectangles across z.
     pub(crate) fn is_plain(&self) -> bool {
         self.segment.is_plain
     }
 
-    /// The numbers of the template and of the segment: parts with equal numbers differ only in their place and their axes, and
-    /// where a material has no number in that.
+    /// The numbers of the template and of the segment. Parts with equal numbers differ only in their place and axes,
+    /// and in materials without a number.
     pub(crate) fn number(&self) -> (u64, usize) {
         (self.body.number, self.segment.leaves.start)
     }
 
-    /// The leaves after each other with equal rule and material, each with its first leaf.
+    /// The groups of consecutive leaves with equal rule and material, each with its first leaf.
     pub(crate) fn marks(&self) -> impl Iterator<Item = (Filled<'a>, Mark)> {
         let Replay { part, tables, .. } = *self;
         self.mark_list().iter().map(move |mark| (Filled { shape: part, tables, rule: mark.rule }, *mark))
     }
 
-    /// The same without leaves.
+    /// The groups of consecutive leaves with equal rule and material.
     pub(crate) fn mark_list(&self) -> &'a [Mark] {
         &self.body.marks[self.segment.marks.clone()]
     }
 
-    /// A stretch of leaves: their places, and the normals and units of their boxes.
+    /// A range of leaves: their positions, their records, and their axes.
     #[inline]
     pub(crate) fn leaves(&self, range: Range<usize>) -> impl Iterator<Item = (&'a Placed, &'a Record, &'a Axes)> {
         let (axes, first) = (&self.turned.axes, self.segment.leaves.start);
@@ -162,7 +162,7 @@ impl<'a> Replay<'a> {
         placed.map(move |(placed, record)| (placed, record, &axes[record.frame as usize]))
     }
 
-    /// The leaves in rows: boxes or rectangles, their axes, their places and their records.
+    /// The leaves in rows of boxes or rectangles, with their axes, positions and records.
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a LeafRow, &'a Axes, &'a [Placed], &'a [Record])> {
         let Replay { body, turned, segment, .. } = *self;
         body.rows[segment.rows.clone()].iter().map(move |row| {
@@ -171,7 +171,7 @@ impl<'a> Replay<'a> {
         })
     }
 
-    /// The place of the repetition, with a fourth coordinate of 0.
+    /// The origin of the repetition, with a fourth coordinate of 0.
     #[inline]
     pub(crate) fn origin(&self) -> DVec4 {
         self.part.origin.get()

@@ -12,7 +12,7 @@ use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
 impl Shape {
-    /// Writes implicit coordinates into the sets of the mesh, which a box or a rectangle becomes.
+    /// Writes implicit coordinates into the sets of the mesh. A box or a rectangle becomes a mesh.
     #[inline]
     pub(crate) fn bake(&mut self) {
         if !self.state.coordinates().is_empty() {
@@ -31,7 +31,7 @@ impl Shape {
         self.state.change_look().coordinates = Coordinates::default();
     }
 
-    /// A mesh of this shape with explicit sets only; `to_scope` leads from its coordinates to those of the scope.
+    /// A mesh of this shape with explicit sets only; `to_scope` maps its coordinates to the scope.
     pub(crate) fn baked(&self, mesh: &Arc<Mesh>, to_scope: &DAffine3) -> Arc<Mesh> {
         let coordinates = self.state.coordinates();
         if coordinates.is_empty() {
@@ -41,7 +41,7 @@ impl Shape {
         Arc::new(with_sets(mesh, &place, coordinates, self.state.projections()))
     }
 
-    /// Replaces the mesh by one of the same points; nothing for geometry without faces.
+    /// Replaces the mesh by one with the same points. Geometry without a mesh stays.
     pub(crate) fn change_mesh(&mut self, change: impl FnOnce(&Mesh) -> Mesh) {
         if let Geometry::Mesh(placed) = &self.geometry {
             let mesh = Arc::new(change(&placed.mesh));
@@ -49,7 +49,7 @@ impl Shape {
         }
     }
 
-    /// Takes implicit coordinates along to where the geometry is now, that has moved with the scope.
+    /// Moves implicit coordinates with the geometry, after the scope has changed.
     pub(crate) fn carry(&mut self, before: &Scope) {
         if self.state.coordinates().is_empty() || self.scope == *before {
             return;
@@ -64,7 +64,7 @@ impl Shape {
         if carried.is_bounded() {
             self.state.change_look().coordinates = carried;
         } else {
-            // A size that is nearly zero.
+            // The size is nearly zero.
             let now = std::mem::replace(&mut self.scope, *before);
             self.write_sets();
             self.scope = now;
@@ -72,9 +72,9 @@ impl Shape {
     }
 }
 
-/// Implicit coordinates of what grows.
+/// The implicit coordinates of geometry that grows.
 impl Shape {
-    /// Gives everything above a plane of the scope, across an axis, the coordinates of the point below it.
+    /// Gives all points above a plane of the scope, across an axis, the coordinates of the point below them.
     #[inline]
     pub(crate) fn raise_coordinates(&mut self, axis: Axis) {
         if !self.state.coordinates().is_empty() {
@@ -90,7 +90,7 @@ impl Shape {
         }
     }
 
-    /// The normal of all faces of geometry that is flat across an axis; nothing if some look up and some down.
+    /// The normal of all faces of geometry that is flat across an axis. `None` if some look up and some down.
     fn flat_normal(&self, axis: Axis) -> Option<DVec3> {
         let up = self.scope.axes.col(axis.index());
         let Geometry::Mesh(placed) = &self.geometry else { return Some(up) };
@@ -107,7 +107,7 @@ fn rigid_inverse(place: &DAffine3) -> DAffine3 {
     DAffine3 { matrix3: turned, translation: -(turned * place.translation) }
 }
 
-/// The mesh with all sets explicit. `place` leads to the world.
+/// The mesh with all sets explicit. `place` maps it to the world.
 fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projections: &Projections) -> Mesh {
     let mut baked = mesh.clone();
     for set in coordinates.sets() {

@@ -8,7 +8,7 @@ use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::uv_map::UvMap;
 use crate::shape::scope::Scope;
 
-/// The sets that rules have changed on a shape, sorted by number. Other sets are those of its mesh.
+/// The sets that rules have changed on a shape, sorted by number. Other sets come from its mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Coordinates {
     sets: Vec<Entry>,
@@ -18,35 +18,35 @@ pub(crate) struct Coordinates {
 struct Entry {
     set: u8,
     source: UvSource,
-    /// Of the coordinates of the source.
+    /// An affine change of the source's coordinates.
     change: DAffine2,
 }
 
-/// Where the coordinates of a set come from.
+/// The source of a set's coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum UvSource {
     /// The set was deleted.
     Deleted,
     /// An explicit set of the mesh.
     Own(u8),
-    /// The projection that the shape has stored for a set.
+    /// The stored projection of a set.
     Stored(u8),
-    /// A function of the place in the world.
+    /// A function of the position in the world.
     Fixed(UvMap),
-    /// Those of an inserted cube: from the world to the cube of size 1 at the origin.
+    /// The coordinates of an inserted cube: a map from the world to the unit cube at the origin.
     Cube(DAffine3),
 }
 
-/// The coordinates of a set, as far as they follow from the place.
+/// The coordinates of a set after resolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Resolved {
-    /// There are none.
+    /// No coordinates.
     Missing,
-    /// Those of an explicit set, changed.
+    /// The coordinates of an explicit set, changed.
     Own(u8, DAffine2),
-    /// A function of the place in the world.
+    /// A function of the position in the world.
     Map(UvMap),
-    /// A function of the place for each of the six directions of a face.
+    /// A function of the position for each of the six directions of a face.
     Cube(DAffine3, DAffine2),
 }
 
@@ -56,17 +56,17 @@ impl UvSource {
         UvSource::Cube(to_unit(scope))
     }
 
-    /// The coordinates of a rectangle across an axis that fills a scope: 0 to 1, u to the right and v away from the front
-    /// (*primitiveQuad operation*).
+    /// The coordinates of a rectangle across an axis that fills a scope: 0 to 1, u to the right and v away from the
+    /// front (*primitiveQuad operation*).
     pub(crate) fn of_quad(scope: &Scope, across: Axis) -> Self {
         let normal = scope.axes.col(across.index());
         UvSource::Fixed(cube_side(&to_unit(scope), normal))
     }
 }
 
-/// From the world to the place in a scope, 0 to 1 along each axis.
+/// The map from the world to relative positions in a scope, 0 to 1 along each axis.
 fn to_unit(scope: &Scope) -> DAffine3 {
-    // Along an axis without a size, but for rounding, all points are at 0.
+    // Along an axis whose size is zero except for rounding, all points are at 0.
     let least = (PLANAR_EPSILON * scope.size.abs().max_element()).max(1.0 / UvMap::MOST);
     let share = |size: f64| if size.abs() <= least { 1.0 } else { 1.0 / size };
     let matrix = DMat3::from_diagonal(DVec3::from_array(scope.size.to_array().map(share))) * scope.axes.transpose();
@@ -74,28 +74,28 @@ fn to_unit(scope: &Scope) -> DAffine3 {
 }
 
 impl Coordinates {
-    /// Returns true if all sets are those of the mesh.
+    /// Returns true if all sets come from the mesh.
     #[inline]
     pub(crate) fn is_empty(&self) -> bool {
         self.sets.is_empty()
     }
 
-    /// Returns true if some are functions of the place in the world: they are those of one shape.
+    /// Returns true if some sets are functions of the position in the world, which belong to one shape.
     pub(crate) fn is_placed(&self) -> bool {
         self.sets.iter().any(|entry| matches!(entry.source, UvSource::Fixed(_) | UvSource::Cube(_)))
     }
 
-    /// Returns true if a box has other coordinates on each side.
+    /// Returns true if each side of a box has its own coordinates.
     pub(crate) fn has_cube(&self) -> bool {
         self.sets.iter().any(|entry| matches!(entry.source, UvSource::Cube(_)))
     }
 
-    /// Returns true if some follow from the projection that the shape has stored for a set.
+    /// Returns true if some coordinates follow from the stored projection of a set.
     pub(crate) fn is_projected(&self, set: u8) -> bool {
         self.sets.iter().any(|entry| entry.source == UvSource::Stored(set))
     }
 
-    /// The functions of the place.
+    /// The functions of the position.
     pub(crate) fn maps(&self) -> impl Iterator<Item = &UvMap> {
         self.sets.iter().filter_map(|entry| match &entry.source {
             UvSource::Fixed(map) => Some(map),
@@ -108,18 +108,18 @@ impl Coordinates {
         self.sets.iter().map(|entry| entry.set)
     }
 
-    /// Gives a set other coordinates.
+    /// Sets the source of a set.
     pub(crate) fn set(&mut self, set: u8, source: UvSource) {
         self.put(Entry { set, source, change: DAffine2::IDENTITY });
     }
 
-    /// Gives a set those of another one.
+    /// Gives the set `to` the coordinates of the set `from`.
     pub(crate) fn copy(&mut self, from: u8, to: u8) {
         let entry = self.entry(from);
         self.put(Entry { set: to, ..entry });
     }
 
-    /// Changes the coordinates of a set; returns false if the result is too large, and changes nothing.
+    /// Changes the coordinates of a set. Returns false and changes nothing if the result is too large.
     #[must_use]
     pub(crate) fn change(&mut self, set: u8, change: &DAffine2) -> bool {
         let entry = self.entry(set);
@@ -131,7 +131,7 @@ impl Coordinates {
         is_bounded
     }
 
-    /// Returns true if no function of the place is too large.
+    /// Returns true if no function of the position is too large.
     pub(crate) fn is_bounded(&self) -> bool {
         self.sets.iter().all(|entry| match &entry.source {
             UvSource::Fixed(map) => map.is_bounded(),
@@ -140,7 +140,7 @@ impl Coordinates {
         })
     }
 
-    /// Makes the coordinates of a cube those of its side with that normal.
+    /// Replaces the coordinates of a cube by those of its side with that normal.
     pub(crate) fn choose_side(&mut self, normal: DVec3) {
         for entry in &mut self.sets {
             if let UvSource::Cube(place) = &entry.source {
@@ -149,7 +149,8 @@ impl Coordinates {
         }
     }
 
-    /// Makes the coordinates from a stored projection a function of the place, as another one will be stored.
+    /// Turns coordinates from a stored projection into a function of the position, before another projection is
+    /// stored.
     pub(crate) fn fix(&mut self, stored: u8, projections: &Projections) {
         for entry in &mut self.sets {
             if entry.source == UvSource::Stored(stored) {
@@ -158,7 +159,7 @@ impl Coordinates {
         }
     }
 
-    /// The coordinates of geometry that has moved; `back` leads from where a point is to where it was.
+    /// Updates the coordinates of geometry that has moved; `back` maps a point to its old position.
     pub(crate) fn carry(&mut self, back: &DAffine3, projections: &Projections) {
         for entry in &mut self.sets {
             entry.source = match entry.source {
@@ -174,7 +175,7 @@ impl Coordinates {
         }
     }
 
-    /// The coordinates of a set; nothing for one that is the mesh's.
+    /// The coordinates of a set; `None` if they come from the mesh unchanged.
     pub(crate) fn resolve(&self, set: u8, projections: &Projections) -> Option<Resolved> {
         let entry = self.sets.iter().find(|entry| entry.set == set)?;
         let change = &entry.change;
@@ -189,7 +190,7 @@ impl Coordinates {
         })
     }
 
-    /// The entry of a set; for one that is the mesh's, one that says so.
+    /// The entry of a set. A set of the mesh gets an entry with that source.
     fn entry(&self, set: u8) -> Entry {
         let own = || Entry { set, source: UvSource::Own(set), change: DAffine2::IDENTITY };
         self.sets.iter().find(|entry| entry.set == set).cloned().unwrap_or_else(own)
@@ -208,7 +209,7 @@ fn fixed(stored: u8, projections: &Projections) -> UvSource {
 }
 
 impl Resolved {
-    /// The function of the place on a face with that normal, if it is one.
+    /// The function of the position on a face with that normal, if there is one.
     pub(crate) fn map(&self, normal: DVec3) -> Option<UvMap> {
         match self {
             Resolved::Missing | Resolved::Own(..) => None,
@@ -218,10 +219,11 @@ impl Resolved {
     }
 }
 
-/// The coordinates of the side of a cube that a face with that normal lies in: u to the right as seen from outside, v upwards
-/// (*primitiveCube operation*). On top and bottom v = 0 is at the front.
+/// The coordinates of the side of a cube that contains a face with that normal: u to the right as seen from outside,
+/// v upwards (*primitiveCube operation*). On top and bottom v = 0 is at the front.
 fn cube_side(place: &DAffine3, normal: DVec3) -> UvMap {
-    // The direction in the cube whose row has the largest part along the normal; lengths of sides make no difference.
+    // The row of the cube's direction with the largest component along the normal. The lengths of sides make no
+    // difference.
     let rows = place.matrix3.transpose();
     let along = |row: DVec3| row.try_normalize().map_or(0.0, |row| row.dot(normal));
     let n = DVec3::new(along(rows.x_axis), along(rows.y_axis), along(rows.z_axis));

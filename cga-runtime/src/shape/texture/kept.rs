@@ -1,11 +1,12 @@
-//! The maps of leaves below a base, found once for each look.
+//! The texture maps of leaves below a base, found once for each look.
 
 use std::cell::OnceCell;
 
 use crate::geometry::uv_map::SetMap;
 use crate::shape::look_id::LookId;
 
-/// Lists of maps by the number of the look, as a tree by the bits of the number. Most bases have one or two looks below them.
+/// Lists of maps by the number of the look, as a tree over the bits of the number. Most bases have one or two looks
+/// below them.
 #[derive(Debug, Default)]
 pub(crate) struct KeptMaps(OnceCell<Box<Kept>>);
 
@@ -17,7 +18,7 @@ struct Kept {
 }
 
 impl KeptMaps {
-    /// The list for a look, which `find` makes if it is not known.
+    /// The list for a look, made by `find` on the first use.
     pub(crate) fn of(&self, look: LookId, find: impl FnOnce() -> Box<[SetMap]>) -> &[SetMap] {
         let (mut place, mut bits) = (self, look.0);
         while let Some(kept) = place.0.get() {

@@ -1,9 +1,10 @@
-//! Texture space: how points of the world become texture coordinates, and which images materials show there.
+//! Texture space: the functions from points of the world to texture coordinates.
 //!
-//! A mesh may have explicit sets, a pair of coordinates for each corner. Rules add *implicit* ones: a set is a function of the
-//! point in the world, as `projectUV` makes it, or an explicit set that is moved, scaled or turned. So a rectangle or a box
-//! stays one, a cut has nothing to do, and a sink computes coordinates where it writes vertices. Operations that move geometry
-//! carry the functions along; what changes geometry in any other way writes the explicit sets first.
+//! A mesh may have explicit sets, a pair of coordinates for each corner. Rules add *implicit* sets: a function of the
+//! point in the world, as `projectUV` makes it, or an explicit set that is moved, scaled or turned. So a rectangle or
+//! a box stays one, a cut has nothing to do, and a sink computes coordinates where it writes vertices. Operations
+//! that move geometry update these functions. Operations that change geometry in any other way write the explicit
+//! sets first.
 
 mod bake;
 mod coordinates;

@@ -5,15 +5,15 @@ use std::sync::Arc;
 use super::SETS;
 use crate::geometry::uv_map::UvMap;
 
-/// A projection for each set, if there is one. Shared, and most shapes have none.
+/// A projection for each set, if there is one. Shared; most shapes have none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Projections(Option<Arc<[Option<UvMap>; SETS]>>);
 
 impl Projections {
-    /// None at all.
+    /// The empty list of projections.
     pub(crate) const NONE: Projections = Projections(None);
 
-    /// Returns true if there is none.
+    /// Returns true if no projection was stored.
     #[inline]
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_none()

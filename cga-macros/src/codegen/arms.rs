@@ -1,36 +1,58 @@
-//! A comp: its arms as a table, a closure for what is asked about components, and a `match` over the arms.
+//! Arms: a table, a closure for what is asked about parts, and a `match` over the arms.
 
-use cga_lang::ir::{Align, Comp, CompMode, Expr, RuleId, Selector, Target};
-use cga_lang::ops::variant;
+use cga_lang::ir::{Arm, ArmMode, Block, Comp, Expr, RuleId, Selector, Target};
+use cga_lang::ops::{Braces, variant};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
 
-use super::Cx;
 use super::expr::Place;
+use super::{Cx, local};
 
 impl Cx<'_> {
     /// `number` counts the children that the rule makes.
-    pub(super) fn comp(&self, comp: &Comp<Target>, rule: RuleId, number: u32) -> TokenStream {
-        let place = Span::mixed_site();
-        let (arms, how, when) = (self.arms(comp, &Place::rule(), Cx::asked), how(comp), self.when(comp));
-        let child = Literal::u32_unsuffixed(number);
-        let parts = comp.arms.iter().enumerate().map(|(number, arm)| {
+    pub(super) fn divided(&self, block: &Block, arms: &[Arm<Target>], rule: RuleId, number: u32) -> TokenStream {
+        let (place, child) = (Span::mixed_site(), Literal::u32_unsuffixed(number));
+        let (table, when) = (self.arms(arms, &Place::rule(), Cx::asked), self.when(arms));
+        let parts = arms.iter().enumerate().map(|(number, arm)| {
             let (number, code) = (Literal::u32_unsuffixed(number as u32), self.part(&arm.then, rule));
             quote_spanned!(place=> #number => #code,)
         });
-        quote_spanned! { place=>
-            let arms = #arms;
-            cga_rt::comp(cx, shape, #child, #how, &arms, &mut #when, &mut |cx, arm, part| match arm {
+        let visit = quote_spanned! { place=>
+            &mut |cx, arm, part| match arm {
                 #(#parts)*
                 _ => cga_rt::Flow::Continue(()),
-            })?;
+            }
+        };
+        let name = Ident::new(block.row.run.now().unwrap_or(block.row.name), place);
+        if block.row.braces == Braces::Components {
+            let args = self.args(block.row, &block.args, &Place::rule(), Cx::asked, &TokenStream::new());
+            return quote_spanned! { place=>
+                let arms = #table;
+                cga_rt::#name(cx, shape, #child, #(#args,)* &arms, &mut #when, #visit)?;
+            };
+        }
+        let args = self.args(block.row, &block.args, &Place::rule(), Cx::asked, &quote_spanned!(place=> op::));
+        let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
+        quote_spanned! { place=>
+            #(let #names = #args;)*
+            let arms = #table;
+            cga_rt::divide(
+                cx,
+                shape,
+                #child,
+                &arms,
+                &mut #when,
+                |env, arms| cga_rt::op::#name(env, arms, #(#names),*),
+                #visit,
+            )?;
         }
     }
 
     /// An array with a value for each component.
-    pub(super) fn comp_value(&self, comp: &Comp<Expr>, at: &Place) -> TokenStream {
+    pub(super) fn comp_value(&self, comp: &Comp, at: &Place) -> TokenStream {
         let place = Span::mixed_site();
-        let (arms, how, when) = (self.arms(comp, at, Cx::expr), how(comp), self.when(comp));
+        let (arms, when) = (self.arms(&comp.arms, at, Cx::expr), self.when(&comp.arms));
+        let args = self.args(comp.row, &comp.args, at, Cx::expr, &TokenStream::new());
         let values = comp.arms.iter().enumerate().map(|(number, arm)| {
             let (number, value) = (Literal::u32_unsuffixed(number as u32), self.expr(&arm.then, &Place::component()));
             quote_spanned!(place=> #number => #value,)
@@ -38,7 +60,7 @@ impl Cx<'_> {
         let (env, shape) = (&at.env, &at.shape);
         quote_spanned! { place=> {
             let arms = #arms;
-            cga_rt::comp_values(#env, #shape, #how, &arms, #when, |env, arm, part| match arm {
+            cga_rt::comp_values(#env, #shape, #(#args,)* &arms, #when, |env, arm, part| match arm {
                 #(#values)*
                 _ => ::core::default::Default::default(),
             })
@@ -46,9 +68,9 @@ impl Cx<'_> {
     }
 
     /// The table.
-    fn arms<T>(&self, comp: &Comp<T>, at: &Place, expr: fn(&Self, &Expr, &Place) -> TokenStream) -> TokenStream {
+    fn arms<T>(&self, arms: &[Arm<T>], at: &Place, expr: fn(&Self, &Expr, &Place) -> TokenStream) -> TokenStream {
         let place = Span::mixed_site();
-        let table = comp.arms.iter().map(|arm| {
+        let table = arms.iter().map(|arm| {
             let select = match &arm.selector {
                 Selector::Word(word) => {
                     let word = Ident::new(&variant(word), place);
@@ -61,9 +83,9 @@ impl Cx<'_> {
                 Selector::When(_) => quote_spanned!(place=> When),
             };
             let mode = match arm.mode {
-                CompMode::Each => quote_spanned!(place=> Each),
-                CompMode::Together => quote_spanned!(place=> Together),
-                CompMode::Connected => quote_spanned!(place=> Connected),
+                ArmMode::Each => quote_spanned!(place=> Each),
+                ArmMode::Together => quote_spanned!(place=> Together),
+                ArmMode::Connected => quote_spanned!(place=> Connected),
             };
             let text = &arm.text;
             quote_spanned!(place=> cga_rt::Arm { select: cga_rt::Select::#select, mode: cga_rt::Mode::#mode, text: #text })
@@ -72,9 +94,9 @@ impl Cx<'_> {
     }
 
     /// What answers the conditions.
-    fn when<T>(&self, comp: &Comp<T>) -> TokenStream {
+    fn when<T>(&self, arms: &[Arm<T>]) -> TokenStream {
         let place = Span::mixed_site();
-        let conditions = comp.arms.iter().enumerate().filter_map(|(number, arm)| match &arm.selector {
+        let conditions = arms.iter().enumerate().filter_map(|(number, arm)| match &arm.selector {
             Selector::When(condition) => {
                 let number = Literal::u32_unsuffixed(number as u32);
                 let condition = self.expr(condition, &Place::candidate());
@@ -95,15 +117,4 @@ pub(super) fn asked(word: &str) -> TokenStream {
     let place = Span::mixed_site();
     let word = Ident::new(&variant(word), place);
     quote_spanned!(place=> candidate.is(cga_rt::Word::#word))
-}
-
-/// Into what a comp divides, and what frames its parts have.
-fn how<T>(comp: &Comp<T>) -> TokenStream {
-    let place = Span::mixed_site();
-    let components = Ident::new(comp.components.rust, place);
-    let align = match comp.align {
-        Align::ZUp => quote_spanned!(place=> ZUp),
-        Align::Keep => quote_spanned!(place=> Keep),
-    };
-    quote_spanned!(place=> cga_rt::Components::#components, cga_rt::Align::#align)
 }

@@ -1,0 +1,74 @@
+//! Outlines moved inwards until nothing is left.
+//!
+//! `cargo bench --bench offset`. Time grows as the square of the corners, whether events come one by one or all at once.
+
+mod common;
+
+use std::f64::consts::TAU;
+use std::hint::black_box;
+
+use cga::sink::stats::Stats;
+use cga::{Settings, Shape, cga};
+use common::clock::{fastest, nanoseconds_each};
+use common::table::{Table, number};
+
+cga! {
+    /// The border faces of an offset that sweeps all of a lot.
+    grammar Swept;
+
+    Lot --> offset(-10, border) Border.
+}
+
+/// Numbers from 0 to 1 without order.
+fn mixed(i: u32) -> f64 {
+    let mixed = (u64::from(i) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    ((mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 11) as f64 / (1u64 << 53) as f64
+}
+
+/// A loop around the origin, with a radius for each corner.
+fn around(corners: u32, radius: impl Fn(u32) -> f64) -> Vec<[f64; 2]> {
+    let angle = |i: u32| TAU * f64::from(i) / f64::from(corners);
+    (0..corners).map(|i| [libm::cos(angle(i)), libm::sin(angle(i))].map(|c| radius(i) * c)).collect()
+}
+
+/// Two parallel walls, each of many edges.
+fn corridor(corners: u32) -> Vec<[f64; 2]> {
+    let half = corners / 2;
+    let end = f64::from(half - 1);
+    let wall = |far: bool| move |i: u32| if far { [end - f64::from(i), 8.0] } else { [f64::from(i), 0.0] };
+    (0..half).map(wall(false)).chain((0..half).map(wall(true))).collect()
+}
+
+fn row(table: &mut Table, name: &str, outline: &[[f64; 2]]) {
+    let lot = Shape::footprint(outline, &[]).expect("a polygon");
+    let run = || {
+        let mut stats = Stats::new();
+        let report =
+            Swept::default().generate_into(&lot, &Settings::default(), &mut stats).expect("no limit is reached");
+        assert!(report.faults.is_empty(), "{name}: {:?}", report.faults);
+        stats
+    };
+    let mut work = || {
+        black_box(run());
+    };
+    let [best] = fastest(0.5, [&mut work]);
+    let corners = outline.len();
+    let whole = nanoseconds_each(best, 1);
+    let [us, a_pair] = [whole / 1e3, whole / (corners * corners) as f64];
+    table.row(name, &[number(a_pair, 1), corners.to_string(), number(us, 1)]);
+}
+
+fn main() {
+    let mut table = Table::new("Offset of a face", &["face", "ns a pair of corners", "corners", "us"]);
+    row(
+        &mut table,
+        "rectangle with a notch",
+        &[[0.0, 0.0], [9.0, 0.0], [9.0, 3.0], [6.0, 3.0], [6.0, 5.0], [0.0, 5.0]],
+    );
+    for corners in [100, 1_000, 5_000] {
+        row(&mut table, "disk: all at once", &around(corners, |_| 5.0));
+        row(&mut table, "corridor: all at once", &corridor(corners));
+        row(&mut table, "star: one by one", &around(corners, |i| 4.0 + mixed(i)));
+    }
+    table.print();
+}

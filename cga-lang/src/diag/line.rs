@@ -1,0 +1,48 @@
+//! Lines of diagnostics.
+
+use std::fmt;
+
+/// The sign of relative sizes in the lines of diagnostics. Sources spell it differently, so it is not a character of any.
+pub const RELATIVE: char = '\u{FDD0}';
+
+/// A line of a diagnostic: lower case, no full stop, names and code in backticks.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Line(String);
+
+impl Line {
+    /// The line with a source's sign of relative sizes.
+    pub fn spelled(&self, relative: char) -> String {
+        self.0.replace(RELATIVE, relative.encode_utf8(&mut [0; 4]))
+    }
+}
+
+impl fmt::Display for Line {
+    /// As text sources spell it.
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.spelled('\''))
+    }
+}
+
+impl From<String> for Line {
+    fn from(text: String) -> Line {
+        Line(text)
+    }
+}
+
+impl From<&str> for Line {
+    fn from(text: &str) -> Line {
+        Line(text.to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Line, RELATIVE};
+
+    #[test]
+    fn relative_sizes_are_spelled_as_the_source_spells_them() {
+        let line = Line::from(format!("write `{RELATIVE}0.3` for 30 % of the rule's scope"));
+        assert_eq!(line.spelled('^'), "write `^0.3` for 30 % of the rule's scope");
+        assert_eq!(line.to_string(), "write `'0.3` for 30 % of the rule's scope");
+    }
+}

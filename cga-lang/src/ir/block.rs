@@ -1,0 +1,112 @@
+//! Operations with braces, and `comp` as a value.
+
+use super::{Arg, Axis, Expr, Piece, Size, Target};
+use crate::ast::ArmMode;
+use crate::ops::{Default, Operation};
+use crate::span::Span;
+
+/// `name(args) { … }`: makes parts of the current shape, each with a successor. The shape itself goes on unchanged.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// The operation.
+    pub row: &'static Operation,
+    /// One argument for each parameter of the row.
+    pub args: Vec<Arg>,
+    /// The parts.
+    pub parts: Parts,
+    /// The operation's name.
+    pub span: Span,
+}
+
+/// The parts that an operation with braces makes.
+#[derive(Clone, Debug)]
+pub enum Parts {
+    /// `size : … | size : …`
+    Slots(Slots),
+    /// `selector : … | selector = …`, from left to right: a part goes to the first arm that selects it.
+    Arms(Vec<Arm<Target>>),
+}
+
+/// Slots with their sizes.
+#[derive(Clone, Debug, Default)]
+pub struct Slots {
+    /// One size for each written slot, evaluated once, in order, on the whole shape.
+    pub sizes: Vec<Size>,
+    /// The repetition of slots. Groups without `*` are gone.
+    pub pattern: Vec<cga_split::Item>,
+    /// One successor for each written slot.
+    pub targets: Vec<Target>,
+    /// The solution, where the extent and the sizes are known.
+    pub solved: Option<Solved>,
+}
+
+/// A split that was solved at compile time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// The extent along the axis, never negative.
+    pub extent: f64,
+    /// All pieces, from the low end to the high end.
+    pub pieces: Vec<Piece>,
+}
+
+/// `selector : …`, `selector = …` or `selector =: …`. It makes a `T` of its parts: a [`Target`], or the value of an [`Expr`].
+#[derive(Clone, Debug)]
+pub struct Arm<T> {
+    /// Selects parts.
+    pub selector: Selector,
+    /// `comp.sel`, as written.
+    pub text: String,
+    /// The operator.
+    pub mode: ArmMode,
+    /// What becomes of a part. A value is computed with the part as current shape.
+    pub then: T,
+}
+
+/// The parts that an arm takes.
+#[derive(Clone, Debug)]
+pub enum Selector {
+    /// A lone word of [`crate::ops::selectors`], in its newest spelling.
+    Word(&'static str),
+    /// By index, evaluated once on the whole shape.
+    Index(Expr),
+    /// By a condition, with the part as current shape. Words stand in it.
+    When(Expr),
+}
+
+/// `comp(f) { selector : value }`: an array with a value for each component.
+#[derive(Clone, Debug)]
+pub struct Comp {
+    /// The operation of that name, for its parameters.
+    pub row: &'static Operation,
+    /// Its arguments.
+    pub args: Vec<Arg>,
+    /// Tried from left to right.
+    pub arms: Vec<Arm<Expr>>,
+}
+
+impl Block {
+    /// The axis that the first argument names.
+    pub fn axis(&self) -> Option<Axis> {
+        Axis::named(self.word(0)?)
+    }
+
+    /// Returns true if parts in slots shrink to their geometry.
+    pub fn adjusts(&self) -> bool {
+        self.word(1) == Some("adjust")
+    }
+
+    /// Returns true if all words that may be left out are the default ones.
+    pub fn is_plain(&self) -> bool {
+        self.args.iter().zip(self.row.params).all(|(arg, param)| match (arg, param.default) {
+            (Arg::Word(word), Some(Default::Word(default))) => *word == default,
+            _ => true,
+        })
+    }
+
+    fn word(&self, index: usize) -> Option<&'static str> {
+        match self.args.get(index)? {
+            Arg::Word(word) => Some(word),
+            Arg::Value(_) | Arg::Length(_) => None,
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! Operations with braces, and `comp` as a value.
+
+use super::{LONGEST_SOURCE, Lower};
+use crate::ast::{self, ArmMode, BlockPart, SplitItem};
+use crate::fold::fold;
+use crate::ir::{Arm, Block, Comp, Expr, ExprKind, Item, Parts, Selector, Slots, Step, Target, Type};
+use crate::ops::{self, Run};
+use crate::resolve::tables::Use;
+use crate::span::Span;
+
+impl<'c> Lower<'c> {
+    pub(super) fn block(&mut self, block: &'c ast::Block, span: Span) -> Option<Step> {
+        let Use::Operation(row) = self.used(&block.name)? else { return None };
+        if row.run == Run::Later {
+            return Some(Step::Later(block.name.text.clone(), span));
+        }
+        let args = self.args(row, &block.args, block.name.span);
+        let parts = match block.parts.as_slice() {
+            [BlockPart::Slots(items, repeat)] => {
+                let mut slots = Slots::default();
+                self.slots(items, *repeat, &mut slots, block.name.span);
+                Parts::Slots(slots)
+            }
+            [BlockPart::Arms(arms)] => Parts::Arms(arms.iter().map(|arm| self.arm_of(arm)).collect()),
+            // No operation with such braces runs yet.
+            _ => return Some(Step::Later(block.name.text.clone(), span)),
+        };
+        Some(Step::Block(Block { row, args, parts, span: block.name.span }))
+    }
+
+    fn slots(&mut self, items: &'c [SplitItem], repeat: bool, out: &mut Slots, owner: Span) {
+        let start = out.pattern.len();
+        if repeat {
+            out.pattern.push(Item::Repeat(0));
+        }
+        for item in items {
+            match item {
+                SplitItem::Slot(size, ops) => {
+                    out.pattern.push(Item::Slot);
+                    let size = self.size(size);
+                    out.sizes.push(size);
+                    let target = self.part(ops, owner);
+                    out.targets.push(target);
+                }
+                SplitItem::Group(items, repeat) => self.slots(items, *repeat, out, owner),
+            }
+        }
+        if repeat {
+            out.pattern[start] = Item::Repeat((out.pattern.len() - start - 1) as u32);
+        }
+    }
+
+    fn arm_of(&mut self, arm: &'c ast::Arm) -> Arm<Target> {
+        let then = self.part(&arm.ops, arm.selector.span);
+        self.arm(&arm.selector, arm.mode, then)
+    }
+
+    /// `comp(f) { selector : value }`: an array of the values.
+    pub(super) fn comp_value(&mut self, comp: &ast::CompValue) -> Option<(ExprKind, Type)> {
+        let row = ops::operations(&comp.name.text).next()?;
+        let arms = comp.arms.iter().map(|(selector, mode, value)| {
+            let then = self.expr(value);
+            self.arm(selector, *mode, then)
+        });
+        let arms: Vec<Arm<Expr>> = arms.collect();
+        let ty = arms.first()?.then.ty.array();
+        let args: Vec<ast::Arg> =
+            comp.args.iter().map(|value| ast::Arg { prefix: None, value: value.clone(), span: value.span }).collect();
+        let args = self.args(row, &args, comp.name.span);
+        Some((ExprKind::Comp(Box::new(Comp { row, args, arms })), ty))
+    }
+
+    fn arm<T>(&mut self, selector: &ast::Expr, mode: ArmMode, then: T) -> Arm<T> {
+        let text = self.tokens.text(selector.span, LONGEST_SOURCE);
+        Arm { selector: self.selector(selector), text, mode, then }
+    }
+
+    fn selector(&mut self, selector: &ast::Expr) -> Selector {
+        let mut expr = self.expr(selector);
+        fold(&mut expr, &self.known);
+        match (&expr.kind, expr.ty) {
+            (ExprKind::Word(word), _) => Selector::Word(word),
+            (_, Type::Bool) => Selector::When(expr),
+            _ => Selector::Index(expr),
+        }
+    }
+}
+
+/// The question that a selector's word is. Old words are said in new ones.
+pub(super) fn word(word: &'static str, span: Span) -> ExprKind {
+    let street = || Expr { kind: ExprKind::Word("street.front"), ty: Type::Bool, span };
+    match word {
+        "streetSide" => street().kind,
+        "noStreetSide" => ExprKind::Not(Box::new(street())),
+        _ => ExprKind::Word(word),
+    }
+}
