@@ -1,7 +1,8 @@
 //! Did-you-mean over a closed set of names.
 
-/// The name nearest to `word`, if one is near enough to have been meant.
-pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+/// The name nearest to `word`, if one is near enough to have been meant: a third of its letters may differ, and case does not
+/// count.
+pub fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word: Vec<char> = word.chars().flat_map(char::to_lowercase).take(LONGEST).collect();
     let limit = (word.len() / 3).max(1);
     let letters = word.iter().fold(0, |set, c| set | letter(*c));
@@ -76,5 +77,11 @@ mod tests {
         assert_eq!(nearest("window", names), None);
         assert_eq!(nearest("r", names), None);
         assert_eq!(nearest("sqr", ["str", "sqrt"]), Some("sqrt"));
+        let names = ["height", "floor_h", "x"];
+        assert_eq!(nearest("hight", names), Some("height"));
+        assert_eq!(nearest("HEIGHT", names), Some("height"));
+        assert_eq!(nearest("floor", names), None);
+        assert_eq!(nearest("floorh", names), Some("floor_h"));
+        assert_eq!((nearest("y", names), nearest("", names)), (None, None));
     }
 }
