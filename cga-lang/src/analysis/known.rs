@@ -129,7 +129,7 @@ impl<'f> Known<'f> {
     /// The value of an attribute; `first` is the number of the first of its name.
     fn attr(&self, globals: &Globals, index: usize, first: usize, mode: Attrs) -> Value {
         let item = &globals.attrs[index];
-        let any = Value::of(item.ty(&self.tables));
+        let any = Value::of(item.ty(self.tables));
         if self.changing.contains(&(index as u32)) {
             return any;
         }
