@@ -231,6 +231,15 @@ impl Cx<'_> {
                 let inner = self.expr(inner, at);
                 quote_spanned!(place=> cga_rt::func::#convert(#inner))
             }
+            ExprKind::Case(arms, otherwise) if are_styles(arms) => {
+                let arms = arms.iter().map(|(test, value)| {
+                    let ExprKind::Style(styles) = &test.kind else { return TokenStream::new() };
+                    let (styles, value) = (style_numbers(styles), self.expr(value, at));
+                    quote_spanned!(place=> #(#styles)|* => #value,)
+                });
+                let otherwise = self.expr(otherwise, at);
+                quote_spanned!(place=> (match g.style { #(#arms)* _ => #otherwise }))
+            }
             ExprKind::Case(arms, otherwise) => {
                 let conditions = arms.iter().map(|(condition, _)| self.expr(condition, at));
                 let values = arms.iter().map(|(_, value)| self.expr(value, at));
@@ -338,9 +347,18 @@ impl Cx<'_> {
     }
 }
 
+/// Returns true if a `case` chooses by style alone.
+fn are_styles(arms: &[(Expr, Expr)]) -> bool {
+    !arms.is_empty() && arms.iter().all(|(test, _)| matches!(test.kind, ExprKind::Style(_)))
+}
+
+fn style_numbers(styles: &[u32]) -> impl Iterator<Item = Literal> {
+    styles.iter().map(|number| Literal::u32_suffixed(*number))
+}
+
 /// Returns true in some styles.
 pub(super) fn is_style(styles: &[u32], style: &TokenStream) -> TokenStream {
-    let styles = styles.iter().map(|number| Literal::u32_suffixed(*number));
+    let styles = style_numbers(styles);
     quote_spanned!(Span::mixed_site()=> ::core::matches!(#style, #(#styles)|*))
 }
 

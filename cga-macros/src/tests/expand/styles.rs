@@ -29,7 +29,10 @@ impl cga_rt::Rules for Tower {
             ::core::option::Option::None => {
                 let shape = &mut cga_rt::global(initial, 3977000791u32);
                 let g = &g;
-                (if ::core::matches!(g.style, 1u32) { 5f64 } else { 1f64 })
+                (match g.style {
+                    1u32 => 5f64,
+                    _ => 1f64,
+                })
             }
         };
         g.attr_1 = cga_rt::text(&self.label);
