@@ -78,7 +78,7 @@ pub struct OpenChain {
 ///
 /// ```
 /// use std::sync::Arc;
-/// use cga_runtime::{cut, mesh::primitive, scope::Axis};
+/// use cga_runtime::geometry::{Axis, cut, mesh::primitive};
 ///
 /// let cube = Arc::new(primitive::cube());
 /// let slabs = cut::slabs(&cube, Axis::X, &[0.25, 2.0]);

@@ -56,7 +56,8 @@ use sites::Sites;
 ///
 /// ```
 /// use std::sync::Arc;
-/// use cga_runtime::{cut, glam::DVec2, mesh::{FaceTag, MeshBuilder, UvAxis}};
+/// use cga_runtime::geometry::{cut, mesh::{FaceTag, MeshBuilder, UvAxis}};
+/// use cga_runtime::glam::DVec2;
 ///
 /// let mut builder = MeshBuilder::new();
 /// let corners = [[0.0, 0.0], [8.0, 0.0], [8.0, -2.0], [0.0, -2.0]].map(|[x, z]| builder.point([x, 0.0, z]));
